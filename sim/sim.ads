@@ -1,0 +1,42 @@
+--  The host simulation: everything round the flight software, in virtual
+--  time.
+
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
+
+package Sim is
+
+   --  Virtual time since the ground node was switched on.
+   type Microseconds is range 0 .. 2 ** 62 - 1;
+
+   Microseconds_Per_Millisecond : constant := 1_000;
+   Major_Frame                  : constant Microseconds := 20_000;
+
+   --  What the pilot's console gives the ground's A/D board.
+   type Console_Words is array (Command_Item) of Word;
+
+   --  What the aircraft's sensors give the aircraft's A/D board.
+   type Sensor_Words is array (Sensor_Item) of Word;
+
+   --  Ground to aircraft, aircraft to ground.
+   type Direction is (Up, Down);
+
+   --  Cumulative counts of the serial link, in the order of the flight
+   --  record.
+   type Link_Item is
+     (Uplink_Sent, Uplink_Received, Uplink_Bad, Uplink_Scrapped,
+      Downlink_Sent, Downlink_Received, Downlink_Bad, Downlink_Scrapped,
+      GSC_Resets, MCS_Resets);
+
+   type Link_Counts is array (Link_Item) of Count;
+
+   Neutral_Console : constant Console_Words :=
+     (Switch_Item => 0, others => Neutral_Value);
+
+   Neutral_Sensors : constant Sensor_Words := (others => Neutral_Value);
+
+   --  A bad command line or a bad input file, with a message that says
+   --  where and what. The program ends with exit status 2.
+   Bad_Input : exception;
+
+end Sim;

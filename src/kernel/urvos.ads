@@ -1,0 +1,23 @@
+--  URVOS, the operating system of both nodes (report, section 3).
+--
+--  This package holds the machine's two units of data and the counter that
+--  every error count uses. The kernel knows nothing of the vehicle.
+
+with Interfaces;
+
+package URVOS with Pure, SPARK_Mode is
+
+   --  What the serial link carries.
+   subtype Byte is Interfaces.Unsigned_8;
+
+   --  What the boards and the buffers hold.
+   subtype Word is Interfaces.Unsigned_16;
+
+   --  How often something happened. A count that reaches its last value
+   --  stays there: "at least that often".
+   type Count is range 0 .. 2 ** 31 - 1;
+
+   function Incremented (Value : Count) return Count is
+     (if Value = Count'Last then Value else Value + 1);
+
+end URVOS;

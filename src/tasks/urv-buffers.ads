@@ -1,0 +1,89 @@
+--  The messages that tasks pass on: converter images, uplink and downlink
+--  buffers, servo commands (report, section 2.5, figures 4 and 13).
+--
+--  A buffer is an array over the names of its words, so that the order of
+--  the names is the order on the wire (BUF-1, BUF-2).
+
+with URVOS; use URVOS;
+
+package URV.Buffers with Pure, SPARK_Mode is
+
+   --  A word of a sensor or a stick carries one converter value (BUF-3).
+   subtype Converter_Value is Word range 0 .. 16#FFF#;
+
+   --  The middle of the converter's range: a centred stick, a surface at
+   --  zero degrees.
+   Neutral_Value : constant Converter_Value := 16#800#;
+
+   --  The value of the error/status word: nothing wrong, or the words
+   --  before it are those of an earlier frame (report, 4.1.3).
+   No_Error   : constant Word := 0;
+   Stale_Data : constant Word := 1;
+
+   --  What the analog-to-digital board samples in one scan.
+   type Channel is range 0 .. 31;
+   type Channel_Words is array (Channel) of Word;
+
+   --  33 words: one a channel, then the error/status word.
+   type AD_Image is record
+      Words        : Channel_Words;
+      Error_Status : Word;
+   end record;
+
+   --  Pilot's console to aircraft, 14 words (figure 4a).
+   type Uplink_Item is
+     (Roll, Pitch, Yaw, Throttle, Brake,
+      Switch_1, Switch_2, Switch_3, Switch_4,
+      Switch_5, Switch_6, Switch_7, Switch_8,
+      Error_Status);
+
+   subtype Command_Item is Uplink_Item range Roll .. Switch_8;
+   subtype Switch_Item is Uplink_Item range Switch_1 .. Switch_8;
+
+   type Uplink_Buffer is array (Uplink_Item) of Word;
+
+   --  Aircraft to ground, 28 words (figure 4b).
+   type Downlink_Item is
+     (Right_Flap_1, Left_Flap_1, Right_Flap_2, Left_Flap_2,
+      Right_Aileron, Left_Aileron, Right_Elevator, Left_Elevator,
+      Right_Rudder, Left_Rudder,
+      Alpha, Beta, Altitude_Offset,
+      Lateral_Acceleration, Longitudinal_Acceleration, Vertical_Acceleration,
+      RPM, Battery_Volts, Alternator_Volts,
+      Roll_Attitude, Pitch_Attitude, Roll_Rate, Pitch_Rate, Yaw_Rate,
+      Airspeed, Altitude, Uplink_Signal_Strength,
+      Error_Status);
+
+   subtype Sensor_Item is
+     Downlink_Item range Right_Flap_1 .. Uplink_Signal_Strength;
+
+   type Downlink_Buffer is array (Downlink_Item) of Word;
+
+   --  What the pulse width modulation board is given (figure 13b): 13
+   --  servo commands and the eight discretes, switch n in bit n - 1.
+   type PWM_Item is
+     (Left_Aileron, Right_Aileron, Left_Elevator, Right_Elevator,
+      Left_Rudder, Right_Rudder, Steering, Throttle, Brake,
+      Left_Flap_1, Right_Flap_1, Left_Flap_2, Right_Flap_2,
+      Discretes);
+
+   subtype Servo_Item is PWM_Item range Left_Aileron .. Right_Flap_2;
+
+   type PWM_Buffer is array (PWM_Item) of Word;
+
+   --  Acceptable "previous values" for a consumer that has not received
+   --  anything yet (INI-8): sticks centred, switches off, sensors at the
+   --  middle of their range, and the error word set because nothing of it
+   --  was ever measured.
+   Neutral_Image : constant AD_Image :=
+     (Words => (others => Neutral_Value), Error_Status => Stale_Data);
+
+   Neutral_Uplink : constant Uplink_Buffer :=
+     (Switch_Item  => 0,
+      Error_Status => Stale_Data,
+      others       => Neutral_Value);
+
+   Neutral_Downlink : constant Downlink_Buffer :=
+     (Error_Status => Stale_Data, others => Neutral_Value);
+
+end URV.Buffers;
