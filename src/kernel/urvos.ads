@@ -8,10 +8,10 @@ with Interfaces;
 package URVOS with Pure, SPARK_Mode is
 
    --  What the serial link carries.
-   subtype Byte is Interfaces.Unsigned_8;
+   type Byte is new Interfaces.Unsigned_8;
 
    --  What the boards and the buffers hold.
-   subtype Word is Interfaces.Unsigned_16;
+   type Word is new Interfaces.Unsigned_16;
 
    --  How often something happened. A count that reaches its last value
    --  stays there: "at least that often".

@@ -1,0 +1,31 @@
+package body URVOS.Mailboxes with SPARK_Mode is
+
+   procedure Send
+     (Box     : in out Mailbox;
+      Item    : Message;
+      Success : out Boolean)
+   is
+   begin
+      Success := not Is_Fresh (Box);
+      Box.Data := Item;
+      if Success then
+         Box.Producer := Box.Producer + 1;
+      end if;
+   end Send;
+
+   procedure Receive
+     (Box   : in out Mailbox;
+      Item  : out Message;
+      Fresh : out Boolean)
+   is
+   begin
+      Item := Box.Data;
+      Fresh := Is_Fresh (Box);
+      if Fresh then
+         Box.Consumer := Box.Producer;
+      else
+         Box.Missed := Incremented (Box.Missed);
+      end if;
+   end Receive;
+
+end URVOS.Mailboxes;

@@ -1,0 +1,112 @@
+--  A mailbox: one message that one producer leaves for one consumer
+--  (report, section 3.4; MBX-1 to MBX-4).
+--
+--     Send    (Box, Command, Success);
+--     Receive (Box, Command, Fresh);
+--
+--  The producer flag counts the messages produced, the consumer flag those
+--  consumed. They differ, by one, exactly while the message in the box has
+--  not been received. A message that overwrites an unconsumed one takes its
+--  place without being counted again.
+--
+--  The counting flags wrap round; only whether they differ matters. The
+--  count of misses stops at its last value.
+
+generic
+   type Message is private;
+
+   --  What a consumer gets that receives before anything was sent (INI-8).
+   Neutral : Message;
+package URVOS.Mailboxes with Pure, SPARK_Mode is
+
+   type Flag is mod 2 ** 32;
+
+   type Mailbox is private;
+
+   --  The size of the data, in bytes.
+   Data_Size : constant Natural := (Message'Size + 7) / 8;
+
+   function Contents (Box : Mailbox) return Message;
+
+   function Produced (Box : Mailbox) return Flag;
+
+   function Consumed (Box : Mailbox) return Flag;
+
+   --  How often Receive found nothing new.
+   function Misses (Box : Mailbox) return Count;
+
+   --  The message in the box has not been received yet.
+   function Is_Fresh (Box : Mailbox) return Boolean is
+     (Produced (Box) /= Consumed (Box))
+   with
+     Post => Is_Fresh'Result = (Produced (Box) = Consumed (Box) + 1);
+
+   --  A box in its known first state.
+   function Empty_Mailbox return Mailbox
+   with
+     Post =>
+       Contents (Empty_Mailbox'Result) = Neutral
+       and then Produced (Empty_Mailbox'Result) = 0
+       and then Consumed (Empty_Mailbox'Result) = 0
+       and then Misses (Empty_Mailbox'Result) = 0;
+
+   --  Leaves Item in the box. Success is False when it replaced a message
+   --  that nobody had received.
+   procedure Send
+     (Box     : in out Mailbox;
+      Item    : Message;
+      Success : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Contents (Box) = Item
+       and then Is_Fresh (Box)
+       and then Success = not Is_Fresh (Box'Old)
+
+       --  The flag advances only for a message that takes no other's place.
+       and then Produced (Box) =
+         (if Success then Produced (Box'Old) + 1 else Produced (Box'Old))
+       and then Consumed (Box) = Consumed (Box'Old)
+       and then Misses (Box) = Misses (Box'Old);
+
+   --  Gives the message in the box. Fresh tells whether it is one that was
+   --  not given before; if not, the miss is counted.
+   procedure Receive
+     (Box   : in out Mailbox;
+      Item  : out Message;
+      Fresh : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Item = Contents (Box'Old)
+       and then Contents (Box) = Contents (Box'Old)
+       and then Fresh = Is_Fresh (Box'Old)
+       and then not Is_Fresh (Box)
+       and then Produced (Box) = Produced (Box'Old)
+       and then Consumed (Box) = Produced (Box)
+       and then Misses (Box) =
+         (if Fresh then Misses (Box'Old)
+          else Incremented (Misses (Box'Old)));
+
+private
+
+   type Mailbox is record
+      Data     : Message := Neutral;
+      Producer : Flag    := 0;
+      Consumer : Flag    := 0;
+      Missed   : Count   := 0;
+   end record
+   with Predicate => Producer - Consumer <= 1;
+
+   function Contents (Box : Mailbox) return Message is (Box.Data);
+
+   function Produced (Box : Mailbox) return Flag is (Box.Producer);
+
+   function Consumed (Box : Mailbox) return Flag is (Box.Consumer);
+
+   function Misses (Box : Mailbox) return Count is (Box.Missed);
+
+   function Empty_Mailbox return Mailbox is
+     ((Data => Neutral, Producer => 0, Consumer => 0, Missed => 0));
+
+end URVOS.Mailboxes;

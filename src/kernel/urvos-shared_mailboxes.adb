@@ -1,0 +1,62 @@
+package body URVOS.Shared_Mailboxes
+  with
+    SPARK_Mode,
+    Refined_State => (Box => Guarded_Box)
+is
+
+   protected Guarded_Box is
+
+      procedure Send (Item : Message; Success : out Boolean);
+
+      procedure Receive (Item : out Message; Fresh : out Boolean);
+
+      procedure Reset;
+
+      function Snapshot return Boxes.Mailbox;
+
+   private
+      Contents : Boxes.Mailbox := Boxes.Empty_Mailbox;
+   end Guarded_Box;
+
+   protected body Guarded_Box is
+
+      procedure Send (Item : Message; Success : out Boolean) is
+      begin
+         Boxes.Send (Contents, Item, Success);
+      end Send;
+
+      procedure Receive (Item : out Message; Fresh : out Boolean) is
+      begin
+         Boxes.Receive (Contents, Item, Fresh);
+      end Receive;
+
+      procedure Reset is
+      begin
+         Contents := Boxes.Empty_Mailbox;
+      end Reset;
+
+      function Snapshot return Boxes.Mailbox is (Contents);
+
+   end Guarded_Box;
+
+   procedure Send (Item : Message; Success : out Boolean) is
+   begin
+      Guarded_Box.Send (Item, Success);
+   end Send;
+
+   procedure Receive (Item : out Message; Fresh : out Boolean) is
+   begin
+      Guarded_Box.Receive (Item, Fresh);
+   end Receive;
+
+   procedure Reset is
+   begin
+      Guarded_Box.Reset;
+   end Reset;
+
+   procedure Inspect (Snapshot : out Boxes.Mailbox) is
+   begin
+      Snapshot := Guarded_Box.Snapshot;
+   end Inspect;
+
+end URVOS.Shared_Mailboxes;

@@ -1,0 +1,43 @@
+--  A mailbox that two tasks share (report, section 3.4; MBX-1 to MBX-5).
+--
+--  The protected object takes the place of the mailbox's semaphore: a
+--  message is read and written whole, for any interleaving. Nobody waits
+--  here for a message.
+
+with URVOS.Mailboxes;
+
+generic
+   type Message is private;
+   Neutral : Message;
+package URVOS.Shared_Mailboxes
+  with
+    SPARK_Mode,
+    Abstract_State =>
+      (Box with Synchronous,
+       External => (Async_Readers, Async_Writers)),
+    Initializes    => Box
+is
+
+   package Boxes is new URVOS.Mailboxes (Message, Neutral);
+
+   procedure Send (Item : Message; Success : out Boolean)
+   with
+     Global  => (In_Out => Box),
+     Depends => (Box => (Box, Item), Success => Box);
+
+   procedure Receive (Item : out Message; Fresh : out Boolean)
+   with
+     Global  => (In_Out => Box),
+     Depends => ((Box, Item, Fresh) => Box);
+
+   --  Puts the box in its first state (INI-8).
+   procedure Reset
+   with Global => (In_Out => Box);
+
+   --  The box as it stands, for whoever watches over the node.
+   procedure Inspect (Snapshot : out Boxes.Mailbox)
+   with
+     Global  => (Input => Box),
+     Depends => (Snapshot => Box);
+
+end URVOS.Shared_Mailboxes;

@@ -1,0 +1,114 @@
+--  The board's dual-ported memory, which it shares with the controller
+--  (report, appendix A.2, A.3, figure A-5; LNK-4).
+--
+--  There are two receive and two transmit buffers, each with a full flag
+--  and a busy semaphore. A pair remembers which of its buffers was filled
+--  last, so that nobody is ever given an older block after a newer one.
+
+package Telemetry.Memory with Pure, SPARK_Mode is
+
+   type Slot is (First, Second);
+
+   function Other (Which : Slot) return Slot is
+     (if Which = First then Second else First);
+
+   --  How often a block was transmitted. The second time is the last.
+   type Attempt_Count is range 0 .. 2;
+
+   type Buffer is record
+      Full     : Boolean       := False;
+      Busy     : Boolean       := False;
+      Attempts : Attempt_Count := 0;
+      Data     : Block_Data    := (others => 0);
+   end record;
+
+   type Buffer_Array is array (Slot) of Buffer;
+
+   type Buffer_Pair is record
+      Slots  : Buffer_Array;
+      Newest : Slot := First;
+   end record;
+
+   Empty_Pair : constant Buffer_Pair := (others => <>);
+
+   function Any_Full (Pair : Buffer_Pair) return Boolean is
+     (Pair.Slots (First).Full or else Pair.Slots (Second).Full);
+
+   function Both_Full (Pair : Buffer_Pair) return Boolean is
+     (Pair.Slots (First).Full and then Pair.Slots (Second).Full);
+
+   --  Which buffer to fill: one that is not full; if both are, one that is
+   --  not busy, the older one first; if both are busy too, the older one.
+   function To_Fill (Pair : Buffer_Pair) return Slot is
+     (if not Pair.Slots (Other (Pair.Newest)).Full
+      then Other (Pair.Newest)
+      elsif not Pair.Slots (Pair.Newest).Full
+      then Pair.Newest
+      elsif not Pair.Slots (Other (Pair.Newest)).Busy
+      then Other (Pair.Newest)
+      elsif not Pair.Slots (Pair.Newest).Busy
+      then Pair.Newest
+      else Other (Pair.Newest))
+   with
+     Post =>
+       (if not Both_Full (Pair)
+        then not Pair.Slots (To_Fill'Result).Full
+        elsif Pair.Slots (To_Fill'Result).Busy
+        then Pair.Slots (Other (To_Fill'Result)).Busy);
+
+   --  The newest block there is.
+   function Newest_Full (Pair : Buffer_Pair) return Slot is
+     (if Pair.Slots (Pair.Newest).Full then Pair.Newest
+      else Other (Pair.Newest))
+   with
+     Pre  => Any_Full (Pair),
+     Post => Pair.Slots (Newest_Full'Result).Full;
+
+   --  The controller takes the newest block out of a receive pair; an older
+   --  one is dropped. Fresh is False, and the pair left as it is, when there
+   --  is none.
+   procedure Take
+     (Pair  : in out Buffer_Pair;
+      Data  : out Block_Data;
+      Fresh : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Fresh = Any_Full (Pair'Old)
+       and then not Any_Full (Pair)
+       and then (if Fresh
+                 then Data = Pair'Old.Slots (Newest_Full (Pair'Old)).Data
+                 else Data = (Data'Range => 0))
+
+       --  Nothing else changes.
+       and then Pair.Newest = Pair'Old.Newest
+       and then (for all Which in Slot =>
+                   Pair.Slots (Which) =
+                     (Pair'Old.Slots (Which) with delta Full => False));
+
+   --  The controller puts a block into a transmit pair. Overwrote tells
+   --  that it replaced one that was not transmitted yet.
+   procedure Put
+     (Pair      : in out Buffer_Pair;
+      Data      : Block_Data;
+      Overwrote : out Boolean)
+   with
+     Global => null,
+     Pre    =>
+       --  The board sends one block at a time, and only full ones.
+       (for all Which in Slot =>
+          (if Pair.Slots (Which).Busy
+           then Pair.Slots (Which).Full
+             and then not Pair.Slots (Other (Which)).Busy)),
+     Post   =>
+       Overwrote = Both_Full (Pair'Old)
+       and then not Pair'Old.Slots (Pair.Newest).Busy
+       and then Pair.Newest = To_Fill (Pair'Old)
+       and then Pair.Slots =
+         (Pair'Old.Slots with delta
+            Pair.Newest => (Full     => True,
+                            Busy     => False,
+                            Attempts => 0,
+                            Data     => Data));
+
+end Telemetry.Memory;

@@ -1,0 +1,30 @@
+--  The telemetry board's software (report, appendix A).
+--
+--  This package has the bytes of a block, the unit of the board's timer,
+--  and who is who on the link.
+
+with URVOS; use URVOS;
+
+package Telemetry with Pure, SPARK_Mode is
+
+   --  The ground's board is bus master; the aircraft's answers (LNK-2).
+   type Station is (Ground, Aircraft);
+
+   --  A block's data, without the header before and the checksum behind it.
+   Longest_Block : constant := 56;
+
+   type Byte_Count is range 0 .. Longest_Block;
+   subtype Byte_Index is Byte_Count range 1 .. Longest_Block;
+
+   type Byte_Array is array (Byte_Index range <>) of Byte;
+
+   --  Room for the longest block.
+   subtype Block_Data is Byte_Array (Byte_Index);
+
+   --  The board's timer counts character times. At 125 kbaud a character
+   --  of start, 8 data, parity and 2 stop bits takes 96 us (D-4).
+   Microseconds_Per_Character : constant := 96;
+
+   type Character_Times is range 0 .. 1_000;
+
+end Telemetry;
