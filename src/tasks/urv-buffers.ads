@@ -75,6 +75,8 @@ package URV.Buffers with Pure, SPARK_Mode is
    --  anything yet (INI-8): sticks centred, switches off, sensors at the
    --  middle of their range, and the error word set because nothing of it
    --  was ever measured.
+   Neutral_Words : constant Channel_Words := (others => Neutral_Value);
+
    Neutral_Image : constant AD_Image :=
      (Words => (others => Neutral_Value), Error_Status => Stale_Data);
 

@@ -50,8 +50,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                    (Data_Header (Length),
                     Pair.Slots (Item.Target).Data,
                     Item.Received)
-      else not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy)
-   with Ghost;
+      else not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy);
 
    type Event_Kind is
      (Nothing,

@@ -1,0 +1,45 @@
+--  An analog-to-digital board between the controller and its hardware.
+
+with URVOS;            use URVOS;
+with Devices.AD_Board; use Devices.AD_Board;
+
+generic
+package Devices.Shared_AD_Board
+  with
+    SPARK_Mode,
+    Abstract_State =>
+      (Board with Synchronous,
+       External => (Async_Readers, Async_Writers)),
+    Initializes    => Board
+is
+
+   --  The controller's side.
+
+   procedure Initialise
+   with Global => (In_Out => Board);
+
+   procedure Start (Channel : Channel_Number)
+   with
+     Global  => (In_Out => Board),
+     Depends => (Board => (Board, Channel));
+
+   procedure Read (Data : out Word)
+   with
+     Global  => (Input => Board),
+     Depends => (Data => Board);
+
+   --  The hardware's side.
+
+   procedure Inspect (Snapshot : out Registers)
+   with
+     Global  => (Input => Board),
+     Depends => (Snapshot => Board);
+
+   --  The conversion is done; Interrupt tells whether the controller is
+   --  interrupted.
+   procedure Finish (Value : Word; Interrupt : out Boolean)
+   with
+     Global  => (In_Out => Board),
+     Depends => (Board => (Board, Value), Interrupt => Board);
+
+end Devices.Shared_AD_Board;

@@ -1,0 +1,43 @@
+--  A CORE memory between the controller and its readers.
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+
+generic
+package Devices.Shared_CORE_Memory
+  with
+    SPARK_Mode,
+    Abstract_State =>
+      (CORE with Synchronous,
+       External => (Async_Readers, Async_Writers)),
+    Initializes    => CORE
+is
+
+   --  The controller's side.
+
+   procedure Clear
+   with Global => (In_Out => CORE);
+
+   procedure Write_Codes
+     (Uplink_Codes   : Uplink_Words;
+      Downlink_Codes : Downlink_Words)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Uplink_Codes, Downlink_Codes));
+
+   procedure Write_Uplink (Words : Uplink_Words)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Words));
+
+   procedure Write_Downlink (Words : Downlink_Words)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Words));
+
+   --  The readers' side: all of it, at one instant.
+   procedure Inspect (Snapshot : out Memory)
+   with
+     Global  => (Input => CORE),
+     Depends => (Snapshot => CORE);
+
+end Devices.Shared_CORE_Memory;

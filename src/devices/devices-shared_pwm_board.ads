@@ -1,0 +1,27 @@
+--  A pulse width modulation board between the controller and the servos.
+
+with Devices.PWM_Board; use Devices.PWM_Board;
+
+generic
+package Devices.Shared_PWM_Board
+  with
+    SPARK_Mode,
+    Abstract_State =>
+      (Board with Synchronous,
+       External => (Async_Readers, Async_Writers)),
+    Initializes    => Board
+is
+
+   --  The controller's side: the whole area at once.
+   procedure Write (Area : Data_Area)
+   with
+     Global  => (In_Out => Board),
+     Depends => (Board => Area, null => Board);
+
+   --  The servos' side.
+   procedure Read (Area : out Data_Area)
+   with
+     Global  => (Input => Board),
+     Depends => (Area => Board);
+
+end Devices.Shared_PWM_Board;

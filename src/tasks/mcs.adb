@@ -1,0 +1,43 @@
+with Devices.PWM_Board;
+
+package body MCS with SPARK_Mode is
+
+   procedure Run_Transaction (Who : Task_Name) is
+   begin
+      case Who is
+         when AD_Task     => AD.Run_Transaction;
+         when TELIN_Task  => TELIN.Run_Transaction;
+         when MDCIN_Task  => MDCIN.Run_Transaction;
+         when MDCOUT_Task => MDCOUT.Run_Transaction;
+         when PWM_Task    => PWM.Run_Transaction;
+         when TELOUT_Task => TELOUT.Run_Transaction;
+         when CORE_Task   => CORE.Run_Transaction;
+      end case;
+   end Run_Transaction;
+
+   procedure Cold_Start (Now : Clock_Tick) is
+   begin
+      --  Boards
+      PWM_Board.Write (Devices.PWM_Board.Neutral_Area);
+      CORE_Memory.Clear;
+      Telemetry_Board.Clear_Transmit_Half;
+      AD_Board.Initialise;
+
+      --  Variables
+      ADINT_Variable.Reset;
+      AD_Variable.Reset;
+      TELIN_Variable.Reset;
+      Uplink_Variable.Reset;
+      Downlink_Variable.Reset;
+      TELOUT_Variable.Reset;
+      PWM_Variable.Reset;
+      Errors.Clear;
+
+      --  Tasks
+      AD.Initialise;
+      TELIN.Initialise;
+      CORE.Initialise;
+      Executive.Start (Now);
+   end Cold_Start;
+
+end MCS;

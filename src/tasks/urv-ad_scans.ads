@@ -1,0 +1,48 @@
+--  One scan of the 32 channels (report, 4.2, figure 6; ADI-1).
+--
+--  The interrupt handler stores a word and learns what to do next. Between
+--  scans no interrupt is expected; one that comes stores nothing.
+
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
+
+package URV.AD_Scans with Pure, SPARK_Mode is
+
+   --  The channel being converted; 32 when the scan is complete.
+   type Channel_Count is range 0 .. 32;
+
+   type Scan is record
+      Current : Channel_Count := 32;
+      Words   : Channel_Words := (others => Neutral_Value);
+   end record;
+
+   function Is_Complete (Item : Scan) return Boolean is (Item.Current = 32);
+
+   --  The scan begins again with channel 0; the words stay until they are
+   --  stored anew.
+   function Restarted (Item : Scan) return Scan is
+     ((Item with delta Current => 0));
+
+   type Next_Step is
+     (Start_Channel,   --  have the board convert the current channel
+      Send_Words,      --  all channels have been stored
+      Ignore);         --  the interrupt was not expected
+
+   --  The word of the current channel has been converted.
+   procedure Store
+     (Item  : in out Scan;
+      Value : Word;
+      Next  : out Next_Step)
+   with
+     Global         => null,
+     Contract_Cases =>
+       (Is_Complete (Item) =>
+          Next = Ignore and then Item = Item'Old,
+        others =>
+          Item.Current = Item'Old.Current + 1
+          and then Item.Words =
+            (Item'Old.Words with delta Channel (Item'Old.Current) => Value)
+          and then Next =
+            (if Is_Complete (Item) then Send_Words else Start_Channel));
+
+end URV.AD_Scans;

@@ -1,0 +1,22 @@
+--  AD task: hands on the scan of the last frame and begins the next one
+--  (report, 4.1, table 1; AD-1). Released at minor frame 0.
+--
+--  Consumes ADINT_variable, produces AD_variable. A frame without a scan
+--  passes on the words of the one before, with the error word set.
+
+with URV.Buffers; use URV.Buffers;
+with URV.Errors;  use URV.Errors;
+
+generic
+   with procedure Receive_ADINT
+     (Words : out Channel_Words; Fresh : out Boolean);
+   with procedure Send_AD (Image : AD_Image; Success : out Boolean);
+   with procedure Begin_Scan;
+   with procedure Report (Error : Error_Kind);
+package URV.AD_Task with SPARK_Mode is
+
+   procedure Initialise;
+
+   procedure Run_Transaction;
+
+end URV.AD_Task;

@@ -1,0 +1,23 @@
+with URV.Routing;
+
+package body URV.GDCIN_Task with SPARK_Mode is
+
+   procedure Run_Transaction is
+      Item    : Downlink_Buffer;
+      Fresh   : Boolean;
+      Success : Boolean;
+   begin
+      Receive_TELIN (Item, Fresh);
+      if not Fresh then
+         Report (No_Input);
+      elsif Routing.Any_Out_Of_Range (Item) then
+         Report (Input_Out_Of_Range);
+      end if;
+
+      Send_Downlink (Item, Success);
+      if not Success then
+         Report (Downlink_Not_Consumed);
+      end if;
+   end Run_Transaction;
+
+end URV.GDCIN_Task;

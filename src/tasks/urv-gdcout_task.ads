@@ -1,0 +1,20 @@
+--  GDCOUT task: the ground's output exchange (report, 5.6, table 10;
+--  GDO-1, D-3). Released at minor frame 1.
+--
+--  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A
+--  frame with nothing new passes on the stick data before.
+
+with URV.Buffers; use URV.Buffers;
+with URV.Errors;  use URV.Errors;
+
+generic
+   with procedure Receive_AD (Image : out AD_Image; Fresh : out Boolean);
+   with procedure Send_Uplink
+     (Item : Uplink_Buffer; Success : out Boolean);
+   with procedure Send_TELOUT (Item : Uplink_Buffer; Success : out Boolean);
+   with procedure Report (Error : Error_Kind);
+package URV.GDCOUT_Task with SPARK_Mode is
+
+   procedure Run_Transaction;
+
+end URV.GDCOUT_Task;

@@ -1,0 +1,20 @@
+--  MDCOUT task: the aircraft's output exchange (report, 4.7, table 7;
+--  MDO-1, D-1). Released at minor frame 1.
+--
+--  Consumes AD_variable, produces downlink_variable and TELOUT_variable. A
+--  frame with nothing new passes on the sensor data before.
+
+with URV.Buffers; use URV.Buffers;
+with URV.Errors;  use URV.Errors;
+
+generic
+   with procedure Receive_AD (Image : out AD_Image; Fresh : out Boolean);
+   with procedure Send_Downlink
+     (Item : Downlink_Buffer; Success : out Boolean);
+   with procedure Send_TELOUT (Item : Downlink_Buffer; Success : out Boolean);
+   with procedure Report (Error : Error_Kind);
+package URV.MDCOUT_Task with SPARK_Mode is
+
+   procedure Run_Transaction;
+
+end URV.MDCOUT_Task;

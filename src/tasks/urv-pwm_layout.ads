@@ -1,0 +1,30 @@
+--  Where the outputs stand in the data area of the PWM board (report, 4.8,
+--  figure 13b): the servos in their order, then the discretes.
+
+with Devices.PWM_Board; use Devices.PWM_Board;
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+
+package URV.PWM_Layout with Pure, SPARK_Mode is
+
+   function Channel_Of (Item : PWM_Item) return Channel_Number is
+     (Channel_Number (PWM_Item'Pos (Item) + 1));
+
+   --  Unused channels are neutral.
+   function To_Data_Area (Source : PWM_Buffer) return Data_Area
+   with
+     Post =>
+       (for all Item in PWM_Item =>
+          To_Data_Area'Result (Channel_Of (Item)) = Source (Item))
+       and then
+         (for all Unused in Channel_Number =>
+            (if Unused > Channel_Of (PWM_Item'Last)
+             then To_Data_Area'Result (Unused) = Neutral));
+
+   function To_Outputs (Area : Data_Area) return PWM_Buffer
+   with
+     Post =>
+       (for all Item in PWM_Item =>
+          To_Outputs'Result (Item) = Area (Channel_Of (Item)));
+
+end URV.PWM_Layout;

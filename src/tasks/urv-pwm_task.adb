@@ -1,0 +1,20 @@
+with URV.PWM_Layout;
+with URV.PWM_Transform;
+
+package body URV.PWM_Task with SPARK_Mode is
+
+   procedure Run_Transaction is
+      Item  : Uplink_Buffer;
+      Fresh : Boolean;
+   begin
+      Receive_PWM (Item, Fresh);
+
+      if Fresh then
+         Write_Board
+           (PWM_Layout.To_Data_Area (PWM_Transform.Transform (Item)));
+      else
+         Report (No_Commands);
+      end if;
+   end Run_Transaction;
+
+end URV.PWM_Task;

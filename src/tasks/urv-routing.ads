@@ -1,0 +1,50 @@
+--  Which part of the converter image each node passes on (report, 4.7, 5.6).
+
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
+
+package URV.Routing with Pure, SPARK_Mode is
+
+   --  The channel that carries an item: the first channel the first item,
+   --  and so on.
+   function Channel_Of (Item : Command_Item) return Channel is
+     (Channel (Command_Item'Pos (Item)));
+
+   function Channel_Of (Item : Sensor_Item) return Channel is
+     (Channel (Sensor_Item'Pos (Item)));
+
+   --  The commands and, as 14th word, the error/status word (GDO-1).
+   function To_Uplink (Image : AD_Image) return Uplink_Buffer
+   with
+     Post =>
+       (for all Item in Command_Item =>
+          To_Uplink'Result (Item) = Image.Words (Channel_Of (Item)))
+       and then To_Uplink'Result (Error_Status) = Image.Error_Status;
+
+   --  The sensors and, as 28th word, the error/status word (MDO-1, D-1).
+   function To_Downlink (Image : AD_Image) return Downlink_Buffer
+   with
+     Post =>
+       (for all Item in Sensor_Item =>
+          To_Downlink'Result (Item) = Image.Words (Channel_Of (Item)))
+       and then To_Downlink'Result (Error_Status) = Image.Error_Status;
+
+   --  The image of a scan, stamped with whether it is of this frame (AD-1).
+   function Stamped
+     (Words : Channel_Words;
+      Fresh : Boolean) return AD_Image
+   is
+     (Words        => Words,
+      Error_Status => (if Fresh then No_Error else Stale_Data));
+
+   --  A word of a 12-bit converter that no converter can have given (D-11).
+   function Is_Out_Of_Range (Value : Word) return Boolean is
+     (Value not in Converter_Value);
+
+   function Any_Out_Of_Range (Source : Uplink_Buffer) return Boolean is
+     (for some Item in Command_Item => Is_Out_Of_Range (Source (Item)));
+
+   function Any_Out_Of_Range (Source : Downlink_Buffer) return Boolean is
+     (for some Item in Sensor_Item => Is_Out_Of_Range (Source (Item)));
+
+end URV.Routing;

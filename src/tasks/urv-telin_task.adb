@@ -1,0 +1,36 @@
+package body URV.TELIN_Task
+  with
+    SPARK_Mode,
+    Refined_State => (Previous => TELIN_Buffer)
+is
+
+   TELIN_Buffer : Message := Neutral;
+
+   procedure Initialise is
+   begin
+      TELIN_Buffer := Neutral;
+   end Initialise;
+
+   procedure Run_Transaction is
+      Data          : Block_Data;
+      Fresh         : Boolean;
+      Ever_Received : Boolean;
+      Success       : Boolean;
+   begin
+      Take_Block (Data, Fresh, Ever_Received);
+
+      if Fresh then
+         TELIN_Buffer := Decode (Data);
+      elsif Ever_Received then
+         Report (TELIN_No_Block);
+      end if;
+
+      if Ever_Received then
+         Send_TELIN (TELIN_Buffer, Success);
+         if not Success then
+            Report (Input_Not_Consumed);
+         end if;
+      end if;
+   end Run_Transaction;
+
+end URV.TELIN_Task;

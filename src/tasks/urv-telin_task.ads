@@ -1,0 +1,30 @@
+--  TELIN task: takes what the telemetry board received (report, 4.4, table
+--  4; TIN-1). Released at minor frame 0.
+--
+--  Consumes the board's receive buffers, produces TELIN_variable. A frame
+--  with nothing new passes on the message before; until the board has
+--  received its first message nothing is sent.
+
+with Telemetry;  use Telemetry;
+with URV.Errors; use URV.Errors;
+
+generic
+   type Message is private;
+   Neutral : Message;
+   with function Decode (Data : Block_Data) return Message;
+   with procedure Take_Block
+     (Data : out Block_Data; Fresh : out Boolean; Ever_Received : out Boolean);
+   with procedure Send_TELIN (Item : Message; Success : out Boolean);
+   with procedure Report (Error : Error_Kind);
+package URV.TELIN_Task
+  with
+    SPARK_Mode,
+    Abstract_State => Previous,
+    Initializes    => Previous
+is
+
+   procedure Initialise;
+
+   procedure Run_Transaction;
+
+end URV.TELIN_Task;

@@ -1,0 +1,383 @@
+package body Telemetry.Boards with SPARK_Mode is
+
+   procedure Count_One (Value : in out Count)
+   with
+     Global => null,
+     Post   => Value = Incremented (Value'Old);
+
+   --  The block on its way was not confirmed. After its second transmission
+   --  it is scrapped (LNK-6).
+   procedure End_Attempt (Item : in out Board)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item) and then Item.State in Sending | Awaiting_Status,
+     Post   =>
+       Is_Sound (Item)
+       and then Item.State = Ready
+       and then Item.Receiver = Item'Old.Receiver
+       and then Item.Receive_Pair = Item'Old.Receive_Pair
+       and then Item.Messages = Item'Old.Messages
+       and then Item.Owed = Item'Old.Owed
+       and then Item.Silence = Item'Old.Silence
+       and then Item.Line_Taken = Item'Old.Line_Taken
+       and then Item.Clear_To_Send = Item'Old.Clear_To_Send
+       and then Item.Downlink_Turns = Item'Old.Downlink_Turns
+       and then
+         (for all Which in Slot =>
+            Item.Transmit_Pair.Slots (Which).Data =
+              Item'Old.Transmit_Pair.Slots (Which).Data
+            and then
+              (if Item.Transmit_Pair.Slots (Which).Full
+               then Item'Old.Transmit_Pair.Slots (Which).Full));
+
+   --  Gives up waiting (LNK-9).
+   procedure Reset (Item : in out Board)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item) and then not Is_Talking (Item),
+     Post   =>
+       Is_Sound (Item)
+       and then Item.Receiver.State = At_Start
+       and then Item.State =
+         (if Item.Role = Ground and then Item'Old.State /= Idling
+          then Idling else Ready)
+       and then Item.Messages = Item'Old.Messages
+       and then
+         (for all Which in Slot =>
+            Item.Receive_Pair.Slots (Which).Full =
+              Item'Old.Receive_Pair.Slots (Which).Full
+            and then Item.Transmit_Pair.Slots (Which).Data =
+              Item'Old.Transmit_Pair.Slots (Which).Data
+            and then
+              (if Item.Transmit_Pair.Slots (Which).Full
+               then Item'Old.Transmit_Pair.Slots (Which).Full));
+
+   --  The block on its way was answered.
+   procedure Accept_Status
+     (Item           : in out Board;
+      Confirmed      : Boolean;
+      Wants_Downlink : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item) and then Item.State = Awaiting_Status,
+     Post   =>
+       Is_Sound (Item)
+       and then Item.State = Ready
+       and then Item.Receiver = Item'Old.Receiver
+       and then Item.Receive_Pair = Item'Old.Receive_Pair
+       and then Item.Messages = Item'Old.Messages
+       and then
+         (for all Which in Slot =>
+            Item.Transmit_Pair.Slots (Which).Data =
+              Item'Old.Transmit_Pair.Slots (Which).Data
+            and then
+              (if Item.Transmit_Pair.Slots (Which).Full
+               then Item'Old.Transmit_Pair.Slots (Which).Full));
+
+   --  Begins to send the newest block and clears the other (LNK-7).
+   procedure Begin_Block (Item : in out Board)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Item.State = Ready
+       and then Item.Owed = None
+       and then Item.Receiver.State = At_Start
+       and then Any_Full (Item.Transmit_Pair),
+     Post   =>
+       Is_Sound (Item)
+       and then Item.State = Sending
+       and then Item.Sender.Sent = 0
+       and then Item.Sender.Source = Newest_Full (Item'Old.Transmit_Pair)
+       and then not Item.Transmit_Pair.Slots (Other (Item.Sender.Source)).Full
+       and then Item.Transmit_Pair.Slots (Item.Sender.Source).Attempts =
+         Item'Old.Transmit_Pair.Slots (Item.Sender.Source).Attempts + 1
+       and then Item.Receive_Pair = Item'Old.Receive_Pair
+       and then Item.Receiver = Item'Old.Receiver
+       and then Item.Messages = Item'Old.Messages;
+
+   procedure Count_One (Value : in out Count) is
+   begin
+      Value := Incremented (Value);
+   end Count_One;
+
+   procedure End_Attempt (Item : in out Board) is
+      Source : constant Slot := Item.Sender.Source;
+   begin
+      Item.Transmit_Pair.Slots (Source).Busy := False;
+      if Item.Transmit_Pair.Slots (Source).Attempts = 2 then
+         Item.Transmit_Pair.Slots (Source).Full := False;
+         Item.Transmit_Pair.Slots (Source).Attempts := 0;
+         Count_One (Item.Tally.Scrapped);
+      end if;
+      Item.State := Ready;
+   end End_Attempt;
+
+   procedure Reset (Item : in out Board) is
+   begin
+      if Item.Receiver.State = In_Data then
+         Count_One (Item.Tally.Bad);
+      end if;
+      Restart (Item.Receiver, Item.Receive_Pair);
+
+      if Item.State = Awaiting_Status then
+         End_Attempt (Item);
+      end if;
+
+      if Item.Role = Aircraft then
+         Count_One (Item.Tally.Resets);
+      elsif Item.State = Idling then
+         Item.State := Ready;
+      else
+         Item.State := Idling;
+         Count_One (Item.Tally.Resets);
+      end if;
+      Item.Silence := 0;
+   end Reset;
+
+   procedure Accept_Status
+     (Item           : in out Board;
+      Confirmed      : Boolean;
+      Wants_Downlink : Boolean)
+   is
+      Source : constant Slot := Item.Sender.Source;
+   begin
+      if Confirmed then
+         Item.Transmit_Pair.Slots (Source).Busy := False;
+         Item.Transmit_Pair.Slots (Source).Full := False;
+         Item.Transmit_Pair.Slots (Source).Attempts := 0;
+         Item.State := Ready;
+      else
+         End_Attempt (Item);
+      end if;
+
+      if Item.Role = Ground then
+         Item.Downlink_Turns :=
+           (if Wants_Downlink then Turn_Count'Last else 0);
+      end if;
+   end Accept_Status;
+
+   procedure Accept_Character
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+      Outcome : Event;
+   begin
+      if Is_Talking (Item) then
+         return;
+      end if;
+
+      Item.Silence := 0;
+      if Item.State = Idling then
+         return;
+      end if;
+
+      --  A ground that speaks of other things has given up our last block.
+      if Item.Role = Aircraft
+        and then Item.State = Awaiting_Status
+        and then Item.Receiver.State = At_Start
+        and then Meaning
+          (Data, Parity_Error, Item.Receive_Length, Wants_Data => True).Kind
+            in Command | Block_Begun
+      then
+         End_Attempt (Item);
+      end if;
+
+      Accept_Character
+        (Item         => Item.Receiver,
+         Pair         => Item.Receive_Pair,
+         Length       => Item.Receive_Length,
+         Wants_Data   => Item.Role = Aircraft
+                           or else Item.State = Awaiting_Data,
+         Data         => Data,
+         Parity_Error => Parity_Error,
+         Outcome      => Outcome);
+
+      case Outcome.Kind is
+         when Nothing | Block_Begun =>
+            null;
+
+         when Lost_Step =>
+            --  The aircraft waits for silence as it is; the ground leaves
+            --  at once for its idle time.
+            if Item.Role = Ground then
+               Restart (Item.Receiver, Item.Receive_Pair);
+               Reset (Item);
+            end if;
+
+         when Command =>
+            --  The ground needs no permission and disregards it (LNK-3).
+            if Item.Role = Aircraft then
+               Item.Clear_To_Send := True;
+            end if;
+
+         when Receivers.Status =>
+            if Item.State = Awaiting_Status then
+               Accept_Status (Item, Outcome.Good, Outcome.Wants_Downlink);
+            end if;
+
+         when Block_Good =>
+            Item.State := Ready;
+            Item.Owed := Good;
+            Item.Downlink_Turns := 0;
+            Count_One (Item.Messages);
+            Count_One (Item.Tally.Received);
+
+         when Block_Bad =>
+            Item.State := Ready;
+            Item.Owed := Bad;
+            Count_One (Item.Tally.Bad);
+      end case;
+   end Accept_Character;
+
+   procedure Begin_Block (Item : in out Board) is
+      Source : constant Slot := Newest_Full (Item.Transmit_Pair);
+   begin
+      if Item.Transmit_Pair.Slots (Other (Source)).Full then
+         Item.Transmit_Pair.Slots (Other (Source)).Full := False;
+         Item.Transmit_Pair.Slots (Other (Source)).Attempts := 0;
+         Count_One (Item.Tally.Cleared);
+      end if;
+      Item.Transmit_Pair.Slots (Source).Busy := True;
+      Item.Transmit_Pair.Slots (Source).Attempts :=
+        Item.Transmit_Pair.Slots (Source).Attempts + 1;
+      Item.Sender := (Source => Source, Sent => 0, Sum => 0);
+      Item.State := Sending;
+      Count_One (Item.Tally.Sent);
+   end Begin_Block;
+
+   procedure Next_Character
+     (Item : in out Board;
+      Send : out Boolean;
+      Data : out Byte)
+   is
+   begin
+      --  Dead space begins when our last character has left.
+      if Item.Line_Taken then
+         Item.Silence := 0;
+      end if;
+
+      Send := False;
+      Data := 0;
+
+      if Item.Owed /= None then
+         Data := Encode
+           ((Kind           => Headers.Status,
+             Good           => Item.Owed = Good,
+             Wants_Downlink => Item.Role = Aircraft
+                                 and then Any_Full (Item.Transmit_Pair)));
+         Send := True;
+         Item.Owed := None;
+
+      elsif Item.State = Ready and then Item.Receiver.State = At_Start then
+         if (Item.Role = Ground or else Item.Clear_To_Send)
+           and then Any_Full (Item.Transmit_Pair)
+         then
+            Begin_Block (Item);
+         elsif Item.Downlink_Turns > 0 then
+            Data := Encode ((Kind => Command_To_Downlink));
+            Send := True;
+            Item.Downlink_Turns := Item.Downlink_Turns - 1;
+            Item.State := Awaiting_Data;
+         end if;
+         Item.Clear_To_Send := False;
+      end if;
+
+      if Item.State = Sending then
+         Send_Next
+           (Item.Sender,
+            Item.Transmit_Pair.Slots (Item.Sender.Source).Data,
+            Item.Transmit_Length,
+            Data);
+         Send := True;
+         if Item.Sender.Sent = Message_Length (Item.Transmit_Length) then
+            Item.State := Awaiting_Status;
+         end if;
+      end if;
+
+      Item.Line_Taken := Send;
+   end Next_Character;
+
+   procedure Elapse (Item : in out Board; Time : Character_Times) is
+   begin
+      if Is_Talking (Item) or else not Is_Waiting (Item) then
+         return;
+      end if;
+
+      if Time >= Patience (Item)
+        or else Item.Silence >= Patience (Item) - Time
+      then
+         Reset (Item);
+      else
+         Item.Silence := Item.Silence + Time;
+      end if;
+   end Elapse;
+
+   procedure Take
+     (Item          : in out Board;
+      Data          : out Block_Data;
+      Fresh         : out Boolean;
+      Ever_Received : out Boolean)
+   is
+      Before : constant Buffer_Pair := Item.Receive_Pair with Ghost;
+   begin
+      Take (Item.Receive_Pair, Data, Fresh);
+      Checksum.Same_Bytes_Same_Sum
+        (Data_Header (Item.Receive_Length),
+         Before.Slots (Item.Receiver.Target).Data,
+         Item.Receive_Pair.Slots (Item.Receiver.Target).Data,
+         Item.Receiver.Received);
+      Ever_Received := Item.Messages > 0;
+   end Take;
+
+   procedure Put
+     (Item      : in out Board;
+      Data      : Block_Data;
+      Overwrote : out Boolean)
+   is
+      Before : constant Buffer_Pair := Item.Transmit_Pair with Ghost;
+   begin
+      Put (Item.Transmit_Pair, Data, Overwrote);
+      if Item.State = Sending and then Item.Sender.Sent > 0 then
+         Checksum.Same_Bytes_Same_Sum
+           (Data_Header (Item.Transmit_Length),
+            Before.Slots (Item.Sender.Source).Data,
+            Item.Transmit_Pair.Slots (Item.Sender.Source).Data,
+            Byte_Count (Item.Sender.Sent - 1));
+      end if;
+      pragma Assert
+        (if Item.State in Sending | Awaiting_Status
+         then Item.Transmit_Pair.Newest /= Item.Sender.Source);
+      pragma Assert
+        (if Item.State in Sending | Awaiting_Status
+         then Item.Transmit_Pair.Slots (Item.Sender.Source) =
+           Before.Slots (Item.Sender.Source));
+   end Put;
+
+   procedure Clear_Transmit_Half (Item : in out Board) is
+   begin
+      if Item.State in Sending | Awaiting_Status then
+         Item.State := Ready;
+      end if;
+      Item.Transmit_Pair := Empty_Pair;
+   end Clear_Transmit_Half;
+
+   procedure Start (Item : in out Board) is
+   begin
+      if Item.State in Sending | Awaiting_Status then
+         End_Attempt (Item);
+      end if;
+      Item.Receive_Pair := Empty_Pair;
+      Item.Receiver := (others => <>);
+      Item.State := Ready;
+      Item.Owed := None;
+      Item.Line_Taken := False;
+      Item.Silence := 0;
+      Item.Downlink_Turns := 0;
+      Item.Clear_To_Send := False;
+      Item.Messages := 0;
+   end Start;
+
+end Telemetry.Boards;

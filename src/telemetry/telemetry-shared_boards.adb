@@ -1,0 +1,140 @@
+package body Telemetry.Shared_Boards
+  with
+    SPARK_Mode,
+    Refined_State => (Shared_Board => Guarded_Board)
+is
+
+   subtype Own_Board is Board (Role, Transmit_Length, Receive_Length)
+   with Predicate => Is_Sound (Own_Board);
+
+   protected Guarded_Board is
+
+      procedure Take
+        (Data          : out Block_Data;
+         Fresh         : out Boolean;
+         Ever_Received : out Boolean);
+
+      procedure Put (Data : Block_Data; Overwrote : out Boolean);
+
+      procedure Clear_Transmit_Half;
+
+      procedure Start;
+
+      procedure Accept_Character
+        (Elapsed      : Character_Times;
+         Data         : Byte;
+         Parity_Error : Boolean);
+
+      procedure Next_Character
+        (Elapsed   : Character_Times;
+         Send      : out Boolean;
+         Data      : out Byte;
+         Time_Left : out Character_Times);
+
+      function Tally return Statistics;
+
+   private
+      Item : Own_Board;
+   end Guarded_Board;
+
+   protected body Guarded_Board is
+
+      procedure Take
+        (Data          : out Block_Data;
+         Fresh         : out Boolean;
+         Ever_Received : out Boolean)
+      is
+      begin
+         Boards.Take (Item, Data, Fresh, Ever_Received);
+      end Take;
+
+      procedure Put (Data : Block_Data; Overwrote : out Boolean) is
+      begin
+         Boards.Put (Item, Data, Overwrote);
+      end Put;
+
+      procedure Clear_Transmit_Half is
+      begin
+         Boards.Clear_Transmit_Half (Item);
+      end Clear_Transmit_Half;
+
+      procedure Start is
+      begin
+         Boards.Start (Item);
+      end Start;
+
+      procedure Accept_Character
+        (Elapsed      : Character_Times;
+         Data         : Byte;
+         Parity_Error : Boolean)
+      is
+      begin
+         Boards.Elapse (Item, Elapsed);
+         Boards.Accept_Character (Item, Data, Parity_Error);
+      end Accept_Character;
+
+      procedure Next_Character
+        (Elapsed   : Character_Times;
+         Send      : out Boolean;
+         Data      : out Byte;
+         Time_Left : out Character_Times)
+      is
+      begin
+         Boards.Elapse (Item, Elapsed);
+         Boards.Next_Character (Item, Send, Data);
+         Time_Left := Boards.Time_Left (Item);
+      end Next_Character;
+
+      function Tally return Statistics is (Item.Tally);
+
+   end Guarded_Board;
+
+   procedure Take
+     (Data          : out Block_Data;
+      Fresh         : out Boolean;
+      Ever_Received : out Boolean)
+   is
+   begin
+      Guarded_Board.Take (Data, Fresh, Ever_Received);
+   end Take;
+
+   procedure Put (Data : Block_Data; Overwrote : out Boolean) is
+   begin
+      Guarded_Board.Put (Data, Overwrote);
+   end Put;
+
+   procedure Clear_Transmit_Half is
+   begin
+      Guarded_Board.Clear_Transmit_Half;
+   end Clear_Transmit_Half;
+
+   procedure Start is
+   begin
+      Guarded_Board.Start;
+   end Start;
+
+   procedure Accept_Character
+     (Elapsed      : Character_Times;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+   begin
+      Guarded_Board.Accept_Character (Elapsed, Data, Parity_Error);
+   end Accept_Character;
+
+   procedure Next_Character
+     (Elapsed   : Character_Times;
+      Send      : out Boolean;
+      Data      : out Byte;
+      Time_Left : out Character_Times)
+   is
+   begin
+      Guarded_Board.Next_Character (Elapsed, Send, Data, Time_Left);
+   end Next_Character;
+
+   procedure Inspect (Tally : out Statistics) is
+   begin
+      Tally := Guarded_Board.Tally;
+   end Inspect;
+
+end Telemetry.Shared_Boards;
