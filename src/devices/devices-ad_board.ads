@@ -16,10 +16,14 @@ package Devices.AD_Board with Pure, SPARK_Mode is
    --  The interrupt vector that the controller gives the board.
    Interrupt_Vector : constant Byte := 16#40#;
 
+   --  Start_Wanted: a channel number has been written, and the hardware has
+   --  not seen it yet.
+   type Activity is (Idle, Start_Wanted, Converting);
+
    type Registers is record
       Vector            : Byte           := 0;
       Interrupt_Enabled : Boolean        := False;
-      Converting        : Boolean        := False;
+      Doing             : Activity       := Idle;
       Channel           : Channel_Number := 0;
       Data              : Word           := 0;
    end record;
@@ -29,17 +33,23 @@ package Devices.AD_Board with Pure, SPARK_Mode is
      ((Board with delta
          Vector            => Interrupt_Vector,
          Interrupt_Enabled => True,
-         Converting        => False));
+         Doing             => Idle));
 
    --  The controller has a channel converted.
    function Started
      (Board   : Registers;
       Channel : Channel_Number) return Registers
    is
-     ((Board with delta Channel => Channel, Converting => True));
+     ((Board with delta Channel => Channel, Doing => Start_Wanted));
 
-   --  The board has converted the channel.
+   --  The hardware has seen a start.
+   function Begun (Board : Registers) return Registers is
+     ((Board with delta
+         Doing => (if Board.Doing = Start_Wanted
+                   then Converting else Board.Doing)));
+
+   --  The hardware has converted the channel.
    function Finished (Board : Registers; Value : Word) return Registers is
-     ((Board with delta Data => Value, Converting => False));
+     ((Board with delta Data => Value, Doing => Idle));
 
 end Devices.AD_Board;

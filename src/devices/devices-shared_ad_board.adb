@@ -10,6 +10,10 @@ is
 
       procedure Start (Channel : Channel_Number);
 
+      procedure Take_Start
+        (Wanted  : out Boolean;
+         Channel : out Channel_Number);
+
       procedure Finish (Value : Word; Interrupt : out Boolean);
 
       function Snapshot return Registers;
@@ -29,6 +33,16 @@ is
       begin
          Contents := Started (Contents, Channel);
       end Start;
+
+      procedure Take_Start
+        (Wanted  : out Boolean;
+         Channel : out Channel_Number)
+      is
+      begin
+         Wanted := Contents.Doing = Start_Wanted;
+         Channel := Contents.Channel;
+         Contents := Begun (Contents);
+      end Take_Start;
 
       procedure Finish (Value : Word; Interrupt : out Boolean) is
       begin
@@ -56,10 +70,13 @@ is
       Data := Snapshot.Data;
    end Read;
 
-   procedure Inspect (Snapshot : out Registers) is
+   procedure Take_Start
+     (Wanted  : out Boolean;
+      Channel : out Channel_Number)
+   is
    begin
-      Snapshot := Guarded_Board.Snapshot;
-   end Inspect;
+      Guarded_Board.Take_Start (Wanted, Channel);
+   end Take_Start;
 
    procedure Finish (Value : Word; Interrupt : out Boolean) is
    begin

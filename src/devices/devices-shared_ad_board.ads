@@ -30,16 +30,16 @@ is
 
    --  The hardware's side.
 
-   procedure Inspect (Snapshot : out Registers)
+   --  Wanted tells whether a conversion was started since this was last
+   --  asked, and of which channel.
+   procedure Take_Start (Wanted : out Boolean; Channel : out Channel_Number)
    with
-     Global  => (Input => Board),
-     Depends => (Snapshot => Board);
+     Global  => (In_Out => Board),
+     Depends => ((Board, Wanted, Channel) => Board);
 
    --  The conversion is done; Interrupt tells whether the controller is
    --  interrupted.
    procedure Finish (Value : Word; Interrupt : out Boolean)
-   with
-     Global  => (In_Out => Board),
-     Depends => (Board => (Board, Value), Interrupt => Board);
+   with Global => (In_Out => Board);
 
 end Devices.Shared_AD_Board;

@@ -14,9 +14,7 @@ is
 
    --  The controller's side: the whole area at once.
    procedure Write (Area : Data_Area)
-   with
-     Global  => (In_Out => Board),
-     Depends => (Board => Area, null => Board);
+   with Global => (In_Out => Board);
 
    --  The servos' side.
    procedure Read (Area : out Data_Area)

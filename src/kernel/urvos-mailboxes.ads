@@ -9,6 +9,9 @@
 --  not been received. A message that overwrites an unconsumed one takes its
 --  place without being counted again.
 --
+--  The size of the data is that of its type, so that a message that does
+--  not fit the box is a compile error.
+--
 --  The counting flags wrap round; only whether they differ matters. The
 --  count of misses stops at its last value.
 
@@ -22,9 +25,6 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
    type Flag is mod 2 ** 32;
 
    type Mailbox is private;
-
-   --  The size of the data, in bytes.
-   Data_Size : constant Natural := (Message'Size + 7) / 8;
 
    function Contents (Box : Mailbox) return Message;
 

@@ -21,9 +21,7 @@ is
    package Boxes is new URVOS.Mailboxes (Message, Neutral);
 
    procedure Send (Item : Message; Success : out Boolean)
-   with
-     Global  => (In_Out => Box),
-     Depends => (Box => (Box, Item), Success => Box);
+   with Global => (In_Out => Box);
 
    procedure Receive (Item : out Message; Fresh : out Boolean)
    with

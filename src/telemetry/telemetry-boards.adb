@@ -354,6 +354,15 @@ package body Telemetry.Boards with SPARK_Mode is
         (if Item.State in Sending | Awaiting_Status
          then Item.Transmit_Pair.Slots (Item.Sender.Source) =
            Before.Slots (Item.Sender.Source));
+      pragma Assert
+        (for all Which in Slot =>
+           (if Item.State in Sending | Awaiting_Status
+              and then Which = Item.Sender.Source
+            then Item.Transmit_Pair.Slots (Which).Busy
+              and then Item.Transmit_Pair.Slots (Which).Full
+              and then Item.Transmit_Pair.Slots (Which).Attempts > 0
+            else not Item.Transmit_Pair.Slots (Which).Busy
+              and then Item.Transmit_Pair.Slots (Which).Attempts < 2));
    end Put;
 
    procedure Clear_Transmit_Half (Item : in out Board) is
