@@ -1,0 +1,331 @@
+"""The aircraft of the simulation: JSBSim in lock-step with Sim.JSBSim.
+
+    plant.py DESCRIPTOR
+
+Serves one flight over the socket that it inherits as file DESCRIPTOR. The
+other side is the Ada package Sim.JSBSim and the only one that knows converter
+words; here is nothing but engineering units.
+
+Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor
+or truth, and an empty line. They are the numbers it will send and wants to
+receive, in that order. The answer is one line: "ready", or what is wrong.
+
+Then for every major frame: the servos' commands come in, are held for 20 ms,
+and the sensors and the truth go out. The sensors are measured 16 ms after
+the frame's beginning, the truth at its end. A number is a big-endian double.
+The very first message out comes unasked: the settled aircraft.
+
+The end of the connection ends the program.
+"""
+
+import math
+import os
+import signal
+import socket
+import struct
+import sys
+from pathlib import Path
+
+STEP = 0.002
+STEPS_TO_SENSORS = 8
+STEPS_AFTER_SENSORS = 2
+STEPS = STEPS_TO_SENSORS + STEPS_AFTER_SENSORS
+
+FIELD_FT = 800.0
+START_ALTITUDE_FT = 1000.0
+START_SPEED_KT = 70.0
+START_HEADING_DEG = 90.0
+
+# Best power of the engine at this height. The pilot has no such lever.
+MIXTURE = 0.9
+
+START_ENGINE_FRAMES = 100
+SETTLE_FRAMES = 90 * 50
+
+DEG = math.degrees(1.0)
+KM_PER_FT = 0.3048e-3
+
+# Servo: unit, property.
+SERVOS = {
+    "left_aileron": ("deg", "servo/left-aileron-deg"),
+    "right_aileron": ("deg", "servo/right-aileron-deg"),
+    "left_elevator": ("deg", "servo/left-elevator-deg"),
+    "right_elevator": ("deg", "servo/right-elevator-deg"),
+    "left_rudder": ("deg", "servo/left-rudder-deg"),
+    "right_rudder": ("deg", "servo/right-rudder-deg"),
+    "steering": ("deg", "servo/steering-deg"),
+    "throttle": ("%", "servo/throttle-pct"),
+    "brake": ("%", "servo/brake-pct"),
+    "left_flap_1": ("deg", "servo/left-flap-1-deg"),
+    "right_flap_1": ("deg", "servo/right-flap-1-deg"),
+    "left_flap_2": ("deg", "servo/left-flap-2-deg"),
+    "right_flap_2": ("deg", "servo/right-flap-2-deg"),
+}
+
+# Sensor: unit, property, factor, offset. The reading is the property times
+# the factor plus the offset.
+SENSORS = {
+    "right_flap_1": ("deg", "surface/right-flap-1-deg", 1.0, 0.0),
+    "left_flap_1": ("deg", "surface/left-flap-1-deg", 1.0, 0.0),
+    "right_flap_2": ("deg", "surface/right-flap-2-deg", 1.0, 0.0),
+    "left_flap_2": ("deg", "surface/left-flap-2-deg", 1.0, 0.0),
+    "right_aileron": ("deg", "surface/right-aileron-deg", 1.0, 0.0),
+    "left_aileron": ("deg", "surface/left-aileron-deg", 1.0, 0.0),
+    "right_elevator": ("deg", "surface/right-elevator-deg", 1.0, 0.0),
+    "left_elevator": ("deg", "surface/left-elevator-deg", 1.0, 0.0),
+    "right_rudder": ("deg", "surface/right-rudder-deg", 1.0, 0.0),
+    "left_rudder": ("deg", "surface/left-rudder-deg", 1.0, 0.0),
+    "alpha": ("deg", "aero/alpha-deg", 1.0, 0.0),
+    "beta": ("deg", "aero/beta-deg", 1.0, 0.0),
+    # Where the altitude reads zero: set to the field's height before take-off.
+    "altitude_offset": ("ft", "position/h-sl-ft", 0.0, FIELD_FT),
+    "lateral_acceleration": ("g", "accelerations/Ny", 1.0, 0.0),
+    "longitudinal_acceleration": ("g", "accelerations/Nx", 1.0, 0.0),
+    "vertical_acceleration": ("g", "accelerations/Nz", 1.0, 0.0),
+    "rpm": ("rev/min", "propulsion/engine[0]/engine-rpm", 1.0, 0.0),
+    "battery_volts": ("V", "electric/battery-volts", 1.0, 0.0),
+    "alternator_volts": ("V", "electric/alternator-volts", 1.0, 0.0),
+    "roll_attitude": ("deg", "attitude/phi-deg", 1.0, 0.0),
+    "pitch_attitude": ("deg", "attitude/theta-deg", 1.0, 0.0),
+    "roll_rate": ("deg/s", "velocities/p-rad_sec", DEG, 0.0),
+    "pitch_rate": ("deg/s", "velocities/q-rad_sec", DEG, 0.0),
+    "yaw_rate": ("deg/s", "velocities/r-rad_sec", DEG, 0.0),
+    "airspeed": ("kt", "velocities/vc-kts", 1.0, 0.0),
+    "altitude": ("ft", "position/h-sl-ft", 1.0, -FIELD_FT),
+    "uplink_signal_strength": ("dBm", "radio/uplink-dbm", 1.0, 0.0),
+}
+
+# What the aircraft really does. "crashed" is 1 once it has hit the ground
+# with something other than its wheels; from then on nothing changes.
+TRUTH = {
+    "altitude": ("ft", "position/h-sl-ft", 1.0, -FIELD_FT),
+    "airspeed": ("kt", "velocities/vc-kts", 1.0, 0.0),
+    "bank": ("deg", "attitude/phi-deg", 1.0, 0.0),
+    "pitch": ("deg", "attitude/theta-deg", 1.0, 0.0),
+    "heading": ("deg", "attitude/psi-deg", 1.0, 0.0),
+    "climb": ("ft/s", "velocities/h-dot-fps", 1.0, 0.0),
+    "crashed": ("yes", "plant/crashed", 1.0, 0.0),
+}
+
+STRUCTURE = ["contact/unit[%d]/WOW" % unit for unit in range(3, 7)]
+
+
+class Refused(Exception):
+    """The flight cannot begin; the text goes to the other side."""
+
+
+def load_jsbsim():
+    """Imports JSBSim of the version that the aircraft was tuned with."""
+    os.environ["JSBSIM_DEBUG"] = "0"
+    here = Path(__file__).resolve().parent
+    try:
+        import jsbsim
+    except ImportError as error:
+        raise Refused(f"no Python module jsbsim ({error})") from error
+    for line in (here / "requirements.txt").read_text().splitlines():
+        name, _, wanted = line.partition("==")
+        if name == "jsbsim" and jsbsim.__version__ != wanted:
+            raise Refused(
+                f"jsbsim is {jsbsim.__version__}, must be {wanted}")
+    fdm = jsbsim.FGFDMExec(str(here))
+    if not fdm.load_model("lambda"):
+        raise Refused("JSBSim does not load the aircraft")
+    return fdm
+
+
+class Aircraft:
+    """A settled aircraft, its servos' inputs and its sensors' outputs."""
+
+    def __init__(self, servos, sensors, truth):
+        self.fdm = fdm = load_jsbsim()
+        self.tree = fdm.get_property_manager()
+        fdm.set_dt(STEP)
+        for name, value in (
+                ("ic/terrain-elevation-ft", FIELD_FT),
+                ("ic/h-sl-ft", FIELD_FT + START_ALTITUDE_FT),
+                ("ic/vc-kts", START_SPEED_KT),
+                ("ic/psi-true-deg", START_HEADING_DEG),
+                ("fcs/mixture-cmd-norm", MIXTURE),
+                ("plant/crashed", 0.0),
+                ("radio/uplink-dbm", 0.0)):
+            fdm[name] = value
+        if not fdm.run_ic():
+            raise Refused("JSBSim does not accept the initial condition")
+
+        self.servos = [self.node(SERVOS, *item)[0] for item in servos]
+        self.sensors = [self.node(SENSORS, *item) for item in sensors]
+        self.truth = [self.node(TRUTH, *item) for item in truth]
+        self.structure = [self.tree.get_node(name) for name in STRUCTURE]
+        self.altitude = self.tree.get_node("position/h-agl-ft")
+        self.north = self.tree.get_node("position/from-start-neu-n-ft")
+        self.east = self.tree.get_node("position/from-start-neu-e-ft")
+        self.signal = self.tree.get_node("radio/uplink-dbm")
+        self.crashed = self.tree.get_node("plant/crashed")
+        self.settle()
+        self.station = (self.north.get_double_value(),
+                        self.east.get_double_value())
+        self.measure_signal()
+        self.last = (self.read(self.sensors), self.read(self.truth))
+
+    def node(self, table, name, unit):
+        """Property node, factor and offset of an item the other side wants."""
+        if name not in table:
+            raise Refused(f"the plant has no {name}")
+        has, path, *scale = table[name]
+        if has != unit:
+            raise Refused(f"the plant has {name} in {has}, not in {unit}")
+        node = self.tree.get_node(path)
+        if node is None:
+            raise Refused(f"JSBSim has no property {path}")
+        return (node, *scale)
+
+    @staticmethod
+    def read(items):
+        return [node.get_double_value() * factor + offset
+                for node, factor, offset in items]
+
+    def settle(self):
+        """Starts the engine and flies level until nothing moves any more.
+
+        JSBSim's own trim does not converge with this engine. The aircraft
+        is in trim with neutral servos, so the integrators end near zero and
+        letting go of them afterwards disturbs nothing.
+        """
+        fdm = self.fdm
+        servo = {name: self.tree.get_node(path)
+                 for name, (_, path) in SERVOS.items()}
+        fdm["propulsion/magneto_cmd"] = 3
+        fdm["propulsion/starter_cmd"] = 1
+        frame = STEPS * STEP
+        aileron_trim = elevator_trim = throttle_trim = climb_trim = 0.0
+        for count in range(SETTLE_FRAMES):
+            if count == START_ENGINE_FRAMES:
+                fdm["propulsion/starter_cmd"] = 0
+            height = START_ALTITUDE_FT + FIELD_FT - fdm["position/h-sl-ft"]
+            speed = START_SPEED_KT - fdm["velocities/vc-kts"]
+
+            turn = START_HEADING_DEG - fdm["attitude/psi-deg"]
+            bank = max(-10.0, min(10.0, turn)) - fdm["attitude/phi-deg"]
+            aileron_trim += 0.1 * bank * frame
+            aileron = (0.25 * bank + aileron_trim
+                       - 0.05 * DEG * fdm["velocities/p-rad_sec"])
+
+            climb = max(-6.0, min(6.0, 0.2 * height))
+            climb_trim += 0.02 * height * frame
+            pitch = (2.4 + 0.5 * climb + climb_trim
+                     - 0.3 * fdm["velocities/h-dot-fps"]
+                     - fdm["attitude/theta-deg"])
+            elevator_trim += 0.4 * pitch * frame
+            elevator = (0.6 * pitch + elevator_trim
+                        - 0.2 * DEG * fdm["velocities/q-rad_sec"])
+
+            throttle_trim += 0.5 * speed * frame
+            throttle = 50.0 + 3.0 * speed + throttle_trim
+
+            for side in ("left", "right"):
+                servo[side + "_aileron"].set_double_value(aileron)
+                servo[side + "_elevator"].set_double_value(elevator)
+            servo["throttle"].set_double_value(throttle)
+            for _ in range(STEPS):
+                fdm.run()
+
+    def measure_signal(self):
+        """Uplink at the aircraft's receiver: free space, 1 W, 450 MHz.
+
+        The ground station is below the point where the flight begins.
+        """
+        north, east = self.station
+        distance = KM_PER_FT * math.hypot(
+            self.north.get_double_value() - north,
+            self.east.get_double_value() - east,
+            self.altitude.get_double_value())
+        loss = 32.44 + 20.0 * math.log10(450.0 * max(distance, 0.01))
+        self.signal.set_double_value(30.0 - loss)
+
+    def has_crashed(self):
+        altitude = self.altitude.get_double_value()
+        # Written so that an altitude that is not a number is a crash.
+        if not altitude > -10.0:
+            return True
+        return altitude < 20.0 and any(
+            node.get_double_value() for node in self.structure)
+
+    def fly(self, commands):
+        """Holds the commands for one frame; sensors and truth of it."""
+        if self.crashed.get_double_value():
+            return self.last
+        run = self.fdm.run
+        for node, command in zip(self.servos, commands):
+            node.set_double_value(command)
+        for _ in range(STEPS_TO_SENSORS):
+            run()
+        self.measure_signal()
+        sensors = self.read(self.sensors)
+        for _ in range(STEPS_AFTER_SENSORS):
+            run()
+        if self.has_crashed():
+            self.crashed.set_double_value(1.0)
+            self.last = (self.last[0], self.last[1][:-1] + [1.0])
+        else:
+            self.last = (sensors, self.read(self.truth))
+        return self.last
+
+
+def receive(link, length):
+    """That many bytes, or None at the end of the connection."""
+    data = link.recv(length)
+    while data and len(data) < length:
+        more = link.recv(length - len(data))
+        if not more:
+            return None
+        data += more
+    return data or None
+
+
+def read_items(link):
+    """What the other side sends and wants: {kind: [(name, unit)]}."""
+    items = {"servo": [], "sensor": [], "truth": []}
+    with link.makefile("r", encoding="ascii", newline="\n") as lines:
+        for line in lines:
+            if line == "\n":
+                return items
+            kind, name, unit = line.rstrip("\n").split(",")
+            items[kind].append((name, unit))
+    raise Refused("the connection ended before the flight began")
+
+
+def serve(link):
+    try:
+        items = read_items(link)
+        aircraft = Aircraft(items["servo"], items["sensor"], items["truth"])
+    except Refused as refusal:
+        link.sendall(f"{refusal}\n".encode())
+        return
+    link.sendall(b"ready\n")
+
+    commands = struct.Struct(">%dd" % len(items["servo"]))
+    state = struct.Struct(">%dd" % (len(items["sensor"])
+                                    + len(items["truth"])))
+    sensors, truth = aircraft.last
+    link.sendall(state.pack(*sensors, *truth))
+    while (data := receive(link, commands.size)) is not None:
+        sensors, truth = aircraft.fly(commands.unpack(data))
+        link.sendall(state.pack(*sensors, *truth))
+
+
+def main():
+    # An interrupt from the keyboard is the other side's affair: this
+    # program ends when the connection does.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Standard output belongs to the simulation's own report.
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    with socket.socket(fileno=int(sys.argv[1])) as link:
+        try:
+            serve(link)
+        except ConnectionError:
+            # The other side ended in the middle of a message.
+            return
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+package body Sim.Bench is
+
+   subtype Surface is Sensor_Item range Right_Flap_1 .. Left_Rudder;
+
+   --  The servo that moves a surface.
+   Servo_Of : constant array (Surface) of Servo_Item :=
+     (Right_Flap_1   => Right_Flap_1,
+      Left_Flap_1    => Left_Flap_1,
+      Right_Flap_2   => Right_Flap_2,
+      Left_Flap_2    => Left_Flap_2,
+      Right_Aileron  => Right_Aileron,
+      Left_Aileron   => Left_Aileron,
+      Right_Elevator => Right_Elevator,
+      Left_Elevator  => Left_Elevator,
+      Right_Rudder   => Right_Rudder,
+      Left_Rudder    => Left_Rudder);
+
+   --  Positions are counted in parts of a converter word. In each 2 ms a
+   --  surface makes a 32nd of the way to go: a lag of about 64 ms.
+   type Position is range 0 .. 4_095 * 2 ** 10;
+   Parts : constant := 2 ** 10;
+   Lag   : constant := 32;
+
+   type Place_Table is array (Surface) of Position;
+
+   Rest   : constant Position := Position (Neutral_Value) * Parts;
+   Places : Place_Table       := (others => Rest);
+
+   --  Steps of 2 ms before and after the scan.
+   Steps_Before_Scan : constant := 8;
+   Steps_After_Scan  : constant := 2;
+
+   --  Moves by at least one part, so that it arrives.
+   function Moved (From, To : Position) return Position is
+     (if From < To then From + Position'Max (1, (To - From) / Lag)
+      elsif From > To then From - Position'Max (1, (From - To) / Lag)
+      else From);
+
+   procedure Start is
+   begin
+      Places := (others => Rest);
+   end Start;
+
+   procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words) is
+      Goal : Position;
+   begin
+      for Item in Surface loop
+         Goal := Position (Servos (Servo_Of (Item))) * Parts;
+         if Places (Item) /= Goal then
+            for I in 1 .. Steps_Before_Scan loop
+               Places (Item) := Moved (Places (Item), Goal);
+            end loop;
+         end if;
+         Sensors (Item) := Word (Places (Item) / Parts);
+         if Places (Item) /= Goal then
+            for I in 1 .. Steps_After_Scan loop
+               Places (Item) := Moved (Places (Item), Goal);
+            end loop;
+         end if;
+      end loop;
+   end Step;
+
+end Sim.Bench;

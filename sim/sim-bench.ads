@@ -1,0 +1,17 @@
+--  The bench: the surfaces follow the servos with a lag, every other sensor
+--  is held at what it was last set to.
+--
+--  The lag is computed in whole numbers, so that it is the same everywhere.
+
+package Sim.Bench is
+
+   --  The surfaces are where neutral servos hold them, and come to be
+   --  measured there.
+   procedure Start;
+
+   --  One major frame: the servos' words are held for 20 ms. Sensors
+   --  receives the surfaces' positions 16 ms after its beginning, when the
+   --  aircraft's next scan begins; its other words are left alone.
+   procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words);
+
+end Sim.Bench;

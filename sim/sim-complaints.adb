@@ -1,0 +1,74 @@
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with GNAT.OS_Lib;
+
+package body Sim.Complaints is
+
+   Program : constant String := "urv_sim: ";
+
+   --  The latest complaint, whole.
+   Latest : Unbounded_String;
+
+   procedure Complain (Line : String) with No_Return;
+
+   procedure Complain (Line : String) is
+   begin
+      Latest := To_Unbounded_String (Line);
+      raise Bad_Input with Line;
+   end Complain;
+
+   procedure Refuse (What : String) is
+   begin
+      Complain (Program & What);
+   end Refuse;
+
+   procedure Refuse (File : String; Line : Positive; What : String) is
+      Number : constant String := Line'Image;
+   begin
+      Complain
+        (File & ":" & Number (Number'First + 1 .. Number'Last)
+         & ": " & What);
+   end Refuse;
+
+   function Line_Of (Error : Ada.Exceptions.Exception_Occurrence)
+                     return String
+   is
+      Message : constant String := Ada.Exceptions.Exception_Message (Error);
+   begin
+      if Message'Length > 0
+        and then Message'Length <= Length (Latest)
+        and then Head (Latest, Message'Length) = Message
+      then
+         return To_String (Latest);
+      else
+         return Program & Message;
+      end if;
+   end Line_Of;
+
+   procedure Print (Error : Ada.Exceptions.Exception_Occurrence) is
+      Line    : constant String := Line_Of (Error) & ASCII.LF;
+      Written : Integer;
+   begin
+      Written :=
+        GNAT.OS_Lib.Write
+          (GNAT.OS_Lib.Standerr, Line'Address, Line'Length);
+
+      --  There is nowhere left to complain to.
+      pragma Unreferenced (Written);
+   end Print;
+
+   function Quoted (Text : String) return String is
+      Longest : constant := 60;
+      Shown   : String :=
+        (if Text'Length <= Longest
+         then Text
+         else Text (Text'First .. Text'First + Longest - 1) & "...");
+   begin
+      for Char of Shown loop
+         if Char < ' ' or else Char = ASCII.DEL then
+            Char := '?';
+         end if;
+      end loop;
+      return '"' & Shown & '"';
+   end Quoted;
+
+end Sim.Complaints;

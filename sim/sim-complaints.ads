@@ -1,0 +1,31 @@
+--  What the program says when it refuses a command line or an input file,
+--  in one style and on one line.
+--
+--  An exception's message ends after 200 characters, which a long path
+--  soon fills. The whole line is therefore kept here until it is printed.
+
+with Ada.Exceptions;
+
+package Sim.Complaints is
+
+   --  Refuses the command line. The line is "urv_sim: What".
+   procedure Refuse (What : String) with No_Return;
+
+   --  Refuses an input file. The line is "File:Line: What".
+   procedure Refuse (File : String; Line : Positive; What : String)
+     with No_Return;
+
+   --  The line that belongs to this occurrence of Bad_Input. A message
+   --  that was raised without Refuse gets the program's name in front.
+   function Line_Of (Error : Ada.Exceptions.Exception_Occurrence)
+                     return String;
+
+   --  Prints that line on standard error, byte for byte: a file's name
+   --  need not be text in any encoding.
+   procedure Print (Error : Ada.Exceptions.Exception_Occurrence);
+
+   --  Text of the user's in quotes, fit for one line: control characters
+   --  are replaced and the rest of a long text is cut off.
+   function Quoted (Text : String) return String;
+
+end Sim.Complaints;

@@ -1,0 +1,35 @@
+--  Both nodes, their boards' hardware and the serial link, in virtual time.
+--
+--  The engine jumps from event to event: clock ticks of 2 ms, conversions
+--  of 16 us, characters of 96 us, the telemetry boards' time-outs. Between
+--  two calls of Run the caller may change what the converters see.
+--
+--  Events at the same instant happen in a fixed order, so that the same
+--  flight is the same every time. There is one engine.
+
+with Sim.Faults;
+with Sim.Text_Output;
+
+package Sim.Engine is
+
+   Tick_Time : constant Microseconds := 2_000;
+
+   --  Switches both nodes on: the ground at time 0, the aircraft Lag later.
+   procedure Start (Lag : Microseconds; Script : Faults.Script);
+
+   --  Lets everything happen that happens before Stop. Bytes on the link
+   --  are written to Wire if that is open.
+   procedure Run
+     (Stop : Microseconds;
+      Wire : in out Text_Output.Writer);
+
+   --  What the converters see from now on.
+
+   procedure Set_Console (Words : Console_Words);
+
+   procedure Set_Sensors (Words : Sensor_Words);
+
+   --  The link's counts so far.
+   function Link return Link_Counts;
+
+end Sim.Engine;

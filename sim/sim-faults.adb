@@ -1,0 +1,343 @@
+with Sim.Complaints;   use Sim.Complaints;
+with Sim.Text_Input;   use Sim.Text_Input;
+with Sim.Text_Numbers; use Sim.Text_Numbers;
+
+package body Sim.Faults is
+
+   use type Number;
+
+   Longest_Time : constant Number := 10_000_000_000 * 1_000;
+
+   --  What stands between the time and the kind.
+   type Subject is (Nothing, A_Way, A_Node);
+
+   --  What may follow the kind.
+   type Parameter is
+     (None, A_Duration, A_Probability, An_Ordinal, A_Mask, A_Byte,
+      A_Board, A_Restart);
+   type Parameter_List is array (1 .. 2) of Parameter;
+
+   type Form is record
+      Before : Subject;
+      After  : Parameter_List;
+   end record;
+
+   --  The grammar.
+   Forms : constant array (Fault_Kind) of Form :=
+     (Cut        => (Nothing, (A_Duration, None)),
+      Bit_Errors => (A_Way, (A_Probability, A_Duration)),
+      Flip       => (A_Way, (An_Ordinal, A_Mask)),
+      Drop       => (A_Way, (An_Ordinal, None)),
+      Duplicate  => (A_Way, (An_Ordinal, None)),
+      Insert     => (A_Way, (An_Ordinal, A_Byte)),
+      Stall      => (A_Node, (A_Board, A_Duration)),
+      Reset      => (A_Node, (A_Restart, None)));
+
+   function Name (Kind : Fault_Kind) return String is
+     (case Kind is
+         when Cut        => "cut",
+         when Bit_Errors => "ber",
+         when Flip       => "flip",
+         when Drop       => "drop",
+         when Duplicate  => "dup",
+         when Insert     => "insert",
+         when Stall      => "stall",
+         when Reset      => "reset");
+
+   --  How the parameter stands in a description of the form.
+   function Name (What : Parameter) return String is
+     (case What is
+         when None          => "",
+         when A_Duration    => " DURATION_MS",
+         when A_Probability => " P",
+         when An_Ordinal    => " N",
+         when A_Mask        => " MASK",
+         when A_Byte        => " BYTE",
+         when A_Board       => " adc|telemetry",
+         when A_Restart     => " warm|processor");
+
+   --  The whole line of such a fault.
+   function Image (Kind : Fault_Kind) return String is
+     ("TIME_MS "
+      & (case Forms (Kind).Before is
+            when Nothing => "",
+            when A_Way   => "up|down ",
+            when A_Node  => "mcs|gsc ")
+      & Name (Kind) & Name (Forms (Kind).After (1))
+      & Name (Forms (Kind).After (2)));
+
+   --  A line has at most so many words; one more is too many of any kind.
+   Most_Words : constant := 6;
+   type Slice is record
+      First : Positive := 1;
+      Last  : Natural  := 0;
+   end record;
+   type Slice_List is array (1 .. Most_Words) of Slice;
+
+   --  Finds the words of a line. Those beyond the list are not kept.
+   procedure Split
+     (Line  : String;
+      Words : out Slice_List;
+      Count : out Natural);
+
+   procedure Read_Kind
+     (From : Reader;
+      Word : String;
+      Kind : out Fault_Kind);
+
+   procedure Read_Time
+     (From  : Reader;
+      What  : String;
+      Word  : String;
+      Value : out Microseconds);
+
+   --  From 0 to 1, as "0.001", "1e-3" or "1".
+   procedure Read_Probability
+     (From  : Reader;
+      Word  : String;
+      Value : out Probability);
+
+   procedure Read_Parameter
+     (From : Reader;
+      What : Parameter;
+      Word : String;
+      Made : in out Fault);
+
+   procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
+
+   procedure Split
+     (Line  : String;
+      Words : out Slice_List;
+      Count : out Natural)
+   is
+      Inside : Boolean := False;
+   begin
+      Words := (others => <>);
+      Count := 0;
+      for Index in Line'Range loop
+         if Line (Index) in ' ' | ASCII.HT then
+            Inside := False;
+         else
+            if not Inside and then Count < Most_Words then
+               Count := Count + 1;
+               Words (Count).First := Index;
+            end if;
+            Inside := True;
+            Words (Count).Last := Index;
+         end if;
+      end loop;
+   end Split;
+
+   procedure Read_Kind
+     (From : Reader;
+      Word : String;
+      Kind : out Fault_Kind) is
+   begin
+      for Known in Fault_Kind loop
+         if Name (Known) = Word then
+            Kind := Known;
+            return;
+         end if;
+      end loop;
+      Refuse (From, "unknown fault " & Quoted (Word));
+   end Read_Kind;
+
+   procedure Read_Time
+     (From  : Reader;
+      What  : String;
+      Word  : String;
+      Value : out Microseconds)
+   is
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      Read_Decimal (Word, 3, Amount, Is_Valid);
+      if not Is_Valid or else Amount > Longest_Time then
+         Refuse
+           (From,
+            What & ": " & Quoted (Word) & " is not a time from 0 to"
+            & Number'Image (Longest_Time / 1_000)
+            & " ms with at most three decimals");
+      end if;
+      Value := Microseconds (Amount);
+   end Read_Time;
+
+   procedure Read_Probability
+     (From  : Reader;
+      Word  : String;
+      Value : out Probability) is
+   begin
+      --  Ada reads more than the format allows.
+      for Char of Word loop
+         if Char not in '0' .. '9' | '.' | 'e' | 'E' | '-' | '+' then
+            raise Constraint_Error;
+         end if;
+      end loop;
+      Value := Probability'Value (Word);
+   exception
+      when Constraint_Error =>
+         Refuse
+           (From,
+            "P: " & Quoted (Word) & " is not a probability from 0 to 1");
+   end Read_Probability;
+
+   procedure Read_Parameter
+     (From : Reader;
+      What : Parameter;
+      Word : String;
+      Made : in out Fault)
+   is
+      Value    : Number;
+      Is_Valid : Boolean;
+   begin
+      case What is
+         when None =>
+            null;
+
+         when A_Duration =>
+            Read_Time (From, "DURATION_MS", Word, Made.Duration);
+
+         when A_Probability =>
+            Read_Probability (From, Word, Made.Rate);
+
+         when An_Ordinal =>
+            Read_Whole (Word, Value, Is_Valid);
+            if not Is_Valid
+              or else Value not in 1 .. Number (Byte_Ordinal'Last)
+            then
+               Refuse
+                 (From,
+                  "N: " & Quoted (Word)
+                  & " is not a whole number from 1 to"
+                  & Byte_Ordinal'Last'Image);
+            end if;
+            Made.Ordinal := Byte_Ordinal (Value);
+
+         when A_Mask =>
+            Read_Hexadecimal (Word, Value, Is_Valid);
+            if not Is_Valid
+              or else Value not in 1 .. Number (Flip_Mask'Last)
+            then
+               Refuse
+                 (From,
+                  "MASK: " & Quoted (Word)
+                  & " is not a hexadecimal number from 1 to 1ff");
+            end if;
+            Made.Mask := Flip_Mask (Value);
+
+         when A_Byte =>
+            Read_Hexadecimal (Word, Value, Is_Valid);
+            if not Is_Valid or else Value > Number (Byte'Last) then
+               Refuse
+                 (From,
+                  "BYTE: " & Quoted (Word)
+                  & " is not a hexadecimal number from 0 to ff");
+            end if;
+            Made.Inserted := Byte (Value);
+
+         when A_Board =>
+            if Word = "adc" then
+               Made.Stalled := ADC;
+            elsif Word = "telemetry" then
+               Made.Stalled := Telemetry;
+            else
+               Refuse (From, "unknown board " & Quoted (Word));
+            end if;
+
+         when A_Restart =>
+            if Word = "warm" then
+               Made.How := Warm;
+            elsif Word = "processor" then
+               Made.How := Processor;
+            else
+               Refuse (From, "unknown reset " & Quoted (Word));
+            end if;
+      end case;
+   end Read_Parameter;
+
+   procedure Read_Fault (From : Reader; Line : String; Made : out Fault) is
+      Words  : Slice_List;
+      Count  : Natural;
+      Next   : Positive := 2;
+      Before : Subject := Nothing;
+
+      --  The word of that number, empty after the last.
+      function Word (Index : Positive) return String is
+        (Line (Words (Index).First .. Words (Index).Last));
+   begin
+      Made := (Kind => Cut, Line => Line_Number (From), Time => 0,
+               others => <>);
+      Split (Line, Words, Count);
+      Read_Time (From, "TIME_MS", Word (1), Made.Time);
+
+      if Count < 2 then
+         Refuse (From, "no fault follows the time");
+      elsif Word (2) = "up" or else Word (2) = "down" then
+         Before   := A_Way;
+         Made.Way := (if Word (2) = "up" then Up else Down);
+         Next     := 3;
+      elsif Word (2) = "mcs" or else Word (2) = "gsc" then
+         Before     := A_Node;
+         Made.Where := (if Word (2) = "mcs" then MCS else GSC);
+         Next       := 3;
+      end if;
+
+      Read_Kind (From, Word (Next), Made.Kind);
+
+      declare
+         After  : constant Parameter_List := Forms (Made.Kind).After;
+         Wanted : constant Positive := (if After (2) = None then 1 else 2);
+      begin
+         if Before /= Forms (Made.Kind).Before
+           or else Count - Next /= Wanted
+         then
+            Refuse
+              (From,
+               "a fault of this kind is written " & Image (Made.Kind));
+         end if;
+         for Index in 1 .. Wanted loop
+            Read_Parameter
+              (From, After (Index), Word (Next + Index), Made);
+         end loop;
+      end;
+
+      if not Supported (Made.Kind) then
+         Refuse
+           (From, "fault " & Quoted (Name (Made.Kind))
+            & " is not supported yet");
+      end if;
+   end Read_Fault;
+
+   procedure Load (Loaded : in out Script; File : String) is
+      From  : Reader;
+      Found : Boolean;
+      Made  : Fault;
+   begin
+      Loaded.Faults.Clear;
+      Open (From, File);
+      loop
+         Next_Line (From, Found);
+         exit when not Found;
+
+         declare
+            Text    : constant String := Line (From);
+            Comment : Positive := Text'First;
+         begin
+            while Comment <= Text'Last and then Text (Comment) /= '#' loop
+               Comment := Comment + 1;
+            end loop;
+
+            declare
+               Order : constant String :=
+                 Trimmed (Text (Text'First .. Comment - 1));
+            begin
+               if Order /= "" then
+                  Read_Fault (From, Order, Made);
+                  Loaded.Faults.Append (Made);
+               end if;
+            end;
+         end;
+      end loop;
+   end Load;
+
+end Sim.Faults;

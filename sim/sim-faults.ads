@@ -1,0 +1,74 @@
+--  A script of what goes wrong in a flight, read from a file (--faults)
+--  and checked before the flight begins.
+--
+--  The whole grammar is read. Kinds of fault that nothing in the
+--  simulation can yet do are refused, see Supported.
+
+private with Ada.Containers.Vectors;
+
+package Sim.Faults is
+
+   type Fault_Kind is
+     (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset);
+
+   --  What the simulation can do.
+   Supported : constant array (Fault_Kind) of Boolean :=
+     (Cut | Flip | Drop => True, others => False);
+
+   type Node is (MCS, GSC);
+   type Board is (ADC, Telemetry);
+   type Restart is (Warm, Processor);
+
+   --  Which byte of a direction, counted from those whose sending begins
+   --  at the fault's time or later.
+   type Byte_Ordinal is range 1 .. 2 ** 31 - 1;
+
+   --  The nine bits of a character: eight of data, then parity.
+   type Character_Bits is mod 2 ** 9;
+   subtype Flip_Mask is Character_Bits range 1 .. Character_Bits'Last;
+
+   type Probability is new Long_Float range 0.0 .. 1.0;
+
+   --  One line of the script. Only what the kind of fault needs has a
+   --  meaning.
+   type Fault is record
+      Kind     : Fault_Kind;
+      Line     : Positive;
+      Time     : Microseconds;
+      Way      : Direction    := Up;
+      Where    : Node         := MCS;
+      Duration : Microseconds := 0;
+      Ordinal  : Byte_Ordinal := 1;
+      Mask     : Flip_Mask    := 1;
+      Inserted : Byte         := 0;
+      Rate     : Probability  := 0.0;
+      Stalled  : Board        := ADC;
+      How      : Restart      := Warm;
+   end record;
+
+   type Script is limited private;
+
+   --  Reads and checks the file; refuses it at its first wrong line.
+   procedure Load (Loaded : in out Script; File : String);
+
+   --  The faults in the order of their lines. Their times may come in any
+   --  order.
+   function Length (From : Script) return Natural;
+   function Element (From : Script; Index : Positive) return Fault
+     with Pre => Index <= Length (From);
+
+private
+
+   package Fault_Vectors is new Ada.Containers.Vectors (Positive, Fault);
+
+   type Script is limited record
+      Faults : Fault_Vectors.Vector;
+   end record;
+
+   function Length (From : Script) return Natural is
+     (Natural (From.Faults.Length));
+
+   function Element (From : Script; Index : Positive) return Fault is
+     (From.Faults (Index));
+
+end Sim.Faults;

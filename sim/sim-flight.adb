@@ -1,0 +1,297 @@
+with Ada.Calendar;    use Ada.Calendar;
+with Ada.Characters.Handling;
+with Ada.Strings.Unbounded;
+
+with Sim.Bench;
+with Sim.Engine;
+with Sim.Faults;
+with Sim.Flight_Quality;
+with Sim.Flight_Record;
+with Sim.JSBSim;
+with Sim.Latency;
+with Sim.Nodes;
+with Sim.Outputs;     use Sim.Outputs;
+with Sim.Pilot;
+with Sim.Progress;
+with Sim.Sensor_Scripts;
+with Sim.Stick_Scripts;
+with Sim.Summary;
+with Sim.Text_Output;
+with Sim.Wire_Log;
+with URV.CORE_Layout;
+with URV.Errors;
+with URV.PWM_Transform;
+
+package body Sim.Flight is
+
+   use Ada.Strings.Unbounded;
+   use Options;
+   use type URVOS.Count;
+
+   --  When in the aircraft's frame the servos have new commands (FRM-2).
+   PWM_Offset : constant Microseconds := 2 * Engine.Tick_Time;
+
+   --  Everything that a flight reads, writes and remembers. There is one
+   --  flight.
+
+   Sticks  : Stick_Scripts.Script;
+   Sensors : Sensor_Scripts.Script;
+   Faults  : Sim.Faults.Script;
+   Files   : File_Set;
+
+   Console  : Console_Words := Neutral_Console;
+   Measured : Sensor_Words  := Neutral_Sensors;
+   Truth    : JSBSim.Flight_State;
+   Delays   : Latency.Collector;
+
+   procedure Load_Inputs (Chosen : Choices);
+
+   --  The console's words change, at Time.
+   procedure Move_Console (Words : Console_Words; Time : Microseconds);
+
+   --  The servos have new commands: lets the plant go on for a frame.
+   procedure Step_Plant (Chosen : Choices; Time : Microseconds);
+
+   --  A major frame of the ground has ended.
+   procedure End_Frame (Chosen : Choices; Time : Microseconds);
+
+   procedure Fly_Through (Chosen : Choices; Length : Microseconds);
+
+   procedure Conclude
+     (Chosen  : Choices;
+      Length  : Microseconds;
+      Elapsed : Duration);
+
+   function Given (Name : Unbounded_String) return Boolean is
+     (Length (Name) > 0);
+
+   procedure Load_Inputs (Chosen : Choices) is
+   begin
+      if Given (Chosen.Inputs (Stick_File)) then
+         Stick_Scripts.Load (Sticks, To_String (Chosen.Inputs (Stick_File)));
+      end if;
+      if Given (Chosen.Inputs (Sensor_File)) then
+         Sensor_Scripts.Load
+           (Sensors, To_String (Chosen.Inputs (Sensor_File)));
+      end if;
+      if Given (Chosen.Inputs (Fault_File)) then
+         Sim.Faults.Load (Faults, To_String (Chosen.Inputs (Fault_File)));
+      end if;
+   end Load_Inputs;
+
+   procedure Move_Console (Words : Console_Words; Time : Microseconds) is
+      Commands : Uplink_Buffer := (others => URV.Buffers.No_Error);
+   begin
+      if Words /= Console then
+         Console := Words;
+         Engine.Set_Console (Words);
+
+         for Item in Command_Item loop
+            Commands (Item) := Words (Item);
+         end loop;
+         Latency.Console_Changed
+           (Delays, Time, URV.PWM_Transform.Transform (Commands));
+      end if;
+   end Move_Console;
+
+   procedure Step_Plant (Chosen : Choices; Time : Microseconds) is
+      Servos : constant PWM_Buffer := Nodes.Servos;
+      Moved  : Sensor_Words := Measured;
+   begin
+      Latency.PWM_Written (Delays, Time, Servos);
+
+      case Chosen.Plant is
+         when Bench_Plant =>
+            Sim.Bench.Step (Servos, Moved);
+            for Item in Sensor_Item loop
+               if not Sensor_Scripts.Is_Given (Sensors, Item) then
+                  Measured (Item) := Moved (Item);
+               end if;
+            end loop;
+
+         when JSBSim_Plant =>
+            Sim.JSBSim.Step (Servos, Measured, Truth);
+      end case;
+      Engine.Set_Sensors (Measured);
+   end Step_Plant;
+
+   procedure End_Frame (Chosen : Choices; Time : Microseconds) is
+      Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
+      Writer : Text_Output.Writer renames Files (Record_File);
+      Words  : Console_Words;
+   begin
+      if Text_Output.Is_Open (Writer) then
+         Flight_Record.Write_Row
+           (Writer,
+            (Frame        => Frame,
+             Time         => Time,
+             Console      => Console,
+             GSC_Uplink   => URV.CORE_Layout.To_Buffer
+                               (Nodes.CORE (Nodes.GSC).Uplink),
+             MCS_Uplink   => URV.CORE_Layout.To_Buffer
+                               (Nodes.CORE (Nodes.MCS).Uplink),
+             PWM          => Nodes.Servos,
+             MCS_Downlink => URV.CORE_Layout.To_Buffer
+                               (Nodes.CORE (Nodes.MCS).Downlink),
+             GSC_Downlink => URV.CORE_Layout.To_Buffer
+                               (Nodes.CORE (Nodes.GSC).Downlink),
+             Link         => Engine.Link));
+      end if;
+
+      if Given (Chosen.Pilot) then
+         Pilot.Move
+           (Time,
+            URV.CORE_Layout.To_Buffer (Nodes.CORE (Nodes.GSC).Downlink),
+            Words);
+         Move_Console (Words, Time);
+         if Chosen.Plant = JSBSim_Plant then
+            Flight_Quality.Observe (Time, Truth, Pilot.Present_Targets);
+         end if;
+      end if;
+
+      Progress.Show (Time);
+   end End_Frame;
+
+   procedure Fly_Through (Chosen : Choices; Length : Microseconds) is
+      Lag       : constant Microseconds :=
+        Microseconds (Chosen.Phase) * Engine.Tick_Time;
+      Began     : constant Ada.Calendar.Time := Clock;
+      Frame_End : Microseconds := Major_Frame;
+
+      --  Servos are commanded from the aircraft's first frame of tasks on.
+      Next_PWM  : Microseconds := Lag + Major_Frame + PWM_Offset;
+      Next      : Microseconds;
+      Row       : Console_Words;
+      Scripted  : Sensor_Words;
+   begin
+      loop
+         Next := Microseconds'Min
+           (Microseconds'Min (Frame_End, Next_PWM + 1),
+            Microseconds'Min (Stick_Scripts.Next_Time (Sticks),
+                              Sensor_Scripts.Next_Time (Sensors)));
+         Engine.Run (Next, Files (Wire_File));
+
+         if Next = Next_PWM + 1 then
+            Step_Plant (Chosen, Next_PWM);
+            Next_PWM := Next_PWM + Major_Frame;
+         end if;
+
+         if Next = Frame_End then
+            End_Frame (Chosen, Frame_End);
+            exit when Frame_End = Length;
+            if Chosen.Pace = Realtime then
+               delay until Began + Duration (Frame_End) / 1_000_000;
+            end if;
+            Frame_End := Frame_End + Major_Frame;
+         end if;
+
+         --  A row that begins where a frame ends is not part of it.
+         if Next = Stick_Scripts.Next_Time (Sticks) then
+            Stick_Scripts.Advance (Sticks, Row);
+            Move_Console (Row, Next);
+         end if;
+
+         if Next = Sensor_Scripts.Next_Time (Sensors) then
+            Sensor_Scripts.Advance (Sensors, Scripted);
+            for Item in Sensor_Item loop
+               if Sensor_Scripts.Is_Given (Sensors, Item) then
+                  Measured (Item) := Scripted (Item);
+               end if;
+            end loop;
+            Engine.Set_Sensors (Measured);
+         end if;
+      end loop;
+   end Fly_Through;
+
+   procedure Conclude
+     (Chosen  : Choices;
+      Length  : Microseconds;
+      Elapsed : Duration)
+   is
+      Figures : constant Summary.Figures :=
+        (Flown    => Length,
+         Frames   => URVOS.Count (Length / Major_Frame),
+         Elapsed  => Elapsed,
+         Link     => Engine.Link,
+         Overruns => Nodes.Overruns (Nodes.GSC) + Nodes.Overruns (Nodes.MCS),
+         Latency  => Latency.Result (Delays));
+      Further : Summary.Result;
+   begin
+      for Node in Nodes.Node loop
+         for Kind in URV.Errors.Error_Kind loop
+            if Nodes.Errors (Node) (Kind) > 0 then
+               Summary.Add_Event
+                 (Further,
+                  Ada.Characters.Handling.To_Lower
+                    (Node'Image & "." & Kind'Image),
+                  Nodes.Errors (Node) (Kind));
+            end if;
+         end loop;
+      end loop;
+
+      if Chosen.Plant = JSBSim_Plant and then Given (Chosen.Pilot) then
+         Flight_Quality.Report (Further);
+      end if;
+
+      if Text_Output.Is_Open (Files (Summary_File)) then
+         Summary.Write (Files (Summary_File), Figures, Further);
+      end if;
+      Outputs.Close (Files);
+
+      if not Chosen.Quiet then
+         Summary.Print (Figures, Further);
+      end if;
+   end Conclude;
+
+   procedure Fly (Chosen : Choices) is
+      Length  : Microseconds;
+      Began   : Time;
+      Elapsed : Duration;
+   begin
+      Load_Inputs (Chosen);
+      Length := Flight_Length
+        (Chosen,
+         Otherwise =>
+           (if Given (Chosen.Pilot)
+            then Pilot.Length (To_String (Chosen.Pilot))
+            else Stick_Scripts.Length (Sticks)));
+
+      Engine.Start
+        (Lag    => Microseconds (Chosen.Phase) * Engine.Tick_Time,
+         Script => Faults);
+      if Chosen.Plant = JSBSim_Plant then
+         JSBSim.Start (Measured, Truth);
+         Engine.Set_Sensors (Measured);
+      else
+         Bench.Start;
+      end if;
+      if Given (Chosen.Pilot) then
+         Pilot.Start (To_String (Chosen.Pilot));
+         Flight_Quality.Start;
+      end if;
+
+      Outputs.Open (Files, Chosen.Inputs, Chosen.Outputs);
+      if Text_Output.Is_Open (Files (Record_File)) then
+         Flight_Record.Write_Header (Files (Record_File));
+      end if;
+      if Text_Output.Is_Open (Files (Wire_File)) then
+         Wire_Log.Write_Header (Files (Wire_File));
+      end if;
+
+      Progress.Start (Length, Wanted => not Chosen.Quiet);
+      Began := Clock;
+      Fly_Through (Chosen, Length);
+      Elapsed := Clock - Began;
+      Progress.Stop;
+      JSBSim.Stop;
+
+      Conclude (Chosen, Length, Elapsed);
+
+   exception
+      when others =>
+         Progress.Stop;
+         JSBSim.Stop;
+         raise;
+   end Fly;
+
+end Sim.Flight;

@@ -1,0 +1,91 @@
+with Sim.Names;        use Sim.Names;
+with Sim.Text_Numbers; use Sim.Text_Numbers;
+with Sim.Text_Output;  use Sim.Text_Output;
+
+package body Sim.Flight_Record is
+
+   --  A group of columns: all values of one array, words or counts.
+   generic
+      type Item is (<>);
+      type Value is (<>);
+      type Values is array (Item) of Value;
+      with function Name (Which : Item) return String is <>;
+   package Columns is
+      procedure Put_Names (To : in out Writer; Group : String);
+      procedure Put_Values (To : in out Writer; This : Values);
+   end Columns;
+
+   package body Columns is
+
+      procedure Put_Names (To : in out Writer; Group : String) is
+      begin
+         for Which in Item loop
+            Put (To, "," & Group & "." & Name (Which));
+         end loop;
+      end Put_Names;
+
+      procedure Put_Values (To : in out Writer; This : Values) is
+      begin
+         for Each of This loop
+            Put (To, ',');
+            Put (To, Number (Value'Pos (Each)));
+         end loop;
+      end Put_Values;
+
+   end Columns;
+
+   package Console_Columns is new Columns
+     (Command_Item, Word, Console_Words);
+   package Uplink_Columns is new Columns
+     (Uplink_Item, Word, Uplink_Buffer);
+   package PWM_Columns is new Columns
+     (PWM_Item, Word, PWM_Buffer);
+   package Downlink_Columns is new Columns
+     (Downlink_Item, Word, Downlink_Buffer);
+   package Link_Columns is new Columns
+     (Link_Item, Count, Link_Counts);
+
+   --  Writes a time in milliseconds.
+   procedure Put_Time (To : in out Writer; Time : Microseconds);
+
+   procedure Put_Time (To : in out Writer; Time : Microseconds) is
+      Rest : constant Microseconds := Time mod 1_000;
+   begin
+      Put (To, Number (Time / 1_000));
+      if Rest /= 0 then
+         Put (To, '.');
+         Put (To, Number (Rest / 100));
+         Put (To, Number (Rest / 10 mod 10));
+         Put (To, Number (Rest mod 10));
+      end if;
+   end Put_Time;
+
+   procedure Write_Header (To : in out Writer) is
+   begin
+      Put (To, "frame,time_ms");
+      Console_Columns.Put_Names (To, "console");
+      Uplink_Columns.Put_Names (To, "gsc.uplink");
+      Uplink_Columns.Put_Names (To, "mcs.uplink");
+      PWM_Columns.Put_Names (To, "pwm");
+      Downlink_Columns.Put_Names (To, "mcs.downlink");
+      Downlink_Columns.Put_Names (To, "gsc.downlink");
+      Link_Columns.Put_Names (To, "link");
+      New_Line (To);
+   end Write_Header;
+
+   procedure Write_Row (To : in out Writer; This : Row) is
+   begin
+      Put (To, Number (This.Frame));
+      Put (To, ',');
+      Put_Time (To, This.Time);
+      Console_Columns.Put_Values (To, This.Console);
+      Uplink_Columns.Put_Values (To, This.GSC_Uplink);
+      Uplink_Columns.Put_Values (To, This.MCS_Uplink);
+      PWM_Columns.Put_Values (To, This.PWM);
+      Downlink_Columns.Put_Values (To, This.MCS_Downlink);
+      Downlink_Columns.Put_Values (To, This.GSC_Downlink);
+      Link_Columns.Put_Values (To, This.Link);
+      New_Line (To);
+   end Write_Row;
+
+end Sim.Flight_Record;

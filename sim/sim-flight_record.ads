@@ -1,0 +1,31 @@
+--  The flight record: one row for each major frame of the ground node,
+--  taken as that frame ends (--record).
+
+with Sim.Text_Output;
+
+package Sim.Flight_Record is
+
+   --  Everything of a row, in the order of the columns. GSC and MCS stand
+   --  for what that node's CORE memory holds.
+   type Row is record
+      Frame        : Count;
+      Time         : Microseconds;
+      Console      : Console_Words;
+      GSC_Uplink   : Uplink_Buffer;
+      MCS_Uplink   : Uplink_Buffer;
+      PWM          : PWM_Buffer;
+      MCS_Downlink : Downlink_Buffer;
+      GSC_Downlink : Downlink_Buffer;
+      Link         : Link_Counts;
+   end record;
+
+   --  Writes the line with the names of the columns.
+   procedure Write_Header (To : in out Text_Output.Writer)
+     with Pre => Text_Output.Is_Open (To);
+
+   --  Writes one row. A time that is no whole number of milliseconds gets
+   --  three decimals.
+   procedure Write_Row (To : in out Text_Output.Writer; This : Row)
+     with Pre => Text_Output.Is_Open (To);
+
+end Sim.Flight_Record;

@@ -1,0 +1,47 @@
+--  The aircraft, flown by JSBSim in another process in lock-step with the
+--  simulation. There is one.
+--
+--  The other process is Python with sim/jsbsim/plant.py. It sees and gives
+--  engineering units; the words are converted here. It ends with the
+--  connection, so it never outlives this program. What it computes depends
+--  on the servos' words alone.
+--
+--  The interpreter is .venv/bin/python beside the directory of the running
+--  program, or what the environment variable URV_PYTHON names.
+
+package Sim.JSBSim is
+
+   --  What the aircraft really does.
+   type Flight_State is record
+      Altitude : Long_Float := 0.0;      --  ft above the field
+      Airspeed : Long_Float := 0.0;      --  kt, calibrated
+      Bank     : Long_Float := 0.0;      --  deg, right wing down positive
+      Pitch    : Long_Float := 0.0;      --  deg, nose up positive
+      Heading  : Long_Float := 0.0;      --  deg, 0 up to 360, true
+      Climb    : Long_Float := 0.0;      --  ft/s
+
+      --  It has touched the ground with something other than its wheels.
+      --  From then on neither state nor sensors change.
+      Crashed  : Boolean := False;
+   end record;
+
+   --  The other process ended or does not answer.
+   Plant_Failure : exception;
+
+   --  The aircraft, trimmed in level flight at 70 kt, 1000 ft above the
+   --  field, heading east, with neutral servos. Raises Bad_Input when the
+   --  interpreter, the script or JSBSim is missing.
+   procedure Start (Sensors : out Sensor_Words; Truth : out Flight_State);
+
+   --  One major frame: the servos' words are held for 20 ms. Sensors are
+   --  those 16 ms after its beginning, when the aircraft's next scan
+   --  begins; Truth is at its end.
+   procedure Step
+     (Servos  : PWM_Buffer;
+      Sensors : out Sensor_Words;
+      Truth   : out Flight_State);
+
+   --  Ends the other process. Does nothing when there is none.
+   procedure Stop;
+
+end Sim.JSBSim;

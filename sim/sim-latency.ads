@@ -1,0 +1,80 @@
+--  How long a change at the pilot's console takes until the PWM board is
+--  given what it asks for.
+--
+--  The latency of a change ends with the first write to the board that
+--  changes what the board holds into the words the change asks for. A
+--  change that a later one overtook, because no frame sampled it, is
+--  dropped when that later one arrives. So is one that nothing came of
+--  within two seconds. Times are exact to the microsecond, and so are the
+--  percentiles: every latency is counted by its value.
+
+package Sim.Latency is
+
+   --  No change waits longer.
+   Longest : constant Microseconds := 2_000_000;
+
+   type Collector is limited private;
+
+   --  The console's words changed; the PWM board should come to hold
+   --  these. A change that asks for nothing new, such as a switch word that
+   --  moves a little, is not waited for.
+   procedure Console_Changed
+     (Into     : in out Collector;
+      Time     : Microseconds;
+      Expected : PWM_Buffer);
+
+   --  The PWM board was written.
+   procedure PWM_Written
+     (Into    : in out Collector;
+      Time    : Microseconds;
+      Written : PWM_Buffer);
+
+   --  Of the latencies so far. The median and the 99th percentile are
+   --  latencies that occurred: the smallest that half, or 99 of 100, do
+   --  not exceed. All are 0 when nothing was measured.
+   type Statistics is record
+      Measured  : Count        := 0;
+      Overtaken : Count        := 0;
+      Expired   : Count        := 0;
+      Minimum   : Microseconds := 0;
+      Median    : Microseconds := 0;
+      P99       : Microseconds := 0;
+      Maximum   : Microseconds := 0;
+   end record;
+
+   function Result (From : Collector) return Statistics;
+
+private
+
+   type Change is record
+      Time     : Microseconds;
+      Expected : PWM_Buffer;
+   end record;
+
+   --  Room for two seconds of a change every millisecond. When more wait,
+   --  the oldest is dropped as overtaken.
+   type Place is mod 2 ** 11;
+   type Change_Ring is array (Place) of Change;
+
+   type Histogram is array (Microseconds range 0 .. Longest) of Count;
+   type Histogram_Access is access Histogram;
+
+   type Collector is limited record
+      --  The changes that wait, from First on.
+      Waiting : Change_Ring;
+      First   : Place := 0;
+      Pending : Natural range 0 .. Place'Modulus := 0;
+
+      --  What the console asked for last and what the board holds.
+      Has_Asked : Boolean := False;
+      Asked     : PWM_Buffer;
+      Is_Set    : Boolean := False;
+      Set       : PWM_Buffer;
+
+      --  How often each latency occurred. Too large for a stack, and
+      --  made when the first is measured.
+      Counts : Histogram_Access;
+      Totals : Statistics;
+   end record;
+
+end Sim.Latency;

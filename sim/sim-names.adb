@@ -1,0 +1,34 @@
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+
+package body Sim.Names is
+
+   --  Files have one short word for the error/status word.
+   Error_Word : constant String := "error";
+
+   function Name (Item : Uplink_Item) return String is
+      Switch : constant String := "switch";
+      Image  : constant String := To_Lower (Item'Image);
+   begin
+      case Item is
+         when Error_Status =>
+            return Error_Word;
+         when Switch_Item =>
+            return Switch & Image (Image'Last);
+         when others =>
+            return Image;
+      end case;
+   end Name;
+
+   function Name (Item : Downlink_Item) return String is
+     (if Item = Error_Status then Error_Word else To_Lower (Item'Image));
+
+   function Name (Item : PWM_Item) return String is
+     (To_Lower (Item'Image));
+
+   function Name (Item : Link_Item) return String is
+     (To_Lower (Item'Image));
+
+   function Name (Way : Direction) return String is
+     (To_Lower (Way'Image));
+
+end Sim.Names;

@@ -1,0 +1,137 @@
+with Devices.PWM_Board;
+with GSC;
+with MCS;
+with URV.PWM_Layout;
+
+package body Sim.Nodes is
+
+   package Ground renames Standard.GSC;
+   package Aircraft renames Standard.MCS;
+
+   procedure Switch_On (Which : Node) is
+   begin
+      case Which is
+         when GSC =>
+            Ground.Telemetry_Board.Start;
+            Ground.Cold_Start (0);
+         when MCS =>
+            Aircraft.Telemetry_Board.Start;
+            Aircraft.Cold_Start (0);
+      end case;
+   end Switch_On;
+
+   procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick) is
+   begin
+      case Which is
+         when GSC => Ground.Clock_Interrupt (Now);
+         when MCS => Aircraft.Clock_Interrupt (Now);
+      end case;
+   end Clock_Interrupt;
+
+   procedure Take_Start
+     (Which   : Node;
+      Wanted  : out Boolean;
+      Channel : out Devices.AD_Board.Channel_Number)
+   is
+   begin
+      case Which is
+         when GSC => Ground.AD_Board.Take_Start (Wanted, Channel);
+         when MCS => Aircraft.AD_Board.Take_Start (Wanted, Channel);
+      end case;
+   end Take_Start;
+
+   procedure Finish_Conversion (Which : Node; Value : Word) is
+      Interrupt : Boolean;
+   begin
+      case Which is
+         when GSC =>
+            Ground.AD_Board.Finish (Value, Interrupt);
+            if Interrupt then
+               Ground.AD_Interrupt;
+            end if;
+         when MCS =>
+            Aircraft.AD_Board.Finish (Value, Interrupt);
+            if Interrupt then
+               Aircraft.AD_Interrupt;
+            end if;
+      end case;
+   end Finish_Conversion;
+
+   procedure Accept_Character
+     (Which        : Node;
+      Elapsed      : Telemetry.Character_Times;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+   begin
+      case Which is
+         when GSC =>
+            Ground.Telemetry_Board.Accept_Character
+              (Elapsed, Data, Parity_Error);
+         when MCS =>
+            Aircraft.Telemetry_Board.Accept_Character
+              (Elapsed, Data, Parity_Error);
+      end case;
+   end Accept_Character;
+
+   procedure Next_Character
+     (Which     : Node;
+      Elapsed   : Telemetry.Character_Times;
+      Send      : out Boolean;
+      Data      : out Byte;
+      Time_Left : out Telemetry.Character_Times)
+   is
+   begin
+      case Which is
+         when GSC =>
+            Ground.Telemetry_Board.Next_Character
+              (Elapsed, Send, Data, Time_Left);
+         when MCS =>
+            Aircraft.Telemetry_Board.Next_Character
+              (Elapsed, Send, Data, Time_Left);
+      end case;
+   end Next_Character;
+
+   function Servos return PWM_Buffer is
+      Area : Devices.PWM_Board.Data_Area;
+   begin
+      Aircraft.PWM_Board.Read (Area);
+      return URV.PWM_Layout.To_Outputs (Area);
+   end Servos;
+
+   function CORE (Which : Node) return Devices.CORE_Memory.Memory is
+      Snapshot : Devices.CORE_Memory.Memory;
+   begin
+      case Which is
+         when GSC => Ground.CORE_Memory.Inspect (Snapshot);
+         when MCS => Aircraft.CORE_Memory.Inspect (Snapshot);
+      end case;
+      return Snapshot;
+   end CORE;
+
+   function Tally (Which : Node) return Telemetry.Boards.Statistics is
+      Snapshot : Telemetry.Boards.Statistics;
+   begin
+      case Which is
+         when GSC => Ground.Telemetry_Board.Inspect (Snapshot);
+         when MCS => Aircraft.Telemetry_Board.Inspect (Snapshot);
+      end case;
+      return Snapshot;
+   end Tally;
+
+   function Errors (Which : Node) return URV.Errors.Error_Counts is
+      Snapshot : URV.Errors.Error_Counts;
+   begin
+      case Which is
+         when GSC => Ground.Errors.Inspect (Snapshot);
+         when MCS => Aircraft.Errors.Inspect (Snapshot);
+      end case;
+      return Snapshot;
+   end Errors;
+
+   function Overruns (Which : Node) return Count is
+     (case Which is
+         when GSC => Ground.Executive.Overruns,
+         when MCS => Aircraft.Executive.Overruns);
+
+end Sim.Nodes;

@@ -1,0 +1,64 @@
+--  The nodes as the engine drives them: one call for either node. Whatever
+--  differs between the two is told apart here.
+
+with Devices.AD_Board;
+with Devices.CORE_Memory;
+with Telemetry;
+with Telemetry.Boards;
+with URV.Errors;
+with URVOS.Frames;
+
+package Sim.Nodes is
+
+   type Node is (GSC, MCS);
+
+   --  The way of what a node sends.
+   function Way_From (Sender : Node) return Direction is
+     (if Sender = GSC then Up else Down);
+
+   function Other (Than : Node) return Node is
+     (if Than = GSC then MCS else GSC);
+
+   --  Power up of the controller and of the telemetry board.
+   procedure Switch_On (Which : Node);
+
+   procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick);
+
+   --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.
+   --  The controller is interrupted if it wants to be.
+
+   procedure Take_Start
+     (Which   : Node;
+      Wanted  : out Boolean;
+      Channel : out Devices.AD_Board.Channel_Number);
+
+   procedure Finish_Conversion (Which : Node; Value : Word);
+
+   --  The telemetry board: see Telemetry.Shared_Boards.
+
+   procedure Accept_Character
+     (Which        : Node;
+      Elapsed      : Telemetry.Character_Times;
+      Data         : Byte;
+      Parity_Error : Boolean);
+
+   procedure Next_Character
+     (Which     : Node;
+      Elapsed   : Telemetry.Character_Times;
+      Send      : out Boolean;
+      Data      : out Byte;
+      Time_Left : out Telemetry.Character_Times);
+
+   --  What can be seen of a node.
+
+   function Servos return PWM_Buffer;
+
+   function CORE (Which : Node) return Devices.CORE_Memory.Memory;
+
+   function Tally (Which : Node) return Telemetry.Boards.Statistics;
+
+   function Errors (Which : Node) return URV.Errors.Error_Counts;
+
+   function Overruns (Which : Node) return Count;
+
+end Sim.Nodes;

@@ -1,0 +1,337 @@
+with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Text_IO;
+
+with Sim.Complaints;   use Sim.Complaints;
+with Sim.Text_Numbers; use Sim.Text_Numbers;
+
+package body Sim.Options is
+
+   use type Number;
+
+   type Option is
+     (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
+      Sensors_Option, Faults_Option, Seed_Option, Phase_Option,
+      Record_Option, Summary_Option, Wire_Option, Events_Option,
+      Pace_Option, Quiet_Option);
+
+   type Option_Set is array (Option) of Boolean;
+
+   function Name (Which : Option) return String is
+     (case Which is
+         when Seconds_Option => "--seconds",
+         when Plant_Option   => "--plant",
+         when Sticks_Option  => "--sticks",
+         when Pilot_Option   => "--pilot",
+         when Sensors_Option => "--sensors",
+         when Faults_Option  => "--faults",
+         when Seed_Option    => "--seed",
+         when Phase_Option   => "--phase",
+         when Record_Option  => "--record",
+         when Summary_Option => "--summary",
+         when Wire_Option    => "--wire",
+         when Events_Option  => "--events",
+         when Pace_Option    => "--pace",
+         when Quiet_Option   => "--quiet");
+
+   function Name (File : Input_File) return String is
+     (case File is
+         when Stick_File  => Name (Sticks_Option),
+         when Sensor_File => Name (Sensors_Option),
+         when Fault_File  => Name (Faults_Option));
+
+   function Name (File : Output_File) return String is
+     (case File is
+         when Record_File  => Name (Record_Option),
+         when Summary_File => Name (Summary_Option),
+         when Wire_File    => Name (Wire_Option));
+
+   --  Refuses an option's value.
+   procedure Refuse_Value
+     (Which : Option;
+      Value : String;
+      What  : String) with No_Return;
+
+   --  Finds the option of that name, or refuses it.
+   function Option_Of (Title : String) return Option;
+
+   --  Takes an option's value over into the choices.
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String);
+
+   --  Takes the options that follow the command.
+   procedure Read_Options
+     (Chosen : in out Choices;
+      Given  : out Option_Set);
+
+   --  Refuses the second of two options that cannot both be given.
+   procedure Check_Conflicts (Chosen : Choices; Given : Option_Set);
+
+   procedure Refuse_Value
+     (Which : Option;
+      Value : String;
+      What  : String) is
+   begin
+      Refuse (Name (Which) & ": " & Quoted (Value) & " " & What);
+   end Refuse_Value;
+
+   function Option_Of (Title : String) return Option is
+   begin
+      for Which in Option loop
+         if Name (Which) = Title then
+            return Which;
+         end if;
+      end loop;
+      if Title'Length > 1 and then Title (Title'First) = '-' then
+         Refuse ("unknown option " & Quoted (Title));
+      else
+         Refuse ("unexpected argument " & Quoted (Title));
+      end if;
+   end Option_Of;
+
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String)
+   is
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      case Which is
+         when Seconds_Option =>
+            Read_Decimal (Value, 6, Amount, Is_Valid);
+            if not Is_Valid
+              or else Amount not in 1 .. Number (Longest_Flight)
+            then
+               Refuse_Value
+                 (Which, Value,
+                  "is not a number of seconds above 0 and up to"
+                  & Microseconds'Image (Longest_Flight / 1_000_000)
+                  & " with at most six decimals");
+            end if;
+            Chosen.Length := Microseconds (Amount);
+
+         when Plant_Option =>
+            if Value = "bench" then
+               Chosen.Plant := Bench_Plant;
+            elsif Value = "jsbsim" then
+               Chosen.Plant := JSBSim_Plant;
+            else
+               Refuse_Value
+                 (Which, Value, "is neither ""bench"" nor ""jsbsim""");
+            end if;
+
+         when Pace_Option =>
+            if Value = "max" then
+               Chosen.Pace := Max;
+            elsif Value = "realtime" then
+               Chosen.Pace := Realtime;
+            else
+               Refuse_Value
+                 (Which, Value, "is neither ""max"" nor ""realtime""");
+            end if;
+
+         when Seed_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid then
+               Refuse_Value
+                 (Which, Value,
+                  "is not a whole number from 0 to"
+                  & Seed_Number'Image (Seed_Number'Last));
+            end if;
+            Chosen.Seed := Seed_Number (Amount);
+
+         when Phase_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid or else Amount > Number (Phase_Ticks'Last) then
+               Refuse_Value
+                 (Which, Value,
+                  "is not a whole number from 0 to"
+                  & Phase_Ticks'Image (Phase_Ticks'Last));
+            end if;
+            Chosen.Phase := Phase_Ticks (Amount);
+
+         when Pilot_Option   =>
+            Chosen.Pilot := To_Unbounded_String (Value);
+         when Sticks_Option  =>
+            Chosen.Inputs (Stick_File) := To_Unbounded_String (Value);
+         when Sensors_Option =>
+            Chosen.Inputs (Sensor_File) := To_Unbounded_String (Value);
+         when Faults_Option  =>
+            Chosen.Inputs (Fault_File) := To_Unbounded_String (Value);
+         when Record_Option  =>
+            Chosen.Outputs (Record_File) := To_Unbounded_String (Value);
+         when Summary_Option =>
+            Chosen.Outputs (Summary_File) := To_Unbounded_String (Value);
+         when Wire_Option    =>
+            Chosen.Outputs (Wire_File) := To_Unbounded_String (Value);
+
+         when Events_Option =>
+            Refuse (Name (Which) & " is not supported yet");
+
+         when Quiet_Option =>
+            Chosen.Quiet := True;
+      end case;
+   end Choose;
+
+   procedure Read_Options
+     (Chosen : in out Choices;
+      Given  : out Option_Set)
+   is
+      --  The first argument is the command.
+      Index : Positive := 2;
+   begin
+      Given := (others => False);
+      while Index <= Argument_Count loop
+         declare
+            Text  : constant String := Argument (Index);
+            Equal : Natural := Text'First;
+            Which : Option;
+         begin
+            if Text = "--help" or else Text = "-h" then
+               Chosen.Order := Help;
+               return;
+            end if;
+
+            --  Only an option is split, a stray argument is not.
+            while Equal <= Text'Last
+              and then (Text (Equal) /= '='
+                        or else Text (Text'First) /= '-')
+            loop
+               Equal := Equal + 1;
+            end loop;
+            Which := Option_Of (Text (Text'First .. Equal - 1));
+
+            if Given (Which) then
+               Refuse (Name (Which) & " is given twice");
+            end if;
+            Given (Which) := True;
+
+            if Which = Quiet_Option then
+               if Equal <= Text'Last then
+                  Refuse (Name (Which) & " takes no value");
+               end if;
+               Choose (Chosen, Which, "");
+            elsif Equal < Text'Last then
+               Choose (Chosen, Which, Text (Equal + 1 .. Text'Last));
+            elsif Equal = Text'Last
+              or else Index = Argument_Count
+              or else Argument (Index + 1) = ""
+              or else (Argument (Index + 1)'Length >= 2
+                       and then Argument (Index + 1) (1 .. 2) = "--")
+            then
+               Refuse (Name (Which) & " needs a value");
+            else
+               Index := Index + 1;
+               Choose (Chosen, Which, Argument (Index));
+            end if;
+         end;
+         Index := Index + 1;
+      end loop;
+   end Read_Options;
+
+   procedure Check_Conflicts (Chosen : Choices; Given : Option_Set) is
+   begin
+      if Given (Pilot_Option) and then Given (Sticks_Option) then
+         Refuse
+           (Name (Pilot_Option) & " and " & Name (Sticks_Option)
+            & " do not go together");
+      elsif Given (Sensors_Option) and then Chosen.Plant = JSBSim_Plant then
+         Refuse
+           (Name (Sensors_Option) & " and " & Name (Plant_Option)
+            & " jsbsim do not go together");
+      end if;
+   end Check_Conflicts;
+
+   function Parsed
+     (Knows_Pilot : not null access function (Flight : String) return Boolean)
+      return Choices
+   is
+      Chosen : Choices;
+      Given  : Option_Set;
+   begin
+      if Argument_Count = 0 then
+         Refuse ("no command; ""urv_sim help"" lists them");
+      end if;
+
+      declare
+         Title : constant String := Argument (1);
+      begin
+         if Title = "help" or else Title = "--help" or else Title = "-h" then
+            Chosen.Order := Help;
+         elsif Title = "items" then
+            Chosen.Order := Items;
+         elsif Title = "fly" then
+            Chosen.Order := Fly;
+         else
+            Refuse
+              ("unknown command " & Quoted (Title)
+               & "; ""urv_sim help"" lists them");
+         end if;
+      end;
+
+      if Chosen.Order /= Fly then
+         if Argument_Count > 1 then
+            Refuse ("unexpected argument " & Quoted (Argument (2)));
+         end if;
+         return Chosen;
+      end if;
+
+      Read_Options (Chosen, Given);
+      if Chosen.Order = Fly then
+         Check_Conflicts (Chosen, Given);
+         if Given (Pilot_Option)
+           and then not Knows_Pilot (To_String (Chosen.Pilot))
+         then
+            Refuse_Value
+              (Pilot_Option, To_String (Chosen.Pilot),
+               "is not a flight the pilot knows");
+         end if;
+      end if;
+      return Chosen;
+   end Parsed;
+
+   function Flight_Length
+     (Chosen    : Choices;
+      Otherwise : Microseconds) return Microseconds
+   is
+      Length : constant Microseconds :=
+        (if Chosen.Length > 0 then Chosen.Length
+         elsif Otherwise > 0 then Otherwise
+         else Standard_Length);
+   begin
+      return (Length + Major_Frame - 1) / Major_Frame * Major_Frame;
+   end Flight_Length;
+
+   procedure Print_Usage is
+      procedure Put (Line : String) renames Ada.Text_IO.Put_Line;
+   begin
+      Put ("urv_sim: both nodes, the link between them and the aircraft,");
+      Put ("in virtual time");
+      Put ("");
+      Put ("  urv_sim fly [options]");
+      Put ("  urv_sim items  the table of items and their scaling, as CSV");
+      Put ("  urv_sim help   this text");
+      Put ("");
+      Put ("options of fly (--option VALUE or --option=VALUE)");
+      Put ("  --seconds S       length of the flight");
+      Put ("                    (60, or that of the sticks or the pilot)");
+      Put ("  --plant PLANT     bench or jsbsim (bench)");
+      Put ("  --sticks FILE     the pilot's sticks, CSV (neutral)");
+      Put ("  --pilot NAME      the simulated pilot flies, e.g. standard");
+      Put ("  --sensors FILE    words of the bench's sensors, CSV (neutral)");
+      Put ("  --faults FILE     what goes wrong (nothing)");
+      Put ("  --seed N          for random faults (1)");
+      Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
+      Put ("  --record FILE     flight record, CSV");
+      Put ("  --summary FILE    result, JSON");
+      Put ("  --wire FILE       every byte on the serial link, CSV");
+      Put ("  --pace PACE       max or realtime (max)");
+      Put ("  --quiet           no progress, no summary");
+      Put ("");
+      Put ("exit status: 0 flown, 1 internal fault, 2 bad command line or");
+      Put ("bad input file (FILE:LINE: what is wrong)");
+   end Print_Usage;
+
+end Sim.Options;

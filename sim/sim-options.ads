@@ -1,0 +1,68 @@
+--  The command line of urv_sim: what was asked for, and the text that
+--  explains it. Whatever is wrong with it raises Bad_Input.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Interfaces;
+
+package Sim.Options is
+
+   type Command is (Help, Items, Fly);
+
+   --  What is behind the boards.
+   type Plant_Kind is (Bench_Plant, JSBSim_Plant);
+
+   --  As fast as possible, or as fast as the clock on the wall.
+   type Pace_Kind is (Max, Realtime);
+
+   subtype Phase_Ticks is Natural range 0 .. 9;
+
+   type Seed_Number is new Interfaces.Unsigned_64;
+
+   type Input_File is (Stick_File, Sensor_File, Fault_File);
+   type Output_File is (Record_File, Summary_File, Wire_File);
+
+   --  Names of files. An empty one was not given.
+   type Input_Names is array (Input_File) of Unbounded_String;
+   type Output_Names is array (Output_File) of Unbounded_String;
+
+   Longest_Flight  : constant Microseconds := 10_000_000 * 1_000_000;
+   Standard_Length : constant Microseconds := 60 * 1_000_000;
+
+   type Choices is record
+      Order   : Command := Help;
+      Plant   : Plant_Kind := Bench_Plant;
+      Inputs  : Input_Names;
+      Outputs : Output_Names;
+      Seed    : Seed_Number := 1;
+      Phase   : Phase_Ticks := 3;
+      Pace    : Pace_Kind := Max;
+      Quiet   : Boolean := False;
+
+      --  The flight the simulated pilot flies; empty for nobody.
+      Pilot : Unbounded_String;
+
+      --  0 when --seconds was not given.
+      Length : Microseconds range 0 .. Longest_Flight := 0;
+   end record;
+
+   --  What the program was called with.
+   function Parsed
+     (Knows_Pilot : not null access function (Flight : String) return Boolean)
+      return Choices;
+
+   --  How long to fly, in whole frames: as --seconds says; else as long
+   --  as the sticks or the pilot need, if that is not 0; else 60 s.
+   function Flight_Length
+     (Chosen    : Choices;
+      Otherwise : Microseconds) return Microseconds
+     with Post => Flight_Length'Result > 0
+                  and then Flight_Length'Result mod Major_Frame = 0;
+
+   --  How an option that names a file is written, for complaints.
+   function Name (File : Input_File) return String;
+   function Name (File : Output_File) return String;
+
+   --  Prints on standard output how the program is used.
+   procedure Print_Usage;
+
+end Sim.Options;

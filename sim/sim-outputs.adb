@@ -1,0 +1,159 @@
+with Ada.Directories;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with GNAT.OS_Lib;           use GNAT.OS_Lib;
+
+with Sim.Complaints; use Sim.Complaints;
+with Sim.Options;    use Sim.Options;
+
+package body Sim.Outputs is
+
+   Null_Device : constant String := "/dev/null";
+
+   --  What was found of an output on the way to opening it.
+   type Attempt is record
+      File    : File_Descriptor := Invalid_FD;
+      Existed : Boolean := False;
+   end record;
+   type Attempt_List is array (Output_File) of Attempt;
+
+   --  The file that a name means, symbolic links followed.
+   function Place (Name : Unbounded_String) return String;
+
+   --  Do both names mean one file, and not the null device?
+   function Same_File (Left, Right : Unbounded_String) return Boolean;
+
+   procedure Check_Distinct
+     (Inputs  : Input_Names;
+      Outputs : Output_Names);
+
+   --  Opens a file as it is, or creates it.
+   procedure Try (Name : String; Made : out Attempt);
+
+   --  Takes everything back.
+   procedure Give_Up
+     (Attempts : Attempt_List;
+      Outputs  : Output_Names);
+
+   function Place (Name : Unbounded_String) return String is
+     (Normalize_Pathname (To_String (Name), Resolve_Links => True));
+
+   function Same_File (Left, Right : Unbounded_String) return Boolean is
+     (Left /= Null_Unbounded_String
+      and then Right /= Null_Unbounded_String
+      and then Place (Left) = Place (Right)
+      and then Place (Left) /= Null_Device);
+
+   procedure Check_Distinct
+     (Inputs  : Input_Names;
+      Outputs : Output_Names)
+   is
+      procedure Refuse_Pair (Option : String; Earlier : String)
+        with No_Return;
+
+      procedure Refuse_Pair (Option : String; Earlier : String) is
+      begin
+         Refuse (Option & " and " & Earlier & " name the same file");
+      end Refuse_Pair;
+   begin
+      for Output in Output_File loop
+         for Input in Input_File loop
+            if Same_File (Outputs (Output), Inputs (Input)) then
+               Refuse_Pair (Name (Output), Name (Input));
+            end if;
+         end loop;
+         for Earlier in Output_File'First .. Output loop
+            if Earlier /= Output
+              and then Same_File (Outputs (Output), Outputs (Earlier))
+            then
+               Refuse_Pair (Name (Output), Name (Earlier));
+            end if;
+         end loop;
+      end loop;
+   end Check_Distinct;
+
+   procedure Try (Name : String; Made : out Attempt) is
+   begin
+      --  Appending creates a file that is missing and leaves what a file
+      --  holds untouched.
+      Made.Existed := Ada.Directories.Exists (Name);
+      Made.File    := Open_Append (Name, Binary);
+   end Try;
+
+   procedure Give_Up
+     (Attempts : Attempt_List;
+      Outputs  : Output_Names)
+   is
+      Deleted : Boolean;
+   begin
+      for Output in Output_File loop
+         if Attempts (Output).File /= Invalid_FD then
+            Close (Attempts (Output).File);
+            if not Attempts (Output).Existed then
+               --  A link to nothing now leads to the file to delete.
+               Delete_File (Place (Outputs (Output)), Deleted);
+            end if;
+         end if;
+      end loop;
+   end Give_Up;
+
+   procedure Open
+     (Files   : in out File_Set;
+      Inputs  : Input_Names;
+      Outputs : Output_Names)
+   is
+      Attempts : Attempt_List;
+
+      procedure Refuse_Output (Output : Output_File) with No_Return;
+
+      procedure Refuse_Output (Output : Output_File) is
+         Reason : constant String := Errno_Message;
+      begin
+         Give_Up (Attempts, Outputs);
+         Refuse
+           (Name (Output) & ": " & Quoted (To_String (Outputs (Output)))
+            & " cannot be created: " & Reason);
+      end Refuse_Output;
+
+   begin
+      Check_Distinct (Inputs, Outputs);
+
+      for Output in Output_File loop
+         if Outputs (Output) /= Null_Unbounded_String then
+            Try (To_String (Outputs (Output)), Attempts (Output));
+            if Attempts (Output).File = Invalid_FD then
+               Refuse_Output (Output);
+            end if;
+         end if;
+      end loop;
+
+      --  All can be written. Only now is old content let go. Devices and
+      --  pipes hold none, and a pipe's reader would see it close.
+      for Output in Output_File loop
+         if Attempts (Output).Existed
+           and then Is_Regular_File (To_String (Outputs (Output)))
+         then
+            Close (Attempts (Output).File);
+            Attempts (Output).File :=
+              Create_File (To_String (Outputs (Output)), Binary);
+            if Attempts (Output).File = Invalid_FD then
+               Refuse_Output (Output);
+            end if;
+         end if;
+
+         if Attempts (Output).File /= Invalid_FD then
+            Text_Output.Attach
+              (Files (Output), Attempts (Output).File,
+               Name (Output) & ": "
+               & Quoted (To_String (Outputs (Output))));
+         end if;
+      end loop;
+   end Open;
+
+   procedure Close (Files : in out File_Set) is
+   begin
+      for File of Files loop
+         Text_Output.Close (File);
+      end loop;
+   end Close;
+
+end Sim.Outputs;

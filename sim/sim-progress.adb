@@ -1,0 +1,109 @@
+with Ada.Calendar; use Ada.Calendar;
+with GNAT.OS_Lib;
+with Interfaces.C_Streams;
+
+with Sim.Text_Numbers;
+
+package body Sim.Progress is
+
+   --  How long a flight takes before the bar appears, and how often the
+   --  bar is drawn from then on.
+   Patience : constant Duration := 1.0;
+   Interval : constant Duration := 0.2;
+
+   --  The clock is looked at once in so many calls: three times a second
+   --  in a flight at the pace of real time.
+   Calls_A_Look : constant := 16;
+
+   Bar_Width : constant := 30;
+
+   Standard_Error : constant := 2;
+
+   Back_And_Clear : constant String :=
+     ASCII.CR & ASCII.ESC & "[K";
+
+   Is_On     : Boolean := False;
+   Is_Drawn  : Boolean := False;
+   Calls     : Natural := 0;
+   Whole     : Microseconds := 1;
+   Began     : Time;
+   Next_Draw : Time;
+
+   procedure Put (Text : String);
+
+   --  Draws the bar if it is time to.
+   procedure Look (Time : Microseconds);
+
+   procedure Put (Text : String) is
+      Written : Integer;
+   begin
+      Written :=
+        GNAT.OS_Lib.Write
+          (GNAT.OS_Lib.Standerr, Text'Address, Text'Length);
+
+      --  A bar that cannot be drawn is no reason to stop a flight.
+      pragma Unreferenced (Written);
+   end Put;
+
+   procedure Start (Length : Microseconds; Wanted : Boolean) is
+   begin
+      Is_On :=
+        Wanted and then Length > 0
+        and then Interfaces.C_Streams.isatty (Standard_Error) /= 0;
+      Is_Drawn  := False;
+      Calls     := 0;
+      Whole     := Microseconds'Max (Length, 1);
+      Began     := Clock;
+      Next_Draw := Began + Patience;
+   end Start;
+
+   procedure Look (Time : Microseconds) is
+      Now : constant Ada.Calendar.Time := Clock;
+   begin
+      if Now < Next_Draw then
+         return;
+      end if;
+      Next_Draw := Now + Interval;
+      Is_Drawn  := True;
+
+      declare
+         Flown   : constant Microseconds := Microseconds'Min (Time, Whole);
+         Full    : constant Natural := Natural (Flown * Bar_Width / Whole);
+         Elapsed : constant Duration := Duration'Max (Now - Began, 0.001);
+         Speed   : constant Long_Float :=
+           Long_Float (Flown) / 1.0E6 / Long_Float (Elapsed);
+
+         function Image (Value : Microseconds) return String is
+           (Text_Numbers.Image (Long_Long_Integer (Value)));
+      begin
+         Put
+           (Back_And_Clear
+            & "[" & (1 .. Full => '#') & (Full + 1 .. Bar_Width => '.')
+            & "] " & Image (Flown * 100 / Whole) & " %  "
+            & Image (Flown / 1_000_000) & " of "
+            & Image (Whole / 1_000_000) & " s, "
+            & Image (Microseconds (Speed)) & " times real time");
+      end;
+   end Look;
+
+   procedure Show (Time : Microseconds) is
+   begin
+      if Is_On then
+         Calls := Calls + 1;
+         if Calls = Calls_A_Look then
+            Calls := 0;
+            Look (Time);
+         end if;
+      end if;
+   end Show;
+
+   procedure Stop is
+   begin
+      if Is_Drawn then
+         Put (Back_And_Clear);
+      end if;
+      Is_On    := False;
+      Is_Drawn := False;
+   end Stop;
+
+end Sim.Progress;

@@ -1,0 +1,102 @@
+with Ada.Long_Float_Text_IO; use Ada.Long_Float_Text_IO;
+with Ada.Strings.Fixed;      use Ada.Strings, Ada.Strings.Fixed;
+with Ada.Text_IO;            use Ada.Text_IO;
+
+with Sim.Names; use Sim.Names;
+
+package body Sim.Scaling is
+
+   --  Four decimals, zeros at the end left out. The finest word is 0.001.
+   function Image (Value : Long_Float) return String;
+
+   function Symbol (Of_Unit : Unit) return String is
+     (case Of_Unit is
+         when Degrees                => "deg",
+         when Degrees_Per_Second     => "deg/s",
+         when Feet                   => "ft",
+         when Knots                  => "kt",
+         when Standard_Gravity       => "g",
+         when Revolutions_Per_Minute => "rev/min",
+         when Volts                  => "V",
+         when Decibel_Milliwatts     => "dBm",
+         when Percent                => "%",
+         when On_Off                 => "on");
+
+   function To_Word (Value : Long_Float; By : Scale) return Converter_Value
+   is
+      Exact : constant Long_Float := (Value - By.At_0) / By.Per_Word;
+   begin
+      if Exact >= Long_Float (Converter_Value'Last) then
+         return Converter_Value'Last;
+      elsif Exact > 0.0 then
+         --  A conversion to an integer rounds to the nearest.
+         return Converter_Value (Exact);
+      else
+         return 0;
+      end if;
+   end To_Word;
+
+   function Image (Value : Long_Float) return String is
+      Text : String (1 .. 16);
+      Last : Positive := Text'Last;
+   begin
+      Put (Text, Value, Aft => 4, Exp => 0);
+      while Text (Last) = '0' loop
+         Last := Last - 1;
+      end loop;
+      if Text (Last) = '.' then
+         Last := Last - 1;
+      end if;
+      return Trim (Text (1 .. Last), Left);
+   end Image;
+
+   procedure Print (To : File_Type := Standard_Output) is
+
+      procedure Put_Item
+        (Name     : String;
+         Buffer   : String;
+         Position : Natural;
+         Columns  : String);
+
+      procedure Put_Item
+        (Name     : String;
+         Buffer   : String;
+         Position : Natural;
+         Columns  : String) is
+      begin
+         Put_Line
+           (To,
+            Name & ',' & Buffer & ','
+            & Trim (Natural'Image (Position + 1), Left) & ',' & Columns);
+      end Put_Item;
+
+      Without_Scale : constant String := ",,";
+
+      function Columns (By : Scale) return String is
+        (Symbol (By.Measured_In)
+         & ',' & Image (To_Unit (Converter_Value'First, By))
+         & ',' & Image (To_Unit (Converter_Value'Last, By)));
+
+   begin
+      Put_Line (To, "name,buffer,position,unit,at_0,at_4095");
+      for Item in Uplink_Item loop
+         Put_Item
+           (Name (Item), "uplink", Uplink_Item'Pos (Item),
+            (if Item in Command_Item
+             then Columns (Sticks (Item)) else Without_Scale));
+      end loop;
+      for Item in Downlink_Item loop
+         Put_Item
+           (Name (Item), "downlink", Downlink_Item'Pos (Item),
+            (if Item in Sensor_Item
+             then Columns (Sensors (Item)) else Without_Scale));
+      end loop;
+      for Item in PWM_Item loop
+         Put_Item
+           (Name (Item), "pwm", PWM_Item'Pos (Item),
+            (if Item in Servo_Item
+             then Columns (Servos (Item)) else Without_Scale));
+      end loop;
+   end Print;
+
+end Sim.Scaling;

@@ -1,0 +1,84 @@
+--  The result of a flight: a JSON object for scripts (--summary) and a few
+--  lines for people.
+--
+--  Two runs of one flight give the same summary but for "speed", which is
+--  measured by the clock on the wall.
+
+with Sim.Latency;
+with Sim.Text_Output;
+
+private with Ada.Containers.Vectors;
+private with Ada.Strings.Unbounded;
+
+package Sim.Summary is
+
+   --  What every flight has.
+   type Figures is record
+      Flown    : Microseconds;
+      Frames   : Count;
+      Elapsed  : Duration;
+      Link     : Link_Counts;
+      Overruns : Count;
+      Latency  : Sim.Latency.Statistics;
+   end record;
+
+   type Result is limited private;
+
+   --  What went on in the flight, by kind. Kinds appear in the order in
+   --  which they were added.
+   procedure Add_Event
+     (To        : in out Result;
+      Kind      : String;
+      How_Often : Count);
+
+   --  How well the pilot flew. A name ends with its unit, as in
+   --  "altitude_rms_ft". Values are given to three decimals; one that is
+   --  no number is given as null.
+   procedure Add_Quality
+     (To    : in out Result;
+      Name  : String;
+      Value : Long_Float);
+   procedure Add_Quality
+     (To    : in out Result;
+      Name  : String;
+      Value : Boolean);
+
+   --  Writes the JSON object.
+   procedure Write
+     (To      : in out Text_Output.Writer;
+      Flight  : Figures;
+      Further : Result)
+     with Pre => Text_Output.Is_Open (To);
+
+   --  Prints the short text on standard output.
+   procedure Print (Flight : Figures; Further : Result);
+
+private
+
+   package Texts renames Ada.Strings.Unbounded;
+
+   type Event is record
+      Kind      : Texts.Unbounded_String;
+      How_Often : Count;
+   end record;
+
+   package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
+
+   type Value_Kind is (A_Number, A_Fact, Unknown);
+
+   type Quality is record
+      Name   : Texts.Unbounded_String;
+      Kind   : Value_Kind := Unknown;
+      Number : Long_Float := 0.0;
+      Fact   : Boolean    := False;
+   end record;
+
+   package Quality_Vectors is new Ada.Containers.Vectors
+     (Positive, Quality);
+
+   type Result is limited record
+      Events    : Event_Vectors.Vector;
+      Qualities : Quality_Vectors.Vector;
+   end record;
+
+end Sim.Summary;

@@ -1,0 +1,105 @@
+with Sim.Complaints;
+
+package body Sim.Text_Output is
+
+   use type Text_Numbers.Number;
+
+   --  Empties the block into the file.
+   procedure Flush (To : in out Writer);
+
+   procedure Refuse (To : Writer) with No_Return;
+
+   procedure Refuse (To : Writer) is
+   begin
+      Complaints.Refuse
+        (To_String (To.Title) & " cannot be written: "
+         & GNAT.OS_Lib.Errno_Message);
+   end Refuse;
+
+   procedure Flush (To : in out Writer) is
+      First   : Positive := 1;
+      Written : Integer;
+   begin
+      while First <= To.Last loop
+         Written :=
+           GNAT.OS_Lib.Write
+             (To.File, To.Block (First)'Address, To.Last - First + 1);
+         if Written <= 0 then
+            --  A second try, when the writer is closed, would fail too.
+            To.Last := 0;
+            Refuse (To);
+         end if;
+         First := First + Written;
+      end loop;
+      To.Last := 0;
+   end Flush;
+
+   procedure Attach
+     (To    : in out Writer;
+      File  : GNAT.OS_Lib.File_Descriptor;
+      Title : String) is
+   begin
+      To.File  := File;
+      To.Title := To_Unbounded_String (Title);
+      To.Last  := 0;
+   end Attach;
+
+   procedure Put (To : in out Writer; Char : Character) is
+   begin
+      if To.Last = Block_Length then
+         Flush (To);
+      end if;
+      To.Last := To.Last + 1;
+      To.Block (To.Last) := Char;
+   end Put;
+
+   procedure Put (To : in out Writer; Text : String) is
+   begin
+      if Text'Length <= Block_Length - To.Last then
+         To.Block (To.Last + 1 .. To.Last + Text'Length) := Text;
+         To.Last := To.Last + Text'Length;
+      else
+         for Char of Text loop
+            Put (To, Char);
+         end loop;
+      end if;
+   end Put;
+
+   procedure Put (To : in out Writer; Value : Text_Numbers.Number) is
+      Most_Digits : constant := 20;
+      Image       : String (1 .. Most_Digits);
+      First       : Positive := Most_Digits + 1;
+      Rest        : Text_Numbers.Number := Value;
+   begin
+      loop
+         First := First - 1;
+         Image (First) :=
+           Character'Val (Character'Pos ('0') + Rest mod 10);
+         Rest := Rest / 10;
+         exit when Rest = 0;
+      end loop;
+      Put (To, Image (First .. Most_Digits));
+   end Put;
+
+   procedure New_Line (To : in out Writer) is
+   begin
+      Put (To, ASCII.LF);
+   end New_Line;
+
+   procedure Close (To : in out Writer) is
+      File   : constant GNAT.OS_Lib.File_Descriptor := To.File;
+      Closed : Boolean;
+   begin
+      if not Is_Open (To) then
+         return;
+      end if;
+
+      Flush (To);
+      To.File := GNAT.OS_Lib.Invalid_FD;
+      GNAT.OS_Lib.Close (File, Closed);
+      if not Closed then
+         Refuse (To);
+      end if;
+   end Close;
+
+end Sim.Text_Output;

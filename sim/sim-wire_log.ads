@@ -1,0 +1,20 @@
+--  The wire log: every byte on the serial link as it leaves the sender's
+--  DUART, before any fault on the line (--wire).
+
+with Sim.Text_Output;
+
+package Sim.Wire_Log is
+
+   --  Writes the line with the names of the columns.
+   procedure Write_Header (To : in out Text_Output.Writer)
+     with Pre => Text_Output.Is_Open (To);
+
+   --  Writes one byte.
+   procedure Write_Byte
+     (To   : in out Text_Output.Writer;
+      Time : Microseconds;
+      Way  : Direction;
+      Data : Byte)
+     with Pre => Text_Output.Is_Open (To);
+
+end Sim.Wire_Log;
