@@ -9,8 +9,6 @@ with URVOS.Frames;     use URVOS.Frames;
 
 package body Sim.Engine is
 
-   Never : constant Microseconds := Microseconds'Last;
-
    Conversion_Time : constant Microseconds :=
      Devices.AD_Board.Microseconds_Per_Conversion;
 
@@ -22,8 +20,14 @@ package body Sim.Engine is
       GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's patience
       GSC_Clock, MCS_Clock);              --  a minor frame begins
 
-   --  When each happens next.
-   Agenda : array (Event) of Microseconds := (others => Never);
+   --  When each happens next: the time and, so that one comparison finds
+   --  the first of several at the same instant, the place of the event in
+   --  the order above.
+   type Entry_Time is range 0 .. 2 ** 63 - 1;
+   Agenda : array (Event) of Entry_Time := (others => Entry_Time'Last);
+
+   function Is_Due (What : Event) return Boolean is
+     (Agenda (What) /= Entry_Time'Last);
 
    Converted : constant array (Node) of Event :=
      (GSC => GSC_Converted, MCS => MCS_Converted);
@@ -59,6 +63,11 @@ package body Sim.Engine is
    Inputs : array (Node) of Channel_Words :=
      (others => (others => Neutral_Value));
 
+   --  Enters when an event happens next.
+   procedure Schedule (What : Event; Time : Microseconds) with Inline;
+
+   procedure Cancel (What : Event) with Inline;
+
    --  The character times since the board's timer was last asked.
    procedure Ask_Timer
      (Which   : Node;
@@ -91,6 +100,18 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
+   procedure Schedule (What : Event; Time : Microseconds) is
+   begin
+      Agenda (What) :=
+        Entry_Time (Time) * Event'Range_Length
+        + Event'Pos (What);
+   end Schedule;
+
+   procedure Cancel (What : Event) is
+   begin
+      Agenda (What) := Entry_Time'Last;
+   end Cancel;
+
    procedure Ask_Timer
      (Which   : Node;
       Time    : Microseconds;
@@ -116,7 +137,7 @@ package body Sim.Engine is
       Send      : Boolean;
       Data      : Byte;
    begin
-      if Agenda (Sent (Which)) /= Never then
+      if Is_Due (Sent (Which)) then
          return;
       end if;
 
@@ -124,7 +145,7 @@ package body Sim.Engine is
       Next_Character (Which, Elapsed, Send, Data, Time_Left);
 
       if Send then
-         Agenda (Sent (Which)) := Time + Character_Time;
+         Schedule (Sent (Which), Time + Character_Time);
          Transmit
            (Link_Line, Way_From (Which), Time, Data,
             Board.Arrivals, Board.Arriving);
@@ -133,9 +154,13 @@ package body Sim.Engine is
          end if;
       end if;
 
-      Agenda (Time_Out (Which)) :=
-        (if Time_Left = Character_Times'Last then Never
-         else Board.Timer + Microseconds (Time_Left) * Character_Time);
+      if Time_Left = Character_Times'Last then
+         Cancel (Time_Out (Which));
+      else
+         Schedule
+           (Time_Out (Which),
+            Board.Timer + Microseconds (Time_Left) * Character_Time);
+      end if;
    end Serve_Telemetry;
 
    procedure End_Character
@@ -143,10 +168,11 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    is
-      Board   : Hardware renames Nodes_Hardware (Sender);
-      Elapsed : Character_Times;
+      Board     : Hardware renames Nodes_Hardware (Sender);
+      Elapsed   : Character_Times;
+      May_Speak : Boolean := False;
    begin
-      Agenda (Sent (Sender)) := Never;
+      Cancel (Sent (Sender));
 
       for I in 1 .. Board.Arrivals loop
          Ask_Timer (Other (Sender), Time, Elapsed);
@@ -154,10 +180,13 @@ package body Sim.Engine is
            (Other (Sender),
             Elapsed,
             Board.Arriving (I).Data,
-            Board.Arriving (I).Parity_Error);
+            Board.Arriving (I).Parity_Error,
+            May_Speak);
       end loop;
 
-      if Board.Arrivals > 0 then
+      --  A time-out entered before the character came is too early by now.
+      --  When it is due the board will say so.
+      if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
          Serve_Telemetry (Other (Sender), Time, Wire);
       end if;
       Serve_Telemetry (Sender, Time, Wire);
@@ -171,13 +200,13 @@ package body Sim.Engine is
       if Wanted then
          Nodes_Hardware (Which).Held :=
            Inputs (Which) (URV.Buffers.Channel (Channel));
-         Agenda (Converted (Which)) := Time + Conversion_Time;
+         Schedule (Converted (Which), Time + Conversion_Time);
       end if;
    end Serve_Converter;
 
    procedure End_Conversion (Which : Node; Time : Microseconds) is
    begin
-      Agenda (Converted (Which)) := Never;
+      Cancel (Converted (Which));
       Finish_Conversion (Which, Nodes_Hardware (Which).Held);
       Serve_Converter (Which, Time);
    end End_Conversion;
@@ -195,7 +224,7 @@ package body Sim.Engine is
          Board.Now := Advanced (Board.Now);
          Clock_Interrupt (Which, Board.Now);
       end if;
-      Agenda (Clock (Which)) := Time + Tick_Time;
+      Schedule (Clock (Which), Time + Tick_Time);
 
       Serve_Converter (Which, Time);
       Serve_Telemetry (Which, Time, Wire);
@@ -206,8 +235,9 @@ package body Sim.Engine is
       Nodes_Hardware :=
         (GSC => (others => <>),
          MCS => (Switched_On => Lag, Timer => Lag, others => <>));
-      Agenda :=
-        (GSC_Clock => 0, MCS_Clock => Lag, others => Never);
+      Agenda := (others => Entry_Time'Last);
+      Schedule (GSC_Clock, 0);
+      Schedule (MCS_Clock, Lag);
       Prepare (Link_Line, Script);
       Set_Console (Neutral_Console);
       Set_Sensors (Neutral_Sensors);
@@ -217,21 +247,20 @@ package body Sim.Engine is
      (Stop : Microseconds;
       Wire : in out Text_Output.Writer)
    is
-      Next : Event;
+      Next : Entry_Time;
       Time : Microseconds;
    begin
       loop
-         Next := Event'First;
-         for Candidate in Event loop
-            if Agenda (Candidate) < Agenda (Next) then
-               Next := Candidate;
-            end if;
+         Next := Agenda (Event'First);
+         for Candidate in Event range Event'Succ (Event'First) .. Event'Last
+         loop
+            Next := Entry_Time'Min (Next, Agenda (Candidate));
          end loop;
 
-         Time := Agenda (Next);
+         Time := Microseconds (Next / Event'Range_Length);
          exit when Time >= Stop;
 
-         case Next is
+         case Event'Val (Next mod Event'Range_Length) is
             when Character_Up   => End_Character (GSC, Time, Wire);
             when Character_Down => End_Character (MCS, Time, Wire);
             when GSC_Converted  => End_Conversion (GSC, Time);

@@ -61,16 +61,17 @@ package body Sim.Nodes is
      (Which        : Node;
       Elapsed      : Telemetry.Character_Times;
       Data         : Byte;
-      Parity_Error : Boolean)
+      Parity_Error : Boolean;
+      May_Speak    : out Boolean)
    is
    begin
       case Which is
          when GSC =>
             Ground.Telemetry_Board.Accept_Character
-              (Elapsed, Data, Parity_Error);
+              (Elapsed, Data, Parity_Error, May_Speak);
          when MCS =>
             Aircraft.Telemetry_Board.Accept_Character
-              (Elapsed, Data, Parity_Error);
+              (Elapsed, Data, Parity_Error, May_Speak);
       end case;
    end Accept_Character;
 

@@ -40,7 +40,8 @@ package Sim.Nodes is
      (Which        : Node;
       Elapsed      : Telemetry.Character_Times;
       Data         : Byte;
-      Parity_Error : Boolean);
+      Parity_Error : Boolean;
+      May_Speak    : out Boolean);
 
    procedure Next_Character
      (Which     : Node;

@@ -4,6 +4,12 @@ package body Sim.Text_Output is
 
    use type Text_Numbers.Number;
 
+   --  The digits of the numbers below 100.
+   type Two_Digits is range 0 .. 99;
+   type Digit_Table is array (Two_Digits) of Character;
+   Ten_Digits : constant String := "0123456789";
+   Tens, Ones : Digit_Table;
+
    --  Empties the block into the file.
    procedure Flush (To : in out Writer);
 
@@ -70,15 +76,28 @@ package body Sim.Text_Output is
       Image       : String (1 .. Most_Digits);
       First       : Positive := Most_Digits + 1;
       Rest        : Text_Numbers.Number := Value;
+      Pair        : Two_Digits;
    begin
-      loop
-         First := First - 1;
-         Image (First) :=
-           Character'Val (Character'Pos ('0') + Rest mod 10);
-         Rest := Rest / 10;
-         exit when Rest = 0;
+      --  Two digits at a time, for a division costs more than a look-up.
+      while Rest >= 10 loop
+         Pair := Two_Digits (Rest mod 100);
+         Rest := Rest / 100;
+         Image (First - 1) := Ones (Pair);
+         Image (First - 2) := Tens (Pair);
+         First := First - 2;
       end loop;
-      Put (To, Image (First .. Most_Digits));
+      if Rest > 0 or else Value = 0 then
+         First := First - 1;
+         Image (First) := Ones (Two_Digits (Rest));
+      end if;
+
+      if Block_Length - To.Last < Most_Digits then
+         Flush (To);
+      end if;
+      for Digit of Image (First .. Most_Digits) loop
+         To.Last := To.Last + 1;
+         To.Block (To.Last) := Digit;
+      end loop;
    end Put;
 
    procedure New_Line (To : in out Writer) is
@@ -102,4 +121,9 @@ package body Sim.Text_Output is
       end if;
    end Close;
 
+begin
+   for Pair in Two_Digits loop
+      Tens (Pair) := Ten_Digits (Integer (Pair) / 10 + 1);
+      Ones (Pair) := Ten_Digits (Integer (Pair) mod 10 + 1);
+   end loop;
 end Sim.Text_Output;

@@ -11,9 +11,11 @@ is
       procedure Restart;
 
       procedure Store
-        (Value  : Word;
-         Next   : out Next_Step;
-         Result : out Scan);
+        (Value   : Word;
+         Next    : out Next_Step;
+         Current : out Channel_Count);
+
+      function Words return Channel_Words;
 
    private
       Item : Scan;
@@ -27,14 +29,16 @@ is
       end Restart;
 
       procedure Store
-        (Value  : Word;
-         Next   : out Next_Step;
-         Result : out Scan)
+        (Value   : Word;
+         Next    : out Next_Step;
+         Current : out Channel_Count)
       is
       begin
          Store (Item, Value, Next);
-         Result := Item;
+         Current := Item.Current;
       end Store;
+
+      function Words return Channel_Words is (Item.Words);
 
    end Guarded_Scan;
 
@@ -47,20 +51,22 @@ is
    procedure Handle_Interrupt is
       Value   : Word;
       Next    : Next_Step;
-      Result  : Scan;
+      Current : Channel_Count;
+      Words   : Channel_Words;
       Success : Boolean;
    begin
       Read_Board (Value);
-      Guarded_Scan.Store (Value, Next, Result);
+      Guarded_Scan.Store (Value, Next, Current);
 
       case Next is
          when AD_Scans.Start_Channel =>
-            if not Is_Complete (Result) then
-               Start_Channel (Channel_Number (Result.Current));
+            if Current <= Channel_Count (Channel'Last) then
+               Start_Channel (Channel_Number (Current));
             end if;
 
          when Send_Words =>
-            Send_ADINT (Result.Words, Success);
+            Words := Guarded_Scan.Words;
+            Send_ADINT (Words, Success);
             if not Success then
                Report (Scan_Not_Consumed);
             end if;

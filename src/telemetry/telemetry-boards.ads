@@ -127,6 +127,12 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      (Item.State in Awaiting_Status | Awaiting_Data | Idling
       or else Item.Receiver.State /= At_Start);
 
+   --  The board may have a character to send: nothing but its own turn
+   --  keeps it from speaking.
+   function May_Speak (Item : Board) return Boolean is
+     (Is_Talking (Item)
+      or else (Item.State = Ready and then Item.Receiver.State = At_Start));
+
    function Patience (Item : Board) return Character_Times is
      (if Item.State = Idling then Idle_Time else Dead_Space);
 

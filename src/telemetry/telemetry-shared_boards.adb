@@ -23,7 +23,8 @@ is
       procedure Accept_Character
         (Elapsed      : Character_Times;
          Data         : Byte;
-         Parity_Error : Boolean);
+         Parity_Error : Boolean;
+         May_Speak    : out Boolean);
 
       procedure Next_Character
         (Elapsed   : Character_Times;
@@ -66,11 +67,13 @@ is
       procedure Accept_Character
         (Elapsed      : Character_Times;
          Data         : Byte;
-         Parity_Error : Boolean)
+         Parity_Error : Boolean;
+         May_Speak    : out Boolean)
       is
       begin
          Boards.Elapse (Item, Elapsed);
          Boards.Accept_Character (Item, Data, Parity_Error);
+         May_Speak := Boards.May_Speak (Item);
       end Accept_Character;
 
       procedure Next_Character
@@ -116,10 +119,12 @@ is
    procedure Accept_Character
      (Elapsed      : Character_Times;
       Data         : Byte;
-      Parity_Error : Boolean)
+      Parity_Error : Boolean;
+      May_Speak    : out Boolean)
    is
    begin
-      Guarded_Board.Accept_Character (Elapsed, Data, Parity_Error);
+      Guarded_Board.Accept_Character
+        (Elapsed, Data, Parity_Error, May_Speak);
    end Accept_Character;
 
    procedure Next_Character

@@ -39,10 +39,13 @@ is
    procedure Start
    with Global => (In_Out => Shared_Board);
 
+   --  May_Speak tells whether Next_Character may now give a character; if
+   --  not, the board waits for more characters or for its time-out.
    procedure Accept_Character
      (Elapsed      : Character_Times;
       Data         : Byte;
-      Parity_Error : Boolean)
+      Parity_Error : Boolean;
+      May_Speak    : out Boolean)
    with Global => (In_Out => Shared_Board);
 
    --  Time_Left is how long the board will wait if nothing happens.
