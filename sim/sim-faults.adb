@@ -1,70 +1,13 @@
-with Sim.Complaints;   use Sim.Complaints;
-with Sim.Text_Input;   use Sim.Text_Input;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
+with Sim.Complaints;     use Sim.Complaints;
+with Sim.Faults.Grammar; use Sim.Faults.Grammar;
+with Sim.Text_Input;     use Sim.Text_Input;
+with Sim.Text_Numbers;   use Sim.Text_Numbers;
 
 package body Sim.Faults is
 
    use type Number;
 
    Longest_Time : constant Number := 10_000_000_000 * 1_000;
-
-   --  What stands between the time and the kind.
-   type Subject is (Nothing, A_Way, A_Node);
-
-   --  What may follow the kind.
-   type Parameter is
-     (None, A_Duration, A_Probability, An_Ordinal, A_Mask, A_Byte,
-      A_Board, A_Restart);
-   type Parameter_List is array (1 .. 2) of Parameter;
-
-   type Form is record
-      Before : Subject;
-      After  : Parameter_List;
-   end record;
-
-   --  The grammar.
-   Forms : constant array (Fault_Kind) of Form :=
-     (Cut        => (Nothing, (A_Duration, None)),
-      Bit_Errors => (A_Way, (A_Probability, A_Duration)),
-      Flip       => (A_Way, (An_Ordinal, A_Mask)),
-      Drop       => (A_Way, (An_Ordinal, None)),
-      Duplicate  => (A_Way, (An_Ordinal, None)),
-      Insert     => (A_Way, (An_Ordinal, A_Byte)),
-      Stall      => (A_Node, (A_Board, A_Duration)),
-      Reset      => (A_Node, (A_Restart, None)));
-
-   function Name (Kind : Fault_Kind) return String is
-     (case Kind is
-         when Cut        => "cut",
-         when Bit_Errors => "ber",
-         when Flip       => "flip",
-         when Drop       => "drop",
-         when Duplicate  => "dup",
-         when Insert     => "insert",
-         when Stall      => "stall",
-         when Reset      => "reset");
-
-   --  How the parameter stands in a description of the form.
-   function Name (What : Parameter) return String is
-     (case What is
-         when None          => "",
-         when A_Duration    => " DURATION_MS",
-         when A_Probability => " P",
-         when An_Ordinal    => " N",
-         when A_Mask        => " MASK",
-         when A_Byte        => " BYTE",
-         when A_Board       => " adc|telemetry",
-         when A_Restart     => " warm|processor");
-
-   --  The whole line of such a fault.
-   function Image (Kind : Fault_Kind) return String is
-     ("TIME_MS "
-      & (case Forms (Kind).Before is
-            when Nothing => "",
-            when A_Way   => "up|down ",
-            when A_Node  => "mcs|gsc ")
-      & Name (Kind) & Name (Forms (Kind).After (1))
-      & Name (Forms (Kind).After (2)));
 
    --  A line has at most so many words; one more is too many of any kind.
    Most_Words : constant := 6;

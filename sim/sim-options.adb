@@ -1,7 +1,7 @@
 with Ada.Command_Line; use Ada.Command_Line;
-with Ada.Text_IO;
 
 with Sim.Complaints;   use Sim.Complaints;
+with Sim.Options.Usage;
 with Sim.Text_Numbers; use Sim.Text_Numbers;
 
 package body Sim.Options is
@@ -304,34 +304,6 @@ package body Sim.Options is
       return (Length + Major_Frame - 1) / Major_Frame * Major_Frame;
    end Flight_Length;
 
-   procedure Print_Usage is
-      procedure Put (Line : String) renames Ada.Text_IO.Put_Line;
-   begin
-      Put ("urv_sim: both nodes, the link between them and the aircraft,");
-      Put ("in virtual time");
-      Put ("");
-      Put ("  urv_sim fly [options]");
-      Put ("  urv_sim items  the table of items and their scaling, as CSV");
-      Put ("  urv_sim help   this text");
-      Put ("");
-      Put ("options of fly (--option VALUE or --option=VALUE)");
-      Put ("  --seconds S       length of the flight");
-      Put ("                    (60, or that of the sticks or the pilot)");
-      Put ("  --plant PLANT     bench or jsbsim (bench)");
-      Put ("  --sticks FILE     the pilot's sticks, CSV (neutral)");
-      Put ("  --pilot NAME      the simulated pilot flies, e.g. standard");
-      Put ("  --sensors FILE    words of the bench's sensors, CSV (neutral)");
-      Put ("  --faults FILE     what goes wrong (nothing)");
-      Put ("  --seed N          for random faults (1)");
-      Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
-      Put ("  --record FILE     flight record, CSV");
-      Put ("  --summary FILE    result, JSON");
-      Put ("  --wire FILE       every byte on the serial link, CSV");
-      Put ("  --pace PACE       max or realtime (max)");
-      Put ("  --quiet           no progress, no summary");
-      Put ("");
-      Put ("exit status: 0 flown, 1 internal fault, 2 bad command line or");
-      Put ("bad input file (FILE:LINE: what is wrong)");
-   end Print_Usage;
+   procedure Print_Usage renames Usage.Print;
 
 end Sim.Options;

@@ -36,6 +36,10 @@ START_ALTITUDE_FT = 1000.0
 START_SPEED_KT = 70.0
 START_HEADING_DEG = 90.0
 
+# The altitude is that of the centre of gravity: 1.6 ft on the wheels.
+BELLY_FT = 0.8
+HALF_SPAN_FT = 7.0
+
 # Best power of the engine at this height. The pilot has no such lever.
 MIXTURE = 0.9
 
@@ -95,8 +99,8 @@ SENSORS = {
     "uplink_signal_strength": ("dBm", "radio/uplink-dbm", 1.0, 0.0),
 }
 
-# What the aircraft really does. "crashed" is 1 once it has hit the ground
-# with something other than its wheels; from then on nothing changes.
+# What the aircraft really does. "crashed" is 1 once it has touched the
+# ground with something other than its wheels; then nothing changes any more.
 TRUTH = {
     "altitude": ("ft", "position/h-sl-ft", 1.0, -FIELD_FT),
     "airspeed": ("kt", "velocities/vc-kts", 1.0, 0.0),
@@ -106,8 +110,6 @@ TRUTH = {
     "climb": ("ft/s", "velocities/h-dot-fps", 1.0, 0.0),
     "crashed": ("yes", "plant/crashed", 1.0, 0.0),
 }
-
-STRUCTURE = ["contact/unit[%d]/WOW" % unit for unit in range(3, 7)]
 
 
 class Refused(Exception):
@@ -155,7 +157,7 @@ class Aircraft:
         self.servos = [self.node(SERVOS, *item)[0] for item in servos]
         self.sensors = [self.node(SENSORS, *item) for item in sensors]
         self.truth = [self.node(TRUTH, *item) for item in truth]
-        self.structure = [self.tree.get_node(name) for name in STRUCTURE]
+        self.bank = self.tree.get_node("attitude/phi-deg")
         self.altitude = self.tree.get_node("position/h-agl-ft")
         self.north = self.tree.get_node("position/from-start-neu-n-ft")
         self.east = self.tree.get_node("position/from-start-neu-e-ft")
@@ -243,12 +245,15 @@ class Aircraft:
         self.signal.set_double_value(30.0 - loss)
 
     def has_crashed(self):
+        """Whether a wing tip or, with the gear broken, the belly touches."""
         altitude = self.altitude.get_double_value()
         # Written so that an altitude that is not a number is a crash.
-        if not altitude > -10.0:
+        if not altitude > BELLY_FT:
             return True
-        return altitude < 20.0 and any(
-            node.get_double_value() for node in self.structure)
+        if altitude > HALF_SPAN_FT:
+            return False
+        bank = math.radians(self.bank.get_double_value())
+        return altitude < HALF_SPAN_FT * abs(math.sin(bank))
 
     def fly(self, commands):
         """Holds the commands for one frame; sensors and truth of it."""

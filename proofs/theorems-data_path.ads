@@ -1,0 +1,74 @@
+--  From one end to the other: what goes in at a converter comes out at the
+--  other node, through routing, codec, transform and layout.
+
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.Codecs;        use URV.Codecs;
+with URV.CORE_Layout;
+with URV.PWM_Layout;    use URV.PWM_Layout;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
+
+package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
+
+   --  What the aircraft decodes of the commands that the ground took from
+   --  its converter.
+   function Received_Commands (Image : AD_Image) return Uplink_Buffer is
+     (Uplink.Decode (Uplink.Encode (To_Uplink (Image))));
+
+   --  What the ground decodes of the sensors that the aircraft took from
+   --  its converter.
+   function Received_Sensors (Image : AD_Image) return Downlink_Buffer is
+     (Downlink.Decode (Downlink.Encode (To_Downlink (Image))));
+
+   --  Every stick word of the ground's converter reaches the aircraft.
+   procedure Commands_Arrive (Image : AD_Image)
+   with
+     Global => null,
+     Post   =>
+       (for all Item in Command_Item =>
+          Received_Commands (Image) (Item) =
+            Image.Words (Channel_Of (Item)))
+       and then Received_Commands (Image) (Error_Status) =
+                  Image.Error_Status;
+
+   --  And from there the servo that figure 13 says, clipped to 12 bits.
+   procedure Commands_Reach_The_Servos (Image : AD_Image)
+   with
+     Global => null,
+     Post   =>
+       (for all Item in PWM_Item =>
+          To_Data_Area (Transform (Received_Commands (Image)))
+            (URV.PWM_Layout.Channel_Of (Item)) =
+            (case Item is
+                when Left_Aileron | Right_Aileron =>
+                  Clipped (Image.Words (0)),
+                when Left_Elevator | Right_Elevator =>
+                  Clipped (Image.Words (1)),
+                when Left_Rudder | Right_Rudder | Steering =>
+                  Clipped (Image.Words (2)),
+                when Throttle =>
+                  Clipped (Image.Words (3)),
+                when Brake =>
+                  Clipped (Image.Words (4)),
+                when Left_Flap_1 | Right_Flap_1
+                   | Left_Flap_2 | Right_Flap_2 =>
+                  (if Is_On (Image.Words (12)) then 16#FFF# else 16#800#),
+                when Discretes =>
+                  Packed_Switches (Received_Commands (Image))));
+
+   --  Every sensor word of the aircraft's converter reaches the ground's
+   --  CORE memory unchanged.
+   procedure Sensors_Reach_CORE (Image : AD_Image)
+   with
+     Global => null,
+     Post   =>
+       (for all Item in Sensor_Item =>
+          URV.CORE_Layout.To_Words (Received_Sensors (Image))
+            (URV.CORE_Layout.Place (Item)) =
+            Image.Words (Channel_Of (Item)))
+       and then URV.CORE_Layout.To_Words (Received_Sensors (Image))
+         (URV.CORE_Layout.Place (Downlink_Item'(Error_Status))) =
+           Image.Error_Status;
+
+end Theorems.Data_Path;

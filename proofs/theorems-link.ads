@@ -1,0 +1,84 @@
+--  What the header code and the checksum detect (D-6, D-7).
+
+with Telemetry;          use Telemetry;
+with Telemetry.Checksum; use Telemetry.Checksum;
+with Telemetry.Headers;  use Telemetry.Headers;
+with URVOS;              use URVOS;
+
+package Theorems.Link with Pure, SPARK_Mode, Ghost is
+
+   --  The number of ones in a byte.
+   function Weight (Value : Byte) return Natural is
+     ((if (Value and 1) = 0 then 0 else 1)
+      + (if (Value and 2) = 0 then 0 else 1)
+      + (if (Value and 4) = 0 then 0 else 1)
+      + (if (Value and 8) = 0 then 0 else 1)
+      + (if (Value and 16) = 0 then 0 else 1)
+      + (if (Value and 32) = 0 then 0 else 1)
+      + (if (Value and 64) = 0 then 0 else 1)
+      + (if (Value and 128) = 0 then 0 else 1));
+
+   --  Two different headers differ in at least four bits.
+   procedure Headers_Are_Far_Apart (Left, Right : Byte)
+   with
+     Global => null,
+     Pre    =>
+       Is_Valid (Left) and then Is_Valid (Right) and then Left /= Right,
+     Post   => Weight (Left xor Right) >= 4;
+
+   --  The checksum step is the division by the polynomial, bit by bit.
+   function Shifted (Value : Byte) return Byte is
+     (if (Value and 16#80#) /= 0
+      then Shift_Left (Value, 1) xor 16#07#
+      else Shift_Left (Value, 1));
+
+   procedure Step_Is_Polynomial_Division (Value : Byte)
+   with
+     Global => null,
+     Post   =>
+       Times_X8 (Value) =
+         Shifted (Shifted (Shifted (Shifted
+           (Shifted (Shifted (Shifted (Shifted (Value))))))));
+
+   --  Different sums stay different when the same byte follows, and the
+   --  same sum becomes different when different bytes follow.
+   procedure Step_Tells_Apart (Left, Right : Byte; Data : Byte)
+   with
+     Global => null,
+     Pre    => Left /= Right,
+     Post   =>
+       Next (Left, Data) /= Next (Right, Data)
+       and then Next (Data, Left) /= Next (Data, Right);
+
+   --  A message in which exactly one byte of the data is wrong, in whatever
+   --  bits, has another checksum.
+   procedure One_Wrong_Byte_Is_Detected
+     (Header : Byte;
+      Sent   : Block_Data;
+      Came   : Block_Data;
+      Wrong  : Byte_Index;
+      Length : Byte_Count)
+   with
+     Global             => null,
+     Subprogram_Variant => (Decreases => Length),
+     Pre                =>
+       Wrong <= Length
+       and then Sent (Wrong) /= Came (Wrong)
+       and then (for all I in Byte_Index =>
+                   (if I /= Wrong then Sent (I) = Came (I))),
+     Post               =>
+       Of_Message (Header, Sent, Length) /= Of_Message (Header, Came, Length);
+
+   --  So has one whose header is wrong.
+   procedure Wrong_Header_Is_Detected
+     (Sent, Came : Byte;
+      Data       : Block_Data;
+      Length     : Byte_Count)
+   with
+     Global             => null,
+     Subprogram_Variant => (Decreases => Length),
+     Pre                => Sent /= Came,
+     Post               =>
+       Of_Message (Sent, Data, Length) /= Of_Message (Came, Data, Length);
+
+end Theorems.Link;

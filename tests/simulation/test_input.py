@@ -1,0 +1,478 @@
+"""What urv_sim reads: good input is taken as promised; bad input gives one
+line on standard error and exit status 2, and no output file."""
+
+import os
+
+import pytest
+
+OUTPUTS = ("record.csv", "summary.json", "wire.csv")
+ALL_OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
+               "--wire", "wire.csv")
+
+SWITCHES = [f"switch{n}" for n in range(1, 9)]
+STICKS = ["roll", "pitch", "yaw", "throttle", "brake"]
+NEUTRAL = {**dict.fromkeys(STICKS, 0x800), **dict.fromkeys(SWITCHES, 0)}
+
+TIME_RANGE = ("is not a time from 0 to 10000000000 ms"
+              " with at most three decimals")
+WORD_RANGE = "is not a word from 0 to 4095"
+
+
+@pytest.fixture
+def refused(urv_sim, tmp_path):
+    """Run a command that must be refused; return what it said."""
+
+    def run(*arguments):
+        before = {path: path.read_bytes() if path.is_file() else None
+                  for path in tmp_path.rglob("*")}
+        result = urv_sim(*arguments)
+        after = {path: path.read_bytes() if path.is_file() else None
+                 for path in tmp_path.rglob("*")}
+        assert result.returncode == 2, result
+        assert after == before, "files were created or altered"
+        assert result.stdout == ""
+        assert result.stderr.endswith("\n")
+        assert result.stderr.count("\n") == 1, result.stderr
+        return result.stderr[:-1]
+
+    return run
+
+
+# --- command line ---------------------------------------------------------
+
+COMMAND_LINES = [
+    ([], 'no command; "urv_sim help" lists them'),
+    (["hover"], 'unknown command "hover"; "urv_sim help" lists them'),
+    (["help", "me"], 'unexpected argument "me"'),
+    (["fly", "--warp", "9"], 'unknown option "--warp"'),
+    (["fly", "--warp=9"], 'unknown option "--warp"'),
+    (["fly", "--Quiet"], 'unknown option "--Quiet"'),
+    (["fly", "-q"], 'unknown option "-q"'),
+    (["fly", "away"], 'unexpected argument "away"'),
+    (["fly", "a=b"], 'unexpected argument "a=b"'),
+    (["fly", ""], 'unexpected argument ""'),
+    (["fly", "--quiet", "yes"], 'unexpected argument "yes"'),
+    (["fly", "--quiet=yes"], "--quiet takes no value"),
+    (["fly", "--quiet", "--quiet"], "--quiet is given twice"),
+    (["fly", "--phase", "1", "--phase=2"], "--phase is given twice"),
+    (["fly", "--plant", "glider"],
+     '--plant: "glider" is neither "bench" nor "jsbsim"'),
+    (["fly", "--pace", "fast"],
+     '--pace: "fast" is neither "max" nor "realtime"'),
+    (["fly", "--pilot", "nobody"],
+     '--pilot: "nobody" is not a flight the pilot knows'),
+    (["fly", "--pilot", "standard", "--sticks", "s.csv"],
+     "--pilot and --sticks do not go together"),
+    (["fly", "--sticks", "s.csv", "--pilot", "standard"],
+     "--pilot and --sticks do not go together"),
+    (["fly", "--plant", "jsbsim", "--sensors", "s.csv"],
+     "--sensors and --plant jsbsim do not go together"),
+    (["fly", "--sensors", "s.csv", "--plant=jsbsim"],
+     "--sensors and --plant jsbsim do not go together"),
+    (["fly", "--events", "events.json"], "--events is not supported yet"),
+    (["fly", "--events=events.json"], "--events is not supported yet"),
+    (["fly", "--seed", "18446744073709551616"],
+     '--seed: "18446744073709551616" is not a whole number'
+     " from 0 to 18446744073709551615"),
+    *((["fly", "--phase", value],
+       f'--phase: "{value}" is not a whole number from 0 to 9')
+      for value in ("12", "10", "-1", "1.5", "three", "0x3", " 3")),
+    *((["fly", "--seconds", value],
+       f'--seconds: "{value}" is not a number of seconds above 0 and up to'
+       " 10000000 with at most six decimals")
+      for value in ("0", "0.0", "-1", "ten", "1e3", ".5", "5.", "1,5", "nan",
+                    "10000000.000001", "99999999999999999999",
+                    "0.0000001")),
+]
+
+NEED_A_VALUE = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
+                "--faults", "--seed", "--phase", "--record", "--summary",
+                "--wire", "--events", "--pace")
+
+
+@pytest.mark.parametrize("arguments, message", COMMAND_LINES)
+def test_bad_command_line(refused, arguments, message):
+    outputs = ALL_OUTPUTS if arguments[:1] == ["fly"] else ()
+    # A stray command takes no options.
+    assert refused(*arguments, *outputs) == "urv_sim: " + message
+
+
+@pytest.mark.parametrize("option", NEED_A_VALUE)
+@pytest.mark.parametrize("ending", ["", "=", " ", " --quiet"])
+def test_missing_value(refused, option, ending):
+    arguments = {
+        "": [option],
+        "=": [option + "="],
+        " ": [option, ""],
+        " --quiet": [option, "--quiet"],
+    }[ending]
+    said = refused("fly", *arguments)
+    assert said == f"urv_sim: {option} needs a value"
+
+
+def test_long_argument_is_quoted_on_one_line(refused):
+    said = refused("fly", "--phase", "a\nb" + "c" * 1000)
+    assert said == ('urv_sim: --phase: "a?b' + "c" * 57
+                    + '..." is not a whole number from 0 to 9')
+
+
+# --- sticks and sensors ---------------------------------------------------
+
+BAD_ROWS = [
+    ("", 1, "the file is empty"),
+    ("\n", 1, 'unknown column ""'),
+    ("time_ms,roll,\n0,1,2\n", 1, 'unknown column ""'),
+    ("time_ms,bank\n0,1\n", 1, 'unknown column "bank"'),
+    ("Time_ms,roll\n0,1\n", 1, 'unknown column "Time_ms"'),
+    ("time_ms,switch_1\n0,1\n", 1, 'unknown column "switch_1"'),
+    ("time_ms,switch9\n0,1\n", 1, 'unknown column "switch9"'),
+    ("time_ms,error\n0,1\n", 1, 'unknown column "error"'),
+    ("time_ms;roll\n0;1\n", 1, 'unknown column "time_ms;roll"'),
+    ("time_ms,roll,pitch,roll\n0,1,2,3\n", 1, 'column "roll" comes twice'),
+    ("time_ms,roll,time_ms\n0,1,2\n", 1, 'column "time_ms" comes twice'),
+    ("roll,pitch\n1,2\n", 1, 'there is no column "time_ms"'),
+    ("time_ms,roll", 2, "there is no row after the header"),
+    ("time_ms,roll\n", 2, "there is no row after the header"),
+    ("time_ms,roll\n\n\n", 2, "there is no row after the header"),
+    ("time_ms,roll\n0,4096\n", 2, f'roll: "4096" {WORD_RANGE}'),
+    ("time_ms,roll\n0,0x1000\n", 2, f'roll: "0x1000" {WORD_RANGE}'),
+    ("time_ms,roll\n0,-1\n", 2, f'roll: "-1" {WORD_RANGE}'),
+    ("time_ms,roll\n0,+1\n", 2, f'roll: "+1" {WORD_RANGE}'),
+    ("time_ms,roll\n0,1.0\n", 2, f'roll: "1.0" {WORD_RANGE}'),
+    ("time_ms,roll\n0,\n", 2, f'roll: "" {WORD_RANGE}'),
+    ("time_ms,roll\n0,0x\n", 2, f'roll: "0x" {WORD_RANGE}'),
+    ("time_ms,roll\n0,7ff\n", 2, f'roll: "7ff" {WORD_RANGE}'),
+    ("time_ms,roll\n0,1 2\n", 2, f'roll: "1 2" {WORD_RANGE}'),
+    ("time_ms,roll\n0,99999999999999999999999\n", 2,
+     f'roll: "99999999999999999999999" {WORD_RANGE}'),
+    ("time_ms,switch3\r\n0,5000\r\n", 2, f'switch3: "5000" {WORD_RANGE}'),
+    ("time_ms,roll\nsoon,1\n", 2, f'time_ms: "soon" {TIME_RANGE}'),
+    ("time_ms,roll\n-1,1\n", 2, f'time_ms: "-1" {TIME_RANGE}'),
+    ("time_ms,roll\n0.0001,1\n", 2, f'time_ms: "0.0001" {TIME_RANGE}'),
+    ("time_ms,roll\n0x10,1\n", 2, f'time_ms: "0x10" {TIME_RANGE}'),
+    ("time_ms,roll\n10000000000.001,1\n", 2,
+     f'time_ms: "10000000000.001" {TIME_RANGE}'),
+    ("roll,time_ms\n1,20\n2,40\n3,40\n", 4,
+     "time_ms: the row's time is not after that of the row before"),
+    ("time_ms,roll\n0,1\n40,1\n20,1\n", 4,
+     "time_ms: the row's time is not after that of the row before"),
+    ("time_ms,roll\n0,1\n20\n", 3,
+     "the row has 1 fields, the header has 2"),
+    ("time_ms,roll\n0,1\n20,1,2\n", 3,
+     "the row has 3 fields, the header has 2"),
+    ("time_ms,roll\n0,1\n\n \n20,1\n", 3,
+     "the line is blank, but rows follow"),
+    ("time_ms,roll\n0,1\n20," + "1" * 5000 + "\n", 3,
+     "the line is longer than 4096 characters"),
+    ("time_ms,roll\n" + "".join(f"{20 * n},1\n" for n in range(70000))
+     + "1400000,oops", 70002, f'roll: "oops" {WORD_RANGE}'),
+]
+
+
+@pytest.mark.parametrize(
+    "text, line, message", BAD_ROWS,
+    ids=[f"{n}:{row[2][:40]}" for n, row in enumerate(BAD_ROWS)])
+def test_bad_sticks(refused, write, text, line, message):
+    write("sticks.csv", text)
+    said = refused("fly", "--sticks", "sticks.csv", *ALL_OUTPUTS)
+    assert said == f"sticks.csv:{line}: {message}"
+
+
+@pytest.mark.parametrize("text, line, message", [
+    ("", 1, "the file is empty"),
+    ("time_ms,roll\n0,1\n", 1, 'unknown column "roll"'),
+    ("time_ms,altitude\n0,4096\n", 2, f'altitude: "4096" {WORD_RANGE}'),
+    ("time_ms,error\n0,4096\n", 2, f'error: "4096" {WORD_RANGE}'),
+    ("time_ms,rpm\n0,1\n0,1\n", 3,
+     "time_ms: the row's time is not after that of the row before"),
+])
+def test_bad_sensors(refused, write, text, line, message):
+    write("sensors.csv", text)
+    said = refused("fly", "--sensors", "sensors.csv", *ALL_OUTPUTS)
+    assert said == f"sensors.csv:{line}: {message}"
+
+
+# --- faults ---------------------------------------------------------------
+
+FORM = "a fault of this kind is written TIME_MS "
+BAD_FAULTS = [
+    ("", 1, "the file is empty"),
+    ("soon cut 5\n", 1, f'TIME_MS: "soon" {TIME_RANGE}'),
+    ("# nothing\n\n-5 cut 5\n", 3, f'TIME_MS: "-5" {TIME_RANGE}'),
+    ("100\n", 1, "no fault follows the time"),
+    ("100 # cut 5\n", 1, "no fault follows the time"),
+    ("100 gremlin 5\n", 1, 'unknown fault "gremlin"'),
+    ("100 Cut 5\n", 1, 'unknown fault "Cut"'),
+    ("100 up gremlin 5\n", 1, 'unknown fault "gremlin"'),
+    ("100 up\n", 1, 'unknown fault ""'),
+    ("100 sideways flip 1 1\n", 1, 'unknown fault "sideways"'),
+    ("100 cut\n", 1, FORM + "cut DURATION_MS"),
+    ("100 cut 5 5\n", 1, FORM + "cut DURATION_MS"),
+    ("100 up cut 5\n", 1, FORM + "cut DURATION_MS"),
+    ("100 flip 1 1\n", 1, FORM + "up|down flip N MASK"),
+    ("100 mcs flip 1 1\n", 1, FORM + "up|down flip N MASK"),
+    ("100 up flip 1\n", 1, FORM + "up|down flip N MASK"),
+    ("100 down drop\n", 1, FORM + "up|down drop N"),
+    ("100 down drop 1 2 3 4 5 6 7\n", 1, FORM + "up|down drop N"),
+    ("100 up stall adc 5\n", 1, FORM + "mcs|gsc stall adc|telemetry"
+     " DURATION_MS"),
+    ("100 cut soon\n", 1, f'DURATION_MS: "soon" {TIME_RANGE}'),
+    ("100 up drop 0\n", 1,
+     'N: "0" is not a whole number from 1 to 2147483647'),
+    ("100 up drop 0x1\n", 1,
+     'N: "0x1" is not a whole number from 1 to 2147483647'),
+    ("100 up flip 1 0\n", 1,
+     'MASK: "0" is not a hexadecimal number from 1 to 1ff'),
+    ("100 up flip 1 200\n", 1,
+     'MASK: "200" is not a hexadecimal number from 1 to 1ff'),
+    ("100 up flip 1 xy\n", 1,
+     'MASK: "xy" is not a hexadecimal number from 1 to 1ff'),
+    # What is not there yet is read all the same.
+    ("100 up insert 1 100\n", 1,
+     'BYTE: "100" is not a hexadecimal number from 0 to ff'),
+    ("100 up ber 1.5 10\n", 1,
+     'P: "1.5" is not a probability from 0 to 1'),
+    ("100 up ber often 10\n", 1,
+     'P: "often" is not a probability from 0 to 1'),
+    ("100 mcs stall pwm 5\n", 1, 'unknown board "pwm"'),
+    ("100 gsc reset cold\n", 1, 'unknown reset "cold"'),
+    *((f"10 cut 5\n20 {fault}\n", 2,
+       f'fault "{fault.split()[1]}" is not supported yet')
+      for fault in ("up ber 0.001 1000", "down ber 1e-6 1000",
+                    "up ber 1 1000", "up dup 3", "down insert 3 a5",
+                    "mcs stall adc 100", "gsc stall telemetry 100",
+                    "mcs reset warm", "gsc reset processor")),
+]
+
+
+@pytest.mark.parametrize("text, line, message", BAD_FAULTS)
+def test_bad_faults(refused, write, text, line, message):
+    write("faults.txt", text)
+    said = refused("fly", "--faults", "faults.txt", *ALL_OUTPUTS)
+    assert said == f"faults.txt:{line}: {message}"
+
+
+# --- files that cannot be read --------------------------------------------
+
+@pytest.mark.parametrize("option", ["--sticks", "--sensors", "--faults"])
+def test_missing_file(refused, option):
+    said = refused("fly", option, "none.txt", *ALL_OUTPUTS)
+    assert said == ("none.txt:1: cannot be opened:"
+                    " No such file or directory")
+
+
+@pytest.mark.parametrize("option", ["--sticks", "--sensors", "--faults"])
+def test_folder_in_place_of_a_file(refused, tmp_path, option):
+    (tmp_path / "folder").mkdir()
+    said = refused("fly", option, "folder", *ALL_OUTPUTS)
+    assert said == "folder:1: cannot be read: Is a directory"
+
+
+def test_long_and_foreign_file_name_is_said_whole(refused, write):
+    name = "ä" * 100 + "é" * 20 + ".csv"
+    write(name, "time_ms,oops\n")
+    said = refused("fly", "--sticks", name, *ALL_OUTPUTS)
+    assert said == name + ':1: unknown column "oops"'
+
+
+# --- files that cannot be written -----------------------------------------
+
+@pytest.mark.parametrize("option", ["--record", "--summary", "--wire"])
+def test_output_in_a_missing_folder(refused, option):
+    outputs = dict(zip(ALL_OUTPUTS[::2], ALL_OUTPUTS[1::2], strict=True))
+    outputs[option] = "none/out"
+    said = refused("fly", "--seconds", "0.1",
+                   *(word for pair in outputs.items() for word in pair))
+    assert said == (f'urv_sim: {option}: "none/out" cannot be created:'
+                    " No such file or directory")
+
+
+def test_output_that_is_a_folder(refused, tmp_path):
+    (tmp_path / "folder").mkdir()
+    said = refused("fly", "--record", "record.csv", "--wire", "folder")
+    assert said == ('urv_sim: --wire: "folder" cannot be created:'
+                    " Is a directory")
+
+
+def test_what_existed_stays_when_another_output_fails(refused, write):
+    # `refused` compares every file before and after.
+    write("record.csv", "precious\n")
+    write("summary.json", "{}\n")
+    refused("fly", "--record", "record.csv", "--summary", "summary.json",
+            "--wire", "none/wire.csv")
+
+
+def test_what_existed_stays_when_input_is_bad(refused, write):
+    for name in OUTPUTS:
+        write(name, "precious\n")
+    write("sticks.csv", "time_ms,oops\n")
+    refused("fly", "--sticks", "sticks.csv", *ALL_OUTPUTS)
+
+
+def test_link_to_nothing_stays_when_another_output_fails(refused, tmp_path):
+    (tmp_path / "record.csv").symlink_to("elsewhere.csv")
+    refused("fly", "--record", "record.csv", "--wire", "none/wire.csv")
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write any file")
+def test_output_that_must_not_be_written(refused, tmp_path, write):
+    write("wire.csv", "precious\n")
+    (tmp_path / "wire.csv").chmod(0o444)
+    said = refused("fly", *ALL_OUTPUTS)
+    assert said == ('urv_sim: --wire: "wire.csv" cannot be created:'
+                    " Permission denied")
+
+
+@pytest.mark.parametrize("second", [
+    "out", "./out", "folder/../out", "link"])
+def test_two_outputs_in_one_file(refused, tmp_path, second):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to("out")
+    said = refused("fly", "--record", "out", "--wire", second)
+    assert said == "urv_sim: --wire and --record name the same file"
+
+
+@pytest.mark.parametrize("option, text", [
+    ("--sticks", "time_ms,roll\n0,1\n"),
+    ("--sensors", "time_ms,rpm\n0,1\n"),
+    ("--faults", "0 cut 1\n"),
+])
+def test_output_that_is_an_input(refused, write, option, text):
+    write("in", text)
+    said = refused("fly", option, "in", "--summary", "./in")
+    assert said == f"urv_sim: --summary and {option} name the same file"
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+@pytest.mark.parametrize("option", ["--record", "--summary", "--wire"])
+def test_full_disk(urv_sim, option):
+    result = urv_sim("fly", "--seconds", "30", option, "/dev/full")
+    assert result.returncode == 2
+    assert result.stderr == (f'urv_sim: {option}: "/dev/full" cannot be'
+                             " written: No space left on device\n")
+
+
+# --- what is taken --------------------------------------------------------
+
+def test_help_is_given(urv_sim):
+    texts = [urv_sim(*words) for words in
+             (["help"], ["--help"], ["-h"], ["fly", "--help"])]
+    for text in texts:
+        assert text.returncode == 0
+        assert text.stderr == ""
+        assert text.stdout == texts[0].stdout
+    for option in NEED_A_VALUE + ("--quiet",):
+        shown = option in texts[0].stdout
+        assert shown == (option != "--events"), option
+
+
+def test_quiet_flight_prints_nothing(urv_sim):
+    result = urv_sim("fly", "--seconds", "0.5", "--quiet")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+
+
+def test_flight_prints_a_summary_and_no_progress(urv_sim):
+    result = urv_sim("fly", "--seconds=0.5")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith("flown     0.50 s, 25 frames, ")
+
+
+@pytest.mark.parametrize("options, frames", [
+    (["--seconds", "0.5"], 25),
+    (["--seconds", "1"], 50),
+    (["--seconds=0.000001"], 1),
+    (["--seconds", "0.020001"], 2),
+    ([], 3000),
+])
+def test_length_of_a_flight(fly, options, frames):
+    flight = fly(*options)
+    assert flight.summary["frames"] == frames
+    assert flight.summary["seconds"] == frames / 50
+    assert len(flight.rows) == frames
+
+
+def test_old_outputs_are_replaced(fly, write):
+    for name in OUTPUTS:
+        write(name, "old " * 100_000)
+    flight = fly("--seconds", "0.1")
+    assert "old" not in flight.path("record.csv").read_text()
+    assert "old" not in flight.path("wire.csv").read_text()
+    assert flight.summary["frames"] == 5
+
+
+def test_null_device_takes_any_output(urv_sim):
+    result = urv_sim("fly", "--seconds=0.1", "--quiet",
+                     "--record=/dev/null", "--wire=/dev/null")
+    assert (result.returncode, result.stderr) == (0, "")
+
+
+# The same script, written in every way the format allows.
+WRITINGS = {
+    "plain": "time_ms,roll,switch8\n0,1,0\n50,2,4095\n110,3,0\n",
+    "no last line end": "time_ms,roll,switch8\n0,1,0\n50,2,4095\n110,3,0",
+    "CR LF": "time_ms,roll,switch8\r\n0,1,0\r\n50,2,4095\r\n110,3,0\r\n",
+    "blank end": "time_ms,roll,switch8\n0,1,0\n50,2,4095\n110,3,0\n\n \n",
+    "other order": "switch8,roll,time_ms\n0,1,0\n4095,2,50\n0,3,110\n",
+    "hexadecimal":
+        "time_ms,roll,switch8\n0,0x1,0x0\n50,0x2,0xFfF\n110,0X003,0\n",
+    "decimals": "time_ms,roll,switch8\n0.0,1,0\n50.000,2,4095\n110.0,3,0\n",
+    "blanks": " time_ms,\troll , switch8\n0, 1,0 \n50 ,2, 4095\n110,3,0\n",
+    "byte order mark":
+        "\ufefftime_ms,roll,switch8\n0,1,0\n50,2,4095\n110,3,0\n",
+    "all columns":
+        f"time_ms,{','.join(NEUTRAL)}\n"
+        + "".join(
+            f"{time},{','.join(map(str, {**NEUTRAL, **row}.values()))}\n"
+            for time, row in ((0, {"roll": 1}),
+                              (50, {"roll": 2, "switch8": 4095}),
+                              (110, {"roll": 3}))),
+}
+
+
+@pytest.mark.parametrize("writing", WRITINGS)
+def test_sticks_hold_until_the_next_row(fly, write, writing):
+    write("sticks.csv", WRITINGS[writing])
+    record = fly("--sticks", "sticks.csv").record
+    # The last row holds for a frame: 130 ms, rounded up to 7 frames.
+    assert record["time_ms"] == [20, 40, 60, 80, 100, 120, 140]
+    assert record["console.roll"] == [1, 1, 2, 2, 2, 3, 3]
+    assert record["console.switch8"] == [0, 0, 4095, 4095, 4095, 0, 0]
+    for name in NEUTRAL.keys() - {"roll", "switch8"}:
+        assert set(record["console." + name]) == {NEUTRAL[name]}, name
+
+
+def test_sticks_are_neutral_before_the_first_row(fly, write):
+    write("sticks.csv", "time_ms,pitch\n50,7\n")
+    record = fly("--sticks", "sticks.csv").record
+    assert record["console.pitch"] == [0x800, 0x800, 7, 7]
+
+
+def test_seconds_win_over_the_sticks(fly, write):
+    write("sticks.csv", "time_ms,pitch\n0,7\n5000,8\n")
+    flight = fly("--sticks", "sticks.csv", "--seconds", "0.1")
+    assert flight.summary["frames"] == 5
+
+
+def test_sensors_may_have_every_name_of_the_downlink(fly, write, tmp_path):
+    names = [name.removeprefix("mcs.downlink.")
+             for name in fly("--seconds=0.02").record
+             if name.startswith("mcs.downlink.")]
+    assert len(names) == 28
+    write("sensors.csv", f"time_ms,{','.join(names)}\n"
+          f"0,{','.join(str(100 + n) for n in range(28))}\n")
+    flight = fly("--sensors", "sensors.csv", "--seconds=1", name="again")
+    last = flight.rows[-1]
+    for n, name in enumerate(names[:-1]):
+        assert last["mcs.downlink." + name] == 100 + n, name
+
+
+def test_faults_that_are_there_are_taken(fly, write):
+    write("faults.txt",
+          "# what is supported\n\n"
+          "100 cut 50        # both ways\r\n"
+          "\t20.5\tup  flip 3 1ff\n"
+          "0 down drop 1\n"
+          "  # out of order is fine\n"
+          "10 down flip 2147483647 0x1\n"
+          "300 cut 0")
+    assert fly("--faults", "faults.txt", "--seconds=1").status == 0
