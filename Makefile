@@ -1,0 +1,40 @@
+# What a person does with URV. `make` lists it; docs/development.md explains.
+
+.PHONY: help fly test prove bench size clean
+
+GPRBUILD := gprbuild -q -p -j0
+
+help:
+	@echo "make fly     fly the standard flight, leave it in flight/"
+	@echo "make test    run every test"
+	@echo "make prove   prove src and proofs, renew the proof record"
+	@echo "make bench   compare the simulation's speed with C's"
+	@echo "make size    static data of each node's flight software"
+	@echo "make clean   remove what was built"
+
+fly:
+	@scripts/setup.sh fly
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@mkdir -p flight
+	@bin/urv_sim fly --plant jsbsim --pilot standard \
+	   --record flight/record.csv --summary flight/summary.json
+
+test:
+	@scripts/setup.sh test
+	@.venv/bin/python scripts/run_tests.py
+
+prove:
+	@scripts/setup.sh prove
+	@python3 scripts/proof_record.py prove
+
+bench:
+	@scripts/setup.sh bench
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@python3 scripts/bench.py
+
+size:
+	@scripts/setup.sh size
+	@python3 scripts/node_size.py
+
+clean:
+	@rm -rf obj bin flight bench/results.json

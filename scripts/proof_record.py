@@ -1,0 +1,299 @@
+#!/usr/bin/env python3
+"""Prove the flight software, and keep the record of what was proved.
+
+  prove    runs GNATprove; with everything proved, renews proofs/record.json
+  sources  compares the hash of each source with the record's
+  check    the same; where GNATprove is on the PATH, also proves everything
+           anew in a copy without sessions, and compares the checks
+
+Proved means: no check unproved or justified, no pragma Assume, no error or
+warning of the analysis, every source of src and proofs analysed as SPARK.
+Exit status: 0 yes; 1 no, each reason on a line of its own.
+"""
+
+import argparse
+import hashlib
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections import Counter, defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORD = ROOT / "proofs" / "record.json"
+STAMP = ROOT / "obj" / "proved.sha256"
+PROJECT = "urv.gpr"
+CONFIGURATION = "ravenscar.adc"
+FOLDERS = ("src", "proofs")
+COMMAND = ["gnatprove", "-P", PROJECT, "-XURV_Mode=flight", "-j2"]
+RESULTS = Path("obj", "flight", "gnatprove")
+
+COMPLAINT = re.compile(r"^\S+:\d+:\d+: (error|warning|low|medium|high)\b")
+ENTITY = re.compile(r"^  \S.* at \S+:\d+")
+PROVED_ENTITY = re.compile(
+    r".* flow analyzed \(0 errors, 0 checks, 0 warnings and "
+    r"0 pragma Assume statements\) and proved \(\d+ checks\)$"
+)
+
+
+def sha256(text):
+    return hashlib.sha256(text).hexdigest()
+
+
+def sources(root):
+    """Every Ada source of the proof, by its path in the repository."""
+    paths = (p for f in FOLDERS for p in (root / f).rglob("*.ad[sb]"))
+    return {p.relative_to(root).as_posix(): p for p in sorted(paths)}
+
+
+def hashes(root):
+    """The hash of every file that decides what is to be proved."""
+    files = {**sources(root), CONFIGURATION: root / CONFIGURATION}
+    return {name: sha256(path.read_bytes()) for name, path in files.items()}
+
+
+def unit_of(name):
+    """A specification and its body are one unit: their path, less ending."""
+    return Path(name).with_suffix("").as_posix()
+
+
+def switches(root):
+    """The switches of package Prove, which decide what can be proved."""
+    text = (root / PROJECT).read_text(encoding="utf-8")
+    package = re.search(r"package Prove is(.*?)end Prove;", text, re.S)[1]
+    used = re.search(r"for Proof_Switches .*? use(.*?);", package, re.S)[1]
+    return re.findall(r'"([^"]*)"', used)
+
+
+def tool_versions():
+    """Versions of GNATprove and of what it calls, by tool."""
+    lines = subprocess.run(
+        ["gnatprove", "--version"], capture_output=True, text=True, check=True
+    ).stdout.splitlines()
+    versions = {"gnatprove": lines[0].strip()}
+    for line in lines[1:]:
+        why3 = re.match(r"Why3 for gnatprove version (.*)", line)
+        prover = re.match(r"(?:.*/)?([\w-]+): .*?(?i:version) (\S+)", line)
+        if why3:
+            versions["why3"] = why3[1].strip()
+        elif prover:
+            versions[prover[1]] = prover[2]
+    return versions
+
+
+class Proof:
+    """What one run of GNATprove over the whole project found."""
+
+    def __init__(self, root):
+        self.unit_by_file = {Path(n).name: unit_of(n) for n in sources(root)}
+        self.failures = []
+        self.analysed = set()
+        self.checks = defaultdict(Counter)
+        self.provers = Counter()
+        self.sessions = set()
+
+        results = root / RESULTS
+        # Old results of units that are gone would be read as well.
+        shutil.rmtree(results, ignore_errors=True)
+        complaints = self.run(root)
+        if self.failures:
+            return
+        for path in sorted(results.glob("*.spark")):
+            self.read(json.loads(path.read_text(encoding="utf-8")))
+        for unit in sorted({*self.unit_by_file.values()} - self.analysed):
+            self.failures.append(f"{unit}: nothing of it was analysed")
+        # Whatever the results do not tell, the report or the output does.
+        if not self.failures:
+            self.read_report(results / "gnatprove.out")
+            self.failures += complaints
+
+    def run(self, root):
+        """Run GNATprove, show what it says, return its complaints."""
+        complaints = []
+        pipe = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        with subprocess.Popen(COMMAND, cwd=root, text=True, **pipe) as process:
+            for line in process.stdout:
+                if ": info: " in line:
+                    continue
+                print(line, end="", flush=True)
+                if COMPLAINT.match(line):
+                    complaints.append(line.strip())
+        if process.returncode != 0:
+            self.failures.append(f"gnatprove ended with {process.returncode}")
+        return complaints
+
+    def read(self, results):
+        """Take in the results of one unit."""
+        for entity in results.get("spark", []):
+            if entity["spark"] == "all":
+                files = (place["file"] for place in entity["sloc"])
+                self.analysed |= {self.unit_by_file.get(f) for f in files}
+            else:
+                self.failures.append(f"{entity['name']}: not all in SPARK")
+        for place in results.get("pragma_assume", []):
+            at = "{file}:{line}:{col}".format(**place)
+            self.failures.append(f"{at}: pragma Assume")
+        for check in results.get("flow", []):
+            self.read_check(check, "flow")
+        for check in results.get("proof", []):
+            self.read_check(check, "prover")
+        for session in results.get("session_map", {}).values():
+            self.sessions.add(Path(session).name)
+
+    def read_check(self, check, how):
+        place = "{file}:{line}:{col}: {rule}".format(**check)
+        if "suppressed" in check:
+            self.failures.append(f"{place} justified, not proved")
+        elif check["severity"] != "info":
+            self.failures.append(f"{place} {check['severity']}")
+        else:
+            self.checks[self.owner(check)][check["rule"], how] += 1
+            for prover, stats in check.get("stats", {}).items():
+                self.provers[prover] += stats["count"]
+
+    def owner(self, check):
+        """The unit whose text the check is of: a generic's own, whichever
+        its instance; the instance's for a generic from elsewhere."""
+        for place in [check, *check["entity"]["sloc"]]:
+            if place["file"] in self.unit_by_file:
+                return self.unit_by_file[place["file"]]
+        return "elsewhere"
+
+    def read_report(self, path):
+        """Each entity's line must be one that says proved."""
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if ENTITY.match(line) and not PROVED_ENTITY.match(line):
+                self.failures.append(line.strip())
+
+    def units(self):
+        """By unit and kind of check: how many were discharged how."""
+        units = {}
+        for unit in sorted({*self.unit_by_file.values(), *self.checks}):
+            kinds = units[unit] = {}
+            for (rule, how), number in sorted(self.checks[unit].items()):
+                kinds.setdefault(rule, {})[how] = number
+        return units
+
+    def total(self):
+        return sum(sum(unit.values()) for unit in self.checks.values())
+
+
+def write_record(proof):
+    found = proof.units().items()
+    units = {name: {"files": {}, "checks": of} for name, of in found}
+    files = hashes(ROOT)
+    configuration = {CONFIGURATION: files.pop(CONFIGURATION)}
+    for name, value in files.items():
+        units[unit_of(name)]["files"][name] = value
+    record = {
+        "command": COMMAND,
+        "switches": switches(ROOT),
+        "versions": tool_versions(),
+        "checks": proof.total(),
+        "goals_by_prover": dict(sorted(proof.provers.items())),
+        "configuration": configuration,
+        "units": units,
+    }
+    RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+
+
+def tidy_sessions(proof):
+    """Drop the sessions of what is there no more, and all back-ups."""
+    for session in list((ROOT / "proofs").rglob("why3session.xml")):
+        if session.parent.name not in proof.sessions:
+            shutil.rmtree(session.parent)
+    for backup in list((ROOT / "proofs").rglob("why3*.bak")):
+        backup.unlink()
+
+
+def compare_sources(record):
+    """Differences between the sources and those the record was made of."""
+    recorded = dict(record["configuration"])
+    for unit in record["units"].values():
+        recorded.update(unit["files"])
+    present = hashes(ROOT)
+    for name in sorted({*recorded, *present}):
+        if name not in present:
+            yield f"{name}: removed since it was proved"
+        elif name not in recorded:
+            yield f"{name}: added, not proved"
+        elif recorded[name] != present[name]:
+            yield f"{name}: changed since it was proved"
+    if record["switches"] != switches(ROOT):
+        yield f"{PROJECT}: not the proof switches of the record"
+
+
+def compare_checks(record, proof):
+    """Differences between the recorded checks and those of a new proof."""
+    recorded = {unit: of["checks"] for unit, of in record["units"].items()}
+    present = proof.units()
+    for unit in sorted({*recorded, *present}):
+        now, then = present.get(unit), recorded.get(unit)
+        if now != then:
+            yield f"{unit}: checks are {now}, recorded {then}"
+
+
+def proof_of_copy():
+    """A proof in a copy without sessions, so that none is trusted."""
+    with tempfile.TemporaryDirectory(prefix="urv-proof-") as folder:
+        for name in FOLDERS:
+            leave = shutil.ignore_patterns("sessions")
+            shutil.copytree(ROOT / name, Path(folder, name), ignore=leave)
+        for name in (PROJECT, CONFIGURATION):
+            shutil.copy(ROOT / name, folder)
+        return Proof(Path(folder))
+
+
+def prove():
+    if not shutil.which("gnatprove"):
+        return ["gnatprove is not on the PATH"]
+    proof = Proof(ROOT)
+    if not proof.failures:
+        tidy_sessions(proof)
+        write_record(proof)
+        print(f"proof: {proof.total()} checks, all proved")
+    return proof.failures
+
+
+def check(anew):
+    if not RECORD.exists():
+        return [f"{RECORD.relative_to(ROOT)} is missing"]
+    record = json.loads(RECORD.read_text(encoding="utf-8"))
+    differences = list(compare_sources(record))
+    if differences:
+        return differences + ["renew the record with: make prove"]
+    print("proof: the record is of these sources")
+    if not anew:
+        return []
+    if not shutil.which("gnatprove"):
+        print("proof: gnatprove is not on the PATH, nothing proved anew")
+        return []
+    state = sha256(json.dumps([record, tool_versions()]).encode())
+    if STAMP.exists() and STAMP.read_text(encoding="utf-8") == state:
+        print("proof: already proved anew here, by the same tools")
+        return []
+    proof = proof_of_copy()
+    failures = proof.failures or list(compare_checks(record, proof))
+    if not failures:
+        STAMP.parent.mkdir(exist_ok=True)
+        STAMP.write_text(state, encoding="utf-8")
+        print(f"proof: {proof.total()} checks, all proved anew")
+    return failures
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("command", choices=("prove", "check", "sources"))
+    command = parser.parse_args().command
+
+    failures = prove() if command == "prove" else check(command == "check")
+    for failure in failures:
+        print(f"proof: {failure}")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
