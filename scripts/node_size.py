@@ -27,7 +27,7 @@ KINDS = {
 
 def build(node):
     command = ["gprbuild", "-q", "-p", "-c", "-P", "urv.gpr"]
-    command += ["-XURV_Mode=flight", f"{node}.ads"]
+    command += ["-XURV_Mode=flight", f"{node}.adb"]
     if subprocess.run(command, cwd=ROOT, check=False).returncode != 0:
         sys.exit(f"size: {node} does not build")
 

@@ -4,7 +4,7 @@
   prove    runs GNATprove; with everything proved, renews proofs/record.json
   sources  compares the hash of each source with the record's
   check    the same; where GNATprove is on the PATH, also proves everything
-           anew in a copy without sessions, and compares the checks
+           anew in a copy, and compares the checks
 
 Proved means: no check unproved or justified, no pragma Assume, no error or
 warning of the analysis, every source of src and proofs analysed as SPARK.
@@ -39,8 +39,8 @@ PROVED_ENTITY = re.compile(
 )
 
 
-def sha256(text):
-    return hashlib.sha256(text).hexdigest()
+def sha256(data):
+    return hashlib.sha256(data).hexdigest()
 
 
 def sources(root):
@@ -70,24 +70,19 @@ def switches(root):
 
 def tool_versions():
     """Versions of GNATprove and of what it calls, by tool."""
-    lines = subprocess.run(
+    text = subprocess.run(
         ["gnatprove", "--version"], capture_output=True, text=True, check=True
-    ).stdout.splitlines()
-    versions = {"gnatprove": lines[0].strip()}
-    for line in lines[1:]:
-        why3 = re.match(r"Why3 for gnatprove version (.*)", line)
-        prover = re.match(r"(?:.*/)?([\w-]+): .*?(?i:version) (\S+)", line)
-        if why3:
-            versions["why3"] = why3[1].strip()
-        elif prover:
-            versions[prover[1]] = prover[2]
-    return versions
+    ).stdout
+    called = re.findall(
+        r"^(?:.*/)?(Why3|[\w-]+(?=:)).*? (?i:version) (\S+)", text, re.M
+    )
+    return {"gnatprove": text.splitlines()[0].strip(), **dict(called)}
 
 
 class Proof:
     """What one run of GNATprove over the whole project found."""
 
-    def __init__(self, root):
+    def __init__(self, root, *more_switches):
         self.unit_by_file = {Path(n).name: unit_of(n) for n in sources(root)}
         self.failures = []
         self.analysed = set()
@@ -98,7 +93,7 @@ class Proof:
         results = root / RESULTS
         # Old results of units that are gone would be read as well.
         shutil.rmtree(results, ignore_errors=True)
-        complaints = self.run(root)
+        complaints = self.run(root, [*COMMAND, *more_switches])
         if self.failures:
             return
         for path in sorted(results.glob("*.spark")):
@@ -110,11 +105,11 @@ class Proof:
             self.read_report(results / "gnatprove.out")
             self.failures += complaints
 
-    def run(self, root):
+    def run(self, root, command):
         """Run GNATprove, show what it says, return its complaints."""
         complaints = []
         pipe = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-        with subprocess.Popen(COMMAND, cwd=root, text=True, **pipe) as process:
+        with subprocess.Popen(command, cwd=root, text=True, **pipe) as process:
             for line in process.stdout:
                 if ": info: " in line:
                     continue
@@ -136,12 +131,11 @@ class Proof:
         for place in results.get("pragma_assume", []):
             at = "{file}:{line}:{col}".format(**place)
             self.failures.append(f"{at}: pragma Assume")
-        for check in results.get("flow", []):
-            self.read_check(check, "flow")
-        for check in results.get("proof", []):
-            self.read_check(check, "prover")
-        for session in results.get("session_map", {}).values():
-            self.sessions.add(Path(session).name)
+        for part, how in (("flow", "flow"), ("proof", "prover")):
+            for check in results.get(part, []):
+                self.read_check(check, how)
+        sessions = results.get("session_map", {}).values()
+        self.sessions |= {Path(session).name for session in sessions}
 
     def read_check(self, check, how):
         place = "{file}:{line}:{col}: {rule}".format(**check)
@@ -202,11 +196,11 @@ def write_record(proof):
 
 def tidy_sessions(proof):
     """Drop the sessions of what is there no more, and all back-ups."""
-    for session in list((ROOT / "proofs").rglob("why3session.xml")):
-        if session.parent.name not in proof.sessions:
-            shutil.rmtree(session.parent)
-    for backup in list((ROOT / "proofs").rglob("why3*.bak")):
-        backup.unlink()
+    for file in [*(ROOT / "proofs").rglob("why3*")]:
+        if file.suffix == ".bak" or file.parent.name not in proof.sessions:
+            file.unlink()
+        if not any(file.parent.iterdir()):
+            file.parent.rmdir()
 
 
 def compare_sources(record):
@@ -230,21 +224,26 @@ def compare_checks(record, proof):
     """Differences between the recorded checks and those of a new proof."""
     recorded = {unit: of["checks"] for unit, of in record["units"].items()}
     present = proof.units()
-    for unit in sorted({*recorded, *present}):
-        now, then = present.get(unit), recorded.get(unit)
-        if now != then:
-            yield f"{unit}: checks are {now}, recorded {then}"
+    for unit, now in present.items():
+        if now != recorded.get(unit):
+            yield f"{unit}: checks {now}, recorded {recorded.get(unit)}"
 
 
-def proof_of_copy():
-    """A proof in a copy without sessions, so that none is trusted."""
+def proof_anew():
+    """A proof in a copy: each prover proves its goals of the sessions again.
+
+    If that does not do, with other provers say, the sessions are dropped.
+    """
     with tempfile.TemporaryDirectory(prefix="urv-proof-") as folder:
         for name in FOLDERS:
-            leave = shutil.ignore_patterns("sessions")
-            shutil.copytree(ROOT / name, Path(folder, name), ignore=leave)
+            shutil.copytree(ROOT / name, Path(folder, name))
         for name in (PROJECT, CONFIGURATION):
             shutil.copy(ROOT / name, folder)
-        return Proof(Path(folder))
+        proof = Proof(Path(folder), "--replay")
+        if proof.failures:
+            shutil.rmtree(Path(folder, "proofs", "sessions"), True)
+            proof = Proof(Path(folder))
+        return proof
 
 
 def prove():
@@ -275,7 +274,7 @@ def check(anew):
     if STAMP.exists() and STAMP.read_text(encoding="utf-8") == state:
         print("proof: already proved anew here, by the same tools")
         return []
-    proof = proof_of_copy()
+    proof = proof_anew()
     failures = proof.failures or list(compare_checks(record, proof))
     if not failures:
         STAMP.parent.mkdir(exist_ok=True)

@@ -131,7 +131,7 @@ package body Sim.JSBSim.Process is
       end loop;
    exception
       when Socket_Error =>
-         raise Plant_Failure with "JSBSim's process does not answer";
+         raise Plant_Failure with "JSBSim's process is dead or mute";
    end Receive;
 
    function Received_Line return String is

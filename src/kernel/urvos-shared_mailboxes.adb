@@ -15,7 +15,7 @@ is
       function Snapshot return Boxes.Mailbox;
 
    private
-      Contents : Boxes.Mailbox := Boxes.Empty_Mailbox;
+      Contents : Boxes.Mailbox;
    end Guarded_Box;
 
    protected body Guarded_Box is
