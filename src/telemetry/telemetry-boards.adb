@@ -29,7 +29,9 @@ package body Telemetry.Boards with SPARK_Mode is
               Item'Old.Transmit_Pair.Slots (Which).Data
             and then
               (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full));
+               then Item'Old.Transmit_Pair.Slots (Which).Full
+                 and then Item.Transmit_Pair.Slots (Which).Attempts =
+                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
 
    --  Gives up waiting (LNK-9).
    procedure Reset (Item : in out Board)
@@ -42,7 +44,11 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Item.State =
          (if Item.Role = Ground and then Item'Old.State /= Idling
           then Idling else Ready)
+       and then Item.Silence = 0
+       and then Item.Owed = Item'Old.Owed
+       and then Item.Line_Taken = Item'Old.Line_Taken
        and then Item.Messages = Item'Old.Messages
+       and then Item.Receive_Pair.Newest = Item'Old.Receive_Pair.Newest
        and then
          (for all Which in Slot =>
             Item.Receive_Pair.Slots (Which).Full =
@@ -51,7 +57,9 @@ package body Telemetry.Boards with SPARK_Mode is
               Item'Old.Transmit_Pair.Slots (Which).Data
             and then
               (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full));
+               then Item'Old.Transmit_Pair.Slots (Which).Full
+                 and then Item.Transmit_Pair.Slots (Which).Attempts =
+                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
 
    --  The block on its way was answered.
    procedure Accept_Status
@@ -73,7 +81,9 @@ package body Telemetry.Boards with SPARK_Mode is
               Item'Old.Transmit_Pair.Slots (Which).Data
             and then
               (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full));
+               then Item'Old.Transmit_Pair.Slots (Which).Full
+                 and then Item.Transmit_Pair.Slots (Which).Attempts =
+                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
 
    --  Begins to send the newest block and clears the other (LNK-7).
    procedure Begin_Block (Item : in out Board)

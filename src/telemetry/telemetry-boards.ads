@@ -166,8 +166,24 @@ package Telemetry.Boards with Pure, SPARK_Mode is
                   Item.Receive_Pair.Slots (Which).Data,
                   Item.Receive_Length)
                and then Item.Receive_Pair.Newest = Which
-               and then Item.Owed = Good
-               and then Item.Messages = Incremented (Item'Old.Messages)))
+               and then Item.Owed = Good))
+
+       --  The counter counts exactly those.
+       and then Item.Messages =
+         (if (for some Which in Slot =>
+                Item.Receive_Pair.Slots (Which).Full
+                and then not Item'Old.Receive_Pair.Slots (Which).Full)
+          then Incremented (Item'Old.Messages)
+          else Item'Old.Messages)
+
+       --  A block that the controller has not taken is overwritten only
+       --  when both buffers are full, and then it is the older one (LNK-4).
+       and then
+         (for all Which in Slot =>
+            (if Item'Old.Receive_Pair.Slots (Which).Full
+               and then not Item.Receive_Pair.Slots (Which).Full
+             then Both_Full (Item'Old.Receive_Pair)
+               and then Which = Other (Item'Old.Receive_Pair.Newest)))
 
        --  Nothing is ever put into a transmit buffer here.
        and then
@@ -176,7 +192,9 @@ package Telemetry.Boards with Pure, SPARK_Mode is
               Item'Old.Transmit_Pair.Slots (Which).Data
             and then
               (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full));
+               then Item'Old.Transmit_Pair.Slots (Which).Full
+                 and then Item.Transmit_Pair.Slots (Which).Attempts =
+                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
 
    --  The transmitter is empty: Data is the next character if Send is True,
    --  else there is none now.
@@ -195,6 +213,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then
          (if Item'Old.Owed /= None
           then Send
+            and then Item.Owed = None
+            and then Item.State = Item'Old.State
             and then Data = Encode
               ((Kind           => Headers.Status,
                 Good           => Item'Old.Owed = Good,
@@ -209,15 +229,26 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             and then Data = Message_Byte
               (Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
                Item.Transmit_Length,
-               Item'Old.Sender.Sent + 1))
+               Item'Old.Sender.Sent + 1)
+            and then Item.Owed = None
+            and then Item.Sender =
+              (Item.Sender with delta Sent => Item'Old.Sender.Sent + 1)
+            and then Item.State =
+              (if Item.Sender.Sent = Message_Length (Item.Transmit_Length)
+               then Awaiting_Status else Sending))
 
-       --  Who waits is silent.
+       --  Who waits is silent. Dead space begins when the last character
+       --  has left.
        and then
          (if Item'Old.State in Awaiting_Status | Awaiting_Data | Idling
             or else (Item'Old.State = Ready
                      and then Item'Old.Owed = None
                      and then Item'Old.Receiver.State /= At_Start)
-          then not Send)
+          then not Send
+            and then Item.State = Item'Old.State
+            and then Item.Owed = Item'Old.Owed
+            and then Item.Silence =
+              (if Item'Old.Line_Taken then 0 else Item'Old.Silence))
 
        --  A block that begins is the newest, is now transmitted once more,
        --  and is alone.
@@ -243,8 +274,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Post           => Is_Sound (Item),
      Contract_Cases =>
        (Is_Talking (Item) or else not Is_Waiting (Item) =>
-          Item.State = Item'Old.State
-          and then Item.Receiver = Item'Old.Receiver,
+          Item = Item'Old,
 
         --  Silence shorter than its patience changes nothing.
         not Is_Talking (Item)
@@ -260,7 +290,25 @@ package Telemetry.Boards with Pure, SPARK_Mode is
           Item.Receiver.State = At_Start
           and then Item.State =
             (if Item.Role = Ground and then Item'Old.State /= Idling
-             then Idling else Ready));
+             then Idling else Ready)
+          and then Item.Silence = 0
+          and then Item.Owed = None
+          and then not Item.Line_Taken
+          and then Item.Messages = Item'Old.Messages
+
+          --  No block becomes full, and one that stays full has not been
+          --  transmitted more often.
+          and then
+            (for all Which in Slot =>
+               Item.Receive_Pair.Slots (Which).Full =
+                 Item'Old.Receive_Pair.Slots (Which).Full
+               and then Item.Transmit_Pair.Slots (Which).Data =
+                 Item'Old.Transmit_Pair.Slots (Which).Data
+               and then
+                 (if Item.Transmit_Pair.Slots (Which).Full
+                  then Item'Old.Transmit_Pair.Slots (Which).Full
+                    and then Item.Transmit_Pair.Slots (Which).Attempts =
+                      Item'Old.Transmit_Pair.Slots (Which).Attempts)));
 
    --  How long until the board resets itself if nothing happens; the last
    --  value if it never does.

@@ -1,0 +1,88 @@
+--  A telemetry board left alone comes to rest: from whatever state, with a
+--  silent line, it is back at the start within a bounded time (LNK-9).
+
+with Telemetry;          use Telemetry;
+with Telemetry.Boards;   use Telemetry.Boards;
+with Telemetry.Receivers; use Telemetry.Receivers;
+with Telemetry.Senders;  use Telemetry.Senders;
+
+package Theorems.Silence with Pure, SPARK_Mode, Ghost is
+
+   --  The board is ready for whatever comes next: a message, a command, or
+   --  a block to send.
+   function At_Rest (Item : Board) return Boolean is
+     (Item.State = Ready
+      and then Item.Owed = None
+      and then Item.Receiver.State = At_Start);
+
+   --  What is left of a wait of which some silence has passed.
+   function Rest_Of (Wait : Character_Times; Item : Board) return Positive is
+     (if Item.Line_Taken then Positive (Wait)
+      elsif Item.Silence >= Wait then 1
+      else Positive (Wait - Item.Silence))
+   with Pre => Wait > 0;
+
+   --  The ground idles after it has waited.
+   function Idle_After (Item : Board) return Natural is
+     (if Item.Role = Ground then Natural (Idle_Time) else 0);
+
+   --  How many character times of silence the board is from rest, at most.
+   function Distance (Item : Board) return Natural is
+     (case Item.State is
+         when Ready =>
+           (if Item.Owed /= None then 1
+            elsif Item.Receiver.State /= At_Start
+            then Rest_Of (Dead_Space, Item)
+            else 0),
+         when Sending =>
+           Natural (Message_Length (Item.Transmit_Length))
+           - Natural (Item.Sender.Sent)
+           + Natural (Dead_Space) + Idle_After (Item),
+         when Awaiting_Status | Awaiting_Data =>
+           Rest_Of (Dead_Space, Item) + Idle_After (Item),
+         when Idling =>
+           Rest_Of (Idle_Time, Item))
+   with Pre => Is_Sound (Item);
+
+   --  No state is farther away than a whole message, the dead space and the
+   --  idle time: 102 character times, 9.8 ms, for the longest block.
+   procedure No_State_Is_Far (Item : Board)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       Distance (Item) <= Longest_Block + 2 + 44
+       and then (Distance (Item) = 0) = At_Rest (Item);
+
+   --  One character time of silence: the main program has its turn, then
+   --  time passes.
+   procedure Live_On (Item : in out Board)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item) and then not At_Rest (Item),
+     Post   =>
+       Is_Sound (Item) and then Distance (Item) < Distance (Item'Old);
+
+   --  In silence every board comes to rest, within the distance.
+   procedure Comes_To_Rest (Item : in out Board; Times : out Natural)
+   with
+     Global             => null,
+     Subprogram_Variant => (Decreases => Distance (Item)),
+     Pre                => Is_Sound (Item),
+     Post               =>
+       Is_Sound (Item)
+       and then At_Rest (Item)
+       and then Times <= Distance (Item'Old);
+
+   --  When the ground has been silent for its idle time, an aircraft that
+   --  waits and has heard nothing for as long has been reset.
+   procedure Ground_Outwaits_Aircraft (Item : in out Board)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Item.Role = Aircraft
+       and then not Is_Talking (Item),
+     Post   => Is_Sound (Item) and then At_Rest (Item);
+
+end Theorems.Silence;
