@@ -1,0 +1,9 @@
+--  D-7: what the checksum is, and which errors change it.
+
+with AUnit.Test_Suites;
+
+package Checksum_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Checksum_Tests;

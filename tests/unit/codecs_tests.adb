@@ -1,0 +1,265 @@
+with Checks;       use Checks;
+with Expectations; use Expectations;
+with URVOS;        use URVOS;
+with Telemetry;    use Telemetry;
+with URV.Buffers;  use URV.Buffers;
+with URV.Codecs;   use URV.Codecs;
+with URV.Routing;  use URV.Routing;
+
+package body Codecs_Tests is
+
+   --  The tests, in order.
+   procedure Wire_Lengths;
+   procedure Uplink_Bytes;
+   procedure Downlink_Bytes;
+   procedure Round_Trips;
+   procedure Image_Uplink;
+   procedure Image_Downlink;
+   procedure Stamps;
+   procedure Out_Of_Range;
+   procedure Passed_On_Whole;
+
+   --  An image whose words all differ: channel n holds 100h + n.
+   function Numbered_Image (Error : Word) return AD_Image;
+
+   --------------------
+   -- Numbered_Image --
+   --------------------
+
+   function Numbered_Image (Error : Word) return AD_Image is
+      Result : AD_Image := Neutral_Image;
+   begin
+      for Number in Channel loop
+         Result.Words (Number) := 16#100# + Word (Number);
+      end loop;
+      Result.Error_Status := Error;
+      return Result;
+   end Numbered_Image;
+
+   ------------------
+   -- Wire_Lengths --
+   ------------------
+
+   procedure Wire_Lengths is
+   begin
+      Expect_Number ("bytes up", Integer (Uplink.Block_Length), 28);
+      Expect_Number ("bytes down", Integer (Downlink.Block_Length), 56);
+   end Wire_Lengths;
+
+   ------------------
+   -- Uplink_Bytes --
+   ------------------
+
+   procedure Uplink_Bytes is
+      Buffer : Uplink_Buffer;
+      Block  : Block_Data;
+   begin
+      --  Word n is 1n2n in hexadecimal: its high byte comes first.
+      for Item in Uplink_Item loop
+         Buffer (Item) :=
+           16#1020# + 16#101# * Word (Uplink_Item'Pos (Item));
+      end loop;
+      Block := Uplink.Encode (Buffer);
+      for I in Byte range 0 .. 13 loop
+         Expect
+           ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
+            16#10# + I);
+         Expect
+           ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
+      end loop;
+      for I in Byte_Index range 29 .. 56 loop
+         Expect ("unused byte", Block (I), 0);
+      end loop;
+   end Uplink_Bytes;
+
+   --------------------
+   -- Downlink_Bytes --
+   --------------------
+
+   procedure Downlink_Bytes is
+      Buffer : Downlink_Buffer;
+      Block  : Block_Data;
+   begin
+      for Item in Downlink_Item loop
+         Buffer (Item) :=
+           16#1020# + 16#101# * Word (Downlink_Item'Pos (Item));
+      end loop;
+      Block := Downlink.Encode (Buffer);
+      for I in Byte range 0 .. 27 loop
+         Expect
+           ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
+            16#10# + I);
+         Expect
+           ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
+      end loop;
+   end Downlink_Bytes;
+
+   -----------------
+   -- Round_Trips --
+   -----------------
+
+   procedure Round_Trips is
+      Up        : Uplink_Buffer   := (others => 0);
+      Up_Back   : Uplink_Buffer;
+      Down      : Downlink_Buffer := (others => 0);
+      Down_Back : Downlink_Buffer;
+      Filler    : Word := 1;
+   begin
+      --  Each value of 16 bits, in each word, among changing others.
+      for Value in Word loop
+         Filler := 25_173 * Filler + 13_849;
+         Up := (others => Filler);
+         Up (Uplink_Item'Val (Value mod 14)) := Value;
+         Up_Back := Uplink.Decode (Uplink.Encode (Up));
+         for Item in Uplink_Item loop
+            Expect ("uplink " & Item'Image, Up_Back (Item), Up (Item));
+         end loop;
+
+         Down := (others => Filler);
+         Down (Downlink_Item'Val (Value mod 28)) := Value;
+         Down_Back := Downlink.Decode (Downlink.Encode (Down));
+         for Item in Downlink_Item loop
+            Expect ("downlink " & Item'Image, Down_Back (Item), Down (Item));
+         end loop;
+      end loop;
+   end Round_Trips;
+
+   ------------------
+   -- Image_Uplink --
+   ------------------
+
+   procedure Image_Uplink is
+      Buffer : constant Uplink_Buffer :=
+        To_Uplink (Numbered_Image (Error => 16#ABCD#));
+   begin
+      for Item in Command_Item loop
+         Expect
+           (Item'Image, Buffer (Item),
+            16#100# + Word (Command_Item'Pos (Item)));
+      end loop;
+      Expect ("14th word", Buffer (Uplink_Item'Val (13)), 16#ABCD#);
+   end Image_Uplink;
+
+   --------------------
+   -- Image_Downlink --
+   --------------------
+
+   procedure Image_Downlink is
+      Buffer : constant Downlink_Buffer :=
+        To_Downlink (Numbered_Image (Error => 16#ABCD#));
+   begin
+      for Item in Sensor_Item loop
+         Expect
+           (Item'Image, Buffer (Item),
+            16#100# + Word (Sensor_Item'Pos (Item)));
+      end loop;
+      Expect ("28th word", Buffer (Downlink_Item'Val (27)), 16#ABCD#);
+   end Image_Downlink;
+
+   ------------
+   -- Stamps --
+   ------------
+
+   procedure Stamps is
+      Image : AD_Image;
+   begin
+      for Fresh in Boolean loop
+         Image := Stamped (Numbered_Image (0).Words, Fresh);
+         Expect
+           ("error word, fresh is " & Fresh'Image, Image.Error_Status,
+            (if Fresh then No_Error else Stale_Data));
+         for Number in Channel loop
+            Expect
+              ("channel" & Number'Image, Image.Words (Number),
+               16#100# + Word (Number));
+         end loop;
+      end loop;
+   end Stamps;
+
+   ------------------
+   -- Out_Of_Range --
+   ------------------
+
+   procedure Out_Of_Range is
+      Up   : Uplink_Buffer;
+      Down : Downlink_Buffer;
+   begin
+      for Value in Word loop
+         Expect
+           ("word" & Value'Image & " is out of range",
+            Is_Out_Of_Range (Value), Value > 4_095);
+      end loop;
+
+      Expect
+        ("any of good commands", Any_Out_Of_Range (Neutral_Uplink), False);
+      for Item in Uplink_Item loop
+         Up := Neutral_Uplink;
+         Up (Item) := 16#1000#;
+         Expect
+           ("any with " & Item'Image, Any_Out_Of_Range (Up),
+            Item /= Error_Status);
+      end loop;
+
+      Expect
+        ("any of good sensors", Any_Out_Of_Range (Neutral_Downlink), False);
+      for Item in Downlink_Item loop
+         Down := Neutral_Downlink;
+         Down (Item) := 16#1000#;
+         Expect
+           ("any with " & Item'Image, Any_Out_Of_Range (Down),
+            Item /= Error_Status);
+      end loop;
+   end Out_Of_Range;
+
+   ---------------------
+   -- Passed_On_Whole --
+   ---------------------
+
+   procedure Passed_On_Whole is
+      Image : AD_Image := Neutral_Image;
+   begin
+      Image.Words (0) := 16#FFFF#;
+      Image.Words (1) := 16#1000#;
+      Expect
+        ("roll to the wire and back",
+         Uplink.Decode (Uplink.Encode (To_Uplink (Image))) (Roll), 16#FFFF#);
+      Expect
+        ("left flap 1 to the wire and back",
+         Downlink.Decode (Downlink.Encode (To_Downlink (Image))) (Left_Flap_1),
+         16#1000#);
+   end Passed_On_Whole;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "D-3 28 bytes go up, 56 come down", Wire_Lengths'Access);
+      Add
+        (Suite, "BUF-1 on the wire: in order, high byte first",
+         Uplink_Bytes'Access);
+      Add
+        (Suite, "BUF-2 on the wire: in order, high byte first",
+         Downlink_Bytes'Access);
+      Add
+        (Suite, "BUF-3 every word comes back from the wire as it was",
+         Round_Trips'Access);
+      Add
+        (Suite, "GDO-1 13 channels and the error word make an uplink",
+         Image_Uplink'Access);
+      Add
+        (Suite, "MDO-1 27 channels and the error word make a downlink",
+         Image_Downlink'Access);
+      Add
+        (Suite, "AD-1 the error word says whether the scan is fresh",
+         Stamps'Access);
+      Add
+        (Suite, "D-11 words above 0FFFh are told from good ones",
+         Out_Of_Range'Access);
+      Add
+        (Suite, "D-11 words above 0FFFh are passed on unchanged",
+         Passed_On_Whole'Access);
+   end Add_To;
+
+end Codecs_Tests;

@@ -1,0 +1,12 @@
+--  Expects a number or a name. A failure says what it is of and tells both
+--  values and the test's line; it ends the test.
+
+with GNAT.Source_Info;
+
+generic
+   type Value is (<>);
+procedure Expect_Value
+  (What             : String;
+   Actual, Expected : Value;
+   Source           : String   := GNAT.Source_Info.File;
+   Line             : Positive := GNAT.Source_Info.Line);

@@ -1,0 +1,26 @@
+with AUnit.Assertions; use AUnit.Assertions;
+
+package body Expectations is
+
+   --------------------
+   -- Expect_Refusal --
+   --------------------
+
+   procedure Expect_Refusal
+     (What   : String;
+      Action : not null access procedure;
+      Source : String   := GNAT.Source_Info.File;
+      Line   : Positive := GNAT.Source_Info.Line)
+   is
+      Refused : Boolean := False;
+   begin
+      begin
+         Action.all;
+      exception
+         when others =>
+            Refused := True;
+      end;
+      Assert (Refused, What & ": accepted, expected a refusal", Source, Line);
+   end Expect_Refusal;
+
+end Expectations;

@@ -1,0 +1,129 @@
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Checks;            use Checks;
+with Expect_Value;
+with Expectations;      use Expectations;
+with URVOS;             use URVOS;
+with Telemetry.Headers; use Telemetry.Headers;
+
+package body Headers_Tests is
+
+   --  The tests, in order.
+   procedure Round_Trips;
+   procedure Valid_Bytes;
+   procedure Distances;
+   procedure Noise;
+
+   type Row is record
+      Value : Header;
+      Name  : String (1 .. 16);
+   end record;
+
+   --  Every message there is.
+   Table : constant array (Positive range <>) of Row :=
+     (((Kind => Command_To_Downlink),         "command         "),
+      ((Status, Good => True,  Wants_Downlink => False), "good            "),
+      ((Status, Good => True,  Wants_Downlink => True),  "good, wants     "),
+      ((Status, Good => False, Wants_Downlink => False), "bad             "),
+      ((Status, Good => False, Wants_Downlink => True),  "bad, wants      "),
+      ((Data, Length => 1),                   "data 1          "),
+      ((Data, Length => 2),                   "data 2          "),
+      ((Data, Length => 4),                   "data 4          "),
+      ((Data, Length => 28),                  "data 28         "),
+      ((Data, Length => 56),                  "data 56         "));
+
+   --  How many bits of a byte are ones.
+   function Ones (Value : Byte) return Natural;
+
+   procedure Expect is new Expect_Value (Header_Kind);
+
+   ----------
+   -- Ones --
+   ----------
+
+   function Ones (Value : Byte) return Natural is
+     (if Value = 0 then 0
+      else Natural (Value mod 2) + Ones (Value / 2));
+
+   -----------------
+   -- Round_Trips --
+   -----------------
+
+   procedure Round_Trips is
+   begin
+      for Each of Table loop
+         Expect (Each.Name & "is valid", Is_Valid (Encode (Each.Value)), True);
+         Expect
+           (Each.Name & "comes back as its kind",
+            Decode (Encode (Each.Value)).Kind, Each.Value.Kind);
+         Assert
+           (Decode (Encode (Each.Value)) = Each.Value,
+            Each.Name & "comes back as something else, expected itself");
+      end loop;
+   end Round_Trips;
+
+   -----------------
+   -- Valid_Bytes --
+   -----------------
+
+   procedure Valid_Bytes is
+      Valid : Natural := 0;
+   begin
+      for Value in Byte loop
+         if Is_Valid (Value) then
+            Valid := Valid + 1;
+            Expect
+              ("byte decoded and encoded", Encode (Decode (Value)), Value);
+         end if;
+      end loop;
+      Expect_Number ("valid headers", Valid, Table'Length);
+   end Valid_Bytes;
+
+   ---------------
+   -- Distances --
+   ---------------
+
+   procedure Distances is
+   begin
+      for One in Byte loop
+         for Another in Byte loop
+            if One /= Another
+              and then Is_Valid (One) and then Is_Valid (Another)
+            then
+               Expect
+                 ("less than 4 bits between" & One'Image & " and"
+                  & Another'Image, Ones (One xor Another) < 4, False);
+            end if;
+         end loop;
+      end loop;
+   end Distances;
+
+   -----------
+   -- Noise --
+   -----------
+
+   procedure Noise is
+   begin
+      Expect ("a line held low is a header", Is_Valid (16#00#), False);
+      Expect ("a line held high is a header", Is_Valid (16#FF#), False);
+   end Noise;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "LNK-3 every kind of message comes back as it was sent",
+         Round_Trips'Access);
+      Add
+        (Suite, "LNK-3 no byte but those of the ten messages is a header",
+         Valid_Bytes'Access);
+      Add
+        (Suite, "D-6 three wrong bits never turn one header into another",
+         Distances'Access);
+      Add (Suite, "D-6 a dead line is no header", Noise'Access);
+   end Add_To;
+
+end Headers_Tests;

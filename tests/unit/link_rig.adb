@@ -1,0 +1,172 @@
+with Expectations; use Expectations;
+
+package body Link_Rig is
+
+   function Peer (Of_Station : Station) return Station is
+     (if Of_Station = Ground then Aircraft else Ground);
+
+   --  Every byte differs from its neighbours.
+   function Block (Mark : Byte) return Block_Data;
+
+   --  Notes a character for the trace.
+   procedure Note (Item : in out Link; Sender : Station);
+
+   --  Lets the other station hear what arrives of a character.
+   procedure Deliver
+     (Item   : in out Link;
+      Sender : Station;
+      Data   : Byte;
+      Fault  : Fault_Procedure);
+
+   -----------
+   -- Block --
+   -----------
+
+   function Block (Mark : Byte) return Block_Data is
+   begin
+      return Result : Block_Data do
+         for I in Result'Range loop
+            Result (I) := Mark + 7 * Byte (I - 1);
+         end loop;
+      end return;
+   end Block;
+
+   ----------
+   -- Note --
+   ----------
+
+   procedure Note (Item : in out Link; Sender : Station) is
+   begin
+      Item.Sent (Sender) := Item.Sent (Sender) + 1;
+      if Item.Turns > 0 and then Item.Trace (Item.Turns).Sender = Sender then
+         Item.Trace (Item.Turns).Length := Item.Trace (Item.Turns).Length + 1;
+      elsif Item.Turns < Longest_Trace then
+         Item.Turns := Item.Turns + 1;
+         Item.Trace (Item.Turns) := (Sender, 1);
+      end if;
+   end Note;
+
+   -------------
+   -- Deliver --
+   -------------
+
+   procedure Deliver
+     (Item   : in out Link;
+      Sender : Station;
+      Data   : Byte;
+      Fault  : Fault_Procedure)
+   is
+      procedure Hear (Heard : Byte; Parity_Error : Boolean := False);
+
+      ----------
+      -- Hear --
+      ----------
+
+      procedure Hear (Heard : Byte; Parity_Error : Boolean := False) is
+      begin
+         if Sender = Ground then
+            Accept_Character (Item.Aircraft_Board, Heard, Parity_Error);
+         else
+            Accept_Character (Item.Ground_Board, Heard, Parity_Error);
+         end if;
+      end Hear;
+
+      What : Arrival := Whole;
+      Mask : Byte    := 0;
+   begin
+      if Fault /= null then
+         Fault (Sender, Item.Sent (Sender), What, Mask);
+      end if;
+      case What is
+         when Whole      => Hear (Data);
+         when Changed    => Hear (Data xor Mask);
+         when Odd_Parity => Hear (Data xor Mask, Parity_Error => True);
+         when Lost       => null;
+         when Doubled    =>
+            Hear (Data);
+            Hear (Data xor Mask);
+      end case;
+   end Deliver;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run
+     (Item  : in out Link;
+      Times : Natural;
+      Fault : Fault_Procedure := null)
+   is
+      type Outputs is array (Station) of Byte;
+      type Output_Flags is array (Station) of Boolean;
+      Data : Outputs;
+      Send : Output_Flags;
+   begin
+      for Time in 1 .. Times loop
+         Next_Character
+           (Item.Ground_Board, Send (Ground), Data (Ground));
+         Next_Character
+           (Item.Aircraft_Board, Send (Aircraft), Data (Aircraft));
+         Elapse (Item.Ground_Board, 1);
+         Elapse (Item.Aircraft_Board, 1);
+         for Sender in Station loop
+            if Send (Sender) then
+               Note (Item, Sender);
+               Deliver (Item, Sender, Data (Sender), Fault);
+            end if;
+         end loop;
+      end loop;
+   end Run;
+
+   ----------
+   -- Give --
+   ----------
+
+   procedure Give (Item : in out Link; From : Station; Mark : Byte) is
+      Unused_Overwrote : Boolean;
+   begin
+      if From = Ground then
+         Put (Item.Ground_Board, Block (Mark), Unused_Overwrote);
+      else
+         Put (Item.Aircraft_Board, Block (Mark), Unused_Overwrote);
+      end if;
+   end Give;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte)
+   is
+      Data     : Block_Data;
+      Fresh    : Boolean;
+      Ever     : Boolean;
+      Expected : Block_Data;
+      Length   : constant Byte_Index :=
+        (if At_Station = Ground then 56 else 28);
+   begin
+      if At_Station = Ground then
+         Take (Item.Ground_Board, Data, Fresh, Ever);
+      else
+         Take (Item.Aircraft_Board, Data, Fresh, Ever);
+      end if;
+
+      Mark := 0;
+      if Fresh then
+         Mark     := Data (1);
+         Expected := Block (Mark);
+         for I in 1 .. Length loop
+            Expect
+              ("byte" & I'Image & " of block" & Mark'Image, Data (I),
+               Expected (I));
+         end loop;
+         Expect ("a fresh block without any ever received", Ever, True);
+         Expect
+           ("block" & Mark'Image & " is older than the one before,"
+            & Item.Came_Out (Peer (At_Station))'Image,
+            Mark < Item.Came_Out (Peer (At_Station)), False);
+         Item.Came_Out (Peer (At_Station)) := Mark;
+      end if;
+   end Take;
+
+end Link_Rig;

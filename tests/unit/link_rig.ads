@@ -1,0 +1,73 @@
+--  Two telemetry boards and the line between them, in character times. A
+--  test may spoil any character on the line.
+
+with URVOS;            use URVOS;
+with Telemetry;        use Telemetry;
+with Telemetry.Boards; use Telemetry.Boards;
+
+package Link_Rig is
+
+   --  What arrives in place of a character that was sent.
+   type Arrival is
+     (Whole,
+      Changed,      --  other bits, parity right
+      Odd_Parity,   --  other bits, parity wrong
+      Lost,
+      Doubled);     --  the character, then it again, changed
+
+   --  Decides what arrives of a sender's Number-th character, counted from
+   --  1. The bits to change are in Mask.
+   type Fault_Procedure is access procedure
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte);
+
+   type Character_Counts is array (Station) of Natural;
+
+   --  Blocks are known by a mark from 1. The last one that came out at the
+   --  other end is kept, so that none may come out that is older.
+   type Last_Marks is array (Station) of Byte;
+
+   --  Who sent how many characters in a row.
+   type Transmission is record
+      Sender : Station;
+      Length : Natural;
+   end record;
+
+   Longest_Trace : constant := 32;
+   type Trace_List is array (1 .. Longest_Trace) of Transmission;
+
+   type Link is record
+      Ground_Board   : Board (Ground, 28, 56);
+      Aircraft_Board : Board (Aircraft, 56, 28);
+      Sent           : Character_Counts := (others => 0);
+      Came_Out       : Last_Marks := (others => 0);
+
+      --  The turns since the link was made, as many as there is room for.
+      Trace          : Trace_List;
+      Turns          : Natural := 0;
+   end record;
+
+   --  Character times of a major frame: 20 ms at 96 us.
+   Frame : constant := 208;
+
+   --  Dead space resets of both boards.
+   function Resets (Item : Link) return Count is
+     (Item.Ground_Board.Tally.Resets + Item.Aircraft_Board.Tally.Resets);
+
+   --  Lets some character times pass.
+   procedure Run
+     (Item  : in out Link;
+      Times : Natural;
+      Fault : Fault_Procedure := null);
+
+   --  A station's controller gives its board a block.
+   procedure Give (Item : in out Link; From : Station; Mark : Byte);
+
+   --  A station's controller takes the block that came in; Mark is 0 if
+   --  there is none. The test fails if the block is not one that was given,
+   --  or older than the one before.
+   procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte);
+
+end Link_Rig;

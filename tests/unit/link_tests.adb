@@ -1,0 +1,752 @@
+with Checks;           use Checks;
+with Expect_Value;
+with Expectations;     use Expectations;
+with Link_Rig;         use Link_Rig;
+with URVOS;            use URVOS;
+with Telemetry;        use Telemetry;
+with Telemetry.Boards; use Telemetry.Boards;
+with Telemetry.Memory; use Telemetry.Memory;
+
+package body Link_Tests is
+
+   --  The tests, in order.
+   procedure Sequence;
+   procedure Bandwidth;
+   procedure Any_Phase;
+   procedure At_Once;
+   procedure Good_Status;
+   procedure Retry;
+   procedure Scrap;
+   procedure Scrap_Downlink;
+   procedure Two_Full;
+   procedure Busy_Meanwhile;
+   procedure Permission;
+   procedure Priority;
+   procedure Retry_Priority;
+   procedure Nothing_To_Send;
+   procedure Messages;
+   procedure Every_Fault;
+   procedure Cuts;
+   procedure Storm;
+   procedure Restarts;
+
+   procedure Expect is new Expect_Value (Station);
+
+   --  The turns of the line so far: who, and how many characters.
+   type Turns is array (Positive range <>) of Transmission;
+   procedure Expect_Turns (Item : Link; Expected : Turns);
+
+   --  What a station takes.
+   procedure Expect_Block
+     (Item       : in out Link;
+      At_Station : Station;
+      Expected   : Byte);
+
+   --  Frames in which both stations give a block, the aircraft's Phase
+   --  character times later, and take what came at the frame's end. Marks
+   --  begin with First.
+   procedure Fly
+     (Item   : in out Link;
+      Frames : Positive;
+      First  : Byte;
+      Phase  : Natural;
+      Fault  : Fault_Procedure := null);
+
+   --  After two frames to find together again, three frames must bring
+   --  each block across, once, and no reset.
+   procedure Expect_Recovered (What : String; Item : in out Link);
+
+   --  The fault under test, for the library-level procedures below.
+   Spoilt_Sender : Station;
+   First_Spoilt  : Natural;
+   Last_Spoilt   : Natural;
+   Spoilt_How    : Arrival;
+   Spoilt_Mask   : Byte;
+
+   --  Spoils the characters chosen above.
+   procedure Spoil
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte);
+
+   --  Loses every character.
+   procedure Cut
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte);
+
+   --  Spoils one message in three or so, in one character: what a single
+   --  byte of checksum is made for.
+   procedure Rain
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte);
+
+   --  State of the random numbers of Rain.
+   type Random_State is mod 2 ** 32;
+   Drops : Random_State := 1;
+
+   --  So many characters stay as they are before the next drop.
+   Dry : Natural := 0;
+
+   ------------------
+   -- Expect_Turns --
+   ------------------
+
+   procedure Expect_Turns (Item : Link; Expected : Turns) is
+   begin
+      for I in Expected'Range loop
+         Expect
+           ("sender of turn" & I'Image, Item.Trace (I).Sender,
+            Expected (I).Sender);
+         Expect_Number
+           ("characters of turn" & I'Image, Item.Trace (I).Length,
+            Expected (I).Length);
+      end loop;
+      Expect_Number ("turns", Item.Turns, Expected'Length);
+   end Expect_Turns;
+
+   ------------------
+   -- Expect_Block --
+   ------------------
+
+   procedure Expect_Block
+     (Item       : in out Link;
+      At_Station : Station;
+      Expected   : Byte)
+   is
+      Mark : Byte;
+   begin
+      Take (Item, At_Station, Mark);
+      Expect ("block at the " & At_Station'Image, Mark, Expected);
+   end Expect_Block;
+
+   ---------
+   -- Fly --
+   ---------
+
+   procedure Fly
+     (Item   : in out Link;
+      Frames : Positive;
+      First  : Byte;
+      Phase  : Natural;
+      Fault  : Fault_Procedure := null)
+   is
+      Mark : Byte;
+   begin
+      for Number in 0 .. Frames - 1 loop
+         Give (Item, Ground, First + Byte (Number));
+         Run (Item, Phase, Fault);
+         Give (Item, Aircraft, First + Byte (Number));
+         Take (Item, Aircraft, Mark);
+         Run (Item, Frame - Phase, Fault);
+         Take (Item, Ground, Mark);
+      end loop;
+   end Fly;
+
+   -----------
+   -- Spoil --
+   -----------
+
+   procedure Spoil
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte) is
+   begin
+      What :=
+        (if Sender = Spoilt_Sender and then Number >= First_Spoilt
+           and then Number <= Last_Spoilt
+         then Spoilt_How else Whole);
+      Mask := Spoilt_Mask;
+   end Spoil;
+
+   ---------
+   -- Cut --
+   ---------
+
+   procedure Cut
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte)
+   is
+      pragma Unreferenced (Sender, Number);
+   begin
+      What := Lost;
+      Mask := 0;
+   end Cut;
+
+   ----------
+   -- Rain --
+   ----------
+
+   procedure Rain
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte)
+   is
+      pragma Unreferenced (Sender, Number);
+   begin
+      What := Whole;
+      Mask := 0;
+      if Dry > 0 then
+         Dry := Dry - 1;
+      else
+         Drops := 1_664_525 * Drops + 1_013_904_223;
+         Dry   := 60 + Natural (Drops / 2 ** 24);
+         Mask  := 2 ** Natural (Drops / 2 ** 8 mod 8);
+         What  := Arrival'Val (1 + Drops / 2 ** 16 mod 3);
+      end if;
+   end Rain;
+
+   ----------------------
+   -- Expect_Recovered --
+   ----------------------
+
+   procedure Expect_Recovered (What : String; Item : in out Link) is
+      Up, Down : Count;
+      Before   : Count;
+      Mark     : Byte;
+   begin
+      Fly (Item, 2, 101, Phase => 40);
+      Before := Resets (Item);
+      Up     := Item.Aircraft_Board.Messages;
+      Down   := Item.Ground_Board.Messages;
+      for Number in Byte range 103 .. 105 loop
+         Give (Item, Ground, Number);
+         Give (Item, Aircraft, Number);
+         Run (Item, Frame);
+         Take (Item, Aircraft, Mark);
+         Expect (What & ": block up", Mark, Number);
+         Take (Item, Ground, Mark);
+         Expect (What & ": block down", Mark, Number);
+      end loop;
+      Expect (What & ": blocks up", Item.Aircraft_Board.Messages - Up, 3);
+      Expect (What & ": blocks down", Item.Ground_Board.Messages - Down, 3);
+      Expect (What & ": resets", Resets (Item), Before);
+   end Expect_Recovered;
+
+   --------------
+   -- Sequence --
+   --------------
+
+   procedure Sequence is
+      Item : Link;
+   begin
+      Give (Item, Ground, 1);
+      Give (Item, Aircraft, 2);
+      Run (Item, Frame);
+      Expect_Turns
+        (Item,
+         ((Ground, 30),      --  data
+          (Aircraft, 1),     --  status
+          (Ground, 1),       --  command to downlink
+          (Aircraft, 58),    --  data
+          (Ground, 1)));     --  status
+      Expect_Block (Item, Aircraft, 1);
+      Expect_Block (Item, Ground, 2);
+   end Sequence;
+
+   ---------------
+   -- Bandwidth --
+   ---------------
+
+   procedure Bandwidth is
+      Ticks  : constant := 10;
+      Before : Character_Counts;
+   begin
+      for Phase in 0 .. Ticks - 1 loop
+         declare
+            Item : Link;
+         begin
+            Fly (Item, 2, 1, Phase * Frame / Ticks);
+            for Number in Byte range 3 .. 10 loop
+               Before := Item.Sent;
+               Fly (Item, 1, Number, Phase * Frame / Ticks);
+               Expect_Number
+                 ("phase" & Phase'Image & ", characters up",
+                  Item.Sent (Ground) - Before (Ground), 32);
+               Expect_Number
+                 ("phase" & Phase'Image & ", characters down",
+                  Item.Sent (Aircraft) - Before (Aircraft), 59);
+            end loop;
+         end;
+      end loop;
+   end Bandwidth;
+
+   ---------------
+   -- Any_Phase --
+   ---------------
+
+   procedure Any_Phase is
+      Frames : constant := 8;
+   begin
+      --  There is a phase in which the aircraft's block comes just after
+      --  it was asked for one. Then two frames make one message.
+      for Phase in 0 .. Frame - 1 loop
+         declare
+            Item : Link;
+         begin
+            Fly (Item, Frames, 1, Phase);
+            Expect
+              ("phase" & Phase'Image & ", blocks up",
+               Item.Aircraft_Board.Messages, Frames);
+            Expect
+              ("phase" & Phase'Image & ", less than half the blocks down",
+               Item.Ground_Board.Messages < Frames / 2, False);
+            Expect ("phase" & Phase'Image & ", resets", Resets (Item), 0);
+         end;
+      end loop;
+   end Any_Phase;
+
+   -------------
+   -- At_Once --
+   -------------
+
+   procedure At_Once is
+      Item : Link;
+   begin
+      Give (Item, Ground, 1);
+      Run (Item, 30);
+      Expect_Number ("before the status", Item.Sent (Aircraft), 0);
+      Expect ("block received", Item.Aircraft_Board.Messages, 1);
+      Run (Item, 1);
+      Expect_Number ("with the status", Item.Sent (Aircraft), 1);
+   end At_Once;
+
+   -----------------
+   -- Good_Status --
+   -----------------
+
+   procedure Good_Status is
+      Item : Link;
+   begin
+      Give (Item, Ground, 1);
+      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), True);
+      Run (Item, 30);
+      Expect
+        ("full before the status", Any_Full (Item.Ground_Board.Transmit_Pair),
+         True);
+      Run (Item, 1);
+      Expect
+        ("full after the status", Any_Full (Item.Ground_Board.Transmit_Pair),
+         False);
+      for Which in Slot loop
+         Expect
+           ("busy after the status",
+            Item.Ground_Board.Transmit_Pair.Slots (Which).Busy, False);
+      end loop;
+   end Good_Status;
+
+   -----------
+   -- Retry --
+   -----------
+
+   procedure Retry is
+      Item : Link;
+   begin
+      --  The first transmission is spoilt, the second is not.
+      Spoilt_Sender := Ground;
+      First_Spoilt  := 5;
+      Last_Spoilt   := 5;
+      Spoilt_How    := Changed;
+      Spoilt_Mask   := 3;
+      Give (Item, Ground, 1);
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+      Expect_Block (Item, Aircraft, 1);
+      Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
+      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
+      Expect ("bad", Item.Aircraft_Board.Tally.Bad, 1);
+      Expect ("received", Item.Aircraft_Board.Tally.Received, 1);
+   end Retry;
+
+   -----------
+   -- Scrap --
+   -----------
+
+   procedure Scrap is
+      Item : Link;
+   begin
+      --  Both transmissions are spoilt; there is no third.
+      Spoilt_Sender := Ground;
+      First_Spoilt  := 5;
+      Last_Spoilt   := 35;
+      Spoilt_How    := Odd_Parity;
+      Spoilt_Mask   := 1;
+      Give (Item, Ground, 1);
+      Run (Item, 30, Spoil'Access);
+      First_Spoilt := 32;
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+      Expect_Block (Item, Aircraft, 0);
+      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 1);
+      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
+
+      --  The next block goes as if nothing had been.
+      Give (Item, Ground, 2);
+      Run (Item, Frame);
+      Expect_Block (Item, Aircraft, 2);
+      Expect ("sent", Item.Ground_Board.Tally.Sent, 3);
+   end Scrap;
+
+   --------------------
+   -- Scrap_Downlink --
+   --------------------
+
+   procedure Scrap_Downlink is
+      Item : Link;
+   begin
+      --  Character 1 of the aircraft is its status, 2 to 59 its data.
+      Spoilt_Sender := Aircraft;
+      First_Spoilt  := 10;
+      Last_Spoilt   := 10;
+      Spoilt_How    := Changed;
+      Spoilt_Mask   := 16#0F#;
+      Give (Item, Ground, 1);
+      Give (Item, Aircraft, 9);
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item,
+         ((Ground, 30), (Aircraft, 1), (Ground, 1), (Aircraft, 58),
+          (Ground, 2),       --  bad status, command again
+          (Aircraft, 58), (Ground, 1)));
+      Expect_Block (Item, Ground, 9);
+      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 0);
+
+      --  Now twice.
+      Give (Item, Ground, 2);
+      Give (Item, Aircraft, 10);
+      First_Spoilt := Item.Sent (Aircraft) + 10;
+      Last_Spoilt  := First_Spoilt + 58;
+      Run (Item, Frame, Spoil'Access);
+      Expect_Block (Item, Ground, 0);
+      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
+
+      Give (Item, Ground, 3);
+      Give (Item, Aircraft, 11);
+      Run (Item, Frame);
+      Expect_Block (Item, Ground, 11);
+   end Scrap_Downlink;
+
+   --------------
+   -- Two_Full --
+   --------------
+
+   procedure Two_Full is
+      Item : Link;
+   begin
+      Give (Item, Ground, 1);
+      Give (Item, Ground, 2);
+      Expect ("both full", Both_Full (Item.Ground_Board.Transmit_Pair), True);
+      Run (Item, Frame);
+      Expect_Number ("characters", Item.Sent (Ground), 30);
+      Expect_Block (Item, Aircraft, 2);
+      Expect ("sent", Item.Ground_Board.Tally.Sent, 1);
+      Expect ("cleared", Item.Ground_Board.Tally.Cleared, 1);
+      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
+   end Two_Full;
+
+   --------------------
+   -- Busy_Meanwhile --
+   --------------------
+
+   procedure Busy_Meanwhile is
+      Item : Link;
+      Busy : Natural;
+   begin
+      Give (Item, Ground, 1);
+      for Time in 1 .. 30 loop
+         Run (Item, 1);
+         Busy := 0;
+         for Each of Item.Ground_Board.Transmit_Pair.Slots loop
+            Busy := Busy + (if Each.Busy then 1 else 0);
+         end loop;
+         Expect_Number ("busy buffers at" & Time'Image, Busy, 1);
+
+         --  What the controller gives meanwhile never gets mixed in.
+         Give (Item, Ground, 2);
+      end loop;
+      Expect_Block (Item, Aircraft, 1);
+      Run (Item, Frame);
+      Expect_Block (Item, Aircraft, 2);
+   end Busy_Meanwhile;
+
+   ----------------
+   -- Permission --
+   ----------------
+
+   procedure Permission is
+      Item : Link;
+   begin
+      --  Without a word from the ground the aircraft is silent.
+      Give (Item, Aircraft, 1);
+      Run (Item, 10 * Frame);
+      Expect_Number ("characters down", Item.Sent (Aircraft), 0);
+
+      --  With one it asks, is told, and sends.
+      Give (Item, Ground, 2);
+      Run (Item, Frame);
+      Expect_Block (Item, Ground, 1);
+   end Permission;
+
+   --------------
+   -- Priority --
+   --------------
+
+   procedure Priority is
+      Item : Link;
+   begin
+      --  New data at the ground comes while the aircraft asks to downlink.
+      Give (Item, Aircraft, 7);
+      Give (Item, Ground, 1);
+      Run (Item, 29);
+      Give (Item, Ground, 2);
+      Run (Item, Frame);
+      Expect_Turns
+        (Item,
+         ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1),
+          (Ground, 1), (Aircraft, 58), (Ground, 1)));
+      Expect_Block (Item, Aircraft, 2);
+      Expect_Block (Item, Ground, 7);
+   end Priority;
+
+   --------------------
+   -- Retry_Priority --
+   --------------------
+
+   procedure Retry_Priority is
+      Item : Link;
+   begin
+      --  The retry goes before the downlink that was asked for.
+      Spoilt_Sender := Ground;
+      First_Spoilt  := 8;
+      Last_Spoilt   := 8;
+      Spoilt_How    := Odd_Parity;
+      Spoilt_Mask   := 4;
+      Give (Item, Aircraft, 7);
+      Give (Item, Ground, 1);
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item,
+         ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1),
+          (Ground, 1), (Aircraft, 58), (Ground, 1)));
+   end Retry_Priority;
+
+   ---------------------
+   -- Nothing_To_Send --
+   ---------------------
+
+   procedure Nothing_To_Send is
+      Item : Link;
+   begin
+      --  A silent link is no error.
+      Run (Item, 100 * Frame);
+      Expect_Number ("up", Item.Sent (Ground), 0);
+      Expect_Number ("down", Item.Sent (Aircraft), 0);
+      Expect ("resets", Resets (Item), 0);
+      Expect_Recovered ("after silence", Item);
+   end Nothing_To_Send;
+
+   --------------
+   -- Messages --
+   --------------
+
+   procedure Messages is
+      Item  : Link;
+      Data  : Block_Data;
+      Fresh : Boolean;
+      Ever  : Boolean;
+   begin
+      Take (Item.Aircraft_Board, Data, Fresh, Ever);
+      Expect ("fresh before the first", Fresh, False);
+      Expect ("ever before the first", Ever, False);
+      for Number in Count range 1 .. 20 loop
+         Give (Item, Ground, Byte (Number));
+         Run (Item, Frame);
+         Expect ("messages", Item.Aircraft_Board.Messages, Number);
+      end loop;
+      Take (Item.Aircraft_Board, Data, Fresh, Ever);
+      Expect ("fresh", Fresh, True);
+      Take (Item.Aircraft_Board, Data, Fresh, Ever);
+      Expect ("fresh twice", Fresh, False);
+      Expect ("ever, later", Ever, True);
+   end Messages;
+
+   -----------------
+   -- Every_Fault --
+   -----------------
+
+   procedure Every_Fault is
+      type Mask_List is array (Positive range <>) of Byte;
+      Masks : constant Mask_List := (1, 16#C0#, 16#FF#);
+   begin
+      --  Each character of a frame in turn, spoilt in each way. The third
+      --  frame is spoilt, when the exchange is regular.
+      for Sender in Station loop
+         for Number in 1 .. (if Sender = Ground then 32 else 59) loop
+            for How in Changed .. Doubled loop
+               for Mask of Masks loop
+                  declare
+                     Item : Link;
+                  begin
+                     Fly (Item, 2, 1, Phase => 40);
+                     Spoilt_Sender := Sender;
+                     First_Spoilt  := Item.Sent (Sender) + Number;
+                     Last_Spoilt   := First_Spoilt;
+                     Spoilt_How    := How;
+                     Spoilt_Mask   := Mask;
+                     Fly (Item, 1, 3, Phase => 40, Fault => Spoil'Access);
+                     Expect_Recovered
+                       (Sender'Image & Number'Image & " " & How'Image
+                         & Mask'Image,
+                        Item);
+                  end;
+               end loop;
+            end loop;
+         end loop;
+      end loop;
+   end Every_Fault;
+
+   ----------
+   -- Cuts --
+   ----------
+
+   procedure Cuts is
+      type Length_List is array (Positive range <>) of Positive;
+      Lengths : constant Length_List :=
+        (1, 2, 20, 24, 40, 300);
+   begin
+      --  Cut at any time of a frame, for a while or for long.
+      for Start in 0 .. Frame - 1 loop
+         for Length of Lengths loop
+            declare
+               Item : Link;
+            begin
+               Fly (Item, 1, 1, Phase => 40);
+               Give (Item, Ground, 2);
+               Give (Item, Aircraft, 2);
+               Run (Item, Start);
+               Run (Item, Length, Cut'Access);
+               Expect_Recovered
+                 ("cut at" & Start'Image & " for" & Length'Image, Item);
+            end;
+         end loop;
+      end loop;
+   end Cuts;
+
+   -----------
+   -- Storm --
+   -----------
+
+   procedure Storm is
+   begin
+      Drops := 1;
+      for Flight in 1 .. 100 loop
+         declare
+            Item : Link;
+         begin
+            Fly (Item, 50, 1, Phase => Flight mod Frame,
+                 Fault => Rain'Access);
+            Expect_Recovered ("storm" & Flight'Image, Item);
+         end;
+      end loop;
+   end Storm;
+
+   --------------
+   -- Restarts --
+   --------------
+
+   procedure Restarts is
+   begin
+      --  Either board starts again at any time of a frame.
+      for Time in 0 .. Frame - 1 loop
+         for Who in Station loop
+            declare
+               Item : Link;
+            begin
+               Fly (Item, 1, 1, Phase => 40);
+               Give (Item, Ground, 2);
+               Give (Item, Aircraft, 2);
+               Run (Item, Time);
+               if Who = Ground then
+                  --  A board that starts is silent for a while.
+                  Elapse (Item.Aircraft_Board, Idle_Time);
+                  Start (Item.Ground_Board);
+                  Expect ("messages", Item.Ground_Board.Messages, 0);
+               else
+                  Start (Item.Aircraft_Board);
+                  Expect ("messages", Item.Aircraft_Board.Messages, 0);
+               end if;
+               Expect_Recovered (Who'Image & " started at" & Time'Image, Item);
+            end;
+         end loop;
+      end loop;
+   end Restarts;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "LNK-2 data, status, command, data, status: in that order",
+         Sequence'Access);
+      Add
+        (Suite, "D-5 32 characters up and 59 down a frame, at whole ticks",
+         Bandwidth'Access);
+      Add
+        (Suite, "D-12 in any phase blocks go up and down, without a reset",
+         Any_Phase'Access);
+      Add (Suite, "LNK-5 a data message is answered at once", At_Once'Access);
+      Add
+        (Suite, "LNK-6 good status empties the transmit buffer",
+         Good_Status'Access);
+      Add
+        (Suite, "LNK-6 a block that came bad is sent once more", Retry'Access);
+      Add
+        (Suite, "LNK-6 a block that came bad twice is scrapped", Scrap'Access);
+      Add
+        (Suite, "LNK-6 a downlink is repeated and scrapped just so",
+         Scrap_Downlink'Access);
+      Add
+        (Suite, "LNK-7 of two full buffers the newest is sent, no other",
+         Two_Full'Access);
+      Add
+        (Suite, "LNK-7 a buffer is busy and whole while it is sent",
+         Busy_Meanwhile'Access);
+      Add
+        (Suite, "LNK-8 the aircraft waits for permission", Permission'Access);
+      Add
+        (Suite, "LNK-8 new data goes up before the downlink", Priority'Access);
+      Add
+        (Suite, "LNK-8 a retry goes up before the downlink",
+         Retry_Priority'Access);
+      Add
+        (Suite, "LNK-9 silence without data is no error",
+         Nothing_To_Send'Access);
+      Add
+        (Suite, "LNK-10 the board counts the messages received",
+         Messages'Access);
+      Add
+        (Suite, "LNK-9 any spoilt character is overcome in two frames",
+         Every_Fault'Access);
+      Add
+        (Suite, "LNK-9 a cut at any time is overcome in two frames",
+         Cuts'Access);
+      Add
+        (Suite, "LNK-9 a hundred storms: nothing wrong, old or stuck",
+         Storm'Access);
+      Add
+        (Suite, "LNK-9 a board may start again at any time", Restarts'Access);
+   end Add_To;
+
+end Link_Tests;

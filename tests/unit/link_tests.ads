@@ -1,0 +1,10 @@
+--  LNK-2 to LNK-10: two boards and a line between them that can be cut,
+--  and whose characters can be changed, lost, doubled and invented.
+
+with AUnit.Test_Suites;
+
+package Link_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Link_Tests;

@@ -1,0 +1,202 @@
+with Checks;            use Checks;
+with Expectations;      use Expectations;
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.PWM_Transform; use URV.PWM_Transform;
+
+package body PWM_Tests is
+
+   --  The tests, in order.
+   procedure Neutral;
+   procedure Each_Command;
+   procedure Every_Switch;
+   procedure Threshold;
+   procedure Too_Large;
+   procedure Error_Word;
+
+   --  Every command different, switches off.
+   Commands : constant Uplink_Buffer :=
+     (Roll         => 16#111#,
+      Pitch        => 16#222#,
+      Yaw          => 16#333#,
+      Throttle     => 16#444#,
+      Brake        => 16#555#,
+      Switch_Item  => 0,
+      Error_Status => No_Error);
+
+   --  Which command each servo follows; the flaps follow none.
+   type Servo_Source is array (Left_Aileron .. Brake) of Command_Item;
+   Source : constant Servo_Source :=
+     (Left_Aileron | Right_Aileron          => Roll,
+      Left_Elevator | Right_Elevator        => Pitch,
+      Left_Rudder | Right_Rudder | Steering => Yaw,
+      Throttle                              => Throttle,
+      Brake                                 => Brake);
+
+   subtype Flap is PWM_Item range Left_Flap_1 .. Right_Flap_2;
+
+   --  All outputs for a set of commands.
+   procedure Expect_Outputs
+     (What  : String;
+      Input : Uplink_Buffer;
+      Flaps : Word;
+      Bits  : Word);
+
+   --------------------
+   -- Expect_Outputs --
+   --------------------
+
+   procedure Expect_Outputs
+     (What  : String;
+      Input : Uplink_Buffer;
+      Flaps : Word;
+      Bits  : Word)
+   is
+      Output : constant PWM_Buffer := Transform (Input);
+   begin
+      for Servo in Source'Range loop
+         Expect
+           (What & ", " & Servo'Image, Output (Servo),
+            Word'Min (Input (Source (Servo)), 16#FFF#));
+      end loop;
+      for Servo in Flap loop
+         Expect (What & ", " & Servo'Image, Output (Servo), Flaps);
+      end loop;
+      Expect (What & ", discretes", Output (Discretes), Bits);
+   end Expect_Outputs;
+
+   -------------
+   -- Neutral --
+   -------------
+
+   procedure Neutral is
+      Output : constant PWM_Buffer := Transform (Neutral_Uplink);
+   begin
+      for Servo in Servo_Item loop
+         Expect ("neutral " & Servo'Image, Output (Servo), 16#800#);
+      end loop;
+      Expect ("neutral discretes", Output (Discretes), 0);
+   end Neutral;
+
+   ------------------
+   -- Each_Command --
+   ------------------
+
+   procedure Each_Command is
+      Input : Uplink_Buffer;
+   begin
+      Expect_Outputs ("all different", Commands, 16#800#, 0);
+      for Item in Uplink_Item range Roll .. Brake loop
+         for Value in Word range 0 .. 16#FFF# loop
+            Input := Commands;
+            Input (Item) := Value;
+            Expect_Outputs
+              (Item'Image & " at" & Value'Image, Input, 16#800#, 0);
+         end loop;
+      end loop;
+   end Each_Command;
+
+   ------------------
+   -- Every_Switch --
+   ------------------
+
+   procedure Every_Switch is
+      Input : Uplink_Buffer := Commands;
+   begin
+      --  All 256 positions of the eight switches.
+      for Bits in Word range 0 .. 255 loop
+         for Switch in Switch_Item loop
+            Input (Switch) :=
+              (if Bits / 2 ** (Switch_Item'Pos (Switch)
+                               - Switch_Item'Pos (Switch_1)) mod 2 = 1
+               then 16#FFF# else 0);
+         end loop;
+         Expect_Outputs
+           ("switches" & Bits'Image, Input,
+            (if Bits >= 128 then 16#FFF# else 16#800#), Bits);
+      end loop;
+   end Every_Switch;
+
+   ---------------
+   -- Threshold --
+   ---------------
+
+   procedure Threshold is
+      type Row is record
+         Value : Word;
+         Is_On : Boolean;
+      end record;
+
+      Table : constant array (Positive range <>) of Row :=
+        ((0, False), (1, False), (16#7FF#, False), (16#800#, True),
+         (16#801#, True), (16#FFF#, True), (16#1000#, True),
+         (16#8000#, True), (16#FFFF#, True));
+
+      Input : Uplink_Buffer;
+   begin
+      for Each of Table loop
+         for Switch in Switch_Item loop
+            Input := Commands;
+            Input (Switch) := Each.Value;
+            Expect_Outputs
+              (Switch'Image & " at" & Each.Value'Image, Input,
+               (if Switch = Switch_8 and Each.Is_On
+                then 16#FFF# else 16#800#),
+               (if Each.Is_On
+                then 2 ** (Switch_Item'Pos (Switch) - 5) else 0));
+         end loop;
+      end loop;
+   end Threshold;
+
+   ---------------
+   -- Too_Large --
+   ---------------
+
+   procedure Too_Large is
+      type Values is array (Positive range <>) of Word;
+      Table : constant Values :=
+        (16#1000#, 16#1001#, 16#7FFF#, 16#8000#, 16#F000#, 16#FFFF#);
+      Input : Uplink_Buffer;
+   begin
+      for Value of Table loop
+         for Item in Uplink_Item range Roll .. Brake loop
+            Input := Commands;
+            Input (Item) := Value;
+            Expect_Outputs
+              (Item'Image & " at" & Value'Image, Input, 16#800#, 0);
+         end loop;
+      end loop;
+   end Too_Large;
+
+   ----------------
+   -- Error_Word --
+   ----------------
+
+   procedure Error_Word is
+      Input : Uplink_Buffer := Commands;
+   begin
+      Input (Error_Status) := 16#FFFF#;
+      Expect_Outputs ("error word set", Input, 16#800#, 0);
+   end Error_Word;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "PWM-2 neutral commands are neutral servos", Neutral'Access);
+      Add
+        (Suite, "PWM-2 each servo follows its command and no other",
+         Each_Command'Access);
+      Add
+        (Suite, "D-10 switch n is bit n - 1, switch 8 sets the flaps too",
+         Every_Switch'Access);
+      Add (Suite, "D-8 a switch is on from 0800h upward", Threshold'Access);
+      Add
+        (Suite, "D-11 a word above 0FFFh drives its servos to 0FFFh",
+         Too_Large'Access);
+      Add (Suite, "PWM-2 the error word reaches no servo", Error_Word'Access);
+   end Add_To;
+
+end PWM_Tests;

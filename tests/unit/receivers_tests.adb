@@ -1,0 +1,294 @@
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Checks;              use Checks;
+with Expect_Value;
+with Expectations;        use Expectations;
+with URVOS;               use URVOS;
+with Telemetry;           use Telemetry;
+with Telemetry.Checksum;
+with Telemetry.Headers;   use Telemetry.Headers;
+with Telemetry.Memory;    use Telemetry.Memory;
+with Telemetry.Receivers; use Telemetry.Receivers;
+
+package body Receivers_Tests is
+
+   --  The tests, in order.
+   procedure Good_Message;
+   procedure Wrong_Checksum;
+   procedure Parities;
+   procedure Single_Bytes;
+   procedure Deaf_Out_Of_Step;
+   procedure Interrupted;
+   procedure Untouched;
+
+   Length : constant Block_Length := 28;
+
+   Header_Byte : constant Byte := Data_Header (Length);
+
+   procedure Expect is new Expect_Value (Event_Kind);
+   procedure Expect is new Expect_Value (Slot);
+   procedure Expect is new Expect_Value (Receiver_State);
+
+   --  A receiver, its buffers, and what came out last.
+   type Half is record
+      Receiver : Receivers.Receiver;
+      Pair     : Buffer_Pair;
+      Outcome  : Event;
+   end record;
+
+   --  One character.
+   procedure Hear
+     (Item         : in out Half;
+      Data         : Byte;
+      Parity_Error : Boolean := False;
+      Wants_Data   : Boolean := True);
+
+   --  A whole data message whose bytes are Mark, with this added to its
+   --  checksum, and a parity error in the Bad_Parity-th character.
+   procedure Hear_Message
+     (Item       : in out Half;
+      Mark       : Byte;
+      Wrong      : Byte    := 0;
+      Bad_Parity : Natural := 0);
+
+   ----------
+   -- Hear --
+   ----------
+
+   procedure Hear
+     (Item         : in out Half;
+      Data         : Byte;
+      Parity_Error : Boolean := False;
+      Wants_Data   : Boolean := True) is
+   begin
+      Accept_Character
+        (Item.Receiver, Item.Pair, Length, Wants_Data, Data, Parity_Error,
+         Item.Outcome);
+   end Hear;
+
+   ------------------
+   -- Hear_Message --
+   ------------------
+
+   procedure Hear_Message
+     (Item       : in out Half;
+      Mark       : Byte;
+      Wrong      : Byte    := 0;
+      Bad_Parity : Natural := 0)
+   is
+      Sum : Byte := Checksum.Next (Checksum.First_Value, Header_Byte);
+   begin
+      Hear (Item, Header_Byte, Bad_Parity = 1);
+      for Place in 2 .. Natural (Length) + 1 loop
+         Hear (Item, Mark, Bad_Parity = Place);
+         Sum := Checksum.Next (Sum, Mark);
+      end loop;
+      Hear (Item, Sum + Wrong, Bad_Parity = Natural (Length) + 2);
+   end Hear_Message;
+
+   ------------------
+   -- Good_Message --
+   ------------------
+
+   procedure Good_Message is
+      Item : Half;
+      Sum  : Byte := Checksum.Next (Checksum.First_Value, Header_Byte);
+   begin
+      Hear (Item, Header_Byte);
+      Expect ("header", Item.Outcome.Kind, Block_Begun);
+      for Value in Byte range 1 .. Byte (Length) loop
+         Hear (Item, Value);
+         Sum := Checksum.Next (Sum, Value);
+         Expect ("data", Item.Outcome.Kind, Nothing);
+         Expect ("full before the checksum", Any_Full (Item.Pair), False);
+         Expect
+           ("busy meanwhile", Item.Pair.Slots (Item.Receiver.Target).Busy,
+            True);
+      end loop;
+      Hear (Item, Sum);
+      Expect ("checksum", Item.Outcome.Kind, Block_Good);
+      Expect ("full after", Item.Pair.Slots (Item.Receiver.Target).Full, True);
+      Expect
+        ("busy after", Item.Pair.Slots (Item.Receiver.Target).Busy, False);
+      Expect ("newest", Item.Pair.Newest, Item.Receiver.Target);
+      for I in 1 .. Length loop
+         Expect
+           ("byte" & I'Image, Item.Pair.Slots (Item.Pair.Newest).Data (I),
+            Byte (I));
+      end loop;
+   end Good_Message;
+
+   --------------------
+   -- Wrong_Checksum --
+   --------------------
+
+   procedure Wrong_Checksum is
+      Item : Half;
+   begin
+      for Wrong in Byte range 1 .. 255 loop
+         Hear_Message (Item, 7, Wrong => Wrong);
+         Expect ("wrong by" & Wrong'Image, Item.Outcome.Kind, Block_Bad);
+         Expect ("full", Any_Full (Item.Pair), False);
+         Expect ("ready for the next", Item.Receiver.State, At_Start);
+      end loop;
+      Hear_Message (Item, 8);
+      Expect ("the next", Item.Outcome.Kind, Block_Good);
+   end Wrong_Checksum;
+
+   --------------
+   -- Parities --
+   --------------
+
+   procedure Parities is
+      Item : Half;
+   begin
+      for Place in 2 .. Natural (Length) + 2 loop
+         Hear_Message (Item, 7, Bad_Parity => Place);
+         Expect
+           ("parity error at" & Place'Image, Item.Outcome.Kind, Block_Bad);
+         Expect ("full", Any_Full (Item.Pair), False);
+      end loop;
+      Hear_Message (Item, 8);
+      Expect ("the next", Item.Outcome.Kind, Block_Good);
+
+      --  In the header it leaves the receiver out of step.
+      Hear (Item, Header_Byte, Parity_Error => True);
+      Expect ("header", Item.Outcome.Kind, Lost_Step);
+   end Parities;
+
+   ------------------
+   -- Single_Bytes --
+   ------------------
+
+   procedure Single_Bytes is
+      Item     : Half;
+      Expected : Event_Kind;
+   begin
+      for Value in Byte loop
+         for Wants_Data in Boolean loop
+            Item := (others => <>);
+            Hear (Item, Value, Wants_Data => Wants_Data);
+            Expected :=
+              (if not Is_Valid (Value) then Lost_Step
+               elsif Value = Encode ((Kind => Command_To_Downlink))
+               then Command
+               elsif Value = Header_Byte and Wants_Data then Block_Begun
+               elsif Decode (Value).Kind = Data then Lost_Step
+               else Status);
+            Expect ("byte" & Value'Image, Item.Outcome.Kind, Expected);
+            if Expected = Status then
+               Expect ("good", Item.Outcome.Good, Decode (Value).Good);
+               Expect
+                 ("wants downlink", Item.Outcome.Wants_Downlink,
+                  Decode (Value).Wants_Downlink);
+            end if;
+         end loop;
+      end loop;
+   end Single_Bytes;
+
+   -----------------
+   -- Out_Of_Step --
+   -----------------
+
+   procedure Deaf_Out_Of_Step is
+      Item   : Half;
+      Before : Half;
+   begin
+      Hear (Item, 0);
+      Expect ("state", Item.Receiver.State, Out_Of_Step);
+      Before := Item;
+      for Value in Byte loop
+         Hear (Item, Value);
+         Expect ("byte" & Value'Image, Item.Outcome.Kind, Nothing);
+         Assert
+           (Item.Receiver = Before.Receiver and then Item.Pair = Before.Pair,
+            "byte" & Value'Image & " changed something, expected nothing");
+      end loop;
+      Restart (Item.Receiver, Item.Pair);
+      Hear_Message (Item, 9);
+      Expect ("after a restart", Item.Outcome.Kind, Block_Good);
+   end Deaf_Out_Of_Step;
+
+   -----------------
+   -- Interrupted --
+   -----------------
+
+   procedure Interrupted is
+      Item : Half;
+      Data : Block_Data;
+      Good : Boolean;
+   begin
+      --  A message breaks off after any number of characters.
+      for Characters in 0 .. Natural (Length) loop
+         Item := (others => <>);
+         Hear_Message (Item, 1);
+         Hear (Item, Header_Byte);
+         for Count in 1 .. Characters loop
+            Hear (Item, 2);
+         end loop;
+         Restart (Item.Receiver, Item.Pair);
+         Expect ("first busy", Item.Pair.Slots (First).Busy, False);
+         Expect ("second busy", Item.Pair.Slots (Second).Busy, False);
+         Take (Item.Pair, Data, Good);
+         Expect ("the block before is there", Good, True);
+         Expect ("and whole", Data (Length), 1);
+         Hear_Message (Item, 3);
+         Expect ("the next message", Item.Outcome.Kind, Block_Good);
+      end loop;
+   end Interrupted;
+
+   ---------------
+   -- Untouched --
+   ---------------
+
+   procedure Untouched is
+      Item   : Half;
+      Data   : Block_Data;
+      Fresh  : Boolean;
+      Target : Slot;
+   begin
+      --  Nobody takes anything: the newest good block is there all the
+      --  same, and the buffer that is being filled is the other one.
+      for Mark in Byte range 1 .. 20 loop
+         Hear_Message (Item, Mark);
+         Target := Item.Receiver.Target;
+         Hear (Item, Header_Byte);
+         Expect
+           ("the next goes elsewhere", Item.Receiver.Target = Target, False);
+         Restart (Item.Receiver, Item.Pair);
+      end loop;
+      Take (Item.Pair, Data, Fresh);
+      Expect ("fresh", Fresh, True);
+      Expect ("the newest", Data (1), 20);
+   end Untouched;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "LNK-5 a buffer is full only after the checksum matched",
+         Good_Message'Access);
+      Add
+        (Suite, "LNK-5 any wrong checksum leaves the buffers not full",
+         Wrong_Checksum'Access);
+      Add
+        (Suite, "LNK-5 a parity error anywhere spoils the message",
+         Parities'Access);
+      Add
+        (Suite, "LNK-3 a first byte means what its message is",
+         Single_Bytes'Access);
+      Add
+        (Suite, "LNK-9 out of step nothing is heard until the restart",
+         Deaf_Out_Of_Step'Access);
+      Add
+        (Suite, "LNK-9 a message that breaks off spoils no other",
+         Interrupted'Access);
+      Add
+        (Suite, "LNK-4 with nobody taking, the newest block stays whole",
+         Untouched'Access);
+   end Add_To;
+
+end Receivers_Tests;

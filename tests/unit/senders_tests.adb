@@ -1,0 +1,72 @@
+with Checks;             use Checks;
+with Expectations;       use Expectations;
+with URVOS;              use URVOS;
+with Telemetry;          use Telemetry;
+with Telemetry.Checksum;
+with Telemetry.Headers;  use Telemetry.Headers;
+with Telemetry.Senders;  use Telemetry.Senders;
+
+package body Senders_Tests is
+
+   --  The tests, in order.
+   procedure Messages;
+   procedure Wire_Lengths;
+
+   Lengths : constant array (1 .. 5) of Block_Length := (1, 2, 4, 28, 56);
+
+   --------------
+   -- Messages --
+   --------------
+
+   procedure Messages is
+      Data   : Block_Data;
+      Item   : Sender;
+      Output : Byte;
+      Sum    : Byte;
+   begin
+      for I in Data'Range loop
+         Data (I) := 3 * Byte (I) + 1;
+      end loop;
+      for Length of Lengths loop
+         Item := (others => <>);
+         Send_Next (Item, Data, Length, Output);
+         Expect ("header", Output, Encode ((Telemetry.Headers.Data, Length)));
+         Sum := Checksum.Next (Checksum.First_Value, Output);
+         for I in 1 .. Length loop
+            Send_Next (Item, Data, Length, Output);
+            Expect ("byte" & I'Image, Output, Data (I));
+            Sum := Checksum.Next (Sum, Output);
+         end loop;
+         Send_Next (Item, Data, Length, Output);
+         Expect ("checksum", Output, Sum);
+         Expect_Number
+           ("characters", Integer (Item.Sent),
+            Integer (Message_Length (Length)));
+      end loop;
+   end Messages;
+
+   -------------
+   -- Lengths --
+   -------------
+
+   procedure Wire_Lengths is
+   begin
+      Expect_Number ("of an uplink", Integer (Message_Length (28)), 30);
+      Expect_Number ("of a downlink", Integer (Message_Length (56)), 58);
+   end Wire_Lengths;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "LNK-3 a data message is its count, data and checksum",
+         Messages'Access);
+      Add
+        (Suite, "D-5 a data message is two characters longer than its data",
+         Wire_Lengths'Access);
+   end Add_To;
+
+end Senders_Tests;

@@ -1,0 +1,9 @@
+--  LNK-3, D-5: a data message goes out, character by character.
+
+with AUnit.Test_Suites;
+
+package Senders_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Senders_Tests;
