@@ -319,7 +319,7 @@ package body Mailboxes_Tests is
         (Suite, "INI-8 a new box holds its neutral message, nothing counted",
          First_State'Access);
       Add
-        (Suite, "MBX-2 each message sent and received is counted once",
+        (Suite, "MBX-1 MBX-2 each message is counted once, each way",
          Send_Receive'Access);
       Add
         (Suite, "MBX-2 an unconsumed message is overwritten and counted once",
