@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
-The parts: unit tests in Ada, the simulation's tests in Python, the static
-data of each node, the proof record. A part that cannot be built or run
-counts as one failed test, and the other parts run all the same.
+The parts: unit tests in Ada, with and without their contracts executed, the
+simulation's tests in Python, the static data of each node, the proof record.
+A part that cannot be built or run counts as one failed test, and the other
+parts run all the same.
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -28,12 +29,12 @@ def run(*command):
     return subprocess.run(command, cwd=ROOT, check=False).returncode
 
 
-def unit_tests():
-    project = ["-P", "tests/urv_tests.gpr", "-XURV_Mode=test"]
+def unit_tests(mode):
+    project = ["-P", "tests/urv_tests.gpr", f"-XURV_Mode={mode}"]
     if run(*GPRBUILD, *project) != 0:
         return BROKEN
     totals = None
-    command = ["bin/urv_tests"]
+    command = [f"bin/urv_tests_{mode}"]
     with subprocess.Popen(
         command, cwd=ROOT, stdout=subprocess.PIPE, text=True
     ) as program:
@@ -54,8 +55,8 @@ def simulation_tests():
     report = RESULTS / "simulation.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
-    pytest += ["-q", "--tb=short", f"--junitxml={report}", "tests/simulation"]
-    status = run(*pytest)
+    pytest += ["-q", "-rs", "--tb=short", f"--junitxml={report}"]
+    status = run(*pytest, "tests/simulation")
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
@@ -90,7 +91,8 @@ def proof_anew():
 
 
 PARTS = {
-    "unit tests": unit_tests,
+    "unit tests, contracts executed": lambda: unit_tests("test"),
+    "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
     "static data": node_size,
     "proof record is of these sources": record_is_current,

@@ -7,14 +7,21 @@
         up = [row for row in flight.wire if row.direction == "up"]
 
 Each flight has a folder of its own; files a test hands in are written there
-with `write`. The program under test is bin/urv_sim, or the one the
-environment variable URV_SIM names.
+with `write`. `fly_in` flies in any folder, for flights that several tests
+look at. The program under test is bin/urv_sim, or the one the environment
+variable URV_SIM names.
+
+Below that stands what the tests know of the words, from the requirements
+(BUF-1, BUF-2, PWM-2) and not from the program: their order, what the servos
+make of a command, and scripts that tell by a row's words which row it is.
 """
 
 import csv
 import json
 import os
+import random
 import subprocess
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
@@ -47,11 +54,11 @@ class Flight:
     def path(self, name):
         return self.folder / name
 
-    @property
+    @cached_property
     def summary(self):
         return json.loads(self.path("summary.json").read_text("utf-8"))
 
-    @property
+    @cached_property
     def rows(self):
         """The flight record, a dictionary of numbers for each frame."""
         with self.path("record.csv").open(newline="", encoding="utf-8") as f:
@@ -60,13 +67,13 @@ class Flight:
                 for row in csv.DictReader(f)
             ]
 
-    @property
+    @cached_property
     def record(self):
         """The flight record, a list of numbers for each column."""
         rows = self.rows
         return {name: [row[name] for row in rows] for name in rows[0]}
 
-    @property
+    @cached_property
     def wire(self):
         """Every byte on the serial link, in order."""
         with self.path("wire.csv").open(newline="", encoding="utf-8") as f:
@@ -117,6 +124,24 @@ def write(tmp_path):
     return write_file
 
 
+def fly_in(folder, *options, outputs_in=None):
+    """Fly with these options, and every output; expect exit status 0.
+
+    The options' files lie in the folder, the outputs there or elsewhere.
+    """
+    into = outputs_in or folder
+    outputs = []
+    for option, file in (
+        ("--record", "record.csv"),
+        ("--summary", "summary.json"),
+        ("--wire", "wire.csv"),
+    ):
+        outputs += [option, into / file]
+    result = run_program(folder, "fly", *options, *outputs)
+    assert result.returncode == 0, result.stderr
+    return Flight(into, result)
+
+
 @pytest.fixture
 def fly(tmp_path):
     """Fly with these options, and every output; expect exit status 0.
@@ -128,16 +153,111 @@ def fly(tmp_path):
     def run(*options, name="."):
         folder = tmp_path / name
         folder.mkdir(exist_ok=True)
-        # Input files lie in the test's folder, outputs in the flight's.
-        outputs = []
-        for option, file in (
-            ("--record", "record.csv"),
-            ("--summary", "summary.json"),
-            ("--wire", "wire.csv"),
-        ):
-            outputs += [option, folder / file]
-        result = run_program(tmp_path, "fly", *options, *outputs)
-        assert result.returncode == 0, result.stderr
-        return Flight(folder, result)
+        return fly_in(tmp_path, *options, outputs_in=folder)
 
     return run
+
+
+# --- what the tests know of the words --------------------------------------
+
+FRAME_MS = 20
+
+SWITCHES = tuple(f"switch{n}" for n in range(1, 9))
+COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake", *SWITCHES)
+SENSORS = tuple(
+    """
+    right_flap_1 left_flap_1 right_flap_2 left_flap_2
+    right_aileron left_aileron right_elevator left_elevator
+    right_rudder left_rudder alpha beta altitude_offset
+    lateral_acceleration longitudinal_acceleration vertical_acceleration
+    rpm battery_volts alternator_volts roll_attitude pitch_attitude
+    roll_rate pitch_rate yaw_rate airspeed altitude uplink_signal_strength
+    """.split()
+)
+FLAPS = ("left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2")
+SERVOS = (
+    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
+    "left_rudder", "right_rudder", "steering", "throttle", "brake", *FLAPS,
+    "discretes",
+)
+NEUTRAL = (0x800,) * 5 + (0,) * 8
+
+# The middle and the ends of a converter's range, and beside the middle.
+EDGES = (0, 0x7FF, 0x800, 0x801, 0xFFF)
+
+
+def transformed(commands):
+    """What the PWM board holds for 13 command words (PWM-2, D-2, D-8)."""
+    roll, pitch, yaw, throttle, brake, *switches = commands
+    flaps = 0xFFF if switches[7] >= 0x800 else 0x800
+    discretes = sum(
+        1 << bit for bit, word in enumerate(switches) if word >= 0x800
+    )
+    return (
+        roll, roll, pitch, pitch, yaw, yaw, yaw, throttle, brake,
+        flaps, flaps, flaps, flaps, discretes,
+    )
+
+
+def different_rows(count, width, seed):
+    """So many rows of words, no two alike."""
+    words = random.Random(seed)
+    return list(dict.fromkeys(
+        tuple(words.randrange(0x1000) for _ in range(width))
+        for _ in range(count)
+    ))
+
+
+def script(names, rows, first_ms):
+    """A CSV script of one row for each frame."""
+    lines = ["time_ms," + ",".join(names)]
+    lines += [
+        f"{first_ms + FRAME_MS * place}," + ",".join(map(str, row))
+        for place, row in enumerate(rows)
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def columns(flight, group, names):
+    """A group of the record's columns, one tuple of words a frame."""
+    return list(zip(
+        *(flight.record[f"{group}.{name}"] for name in names), strict=True
+    ))
+
+
+class Message(NamedTuple):
+    """A message as its sender sent it."""
+
+    time_us: int
+    direction: str
+    kind: str
+    data: tuple
+
+
+# Headers (docs/link.md), and the whole length of their messages.
+HEADERS = {
+    0x1E: ("uplink", 30),
+    0x87: ("downlink", 58),
+    0x4B: ("command", 1),
+    0xD2: ("good", 1),
+    0x2D: ("good, wants", 1),
+    0xCC: ("bad", 1),
+    0x33: ("bad, wants", 1),
+}
+
+
+def messages(wire):
+    """The messages on the wire, in the order in which they began. A sender
+    finishes what it began, whatever the line does to it."""
+    found = []
+    for direction in ("up", "down"):
+        line = [item for item in wire if item.direction == direction]
+        place = 0
+        while place < len(line):
+            kind, length = HEADERS[line[place].byte]
+            found.append(Message(
+                line[place].time_us, direction, kind,
+                tuple(i.byte for i in line[place:place + length]),
+            ))
+            place += length
+    return sorted(found)

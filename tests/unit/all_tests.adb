@@ -1,20 +1,22 @@
+with AD_Tests;
 with Board_Memory_Tests;
 with Buffers_Tests;
 with Checksum_Tests;
 with Codecs_Tests;
+with CORE_Tests;
+with Exchange_Tests;
+with Executives_Tests;
 with Frames_Tests;
 with Headers_Tests;
 with Link_Tests;
 with Mailboxes_Tests;
-with Node_Tests;
+with Nodes_Tests;
 with PWM_Tests;
 with Receivers_Tests;
-with Scan_Tests;
 with Senders_Tests;
+with Telemetry_Task_Tests;
 
 package body All_Tests is
-
-   --  The tests, in order.
 
    -----------
    -- Suite --
@@ -26,6 +28,7 @@ package body All_Tests is
    begin
       Frames_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
+      Executives_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
       Board_Memory_Tests.Add_To (Result);
@@ -34,9 +37,12 @@ package body All_Tests is
       Link_Tests.Add_To (Result);
       Buffers_Tests.Add_To (Result);
       Codecs_Tests.Add_To (Result);
+      AD_Tests.Add_To (Result);
+      Exchange_Tests.Add_To (Result);
+      Telemetry_Task_Tests.Add_To (Result);
       PWM_Tests.Add_To (Result);
-      Scan_Tests.Add_To (Result);
-      Node_Tests.Add_To (Result);
+      CORE_Tests.Add_To (Result);
+      Nodes_Tests.Add_To (Result);
       return Result;
    end Suite;
 

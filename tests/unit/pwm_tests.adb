@@ -1,18 +1,24 @@
 with Checks;            use Checks;
+with Devices.PWM_Board; use Devices.PWM_Board;
 with Expectations;      use Expectations;
+with Task_Doubles;      use Task_Doubles;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
+with URV.Errors;        use URV.Errors;
+with URV.PWM_Layout;    use URV.PWM_Layout;
+with URV.PWM_Task;
 with URV.PWM_Transform; use URV.PWM_Transform;
 
 package body PWM_Tests is
 
    --  The tests, in order.
-   procedure Neutral;
+   procedure Neutral_All;
    procedure Each_Command;
    procedure Every_Switch;
    procedure Threshold;
    procedure Too_Large;
    procedure Error_Word;
+   procedure The_Task;
 
    --  Every command different, switches off.
    Commands : constant Uplink_Buffer :=
@@ -34,6 +40,17 @@ package body PWM_Tests is
       Brake                                 => Brake);
 
    subtype Flap is PWM_Item range Left_Flap_1 .. Right_Flap_2;
+
+   --  The board under the task.
+   Board  : Data_Area := Neutral_Area;
+   Writes : Natural   := 0;
+
+   procedure Write_Board (Area : Data_Area);
+
+   package PWM is new URV.PWM_Task
+     (Receive_PWM => Task_Doubles.Commands.Receive,
+      Write_Board => Write_Board,
+      Report      => Report);
 
    --  All outputs for a set of commands.
    procedure Expect_Outputs
@@ -65,18 +82,28 @@ package body PWM_Tests is
       Expect (What & ", discretes", Output (Discretes), Bits);
    end Expect_Outputs;
 
-   -------------
-   -- Neutral --
-   -------------
+   -----------------
+   -- Write_Board --
+   -----------------
 
-   procedure Neutral is
+   procedure Write_Board (Area : Data_Area) is
+   begin
+      Board  := Area;
+      Writes := Writes + 1;
+   end Write_Board;
+
+   -----------------
+   -- Neutral_All --
+   -----------------
+
+   procedure Neutral_All is
       Output : constant PWM_Buffer := Transform (Neutral_Uplink);
    begin
       for Servo in Servo_Item loop
          Expect ("neutral " & Servo'Image, Output (Servo), 16#800#);
       end loop;
       Expect ("neutral discretes", Output (Discretes), 0);
-   end Neutral;
+   end Neutral_All;
 
    ------------------
    -- Each_Command --
@@ -179,13 +206,47 @@ package body PWM_Tests is
       Expect_Outputs ("error word set", Input, 16#800#, 0);
    end Error_Word;
 
+   --------------
+   -- The_Task --
+   --------------
+
+   procedure The_Task is
+   begin
+      Clear;
+      Writes := 0;
+      Task_Doubles.Commands.Given := Commands;
+      PWM.Run_Transaction;
+      Expect_Number ("writes", Writes, 1);
+      for Item in PWM_Item loop
+         Expect
+           (Item'Image, Board (Channel_Of (Item)),
+            Transform (Commands) (Item));
+         Expect_Number
+           ("channel of " & Item'Image, Integer (Channel_Of (Item)),
+            PWM_Item'Pos (Item) + 1);
+      end loop;
+      Expect ("unused channel 15", Board (15), 16#800#);
+      Expect ("unused channel 16", Board (16), 16#800#);
+      Expect_Errors ("new commands", None);
+
+      Task_Doubles.Commands.Is_Fresh := False;
+      PWM.Run_Transaction;
+      Expect_Number ("writes without new commands", Writes, 1);
+      Expect_Errors ("without new commands", (1 => No_Commands));
+   end The_Task;
+
    ------------
    -- Add_To --
    ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
-      Add (Suite, "PWM-2 neutral commands are neutral servos", Neutral'Access);
+      Add
+        (Suite, "PWM-1 without new commands the board is left alone",
+         The_Task'Access);
+      Add
+        (Suite, "PWM-2 neutral commands are neutral servos",
+         Neutral_All'Access);
       Add
         (Suite, "PWM-2 each servo follows its command and no other",
          Each_Command'Access);

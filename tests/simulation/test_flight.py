@@ -1,0 +1,122 @@
+"""The standard flight: the simulated pilot flies the JSBSim aircraft through
+both nodes (SIM-3)."""
+
+import subprocess
+
+import pytest
+from conftest import FLAPS, ROOT, columns, fly_in
+
+# A flight takes 180 s; the summary's bounds are what a passenger notices.
+QUALITY_AT_MOST = {
+    "altitude_rms_ft": 10, "altitude_max_ft": 30,
+    "airspeed_rms_kt": 2, "airspeed_max_kt": 6,
+    "bank_rms_deg": 2, "bank_max_deg": 5,
+    "turn_altitude_rms_ft": 15, "turn_altitude_max_ft": 30,
+}
+QUALITY_WITHIN = {
+    "bank_left_deg": (20, 40), "bank_right_deg": (20, 40),
+    "climb_ft": (280, 330),
+    "final_altitude_error_ft": (-10, 10),
+    "final_airspeed_error_kt": (-2, 2),
+    "final_bank_error_deg": (-1, 1),
+    "final_heading_error_deg": (-3, 3),
+}
+
+
+def has_jsbsim():
+    python = ROOT / ".venv" / "bin" / "python"
+    command = [python, "-c", "import jsbsim"]
+    return python.exists() and subprocess.run(
+        command, capture_output=True, check=False).returncode == 0
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _jsbsim_is_there():
+    if not has_jsbsim():
+        pytest.skip("JSBSim is not installed: make fly installs it")
+
+
+@pytest.fixture(scope="module")
+def flight(tmp_path_factory):
+    return fly_in(tmp_path_factory.mktemp("flight"),
+                  "--plant", "jsbsim", "--pilot", "standard")
+
+
+def test_the_flight_takes_180_s_and_loses_nothing(flight):
+    summary = flight.summary
+    assert (summary["seconds"], summary["frames"]) == (180, 9000)
+    assert summary["overruns"] == 0
+    link = summary["link"]
+    assert link["uplink_sent"] == link["uplink_received"] == 8999
+    assert link["downlink_sent"] == link["downlink_received"]
+    assert {name for name, count in link.items() if count} == {
+        "uplink_sent", "uplink_received",
+        "downlink_sent", "downlink_received",
+    }
+
+
+@pytest.mark.parametrize("name", QUALITY_AT_MOST)
+def test_quality_is_at_most(flight, name):
+    assert 0 <= flight.summary["flight_quality"][name] <= \
+        QUALITY_AT_MOST[name]
+
+
+@pytest.mark.parametrize("name", QUALITY_WITHIN)
+def test_quality_is_within(flight, name):
+    low, high = QUALITY_WITHIN[name]
+    assert low <= flight.summary["flight_quality"][name] <= high
+
+
+def test_it_ends_level_and_in_one_piece(flight):
+    quality = flight.summary["flight_quality"]
+    assert (quality["ended_level"], quality["crashed"]) == (True, False)
+
+
+def test_flaps_go_half_and_up_again_by_switch_8(flight):
+    console = flight.record["console.switch8"]
+    on = [frame for frame, word in enumerate(console) if word >= 0x800]
+    assert on == list(range(on[0], on[-1] + 1))
+    assert 100 < on[0] and on[-1] < len(console) - 100
+    for flap in FLAPS:
+        servo = flight.record["pwm." + flap]
+        half = [frame for frame, word in enumerate(servo) if word == 0xFFF]
+        assert half == list(range(half[0], half[-1] + 1)), flap
+        assert 0 < half[0] - on[0] <= 4 and len(half) == len(on), flap
+        assert {*servo} == {0x800, 0xFFF}, flap
+
+        # The sensors on the ground show it, after a while.
+        seen = flight.record["gsc.downlink." + flap]
+        assert max(seen) >= 0xFF0, flap
+        assert all(abs(seen[place] - 0x800) <= 16
+                   for place in (on[0], -1)), flap
+
+
+def test_latency_is_that_of_phase_3(flight):
+    # The pilot moves as a frame ends, just before the scan.
+    latency = flight.summary["latency_ms"]
+    assert (latency["min"], latency["max"]) == (50, 50)
+    assert latency["measured"] > 1000
+    assert (latency["overtaken"], latency["expired"]) == (0, 0)
+
+
+def test_what_the_pilot_asks_for_is_what_the_ground_sends(flight):
+    names = ("roll", "pitch", "yaw", "throttle")
+    asked = columns(flight, "console", names)
+    sent = columns(flight, "gsc.uplink", names)
+    # The row that first has the words is that of the frame that scans them.
+    assert asked[3:-1] == sent[4:]
+
+
+def test_the_same_flight_twice_is_the_same_to_the_byte(tmp_path_factory):
+    first, second = (
+        fly_in(tmp_path_factory.mktemp("twice"), "--plant", "jsbsim",
+               "--pilot", "standard", "--seconds", "20")
+        for _ in range(2)
+    )
+    for name in ("record.csv", "wire.csv"):
+        assert first.path(name).read_bytes() == \
+            second.path(name).read_bytes(), name
+    summaries = [dict(flown.summary) for flown in (first, second)]
+    for summary in summaries:
+        del summary["speed"]
+    assert summaries[0] == summaries[1]

@@ -1,0 +1,101 @@
+"""How long a change at the console takes to the PWM board, to the
+microsecond, at every phase. docs/design.md derives the same."""
+
+import pytest
+from conftest import COMMANDS, NEUTRAL, fly_in, transformed
+
+# All times in microseconds.
+FRAME = 20_000
+CONVERSION = 16
+
+# Changes far enough apart that each has arrived before the next comes.
+APART = 6 * FRAME
+
+TELOUT = 4_000
+UPLINK = 30 * 96
+PWM = 4_000
+
+
+def from_scan_to_servos(phase):
+    """From the beginning of the scan that samples a change."""
+    # The AD task takes the scan a frame later.
+    arrived = FRAME + TELOUT + UPLINK
+    aircraft = 2_000 * phase
+    while aircraft < arrived:
+        aircraft += FRAME
+    return aircraft + PWM
+
+
+def latency(time, channel, phase):
+    """A channel is held 16 us after the one before it; a change at that
+    very moment is in time."""
+    sampled = channel * CONVERSION
+    scans = -(-(time - sampled) // FRAME)
+    return scans * FRAME + from_scan_to_servos(phase) - time
+
+
+# Where in its frame a change comes, and in which channel. The first is the
+# latest that the scan still sees, and so the fastest of all; the second has
+# just been missed by the first channel, and is the slowest.
+FASTEST = (12 * CONVERSION, 12)
+SLOWEST = (1, 0)
+MOMENTS = [FASTEST, SLOWEST]
+MOMENTS += [
+    moment
+    for channel in range(13)
+    for moment in (
+        (channel * CONVERSION, channel),
+        (channel * CONVERSION + 1, channel),
+        (7_654 + 321 * channel, channel),
+        (19_999, channel),
+    )
+]
+
+
+@pytest.fixture(scope="module")
+def sticks():
+    """The script and, for each change, its time and channel."""
+    lines = ["time_ms," + ",".join(COMMANDS), "0," + ",".join(
+        map(str, NEUTRAL))]
+    changes = []
+    words = list(NEUTRAL)
+    time = 10 * FRAME
+    for within, channel in MOMENTS:
+        words[channel] = 0x123 if words[channel] >= 0x800 else 0x923
+        at = time + within
+        lines.append(f"{at // 1000}.{at % 1000:03},"
+                     + ",".join(map(str, words)))
+        changes.append((at, channel, tuple(words)))
+        time += APART
+    return "\n".join(lines) + "\n", changes, time
+
+
+@pytest.mark.parametrize("phase", range(10))
+def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase):
+    text, changes, end = sticks
+    (tmp_path / "sticks.csv").write_text(text)
+    flight = fly_in(tmp_path, "--sticks", "sticks.csv", "--phase", phase,
+                    "--seconds", end / 1e6)
+    assert flight.record["pwm.discretes"][-1] == transformed(
+        changes[-1][2])[-1]
+    expected = sorted(latency(time, channel, phase)
+                      for time, channel, _ in changes)
+    count = len(expected)
+    measured = {
+        name: round(value * 1000) if name in ("min", "median", "p99", "max")
+        else value
+        for name, value in flight.summary["latency_ms"].items()
+    }
+    assert measured == {
+        "min": expected[0],
+        "median": expected[(count + 1) // 2 - 1],
+        "p99": expected[-(-count * 99 // 100) - 1],
+        "max": expected[-1],
+        "measured": count,
+        "overtaken": 0,
+        "expired": 0,
+    }
+    # The extremes are those of the derivation.
+    scan = 24_000 + 2_000 * phase + (FRAME if phase < 4 else 0)
+    assert (expected[0], expected[-1]) == (
+        scan - 12 * CONVERSION, scan + FRAME - 1)

@@ -1,0 +1,329 @@
+with Checks;           use Checks;
+with Devices.AD_Board; use Devices.AD_Board;
+with Expect_Value;
+with Expectations;     use Expectations;
+with Task_Doubles;     use Task_Doubles;
+with URVOS;            use URVOS;
+with URV.AD_Scans;     use URV.AD_Scans;
+with URV.AD_Task;
+with URV.ADINT_Handler;
+with URV.Buffers;      use URV.Buffers;
+with URV.Errors;       use URV.Errors;
+
+package body AD_Tests is
+
+   --  The tests, in order.
+   procedure Scan_Itself;
+   procedure Past_The_Last;
+   procedure Whole_Scan;
+   procedure Stray_Interrupt;
+   procedure Broken_Off_Scan;
+   procedure Not_Consumed;
+   procedure Fresh_Scan;
+   procedure Old_Scan;
+   procedure Image_Unread;
+   procedure The_Board;
+
+   procedure Expect is new Expect_Value (Next_Step);
+   procedure Expect is new Expect_Value (Activity);
+
+   --  The board under the handler: what it gives, and the channels that
+   --  were started.
+   Board_Data : Word    := 0;
+   Started    : Natural := 0;
+   Last_Start : Channel_Number := 0;
+
+   procedure Read_Board (Data : out Word);
+   procedure Start_Channel (Which : Channel_Number);
+
+   package Handler is new URV.ADINT_Handler
+     (Read_Board    => Read_Board,
+      Start_Channel => Start_Channel,
+      Send_ADINT    => Words.Send,
+      Report        => Report);
+
+   --  The task on its own.
+   Scans_Begun : Natural := 0;
+
+   procedure Begin_Scan;
+
+   package AD is new URV.AD_Task
+     (Receive_ADINT => Words.Receive,
+      Send_AD       => Image.Send,
+      Begin_Scan    => Begin_Scan,
+      Report        => Report);
+
+   ----------------
+   -- Read_Board --
+   ----------------
+
+   procedure Read_Board (Data : out Word) is
+   begin
+      Data := Board_Data;
+   end Read_Board;
+
+   -------------------
+   -- Start_Channel --
+   -------------------
+
+   procedure Start_Channel (Which : Channel_Number) is
+   begin
+      Started    := Started + 1;
+      Last_Start := Which;
+   end Start_Channel;
+
+   ----------------
+   -- Begin_Scan --
+   ----------------
+
+   procedure Begin_Scan is
+   begin
+      Scans_Begun := Scans_Begun + 1;
+   end Begin_Scan;
+
+   -----------------
+   -- Scan_Itself --
+   -----------------
+
+   procedure Scan_Itself is
+      Item : Scan;
+      Next : Next_Step;
+   begin
+      Expect ("a new scan is complete", Is_Complete (Item), True);
+      Item := Restarted (Item);
+      for Number in Channel loop
+         Expect_Number
+           ("channel awaited", Integer (Item.Current), Integer (Number));
+         Store (Item, 16#200# + Word (Number), Next);
+         Expect
+           ("after channel" & Number'Image, Next,
+            (if Number = 31 then Send_Words else Start_Channel));
+         for Other in Channel loop
+            Expect
+              ("after channel" & Number'Image & ", word" & Other'Image,
+               Item.Words (Other),
+               (if Other <= Number
+                then 16#200# + Word (Other) else 16#800#));
+         end loop;
+      end loop;
+      Expect ("complete", Is_Complete (Item), True);
+   end Scan_Itself;
+
+   -------------------
+   -- Past_The_Last --
+   -------------------
+
+   procedure Past_The_Last is
+      Item : Scan;
+      Next : Next_Step;
+   begin
+      Store (Item, 16#FFF#, Next);
+      Expect ("without a scan", Next, Ignore);
+      for Number in Channel loop
+         Expect ("word" & Number'Image, Item.Words (Number), 16#800#);
+      end loop;
+   end Past_The_Last;
+
+   ----------------
+   -- Whole_Scan --
+   ----------------
+
+   procedure Whole_Scan is
+   begin
+      Clear;
+      Started := 0;
+      Handler.Begin_Scan;
+      for Number in Channel loop
+         Expect_Number ("starts", Started, Integer (Number) + 1);
+         Expect_Number
+           ("channel started", Integer (Last_Start), Integer (Number));
+         Expect_Number ("sent before the last", Words.Sent, 0);
+         Board_Data := 16#300# + Word (Number);
+         Handler.Handle_Interrupt;
+      end loop;
+      Expect_Number ("starts after the last channel", Started, 32);
+      Expect_Number ("sent", Words.Sent, 1);
+      for Number in Channel loop
+         Expect
+           ("channel" & Number'Image, Words.Kept (Number),
+            16#300# + Word (Number));
+      end loop;
+      Expect_Errors ("a scan", None);
+   end Whole_Scan;
+
+   ---------------------
+   -- Stray_Interrupt --
+   ---------------------
+
+   procedure Stray_Interrupt is
+   begin
+      Whole_Scan;
+      Board_Data := 0;
+      Handler.Handle_Interrupt;
+      Expect_Number ("starts", Started, 32);
+      Expect_Number ("sent", Words.Sent, 1);
+      Expect_Errors ("after the scan", (1 => AD_Unexpected_Interrupt));
+   end Stray_Interrupt;
+
+   ---------------------
+   -- Broken_Off_Scan --
+   ---------------------
+
+   procedure Broken_Off_Scan is
+   begin
+      --  The board stalls at any channel; the next scan is whole.
+      for Stall in Channel loop
+         Clear;
+         Started := 0;
+         Handler.Begin_Scan;
+         Board_Data := 1;
+         for Number in 1 .. Stall loop
+            Handler.Handle_Interrupt;
+         end loop;
+         Expect_Number ("sent", Words.Sent, 0);
+         Whole_Scan;
+      end loop;
+   end Broken_Off_Scan;
+
+   ------------------
+   -- Not_Consumed --
+   ------------------
+
+   procedure Not_Consumed is
+   begin
+      Clear;
+      Words.Succeeds := False;
+      Handler.Begin_Scan;
+      for Number in Channel loop
+         Handler.Handle_Interrupt;
+      end loop;
+      Expect_Errors ("overwritten", (1 => Scan_Not_Consumed));
+   end Not_Consumed;
+
+   ----------------
+   -- Fresh_Scan --
+   ----------------
+
+   procedure Fresh_Scan is
+   begin
+      Clear;
+      Scans_Begun := 0;
+      AD.Initialise;
+      Expect_Number ("scans begun at first", Scans_Begun, 1);
+      Words.Given := Image_Of (16#100#, 0).Words;
+      AD.Run_Transaction;
+      Expect_Number ("received", Words.Received, 1);
+      Expect_Number ("sent", Image.Sent, 1);
+      Expect ("error word", Image.Kept.Error_Status, No_Error);
+      for Number in Channel loop
+         Expect
+           ("channel" & Number'Image, Image.Kept.Words (Number),
+            16#100# + Word (Number));
+      end loop;
+      Expect_Number ("scans begun", Scans_Begun, 2);
+      Expect_Errors ("a fresh scan", None);
+   end Fresh_Scan;
+
+   --------------
+   -- Old_Scan --
+   --------------
+
+   procedure Old_Scan is
+   begin
+      Clear;
+      Scans_Begun := 0;
+      Words.Given := Image_Of (16#100#, 0).Words;
+      AD.Run_Transaction;
+      Words.Is_Fresh := False;
+      AD.Run_Transaction;
+      Expect_Number ("sent all the same", Image.Sent, 2);
+      Expect ("error word", Image.Kept.Error_Status, Stale_Data);
+      Expect ("the words before", Image.Kept.Words (31), 16#11F#);
+      Expect_Number ("scans begun", Scans_Begun, 2);
+      Expect_Errors ("no scan", (1 => AD_No_Scan));
+
+      Words.Is_Fresh := True;
+      AD.Run_Transaction;
+      Expect ("error word cleared", Image.Kept.Error_Status, No_Error);
+   end Old_Scan;
+
+   ------------------
+   -- Image_Unread --
+   ------------------
+
+   procedure Image_Unread is
+   begin
+      Clear;
+      Image.Succeeds := False;
+      AD.Run_Transaction;
+      Expect_Errors ("overwritten", (1 => Image_Not_Consumed));
+   end Image_Unread;
+
+   ---------------
+   -- The_Board --
+   ---------------
+
+   procedure The_Board is
+      Board : Registers;
+   begin
+      Expect ("interrupt at power up", Board.Interrupt_Enabled, False);
+      Board := Initialised (Board);
+      Expect ("interrupt", Board.Interrupt_Enabled, True);
+      Expect ("vector", Board.Vector, Interrupt_Vector);
+      Expect_Number
+        ("microseconds a scan", Microseconds_Per_Conversion * 32, 512);
+
+      Board := Devices.AD_Board.Started (Board, 7);
+      Expect ("started", Board.Doing, Start_Wanted);
+      Board := Begun (Board);
+      Expect ("begun", Board.Doing, Converting);
+      Expect_Number ("channel", Integer (Board.Channel), 7);
+      Board := Finished (Board, 16#ABC#);
+      Expect ("finished", Board.Doing, Idle);
+      Expect ("data", Board.Data, 16#ABC#);
+
+      --  A new start abandons the conversion.
+      Board := Begun (Devices.AD_Board.Started (Board, 3));
+      Board := Devices.AD_Board.Started (Board, 4);
+      Expect ("started anew", Board.Doing, Start_Wanted);
+      Expect_Number ("channel", Integer (Board.Channel), 4);
+   end The_Board;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "ADI-1 a scan stores its channels in order",
+         Scan_Itself'Access);
+      Add
+        (Suite, "ADI-1 past the last channel nothing is stored",
+         Past_The_Last'Access);
+      Add
+        (Suite, "ADI-1 32 interrupts are a scan, sent after channel 31",
+         Whole_Scan'Access);
+      Add
+        (Suite, "ADI-1 an interrupt outside a scan starts and sends nothing",
+         Stray_Interrupt'Access);
+      Add
+        (Suite, "ADI-1 a scan that breaks off does not spoil the next",
+         Broken_Off_Scan'Access);
+      Add
+        (Suite, "ADI-1 a scan that nobody took is reported",
+         Not_Consumed'Access);
+      Add
+        (Suite, "AD-1 a fresh scan clears the error word", Fresh_Scan'Access);
+      Add
+        (Suite, "AD-1 without a scan the words before go out as stale",
+         Old_Scan'Access);
+      Add
+        (Suite, "AD-1 an image that nobody took is reported",
+         Image_Unread'Access);
+      Add
+        (Suite, "INI-5 the board's vector is set and its interrupt enabled",
+         The_Board'Access);
+   end Add_To;
+
+end AD_Tests;

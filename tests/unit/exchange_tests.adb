@@ -1,0 +1,253 @@
+with Checks;       use Checks;
+with Expectations; use Expectations;
+with Task_Doubles; use Task_Doubles;
+with URV.Buffers;  use URV.Buffers;
+with URV.Errors;   use URV.Errors;
+with URV.GDCIN_Task;
+with URV.GDCOUT_Task;
+with URV.MDCIN_Task;
+with URV.MDCOUT_Task;
+
+package body Exchange_Tests is
+
+   --  The tests, in order.
+   procedure Aircraft_In;
+   procedure Aircraft_In_Old;
+   procedure Aircraft_In_Unread;
+   procedure Aircraft_In_Too_Large;
+   procedure Aircraft_Out;
+   procedure Aircraft_Out_Old;
+   procedure Ground_In;
+   procedure Ground_In_Too_Large;
+   procedure Ground_Out;
+
+   package MDCIN is new URV.MDCIN_Task
+     (Input_Up.Receive, Uplink.Send, Commands.Send, Report);
+
+   package MDCOUT is new URV.MDCOUT_Task
+     (Image.Receive, Downlink.Send, Output_Down.Send, Report);
+
+   package GDCIN is new URV.GDCIN_Task
+     (Input_Down.Receive, Downlink.Send, Report);
+
+   package GDCOUT is new URV.GDCOUT_Task
+     (Image.Receive, Uplink.Send, Output_Up.Send, Report);
+
+   -----------------
+   -- Aircraft_In --
+   -----------------
+
+   procedure Aircraft_In is
+   begin
+      Clear;
+      Input_Up.Given := Uplink_Of (16#100#);
+      MDCIN.Run_Transaction;
+      Expect_Number ("received", Input_Up.Received, 1);
+      Expect_Number ("sent to CORE", Uplink.Sent, 1);
+      Expect_Number ("sent to PWM", Commands.Sent, 1);
+      Expect_Buffer ("to CORE", Uplink.Kept, Uplink_Of (16#100#));
+      Expect_Buffer ("to PWM", Commands.Kept, Uplink_Of (16#100#));
+      Expect_Errors ("fresh input", None);
+   end Aircraft_In;
+
+   ---------------------
+   -- Aircraft_In_Old --
+   ---------------------
+
+   procedure Aircraft_In_Old is
+   begin
+      Clear;
+      Input_Up.Given    := Uplink_Of (16#100#);
+      Input_Up.Is_Fresh := False;
+      MDCIN.Run_Transaction;
+      Expect_Buffer ("to CORE", Uplink.Kept, Uplink_Of (16#100#));
+      Expect_Buffer ("to PWM", Commands.Kept, Uplink_Of (16#100#));
+      Expect_Number ("sent to CORE", Uplink.Sent, 1);
+      Expect_Number ("sent to PWM", Commands.Sent, 1);
+      Expect_Errors ("old input", (1 => No_Input));
+   end Aircraft_In_Old;
+
+   ------------------------
+   -- Aircraft_In_Unread --
+   ------------------------
+
+   procedure Aircraft_In_Unread is
+   begin
+      Clear;
+      Uplink.Succeeds := False;
+      MDCIN.Run_Transaction;
+      Expect_Number ("sent to PWM all the same", Commands.Sent, 1);
+      Expect_Errors ("CORE did not take", (1 => Uplink_Not_Consumed));
+
+      Uplink.Succeeds   := True;
+      Commands.Succeeds := False;
+      MDCIN.Run_Transaction;
+      Expect_Errors ("PWM did not take", (1 => Commands_Not_Consumed));
+   end Aircraft_In_Unread;
+
+   ---------------------------
+   -- Aircraft_In_Too_Large --
+   ---------------------------
+
+   procedure Aircraft_In_Too_Large is
+   begin
+      for Item in Command_Item loop
+         Clear;
+         Input_Up.Given (Item) := 16#1000#;
+         MDCIN.Run_Transaction;
+         Expect_Buffer ("to CORE", Uplink.Kept, Input_Up.Given);
+         Expect_Errors (Item'Image, (1 => Input_Out_Of_Range));
+      end loop;
+
+      --  The error word may hold anything.
+      Clear;
+      Input_Up.Given (Error_Status) := 16#FFFF#;
+      MDCIN.Run_Transaction;
+      Expect_Errors ("error word", None);
+   end Aircraft_In_Too_Large;
+
+   ------------------
+   -- Aircraft_Out --
+   ------------------
+
+   procedure Aircraft_Out is
+   begin
+      Clear;
+      Image.Given := Image_Of (16#100#, Error => 16#77#);
+      MDCOUT.Run_Transaction;
+      for Item in Sensor_Item loop
+         Expect
+           (Item'Image, Downlink.Kept (Item), Downlink_Of (16#100#) (Item));
+      end loop;
+      Expect ("error word", Downlink.Kept (Error_Status), 16#77#);
+      Expect_Buffer ("to TELOUT", Output_Down.Kept, Downlink.Kept);
+      Expect_Number ("received", Image.Received, 1);
+      Expect_Number ("sent to CORE", Downlink.Sent, 1);
+      Expect_Number ("sent to TELOUT", Output_Down.Sent, 1);
+      Expect_Errors ("fresh image", None);
+   end Aircraft_Out;
+
+   ----------------------
+   -- Aircraft_Out_Old --
+   ----------------------
+
+   procedure Aircraft_Out_Old is
+   begin
+      Clear;
+      Image.Given    := Image_Of (16#100#, Error => 0);
+      Image.Is_Fresh := False;
+      MDCOUT.Run_Transaction;
+      Expect ("to CORE", Downlink.Kept (Altitude), 16#119#);
+      Expect ("to TELOUT", Output_Down.Kept (Altitude), 16#119#);
+      Expect_Errors ("old image", (1 => No_Image));
+
+      Image.Is_Fresh       := True;
+      Downlink.Succeeds    := False;
+      Output_Down.Succeeds := False;
+      MDCOUT.Run_Transaction;
+      Expect_Errors
+        ("nobody took", (Downlink_Not_Consumed, Output_Not_Consumed));
+   end Aircraft_Out_Old;
+
+   ---------------
+   -- Ground_In --
+   ---------------
+
+   procedure Ground_In is
+   begin
+      Clear;
+      Input_Down.Given := Downlink_Of (16#200#);
+      GDCIN.Run_Transaction;
+      Expect_Buffer ("to CORE", Downlink.Kept, Downlink_Of (16#200#));
+      Expect_Number ("sent", Downlink.Sent, 1);
+      Expect_Errors ("fresh input", None);
+
+      Input_Down.Is_Fresh := False;
+      GDCIN.Run_Transaction;
+      Expect_Buffer ("old, to CORE", Downlink.Kept, Downlink_Of (16#200#));
+      Expect_Number ("sent again", Downlink.Sent, 2);
+      Expect_Errors ("old input", (1 => No_Input));
+
+      Input_Down.Is_Fresh := True;
+      Downlink.Succeeds   := False;
+      GDCIN.Run_Transaction;
+      Expect_Errors ("CORE did not take", (1 => Downlink_Not_Consumed));
+   end Ground_In;
+
+   -------------------------
+   -- Ground_In_Too_Large --
+   -------------------------
+
+   procedure Ground_In_Too_Large is
+   begin
+      for Item in Sensor_Item loop
+         Clear;
+         Input_Down.Given (Item) := 16#FFFF#;
+         GDCIN.Run_Transaction;
+         Expect_Buffer ("to CORE", Downlink.Kept, Input_Down.Given);
+         Expect_Errors (Item'Image, (1 => Input_Out_Of_Range));
+      end loop;
+   end Ground_In_Too_Large;
+
+   ----------------
+   -- Ground_Out --
+   ----------------
+
+   procedure Ground_Out is
+   begin
+      Clear;
+      Image.Given := Image_Of (16#300#, Error => 16#99#);
+      GDCOUT.Run_Transaction;
+      for Item in Command_Item loop
+         Expect (Item'Image, Uplink.Kept (Item), Uplink_Of (16#300#) (Item));
+      end loop;
+      Expect ("error word", Uplink.Kept (Error_Status), 16#99#);
+      Expect_Buffer ("to TELOUT", Output_Up.Kept, Uplink.Kept);
+      Expect_Number ("sent to CORE", Uplink.Sent, 1);
+      Expect_Number ("sent to TELOUT", Output_Up.Sent, 1);
+      Expect_Errors ("fresh image", None);
+
+      Image.Is_Fresh     := False;
+      Uplink.Succeeds    := False;
+      Output_Up.Succeeds := False;
+      GDCOUT.Run_Transaction;
+      Expect ("old, to TELOUT", Output_Up.Kept (Roll), 16#300#);
+      Expect_Errors
+        ("old image, nobody took",
+         (No_Image, Uplink_Not_Consumed, Output_Not_Consumed));
+   end Ground_Out;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "MDI-1 commands go to CORE and to PWM", Aircraft_In'Access);
+      Add
+        (Suite, "MDI-1 without new commands the ones before go out",
+         Aircraft_In_Old'Access);
+      Add
+        (Suite, "MDI-1 who did not take the commands is reported",
+         Aircraft_In_Unread'Access);
+      Add
+        (Suite, "D-11 commands above 0FFFh go to CORE and are an error",
+         Aircraft_In_Too_Large'Access);
+      Add
+        (Suite, "MDO-1 27 sensors and the error word go to CORE and down",
+         Aircraft_Out'Access);
+      Add
+        (Suite, "MDO-1 without a new image the one before goes out",
+         Aircraft_Out_Old'Access);
+      Add
+        (Suite, "GDI-1 sensors go to CORE, the old ones if none are new",
+         Ground_In'Access);
+      Add
+        (Suite, "D-11 sensors above 0FFFh go to CORE and are an error",
+         Ground_In_Too_Large'Access);
+      Add
+        (Suite, "GDO-1 13 commands and the error word go to CORE and up",
+         Ground_Out'Access);
+   end Add_To;
+
+end Exchange_Tests;

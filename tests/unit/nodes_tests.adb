@@ -1,0 +1,626 @@
+with Checks;              use Checks;
+with Devices.AD_Board;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.PWM_Board;   use Devices.PWM_Board;
+with Expectations;        use Expectations;
+with GSC;
+with MCS;
+with Telemetry.Boards;
+with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
+with URVOS.Shared_Mailboxes;
+with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+
+package body Nodes_Tests is
+
+   --  The tests, in order.
+   procedure Data_Through;
+   procedure Each_Frame;
+   procedure Flaps_And_Discretes;
+   procedure Too_Large;
+   procedure Cut_Link;
+   procedure Dead_Converter;
+   procedure Cold_Start;
+   procedure New_Variables;
+   procedure Controller_Alone;
+   procedure First_Frames;
+   procedure Type_Codes;
+
+   --  What the converters of the nodes see.
+   Console : Channel_Words;
+   Sensors : Channel_Words;
+
+   --  The world outside the nodes.
+   Now         : Clock_Tick := 0;
+   Link_Is_Cut : Boolean    := False;
+   MCS_Stalls  : Boolean    := False;
+
+   --  Cold start of both nodes and their telemetry boards. The console and
+   --  the sensors are neutral.
+   procedure Switch_On;
+
+   --  Both nodes for some major frames. The aircraft's clock is three ticks
+   --  behind the ground's.
+   procedure Fly (Frames : Positive);
+
+   --  One tick's worth of the nodes, the boards' hardware and the line.
+   procedure Clock_Tick_Of_Both;
+   procedure Convert;
+   procedure Exchange_Character;
+
+   function CORE_Of_MCS return Memory;
+   function CORE_Of_GSC return Memory;
+   function Servos return Data_Area;
+
+   --  A number for each channel: the first word and on.
+   function Numbered (First : Word) return Channel_Words;
+
+   --  Words as they stand in both CORE memories and at the servos.
+   procedure Expect_Commands (What : String; First, Error : Word);
+   procedure Expect_Sensors (What : String; First, Error : Word);
+
+   --------------
+   -- Numbered --
+   --------------
+
+   function Numbered (First : Word) return Channel_Words is
+   begin
+      return Result : Channel_Words do
+         for Number in Channel loop
+            Result (Number) := First + Word (Number);
+         end loop;
+      end return;
+   end Numbered;
+
+   -----------------
+   -- CORE_Of_MCS --
+   -----------------
+
+   function CORE_Of_MCS return Memory is
+   begin
+      return Result : Memory do
+         MCS.CORE_Memory.Inspect (Result);
+      end return;
+   end CORE_Of_MCS;
+
+   -----------------
+   -- CORE_Of_GSC --
+   -----------------
+
+   function CORE_Of_GSC return Memory is
+   begin
+      return Result : Memory do
+         GSC.CORE_Memory.Inspect (Result);
+      end return;
+   end CORE_Of_GSC;
+
+   ------------
+   -- Servos --
+   ------------
+
+   function Servos return Data_Area is
+   begin
+      return Result : Data_Area do
+         MCS.PWM_Board.Read (Result);
+      end return;
+   end Servos;
+
+   ---------------
+   -- Switch_On --
+   ---------------
+
+   procedure Switch_On is
+   begin
+      Now         := 0;
+      Link_Is_Cut := False;
+      MCS_Stalls  := False;
+      Console     := (others => 16#800#);
+      Sensors     := (others => 16#800#);
+      for Switch in Switch_Item loop
+         Console (Channel (Switch_Item'Pos (Switch))) := 0;
+      end loop;
+      GSC.Cold_Start (0);
+      GSC.Telemetry_Board.Start;
+      MCS.Cold_Start (0);
+      MCS.Telemetry_Board.Start;
+   end Switch_On;
+
+   -------------
+   -- Convert --
+   -------------
+
+   procedure Convert is
+      Wanted    : Boolean;
+      Interrupt : Boolean;
+      Number    : Devices.AD_Board.Channel_Number;
+   begin
+      loop
+         GSC.AD_Board.Take_Start (Wanted, Number);
+         exit when not Wanted;
+         GSC.AD_Board.Finish (Console (Channel (Number)), Interrupt);
+         if Interrupt then
+            GSC.AD_Interrupt;
+         end if;
+      end loop;
+      while not MCS_Stalls loop
+         MCS.AD_Board.Take_Start (Wanted, Number);
+         exit when not Wanted;
+         MCS.AD_Board.Finish (Sensors (Channel (Number)), Interrupt);
+         if Interrupt then
+            MCS.AD_Interrupt;
+         end if;
+      end loop;
+   end Convert;
+
+   ------------------------
+   -- Exchange_Character --
+   ------------------------
+
+   procedure Exchange_Character is
+      Up, Down           : Byte;
+      Up_Sent, Down_Sent : Boolean;
+      Unused_Time        : Telemetry.Character_Times;
+      Unused_Flag        : Boolean;
+   begin
+      GSC.Telemetry_Board.Next_Character (1, Up_Sent, Up, Unused_Time);
+      MCS.Telemetry_Board.Next_Character (1, Down_Sent, Down, Unused_Time);
+      if Up_Sent and not Link_Is_Cut then
+         MCS.Telemetry_Board.Accept_Character (0, Up, False, Unused_Flag);
+      end if;
+      if Down_Sent and not Link_Is_Cut then
+         GSC.Telemetry_Board.Accept_Character (0, Down, False, Unused_Flag);
+      end if;
+   end Exchange_Character;
+
+   ------------------------
+   -- Clock_Tick_Of_Both --
+   ------------------------
+
+   procedure Clock_Tick_Of_Both is
+      Characters : constant := 20;
+   begin
+      Now := Advanced (Now);
+      GSC.Clock_Interrupt (Now);
+      if Now >= 3 then
+         MCS.Clock_Interrupt (Now - 3);
+      end if;
+      Convert;
+      for Time in 1 .. Characters loop
+         Exchange_Character;
+      end loop;
+   end Clock_Tick_Of_Both;
+
+   ---------
+   -- Fly --
+   ---------
+
+   procedure Fly (Frames : Positive) is
+   begin
+      for Ticks in 1 .. 10 * Frames loop
+         Clock_Tick_Of_Both;
+      end loop;
+   end Fly;
+
+   ---------------------
+   -- Expect_Commands --
+   ---------------------
+
+   procedure Expect_Commands (What : String; First, Error : Word) is
+      Ground   : constant Memory := CORE_Of_GSC;
+      Aircraft : constant Memory := CORE_Of_MCS;
+      Expected : Word;
+   begin
+      for Item in Uplink_Item loop
+         Expected :=
+           (if Item = Error_Status then Error
+            else First + Word (Uplink_Item'Pos (Item)));
+         Expect
+           (What & ", GSC CORE " & Item'Image, Ground.Uplink (Place (Item)),
+            Expected);
+         Expect
+           (What & ", MCS CORE " & Item'Image, Aircraft.Uplink (Place (Item)),
+            Expected);
+      end loop;
+   end Expect_Commands;
+
+   --------------------
+   -- Expect_Sensors --
+   --------------------
+
+   procedure Expect_Sensors (What : String; First, Error : Word) is
+      Ground   : constant Memory := CORE_Of_GSC;
+      Aircraft : constant Memory := CORE_Of_MCS;
+      Expected : Word;
+   begin
+      for Item in Downlink_Item loop
+         Expected :=
+           (if Item = Error_Status then Error
+            else First + Word (Downlink_Item'Pos (Item)));
+         Expect
+           (What & ", MCS CORE " & Item'Image,
+            Aircraft.Downlink (Place (Item)), Expected);
+         Expect
+           (What & ", GSC CORE " & Item'Image, Ground.Downlink (Place (Item)),
+            Expected);
+      end loop;
+   end Expect_Sensors;
+
+   ------------------
+   -- Data_Through --
+   ------------------
+
+   procedure Data_Through is
+   begin
+      Switch_On;
+      Console := Numbered (16#100#);
+      Sensors := Numbered (16#500#);
+      Fly (6);
+      Expect_Commands ("flight", 16#100#, No_Error);
+      Expect_Sensors ("flight", 16#500#, No_Error);
+
+      --  Figure 13, by channel of the board.
+      Expect ("left aileron", Servos (1), 16#100#);
+      Expect ("right aileron", Servos (2), 16#100#);
+      Expect ("left elevator", Servos (3), 16#101#);
+      Expect ("right elevator", Servos (4), 16#101#);
+      Expect ("left rudder", Servos (5), 16#102#);
+      Expect ("right rudder", Servos (6), 16#102#);
+      Expect ("steering", Servos (7), 16#102#);
+      Expect ("throttle", Servos (8), 16#103#);
+      Expect ("brake", Servos (9), 16#104#);
+      for Flap in Channel_Number range 10 .. 13 loop
+         Expect ("flap, channel" & Flap'Image, Servos (Flap), 16#800#);
+      end loop;
+      Expect ("discretes", Servos (14), 0);
+      Expect ("unused channel", Servos (15), 16#800#);
+      Expect ("unused channel", Servos (16), 16#800#);
+      Expect ("overruns of GSC", GSC.Executive.Overruns, 0);
+      Expect ("overruns of MCS", MCS.Executive.Overruns, 0);
+   end Data_Through;
+
+   ----------------
+   -- Each_Frame --
+   ----------------
+
+   procedure Each_Frame is
+      Tally : Telemetry.Boards.Statistics;
+   begin
+      Switch_On;
+      Fly (4);
+      for Number in Word range 1 .. 200 loop
+         Console := Numbered (Number);
+         Sensors := Numbered (16#400# + Number);
+         Fly (1);
+      end loop;
+      GSC.Telemetry_Board.Inspect (Tally);
+      Expect ("bad blocks down", Tally.Bad, 0);
+      Expect ("resets of the ground", Tally.Resets, 0);
+      Expect
+        ("all frames but the first ones down", Tally.Received > 200, True);
+      MCS.Telemetry_Board.Inspect (Tally);
+      Expect ("bad blocks up", Tally.Bad, 0);
+      Expect ("resets of the aircraft", Tally.Resets, 0);
+      Expect ("all frames but the first ones up", Tally.Received > 200, True);
+      Fly (6);
+      Expect_Commands ("the last frame", 200, No_Error);
+      Expect_Sensors ("the last frame", 16#400# + 200, No_Error);
+   end Each_Frame;
+
+   --------------
+   -- Switch_8 --
+   --------------
+
+   procedure Flaps_And_Discretes is
+   begin
+      Switch_On;
+      Console (5)  := 16#FFF#;
+      Console (12) := 16#FFF#;
+      Fly (6);
+      for Flap in Channel_Number range 10 .. 13 loop
+         Expect ("flap, channel" & Flap'Image, Servos (Flap), 16#FFF#);
+      end loop;
+      Expect ("switches 1 and 8", Servos (14), 16#81#);
+   end Flaps_And_Discretes;
+
+   ---------------
+   -- Too_Large --
+   ---------------
+
+   procedure Too_Large is
+   begin
+      Switch_On;
+      Console (3) := 16#8123#;
+      Sensors (9) := 16#FFFF#;
+      Fly (6);
+      Expect ("throttle in GSC CORE", CORE_Of_GSC.Uplink (4), 16#8123#);
+      Expect ("throttle in MCS CORE", CORE_Of_MCS.Uplink (4), 16#8123#);
+      Expect ("throttle servo", Servos (8), 16#FFF#);
+      Expect ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (10), 16#FFFF#);
+   end Too_Large;
+
+   --------------
+   -- Cut_Link --
+   --------------
+
+   procedure Cut_Link is
+      Seen : Data_Area;
+   begin
+      Switch_On;
+      Console := Numbered (16#100#);
+      Sensors := Numbered (16#500#);
+      Fly (6);
+      Link_Is_Cut := True;
+      Console := Numbered (16#200#);
+      Sensors := Numbered (16#600#);
+      Seen    := Servos;
+      Fly (50);
+      for Number in Seen'Range loop
+         Expect
+           ("servo" & Number'Image & " held", Servos (Number), Seen (Number));
+      end loop;
+      Expect ("commands in MCS CORE held", CORE_Of_MCS.Uplink (1), 16#100#);
+      Expect ("sensors in GSC CORE held", CORE_Of_GSC.Downlink (1), 16#500#);
+      Expect ("commands in GSC CORE are new", CORE_Of_GSC.Uplink (1), 16#200#);
+      Expect
+        ("sensors in MCS CORE are new", CORE_Of_MCS.Downlink (1), 16#600#);
+
+      Link_Is_Cut := False;
+      Fly (8);
+      Expect_Commands ("after the cut", 16#200#, No_Error);
+      Expect_Sensors ("after the cut", 16#600#, No_Error);
+   end Cut_Link;
+
+   --------------------
+   -- Dead_Converter --
+   --------------------
+
+   procedure Dead_Converter is
+   begin
+      Switch_On;
+      Sensors := Numbered (16#500#);
+      Fly (6);
+      MCS_Stalls := True;
+      Sensors    := Numbered (16#600#);
+      Fly (6);
+      Expect_Sensors ("stalled", 16#500#, Stale_Data);
+
+      MCS_Stalls := False;
+      Fly (6);
+      Expect_Sensors ("again", 16#600#, No_Error);
+   end Dead_Converter;
+
+   ----------------
+   -- Cold_Start --
+   ----------------
+
+   procedure Cold_Start is
+      Before, After : Memory;
+   begin
+      --  A flight first, so that there is something to forget.
+      Switch_On;
+      Console := Numbered (16#100#);
+      Sensors := Numbered (16#500#);
+      Fly (6);
+      Before := CORE_Of_MCS;
+      Expect ("commands before", Before.Uplink (1), 16#100#);
+
+      Switch_On;
+      for Number in Channel_Number loop
+         Expect ("servo" & Number'Image, Servos (Number), 16#800#);
+      end loop;
+      for Ground in Boolean loop
+         After := (if Ground then CORE_Of_GSC else CORE_Of_MCS);
+         for I in Item_Number loop
+            if I in After.Uplink'Range then
+               Expect ("CORE uplink" & I'Image, After.Uplink (I), 0);
+               Expect ("CORE code" & I'Image, After.Uplink_Codes (I), 0);
+            end if;
+            Expect ("CORE downlink" & I'Image, After.Downlink (I), 0);
+            Expect ("CORE code" & I'Image, After.Downlink_Codes (I), 0);
+         end loop;
+      end loop;
+   end Cold_Start;
+
+   -------------------
+   -- New_Variables --
+   -------------------
+
+   procedure New_Variables is
+
+      --  Nothing produced, consumed or missed.
+      generic
+         with package Variable is new URVOS.Shared_Mailboxes (<>);
+      procedure Expect_New (What : String);
+
+      ----------------
+      -- Expect_New --
+      ----------------
+
+      procedure Expect_New (What : String) is
+         Box : Variable.Boxes.Mailbox;
+      begin
+         Variable.Inspect (Box);
+         Expect
+           (What & ", produced", Count (Variable.Boxes.Produced (Box)), 0);
+         Expect
+           (What & ", consumed", Count (Variable.Boxes.Consumed (Box)), 0);
+         Expect (What & ", misses", Variable.Boxes.Misses (Box), 0);
+      end Expect_New;
+
+      procedure MCS_ADINT_Is_New is
+        new Expect_New (MCS.ADINT_Variable);
+      procedure MCS_AD_Is_New is
+        new Expect_New (MCS.AD_Variable);
+      procedure MCS_TELIN_Is_New is
+        new Expect_New (MCS.TELIN_Variable);
+      procedure MCS_Uplink_Is_New is
+        new Expect_New (MCS.Uplink_Variable);
+      procedure MCS_Downlink_Is_New is
+        new Expect_New (MCS.Downlink_Variable);
+      procedure MCS_TELOUT_Is_New is
+        new Expect_New (MCS.TELOUT_Variable);
+      procedure MCS_PWM_Is_New is
+        new Expect_New (MCS.PWM_Variable);
+      procedure GSC_ADINT_Is_New is
+        new Expect_New (GSC.ADINT_Variable);
+      procedure GSC_AD_Is_New is
+        new Expect_New (GSC.AD_Variable);
+      procedure GSC_TELIN_Is_New is
+        new Expect_New (GSC.TELIN_Variable);
+      procedure GSC_Uplink_Is_New is
+        new Expect_New (GSC.Uplink_Variable);
+      procedure GSC_Downlink_Is_New is
+        new Expect_New (GSC.Downlink_Variable);
+      procedure GSC_TELOUT_Is_New is
+        new Expect_New (GSC.TELOUT_Variable);
+
+   begin
+      Switch_On;
+
+      --  Ended between tasks, so that the variables hold something new.
+      Fly (6);
+      for Ticks in 1 .. 5 loop
+         Clock_Tick_Of_Both;
+      end loop;
+      Switch_On;
+      MCS_ADINT_Is_New ("MCS ADINT_variable");
+      MCS_AD_Is_New ("MCS AD_variable");
+      MCS_TELIN_Is_New ("MCS TELIN_variable");
+      MCS_Uplink_Is_New ("MCS uplink_variable");
+      MCS_Downlink_Is_New ("MCS downlink_variable");
+      MCS_TELOUT_Is_New ("MCS TELOUT_variable");
+      MCS_PWM_Is_New ("MCS PWM_variable");
+      GSC_ADINT_Is_New ("GSC ADINT_variable");
+      GSC_AD_Is_New ("GSC AD_variable");
+      GSC_TELIN_Is_New ("GSC TELIN_variable");
+      GSC_Uplink_Is_New ("GSC uplink_variable");
+      GSC_Downlink_Is_New ("GSC downlink_variable");
+      GSC_TELOUT_Is_New ("GSC TELOUT_variable");
+   end New_Variables;
+
+   ----------------------
+   -- Controller_Alone --
+   ----------------------
+
+   procedure Controller_Alone is
+   begin
+      --  Only the controllers start anew: their boards have received
+      --  messages before, and have nothing now.
+      Data_Through;
+      Link_Is_Cut := True;
+      Fly (4);
+      Now := 0;
+      MCS.Cold_Start (0);
+      GSC.Cold_Start (0);
+      Fly (4);
+      for Item in Uplink_Item loop
+         Expect
+           ("MCS CORE " & Item'Image, CORE_Of_MCS.Uplink (Place (Item)),
+            Neutral_Uplink (Item));
+      end loop;
+      for Item in Downlink_Item loop
+         Expect
+           ("GSC CORE " & Item'Image, CORE_Of_GSC.Downlink (Place (Item)),
+            Neutral_Downlink (Item));
+      end loop;
+   end Controller_Alone;
+
+   -----------------
+   -- First_Frame --
+   -----------------
+
+   procedure First_Frames is
+      CORE : Memory;
+   begin
+      --  An aircraft that hears nothing: what reaches its CORE and its
+      --  servos is neutral and says that it is stale, whatever was before.
+      Data_Through;
+      Switch_On;
+      Link_Is_Cut := True;
+      Fly (4);
+      CORE := CORE_Of_MCS;
+      for Item in Uplink_Item loop
+         Expect
+           ("MCS CORE " & Item'Image, CORE.Uplink (Place (Item)),
+            Neutral_Uplink (Item));
+      end loop;
+      for Servo in Channel_Number range 1 .. 13 loop
+         Expect ("servo" & Servo'Image, Servos (Servo), 16#800#);
+      end loop;
+      CORE := CORE_Of_GSC;
+      for Item in Downlink_Item loop
+         Expect
+           ("GSC CORE " & Item'Image, CORE.Downlink (Place (Item)),
+            Neutral_Downlink (Item));
+      end loop;
+   end First_Frames;
+
+   ----------------
+   -- Type_Codes --
+   ----------------
+
+   procedure Type_Codes is
+   begin
+      Switch_On;
+      Fly (2);
+      for Item in Uplink_Item loop
+         Expect
+           ("MCS code of " & Item'Image,
+            CORE_Of_MCS.Uplink_Codes (Place (Item)), Type_Code (Item));
+         Expect
+           ("GSC code of " & Item'Image,
+            CORE_Of_GSC.Uplink_Codes (Place (Item)), Type_Code (Item));
+      end loop;
+      for Item in Downlink_Item loop
+         Expect
+           ("MCS code of " & Item'Image,
+            CORE_Of_MCS.Downlink_Codes (Place (Item)), Type_Code (Item));
+         Expect
+           ("GSC code of " & Item'Image,
+            CORE_Of_GSC.Downlink_Codes (Place (Item)), Type_Code (Item));
+      end loop;
+   end Type_Codes;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "SET-2 sticks reach CORE twice and the servos, sensors CORE",
+         Data_Through'Access);
+      Add
+        (Suite, "SET-2 each frame's words go all the way, 200 times",
+         Each_Frame'Access);
+      Add
+        (Suite, "SET-2 switches reach flaps and discretes",
+         Flaps_And_Discretes'Access);
+      Add
+        (Suite, "D-11 a word above 0FFFh is limited at the servos only",
+         Too_Large'Access);
+      Add
+        (Suite, "LNK-9 a cut link holds what was last, and recovers",
+         Cut_Link'Access);
+      Add
+        (Suite, "AD-1 a dead converter is told to the ground as stale",
+         Dead_Converter'Access);
+      Add
+        (Suite, "INI-3 INI-6 a cold start forgets the flight before",
+         Cold_Start'Access);
+      Add
+        (Suite, "INI-8 until something is heard all data is neutral, stale",
+         First_Frames'Access);
+      Add
+        (Suite, "INI-8 a cold start leaves every variable as new",
+         New_Variables'Access);
+      Add
+        (Suite, "INI-8 a cold start forgets the message before, too",
+         Controller_Alone'Access);
+      Add
+        (Suite, "INI-7 the type codes are there after the first frame",
+         Type_Codes'Access);
+   end Add_To;
+
+end Nodes_Tests;

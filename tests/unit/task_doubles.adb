@@ -1,0 +1,109 @@
+with Expectations; use Expectations;
+
+package body Task_Doubles is
+
+   -----------
+   -- Clear --
+   -----------
+
+   procedure Clear is
+   begin
+      Words.Clear;
+      Image.Clear;
+      Input_Up.Clear;
+      Input_Down.Clear;
+      Uplink.Clear;
+      Downlink.Clear;
+      Output_Up.Clear;
+      Output_Down.Clear;
+      Commands.Clear;
+      Errors := No_Errors;
+   end Clear;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report (Error : Error_Kind) is
+   begin
+      Errors (Error) := Errors (Error) + 1;
+   end Report;
+
+   -------------------
+   -- Expect_Errors --
+   -------------------
+
+   procedure Expect_Errors (What : String; Expected : Error_List) is
+      Wanted : Error_Counts := No_Errors;
+   begin
+      for Kind of Expected loop
+         Wanted (Kind) := Wanted (Kind) + 1;
+      end loop;
+      for Kind in Error_Kind loop
+         Expect
+           (What & ", errors " & Kind'Image, Errors (Kind), Wanted (Kind));
+      end loop;
+      Errors := No_Errors;
+   end Expect_Errors;
+
+   ---------------
+   -- Uplink_Of --
+   ---------------
+
+   function Uplink_Of (Mark : Word) return Uplink_Buffer is
+   begin
+      return Result : Uplink_Buffer do
+         for Item in Result'Range loop
+            Result (Item) := Mark + Word (Uplink_Item'Pos (Item));
+         end loop;
+      end return;
+   end Uplink_Of;
+
+   -----------------
+   -- Downlink_Of --
+   -----------------
+
+   function Downlink_Of (Mark : Word) return Downlink_Buffer is
+   begin
+      return Result : Downlink_Buffer do
+         for Item in Result'Range loop
+            Result (Item) := Mark + Word (Downlink_Item'Pos (Item));
+         end loop;
+      end return;
+   end Downlink_Of;
+
+   --------------
+   -- Image_Of --
+   --------------
+
+   function Image_Of (Mark : Word; Error : Word) return AD_Image is
+   begin
+      return Result : AD_Image do
+         for Number in Channel loop
+            Result.Words (Number) := Mark + Word (Number);
+         end loop;
+         Result.Error_Status := Error;
+      end return;
+   end Image_Of;
+
+   -------------------
+   -- Expect_Buffer --
+   -------------------
+
+   procedure Expect_Buffer
+     (What : String; Actual, Expected : Uplink_Buffer) is
+   begin
+      for Item in Uplink_Item loop
+         Expect (What & ", " & Item'Image, Actual (Item), Expected (Item));
+      end loop;
+   end Expect_Buffer;
+
+   procedure Expect_Buffer
+     (What : String; Actual, Expected : Downlink_Buffer) is
+   begin
+      for Item in Downlink_Item loop
+         Expect (What & ", " & Item'Image, Actual (Item), Expected (Item));
+      end loop;
+   end Expect_Buffer;
+
+end Task_Doubles;
