@@ -37,4 +37,4 @@ size:
 	@python3 scripts/node_size.py
 
 clean:
-	@rm -rf obj bin flight bench/results.json
+	@rm -rf obj bin flight bench

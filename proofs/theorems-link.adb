@@ -6,6 +6,14 @@ package body Theorems.Link with SPARK_Mode is
 
    procedure Step_Tells_Apart (Left, Right : Byte; Data : Byte) is null;
 
+   procedure Step_Tells_Bursts
+     (Sum           : Byte;
+      First, Second : Byte;
+      Error_1       : Byte;
+      Error_2       : Byte;
+      Split         : Burst_Split)
+   is null;
+
    procedure One_Wrong_Byte_Is_Detected
      (Header : Byte;
       Sent   : Block_Data;

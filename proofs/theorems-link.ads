@@ -28,9 +28,11 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
 
    --  The checksum step is the division by the polynomial, bit by bit.
    function Shifted (Value : Byte) return Byte is
-     (if (Value and 16#80#) /= 0
-      then Shift_Left (Value, 1) xor 16#07#
-      else Shift_Left (Value, 1));
+     (if (Value and 1) /= 0
+      then Shift_Right (Value, 1) xor 16#9C#
+      else Shift_Right (Value, 1));
+
+   subtype Burst_Split is Natural range 1 .. 7;
 
    procedure Step_Is_Polynomial_Division (Value : Byte)
    with
@@ -49,6 +51,25 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
      Post   =>
        Next (Left, Data) /= Next (Right, Data)
        and then Next (Data, Left) /= Next (Data, Right);
+
+   --  A burst of up to eight data bits that begins in one byte and ends in
+   --  the next: at most the 8 - Split last bits on the line of one, and the
+   --  Split first of the other.
+   procedure Step_Tells_Bursts
+     (Sum           : Byte;
+      First, Second : Byte;
+      Error_1       : Byte;
+      Error_2       : Byte;
+      Split         : Burst_Split)
+   with
+     Global => null,
+     Pre    =>
+       (Error_1 /= 0 or else Error_2 /= 0)
+       and then Error_1 mod 2 ** Split = 0
+       and then Error_2 < 2 ** Split,
+     Post   =>
+       Next (Next (Sum, First xor Error_1), Second xor Error_2) /=
+         Next (Next (Sum, First), Second);
 
    --  A message in which exactly one byte of the data is wrong, in whatever
    --  bits, has another checksum.

@@ -378,7 +378,8 @@ package body Telemetry.Boards with SPARK_Mode is
    procedure Clear_Transmit_Half (Item : in out Board) is
    begin
       if Item.State in Sending | Awaiting_Status then
-         Item.State := Ready;
+         Item.State := (if Item.Role = Ground then Idling else Ready);
+         Item.Silence := 0;
       end if;
       Item.Transmit_Pair := Empty_Pair;
    end Clear_Transmit_Half;
@@ -390,7 +391,7 @@ package body Telemetry.Boards with SPARK_Mode is
       end if;
       Item.Receive_Pair := Empty_Pair;
       Item.Receiver := (others => <>);
-      Item.State := Ready;
+      Item.State := (if Item.Role = Ground then Idling else Ready);
       Item.Owed := None;
       Item.Line_Taken := False;
       Item.Silence := 0;

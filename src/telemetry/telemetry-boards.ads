@@ -360,7 +360,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Item.Receive_Pair = Item'Old.Receive_Pair;
 
    --  The controller's part of the start: transmit buffers empty, flags
-   --  empty, semaphores available (INI-4).
+   --  empty, semaphores available (INI-4). A ground board whose message is
+   --  broken off idles before it sends again, as after a reset.
    procedure Clear_Transmit_Half (Item : in out Board)
    with
      Global => null,
@@ -368,11 +369,16 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Post   =>
        Is_Sound (Item)
        and then Item.Transmit_Pair = Empty_Pair
-       and then Item.State not in Sending | Awaiting_Status
+       and then Item.State =
+         (if Item'Old.State not in Sending | Awaiting_Status
+          then Item'Old.State
+          elsif Item.Role = Ground then Idling
+          else Ready)
        and then Item.Receive_Pair = Item'Old.Receive_Pair;
 
    --  The board's own start: a board that has neither sent nor received,
-   --  but for its transmit buffers, which are the controller's (INI-4).
+   --  but for its transmit buffers, which are the controller's (INI-4). It
+   --  may have been in the middle of a message: the ground idles first.
    procedure Start (Item : in out Board)
    with
      Global => null,
@@ -380,9 +386,10 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Post   =>
        Is_Sound (Item)
        and then Item.Receive_Pair = Empty_Pair
-       and then Item.State = Ready
+       and then Item.State = (if Item.Role = Ground then Idling else Ready)
+       and then Item.Receiver.State = At_Start
+       and then Item.Silence = 0
        and then Item.Messages = 0
-       and then not Is_Waiting (Item)
        and then
          (for all Which in Slot =>
             Item.Transmit_Pair.Slots (Which).Data =

@@ -1,8 +1,11 @@
---  The checksum of a data message: CRC-8 with polynomial x^8 + x^2 + x + 1,
---  first value 0, over the header and the data (LNK-3, D-7).
+--  The checksum of a data message: CRC-8/DARC, polynomial
+--  x^8 + x^5 + x^4 + x^3 + 1, first value 0, low bit first, over the header
+--  and the data (LNK-3, D-7).
 --
---  Every error within one character and every burst of up to eight bits
---  changes it: see docs/link.md for what it does not detect.
+--  Bits are taken in the order in which they are on the line, so every burst
+--  of up to eight data bits changes it, and so does every error within one
+--  character: see docs/link.md for what it does not detect. The polynomial
+--  has no factor x + 1, which would only find again what parity finds.
 
 package Telemetry.Checksum with Pure, SPARK_Mode is
 
@@ -12,18 +15,24 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
 
    First_Value : constant Byte := 0;
 
-   --  The two bits that leave a byte at the top when it is multiplied by
-   --  x^2 + x + 1.
-   function Overflow (Value : Byte) return Byte is
-     (Shift_Right (Value, 7) xor Shift_Right (Value, 6));
+   --  A byte is a polynomial with x^0 in its high bit, so that x times it is
+   --  a shift to the right, and x^8 is x^5 + x^4 + x^3 + 1.
 
-   --  Value times x^8, modulo the polynomial: as x^8 is x^2 + x + 1 there,
-   --  it is a multiplication by that, and once more for the overflow.
+   --  Value times that, but for what it has beyond x^7.
+   function Times_Kept (Value : Byte) return Byte is
+     (Value xor Shift_Right (Value, 3) xor Shift_Right (Value, 4)
+      xor Shift_Right (Value, 5));
+
+   --  What it has beyond x^7, divided by x^8.
+   function Times_Lost (Value : Byte) return Byte is
+     (Shift_Left (Value, 5) xor Shift_Left (Value, 4)
+      xor Shift_Left (Value, 3));
+
+   --  Value times x^8, modulo the polynomial. What is lost twice is lost no
+   --  third time.
    function Times_X8 (Value : Byte) return Byte is
-     (Value xor Shift_Left (Value, 1) xor Shift_Left (Value, 2)
-      xor Overflow (Value)
-      xor Shift_Left (Overflow (Value), 1)
-      xor Shift_Left (Overflow (Value), 2));
+     (Times_Kept
+        (Value xor Times_Lost (Value) xor Times_Lost (Times_Lost (Value))));
 
    --  The checksum after one more byte.
    function Next (Sum : Byte; Data : Byte) return Byte is

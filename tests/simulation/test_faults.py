@@ -204,7 +204,7 @@ def cancelling(error):
     """An error in the next character that makes up for this one in the
     checksum."""
     for _ in range(8):
-        error = (error << 1) ^ (0x107 if error & 0x80 else 0)
+        error = (error >> 1) ^ (0x9C if error & 1 else 0)
     return error
 
 

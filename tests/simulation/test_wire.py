@@ -93,7 +93,7 @@ def test_d7_every_data_message_ends_with_its_crc(flight):
             for byte in message.data:
                 rest ^= byte
                 for _ in range(8):
-                    rest = (rest << 1) ^ (0x107 if rest & 0x80 else 0)
+                    rest = (rest >> 1) ^ (0x9C if rest & 1 else 0)
             assert rest == 0, message
             checked += 1
     assert checked > 100

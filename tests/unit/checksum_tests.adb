@@ -11,7 +11,8 @@ package body Checksum_Tests is
    procedure Every_Step;
    procedure Every_Burst;
 
-   --  The division by the polynomial x^8 + x^2 + x + 1, bit by bit.
+   --  The division by the polynomial x^8 + x^5 + x^4 + x^3 + 1,
+   --  bit by bit, low bit first.
    function By_Division (Data : Byte_Array) return Byte;
 
    --  The checksum of some bytes, as a board forms it.
@@ -32,7 +33,7 @@ package body Checksum_Tests is
       for Value of Data loop
          Sum := Sum xor Value;
          for Bit in 1 .. 8 loop
-            Sum := (if Sum >= 128 then (2 * (Sum - 128)) xor 7 else 2 * Sum);
+            Sum := (if Sum mod 2 = 1 then (Sum / 2) xor 16#9C# else Sum / 2);
          end loop;
       end loop;
       return Sum;
@@ -62,7 +63,7 @@ package body Checksum_Tests is
         (16#31#, 16#32#, 16#33#, 16#34#, 16#35#, 16#36#, 16#37#, 16#38#,
          16#39#);
    begin
-      Expect ("check value", By_Board (Digits_1_To_9), 16#F4#);
+      Expect ("check value", By_Board (Digits_1_To_9), 16#15#);
    end Known_Answer;
 
    ----------------
@@ -87,7 +88,9 @@ package body Checksum_Tests is
    procedure Every_Burst is
       Right : constant Byte := By_Board (Sample);
 
-      --  Errors within two neighbouring bytes; the checksum is the last.
+      --  Errors within two neighbouring bytes; the checksum is the last. The
+      --  mask's low byte is the first on the line, its low bit before all.
+      --  The line takes the low bit of a byte first.
       procedure Try (First : Byte_Index; Mask : Word);
 
       ---------
@@ -98,11 +101,11 @@ package body Checksum_Tests is
          Wrong : Message := Sample;
          Sum   : Byte := Right;
       begin
-         Wrong (First) := Wrong (First) xor Byte (Mask / 256);
+         Wrong (First) := Wrong (First) xor Byte (Mask mod 256);
          if First = Message'Last then
-            Sum := Sum xor Byte (Mask mod 256);
+            Sum := Sum xor Byte (Mask / 256);
          else
-            Wrong (First + 1) := Wrong (First + 1) xor Byte (Mask mod 256);
+            Wrong (First + 1) := Wrong (First + 1) xor Byte (Mask / 256);
          end if;
          Expect ("the checksum matches", By_Board (Wrong) = Sum, False);
       end Try;
@@ -130,7 +133,7 @@ package body Checksum_Tests is
          Sample (I) := 37 * Byte (I) + 16#87#;
       end loop;
       Add
-        (Suite, "D-7 the checksum of the digits 1 to 9 is F4h",
+        (Suite, "D-7 the checksum of the digits 1 to 9 is 15h",
          Known_Answer'Access);
       Add
         (Suite, "D-7 a step of the checksum is a division, for all values",
