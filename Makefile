@@ -1,6 +1,6 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test prove bench size campaign clean
+.PHONY: help fly test prove bench size campaign theory clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -12,6 +12,7 @@ help:
 	@echo "make size    static data of each node's flight software"
 	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
 	@echo "             spoil the link in every way, check that it recovers"
+	@echo "make theory  measure the link under bit errors beside theory"
 	@echo "make clean   remove what was built"
 
 fly:
@@ -47,6 +48,11 @@ campaign:
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@python3 scripts/campaign/run.py $(CAMPAIGN) --jobs $(JOBS) \
 	   $(foreach host,$(HOSTS),--host $(host))
+
+theory:
+	@scripts/setup.sh campaign
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@python3 scripts/campaign/theory.py
 
 clean:
 	@rm -rf obj bin flight campaign bench/results.json
