@@ -9,6 +9,7 @@ fit into one flight; its name is all that is needed to make it again:
     cut/PHASE/SEED/STEP            cuts from 1 ms to 10 s
     stall/PHASE/NODE/MS/STEP_US    a stall at every point of a frame
     soak/PHASE/SEED/RATE/FRAMES    spells of bit errors
+    calm/PHASE/FRAMES              no fault at all
 """
 
 import random
@@ -117,6 +118,11 @@ def soak(rate, frames):
                     for way in ("up", "down")], duration)
 
 
+def calm(frames):
+    """One fault that lasts no time, and nothing else."""
+    yield Case([lasting(0, "", "cut {ms}", 0)], frames)
+
+
 def of_shard(name):
     """The phase, the seed of the flight and the cases of a shard."""
     group, phase, *rest = name.split("/")
@@ -133,6 +139,8 @@ def of_shard(name):
     elif group == "soak":
         seed = int(rest[0])
         made = soak(rest[1], int(rest[2]))
+    elif group == "calm":
+        made = calm(int(rest[0]))
     else:
         raise ValueError(f"no such shard: {name}")
     return int(phase), seed, list(made)
@@ -141,16 +149,18 @@ def of_shard(name):
 RATES = ("1e-6", "1e-5", "1e-4", "1e-3", "1e-2")
 
 # For each size: phases with single faults, of which every STEPth; pairs and
-# triples; every which cut; stalls' lengths and distance; soaks' frames.
+# triples; every which cut; stalls' lengths and distance; frames of all soaks,
+# and without a fault at each phase.
 SIZES = {
     "tiny": {"phases": (3,), "step": 37, "many": 400, "cuts": 15,
-             "stalls_ms": (1, 25), "stall_step_us": 1_000, "soak": 5_000},
+             "stalls_ms": (1, 25), "stall_step_us": 1_000, "soak": 5_000,
+             "calm": 200},
     "short": {"phases": (3,), "step": 1, "many": 4_000, "cuts": 2,
               "stalls_ms": (0.2, 2, 5, 25), "stall_step_us": 96,
-              "soak": 50_000},
+              "soak": 50_000, "calm": 5_000},
     "full": {"phases": (0, 3, 7), "step": 1, "many": 20_000, "cuts": 1,
              "stalls_ms": (0.1, 0.5, 2, 3, 5, 10, 25, 60),
-             "stall_step_us": 48, "soak": 1_000_000},
+             "stall_step_us": 48, "soak": 1_000_000, "calm": 100_000},
 }
 
 
@@ -167,6 +177,8 @@ def plan(size):
                 yield (f"stall/{phase}/{node}/{duration}"
                        f"/{chosen['stall_step_us']}")
         yield f"cut/{phase}/{phase}/{chosen['cuts']}"
+    for phase in range(10):
+        yield f"calm/{phase}/{chosen['calm']}"
     count = min(1_000, chosen["many"])
     for seed in range(chosen["many"] // count):
         phase = chosen["phases"][seed % len(chosen["phases"])]

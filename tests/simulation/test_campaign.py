@@ -1,4 +1,4 @@
-"""The smallest campaign, and that its checker sees what it should."""
+"""LNK-9: the smallest campaign, and that its checker sees what it should."""
 
 import subprocess
 import sys

@@ -1,4 +1,5 @@
-"""Faults that add characters, come by chance, or stop a telemetry board."""
+"""SIM-2: faults that add characters, come by chance, or stop a telemetry
+board."""
 
 import pytest
 
