@@ -157,3 +157,27 @@ def test_a_shard_that_cannot_fly_fails(monkeypatch):
         [], 1, "", "urv_sim: internal fault"))
     assert run.run_shard("cut/3/0/400")["failures"] == [
         "cut/3/0/400: status 1: urv_sim: internal fault"]
+
+
+def shard_result(**changed):
+    return {"shard": "many/3/0/100", "cases": 100, "frames": 1000,
+            "faults": 250, "recovered_within": [0, 50, 50, 0], "wrong": 0,
+            "wrong_by_theory": 1.0, "failures": [], **changed}
+
+
+@pytest.mark.parametrize("changed, status", [
+    ({}, 0),
+    ({"wrong": 3}, 0),
+    ({"wrong": 30}, 1),
+    ({"failures": ["many/3/0/100: 800 up drop 1: recovered after 4 frames"]},
+     1),
+])
+def test_report_fails_when_a_check_did(
+        monkeypatch, tmp_path, capsys, changed, status):
+    monkeypatch.setattr(run, "RESULTS", tmp_path)
+    results = [shard_result(), shard_result(**changed)]
+    assert run.report(results, "tiny", 1.0) == status
+    said = capsys.readouterr().out
+    assert f"tiny: 500 faults, {status} failures" in said
+    assert ("FAILED" in said) == (status == 1)
+    assert (tmp_path / "results.csv").exists()
