@@ -1,6 +1,6 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test prove bench size clean
+.PHONY: help fly test prove bench size campaign theory clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -10,6 +10,9 @@ help:
 	@echo "make prove   prove src and proofs, renew the proof record"
 	@echo "make bench   compare the simulation's speed with C's"
 	@echo "make size    static data of each node's flight software"
+	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
+	@echo "             spoil the link in every way, check that it recovers"
+	@echo "make theory  measure the link under bit errors beside theory"
 	@echo "make clean   remove what was built"
 
 fly:
@@ -36,5 +39,20 @@ size:
 	@scripts/setup.sh size
 	@python3 scripts/node_size.py
 
+# HOSTS: more machines, as GNU parallel's --sshlogin names them.
+CAMPAIGN := short
+JOBS     := 100%
+HOSTS    :=
+campaign:
+	@scripts/setup.sh campaign
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@python3 scripts/campaign/run.py $(CAMPAIGN) --jobs $(JOBS) \
+	   $(foreach host,$(HOSTS),--host $(host))
+
+theory:
+	@scripts/setup.sh campaign
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@python3 scripts/campaign/theory.py
+
 clean:
-	@rm -rf obj bin flight bench
+	@rm -rf obj bin flight bench campaign

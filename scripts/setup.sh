@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench
+#   scripts/setup.sh fly|test|prove|size|bench|campaign
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -9,7 +9,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-target=${1:?usage: scripts/setup.sh fly|test|prove|size|bench}
+target=${1:?usage: scripts/setup.sh fly|test|prove|size|bench|campaign}
 
 build="gnat-12 gprbuild"
 simulate="$build libgnatcoll21-dev"
@@ -19,6 +19,9 @@ case $target in
    test)  packages="$simulate libaunit22-dev binutils python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
+          requirements="" ;;
+   campaign)
+          packages="$simulate parallel python3"
           requirements="" ;;
    size)  packages="$build binutils python3"
           requirements="" ;;

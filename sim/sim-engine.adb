@@ -1,6 +1,7 @@
 with Devices.AD_Board;
 with Sim.Faulty_Line;  use Sim.Faulty_Line;
 with Sim.Nodes;        use Sim.Nodes;
+with Sim.Windows;      use Sim.Windows;
 with Sim.Wire_Log;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards;
@@ -15,7 +16,8 @@ package body Sim.Engine is
    --  What can happen. Of events at the same instant the first named
    --  happens first.
    type Event is
-     (Character_Up, Character_Down,       --  a character has been sent
+     (Extra_Up, Extra_Down,               --  one more comes than was sent
+      Character_Up, Character_Down,       --  a character has been sent
       GSC_Converted, MCS_Converted,       --  an A/D conversion is done
       GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's patience
       GSC_Clock, MCS_Clock);              --  a minor frame begins
@@ -37,6 +39,8 @@ package body Sim.Engine is
      (GSC => GSC_Clock, MCS => MCS_Clock);
    Sent      : constant array (Node) of Event :=
      (GSC => Character_Up, MCS => Character_Down);
+   Extra     : constant array (Node) of Event :=
+     (GSC => Extra_Up, MCS => Extra_Down);
 
    --  What a node's hardware knows.
    type Hardware is record
@@ -49,10 +53,15 @@ package body Sim.Engine is
       --  Up to where the telemetry board's timer has been told.
       Timer       : Microseconds := 0;
 
-      --  What will have come to the other board when the character on the
+      --  When the telemetry board's processor stands still.
+      Stalls      : Windows.List;
+
+      --  What the other board will have heard when the character on the
       --  line has been sent.
-      Arrivals    : Arrival_Count := 0;
-      Arriving    : Arrival_List;
+      On_Line     : Delivery;
+
+      --  What it hears besides, when Extra is due.
+      Added       : Arrival_List;
    end record;
 
    Nodes_Hardware : array (Node) of Hardware;
@@ -63,16 +72,32 @@ package body Sim.Engine is
    Inputs : array (Node) of Channel_Words :=
      (others => (others => Neutral_Value));
 
+   procedure Prepare_Stalls (Script : Faults.Script);
+
    --  Enters when an event happens next.
    procedure Schedule (What : Event; Time : Microseconds) with Inline;
 
    procedure Cancel (What : Event) with Inline;
+
+   --  The board's processor stands still. Its timer is set on by every
+   --  stall that is over.
+   procedure Ask_Stalled
+     (Which   : Node;
+      Time    : Microseconds;
+      Stalled : out Boolean);
 
    --  The character times since the board's timer was last asked.
    procedure Ask_Timer
      (Which   : Node;
       Time    : Microseconds;
       Elapsed : out Character_Times);
+
+   --  What has come from the sender reaches the other board.
+   procedure Hear
+     (Sender    : Node;
+      Time      : Microseconds;
+      Heard     : Arrival_List;
+      May_Speak : out Boolean);
 
    --  Gives the telemetry board its turn, if its transmitter is empty.
    procedure Serve_Telemetry
@@ -83,6 +108,13 @@ package body Sim.Engine is
    --  The node's character has been sent: the other board hears it, then
    --  either may speak.
    procedure End_Character
+     (Sender : Node;
+      Time   : Microseconds;
+      Wire   : in out Text_Output.Writer);
+
+   --  The other board hears what the line has added to the node's
+   --  characters.
+   procedure Hear_Extra
      (Sender : Node;
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer);
@@ -100,6 +132,24 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
+   procedure Prepare_Stalls (Script : Faults.Script) is
+      use type Faults.Fault_Kind;
+      use type Faults.Node;
+   begin
+      for Index in 1 .. Faults.Length (Script) loop
+         declare
+            Fault : constant Faults.Fault := Faults.Element (Script, Index);
+         begin
+            if Fault.Kind = Faults.Stall then
+               Add
+                 (Nodes_Hardware
+                    (if Fault.Where = Faults.GSC then GSC else MCS).Stalls,
+                  (Fault.Time, Fault.Time + Fault.Duration));
+            end if;
+         end;
+      end loop;
+   end Prepare_Stalls;
+
    procedure Schedule (What : Event; Time : Microseconds) is
    begin
       Agenda (What) :=
@@ -111,6 +161,21 @@ package body Sim.Engine is
    begin
       Agenda (What) := Entry_Time'Last;
    end Cancel;
+
+   procedure Ask_Stalled
+     (Which   : Node;
+      Time    : Microseconds;
+      Stalled : out Boolean)
+   is
+      Board : Hardware renames Nodes_Hardware (Which);
+   begin
+      while Next (Board.Stalls).Stop <= Time loop
+         Board.Timer := Board.Timer + Next (Board.Stalls).Stop
+           - Microseconds'Max (Board.Timer, Next (Board.Stalls).First);
+         Skip (Board.Stalls);
+      end loop;
+      Stalled := Next (Board.Stalls).First <= Time;
+   end Ask_Stalled;
 
    procedure Ask_Timer
      (Which   : Node;
@@ -126,12 +191,40 @@ package body Sim.Engine is
         (Microseconds'Min (Whole, Microseconds (Character_Times'Last)));
    end Ask_Timer;
 
+   procedure Hear
+     (Sender    : Node;
+      Time      : Microseconds;
+      Heard     : Arrival_List;
+      May_Speak : out Boolean)
+   is
+      Listener : constant Node := Other (Sender);
+      Stalled  : Boolean;
+      Elapsed  : Character_Times;
+   begin
+      May_Speak := False;
+      Ask_Stalled (Listener, Time, Stalled);
+      if Stalled then
+         return;
+      end if;
+
+      for Index in 1 .. Heard.Length loop
+         Ask_Timer (Listener, Time, Elapsed);
+         Accept_Character
+           (Listener,
+            Elapsed,
+            Heard.Items (Index).Data,
+            Heard.Items (Index).Parity_Error,
+            May_Speak);
+      end loop;
+   end Hear;
+
    procedure Serve_Telemetry
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer)
    is
       Board     : Hardware renames Nodes_Hardware (Which);
+      Stalled   : Boolean;
       Elapsed   : Character_Times;
       Time_Left : Character_Times;
       Send      : Boolean;
@@ -141,14 +234,29 @@ package body Sim.Engine is
          return;
       end if;
 
+      Ask_Stalled (Which, Time, Stalled);
+      if Stalled then
+         Schedule (Time_Out (Which), Next (Board.Stalls).Stop);
+         return;
+      end if;
+
       Ask_Timer (Which, Time, Elapsed);
       Next_Character (Which, Elapsed, Send, Data, Time_Left);
 
       if Send then
          Schedule (Sent (Which), Time + Character_Time);
          Transmit
-           (Link_Line, Way_From (Which), Time, Data,
-            Board.Arrivals, Board.Arriving);
+           (Link_Line, Way_From (Which), Time, Data, Board.On_Line);
+
+         --  An inserted character comes at once, or behind the doubled one
+         --  that is still to come before the character now sent.
+         if Board.On_Line.Before.Length > 0 then
+            Append (Board.Added, Board.On_Line.Before);
+            if not Is_Due (Extra (Which)) then
+               Schedule (Extra (Which), Time);
+            end if;
+         end if;
+
          if Text_Output.Is_Open (Wire) then
             Wire_Log.Write_Byte (Wire, Time, Way_From (Which), Data);
          end if;
@@ -169,20 +277,19 @@ package body Sim.Engine is
       Wire   : in out Text_Output.Writer)
    is
       Board     : Hardware renames Nodes_Hardware (Sender);
-      Elapsed   : Character_Times;
+      Itself    : Arrival_List;
       May_Speak : Boolean := False;
    begin
       Cancel (Sent (Sender));
 
-      for I in 1 .. Board.Arrivals loop
-         Ask_Timer (Other (Sender), Time, Elapsed);
-         Accept_Character
-           (Other (Sender),
-            Elapsed,
-            Board.Arriving (I).Data,
-            Board.Arriving (I).Parity_Error,
-            May_Speak);
-      end loop;
+      if not Board.On_Line.Is_Lost then
+         Append (Itself, Board.On_Line.Itself);
+         Hear (Sender, Time, Itself, May_Speak);
+      end if;
+      if Board.On_Line.After.Length > 0 then
+         Append (Board.Added, Board.On_Line.After);
+         Schedule (Extra (Sender), Time + Character_Time);
+      end if;
 
       --  A time-out entered before the character came is too early by now.
       --  When it is due the board will say so.
@@ -191,6 +298,20 @@ package body Sim.Engine is
       end if;
       Serve_Telemetry (Sender, Time, Wire);
    end End_Character;
+
+   procedure Hear_Extra
+     (Sender : Node;
+      Time   : Microseconds;
+      Wire   : in out Text_Output.Writer)
+   is
+      Board     : Hardware renames Nodes_Hardware (Sender);
+      May_Speak : Boolean;
+   begin
+      Cancel (Extra (Sender));
+      Hear (Sender, Time, Board.Added, May_Speak);
+      Board.Added.Length := 0;
+      Serve_Telemetry (Other (Sender), Time, Wire);
+   end Hear_Extra;
 
    procedure Serve_Converter (Which : Node; Time : Microseconds) is
       Wanted  : Boolean;
@@ -230,7 +351,10 @@ package body Sim.Engine is
       Serve_Telemetry (Which, Time, Wire);
    end Tick;
 
-   procedure Start (Lag : Microseconds; Script : Faults.Script) is
+   procedure Start
+     (Lag    : Microseconds;
+      Script : Faults.Script;
+      Seed   : Noise.Seed_Number) is
    begin
       Nodes_Hardware :=
         (GSC => (others => <>),
@@ -238,7 +362,8 @@ package body Sim.Engine is
       Agenda := (others => Entry_Time'Last);
       Schedule (GSC_Clock, 0);
       Schedule (MCS_Clock, Lag);
-      Prepare (Link_Line, Script);
+      Prepare (Link_Line, Script, Seed);
+      Prepare_Stalls (Script);
       Set_Console (Neutral_Console);
       Set_Sensors (Neutral_Sensors);
    end Start;
@@ -261,6 +386,8 @@ package body Sim.Engine is
          exit when Time >= Stop;
 
          case Event'Val (Next mod Event'Range_Length) is
+            when Extra_Up       => Hear_Extra (GSC, Time, Wire);
+            when Extra_Down     => Hear_Extra (MCS, Time, Wire);
             when Character_Up   => End_Character (GSC, Time, Wire);
             when Character_Down => End_Character (MCS, Time, Wire);
             when GSC_Converted  => End_Conversion (GSC, Time);

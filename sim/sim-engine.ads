@@ -8,6 +8,7 @@
 --  flight is the same every time. There is one engine.
 
 with Sim.Faults;
+with Sim.Noise;
 with Sim.Text_Output;
 
 package Sim.Engine is
@@ -15,7 +16,11 @@ package Sim.Engine is
    Tick_Time : constant Microseconds := 2_000;
 
    --  Switches both nodes on: the ground at time 0, the aircraft Lag later.
-   procedure Start (Lag : Microseconds; Script : Faults.Script);
+   --  Faults that happen by chance are drawn from Seed.
+   procedure Start
+     (Lag    : Microseconds;
+      Script : Faults.Script;
+      Seed   : Noise.Seed_Number);
 
    --  Lets everything happen that happens before Stop. Bytes on the link
    --  are written to Wire if that is open.

@@ -244,9 +244,12 @@ package body Sim.Faults is
          end loop;
       end;
 
-      if not Supported (Made.Kind) then
+      if not Supported (Made) then
          Refuse
-           (From, "fault " & Quoted (Name (Made.Kind))
+           (From,
+            "fault "
+            & Quoted
+                (if Made.Kind = Stall then "stall adc" else Name (Made.Kind))
             & " is not supported yet");
       end if;
    end Read_Fault;

@@ -11,10 +11,6 @@ package Sim.Faults is
    type Fault_Kind is
      (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset);
 
-   --  What the simulation can do.
-   Supported : constant array (Fault_Kind) of Boolean :=
-     (Cut | Flip | Drop => True, others => False);
-
    type Node is (MCS, GSC);
    type Board is (ADC, Telemetry);
    type Restart is (Warm, Processor);
@@ -24,7 +20,8 @@ package Sim.Faults is
    type Byte_Ordinal is range 1 .. 2 ** 31 - 1;
 
    --  The nine bits of a character: eight of data, then parity.
-   type Character_Bits is mod 2 ** 9;
+   Bits_Of_Character : constant := 9;
+   type Character_Bits is mod 2 ** Bits_Of_Character;
    subtype Flip_Mask is Character_Bits range 1 .. Character_Bits'Last;
 
    type Probability is new Long_Float range 0.0 .. 1.0;
@@ -45,6 +42,13 @@ package Sim.Faults is
       Stalled  : Board        := ADC;
       How      : Restart      := Warm;
    end record;
+
+   --  What the simulation can do.
+   function Supported (Item : Fault) return Boolean is
+     (case Item.Kind is
+         when Reset  => False,
+         when Stall  => Item.Stalled = Telemetry,
+         when others => True);
 
    type Script is limited private;
 

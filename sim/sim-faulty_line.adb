@@ -13,10 +13,10 @@ package body Sim.Faulty_Line is
 
    --  Sets the times that Transmit looks at first.
    procedure Set_Next_Time (Carrier : in out One_Way);
-   procedure Set_Next_Silence (Over : in out Line; Way : Direction);
+   procedure Set_Next_Noise (Carrier : in out One_Way);
 
-   --  Adds a silence that begins no earlier than those added before.
-   procedure Add_Silence (Over : in out Line; Added : Silence);
+   --  What this fault adds to what happens to its character.
+   procedure Join (Meant : in out Effect; Fault : Faults.Fault);
 
    --  Gives each fault whose time has come the character it is for.
    procedure Make_Due (Carrier : in out One_Way; Time : Microseconds);
@@ -24,7 +24,28 @@ package body Sim.Faulty_Line is
    --  What the character is in for that is being sent.
    procedure Take_Due (Carrier : in out One_Way; Meant : out Effect);
 
+   --  Bits of the character being sent that flip by chance.
+   procedure Make_Noise
+     (Carrier : in out One_Way;
+      Time    : Microseconds;
+      Mask    : in out Faults.Character_Bits);
+
    function Has_Odd_Ones (Mask : Faults.Character_Bits) return Boolean;
+
+   procedure Append (To : in out Arrival_List; Added : Arrival) is
+   begin
+      if To.Length < Most_Arrivals then
+         To.Length := To.Length + 1;
+         To.Items (To.Length) := Added;
+      end if;
+   end Append;
+
+   procedure Append (To : in out Arrival_List; Added : Arrival_List) is
+   begin
+      for Index in 1 .. Added.Length loop
+         Append (To, Added.Items (Index));
+      end loop;
+   end Append;
 
    procedure Set_Next_Time (Carrier : in out One_Way) is
    begin
@@ -34,32 +55,23 @@ package body Sim.Faulty_Line is
          else Never);
    end Set_Next_Time;
 
-   procedure Set_Next_Silence (Over : in out Line; Way : Direction) is
-      Carrier : One_Way renames Over.Ways (Way);
+   procedure Set_Next_Noise (Carrier : in out One_Way) is
    begin
-      Carrier.Next_Silence :=
-        (if Carrier.Silence_Index <= Over.Silences.Last_Index
-         then Over.Silences (Carrier.Silence_Index)
-         else (Never, Never));
-   end Set_Next_Silence;
+      Carrier.Next_Noise :=
+        (if not Carrier.Going_On.Is_Empty
+         then 0
+         elsif Carrier.Noise_Index <= Carrier.Noises.Last_Index
+         then Carrier.Noises (Carrier.Noise_Index).Time
+         else Never);
+   end Set_Next_Noise;
 
-   procedure Add_Silence (Over : in out Line; Added : Silence) is
-      Last : constant Natural := Over.Silences.Last_Index;
+   procedure Prepare
+     (Made   : in out Line;
+      Script : Faults.Script;
+      Seed   : Noise.Seed_Number)
+   is
+      Silences : Windows.List;
    begin
-      if Added.First = Added.Stop then
-         return;
-      elsif Last > 0 and then Added.First <= Over.Silences (Last).Stop then
-         Over.Silences (Last).Stop :=
-           Microseconds'Max (Over.Silences (Last).Stop, Added.Stop);
-      else
-         Over.Silences.Append (Added);
-      end if;
-   end Add_Silence;
-
-   procedure Prepare (Made : in out Line; Script : Faults.Script) is
-      Cuts : Fault_Vectors.Vector;
-   begin
-      Made.Silences.Clear;
       Made.Ways := (others => <>);
 
       for Index in 1 .. Faults.Length (Script) loop
@@ -68,12 +80,14 @@ package body Sim.Faulty_Line is
          begin
             case Next.Kind is
                when Faults.Cut =>
-                  Cuts.Append (Next);
-               when Faults.Flip | Faults.Drop =>
+                  Windows.Add
+                    (Silences, (Next.Time, Next.Time + Next.Duration));
+               when Faults.Flip | Faults.Drop | Faults.Duplicate
+                  | Faults.Insert
+               =>
                   Made.Ways (Next.Way).Waiting.Append (Next);
-               when Faults.Bit_Errors | Faults.Duplicate | Faults.Insert =>
-                  --  Not supported yet, and refused when read.
-                  raise Program_Error;
+               when Faults.Bit_Errors =>
+                  Made.Ways (Next.Way).Noises.Append (Next);
                when Faults.Stall | Faults.Reset =>
                   --  Not of the line.
                   null;
@@ -81,17 +95,36 @@ package body Sim.Faulty_Line is
          end;
       end loop;
 
-      Sorting.Sort (Cuts);
-      for Cut of Cuts loop
-         Add_Silence (Made, (Cut.Time, Cut.Time + Cut.Duration));
-      end loop;
-
       for Way in Direction loop
          Sorting.Sort (Made.Ways (Way).Waiting);
+         Sorting.Sort (Made.Ways (Way).Noises);
          Set_Next_Time (Made.Ways (Way));
-         Set_Next_Silence (Made, Way);
+         Set_Next_Noise (Made.Ways (Way));
+         Made.Ways (Way).Chance   := Noise.Seeded (Seed, Way);
+         Made.Ways (Way).Silences := Silences;
       end loop;
    end Prepare;
+
+   procedure Join (Meant : in out Effect; Fault : Faults.Fault) is
+   begin
+      case Fault.Kind is
+         when Faults.Flip =>
+            Meant.Mask := Meant.Mask xor Fault.Mask;
+         when Faults.Drop =>
+            Meant.Is_Lost := True;
+         when Faults.Insert =>
+            Append
+              (Meant.Inserted,
+               Arrival'(Fault.Inserted, Parity_Error => False));
+         when Faults.Duplicate =>
+            if Meant.Copies < Most_Arrivals then
+               Meant.Copies := Meant.Copies + 1;
+            end if;
+         when Faults.Cut | Faults.Bit_Errors | Faults.Stall | Faults.Reset =>
+            --  Not of a single character.
+            raise Program_Error;
+      end case;
+   end Join;
 
    procedure Make_Due (Carrier : in out One_Way; Time : Microseconds) is
    begin
@@ -110,11 +143,7 @@ package body Sim.Faulty_Line is
             if Carrier.Due.Contains (Number) then
                Meant := Carrier.Due (Number);
             end if;
-            if Fault.Kind in Faults.Flip then
-               Meant.Mask := Meant.Mask xor Fault.Mask;
-            else
-               Meant.Is_Lost := True;
-            end if;
+            Join (Meant, Fault);
             Carrier.Due.Include (Number, Meant);
          end;
          Carrier.Next := Carrier.Next + 1;
@@ -133,6 +162,39 @@ package body Sim.Faulty_Line is
          else Carrier.Due.First_Key);
    end Take_Due;
 
+   procedure Make_Noise
+     (Carrier : in out One_Way;
+      Time    : Microseconds;
+      Mask    : in out Faults.Character_Bits)
+   is
+      Drawn : Faults.Character_Bits;
+   begin
+      while Carrier.Noise_Index <= Carrier.Noises.Last_Index
+        and then Carrier.Noises (Carrier.Noise_Index).Time <= Time
+      loop
+         declare
+            Begun : constant Faults.Fault :=
+              Carrier.Noises (Carrier.Noise_Index);
+         begin
+            Carrier.Going_On.Append
+              (Noise_Spell'
+                 (Stop  => Begun.Time + Begun.Duration,
+                  Level => Noise.To_Level (Begun.Rate)));
+         end;
+         Carrier.Noise_Index := Carrier.Noise_Index + 1;
+      end loop;
+
+      for Index in reverse 1 .. Carrier.Going_On.Last_Index loop
+         if Carrier.Going_On (Index).Stop <= Time then
+            Carrier.Going_On.Delete (Index);
+         else
+            Noise.Draw (Carrier.Chance, Carrier.Going_On (Index).Level, Drawn);
+            Mask := Mask xor Drawn;
+         end if;
+      end loop;
+      Set_Next_Noise (Carrier);
+   end Make_Noise;
+
    function Has_Odd_Ones (Mask : Faults.Character_Bits) return Boolean is
       Rest : Faults.Character_Bits := Mask;
       Odd  : Boolean := False;
@@ -149,38 +211,50 @@ package body Sim.Faulty_Line is
       Way      : Direction;
       Time     : Microseconds;
       Data     : Byte;
-      Count    : out Arrival_Count;
-      Arriving : out Arrival_List)
+      Heard    : out Delivery)
    is
       Carrier : One_Way renames Over.Ways (Way);
       Meant   : Effect;
    begin
       Carrier.Sent := Carrier.Sent + 1;
-      Count        := 1;
-      Arriving (1) := (Data, Parity_Error => False);
+
+      Heard.Before.Length := 0;
+      Heard.After.Length  := 0;
+      Heard.Is_Lost       := False;
+      Heard.Itself        := (Data, Parity_Error => False);
 
       if Carrier.Next_Time <= Time then
          Make_Due (Carrier, Time);
       end if;
       if Carrier.Next_Due = Carrier.Sent then
          Take_Due (Carrier, Meant);
-         if Meant.Is_Lost then
-            Count := 0;
-         else
-            Arriving (1) :=
-              (Data xor Byte (Meant.Mask mod Parity_Bit),
-               Parity_Error => Has_Odd_Ones (Meant.Mask));
-         end if;
+      end if;
+      if Carrier.Next_Noise <= Time then
+         Make_Noise (Carrier, Time, Meant.Mask);
       end if;
 
       --  A character of which any part falls into a silence is lost.
-      while Carrier.Next_Silence.Stop <= Time loop
-         Carrier.Silence_Index := Carrier.Silence_Index + 1;
-         Set_Next_Silence (Over, Way);
+      while Windows.Next (Carrier.Silences).Stop <= Time loop
+         Windows.Skip (Carrier.Silences);
       end loop;
-      if Carrier.Next_Silence.First < Time + Character_Time then
-         Count := 0;
+      if Meant.Is_Lost
+        or else Windows.Next (Carrier.Silences).First < Time + Character_Time
+      then
+         Heard.Is_Lost := True;
+         return;
       end if;
+
+      if Meant.Mask /= 0 then
+         Heard.Itself :=
+           (Data xor Byte (Meant.Mask mod Parity_Bit),
+            Parity_Error => Has_Odd_Ones (Meant.Mask));
+      end if;
+      if Meant.Inserted.Length > 0 then
+         Append (Heard.Before, Meant.Inserted);
+      end if;
+      for Copy in 1 .. Meant.Copies loop
+         Append (Heard.After, Heard.Itself);
+      end loop;
    end Transmit;
 
 end Sim.Faulty_Line;

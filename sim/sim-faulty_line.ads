@@ -2,13 +2,25 @@
 --  what arrives of each character that is sent.
 --
 --  Several faults at once act together: masks are combined, and a lost
---  character stays lost. Where nothing is due, a character costs a few
---  comparisons however long the script is.
+--  character stays lost, whatever was to come with it. Where nothing is
+--  due, a character costs a few comparisons however long the script is.
+--
+--  A character that the line adds takes a character time as any other:
+--
+--    an inserted one is heard as the start bit of the one after it begins,
+--    a doubled one is heard again a character time after the first;
+--
+--  so the receiver hears it after the character before it and before the
+--  one behind it, and may begin to answer in between. What the sender sends
+--  is not held up. Bit errors by chance hit what is sent, so a doubled
+--  character is spoilt twice alike and an inserted one is as written.
 
 with Sim.Faults;
+with Sim.Noise;
 
 private with Ada.Containers.Ordered_Maps;
 private with Ada.Containers.Vectors;
+private with Sim.Windows;
 
 package Sim.Faulty_Line is
 
@@ -21,17 +33,36 @@ package Sim.Faulty_Line is
       Parity_Error : Boolean;
    end record;
 
-   --  None when the character is lost. More than one when faults insert
-   --  or repeat characters; none of them does so yet.
-   Most_Arrivals : constant := 4;
+   --  One after the other. There is room for eight; what faults add to one
+   --  character beyond that is not heard.
+   Most_Arrivals : constant := 8;
    type Arrival_Count is range 0 .. Most_Arrivals;
-   type Arrival_List is
+   type Arrival_Array is
      array (Arrival_Count range 1 .. Most_Arrivals) of Arrival;
+   type Arrival_List is record
+      Length : Arrival_Count := 0;
+      Items  : Arrival_Array;
+   end record;
+
+   procedure Append (To : in out Arrival_List; Added : Arrival);
+   procedure Append (To : in out Arrival_List; Added : Arrival_List);
+
+   --  What is heard of a character that is sent: as its start bit begins,
+   --  as its last stop bit ends, and a character time later.
+   type Delivery is record
+      Before  : Arrival_List;
+      Is_Lost : Boolean;
+      Itself  : Arrival;
+      After   : Arrival_List;
+   end record;
 
    type Line is limited private;
 
    --  Takes the script over. A line without a script has no faults.
-   procedure Prepare (Made : in out Line; Script : Faults.Script);
+   procedure Prepare
+     (Made   : in out Line;
+      Script : Faults.Script;
+      Seed   : Noise.Seed_Number);
 
    --  Sends one character. Time is when its start bit begins, and must not
    --  decrease within a direction. Every character that a DUART sends is
@@ -41,8 +72,7 @@ package Sim.Faulty_Line is
       Way      : Direction;
       Time     : Microseconds;
       Data     : Byte;
-      Count    : out Arrival_Count;
-      Arriving : out Arrival_List);
+      Heard    : out Delivery);
 
 private
 
@@ -51,8 +81,10 @@ private
 
    --  What happens to one character.
    type Effect is record
-      Mask    : Faults.Character_Bits := 0;
-      Is_Lost : Boolean := False;
+      Mask     : Faults.Character_Bits := 0;
+      Is_Lost  : Boolean := False;
+      Inserted : Arrival_List;
+      Copies   : Arrival_Count := 0;
    end record;
 
    package Effect_Maps is new Ada.Containers.Ordered_Maps
@@ -61,14 +93,14 @@ private
    package Fault_Vectors is new Ada.Containers.Vectors
      (Positive, Faults.Fault, Faults."=");
 
-   --  The line is silent from First until just before Stop.
-   type Silence is record
-      First : Microseconds;
+   --  Bit errors until Stop.
+   type Noise_Spell is record
       Stop  : Microseconds;
+      Level : Noise.Level;
    end record;
 
-   package Silence_Vectors is new Ada.Containers.Vectors
-     (Positive, Silence);
+   package Noise_Vectors is new Ada.Containers.Vectors
+     (Positive, Noise_Spell);
 
    Never : constant Microseconds := Microseconds'Last;
 
@@ -84,18 +116,21 @@ private
       Due       : Effect_Maps.Map;
       Next_Due  : Character_Number := Character_Number'Last;
 
-      --  The first silence that does not lie in the past.
-      Silence_Index : Positive := 1;
-      Next_Silence  : Silence  := (Never, Never);
+      --  Spells of bit errors: those that wait for their time, and those
+      --  that may go on. Next_Noise is when to look at them.
+      Noises      : Fault_Vectors.Vector;
+      Noise_Index : Positive := 1;
+      Going_On    : Noise_Vectors.Vector;
+      Next_Noise  : Microseconds := Never;
+      Chance      : Noise.Source;
+
+      Silences : Windows.List;
    end record;
 
    type Both_Ways is array (Direction) of One_Way;
 
    type Line is limited record
       Ways : Both_Ways;
-
-      --  In order and apart from each other.
-      Silences : Silence_Vectors.Vector;
    end record;
 
 end Sim.Faulty_Line;

@@ -258,7 +258,8 @@ package body Sim.Flight is
 
       Engine.Start
         (Lag    => Microseconds (Chosen.Phase) * Engine.Tick_Time,
-         Script => Faults);
+         Script => Faults,
+         Seed   => Chosen.Seed);
       if Chosen.Plant = JSBSim_Plant then
          JSBSim.Start (Measured, Truth);
          Engine.Set_Sensors (Measured);

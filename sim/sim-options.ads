@@ -2,7 +2,8 @@
 --  explains it. Whatever is wrong with it raises Bad_Input.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Interfaces;
+
+with Sim.Noise;
 
 package Sim.Options is
 
@@ -16,7 +17,7 @@ package Sim.Options is
 
    subtype Phase_Ticks is Natural range 0 .. 9;
 
-   type Seed_Number is new Interfaces.Unsigned_64;
+   subtype Seed_Number is Noise.Seed_Number;
 
    type Input_File is (Stick_File, Sensor_File, Fault_File);
    type Output_File is (Record_File, Summary_File, Wire_File);

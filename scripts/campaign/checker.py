@@ -1,0 +1,203 @@
+"""Reads a flight's record and wire and says whether the link kept its word.
+
+Knows the protocol from docs/link.md and nothing of the flight software.
+"""
+
+import bisect
+import re
+from typing import NamedTuple
+
+import data
+from cases import CHARACTER_US, FRAME_US
+
+# A major frame without a fault: one block each way, see link.* in the record.
+CALM_FRAME = (1, 1, 0, 0, 1, 1, 0, 0, 0, 0)
+LINK_NAMES = ("uplink_sent", "uplink_received", "uplink_bad",
+              "uplink_scrapped", "downlink_sent", "downlink_received",
+              "downlink_bad", "downlink_scrapped", "gsc_resets", "mcs_resets")
+
+# Frames within which everything must be as without faults.
+BOUND = 3
+
+# Columns of the record.
+MCS_UPLINK = slice(29, 43)
+GSC_DOWNLINK = slice(85, 113)
+LINK = slice(113, 123)
+
+# In place of a block's number.
+NOTHING_YET = -1
+NEVER_SENT = -2
+
+MESSAGE_LENGTHS = {"up": {0x1E: 30, 0x4B: 1, 0xD2: 1, 0xCC: 1},
+                   "down": {0x87: 58, 0x2D: 1, 0xD2: 1, 0x33: 1, 0xCC: 1}}
+
+
+def crc8(message):
+    """x^8 + x^2 + x + 1."""
+    total = 0
+    for byte in message:
+        total ^= byte
+        for _ in range(8):
+            total = total << 1 ^ (0x107 if total & 0x80 else 0)
+    return total
+
+
+class Wrong(NamedTuple):
+    """A block in CORE that never was sent."""
+
+    frame: int
+    way: str
+    words: tuple
+
+
+class Flight:
+    """What a flight left: for each frame the age of what CORE holds and
+    what the link counted in it; when each character was sent."""
+
+    def __init__(self, record, wire, frames):
+        self.newest = {"up": [], "down": []}
+        self.link = []
+        self.wrong = []
+        self.errors = []
+        self._read_record(record, frames)
+        self._read_wire(wire)
+        self._check_counts()
+
+    def _read_record(self, path, frames):
+        columns = {"up": MCS_UPLINK, "down": GSC_DOWNLINK}
+        known = {}
+        for way, count in (("up", 13), ("down", 27)):
+            known[way] = {data.text(n, count) + ",0": n for n in range(frames)}
+        last = dict.fromkeys(columns, NOTHING_YET)
+        before = dict.fromkeys(columns, "")
+        with open(path, encoding="ascii") as record:
+            next(record)
+            for frame, line in enumerate(record):
+                row = line.rstrip("\n").split(",")
+                for way, column in columns.items():
+                    block = ",".join(row[column])
+                    number = known[way].get(block, NEVER_SENT)
+                    if number != NEVER_SENT:
+                        if number < last[way]:
+                            self.errors.append(
+                                f"frame {frame}: {way} block {number} came"
+                                f" after {last[way]}")
+                        last[way] = number
+                    elif last[way] == NOTHING_YET:
+                        number = NOTHING_YET
+                    elif block != before[way]:
+                        self.wrong.append(
+                            Wrong(frame, way, tuple(map(int, row[column]))))
+                    before[way] = block
+                    self.newest[way].append(number)
+                self.link.append(tuple(map(int, row[LINK])))
+        if len(self.link) != frames:
+            self.errors.append(f"{len(self.link)} frames, not {frames}")
+
+    def _read_wire(self, path):
+        with open(path, "rb") as wire:
+            text = wire.read()
+        self.times = {}
+        self.messages = {}
+        for way in ("up", "down"):
+            self.times[way] = [
+                int(time) for time in
+                re.findall(rb"^(\d+)," + way.encode(), text, re.MULTILINE)]
+            sent = bytes.fromhex(b"".join(
+                re.findall(rb"," + way.encode() + rb",(..)", text)).decode())
+            counts = dict.fromkeys(MESSAGE_LENGTHS[way], 0)
+            place = 0
+            while place < len(sent):
+                first = sent[place]
+                length = MESSAGE_LENGTHS[way].get(first)
+                if length is None:
+                    self.errors.append(
+                        f"the {place}th byte {way} begins no message:"
+                        f" {first:02x}")
+                    break
+                counts[first] += 1
+                place += length
+            self.messages[way] = counts
+
+    def _check_counts(self):
+        """The boards' counts against what was on the wire."""
+        total = dict(zip(LINK_NAMES, self.link[-1], strict=True))
+        up, down = self.messages["up"], self.messages["down"]
+        for what, on_wire, counted in (
+            ("uplink_sent", up[0x1E], total["uplink_sent"]),
+            ("downlink_sent", down[0x87], total["downlink_sent"]),
+            ("uplink_received", down[0x2D] + down[0xD2],
+             total["uplink_received"]),
+            ("downlink_received", up[0xD2], total["downlink_received"]),
+        ):
+            if on_wire != counted:
+                self.errors.append(
+                    f"{what} is {counted}, on the wire are {on_wire}")
+        for bad, on_wire in (("uplink_bad", down[0x33] + down[0xCC]),
+                             ("downlink_bad", up[0xCC])):
+            if total[bad] < on_wire:
+                self.errors.append(
+                    f"{bad} is {total[bad]}, on the wire are {on_wire}")
+        for way in ("uplink", "downlink"):
+            if total[f"{way}_scrapped"] * 2 > total[f"{way}_sent"]:
+                self.errors.append(f"{way}: more scrapped than sent twice")
+        before = (0,) * 10
+        for frame, now in enumerate(self.link):
+            if any(new < old for new, old in zip(now, before, strict=True)):
+                self.errors.append(f"frame {frame}: a count went back")
+            if now[1] > now[0] or now[5] > now[4]:
+                self.errors.append(f"frame {frame}: received, never sent")
+            before = now
+
+    def learn_lags(self, frame):
+        """How old the newest data is when nothing goes wrong."""
+        self.lags = {way: frame - newest[frame]
+                     for way, newest in self.newest.items()}
+
+    def is_calm(self, frame):
+        counted = tuple(new - old for new, old in zip(
+            self.link[frame], self.link[frame - 1], strict=True))
+        return counted == CALM_FRAME and all(
+            self.newest[way][frame] == frame - lag
+            for way, lag in self.lags.items())
+
+    def end_of(self, fault, start_us):
+        """When the fault is over."""
+        begin = start_us + fault.at_us
+        if fault.duration_us is not None:
+            return begin + fault.duration_us
+        times = self.times[fault.way]
+        index = bisect.bisect_left(times, begin) + fault.character - 1
+        after = CHARACTER_US * (2 if fault.text.startswith("dup") else 1)
+        return times[index] + after
+
+    def recovery(self, case, first, stop):
+        """Frames after the one in which the case's last fault ended, until
+        all is and stays as without faults; None if that is never."""
+        end = max(self.end_of(fault, first * FRAME_US)
+                  for fault in case.faults) // FRAME_US
+        disturbed = [frame for frame in range(end, stop)
+                     if not self.is_calm(frame)]
+        if end >= stop or (disturbed and disturbed[-1] == stop - 1):
+            return None
+        return disturbed[-1] + 1 - end if disturbed else 0
+
+
+def shifted_by_one(wrong, lag):
+    """True when the block is what one character more makes of a block that
+    was sent: everything behind it is a place late, and the last byte stands
+    for the checksum and happens to match (docs/link.md, Checksum)."""
+    count, first = (13, 0x1E) if wrong.way == "up" else (27, 0x87)
+    came = b"".join(word.to_bytes(2, "big") for word in wrong.words)
+    for number in range(wrong.frame - lag - 3, wrong.frame - lag + 2):
+        if number < 0:
+            continue
+        sent = b"".join(word.to_bytes(2, "big")
+                        for word in data.words(number, count) + [0])
+        same = 0
+        while same < len(sent) and came[same] == sent[same]:
+            same += 1
+        if (came[same + 1:] == sent[same:-1]
+                and crc8(bytes([first]) + came) == sent[-1]):
+            return True
+    return False

@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+"""Does things to the link and checks that it recovers.
+
+  run.py tiny|short|full [--jobs N] [--host HOST]...
+  run.py shard NAME          one shard, its result as one line of JSON
+
+GNU parallel spreads the shards over cores and, with --host, over machines
+that have this repository at the same path, built. Results are left in
+campaign/. Exit status: 0 when every check of every shard held.
+"""
+
+import argparse
+import csv
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import cases  # noqa: E402
+import checker  # noqa: E402
+import data  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PROGRAM = ROOT / "bin" / "urv_sim"
+RESULTS = ROOT / "campaign"
+
+
+def fly(folder, phase, seed, frames, faults):
+    lag = 2 * phase
+    data.write_script(folder / "sticks.csv", data.STICKS, frames, 0)
+    data.write_script(folder / "sensors.csv", data.SENSORS, frames, lag)
+    (folder / "faults.txt").write_text(faults, encoding="ascii")
+    command = [PROGRAM, "fly", "--quiet", "--seconds", f"{frames / 50:.2f}",
+               "--phase", phase, "--seed", seed,
+               "--sticks", "sticks.csv", "--sensors", "sensors.csv",
+               "--faults", "faults.txt",
+               "--record", "record.csv", "--wire", "wire.csv"]
+    return subprocess.run(list(map(str, command)), cwd=folder, check=False,
+                          capture_output=True, text=True)
+
+
+def lines_of(case, first):
+    for fault in case.faults:
+        at_ms = (first * cases.FRAME_US + fault.at_us) / 1000
+        yield " ".join(f"{at_ms:.3f} {fault.way} {fault.text}".split())
+
+
+def by_theory(name, flight):
+    """How many wrong blocks the checksum is expected to let through.
+
+    It finds whatever spoils one character. Two or more spoilt ones with
+    even numbers of wrong bits, or a message a character too long, it lets
+    through 1 time in 256. Of pairs and triples not all are of this kind, so
+    there it is a bound.
+    """
+    group, *rest = name.split("/")
+    if group == "many":
+        return int(rest[2]) / 256
+    if group == "soak":
+        rate = float(rest[2])
+        whole = (1 - rate) ** 9
+        even = sum(math.comb(9, n) * rate**n * (1 - rate) ** (9 - n)
+                   for n in (2, 4, 6, 8))
+        sent = flight.link[-1]
+        return sum(
+            count * whole * ((whole + even) ** others - whole ** others
+                             - others * even * whole ** (others - 1)) / 256
+            for count, others in ((sent[0], 29), (sent[4], 57)))
+    return 0.0
+
+
+def run_shard(name):
+    phase, seed, made = cases.of_shard(name)
+    starts = [cases.LEAD]
+    for case in made:
+        starts.append(starts[-1] + case.frames)
+    frames = starts[-1]
+    result = {"shard": name, "cases": len(made), "frames": frames,
+              "faults": sum(fault.duration_us != 0
+                            for case in made for fault in case.faults),
+              "recovered_within": [0] * (checker.BOUND + 1), "wrong": 0,
+              "wrong_by_theory": 0.0, "failures": []}
+    failures = result["failures"]
+
+    with tempfile.TemporaryDirectory(prefix="urv-campaign-") as folder:
+        folder = Path(folder)
+        flown = fly(folder, phase, seed, frames, "".join(
+            f"{line}\n" for case, first in zip(made, starts, strict=False)
+            for line in lines_of(case, first)))
+        if flown.returncode != 0:
+            failures.append(f"{name}: status {flown.returncode}:"
+                            f" {flown.stderr.strip()}")
+            return result
+        flight = checker.Flight(
+            folder / "record.csv", folder / "wire.csv", frames)
+
+    failures += [f"{name}: {error}" for error in flight.errors]
+    flight.learn_lags(cases.LEAD - 1)
+    if any(not flight.is_calm(frame)
+           for frame in range(cases.LEAD // 2, cases.LEAD)):
+        failures.append(f"{name}: not calm before the first case")
+
+    # In the order of the frames they were seen in.
+    wrong = list(flight.wrong)
+    result["wrong"] = len(wrong)
+    result["wrong_by_theory"] = by_theory(name, flight)
+    bound = 0 if name.startswith("calm") else checker.BOUND
+    for case, first, stop in zip(made, starts, starts[1:], strict=False):
+        took = flight.recovery(case, first, stop)
+        what = "; ".join(lines_of(case, first))
+        if took is None or took > bound:
+            failures.append(f"{name}: {what}: recovered after {took} frames")
+        else:
+            result["recovered_within"][took] += 1
+        while wrong and wrong[0].frame < stop:
+            block = wrong.pop(0)
+            if len(case.faults) > 1:
+                continue
+            added = case.faults[0].text.startswith(("insert", "dup"))
+            if not added or not checker.shifted_by_one(
+                    block, flight.lags[block.way]):
+                failures.append(f"{name}: {what}: wrong data {block}")
+            else:
+                result["wrong_by_theory"] += 1
+    return result
+
+
+def too_many(count, expected):
+    """More than chance explains, but for once in a million."""
+    return count > expected + 5 * math.sqrt(expected) + 3
+
+
+def report(results, size, seconds):
+    groups = {}
+    for result in results:
+        parts = result["shard"].split("/")
+        group = parts[0] + (f" ber {parts[3]}" if parts[0] == "soak" else "")
+        total = groups.setdefault(group, {
+            "shards": 0, "cases": 0, "faults": 0, "frames": 0,
+            "recovered_within": [0] * (checker.BOUND + 1), "wrong": 0,
+            "wrong_by_theory": 0.0, "failures": []})
+        total["shards"] += 1
+        for name in ("cases", "faults", "frames", "wrong", "wrong_by_theory",
+                     "failures"):
+            total[name] += result[name]
+        total["recovered_within"] = [
+            a + b for a, b in zip(total["recovered_within"],
+                                  result["recovered_within"], strict=True)]
+    failures = []
+    for group, total in groups.items():
+        failures += total["failures"]
+        if too_many(total["wrong"], total["wrong_by_theory"]):
+            failures.append(f"{group}: {total['wrong']} wrong blocks, about"
+                            f" {total['wrong_by_theory']:.1f} expected")
+
+    columns = ["cases", "faults", "frames", "after 0", "1", "2", "3 frames",
+               "wrong", "by theory", "failures"]
+    table = [["", *columns]]
+    for group, total in groups.items():
+        table.append([group, total["cases"], total["faults"],
+                      total["frames"], *total["recovered_within"],
+                      total["wrong"], f"{total['wrong_by_theory']:.1f}",
+                      len(total["failures"])])
+    table.append(["all"] + [
+        f"{sum(float(row[n]) for row in table[1:]):.{1 if n == 9 else 0}f}"
+        for n in range(1, len(columns) + 1)])
+
+    RESULTS.mkdir(exist_ok=True)
+    with (RESULTS / "results.csv").open("w", newline="") as out:
+        csv.writer(out).writerows(table)
+    (RESULTS / "summary.json").write_text(json.dumps(
+        {"size": size, "wall_seconds": round(seconds), "groups": groups,
+         "failures": failures}, indent=1) + "\n")
+
+    widths = [max(len(str(row[n])) for row in table)
+              for n in range(len(table[0]))]
+    for row in table:
+        print("  ".join(
+            str(cell).ljust(width) if n == 0 else str(cell).rjust(width)
+            for n, (cell, width) in enumerate(zip(row, widths, strict=True))))
+    for failure in failures[:50]:
+        print(f"FAILED {failure}")
+    if len(failures) > 50:
+        print(f"... and {len(failures) - 50} more, see campaign/summary.json")
+    print(f"{size}: {table[-1][2]} faults, {len(failures)} failures,"
+          f" {seconds:.0f} s")
+    return 1 if failures else 0
+
+
+def run_campaign(size, jobs, hosts):
+    RESULTS.mkdir(exist_ok=True)
+    names = list(cases.plan(size))
+    began = time.monotonic()
+    command = ["parallel", "--will-cite", "--jobs", jobs, "--nice", "10",
+               "--workdir", str(ROOT),
+               "--joblog", str(RESULTS / "joblog")]
+    if sys.stderr.isatty():
+        command.append("--bar")
+    for host in hosts:
+        command += ["--sshlogin", host]
+    command += ["python3", "scripts/campaign/run.py", "shard", "{}"]
+    lines = subprocess.run(
+        command, input="\n".join(names), stdout=subprocess.PIPE, text=True,
+        check=False).stdout.splitlines()
+    (RESULTS / "shards.jsonl").write_text(
+        "".join(f"{line}\n" for line in lines))
+    results = [json.loads(line) for line in lines]
+    missing = set(names) - {result["shard"] for result in results}
+    for name in sorted(missing):
+        results.append({"shard": name, "cases": 0, "faults": 0, "frames": 0,
+                        "recovered_within": [0] * (checker.BOUND + 1),
+                        "wrong": 0, "wrong_by_theory": 0.0,
+                        "failures": [f"{name}: no result"]})
+    return report(results, size, time.monotonic() - began)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("size", choices=[*cases.SIZES, "shard"])
+    parser.add_argument("name", nargs="?", help="of the shard")
+    parser.add_argument("--jobs", default="100%", help="at once")
+    parser.add_argument("--host", action="append", default=[],
+                        help="as for parallel's --sshlogin; ':' is this one")
+    given = parser.parse_args()
+    if (given.size == "shard") != (given.name is not None):
+        parser.error("a shard, and only a shard, has a name")
+    if given.size == "shard":
+        print(json.dumps(run_shard(given.name)), flush=True)
+        return 0
+    return run_campaign(given.size, given.jobs, given.host)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,249 @@
+#!/usr/bin/env python3
+"""The link under bit errors: what theory says and what the simulation does.
+
+  theory.py [--frames N]   measure, renew docs/link-errors.svg and the table
+                           in docs/link.md
+
+Theory is a closed form from the protocol as docs/link.md has it. What is
+measured comes from the wire alone: who sent what, and how it was answered.
+The nodes' frames begin together (--phase 0), so that both boards are given
+their blocks at the same moment.
+"""
+
+import argparse
+import math
+import re
+import sys
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import cases  # noqa: E402
+import checker  # noqa: E402
+import run  # noqa: E402
+
+DOCS = run.ROOT / "docs"
+
+UP, DOWN = 30, 58          # characters of a data message
+DEAD_SPACE, IDLE = 20, 24
+PUT_US = 4_000             # when in its frame a board is given its block
+CHARACTER_MS = cases.CHARACTER_US / 1000
+
+RATES = ("1e-6", "1e-5", "3e-5", "1e-4", "3e-4", "1e-3", "3e-3", "1e-2")
+QUANTITIES = ("up_delivered", "up_sent", "up_ms",
+              "down_delivered", "down_sent")
+
+
+def theory(rate):
+    """Per block: the fraction delivered, how often it is sent, and for the
+    uplink how long it takes from the controller to the other board."""
+    # A character arrives; all of a data message does.
+    q = (1 - rate) ** 9
+    a, b = q**UP, q**DOWN
+
+    # Up: sent again unless the aircraft's good status is heard.
+    up_delivered = a * (2 - a)
+    up_sent = 1 + (1 - a * q)
+
+    # What passes between the two transmissions when the first was spoilt:
+    # nothing was answered; or a bad status was, and heard; or not heard.
+    between = ((1 - q) * (DEAD_SPACE + IDLE)
+               + (q - a) * (q * 1 + (1 - q) * (1 + IDLE)))
+    up_characters = (UP + (1 - a) * 2 * UP + between) / (2 - a)
+
+    # Down: the ground knows of the block once a status, good or bad, is
+    # heard; it commands once more unless data came whole. The second
+    # command is not heard after a bad status that was not.
+    known = 1 - (1 - q**2) ** 2
+    down_sent = known * q * (1 + (1 - q) + q * (1 - q) + q**2 * (q - b))
+    return {"up_delivered": up_delivered, "up_sent": up_sent,
+            "up_ms": up_characters * CHARACTER_MS,
+            "down_delivered": down_sent * b, "down_sent": down_sent}
+
+
+class Message(NamedTuple):
+    start_us: int
+    end_us: int
+    content: bytes
+
+
+def messages(wire, way):
+    """Data messages and status messages of one direction."""
+    name = way.encode()
+    times = list(map(int, re.findall(rb"^(\d+)," + name, wire, re.MULTILINE)))
+    sent = bytes.fromhex(
+        b"".join(re.findall(rb"," + name + rb",(..)", wire)).decode())
+    place = 0
+    while place < len(sent):
+        length = checker.MESSAGE_LENGTHS[way][sent[place]]
+        if place + length <= len(sent):
+            yield Message(times[place],
+                          times[place + length - 1] + cases.CHARACTER_US,
+                          sent[place:place + length])
+        place += length
+
+
+class Mean(NamedTuple):
+    value: float
+    error: float   # standard error
+
+
+def mean(values):
+    count = len(values)
+    average = sum(values) / count
+    variance = sum((value - average) ** 2 for value in values) / (count - 1)
+    return Mean(average, math.sqrt(variance / count))
+
+
+def answered_well(blocks, answers, good):
+    """When each block was first received whole, by its content; how often
+    it was sent."""
+    good_times = {answer.start_us for answer in answers
+                  if answer.content[0] in good}
+    received, sent = {}, {}
+    for block in blocks:
+        sent[block.content] = sent.get(block.content, 0) + 1
+        if block.end_us in good_times:
+            received.setdefault(block.content, block.end_us)
+    return received, sent
+
+
+def measure(rate, frames, seed=1):
+    """The same quantities from a flight, after its first 20 frames."""
+    with tempfile.TemporaryDirectory(prefix="urv-theory-") as folder:
+        folder = Path(folder)
+        flown = run.fly(folder, 0, seed, frames, "".join(
+            f"0 {way} ber {rate} {frames * 20}\n" for way in ("up", "down")))
+        if flown.returncode != 0:
+            raise RuntimeError(flown.stderr)
+        wire = (folder / "wire.csv").read_bytes()
+
+    up = list(messages(wire, "up"))
+    down = list(messages(wire, "down"))
+    results = {}
+    for way, blocks, answers, good in (
+        ("up", up, down, (0x2D, 0xD2)), ("down", down, up, (0xD2,)),
+    ):
+        received, sent = answered_well(
+            [block for block in blocks if len(block.content) > 1],
+            [answer for answer in answers if len(answer.content) == 1], good)
+        delays, counts = [], []
+        # Blocks by the number of the frame their words were sampled in; the
+        # board is given them a frame later.
+        by_number = {
+            int.from_bytes(content[1:3], "big")
+            + (int.from_bytes(content[3:5], "big") << 12) - 1: content
+            for content in sent}
+        for number in range(20, frames - 20):
+            content = by_number.get(number)
+            counts.append(sent.get(content, 0))
+            if content in received:
+                put = (number + 1) * cases.FRAME_US + PUT_US
+                delays.append((received[content] - put) / 1000)
+            else:
+                delays.append(None)
+        results[f"{way}_delivered"] = mean(
+            [delay is not None for delay in delays])
+        results[f"{way}_sent"] = mean(counts)
+        if way == "up":
+            results["up_ms"] = mean(
+                [delay for delay in delays if delay is not None])
+    return results
+
+
+def z_score(measured, expected, frames):
+    """In standard errors. One event more or less is never a difference."""
+    return abs(measured.value - expected) / max(measured.error, 1 / frames)
+
+
+def table(points):
+    yield ("| bit error rate | uplink delivered | sent, per block |"
+           " latency, ms | downlink delivered | sent, per frame |")
+    yield "|---|---|---|---|---|---|"
+    for rate, expected, measured in points:
+        yield " | ".join([f"| {rate}"] + [
+            f"{expected[name]:.4f} / {measured[name].value:.4f}"
+            f" ± {2.58 * measured[name].error:.4f}" for name in QUANTITIES
+        ]) + " |"
+
+
+def svg(points):
+    """Delivered fractions and transmissions against the bit error rate."""
+    left, top, width, height = 60, 20, 560, 300
+    low, high = -6.0, -1.8
+
+    def x(rate):
+        return left + (math.log10(rate) - low) / (high - low) * width
+
+    def y(value):
+        return top + (2 - value) / 2 * height
+
+    lines = [
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 375"'
+        ' font-family="sans-serif" font-size="12">',
+        '<rect width="640" height="375" fill="white"/>']
+    for n in range(5):
+        value = n / 2
+        lines.append(
+            f'<path d="M{left} {y(value):.1f}h{width}" stroke="#ddd"/>'
+            f'<text x="{left - 8}" y="{y(value) + 4:.1f}"'
+            f' text-anchor="end">{value}</text>')
+    for power in range(-6, -1):
+        at = x(10.0**power)
+        lines.append(
+            f'<path d="M{at:.1f} {top}v{height}" stroke="#ddd"/>'
+            f'<text x="{at:.1f}" y="{top + height + 16}"'
+            f' text-anchor="middle">1e{power}</text>')
+    lines.append(f'<text x="{left + width / 2}" y="{top + height + 34}"'
+                 ' text-anchor="middle">bit error rate; lines: theory;'
+                 ' points: simulated, with 99% intervals</text>')
+    for place, (name, colour, label) in enumerate((
+        ("up_delivered", "#0b62a4", "uplink delivered"),
+        ("up_sent", "#7a92a3", "uplink sent"),
+        ("down_delivered", "#b1361e", "downlink delivered"),
+        ("down_sent", "#d9a08f", "downlink sent"),
+    )):
+        steps = [10 ** (low + n * (high - low) / 200) for n in range(201)]
+        path = " ".join(f"{x(rate):.1f},{y(theory(rate)[name]):.1f}"
+                        for rate in steps)
+        lines.append(f'<polyline points="{path}" fill="none"'
+                     f' stroke="{colour}" stroke-width="1.5"/>')
+        for rate, _, measured in points:
+            at, point = x(float(rate)), measured[name]
+            error = 2.58 * point.error
+            lines.append(
+                f'<path d="M{at:.1f} {y(point.value - error):.1f}'
+                f'V{y(point.value + error):.1f}" stroke="{colour}"/>'
+                f'<circle cx="{at:.1f}" cy="{y(point.value):.1f}" r="3"'
+                f' fill="{colour}"/>')
+        lines.append(f'<text x="{left + 10 + 135 * place}" y="372"'
+                     f' fill="{colour}">{label}</text>')
+    lines.append("</svg>")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--frames", type=int, default=50_000)
+    frames = parser.parse_args().frames
+    points = []
+    for rate in RATES:
+        points.append((rate, theory(float(rate)), measure(rate, frames)))
+        print(rate, *(
+            f"{name} {points[-1][1][name]:.5f} {point.value:.5f}"
+            f" ({z_score(point, points[-1][1][name], frames):.1f})"
+            for name, point in points[-1][2].items()), flush=True)
+    (DOCS / "link-errors.svg").write_text(svg(points), encoding="ascii")
+    page = (DOCS / "link.md").read_text(encoding="utf-8")
+    begin, end = "<!-- make theory -->\n", "<!-- end -->\n"
+    before, rest = page.split(begin)
+    after = rest.split(end)[1]
+    made = "".join(f"{line}\n" for line in table(points))
+    (DOCS / "link.md").write_text(before + begin + made + end + after,
+                                  encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

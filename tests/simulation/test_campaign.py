@@ -1,0 +1,183 @@
+"""LNK-9: the smallest campaign, and that its checker sees what it should."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import PROGRAM, ROOT
+
+sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+
+import cases  # noqa: E402
+import checker  # noqa: E402
+import data  # noqa: E402
+import run  # noqa: E402
+
+
+@pytest.fixture(autouse=True)
+def _same_program(monkeypatch):
+    monkeypatch.setattr(run, "PROGRAM", PROGRAM)
+
+
+@pytest.mark.parametrize("name", list(cases.plan("tiny")))
+def test_link_recovers(name):
+    result = run.run_shard(name)
+    assert result["failures"] == []
+    assert sum(result["recovered_within"]) == result["cases"] > 0
+
+
+def test_every_single_fault_is_in_the_full_campaign():
+    faults = set()
+    for name in cases.plan("full"):
+        if name.startswith("single/3/"):
+            for case in cases.of_shard(name)[2]:
+                faults |= {(fault.way, fault.text) for fault in case.faults}
+    assert len(faults) == cases.SINGLES == 91 * (1 + 1 + 256 + 511)
+
+
+def test_full_campaign_is_as_large_as_promised():
+    made = [cases.of_shard(name)[2] for name in cases.plan("full")
+            if not name.startswith("soak")]
+    assert sum(len(case.faults) for shard in made for case in shard) > 200_000
+    soaked = [name.split("/")[-1] for name in cases.plan("full")
+              if name.startswith("soak")]
+    assert sum(map(int, soaked)) >= 1_000_000
+
+
+def test_checksum_is_that_of_the_protocol():
+    assert checker.crc8(b"123456789") == 0xF4
+
+
+# --- what the checker sees ------------------------------------------------
+
+FRAMES = 80
+
+
+@pytest.fixture
+def flown(tmp_path):
+    """A flight with these faults; its record and wire may be altered."""
+
+    def fly(faults="", alter=None):
+        result = run.fly(tmp_path, 3, 1, FRAMES, faults or "# none\n")
+        assert result.returncode == 0, result.stderr
+        if alter:
+            name, change = alter
+            path = tmp_path / name
+            path.write_text(change(path.read_text()))
+        flight = checker.Flight(
+            tmp_path / "record.csv", tmp_path / "wire.csv", FRAMES)
+        flight.learn_lags(39)
+        return flight
+
+    return fly
+
+
+def altered(row, column, word):
+    """Puts another word into the record."""
+
+    def change(text):
+        lines = text.split("\n")
+        cells = lines[row + 1].split(",")
+        cells[lines[0].split(",").index(column)] = str(word)
+        lines[row + 1] = ",".join(cells)
+        return "\n".join(lines)
+
+    return "record.csv", change
+
+
+def test_a_flight_without_faults_is_calm(flown):
+    flight = flown()
+    assert flight.errors == [] and flight.wrong == []
+    assert all(flight.is_calm(frame) for frame in range(10, FRAMES))
+
+
+@pytest.mark.parametrize("column", ["mcs.uplink.switch8",
+                                    "gsc.downlink.altitude",
+                                    "mcs.uplink.error"])
+def test_a_block_never_sent_is_seen(flown, column):
+    flight = flown(alter=altered(50, column, 4099))
+    assert [block.frame for block in flight.wrong] == [50]
+    assert not flight.is_calm(50) and flight.is_calm(51)
+
+
+def test_an_old_block_after_a_newer_one_is_seen(flown):
+    def change(text):
+        lines = text.split("\n")
+        lines[51], lines[61] = lines[61], lines[51]
+        return "\n".join(lines)
+
+    errors = flown(alter=("record.csv", change)).errors
+    assert any("came after" in error for error in errors)
+
+
+@pytest.mark.parametrize("count", [
+    "uplink_sent", "uplink_received", "downlink_sent", "downlink_received"])
+def test_a_count_that_is_not_the_wires_is_seen(flown, count):
+    flight = flown(alter=altered(FRAMES - 1, f"link.{count}", 70))
+    assert any(error.startswith(f"{count} is 70")
+               for error in flight.errors)
+
+
+def test_a_byte_that_begins_no_message_is_seen(flown):
+    flight = flown(alter=("wire.csv", lambda text: text.replace(
+        ",up,4b", ",up,00", 1)))
+    assert any("begins no message: 00" in error for error in flight.errors)
+
+
+@pytest.mark.parametrize("cut_ms, frames", [(0, 0), (30, 2), (400, None)])
+def test_recovery_is_counted_from_the_last_fault(flown, cut_ms, frames):
+    # The case says 0 ms; the cut is longer, so recovery comes later.
+    flight = flown(f"800 cut {cut_ms}\n")
+    case = cases.case([cases.lasting(0, "", "cut {ms}", 0)], 0)
+    took = flight.recovery(case, 40, 40 + case.frames)
+    assert (took is None) == (frames is None)
+    if frames is not None:
+        assert took >= frames
+
+
+def test_a_message_too_long_is_told_from_other_wrong_data():
+    sent = b"".join(word.to_bytes(2, "big")
+                    for word in data.words(57, 13) + [0])
+    for place in range(len(sent)):
+        explained = []
+        for byte in range(256):
+            came = sent[:place] + bytes([byte]) + sent[place:-1]
+            block = checker.Wrong(60, "up", tuple(
+                int.from_bytes(came[n:n + 2], "big")
+                for n in range(0, len(came), 2)))
+            if came != sent and checker.shifted_by_one(block, 3):
+                explained.append(byte)
+        assert len(explained) <= 1
+    assert not checker.shifted_by_one(
+        checker.Wrong(60, "up", tuple(data.words(57, 13) + [1])), 3)
+
+
+def test_a_shard_that_cannot_fly_fails(monkeypatch):
+    monkeypatch.setattr(run, "fly", lambda *_: subprocess.CompletedProcess(
+        [], 1, "", "urv_sim: internal fault"))
+    assert run.run_shard("cut/3/0/400")["failures"] == [
+        "cut/3/0/400: status 1: urv_sim: internal fault"]
+
+
+def shard_result(**changed):
+    return {"shard": "many/3/0/100", "cases": 100, "frames": 1000,
+            "faults": 250, "recovered_within": [0, 50, 50, 0], "wrong": 0,
+            "wrong_by_theory": 1.0, "failures": [], **changed}
+
+
+@pytest.mark.parametrize("changed, status", [
+    ({}, 0),
+    ({"wrong": 3}, 0),
+    ({"wrong": 30}, 1),
+    ({"failures": ["many/3/0/100: 800 up drop 1: recovered after 4 frames"]},
+     1),
+])
+def test_report_fails_when_a_check_did(
+        monkeypatch, tmp_path, capsys, changed, status):
+    monkeypatch.setattr(run, "RESULTS", tmp_path)
+    results = [shard_result(), shard_result(**changed)]
+    assert run.report(results, "tiny", 1.0) == status
+    said = capsys.readouterr().out
+    assert f"tiny: 500 faults, {status} failures" in said
+    assert ("FAILED" in said) == (status == 1)
+    assert (tmp_path / "results.csv").exists()

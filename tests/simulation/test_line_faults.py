@@ -1,0 +1,205 @@
+"""SIM-2: faults that add characters, come by chance, or stop a telemetry
+board."""
+
+import pytest
+
+# The first exchange after this time: 30 characters of data and a command to
+# downlink up; a status, 58 characters of data down; a status up.
+TIME_MS = 200
+LINK = ("uplink_sent", "uplink_received", "uplink_bad", "downlink_sent",
+        "downlink_received", "downlink_bad", "gsc_resets", "mcs_resets")
+CLEAN = (49, 49, 0, 48, 48, 0, 0, 0)
+
+
+def link_counts(fly, write, faults, *options):
+    write("faults.txt", faults)
+    flight = fly("--faults", "faults.txt", "--seconds", "1", *options)
+    return tuple(flight.summary["link"][name] for name in LINK)
+
+
+def test_counts_without_a_fault(fly, write):
+    assert link_counts(fly, write, "# none\n") == CLEAN
+
+
+@pytest.mark.parametrize("fault, meant", [
+    # A data message that is a character too long ends a character early,
+    # with a wrong checksum, and is sent again.
+    ("up dup 2", (50, 49, 1, 48, 48, 0, 0, 0)),
+    ("up insert 2 00", (50, 49, 1, 48, 48, 0, 0, 0)),
+    # Who sends does not hear the bad status, nor the command after it.
+    ("down dup 3", (49, 49, 0, 48, 47, 1, 0, 0)),
+    # The last character of a message doubled: the receiver answers already.
+    ("up dup 30", CLEAN),
+    ("down dup 59", CLEAN),
+    # A status, a command doubled.
+    ("down dup 1", CLEAN),
+    ("up dup 31", CLEAN),
+    ("up dup 32", CLEAN),
+    # A first byte that is no header: the aircraft waits for silence, the
+    # ground sends again, so late that the downlink is a newer one.
+    ("up insert 1 00", (50, 49, 0, 47, 47, 0, 1, 1)),
+    # A status where data should begin is disregarded.
+    ("down insert 2 2d", CLEAN),
+])
+def test_an_added_character(fly, write, fault, meant):
+    assert link_counts(fly, write, f"{TIME_MS} {fault}\n") == meant
+
+
+def test_wire_shows_what_is_sent_not_what_is_added(fly, write):
+    write("faults.txt", f"{TIME_MS} up dup 31\n{TIME_MS} down dup 1\n")
+    faulty = fly("--faults", "faults.txt", "--seconds=0.22", name="faulty")
+    clean = fly("--seconds=0.22", name="clean")
+    assert faulty.path("wire.csv").read_bytes() == clean.path(
+        "wire.csv").read_bytes()
+
+
+def test_more_than_the_line_has_room_for_is_not_heard(fly, write):
+    faults = f"{TIME_MS} up insert 1 00\n" * 100 + f"{TIME_MS} up dup 5\n" * 99
+    assert link_counts(fly, write, faults)[1] == 49
+
+
+# --- stalls ---------------------------------------------------------------
+
+def bytes_between(flight, way, first_ms, stop_ms):
+    return [row for row in flight.wire if row.direction == way
+            and first_ms * 1000 <= row.time_us < stop_ms * 1000]
+
+
+@pytest.mark.parametrize("node, way", [("gsc", "up"), ("mcs", "down")])
+def test_a_stalled_board_is_silent_then_goes_on(fly, write, node, way):
+    write("faults.txt", f"206.5 {node} stall telemetry 100\n")
+    flight = fly("--faults", "faults.txt", "--seconds=1")
+    assert bytes_between(flight, way, 206.5, 306.5) == []
+    # In a major frame that begins a frame after the end all is well.
+    record = flight.record
+    for frame in range(18, 50):
+        for count in ("link.uplink_received", "link.downlink_received"):
+            assert record[count][frame] == record[count][frame - 1] + 1
+
+
+def test_a_stall_within_a_message_leaves_a_gap(fly, write):
+    # Nine characters of ten; the last begins before the stall and leaves.
+    write("faults.txt", "204.9 gsc stall telemetry 0.5\n")
+    flight = fly("--faults", "faults.txt", "--seconds=0.4")
+    times = [row.time_us for row in bytes_between(flight, "up", 204, 208)]
+    gaps = [b - a for a, b in zip(times, times[1:], strict=False)]
+    assert [gap for gap in gaps[:29] if gap != 96] == [205400 - times[9]]
+    assert times[9] < 204900 < times[9] + 96
+    assert flight.summary["link"]["uplink_bad"] == 0
+
+
+def test_timers_of_a_stalled_board_stand_still(fly, write):
+    # The uplink is lost. Without a stall the ground gives up 20 characters
+    # after its last one, stays idle for 24, and sends again.
+    cut = "203 cut 5\n"
+    write("plain.txt", cut)
+    write("stalled.txt", cut + "207.5 gsc stall telemetry 1.1\n")
+
+    def second_time(name):
+        flight = fly("--faults", name, "--seconds=0.4", name=name[:3])
+        return [row for row in flight.wire if row.direction == "up"
+                and row.time_us >= 204000][30].time_us
+
+    assert second_time("plain.txt") == 204000 + (30 + 20 + 24) * 96
+    assert second_time("stalled.txt") == 204000 + (30 + 20 + 24) * 96 + 1100
+
+
+def test_stalls_that_overlap_are_one(fly, write):
+    one = link_counts(fly, write, "200 mcs stall telemetry 50\n")
+    many = link_counts(fly, write, "220 mcs stall telemetry 30\n"
+                       "200 mcs stall telemetry 25\n"
+                       "210 mcs stall telemetry 1\n"
+                       "230 mcs stall telemetry 0\n")
+    assert one == many
+
+
+def test_a_board_that_is_stalled_from_the_start(fly, write):
+    counts = link_counts(fly, write, "0 mcs stall telemetry 500\n")
+    assert counts[1] == 25
+
+
+def test_an_inserted_command_is_obeyed_at_once(fly, write):
+    # The aircraft begins as the ground's own command does.
+    write("faults.txt", f"{TIME_MS} up insert 31 4b\n")
+    flight = fly("--faults", "faults.txt", "--seconds=1")
+    both = [row for row in flight.wire if row.time_us == 206_976]
+    assert [(row.direction, row.byte) for row in both] == [
+        ("up", 0x4B), ("down", 0x87)]
+    assert flight.summary["link"]["downlink_received"] == CLEAN[4]
+
+
+# --- bit errors by chance -------------------------------------------------
+
+NOISE = "0 up ber 1e-4 1000\n0 down ber 1e-4 1000\n"
+
+
+def test_bit_errors_come_from_the_seed_alone(fly, write):
+    def outputs(seed, name):
+        write("faults.txt", NOISE)
+        flight = fly("--faults", "faults.txt", "--seconds=2",
+                     f"--seed={seed}", name=name)
+        return [flight.path(file).read_bytes()
+                for file in ("record.csv", "wire.csv")]
+
+    assert outputs(7, "a") == outputs(7, "b")
+    assert outputs(7, "a") != outputs(8, "c")
+
+
+@pytest.mark.parametrize("rate", [1e-4, 1e-2, 0.5])
+def test_noise_is_splitmix64(fly, write, rate):
+    """The same flight with each flip written out, from another program."""
+    write("noise.txt", f"0 up ber {rate} 1000\n0 down ber {rate} 1000\n")
+    noisy = fly("--faults=noise.txt", "--seconds=1", "--seed=5", name="noisy")
+    write("flips.txt", "".join(
+        f"0 {way} flip {number} {mask:x}\n" for way in ("up", "down")
+        for number, mask in known_hits(
+            5, way, rate,
+            sum(row.direction == way for row in noisy.wire)).items()))
+    flipped = fly("--faults=flips.txt", "--seconds=1", name="flipped")
+    for file in ("record.csv", "wire.csv"):
+        assert noisy.path(file).read_bytes() == flipped.path(file).read_bytes()
+
+
+MASK_64 = 2**64 - 1
+
+
+def splitmix64(state):
+    while True:
+        state = (state + 0x9E3779B97F4A7C15) & MASK_64
+        z = state
+        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & MASK_64
+        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & MASK_64
+        yield z ^ (z >> 31)
+
+
+def known_hits(seed, way, rate, characters):
+    """The mask of each of the first characters that is hit, by number."""
+    split = splitmix64(seed)
+    up, down = next(split), next(split)
+    numbers = splitmix64(up if way == "up" else down)
+    unit = int(rate * 2**64)
+    first = [unit]
+    for _ in range(8):
+        first.append(first[-1] + ((2**64 - first[-1]) * unit >> 64))
+    hits = {}
+    for number in range(1, characters + 1):
+        value = next(numbers)
+        if value < first[8]:
+            bit = next(n for n in range(9) if value < first[n])
+            mask = 1 << bit
+            for further in range(bit + 1, 9):
+                mask |= (next(numbers) < unit) << further
+            hits[number] = mask
+    return hits
+
+
+def test_certain_errors_flip_every_bit(fly, write):
+    # All nine bits: the byte is inverted and its parity is wrong.
+    counts = link_counts(fly, write, "0 up ber 1 1000\n")
+    assert counts[:3] == (98, 0, 0)
+    assert link_counts(fly, write, "0 up ber 0 1000\n") == CLEAN
+
+
+def test_noise_of_several_lines_adds_up(fly, write):
+    # Flipped twice is not flipped.
+    assert link_counts(fly, write, "0 up ber 1 1000\n" * 2) == CLEAN

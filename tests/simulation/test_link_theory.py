@@ -1,0 +1,53 @@
+"""Delivery, retries and latency under bit errors are what theory says."""
+
+import math
+import sys
+
+import pytest
+from conftest import PROGRAM, ROOT
+
+sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+
+import run  # noqa: E402
+import theory  # noqa: E402
+
+FRAMES = 8_000
+
+# The seed is fixed, so a test that passes once passes always. By chance one
+# of the 20 comparisons would be beyond 3.5 standard errors once in a hundred.
+LIMIT = 3.5
+
+
+@pytest.fixture(autouse=True)
+def _same_program(monkeypatch):
+    monkeypatch.setattr(run, "PROGRAM", PROGRAM)
+
+
+@pytest.mark.parametrize("rate", ["1e-5", "1e-4", "3e-4", "1e-3"])
+def test_measurement_agrees_with_theory(rate):
+    expected = theory.theory(float(rate))
+    measured = theory.measure(rate, FRAMES)
+    far = {name: (expected[name], measured[name])
+           for name in theory.QUANTITIES
+           if theory.z_score(measured[name], expected[name], FRAMES) > LIMIT}
+    assert far == {}
+
+
+def test_another_rate_is_told_apart():
+    # The comparison is sharp: a fifth more errors would not pass.
+    expected = theory.theory(1.2e-3)
+    measured = theory.measure("1e-3", FRAMES)
+    for name in theory.QUANTITIES:
+        assert theory.z_score(measured[name], expected[name], FRAMES) > LIMIT
+
+
+def test_theory_without_errors():
+    assert theory.theory(0.0) == {
+        "up_delivered": 1, "up_sent": 1, "up_ms": pytest.approx(30 * 0.096),
+        "down_delivered": 1, "down_sent": 1}
+
+
+def test_theory_where_nothing_gets_through():
+    nearly = theory.theory(0.5)
+    assert nearly["up_delivered"] < 1e-60
+    assert math.isclose(nearly["up_sent"], 2, abs_tol=1e-9)
