@@ -3,7 +3,9 @@
    instrumentation does. Without AFL++'s run-time library the weak names are
    null, and the program runs one input. */
 
+#include <signal.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #define MAP_SIZE 65536u
@@ -52,4 +54,13 @@ urv_next_input (uint8_t *input, int room)
          && (more = read (0, input + length, room - length)) > 0)
     length += more;
   return length;
+}
+
+/* Ends the process so that AFL++ sees a crash: GNAT's own handler would make
+   an exception of the signal. */
+void
+urv_crash (void)
+{
+  signal (SIGABRT, SIG_DFL);
+  abort ();
 }

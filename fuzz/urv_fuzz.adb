@@ -23,8 +23,8 @@ procedure URV_Fuzz is
      (Input : out Bytes; Size : Interfaces.C.int) return Interfaces.C.int
    with Import, Convention => C, External_Name => "urv_next_input";
 
-   procedure Abort_Process
-   with Import, Convention => C, External_Name => "abort", No_Return;
+   procedure Crash
+   with Import, Convention => C, External_Name => "urv_crash", No_Return;
 
    type Happening is
      (Character,         --  with the byte that says what comes
@@ -131,5 +131,5 @@ exception
       Ada.Text_IO.Put_Line
         (Ada.Text_IO.Standard_Error,
          Ada.Exceptions.Exception_Information (Found));
-      Abort_Process;
+      Crash;
 end URV_Fuzz;
