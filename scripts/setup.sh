@@ -16,7 +16,8 @@ simulate="$build libgnatcoll21-dev"
 case $target in
    fly)   packages="$simulate python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt" ;;
-   test)  packages="$simulate libaunit22-dev binutils python3 python3-venv"
+   test)  packages="$simulate libaunit22-dev binutils gcc python3
+                    python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
