@@ -1,6 +1,6 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test prove bench size campaign theory clean
+.PHONY: help fly test prove explore fuzz campaign theory bench size clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -8,6 +8,8 @@ help:
 	@echo "make fly     fly the standard flight, leave it in flight/"
 	@echo "make test    run every test"
 	@echo "make prove   prove src and proofs, renew the proof record"
+	@echo "make explore explore both telemetry boards exhaustively"
+	@echo "make fuzz    fuzz a telemetry board, SECONDS=60"
 	@echo "make bench   compare the simulation's speed with C's"
 	@echo "make size    static data of each node's flight software"
 	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
@@ -29,6 +31,17 @@ test:
 prove:
 	@scripts/setup.sh prove
 	@python3 scripts/proof_record.py prove
+
+explore:
+	@scripts/setup.sh explore
+	@$(GPRBUILD) -P explore/urv_explore.gpr -XURV_Mode=host
+	@bin/urv_explore
+
+SECONDS := 60
+
+fuzz:
+	@scripts/setup.sh fuzz
+	@scripts/fuzz.sh $(SECONDS)
 
 bench:
 	@scripts/setup.sh bench

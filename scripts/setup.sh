@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench|campaign
+#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -9,14 +9,15 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-target=${1:?usage: scripts/setup.sh fly|test|prove|size|bench|campaign}
+target=${1:?usage: scripts/setup.sh TARGET}
 
 build="gnat-12 gprbuild"
 simulate="$build libgnatcoll21-dev"
 case $target in
    fly)   packages="$simulate python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt" ;;
-   test)  packages="$simulate libaunit22-dev binutils python3 python3-venv"
+   test)  packages="$simulate libaunit22-dev binutils gcc python3
+                    python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
@@ -26,6 +27,10 @@ case $target in
    size)  packages="$build binutils python3"
           requirements="" ;;
    prove) packages="$build python3"
+          requirements="" ;;
+   explore) packages="$build"
+          requirements="" ;;
+   fuzz)  packages="$build gcc afl++"
           requirements="" ;;
    *)     echo "setup: no such target: $target" >&2
           exit 2 ;;

@@ -1,0 +1,4 @@
+with Explore.Sides;
+with Telemetry;
+
+package Explore.Ground_Sides is new Explore.Sides (Telemetry.Ground);

@@ -1,0 +1,370 @@
+with Ada.Containers.Vectors;
+with Ada.Text_IO;
+with Ada.Unchecked_Deallocation;
+with Explore.Aircraft_Sides;
+with Explore.Ground_Sides;
+with Interfaces; use Interfaces;
+
+package body Explore.Link is
+
+   package Ground renames Explore.Ground_Sides;
+   package Aircraft renames Explore.Aircraft_Sides;
+
+   type Pair is record
+      Ground   : Side;
+      Aircraft : Side;
+   end record;
+
+   package Pair_Vectors is new Ada.Containers.Vectors (Natural, Pair);
+
+   --  How far it is from a state to the end of every way: Unknown, being
+   --  looked at, or one more than the distance.
+   type Distance is range 0 .. 2 ** 16 - 1 with Size => 16;
+   Unknown    : constant Distance := 0;
+   On_The_Way : constant Distance := Distance'Last;
+
+   Calm     : Pair_Vectors.Vector;
+   Way_Gone : Pair_Vectors.Vector;
+
+   type Flags is array (Long_Long_Integer range <>) of Boolean with Pack;
+   type Flags_Access is access Flags;
+   Is_Calm : Flags_Access;
+
+   --  How many sides there are of either when nobody follows a block. No
+   --  step may lead elsewhere: the arrays would not have a place for it.
+   Ups, Downs : Side := 0;
+
+   function Place (Item : Pair) return Long_Long_Integer is
+     (Long_Long_Integer (Item.Ground) * Long_Long_Integer (Downs)
+      + Long_Long_Integer (Item.Aircraft));
+
+   procedure Find_Calm (Result : in out Findings);
+
+   ---------------
+   -- Find_Calm --
+   ---------------
+
+   procedure Find_Calm (Result : in out Findings) is
+      Next           : Natural := 0;
+      G, H, A, B     : Natural;
+      There          : Pair;
+
+      procedure Note (Item : Pair);
+
+      procedure Note (Item : Pair) is
+      begin
+         if not Is_Calm (Place (Item)) then
+            Is_Calm (Place (Item)) := True;
+            Calm.Append (Item);
+         end if;
+      end Note;
+   begin
+      Ups := Side (Ground.Sides_Found);
+      Downs := Side (Aircraft.Sides_Found);
+      Is_Calm := new Flags'
+        (0 .. Long_Long_Integer (Ups) * Long_Long_Integer (Downs) - 1 =>
+           False);
+      for Up in 0 .. Ups - 1 loop
+         if Ground.Is_Quiet (Up) then
+            for Down in 0 .. Downs - 1 loop
+               if Aircraft.Is_Quiet (Down) then
+                  Note ((Up, Down));
+               end if;
+            end loop;
+         end if;
+      end loop;
+
+      while Next < Natural (Calm.Length) loop
+         There := Calm (Next);
+         Next := Next + 1;
+         Ground.Step
+           (There.Ground, Aircraft.On_Line (There.Aircraft), Does_Either,
+            G, H);
+         Aircraft.Step
+           (There.Aircraft, Ground.On_Line (There.Ground), Does_Either,
+            A, B);
+         for I in G .. H loop
+            for J in A .. B loop
+               Result.Transitions := Result.Transitions + 1;
+               Note ((Ground.Nth (I).To, Aircraft.Nth (J).To));
+            end loop;
+         end loop;
+      end loop;
+   end Find_Calm;
+
+   ----------------
+   -- Find_Quiet --
+   ----------------
+
+   procedure Find_Quiet
+     (Result : out Findings; After_Put : out Natural)
+   is
+      --  For each pair, whether the ground's controller has put a block.
+      type Distances is array
+        (Long_Long_Integer range <>, Boolean range <>) of Distance;
+      type Distances_Access is access Distances;
+      Known  : constant Distances_Access := new Distances'
+        (0 .. Long_Long_Integer (Ground.Sides_Found)
+              * Long_Long_Integer (Aircraft.Sides_Found) - 1 =>
+           (Boolean => Unknown));
+      Length : Distance;
+
+      procedure Go (From : Pair; Has_Put : Boolean; Far : out Distance);
+
+      --  Where it leads when the ground's controller does this.
+      procedure Go_On
+        (From    : Pair;
+         Act     : Controller_Act;
+         Has_Put : Boolean;
+         Most    : in out Distance);
+
+      procedure Go (From : Pair; Has_Put : Boolean; Far : out Distance) is
+         Here : Distance renames Known (Place (From), Has_Put);
+         Most : Distance := 1;
+      begin
+         if Here = On_The_Way then
+            Result.Ends_Always := False;
+            Way_Gone.Append (From);
+         elsif Here = Unknown then
+            Result.States := Result.States + 1;
+            if Is_Calm (Place (From)) then
+               Here := 1;
+            else
+               Here := On_The_Way;
+               Go_On (From, Waits, Has_Put, Most);
+               if not Has_Put and then Most /= On_The_Way then
+                  Go_On (From, Puts_Old, True, Most);
+               end if;
+               if Most = On_The_Way then
+                  Way_Gone.Append (From);
+               else
+                  Here := Most + 1;
+               end if;
+            end if;
+         end if;
+         Far := Here;
+      end Go;
+
+      procedure Go_On
+        (From    : Pair;
+         Act     : Controller_Act;
+         Has_Put : Boolean;
+         Most    : in out Distance)
+      is
+         G, H, A, B : Natural;
+         Beyond     : Distance;
+      begin
+         Ground.Step
+           (From.Ground, Aircraft.On_Line (From.Aircraft), Act, G, H);
+         Aircraft.Step
+           (From.Aircraft, Ground.On_Line (From.Ground), Does_Either, A, B);
+         for I in G .. H loop
+            for J in A .. B loop
+               Result.Transitions := Result.Transitions + 1;
+               Go
+                 ((Ground.Nth (I).To, Aircraft.Nth (J).To), Has_Put, Beyond);
+               Most := Distance'Max (Most, Beyond);
+               if Most = On_The_Way then
+                  return;
+               end if;
+            end loop;
+         end loop;
+      end Go_On;
+   begin
+      Result := (others => <>);
+      After_Put := 0;
+      Way_Gone.Clear;
+      Find_Calm (Result);
+      Search :
+      for Up in 0 .. Ups - 1 loop
+         for Down in 0 .. Downs - 1 loop
+            for Has_Put in Boolean loop
+               Go ((Up, Down), Has_Put, Length);
+               exit Search when not Result.Ends_Always;
+               Result.Worst :=
+                 Natural'Max (Result.Worst, Natural (Length) - 1);
+               if Has_Put then
+                  After_Put := Natural'Max (After_Put, Natural (Length) - 1);
+               end if;
+            end loop;
+         end loop;
+      end loop Search;
+
+      if Side (Ground.Sides_Found) /= Ups
+        or else Side (Aircraft.Sides_Found) /= Downs
+      then
+         raise Program_Error with "a step leads to a side not found before";
+      end if;
+   end Find_Quiet;
+
+   function Calm_Pairs return Natural is (Natural (Calm.Length));
+
+   -------------------
+   -- Find_Delivery --
+   -------------------
+
+   procedure Find_Delivery (Way : Direction; Result : out Findings) is
+
+      subtype Moment is Natural range 0 .. Frame - 1;
+
+      --  The states with their distances, by a hash of the state: the
+      --  distance in the low 16 bits, the state above. No state is 0.
+      type Known_States is array (Unsigned_64 range <>) of Unsigned_64;
+      type Known_States_Access is access Known_States;
+      Nothing : constant Unsigned_64 := 0;
+      Bits    : Natural := 26;
+      Used    : Long_Long_Integer := 0;
+      Known   : Known_States_Access :=
+        new Known_States'(0 .. 2 ** Bits - 1 => Nothing);
+
+      procedure Free (Item : in out Known_States_Access);
+
+      function Spot (State : Unsigned_64) return Unsigned_64;
+
+      procedure Set (State : Unsigned_64; Far : Distance);
+
+      --  Until then the ground's, and the aircraft's controller puts its
+      --  next block.
+      procedure Go
+        (From : Pair; Until_Up, Until_Down : Moment; Far : out Distance);
+
+      procedure Free (Item : in out Known_States_Access) is
+         procedure Release is new Ada.Unchecked_Deallocation
+           (Known_States, Known_States_Access);
+      begin
+         Release (Item);
+      end Free;
+
+      function Spot (State : Unsigned_64) return Unsigned_64 is
+         Mask   : constant Unsigned_64 := 2 ** Bits - 1;
+         Result : Unsigned_64 :=
+           Shift_Right (State * 16#9E37_79B9_7F4A_7C15#, 64 - Bits);
+      begin
+         while Known (Result) /= Nothing
+           and then Shift_Right (Known (Result), 16) /= State
+         loop
+            Result := (Result + 1) and Mask;
+         end loop;
+         return Result;
+      end Spot;
+
+      procedure Set (State : Unsigned_64; Far : Distance) is
+         At_Spot : Unsigned_64 := Spot (State);
+         Old     : Known_States_Access;
+      begin
+         if Known (At_Spot) = Nothing then
+            Used := Used + 1;
+            if Used * 4 > Known'Length * 3 then
+               Old := Known;
+               Bits := Bits + 1;
+               Known := new Known_States'(0 .. 2 ** Bits - 1 => Nothing);
+               for Item of Old.all loop
+                  if Item /= Nothing then
+                     Known (Spot (Shift_Right (Item, 16))) := Item;
+                  end if;
+               end loop;
+               Free (Old);
+               At_Spot := Spot (State);
+            end if;
+         end if;
+         Known (At_Spot) := Shift_Left (State, 16) or Unsigned_64 (Far);
+      end Set;
+
+      procedure Go
+        (From : Pair; Until_Up, Until_Down : Moment; Far : out Distance)
+      is
+         State      : constant Unsigned_64 :=
+           ((Unsigned_64 (From.Ground) * 2 ** 16
+             + Unsigned_64 (From.Aircraft)) * 2 ** 8
+            + Unsigned_64 (Until_Up)) * 2 ** 8 + Unsigned_64 (Until_Down)
+           + 1;
+         At_Spot    : constant Unsigned_64 := Spot (State);
+         G, H, A, B : Natural;
+         Most       : Distance := 0;
+         Beyond     : Distance;
+         Delivers   : Boolean;
+      begin
+         if Known (At_Spot) /= Nothing then
+            Far := Distance (Known (At_Spot) and 16#FFFF#);
+            if Far = On_The_Way then
+               Result.Ends_Always := False;
+               Way_Gone.Append (From);
+            end if;
+            return;
+         end if;
+
+         Result.States := Result.States + 1;
+         Set (State, On_The_Way);
+         Ground.Step
+           (From.Ground, Aircraft.On_Line (From.Aircraft),
+            (if Until_Up > 0 then Waits
+             elsif Way = Uplink then Puts_Fresh else Puts_Old),
+            G, H);
+         Aircraft.Step
+           (From.Aircraft, Ground.On_Line (From.Ground),
+            (if Until_Down > 0 then Waits
+             elsif Way = Downlink then Puts_Fresh else Puts_Old),
+            A, B);
+         Delivers :=
+           (if Way = Uplink then Ground.Ends_Block (From.Ground, True)
+            else Aircraft.Ends_Block (From.Aircraft, True));
+         for I in G .. H loop
+            for J in A .. B loop
+               Result.Transitions := Result.Transitions + 1;
+               if Delivers
+                 and then (if Way = Uplink then Aircraft.Nth (J).Good
+                           else Ground.Nth (I).Good)
+               then
+                  Beyond := 1;
+               else
+                  Go
+                    ((Ground.Nth (I).To, Aircraft.Nth (J).To),
+                     (Until_Up - 1) mod Frame,
+                     (Until_Down - 1) mod Frame,
+                     Beyond);
+               end if;
+               if Beyond = On_The_Way then
+                  Way_Gone.Append (From);
+                  Far := On_The_Way;
+                  return;
+               end if;
+               Most := Distance'Max (Most, Beyond);
+            end loop;
+         end loop;
+         Far := Most + 1;
+         Set (State, Far);
+      end Go;
+
+      Length : Distance;
+   begin
+      Result := (others => <>);
+      Way_Gone.Clear;
+      Search :
+      for Item of Calm loop
+         for Until_Up in Moment loop
+            for Until_Down in Moment loop
+               Go (Item, Until_Up, Until_Down, Length);
+               exit Search when not Result.Ends_Always;
+               Result.Worst :=
+                 Natural'Max (Result.Worst, Natural (Length) - 1);
+            end loop;
+         end loop;
+      end loop Search;
+      Free (Known);
+   end Find_Delivery;
+
+   ---------------
+   -- Print_Way --
+   ---------------
+
+   procedure Print_Way is
+      use Ada.Text_IO;
+   begin
+      for Item of reverse Way_Gone loop
+         Put_Line
+           ("   " & Ground.Image (Item.Ground) & " | "
+            & Aircraft.Image (Item.Aircraft));
+      end loop;
+   end Print_Way;
+
+end Explore.Link;

@@ -1,0 +1,37 @@
+--  Both boards together, after the last fault.
+--
+--  Find_Quiet: from every pair of sides, whatever the controllers do, the
+--  pair comes to where a quiet pair may come to. Find_Delivery: from there,
+--  with both controllers giving a block once a frame, at every phase of
+--  either, a block given after the last fault is received.
+
+package Explore.Link is
+
+   type Direction is (Uplink, Downlink);
+
+   type Findings is record
+      States      : Long_Long_Integer := 0;
+      Transitions : Long_Long_Integer := 0;
+
+      --  The longest way, in character times.
+      Worst       : Natural := 0;
+
+      --  No way goes round for ever.
+      Ends_Always : Boolean := True;
+   end record;
+
+   --  The ground's controller puts a block once in it, at any time, or not
+   --  at all; After_Put is the longest way after that, and must be shorter
+   --  than a frame, in which there is no other.
+   procedure Find_Quiet
+     (Result : out Findings; After_Put : out Natural);
+
+   --  The pairs that quiet pairs lead to.
+   function Calm_Pairs return Natural;
+
+   procedure Find_Delivery (Way : Direction; Result : out Findings);
+
+   --  Of the last search that did not end always: the way it went.
+   procedure Print_Way;
+
+end Explore.Link;
