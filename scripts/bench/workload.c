@@ -15,7 +15,7 @@ static uint8_t checksum(const uint8_t *data, int length)
    for (int i = 0; i < length; i++) {
       sum ^= data[i];
       for (int bit = 0; bit < 8; bit++)
-         sum = (uint8_t)(sum & 0x80 ? sum << 1 ^ 0x07 : sum << 1);
+         sum = (uint8_t)(sum & 1 ? sum >> 1 ^ 0x9C : sum >> 1);
    }
    return sum;
 }
