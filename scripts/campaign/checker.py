@@ -33,12 +33,12 @@ MESSAGE_LENGTHS = {"up": {0x1E: 30, 0x4B: 1, 0xD2: 1, 0xCC: 1},
 
 
 def crc8(message):
-    """x^8 + x^2 + x + 1."""
+    """CRC-8/DARC: x^8 + x^5 + x^4 + x^3 + 1, low bit first."""
     total = 0
     for byte in message:
         total ^= byte
         for _ in range(8):
-            total = total << 1 ^ (0x107 if total & 0x80 else 0)
+            total = total >> 1 ^ (0x9C if total & 1 else 0)
     return total
 
 

@@ -45,7 +45,7 @@ def test_full_campaign_is_as_large_as_promised():
 
 
 def test_checksum_is_that_of_the_protocol():
-    assert checker.crc8(b"123456789") == 0xF4
+    assert checker.crc8(b"123456789") == 0x15
 
 
 # --- what the checker sees ------------------------------------------------
