@@ -16,7 +16,7 @@ simulate="$build libgnatcoll21-dev"
 case $target in
    fly)   packages="$simulate python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt" ;;
-   test)  packages="$simulate libaunit22-dev binutils gcc python3
+   test)  packages="$simulate libaunit22-dev afl++ binutils gcc python3
                     python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"

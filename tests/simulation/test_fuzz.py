@@ -1,7 +1,8 @@
-"""Every input of the fuzzing corpus is replayed with contracts executed
-(issue 3; docs/exploration.md). The fuzzing
-itself is `make fuzz`."""
+"""Every input of the fuzzing corpus is replayed with contracts executed, and
+AFL++ looks for more for a short while (docs/exploration.md). For longer:
+`make fuzz`."""
 
+import shutil
 import subprocess
 
 import pytest
@@ -35,3 +36,13 @@ def test_there_is_a_corpus():
 def test_no_contract_is_violated(file):
     result = replay(file.read_bytes())
     assert result.returncode == 0, result.stderr.decode()
+
+
+@pytest.mark.skipif(not shutil.which("afl-fuzz"), reason="no afl-fuzz here")
+def test_a_short_run_finds_nothing():
+    result = subprocess.run(
+        [ROOT / "scripts" / "fuzz.sh", "15"],
+        capture_output=True, text=True, timeout=300, check=False,
+    )
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert int(result.stdout.split()[1]) > 1_000, result.stdout
