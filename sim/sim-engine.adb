@@ -56,6 +56,10 @@ package body Sim.Engine is
       --  When the telemetry board's processor stands still.
       Stalls      : Windows.List;
 
+      --  Its DUART has lost characters that nobody read, and will say so
+      --  with the next one.
+      Overrun     : Boolean := False;
+
       --  What the other board will have heard when the character on the
       --  line has been sent.
       On_Line     : Delivery;
@@ -198,12 +202,14 @@ package body Sim.Engine is
       May_Speak : out Boolean)
    is
       Listener : constant Node := Other (Sender);
+      Board    : Hardware renames Nodes_Hardware (Listener);
       Stalled  : Boolean;
       Elapsed  : Character_Times;
    begin
       May_Speak := False;
       Ask_Stalled (Listener, Time, Stalled);
       if Stalled then
+         Board.Overrun := Board.Overrun or else Heard.Length > 0;
          return;
       end if;
 
@@ -213,8 +219,9 @@ package body Sim.Engine is
            (Listener,
             Elapsed,
             Heard.Items (Index).Data,
-            Heard.Items (Index).Parity_Error,
+            Heard.Items (Index).Parity_Error or else Board.Overrun,
             May_Speak);
+         Board.Overrun := False;
       end loop;
    end Hear;
 
