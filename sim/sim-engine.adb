@@ -18,6 +18,7 @@ package body Sim.Engine is
    type Event is
      (Extra_Up, Extra_Down,               --  one more comes than was sent
       Character_Up, Character_Down,       --  a character has been sent
+      GSC_Restart, MCS_Restart,           --  a telemetry board starts anew
       GSC_Converted, MCS_Converted,       --  an A/D conversion is done
       GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's patience
       GSC_Clock, MCS_Clock);              --  a minor frame begins
@@ -31,6 +32,8 @@ package body Sim.Engine is
    function Is_Due (What : Event) return Boolean is
      (Agenda (What) /= Entry_Time'Last);
 
+   Restart   : constant array (Node) of Event :=
+     (GSC => GSC_Restart, MCS => MCS_Restart);
    Converted : constant array (Node) of Event :=
      (GSC => GSC_Converted, MCS => MCS_Converted);
    Time_Out  : constant array (Node) of Event :=
@@ -56,6 +59,9 @@ package body Sim.Engine is
       --  When the telemetry board's processor stands still.
       Stalls      : Windows.List;
 
+      --  When it starts anew: at the first instant of each.
+      Restarts    : Windows.List;
+
       --  Its DUART has lost characters that nobody read, and will say so
       --  with the next one.
       Overrun     : Boolean := False;
@@ -76,7 +82,13 @@ package body Sim.Engine is
    Inputs : array (Node) of Channel_Words :=
      (others => (others => Neutral_Value));
 
-   procedure Prepare_Stalls (Script : Faults.Script);
+   procedure Prepare_Boards (Script : Faults.Script);
+
+   --  A telemetry board starts anew.
+   procedure Start_Anew
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer);
 
    --  Enters when an event happens next.
    procedure Schedule (What : Event; Time : Microseconds) with Inline;
@@ -136,7 +148,7 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
-   procedure Prepare_Stalls (Script : Faults.Script) is
+   procedure Prepare_Boards (Script : Faults.Script) is
       use type Faults.Fault_Kind;
       use type Faults.Node;
    begin
@@ -149,10 +161,44 @@ package body Sim.Engine is
                  (Nodes_Hardware
                     (if Fault.Where = Faults.GSC then GSC else MCS).Stalls,
                   (Fault.Time, Fault.Time + Fault.Duration));
+            elsif Fault.Kind = Faults.Reset then
+               Add
+                 (Nodes_Hardware
+                    (if Fault.Where = Faults.GSC then GSC else MCS).Restarts,
+                  (Fault.Time, Fault.Time + 1));
             end if;
          end;
       end loop;
-   end Prepare_Stalls;
+
+      for Which in Node loop
+         if Next (Nodes_Hardware (Which).Restarts) /= Never then
+            Schedule
+              (Restart (Which), Next (Nodes_Hardware (Which).Restarts).First);
+         end if;
+      end loop;
+   end Prepare_Boards;
+
+   procedure Start_Anew
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer)
+   is
+      Board : Hardware renames Nodes_Hardware (Which);
+   begin
+      Skip (Board.Restarts);
+      if Next (Board.Restarts) = Never then
+         Cancel (Restart (Which));
+      else
+         Schedule (Restart (Which), Next (Board.Restarts).First);
+      end if;
+
+      --  Before it is switched on there is nothing to start anew.
+      if Time > Board.Switched_On then
+         Restart_Telemetry (Which);
+         Board.Overrun := False;
+         Serve_Telemetry (Which, Time, Wire);
+      end if;
+   end Start_Anew;
 
    procedure Schedule (What : Event; Time : Microseconds) is
    begin
@@ -370,7 +416,7 @@ package body Sim.Engine is
       Schedule (GSC_Clock, 0);
       Schedule (MCS_Clock, Lag);
       Prepare (Link_Line, Script, Seed);
-      Prepare_Stalls (Script);
+      Prepare_Boards (Script);
       Set_Console (Neutral_Console);
       Set_Sensors (Neutral_Sensors);
    end Start;
@@ -401,6 +447,8 @@ package body Sim.Engine is
             when MCS_Converted  => End_Conversion (MCS, Time);
             when GSC_Time_Out   => Serve_Telemetry (GSC, Time, Wire);
             when MCS_Time_Out   => Serve_Telemetry (MCS, Time, Wire);
+            when GSC_Restart    => Start_Anew (GSC, Time, Wire);
+            when MCS_Restart    => Start_Anew (MCS, Time, Wire);
             when GSC_Clock      => Tick (GSC, Time, Wire);
             when MCS_Clock      => Tick (MCS, Time, Wire);
          end case;

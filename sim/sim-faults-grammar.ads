@@ -48,7 +48,7 @@ private package Sim.Faults.Grammar is
          when A_Mask        => " MASK",
          when A_Byte        => " BYTE",
          when A_Board       => " adc|telemetry",
-         when A_Restart     => " warm|processor");
+         when A_Restart     => " warm|processor|telemetry");
 
    --  The whole line of such a fault.
    function Image (Kind : Fault_Kind) return String is

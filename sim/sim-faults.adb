@@ -192,6 +192,8 @@ package body Sim.Faults is
                Made.How := Warm;
             elsif Word = "processor" then
                Made.How := Processor;
+            elsif Word = "telemetry" then
+               Made.How := Telemetry_Board;
             else
                Refuse (From, "unknown reset " & Quoted (Word));
             end if;

@@ -13,7 +13,10 @@ package Sim.Faults is
 
    type Node is (MCS, GSC);
    type Board is (ADC, Telemetry);
-   type Restart is (Warm, Processor);
+
+   --  Of the whole node by its switch, of its processor, or of its telemetry
+   --  board alone.
+   type Restart is (Warm, Processor, Telemetry_Board);
 
    --  Which byte of a direction, counted from those whose sending begins
    --  at the fault's time or later.
@@ -46,7 +49,7 @@ package Sim.Faults is
    --  What the simulation can do.
    function Supported (Item : Fault) return Boolean is
      (case Item.Kind is
-         when Reset  => False,
+         when Reset  => Item.How = Telemetry_Board,
          when Stall  => Item.Stalled = Telemetry,
          when others => True);
 

@@ -20,6 +20,14 @@ package body Sim.Nodes is
       end case;
    end Switch_On;
 
+   procedure Restart_Telemetry (Which : Node) is
+   begin
+      case Which is
+         when GSC => Ground.Telemetry_Board.Start;
+         when MCS => Aircraft.Telemetry_Board.Start;
+      end case;
+   end Restart_Telemetry;
+
    procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick) is
    begin
       case Which is

@@ -22,6 +22,9 @@ package Sim.Nodes is
    --  Power up of the controller and of the telemetry board.
    procedure Switch_On (Which : Node);
 
+   --  The telemetry board's processor starts anew, the controller goes on.
+   procedure Restart_Telemetry (Which : Node);
+
    procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick);
 
    --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.

@@ -8,6 +8,7 @@ fit into one flight; its name is all that is needed to make it again:
     many/PHASE/SEED/COUNT          COUNT pairs and triples by chance
     cut/PHASE/SEED/STEP            cuts from 1 ms to 10 s
     stall/PHASE/NODE/MS/STEP_US    a stall at every point of a frame
+    reset/PHASE/NODE/STEP_US       a telemetry board started anew, likewise
     soak/PHASE/SEED/RATE/FRAMES    spells of bit errors
     calm/PHASE/FRAMES              no fault at all
 """
@@ -111,6 +112,11 @@ def stalls(node, duration_ms, step_us):
                    at + duration)
 
 
+def resets(node, step_us):
+    for at in range(0, FRAME_US, step_us):
+        yield case([lasting(at, node, "reset telemetry", 1)], at + 1)
+
+
 def soak(rate, frames):
     duration = NOISY_FRAMES * FRAME_US
     for _ in range(frames // (NOISY_FRAMES + CALM)):
@@ -136,6 +142,8 @@ def of_shard(name):
         made = cuts(random.Random(f"cut {phase} {rest[0]}"), int(rest[1]))
     elif group == "stall":
         made = stalls(rest[0], rest[1], int(rest[2]))
+    elif group == "reset":
+        made = resets(rest[0], int(rest[1]))
     elif group == "soak":
         seed = int(rest[0])
         made = soak(rest[1], int(rest[2]))
@@ -176,6 +184,7 @@ def plan(size):
             for duration in chosen["stalls_ms"]:
                 yield (f"stall/{phase}/{node}/{duration}"
                        f"/{chosen['stall_step_us']}")
+            yield f"reset/{phase}/{node}/{chosen['stall_step_us']}"
         yield f"cut/{phase}/{phase}/{chosen['cuts']}"
     for phase in range(10):
         yield f"calm/{phase}/{chosen['calm']}"

@@ -203,3 +203,14 @@ def test_certain_errors_flip_every_bit(fly, write):
 def test_noise_of_several_lines_adds_up(fly, write):
     # Flipped twice is not flipped.
     assert link_counts(fly, write, "0 up ber 1 1000\n" * 2) == CLEAN
+
+
+# --- a telemetry board starts anew -------------------------------------------
+
+
+@pytest.mark.parametrize("node", ["gsc", "mcs"])
+def test_lnk9_a_board_that_starts_anew_flies_on(fly, write, node):
+    write("faults.txt", f"204.9 {node} reset telemetry\n")
+    link = fly("--seconds", "1", "--faults", "faults.txt").summary["link"]
+    assert 46 <= link["uplink_received"] <= 49, link
+    assert 45 <= link["downlink_received"] <= 48, link
