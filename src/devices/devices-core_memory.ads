@@ -1,8 +1,9 @@
 --  CORE memory, where the ground station's displays and recorders find the
 --  latest data (report, 2.3.4, 2.5, 4.3; BUF-4).
 --
---  Each item is a word and the type code that says what it is. A status
---  area is left for what a warm restart has to say.
+--  Each item is a word and the type code that says what it is. The status
+--  area is for what the node has to say of itself; only a cold start clears
+--  it, so that it tells of the warm ones (INI-6).
 
 with URVOS; use URVOS;
 
@@ -13,17 +14,54 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
 
    subtype Uplink_Words is Word_Array (1 .. 14);
    subtype Downlink_Words is Word_Array (1 .. 28);
-   subtype Status_Words is Word_Array (1 .. 8);
+
+   --  The words of the status area. A count of one word stays at its last
+   --  value; of a pair the high word stands first.
+   type Status_Item is
+
+      --  Of the last start: 1 cold start, 2 warm reset, 3 processor restart;
+      --  and how often there was one.
+     (Start_Condition,
+      Cold_Starts,
+      Warm_Resets,
+      Processor_Restarts,
+
+      --  Of the last start; 0 when all was well.
+      Self_Test_Result,
+
+      --  Of the check in flight: how often it went through the whole ROM,
+      --  and how often it found a difference.
+      ROM_Passes,
+      ROM_Failures,
+
+      --  From the error log: how many there were; the kind of the last one,
+      --  its place in the list of kinds, from 1; the major frame it was in.
+      --  All are 0 when there was none.
+      Error_Total_High,
+      Error_Total_Low,
+      Last_Error,
+      Last_Error_Frame_High,
+      Last_Error_Frame_Low);
+
+   type Status_Array is array (Status_Item range <>) of Word;
+
+   subtype Status_Words is Status_Array (Status_Item);
 
    type Memory is record
       Uplink_Codes   : Uplink_Words   := (others => 0);
       Uplink         : Uplink_Words   := (others => 0);
       Downlink_Codes : Downlink_Words := (others => 0);
       Downlink       : Downlink_Words := (others => 0);
+      Status_Codes   : Status_Words   := (others => 0);
       Status         : Status_Words   := (others => 0);
    end record;
 
    --  What a cold start leaves (INI-6).
    Cleared : constant Memory := (others => <>);
+
+   --  A count of one word after one more.
+   function Incremented (Value : Word) return Word is
+     (if Value = Word'Last then Value else Value + 1)
+   with Global => null;
 
 end Devices.CORE_Memory;

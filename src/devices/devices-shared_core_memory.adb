@@ -10,11 +10,14 @@ is
 
       procedure Write_Codes
         (Uplink_Codes   : Uplink_Words;
-         Downlink_Codes : Downlink_Words);
+         Downlink_Codes : Downlink_Words;
+         Status_Codes   : Status_Words);
 
       procedure Write_Uplink (Words : Uplink_Words);
 
       procedure Write_Downlink (Words : Downlink_Words);
+
+      procedure Write_Status (Words : Status_Array);
 
       function Snapshot return Memory;
 
@@ -31,11 +34,13 @@ is
 
       procedure Write_Codes
         (Uplink_Codes   : Uplink_Words;
-         Downlink_Codes : Downlink_Words)
+         Downlink_Codes : Downlink_Words;
+         Status_Codes   : Status_Words)
       is
       begin
          Contents.Uplink_Codes := Uplink_Codes;
          Contents.Downlink_Codes := Downlink_Codes;
+         Contents.Status_Codes := Status_Codes;
       end Write_Codes;
 
       procedure Write_Uplink (Words : Uplink_Words) is
@@ -48,6 +53,11 @@ is
          Contents.Downlink := Words;
       end Write_Downlink;
 
+      procedure Write_Status (Words : Status_Array) is
+      begin
+         Contents.Status (Words'Range) := Words;
+      end Write_Status;
+
       function Snapshot return Memory is (Contents);
 
    end Guarded_Memory;
@@ -59,10 +69,12 @@ is
 
    procedure Write_Codes
      (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words)
+      Downlink_Codes : Downlink_Words;
+      Status_Codes   : Status_Words)
    is
    begin
-      Guarded_Memory.Write_Codes (Uplink_Codes, Downlink_Codes);
+      Guarded_Memory.Write_Codes
+        (Uplink_Codes, Downlink_Codes, Status_Codes);
    end Write_Codes;
 
    procedure Write_Uplink (Words : Uplink_Words) is
@@ -74,6 +86,11 @@ is
    begin
       Guarded_Memory.Write_Downlink (Words);
    end Write_Downlink;
+
+   procedure Write_Status (Words : Status_Array) is
+   begin
+      Guarded_Memory.Write_Status (Words);
+   end Write_Status;
 
    procedure Inspect (Snapshot : out Memory) is
    begin

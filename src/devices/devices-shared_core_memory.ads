@@ -19,10 +19,12 @@ is
 
    procedure Write_Codes
      (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words)
+      Downlink_Codes : Downlink_Words;
+      Status_Codes   : Status_Words)
    with
      Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Uplink_Codes, Downlink_Codes));
+     Depends =>
+       (CORE => (CORE, Uplink_Codes, Downlink_Codes, Status_Codes));
 
    procedure Write_Uplink (Words : Uplink_Words)
    with
@@ -30,6 +32,13 @@ is
      Depends => (CORE => (CORE, Words));
 
    procedure Write_Downlink (Words : Downlink_Words)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Words));
+
+   --  Writes the words of the status area that are given, at one instant;
+   --  the others stay.
+   procedure Write_Status (Words : Status_Array)
    with
      Global  => (In_Out => CORE),
      Depends => (CORE => (CORE, Words));

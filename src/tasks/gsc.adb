@@ -9,6 +9,7 @@ package body GSC with SPARK_Mode is
          when GDCOUT_Task => GDCOUT.Run_Transaction;
          when TELOUT_Task => TELOUT.Run_Transaction;
          when CORE_Task   => CORE.Run_Transaction;
+         when LOG_Task    => LOG.Run_Transaction;
       end case;
    end Run_Transaction;
 
@@ -26,7 +27,11 @@ package body GSC with SPARK_Mode is
       Uplink_Variable.Reset;
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
+
+      --  Error log
+      Errors.Set_Time (Now);
       Errors.Clear;
+      LOG.Forget;
 
       --  Tasks
       AD.Initialise;
@@ -34,5 +39,11 @@ package body GSC with SPARK_Mode is
       CORE.Initialise;
       Executive.Start (Now);
    end Cold_Start;
+
+   procedure Clock_Interrupt (Now : Clock_Tick) is
+   begin
+      Errors.Set_Time (Now);
+      Executive.Run_Due_Tasks (Now);
+   end Clock_Interrupt;
 
 end GSC;

@@ -17,6 +17,7 @@ with URV.Codecs;
 with URV.CORE_Task;
 with URV.GDCOUT_Task;
 with URV.GDCIN_Task;
+with URV.LOG_Task;
 with URV.Shared_Errors;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
@@ -104,11 +105,17 @@ package GSC with SPARK_Mode is
       Write_Downlink   => CORE_Memory.Write_Downlink,
       Report           => Errors.Report);
 
+   package LOG is new URV.LOG_Task
+     (Inspect_Link   => Telemetry_Board.Inspect,
+      Report_Several => Errors.Report_Several,
+      Inspect_Log    => Errors.Inspect,
+      Write_Status   => CORE_Memory.Write_Status);
+
    --  When they run (FRM-2, SET-1)
 
    type Task_Name is
      (AD_Task, TELIN_Task, GDCIN_Task, GDCOUT_Task,
-      TELOUT_Task, CORE_Task);
+      TELOUT_Task, CORE_Task, LOG_Task);
 
    type Offset_Table is array (Task_Name) of Minor_Frame;
 
@@ -118,7 +125,8 @@ package GSC with SPARK_Mode is
       GDCIN_Task  => 1,
       GDCOUT_Task => 1,
       TELOUT_Task => 2,
-      CORE_Task   => 4);
+      CORE_Task   => 4,
+      LOG_Task    => 5);
 
    procedure Run_Transaction (Who : Task_Name);
 
@@ -130,8 +138,7 @@ package GSC with SPARK_Mode is
    procedure Cold_Start (Now : Clock_Tick);
 
    --  The clock has ticked.
-   procedure Clock_Interrupt (Now : Clock_Tick)
-     renames Executive.Run_Due_Tasks;
+   procedure Clock_Interrupt (Now : Clock_Tick);
 
    --  The A/D board has converted a channel.
    procedure AD_Interrupt renames ADINT.Handle_Interrupt;

@@ -12,6 +12,7 @@ package body MCS with SPARK_Mode is
          when PWM_Task    => PWM.Run_Transaction;
          when TELOUT_Task => TELOUT.Run_Transaction;
          when CORE_Task   => CORE.Run_Transaction;
+         when LOG_Task    => LOG.Run_Transaction;
       end case;
    end Run_Transaction;
 
@@ -31,7 +32,11 @@ package body MCS with SPARK_Mode is
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
       PWM_Variable.Reset;
+
+      --  Error log
+      Errors.Set_Time (Now);
       Errors.Clear;
+      LOG.Forget;
 
       --  Tasks
       AD.Initialise;
@@ -39,5 +44,11 @@ package body MCS with SPARK_Mode is
       CORE.Initialise;
       Executive.Start (Now);
    end Cold_Start;
+
+   procedure Clock_Interrupt (Now : Clock_Tick) is
+   begin
+      Errors.Set_Time (Now);
+      Executive.Run_Due_Tasks (Now);
+   end Clock_Interrupt;
 
 end MCS;

@@ -17,6 +17,7 @@ with URV.ADINT_Handler;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Task;
+with URV.LOG_Task;
 with URV.MDCIN_Task;
 with URV.MDCOUT_Task;
 with URV.PWM_Task;
@@ -118,11 +119,17 @@ package MCS with SPARK_Mode is
       Write_Downlink   => CORE_Memory.Write_Downlink,
       Report           => Errors.Report);
 
+   package LOG is new URV.LOG_Task
+     (Inspect_Link   => Telemetry_Board.Inspect,
+      Report_Several => Errors.Report_Several,
+      Inspect_Log    => Errors.Inspect,
+      Write_Status   => CORE_Memory.Write_Status);
+
    --  When they run (FRM-2, SET-1)
 
    type Task_Name is
      (AD_Task, TELIN_Task, MDCIN_Task, MDCOUT_Task,
-      PWM_Task, TELOUT_Task, CORE_Task);
+      PWM_Task, TELOUT_Task, CORE_Task, LOG_Task);
 
    type Offset_Table is array (Task_Name) of Minor_Frame;
 
@@ -133,7 +140,8 @@ package MCS with SPARK_Mode is
       MDCOUT_Task => 1,
       PWM_Task    => 2,
       TELOUT_Task => 2,
-      CORE_Task   => 4);
+      CORE_Task   => 4,
+      LOG_Task    => 5);
 
    procedure Run_Transaction (Who : Task_Name);
 
@@ -145,8 +153,7 @@ package MCS with SPARK_Mode is
    procedure Cold_Start (Now : Clock_Tick);
 
    --  The clock has ticked.
-   procedure Clock_Interrupt (Now : Clock_Tick)
-     renames Executive.Run_Due_Tasks;
+   procedure Clock_Interrupt (Now : Clock_Tick);
 
    --  The A/D board has converted a channel.
    procedure AD_Interrupt renames ADINT.Handle_Interrupt;

@@ -3,26 +3,27 @@ with URV.Routing;
 package body URV.AD_Task with SPARK_Mode is
 
    procedure Initialise is
+      Unused_Reached : Channel_Count;
    begin
-      Begin_Scan;
+      Begin_Scan (Unused_Reached);
    end Initialise;
 
    procedure Run_Transaction is
       Words   : Channel_Words;
       Fresh   : Boolean;
       Success : Boolean;
+      Reached : Channel_Count;
    begin
       Receive_ADINT (Words, Fresh);
-      if not Fresh then
-         Report (AD_No_Scan);
-      end if;
-
       Send_AD (Routing.Stamped (Words, Fresh), Success);
       if not Success then
-         Report (Image_Not_Consumed);
+         Report (Image_Not_Consumed, 0);
       end if;
 
-      Begin_Scan;
+      Begin_Scan (Reached);
+      if not Fresh then
+         Report (AD_No_Scan, Word (Reached));
+      end if;
    end Run_Transaction;
 
 end URV.AD_Task;

@@ -1,5 +1,3 @@
-with URV.AD_Scans; use URV.AD_Scans;
-
 package body URV.ADINT_Handler
   with
     SPARK_Mode,
@@ -8,7 +6,7 @@ is
 
    protected Guarded_Scan is
 
-      procedure Restart;
+      procedure Restart (Reached : out Channel_Count);
 
       procedure Store
         (Value   : Word;
@@ -23,8 +21,9 @@ is
 
    protected body Guarded_Scan is
 
-      procedure Restart is
+      procedure Restart (Reached : out Channel_Count) is
       begin
+         Reached := Item.Current;
          Item := Restarted (Item);
       end Restart;
 
@@ -42,9 +41,9 @@ is
 
    end Guarded_Scan;
 
-   procedure Begin_Scan is
+   procedure Begin_Scan (Reached : out Channel_Count) is
    begin
-      Guarded_Scan.Restart;
+      Guarded_Scan.Restart (Reached);
       Start_Channel (0);
    end Begin_Scan;
 
@@ -68,11 +67,11 @@ is
             Words := Guarded_Scan.Words;
             Send_ADINT (Words, Success);
             if not Success then
-               Report (Scan_Not_Consumed);
+               Report (Scan_Not_Consumed, 0);
             end if;
 
          when Ignore =>
-            Report (AD_Unexpected_Interrupt);
+            Report (AD_Unexpected_Interrupt, Value);
       end case;
    end Handle_Interrupt;
 

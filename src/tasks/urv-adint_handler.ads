@@ -5,6 +5,7 @@
 
 with Devices.AD_Board; use Devices.AD_Board;
 with URVOS;            use URVOS;
+with URV.AD_Scans;     use URV.AD_Scans;
 with URV.Buffers;      use URV.Buffers;
 with URV.Errors;       use URV.Errors;
 
@@ -12,7 +13,7 @@ generic
    with procedure Read_Board (Data : out Word);
    with procedure Start_Channel (Which : Channel_Number);
    with procedure Send_ADINT (Words : Channel_Words; Success : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.ADINT_Handler
   with
     SPARK_Mode,
@@ -22,8 +23,9 @@ package URV.ADINT_Handler
     Initializes    => Current_Scan
 is
 
-   --  Begins a scan with channel 0.
-   procedure Begin_Scan;
+   --  Begins a scan with channel 0. Reached is how many channels the scan
+   --  before had converted.
+   procedure Begin_Scan (Reached : out Channel_Count);
 
    --  The board has converted a channel.
    procedure Handle_Interrupt;

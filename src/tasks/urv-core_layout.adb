@@ -24,6 +24,18 @@ package body URV.CORE_Layout with SPARK_Mode is
       return Result;
    end Downlink_Type_Codes;
 
+   function Status_Type_Codes return Status_Words is
+      Result : Status_Words := (others => 0);
+   begin
+      for Item in Status_Item loop
+         Result (Item) := Type_Code (Item);
+         pragma Loop_Invariant
+           (for all Earlier in Status_Item'First .. Item =>
+              Result (Earlier) = Type_Code (Earlier));
+      end loop;
+      return Result;
+   end Status_Type_Codes;
+
    function To_Words (Source : Uplink_Buffer) return Uplink_Words is
       Result : Uplink_Words := (others => 0);
    begin

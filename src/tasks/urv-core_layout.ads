@@ -1,10 +1,13 @@
 --  Where the buffers stand in CORE memory, and the type codes of their
 --  items (report, 2.5; BUF-4): 0101h onward for the uplink, 0201h onward
---  for the downlink, in the order of the buffers.
+--  for the downlink, in the order of the buffers, 0301h onward for the
+--  status area. And what the error log says there (EXT-1).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
 with URV.Buffers;         use URV.Buffers;
+with URV.Errors;          use URV.Errors;
 
 package URV.CORE_Layout with Pure, SPARK_Mode is
 
@@ -20,6 +23,9 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
    function Type_Code (Item : Downlink_Item) return Word is
      (16#0200# + Word (Place (Item)));
 
+   function Type_Code (Item : Status_Item) return Word is
+     (16#0301# + Word (Status_Item'Pos (Item)));
+
    function Uplink_Type_Codes return Uplink_Words
    with
      Post =>
@@ -31,6 +37,12 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      Post =>
        (for all Item in Downlink_Item =>
           Downlink_Type_Codes'Result (Place (Item)) = Type_Code (Item));
+
+   function Status_Type_Codes return Status_Words
+   with
+     Post =>
+       (for all Item in Status_Item =>
+          Status_Type_Codes'Result (Item) = Type_Code (Item));
 
    function To_Words (Source : Uplink_Buffer) return Uplink_Words
    with
@@ -57,5 +69,52 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      Post =>
        (for all Item in Downlink_Item =>
           To_Buffer'Result (Item) = Source (Place (Item)));
+
+   --  A count in one word: its last value also stands for more.
+   function To_Word (Value : Count) return Word is
+     (if Value > Count (Word'Last) then Word'Last else Word (Value))
+   with Global => null;
+
+   --  A number in two words; the largest also stands for more.
+
+   type Long_Count is range 0 .. 2 ** 32 - 1;
+
+   function High_Word (Value : Long_Count) return Word is
+     (Word (Value / 2 ** 16))
+   with Global => null;
+
+   function Low_Word (Value : Long_Count) return Word is
+     (Word (Value mod 2 ** 16))
+   with Global => null;
+
+   --  The major frame of a tick.
+   function Frame_Of (Now : Clock_Tick) return Long_Count is
+     (if Now / Ticks_Per_Major_Frame > Clock_Tick (Long_Count'Last)
+      then Long_Count'Last
+      else Long_Count (Now / Ticks_Per_Major_Frame))
+   with Global => null;
+
+   --  The major frame of the last error.
+   function Last_Frame (Log : Error_Log) return Long_Count is
+     (Frame_Of (Logs.History_Of (Log, Logs.Latest (Log)).Last))
+   with Global => null;
+
+   --  What the error log says in the status area.
+
+   subtype Log_Item is
+     Status_Item range Error_Total_High .. Last_Error_Frame_Low;
+
+   subtype Log_Words is Status_Array (Log_Item);
+
+   function To_Status (Log : Error_Log) return Log_Words is
+     (if Logs.Total (Log) = 0
+      then (others => 0)
+      else
+        (Error_Total_High      => High_Word (Long_Count (Logs.Total (Log))),
+         Error_Total_Low       => Low_Word (Long_Count (Logs.Total (Log))),
+         Last_Error            => Error_Kind'Pos (Logs.Latest (Log)) + 1,
+         Last_Error_Frame_High => High_Word (Last_Frame (Log)),
+         Last_Error_Frame_Low  => Low_Word (Last_Frame (Log))))
+   with Global => null;
 
 end URV.CORE_Layout;

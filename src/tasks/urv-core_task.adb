@@ -19,7 +19,8 @@ is
       Fresh    : Boolean;
    begin
       if Codes_Wanted then
-         Write_Codes (Uplink_Type_Codes, Downlink_Type_Codes);
+         Write_Codes
+           (Uplink_Type_Codes, Downlink_Type_Codes, Status_Type_Codes);
          Codes_Wanted := False;
       end if;
 
@@ -27,14 +28,14 @@ is
       if Fresh then
          Write_Uplink (To_Words (Uplink));
       else
-         Report (CORE_No_Uplink);
+         Report (CORE_No_Uplink, 0);
       end if;
 
       Receive_Downlink (Downlink, Fresh);
       if Fresh then
          Write_Downlink (To_Words (Downlink));
       else
-         Report (CORE_No_Downlink);
+         Report (CORE_No_Downlink, 0);
       end if;
    end Run_Transaction;
 

@@ -6,6 +6,7 @@
 --  type codes are written when the task first runs (INI-7).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URVOS;               use URVOS;
 with URV.Buffers;         use URV.Buffers;
 with URV.Errors;          use URV.Errors;
 
@@ -15,10 +16,12 @@ generic
    with procedure Receive_Downlink
      (Item : out Downlink_Buffer; Fresh : out Boolean);
    with procedure Write_Codes
-     (Uplink_Codes : Uplink_Words; Downlink_Codes : Downlink_Words);
+     (Uplink_Codes   : Uplink_Words;
+      Downlink_Codes : Downlink_Words;
+      Status_Codes   : Status_Words);
    with procedure Write_Uplink (Words : Uplink_Words);
    with procedure Write_Downlink (Words : Downlink_Words);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.CORE_Task
   with
     SPARK_Mode,

@@ -1,11 +1,18 @@
---  The error cases of the tasks (report, the sections "Error handling" of
---  4 and 5), counted.
+--  The error cases of a node and the log of them (report, the sections
+--  "Error handling" of 4 and 5, 3.5, appendix A; EXT-1, SEM-2).
+--
+--  A kind says what went wrong and who saw it. Each report brings a word of
+--  detail; what it holds stands below, and where nothing is said it is 0.
+--  docs/error-log.md has the report's sections for each kind.
 
-with URVOS; use URVOS;
+with URVOS.Error_Logs;
 
 package URV.Errors with Pure, SPARK_Mode is
 
    type Error_Kind is
+
+      --  Tasks. Detail of the first: how many channels the converter had
+      --  done; of the second: the word it gave.
      (AD_No_Scan,              --  no complete scan for this frame
       AD_Unexpected_Interrupt, --  the board interrupted outside a scan
       Scan_Not_Consumed,       --  ADINT_variable was overwritten
@@ -13,7 +20,11 @@ package URV.Errors with Pure, SPARK_Mode is
       TELIN_No_Block,          --  nothing new from the telemetry board
       Input_Not_Consumed,      --  TELIN_variable was overwritten
       No_Input,                --  nothing new in TELIN_variable
-      Input_Out_Of_Range,      --  a word that exceeds 12 bits (D-11)
+
+      --  A word that exceeds 12 bits (D-11). Detail: its place in the
+      --  buffer, from 1; of several the first.
+      Input_Out_Of_Range,
+
       No_Image,                --  nothing new in AD_variable
       Uplink_Not_Consumed,     --  uplink_variable was overwritten
       Downlink_Not_Consumed,   --  downlink_variable was overwritten
@@ -23,18 +34,31 @@ package URV.Errors with Pure, SPARK_Mode is
       Commands_Not_Consumed,   --  PWM_variable was overwritten
       No_Commands,             --  nothing new in PWM_variable
       CORE_No_Uplink,          --  nothing new in uplink_variable
-      CORE_No_Downlink);       --  nothing new in downlink_variable
+      CORE_No_Downlink,        --  nothing new in downlink_variable
 
-   type Error_Counts is array (Error_Kind) of Count;
+      --  Telemetry board; the log task looks once a frame. Detail: how many
+      --  there were since it last did.
+      Link_Block_Bad,          --  wrong checksum, or cut short
+      Link_Block_Not_Taken,    --  both receive buffers were full
+      Link_Block_Scrapped,     --  not confirmed in two transmissions
+      Link_Block_Cleared,      --  both transmit buffers were full
+      Link_Reset,              --  dead space: the other side was silent
 
-   No_Errors : constant Error_Counts := (others => 0);
+      --  Kernel. Detail: the identification of the task.
+      Task_Overrun,            --  released late, or still running
+      Task_Left_Out,           --  the task tree is longer than the TCBs
+      Semaphore_Not_Claimed,   --  P went on without it after two ticks
+      Semaphore_Not_Owned,     --  V of what someone else has claimed
 
-   --  One more error of a kind; the others' counts stay.
-   procedure Count_Error (Counts : in out Error_Counts; Kind : Error_Kind)
-   with
-     Global => null,
-     Post   =>
-       Counts =
-         (Counts'Old with delta Kind => Incremented (Counts'Old (Kind)));
+      --  Starts. Detail of the second: which exception; of the last two:
+      --  the result word.
+      Warm_Reset,              --  the reset switch
+      Processor_Restart,       --  an unexpected exception
+      Self_Test_Failed,        --  before the start
+      ROM_Check_Failed);       --  in flight
+
+   package Logs is new URVOS.Error_Logs (Error_Kind);
+
+   subtype Error_Log is Logs.Error_Log;
 
 end URV.Errors;

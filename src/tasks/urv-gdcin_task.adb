@@ -9,14 +9,15 @@ package body URV.GDCIN_Task with SPARK_Mode is
    begin
       Receive_TELIN (Item, Fresh);
       if not Fresh then
-         Report (No_Input);
+         Report (No_Input, 0);
       elsif Routing.Any_Out_Of_Range (Item) then
-         Report (Input_Out_Of_Range);
+         Report
+           (Input_Out_Of_Range, Word (Routing.First_Out_Of_Range (Item)));
       end if;
 
       Send_Downlink (Item, Success);
       if not Success then
-         Report (Downlink_Not_Consumed);
+         Report (Downlink_Not_Consumed, 0);
       end if;
    end Run_Transaction;
 

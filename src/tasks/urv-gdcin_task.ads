@@ -4,6 +4,7 @@
 --  Consumes TELIN_variable, produces downlink_variable. A frame with
 --  nothing new passes on the sensor data before.
 
+with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
 with URV.Errors;  use URV.Errors;
 
@@ -12,7 +13,7 @@ generic
      (Item : out Downlink_Buffer; Fresh : out Boolean);
    with procedure Send_Downlink
      (Item : Downlink_Buffer; Success : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.GDCIN_Task with SPARK_Mode is
 
    procedure Run_Transaction;

@@ -10,18 +10,18 @@ package body URV.GDCOUT_Task with SPARK_Mode is
    begin
       Receive_AD (Image, Fresh);
       if not Fresh then
-         Report (No_Image);
+         Report (No_Image, 0);
       end if;
       Item := Routing.To_Uplink (Image);
 
       Send_Uplink (Item, Success);
       if not Success then
-         Report (Uplink_Not_Consumed);
+         Report (Uplink_Not_Consumed, 0);
       end if;
 
       Send_TELOUT (Item, Success);
       if not Success then
-         Report (Output_Not_Consumed);
+         Report (Output_Not_Consumed, 0);
       end if;
    end Run_Transaction;
 

@@ -4,6 +4,7 @@
 --  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A
 --  frame with nothing new passes on the stick data before.
 
+with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
 with URV.Errors;  use URV.Errors;
 
@@ -12,7 +13,7 @@ generic
    with procedure Send_Uplink
      (Item : Uplink_Buffer; Success : out Boolean);
    with procedure Send_TELOUT (Item : Uplink_Buffer; Success : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.GDCOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction;

@@ -4,6 +4,7 @@
 --  Consumes TELIN_variable, produces uplink_variable and PWM_variable. A
 --  frame with nothing new passes on the commands before.
 
+with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
 with URV.Errors;  use URV.Errors;
 
@@ -12,7 +13,7 @@ generic
      (Item : out Uplink_Buffer; Fresh : out Boolean);
    with procedure Send_Uplink (Item : Uplink_Buffer; Success : out Boolean);
    with procedure Send_PWM (Item : Uplink_Buffer; Success : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.MDCIN_Task with SPARK_Mode is
 
    procedure Run_Transaction;

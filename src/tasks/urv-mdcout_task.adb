@@ -10,18 +10,18 @@ package body URV.MDCOUT_Task with SPARK_Mode is
    begin
       Receive_AD (Image, Fresh);
       if not Fresh then
-         Report (No_Image);
+         Report (No_Image, 0);
       end if;
       Item := Routing.To_Downlink (Image);
 
       Send_Downlink (Item, Success);
       if not Success then
-         Report (Downlink_Not_Consumed);
+         Report (Downlink_Not_Consumed, 0);
       end if;
 
       Send_TELOUT (Item, Success);
       if not Success then
-         Report (Output_Not_Consumed);
+         Report (Output_Not_Consumed, 0);
       end if;
    end Run_Transaction;
 

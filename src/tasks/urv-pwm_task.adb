@@ -13,7 +13,7 @@ package body URV.PWM_Task with SPARK_Mode is
          Write_Board
            (PWM_Layout.To_Data_Area (PWM_Transform.Transform (Item)));
       else
-         Report (No_Commands);
+         Report (No_Commands, 0);
       end if;
    end Run_Transaction;
 

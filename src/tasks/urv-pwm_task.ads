@@ -5,13 +5,14 @@
 --  nothing new has come it leaves the board alone.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
+with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Errors;        use URV.Errors;
 
 generic
    with procedure Receive_PWM (Item : out Uplink_Buffer; Fresh : out Boolean);
    with procedure Write_Board (Area : Data_Area);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.PWM_Task with SPARK_Mode is
 
    procedure Run_Transaction;

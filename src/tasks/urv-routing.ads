@@ -47,4 +47,37 @@ package URV.Routing with Pure, SPARK_Mode is
    function Any_Out_Of_Range (Source : Downlink_Buffer) return Boolean is
      (for some Item in Sensor_Item => Is_Out_Of_Range (Source (Item)));
 
+   --  A word's place in its buffer, from 1; 0 is none.
+   type Place_Count is range 0 .. 28;
+
+   --  Where the first word that is out of range stands.
+
+   function First_Out_Of_Range (Source : Uplink_Buffer) return Place_Count
+   with
+     Global => null,
+     Post   =>
+       (if not Any_Out_Of_Range (Source)
+        then First_Out_Of_Range'Result = 0
+        else (for some Item in Command_Item =>
+                First_Out_Of_Range'Result = Command_Item'Pos (Item) + 1
+                and then Is_Out_Of_Range (Source (Item))
+                and then
+                  (for all Earlier in Command_Item =>
+                     (if Earlier < Item
+                      then not Is_Out_Of_Range (Source (Earlier))))));
+
+   function First_Out_Of_Range (Source : Downlink_Buffer) return Place_Count
+   with
+     Global => null,
+     Post   =>
+       (if not Any_Out_Of_Range (Source)
+        then First_Out_Of_Range'Result = 0
+        else (for some Item in Sensor_Item =>
+                First_Out_Of_Range'Result = Sensor_Item'Pos (Item) + 1
+                and then Is_Out_Of_Range (Source (Item))
+                and then
+                  (for all Earlier in Sensor_Item =>
+                     (if Earlier < Item
+                      then not Is_Out_Of_Range (Source (Earlier))))));
+
 end URV.Routing;

@@ -22,13 +22,13 @@ is
       if Fresh then
          TELIN_Buffer := Decode (Data);
       elsif Ever_Received then
-         Report (TELIN_No_Block);
+         Report (TELIN_No_Block, 0);
       end if;
 
       if Ever_Received then
          Send_TELIN (TELIN_Buffer, Success);
          if not Success then
-            Report (Input_Not_Consumed);
+            Report (Input_Not_Consumed, 0);
          end if;
       end if;
    end Run_Transaction;

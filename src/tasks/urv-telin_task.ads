@@ -6,6 +6,7 @@
 --  received its first message nothing is sent.
 
 with Telemetry;  use Telemetry;
+with URVOS;      use URVOS;
 with URV.Errors; use URV.Errors;
 
 generic
@@ -15,7 +16,7 @@ generic
    with procedure Take_Block
      (Data : out Block_Data; Fresh : out Boolean; Ever_Received : out Boolean);
    with procedure Send_TELIN (Item : Message; Success : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.TELIN_Task
   with
     SPARK_Mode,

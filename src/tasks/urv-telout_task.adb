@@ -10,10 +10,10 @@ package body URV.TELOUT_Task with SPARK_Mode is
       if Fresh then
          Put_Block (Encode (Item), Overwrote);
          if Overwrote then
-            Report (TELOUT_Overwrote_Block);
+            Report (TELOUT_Overwrote_Block, 0);
          end if;
       else
-         Report (No_Output);
+         Report (No_Output, 0);
       end if;
    end Run_Transaction;
 

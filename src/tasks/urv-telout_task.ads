@@ -6,6 +6,7 @@
 --  come nothing is written.
 
 with Telemetry;  use Telemetry;
+with URVOS;      use URVOS;
 with URV.Errors; use URV.Errors;
 
 generic
@@ -13,7 +14,7 @@ generic
    with function Encode (Item : Message) return Block_Data;
    with procedure Receive_TELOUT (Item : out Message; Fresh : out Boolean);
    with procedure Put_Block (Data : Block_Data; Overwrote : out Boolean);
-   with procedure Report (Error : Error_Kind);
+   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.TELOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction;

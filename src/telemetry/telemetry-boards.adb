@@ -234,6 +234,9 @@ package body Telemetry.Boards with SPARK_Mode is
             Item.Downlink_Turns := 0;
             Count_One (Item.Messages);
             Count_One (Item.Tally.Received);
+            if Both_Full (Item.Receive_Pair) then
+               Count_One (Item.Tally.Not_Taken);
+            end if;
 
          when Block_Bad =>
             Item.State := Ready;

@@ -39,12 +39,16 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    type Turn_Count is range 0 .. 2;
 
    type Statistics is record
-      Sent     : Count := 0;   --  data messages, retries included
-      Received : Count := 0;   --  data messages with a good checksum
-      Bad      : Count := 0;   --  data messages that came bad or cut short
-      Scrapped : Count := 0;   --  blocks given up after two transmissions
-      Cleared  : Count := 0;   --  blocks cleared for a newer one (LNK-7)
-      Resets   : Count := 0;   --  dead space resets
+      Sent      : Count := 0;   --  data messages, retries included
+      Received  : Count := 0;   --  data messages with a good checksum
+      Bad       : Count := 0;   --  data messages that came bad or cut short
+      Scrapped  : Count := 0;   --  blocks given up after two transmissions
+      Cleared   : Count := 0;   --  blocks cleared for a newer one (LNK-7)
+      Resets    : Count := 0;   --  dead space resets
+
+      --  Blocks received that the controller had not taken when the next
+      --  one came. It never will: of two full buffers it gets the newer.
+      Not_Taken : Count := 0;
    end record;
 
    --  Transmit_Length and Receive_Length are the lengths of the blocks that

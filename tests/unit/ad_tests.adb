@@ -42,10 +42,14 @@ package body AD_Tests is
       Send_ADINT    => Words.Send,
       Report        => Report);
 
-   --  The task on its own.
-   Scans_Begun : Natural := 0;
+   --  The task on its own, and how far it finds the scan before.
+   Scans_Begun  : Natural       := 0;
+   Scan_Reached : Channel_Count := 32;
 
-   procedure Begin_Scan;
+   procedure Begin_Scan (Reached : out Channel_Count);
+
+   --  A whole scan, after one that had come so far.
+   procedure Whole_Scan (Reached : Channel_Count);
 
    package AD is new URV.AD_Task
      (Receive_ADINT => Words.Receive,
@@ -76,9 +80,10 @@ package body AD_Tests is
    -- Begin_Scan --
    ----------------
 
-   procedure Begin_Scan is
+   procedure Begin_Scan (Reached : out Channel_Count) is
    begin
       Scans_Begun := Scans_Begun + 1;
+      Reached     := Scan_Reached;
    end Begin_Scan;
 
    -----------------
@@ -128,11 +133,15 @@ package body AD_Tests is
    -- Whole_Scan --
    ----------------
 
-   procedure Whole_Scan is
+   procedure Whole_Scan (Reached : Channel_Count) is
+      Before : Channel_Count;
    begin
       Clear;
       Started := 0;
-      Handler.Begin_Scan;
+      Handler.Begin_Scan (Before);
+      Expect_Number
+        ("how far the scan before came", Integer (Before),
+         Integer (Reached));
       for Number in Channel loop
          Expect_Number ("starts", Started, Integer (Number) + 1);
          Expect_Number
@@ -151,6 +160,11 @@ package body AD_Tests is
       Expect_Errors ("a scan", None);
    end Whole_Scan;
 
+   procedure Whole_Scan is
+   begin
+      Whole_Scan (Reached => 32);
+   end Whole_Scan;
+
    ---------------------
    -- Stray_Interrupt --
    ---------------------
@@ -158,11 +172,13 @@ package body AD_Tests is
    procedure Stray_Interrupt is
    begin
       Whole_Scan;
-      Board_Data := 0;
+      Board_Data := 16#ABC#;
       Handler.Handle_Interrupt;
       Expect_Number ("starts", Started, 32);
       Expect_Number ("sent", Words.Sent, 1);
-      Expect_Errors ("after the scan", (1 => AD_Unexpected_Interrupt));
+      Expect_Errors
+        ("after the scan", (1 => AD_Unexpected_Interrupt),
+         Detail => 16#ABC#);
    end Stray_Interrupt;
 
    ---------------------
@@ -170,18 +186,19 @@ package body AD_Tests is
    ---------------------
 
    procedure Broken_Off_Scan is
+      Reached : Channel_Count;
    begin
       --  The board stalls at any channel; the next scan is whole.
       for Stall in Channel loop
          Clear;
          Started := 0;
-         Handler.Begin_Scan;
+         Handler.Begin_Scan (Reached);
          Board_Data := 1;
          for Number in 1 .. Stall loop
             Handler.Handle_Interrupt;
          end loop;
          Expect_Number ("sent", Words.Sent, 0);
-         Whole_Scan;
+         Whole_Scan (Reached => Channel_Count (Stall));
       end loop;
    end Broken_Off_Scan;
 
@@ -190,10 +207,11 @@ package body AD_Tests is
    ------------------
 
    procedure Not_Consumed is
+      Unused_Reached : Channel_Count;
    begin
       Clear;
       Words.Succeeds := False;
-      Handler.Begin_Scan;
+      Handler.Begin_Scan (Unused_Reached);
       for Number in Channel loop
          Handler.Handle_Interrupt;
       end loop;
@@ -235,12 +253,13 @@ package body AD_Tests is
       Words.Given := Image_Of (16#100#, 0).Words;
       AD.Run_Transaction;
       Words.Is_Fresh := False;
+      Scan_Reached   := 17;
       AD.Run_Transaction;
       Expect_Number ("sent all the same", Image.Sent, 2);
       Expect ("error word", Image.Kept.Error_Status, Stale_Data);
       Expect ("the words before", Image.Kept.Words (31), 16#11F#);
       Expect_Number ("scans begun", Scans_Begun, 2);
-      Expect_Errors ("no scan", (1 => AD_No_Scan));
+      Expect_Errors ("no scan", (1 => AD_No_Scan), Detail => 17);
 
       Words.Is_Fresh := True;
       AD.Run_Transaction;

@@ -4,11 +4,13 @@ with Buffers_Tests;
 with Checksum_Tests;
 with Codecs_Tests;
 with CORE_Tests;
+with Error_Log_Tests;
 with Exchange_Tests;
 with Executives_Tests;
 with Frames_Tests;
 with Headers_Tests;
 with Link_Tests;
+with LOG_Task_Tests;
 with Mailboxes_Tests;
 with Nodes_Tests;
 with PWM_Tests;
@@ -28,6 +30,7 @@ package body All_Tests is
    begin
       Frames_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
+      Error_Log_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
@@ -42,6 +45,7 @@ package body All_Tests is
       Telemetry_Task_Tests.Add_To (Result);
       PWM_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
+      LOG_Task_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       return Result;
    end Suite;

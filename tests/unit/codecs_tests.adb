@@ -198,6 +198,19 @@ package body Codecs_Tests is
          Expect
            ("any with " & Item'Image, Any_Out_Of_Range (Up),
             Item /= Error_Status);
+         Expect_Number
+           ("the first is " & Item'Image,
+            Integer (First_Out_Of_Range (Up)),
+            (if Item = Error_Status then 0
+             else Uplink_Item'Pos (Item) + 1));
+
+         --  Of several the first counts.
+         Up (Switch_8) := 16#1000#;
+         Expect_Number
+           ("the first is not switch 8 with " & Item'Image,
+            Integer (First_Out_Of_Range (Up)),
+            Integer'Min
+              (Uplink_Item'Pos (Item), Uplink_Item'Pos (Switch_8)) + 1);
       end loop;
 
       Expect
@@ -208,6 +221,17 @@ package body Codecs_Tests is
          Expect
            ("any with " & Item'Image, Any_Out_Of_Range (Down),
             Item /= Error_Status);
+         Expect_Number
+           ("the first is " & Item'Image,
+            Integer (First_Out_Of_Range (Down)),
+            (if Item = Error_Status then 0
+             else Downlink_Item'Pos (Item) + 1));
+         Down (Altitude) := 16#1000#;
+         Expect_Number
+           ("the first is not altitude with " & Item'Image,
+            Integer (First_Out_Of_Range (Down)),
+            Integer'Min
+              (Downlink_Item'Pos (Item), Downlink_Item'Pos (Altitude)) + 1);
       end loop;
    end Out_Of_Range;
 

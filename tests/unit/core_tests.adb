@@ -22,7 +22,9 @@ package body CORE_Tests is
    Downlink_Writes : Natural := 0;
 
    procedure Write_Codes
-     (Uplink_Codes : Uplink_Words; Downlink_Codes : Downlink_Words);
+     (Uplink_Codes   : Uplink_Words;
+      Downlink_Codes : Downlink_Words;
+      Status_Codes   : Status_Words);
    procedure Write_Uplink (Words : Uplink_Words);
    procedure Write_Downlink (Words : Downlink_Words);
 
@@ -42,8 +44,11 @@ package body CORE_Tests is
    -----------------
 
    procedure Write_Codes
-     (Uplink_Codes : Uplink_Words; Downlink_Codes : Downlink_Words) is
+     (Uplink_Codes   : Uplink_Words;
+      Downlink_Codes : Downlink_Words;
+      Status_Codes   : Status_Words) is
    begin
+      CORE.Status_Codes   := Status_Codes;
       CORE.Uplink_Codes   := Uplink_Codes;
       CORE.Downlink_Codes := Downlink_Codes;
       Codes_Writes        := Codes_Writes + 1;
@@ -170,6 +175,12 @@ package body CORE_Tests is
          Expect ("code" & Code'Image & " is taken", Seen (Code), False);
          Seen (Code) := True;
       end loop;
+      for Code of CORE.Status_Codes loop
+         Expect ("code" & Code'Image & " is taken", Seen (Code), False);
+         Seen (Code) := True;
+      end loop;
+      Expect
+        ("first status code", CORE.Status_Codes (Start_Condition), 16#301#);
       Expect ("code of cleared memory is taken", Seen (0), False);
 
       Under_Test.Initialise;
@@ -191,6 +202,9 @@ package body CORE_Tests is
       end loop;
       for Value of Cleared.Status loop
          Expect ("status", Value, 0);
+      end loop;
+      for Value of Cleared.Status_Codes loop
+         Expect ("code", Value, 0);
       end loop;
       for Value of Cleared.Uplink_Codes loop
          Expect ("code", Value, 0);

@@ -1,6 +1,7 @@
 with Checks;       use Checks;
 with Expectations; use Expectations;
 with Task_Doubles; use Task_Doubles;
+with URVOS;        use URVOS;
 with URV.Buffers;  use URV.Buffers;
 with URV.Errors;   use URV.Errors;
 with URV.GDCIN_Task;
@@ -96,7 +97,9 @@ package body Exchange_Tests is
          Input_Up.Given (Item) := 16#1000#;
          MDCIN.Run_Transaction;
          Expect_Buffer ("to CORE", Uplink.Kept, Input_Up.Given);
-         Expect_Errors (Item'Image, (1 => Input_Out_Of_Range));
+         Expect_Errors
+           (Item'Image, (1 => Input_Out_Of_Range),
+            Detail => Command_Item'Pos (Item) + 1);
       end loop;
 
       --  The error word may hold anything.
@@ -185,7 +188,9 @@ package body Exchange_Tests is
          Input_Down.Given (Item) := 16#FFFF#;
          GDCIN.Run_Transaction;
          Expect_Buffer ("to CORE", Downlink.Kept, Input_Down.Given);
-         Expect_Errors (Item'Image, (1 => Input_Out_Of_Range));
+         Expect_Errors
+           (Item'Image, (1 => Input_Out_Of_Range),
+            Detail => Sensor_Item'Pos (Item) + 1);
       end loop;
    end Ground_In_Too_Large;
 

@@ -11,6 +11,7 @@ with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Errors;          use URV.Errors;
 
 package body Nodes_Tests is
 
@@ -26,6 +27,8 @@ package body Nodes_Tests is
    procedure Controller_Alone;
    procedure First_Frames;
    procedure Type_Codes;
+   procedure Logged_Flight;
+   procedure Logged_Range;
 
    --  What the converters of the nodes see.
    Console : Channel_Words;
@@ -580,7 +583,88 @@ package body Nodes_Tests is
            ("GSC code of " & Item'Image,
             CORE_Of_GSC.Downlink_Codes (Place (Item)), Type_Code (Item));
       end loop;
+      for Item in Status_Item loop
+         Expect
+           ("MCS code of " & Item'Image,
+            CORE_Of_MCS.Status_Codes (Item), Type_Code (Item));
+         Expect
+           ("GSC code of " & Item'Image,
+            CORE_Of_GSC.Status_Codes (Item), Type_Code (Item));
+      end loop;
    end Type_Codes;
+
+   -------------------
+   -- Logged_Flight --
+   -------------------
+
+   procedure Logged_Flight is
+      Log    : Error_Log;
+      Before : Count;
+   begin
+      Switch_On;
+      Fly (6);
+      MCS.Errors.Inspect (Log);
+      Before := Logs.Total (Log);
+      Expect
+        ("no resets before",
+         Logs.History_Of (Log, Link_Reset).Occurrences, 0);
+
+      --  The cut begins with frame 6 of the ground.
+      Link_Is_Cut := True;
+      Fly (4);
+      MCS.Errors.Inspect (Log);
+      Expect
+        ("frames without a block",
+         Logs.History_Of (Log, TELIN_No_Block).Occurrences, 3);
+      Expect
+        ("the last of them",
+         Logs.History_Of (Log, TELIN_No_Block).Last, 90);
+      Expect
+        ("the ground's silence is no error of the aircraft's link",
+         Logs.History_Of (Log, Link_Reset).Occurrences, 0);
+      Expect
+        ("total in CORE", Count (CORE_Of_MCS.Status (Error_Total_Low)),
+         Logs.Total (Log));
+      Expect ("more than before", Logs.Total (Log) > Before, True);
+
+      GSC.Errors.Inspect (Log);
+      Expect
+        ("the ground has reset",
+         Logs.History_Of (Log, Link_Reset).Occurrences > 0, True);
+      Expect
+        ("and scrapped",
+         Logs.History_Of (Log, Link_Block_Scrapped).Occurrences > 0, True);
+
+      Switch_On;
+      GSC.Errors.Inspect (Log);
+      Expect ("after a cold start", Logs.Total (Log), 0);
+      Fly (6);
+      GSC.Errors.Inspect (Log);
+      Expect
+        ("what the board had counted is forgotten",
+         Logs.History_Of (Log, Link_Reset).Occurrences, 0);
+   end Logged_Flight;
+
+   ------------------
+   -- Logged_Range --
+   ------------------
+
+   procedure Logged_Range is
+      Log : Error_Log;
+   begin
+      Too_Large;
+      MCS.Errors.Inspect (Log);
+      Expect
+        ("throttle is word 4",
+         Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 4);
+      GSC.Errors.Inspect (Log);
+      Expect
+        ("left rudder is word 10",
+         Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 10);
+      Expect
+        ("in CORE", CORE_Of_GSC.Status (Last_Error),
+         Error_Kind'Pos (Input_Out_Of_Range) + 1);
+   end Logged_Range;
 
    ------------
    -- Add_To --
@@ -621,6 +705,12 @@ package body Nodes_Tests is
       Add
         (Suite, "INI-7 the type codes are there after the first frame",
          Type_Codes'Access);
+      Add
+        (Suite, "EXT-1 a cut link is logged on both nodes, until a cold start",
+         Logged_Flight'Access);
+      Add
+        (Suite, "EXT-1 D-11 a word out of range is logged with its place",
+         Logged_Range'Access);
    end Add_To;
 
 end Nodes_Tests;

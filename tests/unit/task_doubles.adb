@@ -17,24 +17,30 @@ package body Task_Doubles is
       Output_Up.Clear;
       Output_Down.Clear;
       Commands.Clear;
-      Errors := No_Errors;
+      Errors := (others => 0);
+      Last_Detail := 0;
    end Clear;
 
    ------------
    -- Report --
    ------------
 
-   procedure Report (Error : Error_Kind) is
+   procedure Report (Error : Error_Kind; Detail : Word) is
    begin
       Errors (Error) := Errors (Error) + 1;
+      Last_Detail := Detail;
    end Report;
 
    -------------------
    -- Expect_Errors --
    -------------------
 
-   procedure Expect_Errors (What : String; Expected : Error_List) is
-      Wanted : Error_Counts := No_Errors;
+   procedure Expect_Errors
+     (What     : String;
+      Expected : Error_List;
+      Detail   : Word := 0)
+   is
+      Wanted : Error_Counts := (others => 0);
    begin
       for Kind of Expected loop
          Wanted (Kind) := Wanted (Kind) + 1;
@@ -43,7 +49,9 @@ package body Task_Doubles is
          Expect
            (What & ", errors " & Kind'Image, Errors (Kind), Wanted (Kind));
       end loop;
-      Errors := No_Errors;
+      Expect (What & ", detail", Last_Detail, Detail);
+      Errors := (others => 0);
+      Last_Detail := 0;
    end Expect_Errors;
 
    ---------------

@@ -31,16 +31,22 @@ package Task_Doubles is
    package Commands is
      new Recorded_Variables (Uplink_Buffer, Neutral_Uplink);
 
-   --  The errors reported since Clear.
-   Errors : Error_Counts := No_Errors;
+   --  The errors reported since Clear, and the last one's detail.
+   type Error_Counts is array (Error_Kind) of Count;
+   Errors      : Error_Counts := (others => 0);
+   Last_Detail : Word         := 0;
 
-   procedure Report (Error : Error_Kind);
+   procedure Report (Error : Error_Kind; Detail : Word);
 
-   --  Exactly these errors were reported since this was last asked.
+   --  Exactly these errors were reported since this was last asked, the
+   --  last of them with this detail.
    type Error_List is array (Positive range <>) of Error_Kind;
    None : constant Error_List := (1 .. 0 => Error_Kind'First);
 
-   procedure Expect_Errors (What : String; Expected : Error_List);
+   procedure Expect_Errors
+     (What     : String;
+      Expected : Error_List;
+      Detail   : Word := 0);
 
    --  Buffers to recognise: word n of a buffer with mark m is m + n.
    function Uplink_Of (Mark : Word) return Uplink_Buffer;

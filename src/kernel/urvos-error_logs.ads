@@ -1,0 +1,116 @@
+--  An error log: what went wrong, when and how often, in memory that never
+--  grows (report, 3.5, and the sections "Error handling" of 4 and 5, which
+--  leave the recording to a later version; EXT-1, SEM-2).
+--
+--     Add (Log, Kind => No_Input, Now => 120, Detail => 0);
+--
+--  The log keeps one history for each kind of error: the count, when it
+--  came first and last, and a word of detail of the last time. So a flood
+--  of one kind never hides another, and nothing is ever pushed out.
+--
+--  A count that reaches its last value stays there: "at least that often".
+
+with URVOS.Frames; use URVOS.Frames;
+
+generic
+   type Error_Kind is (<>);
+package URVOS.Error_Logs with Pure, SPARK_Mode is
+
+   --  How often something has happened that has happened.
+   subtype Positive_Count is Count range 1 .. Count'Last;
+
+   --  Of one kind of error. What is said besides the count means something
+   --  only if that is not 0.
+   type History is record
+      Occurrences : Count      := 0;
+      First       : Clock_Tick := 0;
+      Last        : Clock_Tick := 0;
+      Last_Detail : Word       := 0;
+   end record;
+
+   Never : constant History := (others => <>);
+
+   type Error_Log is private;
+
+   function History_Of (Log : Error_Log; Kind : Error_Kind) return History
+   with Global => null;
+
+   --  The errors of all kinds together.
+   function Total (Log : Error_Log) return Count
+   with Global => null;
+
+   --  The kind that was added last, if any was.
+   function Latest (Log : Error_Log) return Error_Kind
+   with Global => null;
+
+   --  A log in which nothing has happened.
+   function Empty_Log return Error_Log
+   with
+     Global => null,
+     Post   =>
+       (for all Kind in Error_Kind =>
+          History_Of (Empty_Log'Result, Kind) = Never)
+       and then Total (Empty_Log'Result) = 0
+       and then Latest (Empty_Log'Result) = Error_Kind'First;
+
+   --  Two counts together.
+   function Sum (Left, Right : Count) return Count is
+     (if Left > Count'Last - Right then Count'Last else Left + Right)
+   with Global => null;
+
+   --  A history to which something was added.
+   function Extended
+     (Before    : History;
+      Now       : Clock_Tick;
+      Detail    : Word;
+      How_Often : Positive_Count) return History
+   is
+     ((Occurrences => Sum (Before.Occurrences, How_Often),
+       First       => (if Before.Occurrences = 0 then Now else Before.First),
+       Last        => Now,
+       Last_Detail => Detail))
+   with Global => null;
+
+   --  An error of a kind has happened, or several of them at once.
+   procedure Add
+     (Log       : in out Error_Log;
+      Kind      : Error_Kind;
+      Now       : Clock_Tick;
+      Detail    : Word;
+      How_Often : Positive_Count := 1)
+   with
+     Global => null,
+     Post   =>
+       --  Its own history goes on, all the others stay as they were.
+       (for all Other in Error_Kind =>
+          History_Of (Log, Other) =
+            (if Other = Kind
+             then Extended
+                    (History_Of (Log'Old, Kind), Now, Detail, How_Often)
+             else History_Of (Log'Old, Other)))
+       and then Total (Log) = Sum (Total (Log'Old), How_Often)
+       and then Latest (Log) = Kind;
+
+private
+
+   type History_Table is array (Error_Kind) of History;
+
+   type Error_Log is record
+      Histories  : History_Table := (others => Never);
+      Sum_Of_All : Count         := 0;
+      Last_Kind  : Error_Kind    := Error_Kind'First;
+   end record;
+
+   function History_Of (Log : Error_Log; Kind : Error_Kind) return History is
+     (Log.Histories (Kind));
+
+   function Total (Log : Error_Log) return Count is (Log.Sum_Of_All);
+
+   function Latest (Log : Error_Log) return Error_Kind is (Log.Last_Kind);
+
+   function Empty_Log return Error_Log is
+     ((Histories  => (others => Never),
+       Sum_Of_All => 0,
+       Last_Kind  => Error_Kind'First));
+
+end URVOS.Error_Logs;

@@ -1,0 +1,27 @@
+--  Which errors the telemetry board counts for the log (EXT-1; report,
+--  appendix A).
+
+with Telemetry.Boards; use Telemetry.Boards;
+with URVOS;            use URVOS;
+with URV.Errors;       use URV.Errors;
+
+package URV.Link_Errors with Pure, SPARK_Mode is
+
+   subtype Link_Error is Error_Kind range Link_Block_Bad .. Link_Reset;
+
+   function Counted (Tally : Statistics; Error : Link_Error) return Count is
+     (case Error is
+         when Link_Block_Bad       => Tally.Bad,
+         when Link_Block_Not_Taken => Tally.Not_Taken,
+         when Link_Block_Scrapped  => Tally.Scrapped,
+         when Link_Block_Cleared   => Tally.Cleared,
+         when Link_Reset           => Tally.Resets)
+   with Global => null;
+
+   --  How much a count has grown. One that has become less has begun anew:
+   --  the board was switched off in between.
+   function New_Since (Before, Now : Count) return Count is
+     (if Now < Before then Now else Now - Before)
+   with Global => null;
+
+end URV.Link_Errors;

@@ -1,0 +1,36 @@
+with URV.CORE_Layout;
+with URV.Link_Errors; use URV.Link_Errors;
+
+package body URV.LOG_Task
+  with
+    SPARK_Mode,
+    Refined_State => (Seen => Seen_Tally)
+is
+
+   Seen_Tally : Statistics := (others => 0);
+
+   procedure Forget is
+   begin
+      Inspect_Link (Seen_Tally);
+   end Forget;
+
+   procedure Run_Transaction is
+      Tally : Statistics;
+      Fresh : Count;
+      Log   : Error_Log;
+   begin
+      Inspect_Link (Tally);
+      for Error in Link_Error loop
+         Fresh :=
+           New_Since (Counted (Seen_Tally, Error), Counted (Tally, Error));
+         if Fresh > 0 then
+            Report_Several (Error, Fresh, CORE_Layout.To_Word (Fresh));
+         end if;
+      end loop;
+      Seen_Tally := Tally;
+
+      Inspect_Log (Log);
+      Write_Status (CORE_Layout.To_Status (Log));
+   end Run_Transaction;
+
+end URV.LOG_Task;

@@ -1,0 +1,9 @@
+--  EXT-1, INI-6, TST-4: the log task and the words it leaves in CORE.
+
+with AUnit.Test_Suites;
+
+package LOG_Task_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end LOG_Task_Tests;
