@@ -4,11 +4,13 @@ with Ada.Strings.Unbounded;
 
 with Sim.Bench;
 with Sim.Engine;
+with Sim.Event_Log;
 with Sim.Faults;
 with Sim.Flight_Quality;
 with Sim.Flight_Record;
 with Sim.JSBSim;
 with Sim.Latency;
+with Sim.Names;
 with Sim.Nodes;
 with Sim.Outputs;     use Sim.Outputs;
 with Sim.Pilot;
@@ -19,7 +21,7 @@ with Sim.Summary;
 with Sim.Text_Output;
 with Sim.Wire_Log;
 with URV.CORE_Layout;
-with URV.Errors;
+with URV.Errors;      use URV.Errors;
 with URV.PWM_Transform;
 
 package body Sim.Flight is
@@ -64,6 +66,10 @@ package body Sim.Flight is
 
    function Given (Name : Unbounded_String) return Boolean is
      (Length (Name) > 0);
+
+   --  How much later than the ground the aircraft is switched on.
+   function Lag_Of (Chosen : Choices) return Microseconds is
+     (Microseconds (Chosen.Phase) * Engine.Tick_Time);
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
@@ -153,8 +159,7 @@ package body Sim.Flight is
    end End_Frame;
 
    procedure Fly_Through (Chosen : Choices; Length : Microseconds) is
-      Lag       : constant Microseconds :=
-        Microseconds (Chosen.Phase) * Engine.Tick_Time;
+      Lag       : constant Microseconds := Lag_Of (Chosen);
       Began     : constant Ada.Calendar.Time := Clock;
       Frame_End : Microseconds := Major_Frame;
 
@@ -218,15 +223,29 @@ package body Sim.Flight is
       Further : Summary.Result;
    begin
       for Node in Nodes.Node loop
-         for Kind in URV.Errors.Error_Kind loop
-            if Nodes.Errors (Node) (Kind) > 0 then
-               Summary.Add_Event
-                 (Further,
-                  Ada.Characters.Handling.To_Lower
-                    (Node'Image & "." & Kind'Image),
-                  Nodes.Errors (Node) (Kind));
+         declare
+            Log  : constant Error_Log := Nodes.Errors (Node);
+            Name : constant String :=
+              Ada.Characters.Handling.To_Lower (Node'Image);
+         begin
+            for Kind in Error_Kind loop
+               if Logs.History_Of (Log, Kind).Occurrences > 0 then
+                  Summary.Add_Event
+                    (Further,
+                     Name & "." & Names.Name (Kind),
+                     Logs.History_Of (Log, Kind).Occurrences);
+               end if;
+            end loop;
+
+            if Text_Output.Is_Open (Files (Event_File)) then
+               Event_Log.Write
+                 (Files (Event_File), Name, Log,
+                  Switched_On =>
+                    (case Node is
+                        when Nodes.GSC => 0,
+                        when Nodes.MCS => Lag_Of (Chosen)));
             end if;
-         end loop;
+         end;
       end loop;
 
       if Chosen.Plant = JSBSim_Plant and then Given (Chosen.Pilot) then
@@ -257,7 +276,7 @@ package body Sim.Flight is
             else Stick_Scripts.Length (Sticks)));
 
       Engine.Start
-        (Lag    => Microseconds (Chosen.Phase) * Engine.Tick_Time,
+        (Lag    => Lag_Of (Chosen),
          Script => Faults,
          Seed   => Chosen.Seed);
       if Chosen.Plant = JSBSim_Plant then

@@ -31,4 +31,7 @@ package body Sim.Names is
    function Name (Way : Direction) return String is
      (To_Lower (Way'Image));
 
+   function Name (Kind : Error_Kind) return String is
+     (To_Lower (Kind'Image));
+
 end Sim.Names;

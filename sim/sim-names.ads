@@ -1,5 +1,7 @@
 --  What the items of the buffers are called in files: the promise of the
---  stick, sensor and record formats.
+--  stick, sensor, record and event formats.
+
+with URV.Errors; use URV.Errors;
 
 package Sim.Names is
 
@@ -8,5 +10,6 @@ package Sim.Names is
    function Name (Item : PWM_Item) return String;
    function Name (Item : Link_Item) return String;
    function Name (Way : Direction) return String;
+   function Name (Kind : Error_Kind) return String;
 
 end Sim.Names;

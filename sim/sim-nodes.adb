@@ -128,8 +128,8 @@ package body Sim.Nodes is
       return Snapshot;
    end Tally;
 
-   function Errors (Which : Node) return URV.Errors.Error_Counts is
-      Snapshot : URV.Errors.Error_Counts;
+   function Errors (Which : Node) return URV.Errors.Error_Log is
+      Snapshot : URV.Errors.Error_Log;
    begin
       case Which is
          when GSC => Ground.Errors.Inspect (Snapshot);

@@ -61,7 +61,7 @@ package Sim.Nodes is
 
    function Tally (Which : Node) return Telemetry.Boards.Statistics;
 
-   function Errors (Which : Node) return URV.Errors.Error_Counts;
+   function Errors (Which : Node) return URV.Errors.Error_Log;
 
    function Overruns (Which : Node) return Count;
 

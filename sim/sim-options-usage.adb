@@ -25,6 +25,9 @@ package body Sim.Options.Usage is
       Put ("  --record FILE     flight record, CSV");
       Put ("  --summary FILE    result, JSON");
       Put ("  --wire FILE       every byte on the serial link, CSV");
+      Put ("  --events FILE     the error logs of both nodes, JSON lines:");
+      Put ("                    node, kind, count, first_frame, last_frame,");
+      Put ("                    first_ms, last_ms, last_detail");
       Put ("  --pace PACE       max or realtime (max)");
       Put ("  --quiet           no progress, no summary");
       Put ("");

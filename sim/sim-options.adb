@@ -43,7 +43,8 @@ package body Sim.Options is
      (case File is
          when Record_File  => Name (Record_Option),
          when Summary_File => Name (Summary_Option),
-         when Wire_File    => Name (Wire_Option));
+         when Wire_File    => Name (Wire_Option),
+         when Event_File   => Name (Events_Option));
 
    --  Refuses an option's value.
    procedure Refuse_Value
@@ -166,9 +167,8 @@ package body Sim.Options is
             Chosen.Outputs (Summary_File) := To_Unbounded_String (Value);
          when Wire_Option    =>
             Chosen.Outputs (Wire_File) := To_Unbounded_String (Value);
-
-         when Events_Option =>
-            Refuse (Name (Which) & " is not supported yet");
+         when Events_Option  =>
+            Chosen.Outputs (Event_File) := To_Unbounded_String (Value);
 
          when Quiet_Option =>
             Chosen.Quiet := True;

@@ -20,7 +20,7 @@ package Sim.Options is
    subtype Seed_Number is Noise.Seed_Number;
 
    type Input_File is (Stick_File, Sensor_File, Fault_File);
-   type Output_File is (Record_File, Summary_File, Wire_File);
+   type Output_File is (Record_File, Summary_File, Wire_File, Event_File);
 
    --  Names of files. An empty one was not given.
    type Input_Names is array (Input_File) of Unbounded_String;

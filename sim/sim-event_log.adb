@@ -1,0 +1,54 @@
+with Interfaces;       use Interfaces;
+
+with Sim.Names;
+with Sim.Text_Numbers; use Sim.Text_Numbers;
+with Sim.Text_Output;  use Sim.Text_Output;
+with URVOS.Frames;     use URVOS.Frames;
+
+package body Sim.Event_Log is
+
+   procedure Write
+     (To          : in out Text_Output.Writer;
+      Node        : String;
+      Log         : Error_Log;
+      Switched_On : Microseconds)
+   is
+      procedure Put_Field (Name : String; Value : Number);
+
+      procedure Put_Field (Name : String; Value : Number) is
+      begin
+         Put (To, ",""" & Name & """:");
+         Put (To, Value);
+      end Put_Field;
+
+      function Frame (Now : Clock_Tick) return Number is
+        (Number (Now / Ticks_Per_Major_Frame));
+
+      function Milliseconds (Now : Clock_Tick) return Number is
+        ((Number (Switched_On) + Number (Now) * Microseconds_Per_Tick)
+         / Microseconds_Per_Millisecond);
+
+   begin
+      for Kind in Error_Kind loop
+         declare
+            Item : constant Logs.History := Logs.History_Of (Log, Kind);
+         begin
+            if Item.Occurrences > 0 then
+               Put
+                 (To,
+                  "{""node"":""" & Node & """,""kind"":"""
+                  & Names.Name (Kind) & '"');
+               Put_Field ("count", Number (Item.Occurrences));
+               Put_Field ("first_frame", Frame (Item.First));
+               Put_Field ("last_frame", Frame (Item.Last));
+               Put_Field ("first_ms", Milliseconds (Item.First));
+               Put_Field ("last_ms", Milliseconds (Item.Last));
+               Put_Field ("last_detail", Number (Item.Last_Detail));
+               Put (To, '}');
+               New_Line (To);
+            end if;
+         end;
+      end loop;
+   end Write;
+
+end Sim.Event_Log;

@@ -1,0 +1,19 @@
+--  The error logs of the nodes as JSON lines, one for each node and kind of
+--  error that happened (--events; EXT-1). docs/error-log.md explains the
+--  fields.
+
+with Sim.Text_Output;
+with URV.Errors; use URV.Errors;
+
+package Sim.Event_Log is
+
+   --  Writes a node's log in the order of the kinds. A node counts its own
+   --  frames; Switched_On is when its first one began.
+   procedure Write
+     (To          : in out Text_Output.Writer;
+      Node        : String;
+      Log         : Error_Log;
+      Switched_On : Microseconds)
+     with Pre => Text_Output.Is_Open (To);
+
+end Sim.Event_Log;
