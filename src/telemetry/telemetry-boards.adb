@@ -18,6 +18,7 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Item.Receiver = Item'Old.Receiver
        and then Item.Receive_Pair = Item'Old.Receive_Pair
        and then Item.Messages = Item'Old.Messages
+       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
        and then Item.Owed = Item'Old.Owed
        and then Item.Silence = Item'Old.Silence
        and then Item.Line_Taken = Item'Old.Line_Taken
@@ -48,6 +49,7 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Item.Owed = Item'Old.Owed
        and then Item.Line_Taken = Item'Old.Line_Taken
        and then Item.Messages = Item'Old.Messages
+       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
        and then Item.Receive_Pair.Newest = Item'Old.Receive_Pair.Newest
        and then
          (for all Which in Slot =>
@@ -75,6 +77,7 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Item.Receiver = Item'Old.Receiver
        and then Item.Receive_Pair = Item'Old.Receive_Pair
        and then Item.Messages = Item'Old.Messages
+       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
        and then
          (for all Which in Slot =>
             Item.Transmit_Pair.Slots (Which).Data =

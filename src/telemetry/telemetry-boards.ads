@@ -180,6 +180,14 @@ package Telemetry.Boards with Pure, SPARK_Mode is
           then Incremented (Item'Old.Messages)
           else Item'Old.Messages)
 
+       --  So is one that finds the block before not taken yet: both buffers
+       --  are full from then on.
+       and then Item.Tally.Not_Taken =
+         (if Both_Full (Item.Receive_Pair)
+            and then not Both_Full (Item'Old.Receive_Pair)
+          then Incremented (Item'Old.Tally.Not_Taken)
+          else Item'Old.Tally.Not_Taken)
+
        --  A block that the controller has not taken is overwritten only
        --  when both buffers are full, and then it is the older one (LNK-4).
        and then

@@ -84,6 +84,15 @@ class Flight:
                 for row in csv.DictReader(f)
             ]
 
+    @cached_property
+    def events(self):
+        """The error logs, a dictionary for each node and kind."""
+        text = self.path("events.jsonl").read_text("utf-8")
+        return {
+            (event["node"], event["kind"]): event
+            for event in map(json.loads, text.splitlines())
+        }
+
 
 def run_program(folder, *arguments):
     return subprocess.run(
@@ -135,6 +144,7 @@ def fly_in(folder, *options, outputs_in=None):
         ("--record", "record.csv"),
         ("--summary", "summary.json"),
         ("--wire", "wire.csv"),
+        ("--events", "events.jsonl"),
     ):
         outputs += [option, into / file]
     result = run_program(folder, "fly", *options, *outputs)

@@ -37,6 +37,7 @@ def outputs(flight):
     return {
         "record": flight.path("record.csv").read_bytes(),
         "wire": flight.path("wire.csv").read_bytes(),
+        "events": flight.path("events.jsonl").read_bytes(),
         "summary": "".join(lines),
     }
 
@@ -54,7 +55,8 @@ def test_same_command_same_bytes(fly, inputs, options):
 def test_outputs_do_not_depend_on_each_other(fly, urv_sim, inputs, tmp_path):
     options = (*COMMAND_LINES["faults"], "--seconds", "1")
     together = outputs(fly(*options))
-    for name, option in (("record", "--record"), ("wire", "--wire")):
+    for name, option in (("record", "--record"), ("wire", "--wire"),
+                         ("events", "--events")):
         assert urv_sim("fly", *options, "--quiet", option,
                        "alone").returncode == 0
         assert (tmp_path / "alone").read_bytes() == together[name], name

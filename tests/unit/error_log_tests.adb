@@ -279,10 +279,10 @@ package body Error_Log_Tests is
         (Suite, "EXT-1 a clock set back does not hurt the log",
          Clock_Set_Back'Access);
       Add
-        (Suite, "EXT-1 SEM-2 a report is stamped with the tick last told",
+        (Suite, "EXT-1 a report is stamped with the tick last told",
          Shell_Stamps'Access);
       Add
-        (Suite, "EXT-1 SEM-2 every kind is kept until the log is cleared",
+        (Suite, "EXT-1 every kind is kept until the log is cleared",
          Shell_Keeps'Access);
    end Add_To;
 

@@ -1,4 +1,4 @@
---  EXT-1, SEM-2: the error log and the shell that guards a node's one.
+--  EXT-1: the error log and the shell that guards a node's one.
 
 with AUnit.Test_Suites;
 

@@ -19,6 +19,7 @@ package body Link_Tests is
    procedure Scrap;
    procedure Scrap_Downlink;
    procedure Two_Full;
+   procedure Not_Taken;
    procedure Busy_Meanwhile;
    procedure Permission;
    procedure Priority;
@@ -454,6 +455,34 @@ package body Link_Tests is
       Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
    end Two_Full;
 
+   ---------------
+   -- Not_Taken --
+   ---------------
+
+   procedure Not_Taken is
+      Item : Link;
+      Mark : Byte;
+   begin
+      --  Nobody takes the first block, nor the second: each newer one finds
+      --  one that will never be taken.
+      for Block in Byte range 1 .. 3 loop
+         Give (Item, Ground, Block);
+         Run (Item, Frame);
+         Expect
+           ("not taken after block" & Block'Image,
+            Item.Aircraft_Board.Tally.Not_Taken, Count (Block) - 1);
+      end loop;
+      Expect ("received", Item.Aircraft_Board.Tally.Received, 3);
+      Take (Item, Aircraft, Mark);
+      Expect ("the newest", Mark, 3);
+
+      --  One that was taken in time is not counted.
+      Give (Item, Ground, 4);
+      Run (Item, Frame);
+      Expect ("not taken", Item.Aircraft_Board.Tally.Not_Taken, 2);
+      Expect_Block (Item, Aircraft, 4);
+   end Not_Taken;
+
    --------------------
    -- Busy_Meanwhile --
    --------------------
@@ -720,6 +749,9 @@ package body Link_Tests is
       Add
         (Suite, "LNK-7 of two full buffers the newest is sent, no other",
          Two_Full'Access);
+      Add
+        (Suite, "LNK-4 EXT-1 a block that nobody took in time is counted",
+         Not_Taken'Access);
       Add
         (Suite, "LNK-7 a buffer is busy and whole while it is sent",
          Busy_Meanwhile'Access);
