@@ -17,7 +17,7 @@ package body URVOS.Start_Tests with SPARK_Mode is
    procedure Test_ROM (Good : out Boolean) is
       use type ROM_Check.Outcome_Kind;
       State   : ROM_Check.Check := ROM_Check.New_Check;
-      Outcome : ROM_Check.Outcome_Kind := ROM_Check.Under_Way;
+      Outcome : ROM_Check.Outcome_Kind;
       Data    : Byte;
    begin
       for Where in 0 .. Last_Byte loop
