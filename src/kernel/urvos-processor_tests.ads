@@ -2,10 +2,10 @@
 --  (report, 2.4; TST-2). docs/self-test.md says what each would find.
 --
 --  A compiler computes at once what it knows. So each test works on operands
---  that it is given, compares with numbers that it knows, and is a function
---  of this unit's body alone: units are compiled one by one, and nothing
---  here is expanded elsewhere or knows its callers. The instructions are
---  really there, which ones is the compiler's choice.
+--  that it is given by another unit, and units are compiled one by one; and
+--  results are compared by functions that are not expanded in line, since
+--  the first comparison would tell the compiler the operand. The
+--  instructions are really there; which ones is the compiler's choice.
 
 with URVOS.Self_Tests; use URVOS.Self_Tests;
 
