@@ -15,6 +15,7 @@ with Mailboxes_Tests;
 with Nodes_Tests;
 with PWM_Tests;
 with Receivers_Tests;
+with Self_Test_Tests;
 with Senders_Tests;
 with Telemetry_Task_Tests;
 
@@ -46,6 +47,7 @@ package body All_Tests is
       PWM_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
+      Self_Test_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       return Result;
    end Suite;

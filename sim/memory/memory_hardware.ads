@@ -1,0 +1,92 @@
+--  The memories of the processor boards, behind Devices.Memory_Bus, with
+--  faults to plant (SIM-1, TST-1, TST-3).
+--
+--  The ROM holds an image made from numbers, its sum in its last four
+--  bytes. The RAM is an array of cells, one a bit. Both are unharmed until a
+--  fault is planted.
+
+with Devices.Memory_Bus; use Devices.Memory_Bus;
+with URVOS;              use URVOS;
+with URVOS.Memories;     use URVOS.Memories;
+
+package Memory_Hardware is
+
+   subtype ROM_Address is Byte_Address range 0 .. Last_ROM_Byte;
+   subtype RAM_Address is Word_Address range 0 .. Last_RAM_Word;
+
+   type Bit_Number is range 0 .. 15;
+
+   --  Of an image: the bytes as they were programmed.
+   function Programmed (Where : ROM_Address) return Byte;
+
+   --  Some bits of a byte of the ROM change.
+   procedure Spoil_ROM
+     (Board : Board_Number;
+      Where : ROM_Address;
+      Flips : Byte);
+
+   --  The whole ROM reads as one value: erased, or not there.
+   procedure Blank_ROM (Board : Board_Number; Data : Byte);
+
+   --  What a fault in the RAM does. Cell is the bit that suffers, Source
+   --  another that makes it.
+   type Fault_Kind is
+     (None,
+      Stuck,             --  Cell is always Value
+      No_Transition,     --  Cell does not become Value from the other
+      Inversion,         --  Source becomes Edge: Cell is inverted
+      Idempotent,        --  Source becomes Edge: Cell becomes Value
+      State_Coupling,    --  while Source is Edge, Cell is Value
+      No_Cells,          --  Cell's word is not reached, it reads as Value
+      Other_Cells,       --  Cell's word reaches Source's instead
+      Both_Cells);       --  Cell's word reaches Source's too, and reads as
+                         --  the two wired together, with "and" when Value
+                         --  is 0, with "or" when it is 1
+
+   type Bit_Value is range 0 .. 1;
+
+   type Bit_Place is record
+      Where : RAM_Address := 0;
+      Bit   : Bit_Number  := 0;
+   end record;
+
+   type Fault is record
+      Kind   : Fault_Kind := None;
+      Cell   : Bit_Place;
+      Source : Bit_Place;
+      Edge   : Bit_Value  := 1;
+      Value  : Bit_Value  := 0;
+   end record;
+
+   --  Up to two at once, so that one may hide the other.
+   type Fault_Number is range 1 .. 2;
+
+   procedure Plant
+     (Board   : Board_Number;
+      Planted : Fault;
+      Number  : Fault_Number := 1);
+
+   --  All faults of the board are gone. What is in its RAM stays.
+   procedure Repair (Board : Board_Number);
+
+private
+
+   procedure Read_ROM
+     (Board : Board_Number;
+      Where : Byte_Address;
+      Data  : out Byte)
+   with Export, Convention => Ada, External_Name => "urv_read_rom";
+
+   procedure Read_RAM
+     (Board : Board_Number;
+      Where : Word_Address;
+      Data  : out Word)
+   with Export, Convention => Ada, External_Name => "urv_read_ram";
+
+   procedure Write_RAM
+     (Board : Board_Number;
+      Where : Word_Address;
+      Data  : Word)
+   with Export, Convention => Ada, External_Name => "urv_write_ram";
+
+end Memory_Hardware;

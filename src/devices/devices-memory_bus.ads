@@ -1,0 +1,64 @@
+--  The processor board's own ROM and RAM, each word or byte by its address.
+--
+--  The memories are outside the flight software: what is imported here is
+--  the bus. The simulation's memories (sim/memory) are behind it on a host;
+--  on a target, a read or write of the address. One program on a host may
+--  hold several processor boards, each with its memories.
+--
+--  This is a boundary of the proof: of what is read nothing is known, and
+--  that each cycle ends is taken for granted.
+
+with URVOS;          use URVOS;
+with URVOS.Memories; use URVOS.Memories;
+
+package Devices.Memory_Bus
+  with
+    SPARK_Mode,
+    Elaborate_Body,
+    Abstract_State =>
+      (Cells with Synchronous,
+       External => (Async_Readers, Async_Writers)),
+    Initializes    => Cells
+is
+
+   type Board_Number is range 1 .. 4;
+
+   --  64 KiB of ROM, the sum of the image in its last four bytes, and
+   --  16 KiB of RAM.
+   Last_ROM_Byte : constant Byte_Address := 16#FFFF#;
+   Last_RAM_Word : constant Word_Address := 16#1FFF#;
+
+   procedure Read_ROM
+     (Board : Board_Number;
+      Where : Byte_Address;
+      Data  : out Byte)
+   with
+     Import,
+     Convention    => Ada,
+     External_Name => "urv_read_rom",
+     Global        => (Input => Cells),
+     Pre           => Where <= Last_ROM_Byte;
+
+   procedure Read_RAM
+     (Board : Board_Number;
+      Where : Word_Address;
+      Data  : out Word)
+   with
+     Import,
+     Convention    => Ada,
+     External_Name => "urv_read_ram",
+     Global        => (Input => Cells),
+     Pre           => Where <= Last_RAM_Word;
+
+   procedure Write_RAM
+     (Board : Board_Number;
+      Where : Word_Address;
+      Data  : Word)
+   with
+     Import,
+     Convention    => Ada,
+     External_Name => "urv_write_ram",
+     Global        => (In_Out => Cells),
+     Pre           => Where <= Last_RAM_Word;
+
+end Devices.Memory_Bus;

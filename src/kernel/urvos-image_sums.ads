@@ -1,0 +1,69 @@
+--  The checksum of a program image: CRC-32C (TST-1, TST-3), low bit first,
+--  first value all ones. Its polynomial is that of iSCSI and SCTP,
+--  1EDC6F41h.
+--
+--  The image keeps its own sum in its last four bytes, low byte first and
+--  complemented. The register that has taken all bytes, those four among
+--  them, is then Good_Image, whatever the image is. So nothing but the
+--  image has to be known to check it.
+--
+--  Every change within one byte, and every burst of up to 32 bits, changes
+--  the register (Theorems.Self_Test proves the first). The polynomial has
+--  the factor x + 1 and a period of 2**31 - 1 bits, so that up to three
+--  wrong bits anywhere in an image are found too.
+
+with Interfaces;
+
+with URVOS.Memories; use URVOS.Memories;
+
+package URVOS.Image_Sums with Pure, SPARK_Mode is
+
+   --  GNAT 12 crashes when it has to check a variant at run time here. That
+   --  the recursion below ends is proven.
+   pragma Assertion_Policy (Subprogram_Variant => Ignore);
+
+   type Sum is new Interfaces.Unsigned_32;
+
+   First_Value : constant Sum := 16#FFFF_FFFF#;
+
+   Good_Image : constant Sum := 16#B798_B438#;
+
+   --  What four bits that leave the register give back to it. A table of
+   --  256 for whole bytes would be faster and fills 1 KiB.
+   subtype Four_Bits is Sum range 0 .. 15;
+
+   Given_Back : constant array (Four_Bits) of Sum :=
+     (16#0000_0000#, 16#105E_C76F#, 16#20BD_8EDE#, 16#30E3_49B1#,
+      16#417B_1DBC#, 16#5125_DAD3#, 16#61C6_9362#, 16#7198_540D#,
+      16#82F6_3B78#, 16#92A8_FC17#, 16#A24B_B5A6#, 16#B215_72C9#,
+      16#C38D_26C4#, 16#D3D3_E1AB#, 16#E330_A81A#, 16#F36E_6F75#);
+
+   function Four_Bits_On (Register : Sum) return Sum is
+     (Shift_Right (Register, 4) xor Given_Back (Register and 15))
+   with Inline;
+
+   --  The register after one more byte.
+   function Next (Register : Sum; Data : Byte) return Sum is
+     (Four_Bits_On (Four_Bits_On (Register xor Sum (Data))))
+   with Inline;
+
+   --  The register after the first Length bytes of an image. Only contracts
+   --  call it.
+   function Register_After (Item : Image; Length : Image_Length) return Sum
+   is
+     (if Length = 0 then First_Value
+      else Next (Register_After (Item, Length - 1),
+                 Item (Byte_Address (Length - 1))))
+   with
+     Subprogram_Variant => (Decreases => Length),
+     Pre                => Item'First = 0 and then Length <= Item'Length;
+
+   --  What an image keeps in its last four bytes when its register without
+   --  them is Register.
+
+   type Sum_Place is range 0 .. 3;
+
+   function Kept_Byte (Register : Sum; Place : Sum_Place) return Byte is
+     (Byte (Shift_Right (not Register, 8 * Natural (Place)) and 16#FF#));
+
+end URVOS.Image_Sums;

@@ -1,0 +1,64 @@
+--  A check of the program image that goes on byte by byte, in slices of any
+--  length (report, 2.4; TST-1, TST-3). It only reads.
+--
+--     Read (Check.Position, Data);
+--     Take_Byte (Check, Data, Outcome);
+--
+--  After the last byte the pass is counted, as good or bad, and the next one
+--  begins at the first byte. A sum tells that some byte of the whole image
+--  is wrong, not which.
+
+with URVOS.Image_Sums; use URVOS.Image_Sums;
+with URVOS.Memories;   use URVOS.Memories;
+
+generic
+   --  The last byte of the image, its sum included.
+   Last : Byte_Address;
+package URVOS.ROM_Checks with Pure, SPARK_Mode is
+
+   subtype Place is Byte_Address range 0 .. Last;
+
+   type Check is record
+      --  The byte that is wanted next, and the sum of those before it.
+      Position : Place := 0;
+      Register : Sum   := First_Value;
+
+      --  How many passes found the image right, and wrong.
+      Good_Passes : Count := 0;
+      Bad_Passes  : Count := 0;
+   end record;
+
+   New_Check : constant Check := (others => <>);
+
+   type Outcome_Kind is (Under_Way, Found_Good, Found_Bad);
+
+   --  What one more byte brings.
+   function Outcome_Of (Item : Check; Data : Byte) return Outcome_Kind is
+     (if Item.Position < Last then Under_Way
+      elsif Next (Item.Register, Data) = Good_Image then Found_Good
+      else Found_Bad);
+
+   procedure Take_Byte
+     (Item    : in out Check;
+      Data    : Byte;
+      Outcome : out Outcome_Kind)
+   with
+     Global => null,
+     Post   =>
+       Outcome = Outcome_Of (Item'Old, Data)
+       and then Item =
+         (case Outcome is
+             when Under_Way =>
+               (Item'Old with delta
+                  Position => Item'Old.Position + 1,
+                  Register => Next (Item'Old.Register, Data)),
+             when Found_Good =>
+               (New_Check with delta
+                  Good_Passes => Incremented (Item'Old.Good_Passes),
+                  Bad_Passes  => Item'Old.Bad_Passes),
+             when Found_Bad =>
+               (New_Check with delta
+                  Good_Passes => Item'Old.Good_Passes,
+                  Bad_Passes  => Incremented (Item'Old.Bad_Passes)));
+
+end URVOS.ROM_Checks;

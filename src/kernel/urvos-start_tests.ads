@@ -1,0 +1,33 @@
+--  Phase one of every start: the self-test (report, 2.4, 3.1; INI-2, TST-1,
+--  TST-2). ROM first, since the rest is no better than the program; then
+--  RAM; then the processor. It ends at the first test that fails.
+--
+--  What was in the RAM is lost. The memory that Read_RAM and Write_RAM reach
+--  is therefore not the memory of what survives a restart.
+
+with URVOS.Memories;   use URVOS.Memories;
+with URVOS.Self_Tests; use URVOS.Self_Tests;
+
+generic
+   --  The last byte of the image and the last word of the RAM.
+   Last_Byte : Byte_Address;
+   Last_Word : Word_Address;
+
+   with procedure Read_ROM (Where : Byte_Address; Data : out Byte);
+   with procedure Read_RAM (Where : Word_Address; Data : out Word);
+   with procedure Write_RAM (Where : Word_Address; Data : Word);
+package URVOS.Start_Tests with SPARK_Mode is
+
+   procedure Run (Result : out Test_Result)
+   with
+     Post =>
+       (if Result.Passed then Result = All_Passed)
+
+       --  Only these can fail: the processor's tests pass on a processor
+       --  that does what Ada says.
+       and then
+         (if not Result.Passed then Result.Failed in ROM | RAM)
+       and then (if Result.Failed /= RAM then Result.Where = 0)
+       and then Result.Where <= Last_Word;
+
+end URVOS.Start_Tests;

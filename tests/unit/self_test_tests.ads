@@ -1,0 +1,10 @@
+--  TST-1 to TST-4: what the self-test finds, and that it finds nothing where
+--  nothing is wrong.
+
+with AUnit.Test_Suites;
+
+package Self_Test_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Self_Test_Tests;
