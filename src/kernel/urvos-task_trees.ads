@@ -1,0 +1,46 @@
+--  What the application tells the operating system of its tasks (report,
+--  section 3.2; KRN-1).
+--
+--  A task tree is a list of task headers, ended by a null header or by its
+--  last place. It has as many places as there are task control blocks, so
+--  no tree is too long.
+--
+--  The report's header holds the task's starting address. Here the
+--  identification number stands for it: the application runs the task of
+--  that number when it is told to.
+
+with URVOS.Arrangements; use URVOS.Arrangements;
+with URVOS.Frames;       use URVOS.Frames;
+
+package URVOS.Task_Trees with Pure, SPARK_Mode is
+
+   --  A task's number; 0 is no task.
+   type Task_Id is range 0 .. 255;
+
+   No_Task : constant Task_Id := 0;
+
+   --  The higher, the sooner.
+   type Priority is range 0 .. 31;
+
+   type Task_Header is record
+      Id               : Task_Id  := No_Task;
+      Start_Time       : Tick     := 0;
+      Initial_Priority : Priority := 0;
+   end record;
+
+   Null_Header : constant Task_Header := (others => <>);
+
+   type Task_Tree is array (TCB_Number) of Task_Header;
+
+   Empty_Tree : constant Task_Tree := (others => (others => <>));
+
+   --  A header that has no null header at or before it.
+   function Is_In_Tree
+     (Tree  : Task_Tree;
+      Which : TCB_Number) return Boolean
+   is
+     (for all Earlier in TCB_Number'First .. Which =>
+        Tree (Earlier).Id /= No_Task)
+   with Global => null;
+
+end URVOS.Task_Trees;
