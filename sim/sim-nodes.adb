@@ -1,22 +1,28 @@
 with Devices.PWM_Board;
-with GSC;
-with MCS;
+with GSC.Virtual_Time;
+with MCS.Virtual_Time;
+with Memory_Hardware;
 with URV.PWM_Layout;
+with URVOS.Starts; use URVOS.Starts;
 
 package body Sim.Nodes is
 
    package Ground renames Standard.GSC;
    package Aircraft renames Standard.MCS;
+   package GSC_Time renames Ground.Virtual_Time;
+   package MCS_Time renames Aircraft.Virtual_Time;
 
    procedure Switch_On (Which : Node) is
    begin
       case Which is
          when GSC =>
+            Memory_Hardware.Repair (1);
             Ground.Telemetry_Board.Start;
-            Ground.Cold_Start (0);
+            GSC_Time.Start (Cold_Start, 0);
          when MCS =>
+            Memory_Hardware.Repair (2);
             Aircraft.Telemetry_Board.Start;
-            Aircraft.Cold_Start (0);
+            MCS_Time.Start (Cold_Start, 0);
       end case;
    end Switch_On;
 
@@ -31,8 +37,8 @@ package body Sim.Nodes is
    procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick) is
    begin
       case Which is
-         when GSC => Ground.Clock_Interrupt (Now);
-         when MCS => Aircraft.Clock_Interrupt (Now);
+         when GSC => GSC_Time.Clock_Interrupt (Now);
+         when MCS => MCS_Time.Clock_Interrupt (Now);
       end case;
    end Clock_Interrupt;
 
@@ -140,7 +146,7 @@ package body Sim.Nodes is
 
    function Overruns (Which : Node) return Count is
      (case Which is
-         when GSC => Ground.Executive.Overruns,
-         when MCS => Aircraft.Executive.Overruns);
+         when GSC => GSC_Time.Overruns,
+         when MCS => MCS_Time.Overruns);
 
 end Sim.Nodes;

@@ -1,46 +1,85 @@
+with URVOS.Arrangements; use URVOS.Arrangements;
+with URVOS.Schedulers;   use URVOS.Schedulers;
+
 package body URVOS.Executives
   with
     SPARK_Mode,
-    Refined_State => (Sleepers => (Wake_Ups, Late_Releases))
+    Refined_State => (Task_Management => (Tasks, Late))
 is
 
-   type Tick_Table is array (Task_Name) of Tick;
+   subtype Sound_Scheduler is Scheduler
+   with Predicate => Is_Sound (Sound_Scheduler);
 
-   Wake_Ups      : Tick_Table := (others => 0);
-   Late_Releases : Count      := 0;
+   Tasks : Sound_Scheduler := Empty_Scheduler (0);
 
-   procedure Start (Now : Clock_Tick)
-   with
-     Refined_Global => (Output => (Wake_Ups, Late_Releases))
-   is
+   Late  : Count := 0;
+
+   --  Between two ticks each task sleeps once at the most, and gives way to
+   --  each higher one once at the most before one of them sleeps.
+   Steps_Per_Tick : constant := Number_Of_TCBs * (Number_Of_TCBs + 1);
+
+   --  Gives an idle processor to the next task.
+   procedure Choose;
+
+   procedure Run_Tasks;
+
+   procedure Choose is
+      Before : constant Count := Overruns (Tasks);
    begin
-      Late_Releases := 0;
-      Wake_Ups := (others => Next_Frame (Now));
-      for Who in Task_Name loop
-         Wake_Ups (Who) := Next_Release (Now, Offsets (Who));
-         pragma Loop_Invariant
-           (for all Earlier in Task_Name'First .. Who =>
-              Wake_Ups (Earlier) = Next_Release (Now, Offsets (Earlier)));
+      Dispatch (Tasks);
+      if not Is_Idle (Tasks) and then Overruns (Tasks) /= Before then
+         Late := Incremented (Late);
+         Report_Overrun (Id_Of (Tasks, Running_TCB (Tasks)));
+      end if;
+   end Choose;
+
+   procedure Run_Tasks is
+      Caller : TCB_Number;
+      Id     : Task_Id;
+      Call   : Kernel_Call;
+   begin
+      for Number in 1 .. Steps_Per_Tick loop
+         exit when Is_Idle (Tasks);
+         Caller := Running_TCB (Tasks);
+         Id := Id_Of (Tasks, Caller);
+         Step (Id, Is_First_Run (Tasks, Caller), Clock (Tasks), Call);
+
+         case Call.Name is
+            when Kernel_Calls.Exit_Call =>
+               Schedulers.Exit_Call (Tasks);
+               exit when Running_TCB (Tasks) = Caller;
+
+            when Sleep_Call =>
+               if Has_Overrun (Tasks) then
+                  Late := Incremented (Late);
+                  Report_Overrun (Id);
+               end if;
+               Sleep (Tasks, Call.Until_Tick);
+               Choose;
+
+            when Terminate_Call =>
+               Terminate_Caller (Tasks);
+               Choose;
+         end case;
       end loop;
+   end Run_Tasks;
+
+   procedure Start (Tree : Task_Tree; Now : Clock_Tick) is
+   begin
+      Start (Tasks, Tree, Now);
+      Run_Tasks;
    end Start;
 
-   procedure Run_Due_Tasks (Now : Clock_Tick) is
+   procedure Clock_Interrupt (Now : Clock_Tick) is
    begin
-      for Who in Task_Name loop
-         if Wake_Ups (Who) <= Now then
-            if Wake_Ups (Who) < Now then
-               Late_Releases := Incremented (Late_Releases);
-            end if;
-            Run_Transaction (Who);
-            Wake_Ups (Who) := Next_Release (Now, Offsets (Who));
-         end if;
-      end loop;
-   end Run_Due_Tasks;
+      if Now >= Clock (Tasks) then
+         Wake (Tasks, Now);
+      end if;
+      Choose;
+      Run_Tasks;
+   end Clock_Interrupt;
 
-   function Wake_Up (Who : Task_Name) return Tick is (Wake_Ups (Who))
-   with Refined_Global => Wake_Ups;
-
-   function Overruns return Count is (Late_Releases)
-   with Refined_Global => Late_Releases;
+   function Overruns return Count is (Late)
+   with Refined_Global => Late;
 
 end URVOS.Executives;

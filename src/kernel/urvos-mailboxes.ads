@@ -50,6 +50,16 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Consumed (Empty_Mailbox'Result) = 0
        and then Misses (Empty_Mailbox'Result) = 0;
 
+   --  A box after a warm start: flags and count as in its first state, the
+   --  message left as an acceptable previous one (INI-8).
+   function Restarted (Box : Mailbox) return Mailbox
+   with
+     Post =>
+       Contents (Restarted'Result) = Contents (Box)
+       and then Produced (Restarted'Result) = 0
+       and then Consumed (Restarted'Result) = 0
+       and then Misses (Restarted'Result) = 0;
+
    --  Leaves Item in the box. Success is False when it replaced a message
    --  that nobody had received.
    procedure Send
@@ -108,5 +118,8 @@ private
 
    function Empty_Mailbox return Mailbox is
      ((Data => Neutral, Producer => 0, Consumer => 0, Missed => 0));
+
+   function Restarted (Box : Mailbox) return Mailbox is
+     ((Data => Box.Data, Producer => 0, Consumer => 0, Missed => 0));
 
 end URVOS.Mailboxes;

@@ -12,6 +12,8 @@ is
 
       procedure Reset;
 
+      procedure Restart;
+
       function Snapshot return Boxes.Mailbox;
 
    private
@@ -35,6 +37,11 @@ is
          Contents := Boxes.Empty_Mailbox;
       end Reset;
 
+      procedure Restart is
+      begin
+         Contents := Boxes.Restarted (Contents);
+      end Restart;
+
       function Snapshot return Boxes.Mailbox is (Contents);
 
    end Guarded_Box;
@@ -53,6 +60,11 @@ is
    begin
       Guarded_Box.Reset;
    end Reset;
+
+   procedure Restart is
+   begin
+      Guarded_Box.Restart;
+   end Restart;
 
    procedure Inspect (Snapshot : out Boxes.Mailbox) is
    begin

@@ -32,6 +32,10 @@ is
    procedure Reset
    with Global => (In_Out => Box);
 
+   --  The same, but that the message stays: a warm start.
+   procedure Restart
+   with Global => (In_Out => Box);
+
    --  The box as it stands, for whoever watches over the node.
    procedure Inspect (Snapshot : out Boxes.Mailbox)
    with

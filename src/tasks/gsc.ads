@@ -4,12 +4,18 @@
 --  each task which of them it consumes and produces.
 
 with Devices.Shared_AD_Board;
+with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Shared_CORE_Memory;
+with Devices.Shared_RAM;
+with Devices.Shared_ROM;
 with Telemetry.Shared_Boards;
 with URVOS;        use URVOS;
-with URVOS.Executives;
 with URVOS.Frames; use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
+with URVOS.Start_Phases;
+with URVOS.Start_Tests;
+with URVOS.Starts; use URVOS.Starts;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 with URV.AD_Task;
 with URV.ADINT_Handler;
 with URV.Buffers;  use URV.Buffers;
@@ -18,7 +24,10 @@ with URV.CORE_Task;
 with URV.GDCOUT_Task;
 with URV.GDCIN_Task;
 with URV.LOG_Task;
+with URV.Self_Test_Task;
 with URV.Shared_Errors;
+with URV.Shared_Status;
+with URV.Start_Records;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 
@@ -34,6 +43,10 @@ package GSC with SPARK_Mode is
      (Role            => Telemetry.Ground,
       Transmit_Length => URV.Codecs.Uplink.Block_Length,
       Receive_Length  => URV.Codecs.Downlink.Block_Length);
+
+   package ROM is new Devices.Shared_ROM (Board => 1);
+
+   package RAM is new Devices.Shared_RAM (Board => 1);
 
    --  Variables, each with one producer and one consumer
 
@@ -56,6 +69,8 @@ package GSC with SPARK_Mode is
      (Uplink_Buffer, Neutral_Uplink);
 
    package Errors is new URV.Shared_Errors;
+
+   package Status is new URV.Shared_Status;
 
    --  Tasks
 
@@ -88,6 +103,7 @@ package GSC with SPARK_Mode is
      (Receive_AD  => AD_Variable.Receive,
       Send_Uplink => Uplink_Variable.Send,
       Send_TELOUT => TELOUT_Variable.Send,
+      Read_Status => Status.Read,
       Report      => Errors.Report);
 
    package TELOUT is new URV.TELOUT_Task
@@ -111,34 +127,119 @@ package GSC with SPARK_Mode is
       Inspect_Log    => Errors.Inspect,
       Write_Status   => CORE_Memory.Write_Status);
 
-   --  When they run (FRM-2, SET-1)
+   --  What the check of the program memory has found (TST-3, TST-4).
+
+   procedure Write_ROM_Result (Good_Passes, Bad_Passes : Count);
+
+   procedure Report_ROM_Failure (Detail : Word);
+
+   package SELF_TEST is new URV.Self_Test_Task
+     (Last            => Last_ROM_Byte,
+      Bytes_Per_Frame => 64,
+      Read_ROM        => ROM.Read,
+      Write_Result    => Write_ROM_Result,
+      Report_Failure  => Report_ROM_Failure);
+
+   --  When they run (FRM-2, SET-1). Of tasks due at the same tick the first
+   --  named has the highest priority.
 
    type Task_Name is
-     (AD_Task, TELIN_Task, GDCIN_Task, GDCOUT_Task,
-      TELOUT_Task, CORE_Task, LOG_Task);
+     (AD_Task,
+      TELIN_Task,
+      GDCIN_Task,
+      GDCOUT_Task,
+      TELOUT_Task,
+      CORE_Task,
+      LOG_Task,
+      SELF_TEST_Task);
 
    type Offset_Table is array (Task_Name) of Minor_Frame;
 
    Offsets : constant Offset_Table :=
-     (AD_Task     => 0,
-      TELIN_Task  => 0,
-      GDCIN_Task  => 1,
-      GDCOUT_Task => 1,
-      TELOUT_Task => 2,
-      CORE_Task   => 4,
-      LOG_Task    => 5);
+     (AD_Task        => 0,
+      TELIN_Task     => 0,
+      GDCIN_Task     => 1,
+      GDCOUT_Task    => 1,
+      TELOUT_Task    => 2,
+      CORE_Task      => 4,
+      LOG_Task       => 5,
+      SELF_TEST_Task => 6);
 
-   procedure Run_Transaction (Who : Task_Name);
+   function Id_Of (Who : Task_Name) return Task_Id is
+     (Task_Name'Pos (Who) + 1);
 
-   package Executive is new URVOS.Executives
-     (Task_Name, Offset_Table, Offsets, Run_Transaction);
+   function Is_Task (Id : Task_Id) return Boolean is
+     (Id in Id_Of (Task_Name'First) .. Id_Of (Task_Name'Last));
 
-   --  Power up (INI-1, INI-3 to INI-8). The telemetry board starts by
-   --  itself. The tasks begin with the next major frame.
-   procedure Cold_Start (Now : Clock_Tick);
+   function Task_Of (Id : Task_Id) return Task_Name is
+     (Task_Name'Val (Id - 1))
+   with Pre => Is_Task (Id);
 
-   --  The clock has ticked.
-   procedure Clock_Interrupt (Now : Clock_Tick);
+   --  The header of a task that begins at once, with its initialisation.
+   function Header (Who : Task_Name; Now : Clock_Tick) return Task_Header is
+     ((Id               => Id_Of (Who),
+       Start_Time       => Now,
+       Initial_Priority => Priority'Last - Task_Name'Pos (Who)));
+
+   function Task_Tree_Of (Now : Clock_Tick) return Task_Tree is
+     ((1 => Header (AD_Task, Now),
+       2 => Header (TELIN_Task, Now),
+       3 => Header (GDCIN_Task, Now),
+       4 => Header (GDCOUT_Task, Now),
+       5 => Header (TELOUT_Task, Now),
+       6 => Header (CORE_Task, Now),
+       7 => Header (LOG_Task, Now),
+       8 => Header (SELF_TEST_Task, Now),
+       others => Null_Header));
+
+   --  A task's next step: its initialisation, or the transaction of a frame.
+   procedure Run_Step (Who : Task_Name; First_Run : Boolean);
+
+   --  How the node starts (INI-1 to INI-8). The telemetry board starts by
+   --  itself.
+
+   package Start_Test is new URVOS.Start_Tests
+     (Last_Byte => Last_ROM_Byte,
+      Last_Word => Last_RAM_Word,
+      Read_ROM  => ROM.Read,
+      Read_RAM  => RAM.Read,
+      Write_RAM => RAM.Write);
+
+   package Start_Record is new URV.Start_Records
+     (Inspect_CORE => CORE_Memory.Inspect,
+      Write_Status => CORE_Memory.Write_Status,
+      Report       => Errors.Report);
+
+   --  The controller's routine of each start condition.
+
+   --  Power up: CORE and the error log cleared, nothing has been
+   --  sent or received.
+   procedure Cold_Start;
+
+   --  The reset switch, or an unexpected exception: CORE, error log
+   --  and the last messages stay, all flags and counts start anew.
+   procedure Warm_Start;
+
+   --  The node stays silent after a failed self-test. The aircraft is sent
+   --  nothing, CORE's status is on the ground (TST-4).
+   procedure Refuse_Start is null;
+
+   --  Self-test and the controller's routine; the task tree is empty after a
+   --  failed self-test.
+   package Start_Phases is new URVOS.Start_Phases
+     (Test              => Start_Test.Run,
+      Record_Start      => Start_Record.Record_Start,
+      Refuse            => Refuse_Start,
+      Cold_Start        => Cold_Start,
+      Warm_Reset        => Warm_Start,
+      Processor_Restart => Warm_Start,
+      Set_Time          => Errors.Set_Time);
+
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean)
+     renames Start_Phases.Run;
 
    --  The A/D board has converted a channel.
    procedure AD_Interrupt renames ADINT.Handle_Interrupt;

@@ -1,22 +1,55 @@
+with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;
+with URV.Errors; use URV.Errors;
+with URV.Routing;
 
 package body MCS with SPARK_Mode is
 
-   procedure Run_Transaction (Who : Task_Name) is
-   begin
-      case Who is
-         when AD_Task     => AD.Run_Transaction;
-         when TELIN_Task  => TELIN.Run_Transaction;
-         when MDCIN_Task  => MDCIN.Run_Transaction;
-         when MDCOUT_Task => MDCOUT.Run_Transaction;
-         when PWM_Task    => PWM.Run_Transaction;
-         when TELOUT_Task => TELOUT.Run_Transaction;
-         when CORE_Task   => CORE.Run_Transaction;
-         when LOG_Task    => LOG.Run_Transaction;
-      end case;
-   end Run_Transaction;
+   --  A count in one word.
+   function To_Word (Number : Count) return Word is
+     (if Number > Count (Word'Last) then Word'Last else Word (Number));
 
-   procedure Cold_Start (Now : Clock_Tick) is
+   procedure Write_ROM_Result (Good_Passes, Bad_Passes : Count) is
+   begin
+      CORE_Memory.Write_Status
+        ((ROM_Passes   => To_Word (Good_Passes),
+          ROM_Failures => To_Word (Bad_Passes)));
+      if Bad_Passes > 0 then
+         Status.Write (ROM_Differs);
+      end if;
+   end Write_ROM_Result;
+
+   procedure Report_ROM_Failure (Detail : Word) is
+   begin
+      Errors.Report (ROM_Check_Failed, Detail);
+   end Report_ROM_Failure;
+
+   procedure Run_Step (Who : Task_Name; First_Run : Boolean) is
+   begin
+      if First_Run then
+         case Who is
+            when AD_Task        => AD.Initialise;
+            when TELIN_Task     => TELIN.Initialise;
+            when CORE_Task      => CORE.Initialise;
+            when SELF_TEST_Task => SELF_TEST.Initialise;
+            when others         => null;
+         end case;
+      else
+         case Who is
+            when AD_Task        => AD.Run_Transaction;
+            when TELIN_Task     => TELIN.Run_Transaction;
+            when MDCIN_Task     => MDCIN.Run_Transaction;
+            when MDCOUT_Task    => MDCOUT.Run_Transaction;
+            when PWM_Task       => PWM.Run_Transaction;
+            when TELOUT_Task    => TELOUT.Run_Transaction;
+            when CORE_Task      => CORE.Run_Transaction;
+            when LOG_Task       => LOG.Run_Transaction;
+            when SELF_TEST_Task => SELF_TEST.Run_Transaction;
+         end case;
+      end if;
+   end Run_Step;
+
+   procedure Cold_Start is
    begin
       --  Boards
       PWM_Board.Write (Devices.PWM_Board.Neutral_Area);
@@ -33,22 +66,42 @@ package body MCS with SPARK_Mode is
       TELOUT_Variable.Reset;
       PWM_Variable.Reset;
 
-      --  Error log
-      Errors.Set_Time (Now);
+      --  Error log and status
       Errors.Clear;
       LOG.Forget;
-
-      --  Tasks
-      AD.Initialise;
-      TELIN.Initialise;
-      CORE.Initialise;
-      Executive.Start (Now);
+      Status.Write (No_Error);
    end Cold_Start;
 
-   procedure Clock_Interrupt (Now : Clock_Tick) is
+   procedure Warm_Start is
    begin
-      Errors.Set_Time (Now);
-      Executive.Run_Due_Tasks (Now);
-   end Clock_Interrupt;
+      --  Boards
+      Telemetry_Board.Clear_Transmit_Half;
+      AD_Board.Initialise;
+
+      --  Variables
+      ADINT_Variable.Restart;
+      AD_Variable.Restart;
+      TELIN_Variable.Restart;
+      Uplink_Variable.Restart;
+      Downlink_Variable.Restart;
+      TELOUT_Variable.Restart;
+      PWM_Variable.Restart;
+
+      Status.Write (No_Error);
+   end Warm_Start;
+
+   procedure Refuse_Start is
+      Overwrote : Boolean;
+   begin
+      Telemetry_Board.Clear_Transmit_Half;
+      Telemetry_Board.Put
+        (URV.Codecs.Downlink.Encode
+           (URV.Routing.Marked
+              (Neutral_Downlink, URV.Buffers.Self_Test_Failed)),
+         Overwrote);
+      if Overwrote then
+         Errors.Report (TELOUT_Overwrote_Block, 0);
+      end if;
+   end Refuse_Start;
 
 end MCS;

@@ -15,10 +15,13 @@ package URV.Buffers with Pure, SPARK_Mode is
    --  zero degrees.
    Neutral_Value : constant Converter_Value := 16#800#;
 
-   --  The value of the error/status word: nothing wrong, or the words
-   --  before it are those of an earlier frame (report, 4.1.3).
-   No_Error   : constant Word := 0;
-   Stale_Data : constant Word := 1;
+   --  The bits of the error/status word. The first is the converter's: the
+   --  words before it are those of an earlier frame (report, 4.1.3). The
+   --  others are the node's that sends them (TST-4).
+   No_Error         : constant Word := 0;
+   Stale_Data       : constant Word := 1;
+   ROM_Differs      : constant Word := 2;
+   Self_Test_Failed : constant Word := 4;
 
    --  What the analog-to-digital board samples in one scan.
    type Channel is range 0 .. 31;

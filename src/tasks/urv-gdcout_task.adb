@@ -6,13 +6,15 @@ package body URV.GDCOUT_Task with SPARK_Mode is
       Image   : AD_Image;
       Fresh   : Boolean;
       Success : Boolean;
+      Status  : Word;
       Item    : Uplink_Buffer;
    begin
       Receive_AD (Image, Fresh);
       if not Fresh then
          Report (No_Image, 0);
       end if;
-      Item := Routing.To_Uplink (Image);
+      Read_Status (Status);
+      Item := Routing.Marked (Routing.To_Uplink (Image), Status);
 
       Send_Uplink (Item, Success);
       if not Success then

@@ -3,6 +3,7 @@
 --
 --  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A
 --  frame with nothing new passes on the stick data before.
+--  Adds the node's own bits to the error/status word (TST-4).
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
@@ -13,6 +14,7 @@ generic
    with procedure Send_Uplink
      (Item : Uplink_Buffer; Success : out Boolean);
    with procedure Send_TELOUT (Item : Uplink_Buffer; Success : out Boolean);
+   with procedure Read_Status (Bits : out Word);
    with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.GDCOUT_Task with SPARK_Mode is
 

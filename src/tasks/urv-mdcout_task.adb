@@ -6,13 +6,15 @@ package body URV.MDCOUT_Task with SPARK_Mode is
       Image   : AD_Image;
       Fresh   : Boolean;
       Success : Boolean;
+      Status  : Word;
       Item    : Downlink_Buffer;
    begin
       Receive_AD (Image, Fresh);
       if not Fresh then
          Report (No_Image, 0);
       end if;
-      Item := Routing.To_Downlink (Image);
+      Read_Status (Status);
+      Item := Routing.Marked (Routing.To_Downlink (Image), Status);
 
       Send_Downlink (Item, Success);
       if not Success then

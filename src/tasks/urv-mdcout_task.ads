@@ -3,6 +3,7 @@
 --
 --  Consumes AD_variable, produces downlink_variable and TELOUT_variable. A
 --  frame with nothing new passes on the sensor data before.
+--  Adds the node's own bits to the error/status word (TST-4).
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
@@ -13,6 +14,7 @@ generic
    with procedure Send_Downlink
      (Item : Downlink_Buffer; Success : out Boolean);
    with procedure Send_TELOUT (Item : Downlink_Buffer; Success : out Boolean);
+   with procedure Read_Status (Bits : out Word);
    with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.MDCOUT_Task with SPARK_Mode is
 

@@ -29,6 +29,20 @@ package URV.Routing with Pure, SPARK_Mode is
           To_Downlink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Downlink'Result (Error_Status) = Image.Error_Status;
 
+   --  A buffer with the node's own bits in its error/status word (TST-4).
+
+   function Marked
+     (Source : Uplink_Buffer;
+      Status : Word) return Uplink_Buffer
+   is
+     ((Source with delta Error_Status => Source (Error_Status) or Status));
+
+   function Marked
+     (Source : Downlink_Buffer;
+      Status : Word) return Downlink_Buffer
+   is
+     ((Source with delta Error_Status => Source (Error_Status) or Status));
+
    --  The image of a scan, stamped with whether it is of this frame (AD-1).
    function Stamped
      (Words : Channel_Words;

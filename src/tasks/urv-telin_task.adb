@@ -1,14 +1,16 @@
 package body URV.TELIN_Task
   with
     SPARK_Mode,
-    Refined_State => (Previous => TELIN_Buffer)
+    Refined_State => (Previous => (TELIN_Buffer, Has_Message))
 is
 
    TELIN_Buffer : Message := Neutral;
+   Has_Message  : Boolean := False;
 
    procedure Initialise is
    begin
       TELIN_Buffer := Neutral;
+      Has_Message := False;
    end Initialise;
 
    procedure Run_Transaction is
@@ -21,11 +23,12 @@ is
 
       if Fresh then
          TELIN_Buffer := Decode (Data);
+         Has_Message := True;
       elsif Ever_Received then
          Report (TELIN_No_Block, 0);
       end if;
 
-      if Ever_Received then
+      if Has_Message then
          Send_TELIN (TELIN_Buffer, Success);
          if not Success then
             Report (Input_Not_Consumed, 0);

@@ -3,7 +3,9 @@
 --
 --  Consumes the board's receive buffers, produces TELIN_variable. A frame
 --  with nothing new passes on the message before; until the board has
---  received its first message nothing is sent.
+--  received its first message nothing is sent. Nor is it after a restart
+--  until a message has come: the one before the restart is lost, and what
+--  stands for it would reach the servos.
 
 with Telemetry;  use Telemetry;
 with URVOS;      use URVOS;

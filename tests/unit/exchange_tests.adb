@@ -26,13 +26,13 @@ package body Exchange_Tests is
      (Input_Up.Receive, Uplink.Send, Commands.Send, Report);
 
    package MDCOUT is new URV.MDCOUT_Task
-     (Image.Receive, Downlink.Send, Output_Down.Send, Report);
+     (Image.Receive, Downlink.Send, Output_Down.Send, Read_Status, Report);
 
    package GDCIN is new URV.GDCIN_Task
      (Input_Down.Receive, Downlink.Send, Report);
 
    package GDCOUT is new URV.GDCOUT_Task
-     (Image.Receive, Uplink.Send, Output_Up.Send, Report);
+     (Image.Receive, Uplink.Send, Output_Up.Send, Read_Status, Report);
 
    -----------------
    -- Aircraft_In --
@@ -128,6 +128,10 @@ package body Exchange_Tests is
       Expect_Number ("sent to CORE", Downlink.Sent, 1);
       Expect_Number ("sent to TELOUT", Output_Down.Sent, 1);
       Expect_Errors ("fresh image", None);
+
+      Status := 16#8#;
+      MDCOUT.Run_Transaction;
+      Expect ("with the node's own", Downlink.Kept (Error_Status), 16#7F#);
    end Aircraft_Out;
 
    ----------------------

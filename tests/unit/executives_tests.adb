@@ -1,44 +1,91 @@
-with Checks;           use Checks;
+with Checks;             use Checks;
 with Expect_Value;
-with Expectations;     use Expectations;
+with Expectations;       use Expectations;
 with GSC;
 with MCS;
-with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Executives;
+with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 package body Executives_Tests is
 
    --  The tests, in order.
    procedure Offsets;
+   procedure Trees;
    procedure Each_Frame;
    procedure Overruns;
    procedure Same_Tick_Twice;
    procedure End_Of_Time;
+   procedure Gives_Way;
+   procedure Ends;
 
-   type Task_Name is (Early, Late, Later);
-   type Offset_Table is array (Task_Name) of Minor_Frame;
+   --  Three tasks that sleep as the nodes' do, one that calls EXIT three
+   --  times in a frame, one that ends.
+   Early  : constant Task_Id := 1;
+   Late   : constant Task_Id := 2;
+   Later  : constant Task_Id := 3;
+   Polite : constant Task_Id := 4;
+   Mortal : constant Task_Id := 5;
 
-   procedure Run (Who : Task_Name);
+   Offset_Of : constant array (Early .. Mortal) of Minor_Frame :=
+     (Early => 0, Late => 4, Later => 4, Polite => 0, Mortal => 0);
 
-   package Executive is new URVOS.Executives
-     (Task_Name, Offset_Table, (Early => 0, Late => 4, Later => 4), Run);
+   Exits : Natural := 0;
 
-   procedure Expect is new Expect_Value (Task_Name);
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
+
+   procedure Report_Overrun (Who : Task_Id);
+
+   package Executive is new URVOS.Executives (Step, Report_Overrun);
+
+   procedure Expect is new Expect_Value (Task_Id);
 
    --  What ran since it was last looked at, in order.
-   type Name_List is array (1 .. 100) of Task_Name;
-   History : Name_List;
+   type Id_List is array (1 .. 100) of Task_Id;
+   History : Id_List;
    Ran     : Natural := 0;
 
-   ---------
-   -- Run --
-   ---------
+   Last_Overrun : Task_Id := No_Task;
 
-   procedure Run (Who : Task_Name) is
+   --  The three tasks, loaded at a tick.
+   procedure Start (Now : Clock_Tick);
+
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call) is
    begin
-      Ran           := Ran + 1;
-      History (Ran) := Who;
-   end Run;
+      Call := (Sleep_Call, Next_Release (Now, Offset_Of (Who)));
+      if not First_Run then
+         Ran           := Ran + 1;
+         History (Ran) := Who;
+         if Who = Polite and then Exits < 3 then
+            Exits := Exits + 1;
+            Call  := (Name => Exit_Call, others => <>);
+         elsif Who = Mortal then
+            Call := (Name => Terminate_Call, others => <>);
+         end if;
+      end if;
+   end Step;
+
+   procedure Report_Overrun (Who : Task_Id) is
+   begin
+      Last_Overrun := Who;
+   end Report_Overrun;
+
+   procedure Start (Now : Clock_Tick) is
+   begin
+      Executive.Start
+        (((Early, Now, 3), (Late, Now, 2), (Later, Now, 1),
+          others => Null_Header), Now);
+   end Start;
 
    -------------
    -- Offsets --
@@ -61,14 +108,56 @@ package body Executives_Tests is
       Expect_Number ("GSC TELOUT", Integer (GSC.Offsets (GSC.TELOUT_Task)), 2);
       Expect_Number ("GSC CORE", Integer (GSC.Offsets (GSC.CORE_Task)), 4);
 
-      --  The log, which the report leaves for later.
+      --  The log and the check of the program memory, which the report
+      --  leaves for later.
       Expect_Number ("MCS LOG", Integer (MCS.Offsets (MCS.LOG_Task)), 5);
       Expect_Number ("GSC LOG", Integer (GSC.Offsets (GSC.LOG_Task)), 5);
+      Expect_Number
+        ("MCS test", Integer (MCS.Offsets (MCS.SELF_TEST_Task)), 6);
+      Expect_Number
+        ("GSC test", Integer (GSC.Offsets (GSC.SELF_TEST_Task)), 6);
 
       --  SET-1: these tasks and no others.
-      Expect_Number ("tasks of MCS", MCS.Offsets'Length, 8);
-      Expect_Number ("tasks of GSC", GSC.Offsets'Length, 7);
+      Expect_Number ("tasks of MCS", MCS.Offsets'Length, 9);
+      Expect_Number ("tasks of GSC", GSC.Offsets'Length, 8);
    end Offsets;
+
+   -----------
+   -- Trees --
+   -----------
+
+   procedure Trees is
+      use MCS;
+      Seen : Natural;
+   begin
+      --  However many processors there are, each task is in one tree, once,
+      --  with its priority; a node has no other tasks.
+      for Processors in Processor_Number loop
+         for Who in MCS.Task_Name loop
+            Seen := 0;
+            for Which in Processor_Number loop
+               for Header of MCS.Task_Tree_Of (Processors, Which, 7) loop
+                  if Header.Id = MCS.Id_Of (Who) then
+                     Seen := Seen + 1;
+                     Expect_Number
+                       ("priority of " & Who'Image,
+                        Integer (Header.Initial_Priority),
+                        31 - MCS.Task_Name'Pos (Who));
+                     Expect_Number
+                       ("start", Integer (Header.Start_Time), 7);
+                  end if;
+               end loop;
+            end loop;
+            Expect_Number (Who'Image & Processors'Image, Seen, 1);
+         end loop;
+      end loop;
+      for Which in 1 .. 8 loop
+         Expect
+           ("header" & Which'Image,
+            GSC.Task_Tree_Of (0) (TCB_Number (Which)).Id, Task_Id (Which));
+      end loop;
+      Expect ("end", GSC.Task_Tree_Of (0) (TCB_Number (9)).Id, No_Task);
+   end Trees;
 
    ----------------
    -- Each_Frame --
@@ -76,10 +165,12 @@ package body Executives_Tests is
 
    procedure Each_Frame is
    begin
-      Executive.Start (7);
+      Ran := 0;
+      Start (7);
+      Expect_Number ("only initialised", Ran, 0);
       for Now in Tick range 8 .. 59 loop
          Ran := 0;
-         Executive.Run_Due_Tasks (Now);
+         Executive.Clock_Interrupt (Now);
          if Now < 10 then
             Expect_Number ("before the first frame", Ran, 0);
          elsif Now mod 10 = 0 then
@@ -93,7 +184,6 @@ package body Executives_Tests is
             Expect_Number ("tick" & Now'Image, Ran, 0);
          end if;
       end loop;
-      Expect ("overruns", Executive.Overruns, 0);
    end Each_Frame;
 
    --------------
@@ -101,39 +191,39 @@ package body Executives_Tests is
    --------------
 
    procedure Overruns is
+      Before : constant Natural := Natural (Executive.Overruns);
+
+      procedure Expect_Overruns (Number : Natural);
+
+      procedure Expect_Overruns (Number : Natural) is
+      begin
+         Expect_Number
+           ("overruns", Natural (Executive.Overruns) - Before, Number);
+      end Expect_Overruns;
    begin
-      Executive.Start (0);
+      Start (0);
       Ran := 0;
 
       --  The processor was busy at tick 10.
-      Executive.Run_Due_Tasks (11);
+      Executive.Clock_Interrupt (11);
       Expect_Number ("released late", Ran, 1);
-      Expect ("overruns", Executive.Overruns, 1);
-      Expect ("next release", Executive.Wake_Up (Early), 20);
+      Expect_Overruns (1);
+      Expect ("who", Last_Overrun, Early);
 
       Ran := 0;
-      Executive.Run_Due_Tasks (14);
+      Executive.Clock_Interrupt (14);
       Expect_Number ("in time", Ran, 2);
-      Expect ("overruns", Executive.Overruns, 1);
+      Expect_Overruns (1);
 
       --  It was busy for more than a frame: each task runs once, late, and
-      --  then in its place again.
+      --  then in its place again. Each has also missed its next release.
       Ran := 0;
-      Executive.Run_Due_Tasks (37);
+      Executive.Clock_Interrupt (37);
       Expect_Number ("released late", Ran, 3);
-      Expect ("overruns", Executive.Overruns, 4);
-      Expect ("next release", Executive.Wake_Up (Early), 40);
-      Expect ("next release", Executive.Wake_Up (Later), 44);
-
-      --  At the very last tick of its frame a task is late, too.
-      Ran := 0;
-      Executive.Run_Due_Tasks (49);
-      Expect ("overruns", Executive.Overruns, 7);
-      Expect ("next release", Executive.Wake_Up (Late), 54);
-
-      Executive.Start (60);
-      Expect ("overruns after a start", Executive.Overruns, 0);
-      Expect ("release after a start", Executive.Wake_Up (Late), 74);
+      Expect_Overruns (7);
+      Executive.Clock_Interrupt (40);
+      Expect_Number ("in time again", Ran, 4);
+      Expect_Overruns (7);
    end Overruns;
 
    ---------------------
@@ -142,10 +232,15 @@ package body Executives_Tests is
 
    procedure Same_Tick_Twice is
    begin
-      Executive.Start (0);
+      Start (0);
       Ran := 0;
-      Executive.Run_Due_Tasks (10);
-      Executive.Run_Due_Tasks (10);
+      Executive.Clock_Interrupt (10);
+      Executive.Clock_Interrupt (10);
+      Expect_Number ("runs", Ran, 1);
+
+      --  Nor does a clock that runs back release anybody.
+      Executive.Clock_Interrupt (3);
+      Executive.Clock_Interrupt (10);
       Expect_Number ("runs", Ran, 1);
    end Same_Tick_Twice;
 
@@ -155,16 +250,61 @@ package body Executives_Tests is
 
    procedure End_Of_Time is
    begin
-      Executive.Start (Last_Tick - 10);
+      Start (Last_Tick - 10);
       Ran := 0;
-      Executive.Run_Due_Tasks (Last_Tick - 9);
-      Executive.Run_Due_Tasks (Last_Tick - 5);
+      Executive.Clock_Interrupt (Last_Tick - 9);
+      Executive.Clock_Interrupt (Last_Tick - 5);
       Expect_Number ("in the last frame", Ran, 3);
       Ran := 0;
-      Executive.Run_Due_Tasks (Last_Tick);
-      Executive.Run_Due_Tasks (Last_Tick);
+      Executive.Clock_Interrupt (Last_Tick);
+      Executive.Clock_Interrupt (Last_Tick);
       Expect_Number ("at the last tick", Ran, 0);
    end End_Of_Time;
+
+   ---------------
+   -- Gives_Way --
+   ---------------
+
+   procedure Gives_Way is
+   begin
+      --  The polite task has the lowest priority: with nobody above it that
+      --  is ready it has the processor back, at the next tick.
+      Executive.Start
+        (((Polite, 0, 1), (Early, 0, 3), others => Null_Header), 0);
+      Exits := 0;
+      Ran := 0;
+      Executive.Clock_Interrupt (10);
+      Expect_Number ("runs at tick 10", Ran, 2);
+      Expect ("first", History (1), Early);
+      Expect ("then", History (2), Polite);
+      Executive.Clock_Interrupt (11);
+      Expect_Number ("runs on at tick 11", Ran, 3);
+
+      --  It still polls when the other is due again, and gives way to it.
+      Ran := 0;
+      Executive.Clock_Interrupt (20);
+      Expect_Number ("runs at tick 20", Ran, 3);
+      Expect ("first", History (1), Polite);
+      Expect ("then", History (2), Early);
+      Expect ("and again", History (3), Polite);
+   end Gives_Way;
+
+   ----------
+   -- Ends --
+   ----------
+
+   procedure Ends is
+   begin
+      Executive.Start
+        (((Mortal, 0, 5), (Early, 0, 3), others => Null_Header), 0);
+      Ran := 0;
+      Executive.Clock_Interrupt (10);
+      Executive.Clock_Interrupt (20);
+      Expect_Number ("runs", Ran, 3);
+      Expect ("first", History (1), Mortal);
+      Expect ("second", History (2), Early);
+      Expect ("third", History (3), Early);
+   end Ends;
 
    ------------
    -- Add_To --
@@ -176,7 +316,10 @@ package body Executives_Tests is
         (Suite, "FRM-2 SET-1 both nodes release their tasks at the offsets",
          Offsets'Access);
       Add
-        (Suite, "FRM-3 each task runs once a major frame, at its offset",
+        (Suite, "KRN-1 KRN-5 each task is in one processor's tree, once",
+         Trees'Access);
+      Add
+        (Suite, "FRM-3 KRN-3 each task runs once a major frame, at its offset",
          Each_Frame'Access);
       Add
         (Suite, "FRM-3 a task runs once, however often its tick is told",
@@ -187,6 +330,12 @@ package body Executives_Tests is
       Add
         (Suite, "FRM-4 a task released late is counted and comes back",
          Overruns'Access);
+      Add
+        (Suite, "KRN-2 a task that calls EXIT gives way to higher ones only",
+         Gives_Way'Access);
+      Add
+        (Suite, "KRN-4 a task that ends never runs again",
+         Ends'Access);
    end Add_To;
 
 end Executives_Tests;

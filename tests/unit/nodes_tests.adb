@@ -3,12 +3,14 @@ with Devices.AD_Board;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
 with Expectations;        use Expectations;
-with GSC;
-with MCS;
+with GSC.Virtual_Time;
+with MCS.Virtual_Time;
+with Memory_Hardware;
 with Telemetry.Boards;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
+with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;     use URV.CORE_Layout;
 with URV.Errors;          use URV.Errors;
@@ -115,6 +117,8 @@ package body Nodes_Tests is
 
    procedure Switch_On is
    begin
+      Memory_Hardware.Repair (1);
+      Memory_Hardware.Repair (2);
       Now         := 0;
       Link_Is_Cut := False;
       MCS_Stalls  := False;
@@ -123,9 +127,9 @@ package body Nodes_Tests is
       for Switch in Switch_Item loop
          Console (Channel (Switch_Item'Pos (Switch))) := 0;
       end loop;
-      GSC.Cold_Start (0);
+      GSC.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
       GSC.Telemetry_Board.Start;
-      MCS.Cold_Start (0);
+      MCS.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
       MCS.Telemetry_Board.Start;
    end Switch_On;
 
@@ -184,9 +188,9 @@ package body Nodes_Tests is
       Characters : constant := 20;
    begin
       Now := Advanced (Now);
-      GSC.Clock_Interrupt (Now);
+      GSC.Virtual_Time.Clock_Interrupt (Now);
       if Now >= 3 then
-         MCS.Clock_Interrupt (Now - 3);
+         MCS.Virtual_Time.Clock_Interrupt (Now - 3);
       end if;
       Convert;
       for Time in 1 .. Characters loop
@@ -278,8 +282,8 @@ package body Nodes_Tests is
       Expect ("discretes", Servos (14), 0);
       Expect ("unused channel", Servos (15), 16#800#);
       Expect ("unused channel", Servos (16), 16#800#);
-      Expect ("overruns of GSC", GSC.Executive.Overruns, 0);
-      Expect ("overruns of MCS", MCS.Executive.Overruns, 0);
+      Expect ("overruns of GSC", GSC.Virtual_Time.Overruns, 0);
+      Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, 0);
    end Data_Through;
 
    ----------------
@@ -514,8 +518,8 @@ package body Nodes_Tests is
       Link_Is_Cut := True;
       Fly (4);
       Now := 0;
-      MCS.Cold_Start (0);
-      GSC.Cold_Start (0);
+      MCS.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
+      GSC.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
       Fly (4);
       for Item in Uplink_Item loop
          Expect

@@ -8,6 +8,7 @@ package body Task_Doubles is
 
    procedure Clear is
    begin
+      Status := 0;
       Words.Clear;
       Image.Clear;
       Input_Up.Clear;
@@ -20,6 +21,15 @@ package body Task_Doubles is
       Errors := (others => 0);
       Last_Detail := 0;
    end Clear;
+
+   -----------------
+   -- Read_Status --
+   -----------------
+
+   procedure Read_Status (Bits : out Word) is
+   begin
+      Bits := Status;
+   end Read_Status;
 
    ------------
    -- Report --

@@ -31,6 +31,11 @@ package Task_Doubles is
    package Commands is
      new Recorded_Variables (Uplink_Buffer, Neutral_Uplink);
 
+   --  The node's own bits of the error/status word; Clear clears them.
+   Status : Word := 0;
+
+   procedure Read_Status (Bits : out Word);
+
    --  The errors reported since Clear, and the last one's detail.
    type Error_Counts is array (Error_Kind) of Count;
    Errors      : Error_Counts := (others => 0);
