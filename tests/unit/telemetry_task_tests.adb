@@ -225,7 +225,7 @@ package body Telemetry_Task_Tests is
         (Suite, "TIN-1 a message that nobody took is reported",
          Not_Consumed'Access);
       Add
-        (Suite, "INI-8 TIN-1 after a start nothing goes on until a message comes",
+        (Suite, "INI-8 TIN-1 a start sends nothing on until a message comes",
          Cold_Again'Access);
       Add (Suite, "TOU-1 a new message goes to the board", New_Output'Access);
       Add
