@@ -58,27 +58,34 @@ def unread(text):
     return [line for line in left if line]
 
 
-def with_tests(text, tests_of):
-    """The same text with each requirement's TESTS as given, by its UID."""
+def with_links(text, links_of):
+    """The same text with other links: `links_of` gives for a UID the names
+    of each of the fields CODE, THEOREMS and TESTS. What is Open and has
+    tests is Open no more."""
 
     def renewed(node):
+        uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
+        links = links_of(uid)
         kept = "".join(
             field[0] for field in FIELD_ON_LINE.finditer(node[1])
-            if field["name"] != "TESTS")
-        uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
-        return f"[REQUIREMENT]\n{kept}{field_of(tests_of.get(uid, ()))}\n"
+            if field["name"] not in links
+            and not (field["name"] == "STATUS" and links["TESTS"]))
+        fields = "".join(map(field_of, links.items()))
+        return f"[REQUIREMENT]\n{kept}{fields}\n"
 
     return NODE.sub(renewed, text)
 
 
-def field_of(tests):
-    if not tests:
+def field_of(field):
+    """A field as the file has it; nothing for one without names."""
+    name, links = field
+    if not links:
         return ""
-    line = "TESTS: " + ", ".join(sorted(tests)) + "\n"
+    line = f"{name}: {', '.join(links)}\n"
     if len(line) <= 80:
         return line
-    wrapped = textwrap.fill(", ".join(sorted(tests)), 79)
-    return f"TESTS: >>>\n{wrapped}\n<<<\n"
+    wrapped = textwrap.fill(", ".join(links), 79)
+    return f"{name}: >>>\n{wrapped}\n<<<\n"
 
 
 def with_relations(text, relations_of):

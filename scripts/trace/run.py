@@ -2,8 +2,8 @@
 """Requirements linked to code, theorems and tests, and back.
 
     scripts/trace/run.py check     says what is missing; exit status 1 if so
-    scripts/trace/run.py tests     writes TESTS of every requirement anew,
-                                   after the tests' names
+    scripts/trace/run.py renew     writes the links that comments and tests'
+                                   names call for into the requirements
     scripts/trace/run.py export [FOLDER]
                                    HTML by StrictDoc, in trace/ or FOLDER
 """
@@ -73,11 +73,24 @@ def report():
     return bool(found)
 
 
-def write_tests():
+def renew():
+    """Write the links that comments and tests' names call for.
+
+    A link to a unit is added, unless there is one to a part of it. None to
+    code or theorems is taken away: what leads nowhere is for a person.
+    """
     repository = gaps.Repository(ROOT)
-    tests_of = {item.uid: repository.tested_in(item.uid)
-                for item in repository.requirements}
-    text = requirements_file.with_tests(repository.text, tests_of)
+    by_uid = {item.uid: item for item in repository.requirements}
+
+    def links_of(uid):
+        item = by_uid[uid]
+        links = {"CODE": list(item.code), "THEOREMS": list(item.theorems),
+                 "TESTS": sorted(repository.tested_in(uid))}
+        for kind, unit in repository.unlinked(item):
+            links[kind].append(unit)
+        return links
+
+    text = requirements_file.with_links(repository.text, links_of)
     (ROOT / requirements_file.FILE).write_text(text, encoding="utf-8")
 
 
@@ -120,9 +133,9 @@ def main(arguments):
     match arguments:
         case ["check"]:
             return report()
-        case ["tests"]:
-            write_tests()
-            return 0
+        case ["renew"]:
+            renew()
+            return report()
         case ["export"]:
             return export(ROOT / "trace") | report()
         case ["export", folder]:

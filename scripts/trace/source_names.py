@@ -71,7 +71,7 @@ def end_of(text, start):
     return place
 
 
-@dataclass
+@dataclass(eq=False)
 class Unit:
     """A library unit: its files, the names it declares with their places,
     and the requirements its comments name."""

@@ -51,7 +51,7 @@ PLANTED = {
         REQUIREMENTS, "CODE: scripts/trace/gaps.py", "CODE: scripts/gaps.py",
         "EVI-1: CODE names scripts/gaps.py, which does not exist"),
     "a theorem for nothing": (
-        REQUIREMENTS, "Theorems.Silence.Live_On,", "",
+        REQUIREMENTS, "Theorems.Silence.Live_On", "",
         "no requirement's THEOREMS names Theorems.Silence.Live_On"),
     "code for nothing": (
         REQUIREMENTS, "CODE: URV.TELIN_Task\n", "CODE: URV.TELOUT_Task\n",
