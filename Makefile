@@ -1,6 +1,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test prove explore fuzz campaign theory bench size clean
+.PHONY: help fly test prove explore fuzz campaign theory bench size trace \
+        clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -15,6 +16,7 @@ help:
 	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
 	@echo "             spoil the link in every way, check that it recovers"
 	@echo "make theory  measure the link under bit errors beside theory"
+	@echo "make trace   requirements with their links, as HTML in trace/"
 	@echo "make clean   remove what was built"
 
 fly:
@@ -67,5 +69,9 @@ theory:
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@python3 scripts/campaign/theory.py
 
+trace:
+	@scripts/setup.sh trace
+	@.venv/bin/python scripts/trace/run.py export
+
 clean:
-	@rm -rf obj bin flight bench campaign
+	@rm -rf obj bin flight bench campaign trace

@@ -1,5 +1,6 @@
 --  From one end to the other: what goes in at a converter comes out at the
---  other node, through routing, codec, transform and layout.
+--  other node, through routing, codec, transform and layout (BUF-1, BUF-2,
+--  PWM-2, D-2).
 
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz
+#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -18,7 +18,8 @@ case $target in
           requirements="sim/jsbsim/requirements.txt" ;;
    test)  packages="$simulate libaunit22-dev afl++ binutils gcc python3
                     python3-venv"
-          requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt
+                        scripts/trace/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
    campaign)
@@ -32,6 +33,8 @@ case $target in
           requirements="" ;;
    fuzz)  packages="$build gcc afl++"
           requirements="" ;;
+   trace) packages="python3 python3-venv"
+          requirements="scripts/trace/requirements.txt" ;;
    *)     echo "setup: no such target: $target" >&2
           exit 2 ;;
 esac
@@ -101,7 +104,7 @@ else
 fi
 
 # The virtual environment: made again when its Python went away, filled
-# again when a list of requirements changed.
+# again when a list of requirements changed. Each list is complete.
 for list in $requirements; do
    if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
       rm -rf .venv
@@ -111,7 +114,7 @@ for list in $requirements; do
    if ! cmp -s "$list" "$done_list"; then
       echo "setup: installing $list"
       .venv/bin/python -m pip install --quiet \
-         --disable-pip-version-check -r "$list"
+         --disable-pip-version-check --no-deps -r "$list"
       cp "$list" "$done_list"
    fi
 done

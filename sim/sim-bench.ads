@@ -1,5 +1,5 @@
 --  The bench: the surfaces follow the servos with a lag, every other sensor
---  is held at what it was last set to.
+--  is held at what it was last set to (SIM-1).
 --
 --  The lag is computed in whole numbers, so that it is the same everywhere.
 

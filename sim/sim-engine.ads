@@ -1,4 +1,5 @@
---  Both nodes, their boards' hardware and the serial link, in virtual time.
+--  Both nodes, their boards' hardware and the serial link, in virtual time
+--  (SIM-1, SIM-2).
 --
 --  The engine jumps from event to event: clock ticks of 2 ms, conversions
 --  of 16 us, characters of 96 us, the telemetry boards' time-outs. Between

@@ -1,5 +1,5 @@
 --  A script of what goes wrong in a flight, read from a file (--faults)
---  and checked before the flight begins.
+--  and checked before the flight begins (SIM-2).
 --
 --  The whole grammar is read. Kinds of fault that nothing in the
 --  simulation can yet do are refused, see Supported.

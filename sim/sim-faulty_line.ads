@@ -1,5 +1,5 @@
 --  The serial link between the two DUARTs, with the faults of a script:
---  what arrives of each character that is sent.
+--  what arrives of each character that is sent (SIM-2).
 --
 --  Several faults at once act together: masks are combined, and a lost
 --  character stays lost, whatever was to come with it. Where nothing is

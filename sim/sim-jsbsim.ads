@@ -1,5 +1,5 @@
 --  The aircraft, flown by JSBSim in another process in lock-step with the
---  simulation. There is one.
+--  simulation (SIM-3). There is one.
 --
 --  The other process is Python with sim/jsbsim/plant.py. It sees and gives
 --  engineering units; the words are converted here. It ends with the

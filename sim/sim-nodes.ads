@@ -1,5 +1,5 @@
 --  The nodes as the engine drives them: one call for either node. Whatever
---  differs between the two is told apart here.
+--  differs between the two is told apart here (SIM-1).
 
 with Devices.AD_Board;
 with Devices.CORE_Memory;

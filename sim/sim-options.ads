@@ -1,5 +1,6 @@
 --  The command line of urv_sim: what was asked for, and the text that
---  explains it. Whatever is wrong with it raises Bad_Input.
+--  explains it. Whatever is wrong with it raises Bad_Input (SIM-1).
+--  --phase is the phase between the two nodes' clocks (D-12).
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 

@@ -1,4 +1,4 @@
---  The simulated pilot at the console.
+--  The simulated pilot at the console (SIM-3).
 --
 --  The pilot knows the flight by heart and sees what the ground's CORE
 --  memory shows: words that are late, rounded, and sometimes not renewed.

@@ -1,4 +1,5 @@
---  The processor board's own ROM and RAM, each word or byte by its address.
+--  The processor board's own ROM and RAM, each word or byte by its address
+--  (TST-1).
 --
 --  The memories are outside the flight software: what is imported here is
 --  the bus. The simulation's memories (sim/memory) are behind it on a host;

@@ -1,4 +1,5 @@
---  An analog-to-digital board between the controller and its hardware.
+--  An analog-to-digital board between the controller and its hardware
+--  (report, 4.1, 4.2; AD-1, ADI-1).
 
 with URVOS;            use URVOS;
 with Devices.AD_Board; use Devices.AD_Board;

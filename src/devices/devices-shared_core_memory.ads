@@ -1,4 +1,5 @@
---  A CORE memory between the controller and its readers.
+--  A CORE memory between the controller and its readers (report, 4.3;
+--  COR-1).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 

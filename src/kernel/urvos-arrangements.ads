@@ -1,4 +1,5 @@
---  The order in which the task control blocks stand in their queues.
+--  The order in which the task control blocks stand in their queues (report,
+--  3.2; KRN-1).
 --
 --  All TCBs stand in one row, each at one place. The queues are stretches
 --  of that row, so that a TCB is in exactly one queue, whatever happens:

@@ -1,4 +1,5 @@
---  Time as the operating system counts it (report, section 2.2).
+--  Time as the operating system counts it (report, section 2.2; FRM-1 to
+--  FRM-3).
 --
 --  One clock tick is one minor frame of 2 ms. Ten minor frames make a major
 --  frame of 20 ms, the period of every task.

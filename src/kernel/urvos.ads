@@ -10,7 +10,7 @@ package URVOS with Pure, SPARK_Mode is
    --  What the serial link carries.
    type Byte is new Interfaces.Unsigned_8;
 
-   --  What the boards and the buffers hold.
+   --  What the boards and the buffers hold (BUF-3).
    type Word is new Interfaces.Unsigned_16;
 
    --  How often something happened. A count that reaches its last value

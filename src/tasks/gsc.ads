@@ -1,7 +1,7 @@
 --  GSC: the ground station core (report, section 5, figure 2).
 --
 --  This is the wiring: the boards, the variables between the tasks, and for
---  each task which of them it consumes and produces.
+--  each task which of them it consumes and produces (SET-2).
 
 with Devices.Shared_AD_Board;
 with Devices.Memory_Bus; use Devices.Memory_Bus;

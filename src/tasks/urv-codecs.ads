@@ -1,4 +1,5 @@
---  The two buffers on the wire: 28 bytes up, 56 bytes down (D-3, D-5).
+--  The two buffers on the wire: 28 bytes up, 56 bytes down (BUF-1, BUF-2,
+--  D-3, D-5).
 
 with URV.Buffers; use URV.Buffers;
 with URV.Word_Codecs;

@@ -1,4 +1,5 @@
---  From the pilot's commands to the servos (report, 4.8.4, figure 13).
+--  From the pilot's commands to the servos (report, 4.8.4, figure 13; PWM-2,
+--  D-2).
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;

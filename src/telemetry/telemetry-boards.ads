@@ -8,7 +8,8 @@
 --  When a board that waits hears nothing for the dead space it resets
 --  itself. The ground, before it starts afresh, stays idle until it has
 --  heard nothing for longer than the aircraft's dead space: by then the
---  aircraft has reset itself too (LNK-9; docs/link.md has the argument).
+--  aircraft has reset itself too (LNK-9, D-7; docs/link.md has the
+--  argument).
 
 with Telemetry.Checksum;
 with Telemetry.Headers;   use Telemetry.Headers;

@@ -1,5 +1,6 @@
 --  The transmitting half of the board's software, for one block: header,
---  data, checksum, character by character (report, appendix A.3).
+--  data, checksum, character by character (report, appendix A.3;
+--  LNK-3).
 
 with Telemetry.Checksum;
 with Telemetry.Headers; use Telemetry.Headers;

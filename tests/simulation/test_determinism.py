@@ -1,4 +1,5 @@
-"""The same command gives the same bytes, whatever the clock on the wall."""
+"""SIM-1: the same command gives the same bytes, whatever the clock on the
+wall."""
 
 import pytest
 from conftest import COMMANDS, SENSORS, different_rows, script

@@ -1,5 +1,5 @@
-"""The exhaustive exploration of both boards finds nothing, and finds bugs
-that were planted (issue 3; docs/exploration.md)."""
+"""LNK-9: the exhaustive exploration of both boards finds nothing, and finds
+bugs that were planted (docs/exploration.md)."""
 
 import re
 import shutil

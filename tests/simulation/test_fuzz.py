@@ -1,6 +1,6 @@
-"""Every input of the fuzzing corpus is replayed with contracts executed, and
-AFL++ looks for more for a short while (docs/exploration.md). For longer:
-`make fuzz`."""
+"""LNK-1, LNK-9: every input of the fuzzing corpus is replayed with contracts
+executed, and AFL++ looks for more for a short while (docs/exploration.md).
+For longer: `make fuzz`."""
 
 import shutil
 import subprocess

@@ -1,5 +1,5 @@
-"""What urv_sim reads: good input is taken as promised; bad input gives one
-line on standard error and exit status 2, and no output file."""
+"""SIM-1: what urv_sim reads. Good input is taken as promised; bad input gives
+one line on standard error and exit status 2, and no output file."""
 
 import os
 

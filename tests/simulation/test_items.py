@@ -1,4 +1,5 @@
-"""`urv_sim items` and the table in docs/items.md say the same."""
+"""`urv_sim items` and the table in docs/items.md say the same (BUF-1, BUF-2,
+PWM-2)."""
 
 from conftest import COMMANDS, ROOT, SENSORS, SERVOS
 

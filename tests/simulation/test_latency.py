@@ -1,5 +1,5 @@
 """How long a change at the console takes to the PWM board, to the
-microsecond, at every phase. docs/design.md derives the same."""
+microsecond, at every phase (FRM-2, D-12). docs/design.md derives the same."""
 
 import pytest
 from conftest import COMMANDS, NEUTRAL, fly_in, transformed

@@ -1,4 +1,5 @@
-"""Delivery, retries and latency under bit errors are what theory says."""
+"""LNK-6, SIM-2: delivery, retries and latency under bit errors are what
+theory says."""
 
 import math
 import sys

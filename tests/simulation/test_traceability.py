@@ -1,40 +1,139 @@
-"""Every requirement has a test of its name, and no test names another."""
+"""EVI-1: requirements, code, theorems and tests are linked to each other, and
+a link that is missing or leads nowhere is found."""
 
-import re
-from pathlib import Path
+import shutil
+import subprocess
+import sys
 
-ROOT = Path(__file__).resolve().parents[2]
-IDENTIFIER = re.compile(r"\b(?:FRM|INI|TST|BUF|KRN|MBX|SEM|ADI|AD|COR|TIN|TOU"
-                        r"|MDI|MDO|GDI|GDO|PWM|SET|LNK|SIM|EXT|D)-\d+\b")
+import pytest
+from conftest import ROOT
 
-# Shown by the compiler and the proof alone, as their rows say.
-SHOWN_OTHERWISE = {"SET-2", "MBX-5"}
+TRACE = ROOT / "scripts" / "trace"
+sys.path.insert(0, str(TRACE))
+
+import gaps  # noqa: E402
+import requirements_file  # noqa: E402
+
+REQUIREMENTS = requirements_file.FILE
+
+UNTESTED = """[REQUIREMENT]
+UID: SIM-99
+TITLE: Nothing
+STATEMENT: Nothing.
+CODE: Sim.Engine
+
+"""
+
+# What is changed in which file, and what must be found then.
+PLANTED = {
+    "a requirement without a test": (
+        REQUIREMENTS, "[REQUIREMENT]\nUID: SIM-1\n",
+        UNTESTED + "[REQUIREMENT]\nUID: SIM-1\n",
+        "SIM-99: no test names it"),
+    "a requirement without code": (
+        REQUIREMENTS, "CODE: URV.TELIN_Task\n", "",
+        "TIN-1: names no CODE"),
+    "an identifier twice": (
+        REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-1\n", "SIM-1: stands twice"),
+    "a line that is no field": (
+        REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-2\nNonsense\n",
+        f"{REQUIREMENTS}: cannot be read: Nonsense"),
+    "a link to no unit": (
+        REQUIREMENTS, "CODE: URV.TELIN_Task\n", "CODE: URV.TELLIN_Task\n",
+        "TIN-1: CODE names URV.TELLIN_Task, which does not exist"),
+    "a link to no declaration": (
+        REQUIREMENTS, "URV.Routing.To_Downlink", "URV.Routing.To_Nowhere",
+        "CODE names URV.Routing.To_Nowhere, which does not exist"),
+    "a link to no theorem": (
+        REQUIREMENTS, "Theorems.Silence.Live_On", "Theorems.Silence.Live",
+        "LNK-9: THEOREMS names Theorems.Silence.Live, which does not exist"),
+    "a link to no file": (
+        REQUIREMENTS, "CODE: scripts/trace/gaps.py", "CODE: scripts/gaps.py",
+        "EVI-1: CODE names scripts/gaps.py, which does not exist"),
+    "a theorem for nothing": (
+        REQUIREMENTS, "Theorems.Silence.Live_On", "",
+        "no requirement's THEOREMS names Theorems.Silence.Live_On"),
+    "code for nothing": (
+        REQUIREMENTS, "CODE: URV.TELIN_Task\n", "CODE: URV.TELOUT_Task\n",
+        "src/tasks/urv-telin_task.ads: no requirement's CODE names it"),
+    "code that names its requirement no more": (
+        "src/tasks/urv-telin_task.ads", "TIN-1", "TIN",
+        "TIN-1: CODE names URV.TELIN_Task, but no comment of URV.TELIN_Task"
+        " names TIN-1"),
+    "code that names no requirement": (
+        "src/tasks/urv-telin_task.ads", "TIN-1", "TIN-77",
+        "src/tasks/urv-telin_task.ads: names TIN-77, which is no requirement"),
+    "a test in Ada of nothing": (
+        "tests/unit/headers_tests.adb", '"D-6 ', '"',
+        "names no requirement"),
+    "a test in Ada of no requirement": (
+        "tests/unit/headers_tests.adb", '"D-6 ', '"D-66 ',
+        "names D-66, which is none"),
+    "a test whose name is not in the text": (
+        "tests/unit/headers_tests.adb", '(Suite, "', '(Suite, Prefix & "',
+        "names no requirement"),
+    "tests in Ada that are not run": (
+        "tests/unit/all_tests.adb", "Headers_Tests.Add_To (Result);", "",
+        "tests/unit/headers_tests.adb: all_tests.adb does not run it"),
+    "a test in Python of nothing": (
+        "tests/simulation/test_wire.py", "(LNK-1, LNK-2, LNK-3)", "",
+        '"test_lnk_nothing_is_sent_twice_scrapped_or_reset" names no'),
+    "a test in Python of no requirement": (
+        "tests/simulation/test_wire.py", "def test_d5_", "def test_d55_",
+        "names D-55, which is none"),
+}
 
 
-def listed():
-    """Identifiers of the table of requirements, and of all tables."""
-    text = (ROOT / "docs" / "requirements.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| ([A-Z]+-\d+) \|", text, re.M)
-    decisions = {row for row in rows if row.startswith("D-")}
-    return set(rows) - decisions, decisions
+@pytest.fixture(scope="module")
+def copied(tmp_path_factory):
+    """A copy of what is looked at."""
+    folder = tmp_path_factory.mktemp("trace")
+    for name in ("src", "proofs", "sim", "real_time", "tests", "docs",
+                 "scripts"):
+        if (ROOT / name).exists():
+            shutil.copytree(
+                ROOT / name, folder / name,
+                ignore=shutil.ignore_patterns("sessions", "__pycache__"))
+    return folder
 
 
-def named_in_tests():
-    names = ""
-    for source in (ROOT / "tests" / "unit").glob("*.adb"):
-        names += " ".join(re.findall(r'"([^"]*)"',
-                                     source.read_text(encoding="utf-8")))
-    for source in (ROOT / "tests" / "simulation").glob("test_*.py"):
-        if source != Path(__file__):
-            names += source.read_text(encoding="utf-8")
-    return set(IDENTIFIER.findall(names))
+def test_nothing_is_missing():
+    assert gaps.all_gaps(ROOT) == []
 
 
-def test_every_requirement_has_a_test():
-    requirements, _ = listed()
-    assert requirements - named_in_tests() - SHOWN_OTHERWISE == set()
+@pytest.mark.parametrize("what", PLANTED)
+def test_a_planted_gap_is_found(copied, what):
+    name, text, instead, expected = PLANTED[what]
+    file = copied / name
+    original = file.read_text(encoding="utf-8")
+    assert text in original
+    try:
+        file.write_text(original.replace(text, instead), encoding="utf-8")
+        found = gaps.all_gaps(copied)
+    finally:
+        file.write_text(original, encoding="utf-8")
+    assert any(expected in gap for gap in found), found
 
 
-def test_no_test_names_what_is_not_required():
-    requirements, decisions = listed()
-    assert named_in_tests() - requirements - decisions == set()
+def test_each_file_of_tests_is_missed():
+    names = list(gaps.Repository(ROOT).tests)
+    assert len(names) > 30
+    for name in names:
+        repository = gaps.Repository(ROOT)
+        del repository.tests[name]
+        assert any(f"TESTS names {name}, which does not exist" in gap
+                   for gap in gaps.requirement_gaps(repository)), name
+
+
+def test_strictdoc_shows_the_links_both_ways(tmp_path):
+    html = tmp_path / "html"
+    result = subprocess.run(
+        [sys.executable, TRACE / "run.py", "export", html],
+        capture_output=True, text=True, check=False)
+    assert f"{html}/index.html shows" in result.stdout, result.stdout
+    requirements = next(html.glob("*/requirements.html")).read_text("utf-8")
+    for link in ("src/tasks/urv-telin_task.ads", "tests/unit/ad_tests.adb",
+                 "proofs/theorems-silence.ads", "tests/simulation/test_wire.py"):
+        page = html / "_source_files" / f"{link}.html"
+        assert link in requirements
+        assert "requirements.html" in page.read_text("utf-8")

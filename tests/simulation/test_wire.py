@@ -78,7 +78,7 @@ def test_lnk2_messages_take_their_turns_without_a_retry(flight):
         assert order == exchange, f"frame {frame}"
 
 
-def test_lnk1_one_character_at_a_time(flight):
+def test_lnk1_d4_one_character_at_a_time(flight):
     times = [item.time_us for item in flight.wire]
     gaps = {later - earlier for earlier, later in zip(times, times[1:])}
     assert min(gaps) == CHARACTER_US

@@ -273,7 +273,7 @@ package body Codecs_Tests is
         (Suite, "GDO-1 13 channels and the error word make an uplink",
          Image_Uplink'Access);
       Add
-        (Suite, "MDO-1 27 channels and the error word make a downlink",
+        (Suite, "MDO-1 D-1 27 channels and the error word make a downlink",
          Image_Downlink'Access);
       Add
         (Suite, "AD-1 the error word says whether the scan is fresh",

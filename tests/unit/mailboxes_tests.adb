@@ -325,7 +325,7 @@ package body Mailboxes_Tests is
         (Suite, "MBX-2 an unconsumed message is overwritten and counted once",
          Overwrite'Access);
       Add
-        (Suite, "MBX-3 before the first message, receiving is a miss",
+        (Suite, "MBX-3 MBX-5 before the first message, receiving misses",
          Receive_Unsent'Access);
       Add
         (Suite, "MBX-3 a message is fresh once, then old and a miss",

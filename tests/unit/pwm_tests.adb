@@ -248,7 +248,7 @@ package body PWM_Tests is
         (Suite, "PWM-2 neutral commands are neutral servos",
          Neutral_All'Access);
       Add
-        (Suite, "PWM-2 each servo follows its command and no other",
+        (Suite, "PWM-2 D-2 each servo follows its command and no other",
          Each_Command'Access);
       Add
         (Suite, "D-10 switch n is bit n - 1, switch 8 sets the flaps too",

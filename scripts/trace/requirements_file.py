@@ -1,0 +1,107 @@
+"""The requirements, as docs/requirements.sdoc has them.
+
+A reader for what that file uses of StrictDoc's format, so that the check
+needs nothing installed. `make trace` has StrictDoc read the same file.
+"""
+
+import re
+import textwrap
+from dataclasses import dataclass
+
+FILE = "docs/requirements.sdoc"
+
+NODE = re.compile(r"^\[REQUIREMENT\]\n(.*?)(?=^\[|\Z)", re.M | re.S)
+FIELD_ON_LINE = re.compile(
+    r"^(?P<name>[A-Z]+): (?:>>>\n(?P<block>.*?)\n<<<|(?P<line>[^\n]*))\n",
+    re.M | re.S)
+
+
+@dataclass
+class Requirement:
+    """One requirement and what it is linked to, by name."""
+
+    uid: str
+    is_open: bool
+    code: list
+    theorems: list
+    tests: list
+
+
+def names(text):
+    """The names of a list with commas, on as many lines as it takes."""
+    return text.replace(",", " ").split()
+
+
+def parsed(text):
+    """The requirements in the text of docs/requirements.sdoc, in order."""
+    found = []
+    for node in NODE.finditer(text):
+        fields = {
+            field["name"]: field["block"] or field["line"]
+            for field in FIELD_ON_LINE.finditer(node[1])
+        }
+        found.append(Requirement(
+            uid=fields["UID"],
+            is_open=fields.get("STATUS") == "Open",
+            code=names(fields.get("CODE", "")),
+            theorems=names(fields.get("THEOREMS", "")),
+            tests=names(fields.get("TESTS", "")),
+        ))
+    return found
+
+
+def unread(text):
+    """Lines of requirements that are no field, so that no link is lost."""
+    left = []
+    for node in NODE.finditer(text):
+        left += FIELD_ON_LINE.sub("", node[1]).split("\n")
+    return [line for line in left if line]
+
+
+def with_links(text, links_of):
+    """The same text with other links: `links_of` gives for a UID the names
+    of each of the fields CODE, THEOREMS and TESTS. What is Open and has
+    tests is Open no more."""
+
+    def renewed(node):
+        uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
+        links = links_of(uid)
+        kept = "".join(
+            field[0] for field in FIELD_ON_LINE.finditer(node[1])
+            if field["name"] not in links
+            and not (field["name"] == "STATUS" and links["TESTS"]))
+        fields = "".join(map(field_of, links.items()))
+        return f"[REQUIREMENT]\n{kept}{fields}\n"
+
+    return NODE.sub(renewed, text)
+
+
+def field_of(field):
+    """A field as the file has it; nothing for one without names."""
+    name, links = field
+    if not links:
+        return ""
+    line = f"{name}: {', '.join(links)}\n"
+    if len(line) <= 80:
+        return line
+    wrapped = textwrap.fill(", ".join(links), 79)
+    return f"{name}: >>>\n{wrapped}\n<<<\n"
+
+
+def with_relations(text, relations_of):
+    """The same text with StrictDoc's relations to files.
+
+    `relations_of` gives for a UID the role, file, first and last line of
+    each.
+    """
+
+    def related(node):
+        uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
+        relations = relations_of(uid)
+        lines = ["RELATIONS:"] if relations else []
+        for role, file, first, last in relations:
+            lines += ["- TYPE: File", f"  ROLE: {role}", f"  PATH: {file}",
+                      f"  LINE_RANGE: {first}, {last}"]
+        return "\n".join([node[0].rstrip("\n"), *lines]) + "\n\n"
+
+    return NODE.sub(related, text)
