@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz
+#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|mutate
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -18,6 +18,9 @@ case $target in
           requirements="sim/jsbsim/requirements.txt" ;;
    test)  packages="$simulate libaunit22-dev afl++ binutils gcc python3
                     python3-venv"
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
+   mutate)
+          packages="$simulate libaunit22-dev binutils python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
