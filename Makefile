@@ -1,7 +1,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly test prove explore fuzz campaign theory bench size trace \
-        clean
+        mutate clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -10,6 +10,7 @@ help:
 	@echo "make test    run every test"
 	@echo "make prove   prove src and proofs, renew the proof record"
 	@echo "make explore explore both telemetry boards exhaustively"
+	@echo "make mutate  change the code in small ways, see who notices, JOBS=N"
 	@echo "make fuzz    fuzz a telemetry board, SECONDS=60"
 	@echo "make bench   compare the simulation's speed with C's"
 	@echo "make size    static data of each node's flight software"
@@ -38,6 +39,13 @@ explore:
 	@scripts/setup.sh explore
 	@$(GPRBUILD) -P explore/urv_explore.gpr -XURV_Mode=host
 	@bin/urv_explore
+
+# Goes on where it stopped. One worker, unless JOBS says more.
+MUTATE_JOBS = $(if $(filter command%,$(origin JOBS)),$(JOBS),1)
+mutate:
+	@scripts/setup.sh mutate
+	@.venv/bin/python scripts/mutation/run.py --jobs $(MUTATE_JOBS)
+	@.venv/bin/python scripts/mutation/report.py table
 
 SECONDS := 60
 

@@ -7,7 +7,8 @@
            anew in a copy, and compares the checks
 
 Proved means: no check unproved or justified, no pragma Assume, no error or
-warning of the analysis, every source of src and proofs analysed as SPARK.
+warning of the analysis, every source of src and proofs analysed as SPARK,
+and none of the false claims of proofs/canaries proved.
 Exit status: 0 yes; 1 no, each reason on a line of its own.
 """
 
@@ -21,6 +22,8 @@ import sys
 import tempfile
 from collections import Counter, defaultdict
 from pathlib import Path
+
+import proof_canaries
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "proofs" / "record.json"
@@ -45,7 +48,8 @@ def sha256(data):
 
 def sources(root):
     """Every Ada source of the proof, by its path in the repository."""
-    paths = (p for f in FOLDERS for p in (root / f).rglob("*.ad[sb]"))
+    paths = {p for f in FOLDERS for p in (root / f).rglob("*.ad[sb]")}
+    paths -= {*proof_canaries.sources(root)}
     return {p.relative_to(root).as_posix(): p for p in sorted(paths)}
 
 
@@ -53,6 +57,15 @@ def hashes(root):
     """The hash of every file that decides what is to be proved."""
     files = {**sources(root), CONFIGURATION: root / CONFIGURATION}
     return {name: sha256(path.read_bytes()) for name, path in files.items()}
+
+
+def canary_hashes(root):
+    """The hash of every file of the claims that must not be proved."""
+    folder = proof_canaries.FOLDER
+    return {
+        path.relative_to(root).as_posix(): sha256(path.read_bytes())
+        for path in sorted((root / folder).glob("*.*"))
+    }
 
 
 def unit_of(name):
@@ -189,6 +202,7 @@ def write_record(proof):
         "checks": proof.total(),
         "goals_by_prover": dict(sorted(proof.provers.items())),
         "configuration": configuration,
+        "canaries": canary_hashes(ROOT),
         "units": units,
     }
     RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
@@ -205,10 +219,10 @@ def tidy_sessions(proof):
 
 def compare_sources(record):
     """Differences between the sources and those the record was made of."""
-    recorded = dict(record["configuration"])
+    recorded = {**record["configuration"], **record.get("canaries", {})}
     for unit in record["units"].values():
         recorded.update(unit["files"])
-    present = hashes(ROOT)
+    present = {**hashes(ROOT), **canary_hashes(ROOT)}
     for name in sorted({*recorded, *present}):
         if name not in present:
             yield f"{name}: removed since it was proved"
@@ -229,10 +243,20 @@ def compare_checks(record, proof):
             yield f"{unit}: checks {now}, recorded {recorded.get(unit)}"
 
 
+def canaries_alive(root):
+    """Claims that were proved and must not be, or fail for other reasons."""
+    failures = proof_canaries.failures(root)
+    if not failures:
+        number = len(proof_canaries.expected(root))
+        print(f"proof: {number} false claims, none proved")
+    return failures
+
+
 def proof_anew():
     """A proof in a copy: each prover proves its goals of the sessions again.
 
     If that does not do, with other provers say, the sessions are dropped.
+    The canaries have none.
     """
     with tempfile.TemporaryDirectory(prefix="urv-proof-") as folder:
         for name in FOLDERS:
@@ -243,6 +267,8 @@ def proof_anew():
         if proof.failures:
             shutil.rmtree(Path(folder, "proofs", "sessions"), True)
             proof = Proof(Path(folder))
+        if not proof.failures:
+            proof.failures += canaries_alive(Path(folder))
         return proof
 
 
@@ -250,6 +276,8 @@ def prove():
     if not shutil.which("gnatprove"):
         return ["gnatprove is not on the PATH"]
     proof = Proof(ROOT)
+    if not proof.failures:
+        proof.failures += canaries_alive(ROOT)
     if not proof.failures:
         tidy_sessions(proof)
         write_record(proof)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace
+#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace|
+#                    mutate
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -20,6 +21,9 @@ case $target in
                     python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt" ;;
+   mutate)
+          packages="$simulate libaunit22-dev binutils python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
    campaign)

@@ -38,7 +38,6 @@ package body All_Tests is
       Board_Memory_Tests.Add_To (Result);
       Receivers_Tests.Add_To (Result);
       Senders_Tests.Add_To (Result);
-      Link_Tests.Add_To (Result);
       Buffers_Tests.Add_To (Result);
       Codecs_Tests.Add_To (Result);
       AD_Tests.Add_To (Result);
@@ -49,6 +48,9 @@ package body All_Tests is
       LOG_Task_Tests.Add_To (Result);
       Self_Test_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
+
+      --  These take the longest.
+      Link_Tests.Add_To (Result);
       return Result;
    end Suite;
 

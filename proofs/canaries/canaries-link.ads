@@ -1,0 +1,84 @@
+--  Claims about the real telemetry board that go one too far.
+
+with Telemetry;           use Telemetry;
+with Telemetry.Boards;    use Telemetry.Boards;
+with Telemetry.Checksum;  use Telemetry.Checksum;
+with Telemetry.Headers;   use Telemetry.Headers;
+with Telemetry.Memory;    use Telemetry.Memory;
+with Telemetry.Receivers; use Telemetry.Receivers;
+with Telemetry.Senders;   use Telemetry.Senders;
+with Theorems.Link;       use Theorems.Link;
+with Theorems.Silence;    use Theorems.Silence;
+with URVOS;               use URVOS;
+
+package Canaries.Link with Pure, SPARK_Mode, Ghost is
+
+   --  Headers differ in four bits, some in no more.
+   procedure Headers_Are_Farther_Apart (Left, Right : Byte)
+   with
+     Global => null,
+     Pre    =>
+       Is_Valid (Left) and then Is_Valid (Right) and then Left /= Right,
+     Post   => Weight (Left xor Right) >= 5;  --  VC_POSTCONDITION
+
+   --  Two bytes can make up for each other.
+   procedure Two_Steps_Tell_Apart (Left, Right : Byte; Data, Other : Byte)
+   with
+     Global => null,
+     Pre    => Left /= Right and then Data /= Other,
+     Post   =>
+       Next (Left, Data) /= Next (Right, Other);  --  VC_POSTCONDITION
+
+   --  An aircraft that has waited for one character time less than its dead
+   --  space still waits.
+   procedure Ground_Need_Not_Wait (Item : in out Board)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Item.Role = Aircraft
+       and then not Is_Talking (Item),
+     Post   =>
+       Is_Sound (Item)
+       and then At_Rest (Item);  --  VC_POSTCONDITION
+
+   --  A good checksum is no good after a parity error.
+   procedure Last_Byte_Fills_The_Buffer
+     (Item         : in out Receiver;
+      Pair         : in out Buffer_Pair;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Outcome      : out Event)
+   with
+     Global => null,
+     Pre    =>
+       Fits (Item, Pair, Length => 28)
+       and then Item.State = In_Data
+       and then Item.Received = 28
+       and then Data = Item.Sum
+       and then not Item.Damaged,
+     Post   => Outcome.Kind = Block_Good;  --  VC_POSTCONDITION
+
+   --  The header comes first, and every byte of the data one place later.
+   procedure Every_Character_Is_Data
+     (Item   : in out Sender;
+      Data   : Block_Data;
+      Output : out Byte)
+   with
+     Global => null,
+     Pre    =>
+       Fits (Item, Data, Length => 28)
+       and then Item.Sent <= 28
+       and then Data (1) = 16#1E#,
+     Post   =>
+       Output = (if Item.Sent <= 2 then 16#1E#  --  VC_POSTCONDITION
+                 else Data (Byte_Index (Item.Sent)));
+
+   --  Of two full buffers, one is filled anew.
+   procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair)
+   with
+     Global => null,
+     Pre    => not Pair.Slots (Pair.Newest).Busy,
+     Post   => not Pair.Slots (To_Fill (Pair)).Full;  --  VC_POSTCONDITION
+
+end Canaries.Link;

@@ -1,0 +1,30 @@
+--  Claims about the real mailbox. What a contract of the flight software
+--  says too much is a false claim here that would be proved.
+
+with URVOS; use URVOS;
+with URVOS.Mailboxes;
+
+package Canaries.Mailboxes with Pure, SPARK_Mode is
+
+   package Boxes is new URVOS.Mailboxes (Message => Word, Neutral => 0);
+   use Boxes;
+
+   --  MBX-2: of two messages sent, one is counted, not two.
+   procedure Send_Twice (Box : in out Mailbox; Item : Word)
+   with
+     Global => null,
+     Post   =>
+       Contents (Box) = Item
+       and then Produced (Box) =  --  VC_POSTCONDITION
+         Produced (Box'Old) + 1;
+
+   --  MBX-3: a second look finds nothing new, and counts, but for a count
+   --  that is full.
+   procedure Receive_Twice (Box : in out Mailbox; Item : out Word)
+   with
+     Global => null,
+     Post   =>
+       Item = Contents (Box'Old)
+       and then Misses (Box) > Misses (Box'Old);  --  VC_POSTCONDITION
+
+end Canaries.Mailboxes;

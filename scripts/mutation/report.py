@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""What the mutants show: the table of docs/mutation.md, and its check.
+
+  table   writes the table into docs/mutation.md
+  check   the same table must be there; every survivor is judged, and nothing
+          else is
+
+A survivor is judged in tests/mutation/equivalent.toml: by its name and
+change, with the reason why the changed software does the same.
+Exit status: 0 all well; 1 not, each reason on a line of its own.
+"""
+
+import argparse
+import sys
+import tomllib
+from collections import Counter
+from pathlib import Path
+
+import mutants
+import run
+
+ROOT = run.ROOT
+JUDGED = ROOT / "tests" / "mutation" / "equivalent.toml"
+DOCUMENT = ROOT / "docs" / "mutation.md"
+BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
+GOAL = 95.0
+
+COLUMNS = ("mutants", *run.KILLED, "survived", "equivalent", "score")
+
+
+def judged():
+    """The survivors that are judged equivalent, by name."""
+    if not JUDGED.exists():
+        return {}
+    text = JUDGED.read_text(encoding="utf-8")
+    return {one["name"]: one for one in tomllib.loads(text).get("mutant", [])}
+
+
+def column_of(result, equivalent):
+    """Where the table counts a result; nowhere if it does not build."""
+    fate = result["fate"]
+    if fate == run.EQUIVALENT or result["name"] in equivalent:
+        return "equivalent"
+    return None if fate == run.INVALID else fate
+
+
+def score(counts):
+    killed = sum(counts[how] for how in run.KILLED)
+    total = killed + counts["survived"]
+    return 100.0 * killed / total if total else 100.0
+
+
+def cells(name, counts):
+    """A row: of the mutants that build, how many met which fate."""
+    columns = [name, str(sum(counts.values()))]
+    columns += [str(counts[how] or "") for how in COLUMNS[1:-1]]
+    share = int(score(counts) * 10) / 10
+    columns.append(f"{share:.1f}%" if share < 100 else "100%")
+    return "| " + " | ".join(columns) + " |"
+
+
+def table(results, equivalent):
+    packages, folders = {}, {}
+    for result in results:
+        column = column_of(result, equivalent)
+        if column:
+            path = Path(result["path"])
+            of_package = packages.setdefault((path.parent, path.stem),
+                                             Counter())
+            of_package[column] += 1
+            folders.setdefault(path.parent, Counter())[column] += 1
+    lines = ["| " + " | ".join(("package", *COLUMNS)) + " |",
+             "|---|" + "--:|" * len(COLUMNS)]
+    for folder in sorted(folders):
+        lines += [cells(f"`{name}`", packages[at, name])
+                  for at, name in sorted(packages) if at == folder]
+        lines.append(cells(f"**{folder}**", folders[folder]))
+    total = sum(folders.values(), Counter())
+    lines.append(cells("**all**", total))
+    return "\n".join(lines) + "\n", total
+
+
+def problems(results, equivalent, total):
+    """Survivors nobody judged, judgements of none, a score too low."""
+    survivors = {r["name"]: r for r in results if r["fate"] == run.SURVIVED}
+    for name, one in equivalent.items():
+        if name not in survivors:
+            yield f"{name}: judged, but is no survivor"
+        elif one["change"] != survivors[name]["change"]:
+            yield f"{name}: judged for another change"
+        elif not one.get("reason", "").strip():
+            yield f"{name}: judged without a reason"
+    for name, result in survivors.items():
+        if name not in equivalent:
+            yield ("{path}:{line}: {name} survives, not judged: {change}"
+                   .format(**result))
+    if score(total) < GOAL:
+        yield f"the score is {score(total):.1f}%, less than {GOAL}%"
+
+
+def current(results):
+    """The results of the mutants that the sources of today have."""
+    every = mutants.Code(ROOT).mutants()
+    names = {mutant.name for mutant in every}
+    return [r for name, r in results.items() if name in names]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("command", choices=("table", "check"))
+    command = parser.parse_args().command
+
+    results = current(run.read_results())
+    equivalent = judged()
+    text, total = table(results, equivalent)
+    document = DOCUMENT.read_text(encoding="utf-8")
+    head, _, rest = document.partition(BEGIN)
+    there, _, tail = rest.partition(END)
+    found = list(problems(results, equivalent, total))
+    if command == "table":
+        DOCUMENT.write_text(head + BEGIN + text + END + tail,
+                            encoding="utf-8")
+    elif there != text:
+        found.append("docs/mutation.md: not the table of these results")
+    for problem in found:
+        print(f"mutation: {problem}")
+    print(f"mutation: {sum(total.values())} mutants, "
+          f"score {int(score(total) * 10) / 10}%")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,425 @@
+#!/usr/bin/env python3
+"""Change the flight software in small ways; see who notices.
+
+Each mutant is built, then given to the unit tests with contracts executed.
+One that passes and has the same object code as the original is the original
+in other words, and is set aside. The others go to the simulation's tests,
+then to the proof of the units that the change can concern: of a body its own,
+of a specification all that depend on it. The first to notice is recorded.
+
+Results are appended to a file as they come. A run goes on where the last one
+stopped; a mutant is tried again when the file it changes has changed.
+
+Exit status: 0 done; 1 the unchanged software does not pass its own tests.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import queue
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import mutants
+
+ROOT = Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "tests" / "mutation" / "results.jsonl"
+WORKPLACE = ROOT / "obj" / "mutation"
+
+SEED = 1991
+SHARE, LEAST, MOST = 0.25, 10, 36
+
+COPIED = ("src", "proofs", "sim", "tests", "scripts", "explore", "urv.gpr",
+          "ravenscar.adc")
+UNIT_TESTS = ["gprbuild", "-q", "-p", "-j1", "-P", "tests/urv_tests.gpr",
+              "-XURV_Mode=test"]
+SIMULATOR = ["gprbuild", "-q", "-p", "-j1", "-P", "sim/urv_sim.gpr",
+             "-XURV_Mode=host"]
+PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
+
+# The quick ones of the simulation's tests that look at the data's path.
+SIMULATION_TESTS = ["test_data_path.py", "test_wire.py", "test_faults.py"]
+
+BUILD_LIMIT_S = 900
+TEST_LIMIT_S = 300
+PROOF_LIMIT_S = 1200
+MEMORY_LIMIT = 4 * 2 ** 30
+
+# What became of a mutant.
+INVALID = "does not build"
+EQUIVALENT = "same object code"
+SURVIVED = "survived"
+KILLED = ("tests", "simulation", "proof")
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+
+
+class Worker:
+    """A copy of the repository in which one mutant at a time lives."""
+
+    def __init__(self, number):
+        self.root = WORKPLACE / f"worker-{number}"
+        self.original = WORKPLACE / f"original-{number}"
+        self.changed = None
+        self.objects = None
+        self.proved = {}
+
+    def run(self, command, limit, limited=False, **more):
+        """Run a command in a process group of its own; None: too long."""
+        process = subprocess.Popen(
+            command, cwd=self.root, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, errors="replace",
+            start_new_session=True,
+            preexec_fn=limit_memory if limited else None, **more
+        )
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+            return None, ""
+        return process.returncode, output
+
+    def prepare(self):
+        """The copy as the repository is now, built, and it passes."""
+        for name in COPIED:
+            source, target = ROOT / name, self.root / name
+            if source.is_dir():
+                self.synchronise(source, target)
+            else:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                if not same(source, target):
+                    shutil.copy(source, target)
+        for name in ("src", "proofs"):
+            self.synchronise(ROOT / name, self.original / name)
+        # A mutant may have a condition that is always true.
+        project = self.root / "urv.gpr"
+        text = (ROOT / "urv.gpr").read_text(encoding="utf-8")
+        text = re.sub(r'Strict_Switches := \(.*?\);',
+                      'Strict_Switches := ("-gnatws");', text, flags=re.S)
+        if project.read_text(encoding="utf-8") != text:
+            project.write_text(text, encoding="utf-8")
+        for command in (UNIT_TESTS, SIMULATOR):
+            status, output = self.run(command, BUILD_LIMIT_S)
+            if status != 0:
+                return output
+        self.objects = self.object_code()
+        return self.unit_tests() or self.simulation()
+
+    def synchronise(self, source, target):
+        """Copy what differs, remove what is gone; keep what is the same as
+        old as it was, so that it is not built again."""
+        wanted = {path.relative_to(source) for path in source.rglob("*")
+                  if path.is_file() and "__pycache__" not in path.parts}
+        if target.exists():
+            for path in target.rglob("*"):
+                if path.is_file() and path.relative_to(target) not in wanted:
+                    path.unlink()
+        for name in wanted:
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            if not same(source / name, target / name):
+                shutil.copy(source / name, target / name)
+
+    def put(self, mutant):
+        """Undo the last change, make this one."""
+        if self.changed and (not mutant or mutant.path != self.changed):
+            (self.root / self.changed).write_bytes(self.source(self.changed))
+            self.changed = None
+        if mutant:
+            source = self.source(mutant.path)
+            (self.root / mutant.path).write_bytes(mutant.applied(source))
+            self.changed = mutant.path
+
+    def source(self, path):
+        """A file as it was when the worker began."""
+        return (self.original / path).read_bytes()
+
+    def object_code(self):
+        """The code of src in the simulator, without debugging aids."""
+        found = {}
+        for path in sorted((self.root / "obj" / "host").glob("*.o")):
+            copy = self.root / "obj" / "stripped.o"
+            subprocess.run(["objcopy", "--strip-debug", path, copy],
+                           check=True)
+            found[path.name] = hashlib.sha256(copy.read_bytes()).hexdigest()
+        return found
+
+    def unit_tests(self):
+        """Why the unit tests fail, or nothing. The first failure ends
+        them."""
+        process = subprocess.Popen(
+            ["bin/urv_tests_test"], cwd=self.root, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, errors="replace",
+            start_new_session=True, preexec_fn=limit_memory,
+        )
+        alarm = threading.Timer(TEST_LIMIT_S, os.killpg,
+                                (process.pid, signal.SIGKILL))
+        alarm.start()
+        failure, last = None, ""
+        for line in process.stdout:
+            last = line.strip()
+            if line.startswith("FAIL"):
+                failure = line[len("FAIL"):].strip()
+                os.killpg(process.pid, signal.SIGKILL)
+                break
+        process.stdout.close()
+        status = process.wait()
+        alarm.cancel()
+        if failure or status == 0:
+            return failure
+        return f"ended with {status} after: {last[:100]}"
+
+    def simulation(self):
+        """Why the simulation's tests fail, or nothing."""
+        tests = [f"tests/simulation/{name}" for name in SIMULATION_TESTS]
+        status, output = self.run(
+            [sys.executable, "-B", "-m", "pytest", "-x", "-q", "--tb=no",
+             "-p", "no:cacheprovider", *tests], TEST_LIMIT_S,
+            env={**os.environ, "URV_SIM": str(self.root / "bin/urv_sim")},
+        )
+        if status == 0:
+            return None
+        failed = re.search(r"^FAILED (\S+)", output, re.M)
+        return failed[1] if failed else f"pytest ended with {status}"
+
+    def failed_checks(self, units):
+        """What GNATprove finds that does not hold in some units."""
+        if not units:
+            return set()
+        kept = "proofs/sessions"
+        self.synchronise(self.original / kept, self.root / kept)
+        names = [file for unit in units for file in self.main_file(unit)]
+        status, output = self.run([*PROVER, "-u", *names], PROOF_LIMIT_S)
+        if status is None:
+            return {("", "", "proof takes too long")}
+        found = set()
+        results = self.root / "obj" / "flight" / "gnatprove"
+        for unit in units:
+            path = results / f"{unit}.spark"
+            if not path.exists():
+                continue
+            data = json.loads(path.read_text(encoding="utf-8"))
+            for part in ("flow", "proof"):
+                for check in data.get(part, []):
+                    if check["severity"] not in ("info", "warning"):
+                        found.add((check["file"], check["line"],
+                                   check["rule"]))
+        if status != 0 and not found:
+            complaint = re.search(r"^\S+: error: .*$", output, re.M)
+            found.add(("", "", complaint[0] if complaint
+                       else f"gnatprove ended with {status}"))
+        return found
+
+    def main_file(self, unit):
+        for folder in ("src", "proofs"):
+            for ending in ("adb", "ads"):
+                path = next((self.root / folder).rglob(f"{unit}.{ending}"), 0)
+                if path:
+                    return [path.name]
+        return []
+
+    def proof(self, mutant):
+        """Which check fails that holds without the change, or nothing."""
+        for units in concerned(mutant.path):
+            key = tuple(units)
+            if key not in self.proved:
+                # Without the change: also warms up the sessions.
+                self.put(None)
+                self.proved[key] = self.failed_checks(units)
+                self.put(mutant)
+            new = self.failed_checks(units) - self.proved[key]
+            if new:
+                return "{}:{}: {}".format(*min(new, key=str))
+        return None
+
+    def judge(self, mutant):
+        """What becomes of a mutant, and who said so."""
+        self.put(mutant)
+        status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)
+        if status != 0:
+            return INVALID, ""
+        failure = self.unit_tests()
+        if failure:
+            return "tests", failure
+        status, _ = self.run(SIMULATOR, BUILD_LIMIT_S)
+        if status != 0:
+            return INVALID, ""
+        if self.object_code() == self.objects:
+            return EQUIVALENT, ""
+        failure = self.simulation()
+        if failure:
+            return "simulation", failure
+        failure = self.proof(mutant)
+        if failure:
+            return "proof", failure
+        return SURVIVED, ""
+
+
+def same(one, other):
+    return other.exists() and one.read_bytes() == other.read_bytes()
+
+
+def concerned(path):
+    """The units whose proof a change can concern: first its own, then, of a
+    specification or a generic, those that name it, and so on."""
+    own = Path(path).stem
+    texts = {}
+    for folder in ("src", "proofs"):
+        for file in (ROOT / folder).rglob("*.ad[sb]"):
+            if "canaries" not in file.parts:
+                text = texts.setdefault(file.stem, "")
+                texts[file.stem] = text + file.read_text(encoding="utf-8")
+    uses = {
+        unit: {name.lower().replace(".", "-") for name in re.findall(
+            r"^\s*(?:limited |private )*with ([\w.]+)", text, re.M)}
+        | ({unit.rsplit("-", 1)[0]} if "-" in unit else set())
+        for unit, text in texts.items()
+    }
+    generic = re.search(r"^generic$", texts[own], re.M)
+    yield [own]
+    if path.endswith(".adb") and not generic:
+        return
+    reached, edge = {own}, {own}
+    while edge:
+        edge = {unit for unit, used in uses.items() if used & edge} - reached
+        reached |= edge
+        if edge:
+            yield sorted(edge)
+
+
+def digest(path):
+    return hashlib.sha256((ROOT / path).read_bytes()).hexdigest()[:16]
+
+
+def sources():
+    return [path.relative_to(ROOT).as_posix()
+            for path in (ROOT / "src").rglob("*.ad[sb]")]
+
+
+def read_results(file=RESULTS):
+    """By name, the last result of each mutant."""
+    if not file.exists():
+        return {}
+    lines = file.read_text(encoding="utf-8").splitlines()
+    return {result["name"]: result for result in map(json.loads, lines)}
+
+
+class Progress:
+    """How far it has come, on one line of a terminal."""
+
+    def __init__(self, total):
+        self.total = total
+        self.done = 0
+        self.alive = 0
+        self.begun = time.monotonic()
+        self.lock = threading.Lock()
+
+    def step(self, mutant, fate):
+        with self.lock:
+            self.done += 1
+            self.alive += fate == SURVIVED
+            seconds = time.monotonic() - self.begun
+            left = seconds / self.done * (self.total - self.done)
+            filled = 30 * self.done // self.total
+            bar = "#" * filled + "." * (30 - filled)
+            line = (f"[{bar}] {self.done}/{self.total}, {self.alive} "
+                    f"survived, {left / 60:.0f} min left")
+            if sys.stdout.isatty():
+                print(f"\r{line} ", end="", flush=True)
+            else:
+                print(f"{line}; {Path(mutant.path).name}:{mutant.line} "
+                      f"{fate}", flush=True)
+
+
+def work(worker, tasks, digests, progress, lock):
+    while True:
+        try:
+            group = tasks.get_nowait()
+        except queue.Empty:
+            worker.put(None)
+            return
+        for mutant in group:
+            begun = time.monotonic()
+            fate, by = worker.judge(mutant)
+            result = {
+                "name": mutant.name, "path": mutant.path,
+                "line": mutant.line, "subprogram": mutant.subprogram,
+                "operator": mutant.operator, "change": mutant.change[:300],
+                "fate": fate, "by": by,
+                "seconds": round(time.monotonic() - begun, 1),
+                "source": digests[mutant.path],
+            }
+            with lock, RESULTS.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(result) + "\n")
+            progress.step(mutant, fate)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--only", default="", metavar="TEXT",
+                        help="only files whose path contains this")
+    parser.add_argument("--again", metavar="FATE",
+                        help="also mutants of this result, once more")
+    parser.add_argument("--list", action="store_true",
+                        help="list the mutants, try none")
+    arguments = parser.parse_args()
+
+    digests = {path: digest(path) for path in sources()}
+    every = mutants.Code(ROOT).mutants()
+    picked = mutants.chosen(every, SEED, SHARE, LEAST, MOST)
+    picked = [m for m in picked if arguments.only in m.path]
+    if arguments.list:
+        for m in picked:
+            print(f"{m.name} {m.path}:{m.line} {m.operator}: {m.change}")
+        return 0
+    results = read_results()
+    wanted = [
+        m for m in picked
+        if m.name not in results
+        or results[m.name]["source"] != digests[m.path]
+        or results[m.name]["fate"] == arguments.again
+    ]
+    print(f"mutation: {len(every)} mutants, {len(picked)} chosen, "
+          f"{len(picked) - len(wanted)} done before")
+    if not wanted:
+        return 0
+
+    RESULTS.parent.mkdir(parents=True, exist_ok=True)
+    groups = {}
+    for mutant in wanted:
+        groups.setdefault(mutant.path, []).append(mutant)
+    tasks = queue.Queue()
+    for path in sorted(groups, key=lambda p: -len(groups[p])):
+        tasks.put(groups[path])
+    workers = [Worker(n) for n in range(min(arguments.jobs, len(groups)))]
+    for worker in workers:
+        problem = worker.prepare()
+        if problem:
+            print(f"mutation: without any change: {problem}")
+            return 1
+    progress, lock = Progress(len(wanted)), threading.Lock()
+    threads = [
+        threading.Thread(target=work, args=(worker, tasks, digests, progress, lock))
+        for worker in workers
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    print()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+"""Judges the canaries: claims that GNATprove must not prove.
+
+A line of a source in proofs/canaries that ends in the name of a check is
+where this check must fail:
+
+    Post => Advanced (Now) > Now;  --  VC_POSTCONDITION
+
+That check may be proved nowhere on its line, and no check may fail on a line
+that does not name it: then it fails for another reason than its own.
+"""
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+FOLDER = Path("proofs", "canaries")
+RESULTS = Path("obj", "canaries", "gnatprove")
+COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
+           "-j2"]
+
+MARK = re.compile(r"--  ([A-Z]+(?:_[A-Z]+)*)$")
+
+
+def sources(root):
+    return sorted((root / FOLDER).glob("*.ad[sb]"))
+
+
+def expected(root):
+    """Where which check must fail: file, line, check."""
+    return {
+        (path.name, number, mark[1])
+        for path in sources(root)
+        for number, line in enumerate(
+            path.read_text(encoding="utf-8").splitlines(), 1
+        )
+        if (mark := MARK.search(line))
+    }
+
+
+def judge(wanted, checks):
+    """What is wrong with the checks, a dictionary each, of GNATprove."""
+    failed = set()
+    held = set()
+    for check in checks:
+        place = check["file"], check["line"], check["rule"]
+        passed = check["severity"] == "info" or "suppressed" in check
+        (held if passed else failed).add(place)
+    for place in sorted(wanted | failed):
+        at = "{}:{}: {}".format(*place)
+        if place not in wanted:
+            yield f"{at} fails, and is no canary's own reason"
+        elif place not in failed:
+            how = "was proved" if place in held else "was not looked at"
+            yield f"{at} of a canary {how}"
+
+
+def not_analysed(names, results):
+    """Units of which GNATprove has analysed nothing."""
+    seen = {
+        place["file"]
+        for result in results
+        for entity in result.get("spark", []) if entity["spark"] == "all"
+        for place in entity["sloc"]
+    }
+    units = {Path(name).stem for name in names}
+    for unit in sorted(units - {Path(file).stem for file in seen}):
+        yield f"{unit}: nothing of this canary was analysed"
+
+
+def failures(root):
+    """Let GNATprove look at the canaries; say which do not fail as they
+    must."""
+    shutil.rmtree(root / RESULTS, ignore_errors=True)
+    output = subprocess.run(
+        COMMAND, cwd=root, capture_output=True, text=True, check=False
+    )
+    results = [
+        json.loads(path.read_text(encoding="utf-8"))
+        for path in sorted((root / RESULTS).glob("*.spark"))
+    ]
+    checks = [
+        check
+        for result in results
+        for part in ("flow", "proof") for check in result.get(part, [])
+    ]
+    names = [path.name for path in sources(root)]
+    wrong = [*not_analysed(names, results), *judge(expected(root), checks)]
+    if wrong or output.returncode != 0:
+        print(output.stdout + output.stderr, end="")
+    if output.returncode != 0:
+        wrong.append(f"gnatprove ended with {output.returncode}")
+    return wrong

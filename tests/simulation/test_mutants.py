@@ -1,0 +1,135 @@
+"""What scripts/mutation/mutants.py changes, and what it leaves alone."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
+
+import mutants  # noqa: E402
+
+SPEC = """
+package Shop with Pure, SPARK_Mode is
+
+   type State is (Open, Shut, Sold);
+   type Stock is record
+      Number : Natural := 0;
+      Now    : State   := Open;
+   end record
+   with Predicate => Stock.Number < 7;
+
+   function Is_Full (Item : Stock) return Boolean is
+     (Item.Number >= 5 and then Item.Now = Open)
+   with Post => Is_Full'Result = (Item.Number > 4);
+
+   --  Only the contract below calls it.
+   function Rest (Item : Stock) return Natural is (6 - Item.Number);
+
+   procedure Lemma (Item : Stock)
+   with Ghost, Global => null, Post => Rest (Item) > 2;
+
+   procedure Sell (Item : in out Stock)
+   with Pre => Rest (Item) < 6, Post => Item.Number = Item.Number'Old - 1;
+
+end Shop;
+"""
+
+BODY = """
+package body Shop with SPARK_Mode is
+
+   procedure Lemma (Item : Stock) is
+   begin
+      pragma Assert (Item.Number > 3);
+   end Lemma;
+
+   procedure Sell (Item : in out Stock) is
+   begin
+      if not Is_Full (Item) then
+         Item.Number :=
+           Item.Number - 1;
+      else
+         Item := (Item with delta Now => Sold, Number => 0);
+      end if;
+      for I in State loop
+         pragma Loop_Invariant (I >= State'First);
+         Lemma (Item);
+      end loop;
+   end Sell;
+
+end Shop;
+"""
+
+
+@pytest.fixture
+def found(tmp_path):
+    """Every mutant of a small package: where, operator, change."""
+    folder = tmp_path / "src"
+    folder.mkdir()
+    (folder / "shop.ads").write_text(SPEC, encoding="utf-8")
+    (folder / "shop.adb").write_text(BODY, encoding="utf-8")
+    return mutants.Code(tmp_path).mutants()
+
+
+def changes(found, operator):
+    return {m.change for m in found if m.operator == operator}
+
+
+def test_each_operator_changes_its_kind(found):
+    assert changes(found, "relation") == {
+        ">= -> >", ">= -> <", "= -> /=",
+    }
+    assert changes(found, "logic") == {"and then -> or else"}
+    assert changes(found, "negation") == {
+        "not Is_Full (Item) -> (Is_Full (Item))",
+    }
+    assert changes(found, "arithmetic") == {"- -> +"}
+    assert "5 -> 6" in changes(found, "constant")
+    assert "5 -> 4" in changes(found, "constant")
+    assert changes(found, "condition") == {
+        "not Is_Full (Item) -> not (not Is_Full (Item))",
+    }
+    assert "Item.Number := Item.Number - 1; -> null;" in changes(
+        found, "deletion")
+    assert changes(found, "range") == {
+        "I in State -> I in State'Succ (State'First) .. State'Last",
+        "I in State -> I in State'First .. State'Pred (State'Last)",
+    }
+    assert len(changes(found, "branches")) == 1
+    assert changes(found, "component") == {
+        "Now => Sold, Number => 0 -> Number => 0",
+        "Now => Sold, Number => 0 -> Now => Sold",
+    }
+    assert "Sold -> Open" in changes(found, "literal")
+
+
+def test_contracts_and_proof_aids_are_left_alone(found):
+    for mutant in found:
+        source = SPEC if mutant.path.endswith("ads") else BODY
+        line = source.splitlines()[mutant.line - 1]
+        for word in ("Post", "Pre", "Predicate", "pragma", "6 - Item"):
+            assert word not in line
+
+
+def test_a_mutant_has_as_many_lines(found):
+    for mutant in found:
+        source = (SPEC if mutant.path.endswith("ads") else BODY).encode()
+        changed = mutant.applied(source)
+        assert changed != source
+        assert changed.count(b"\n") == source.count(b"\n")
+
+
+def test_names_are_unique_and_stay(found, tmp_path):
+    names = {m.name for m in found}
+    assert len(names) == len(found)
+    body = tmp_path / "src" / "shop.adb"
+    body.write_text("--  A line more.\n" + BODY, encoding="utf-8")
+    assert {m.name for m in mutants.Code(tmp_path).mutants()} == names
+
+
+def test_the_same_are_chosen_again(found):
+    chosen = mutants.chosen(found, 1, 0.5, 3, 99)
+    assert chosen == mutants.chosen(list(reversed(found)), 1, 0.5, 3, 99)
+    assert len(chosen) == round(0.5 * len(found))
+    assert {m.operator for m in chosen} == {m.operator for m in found}
