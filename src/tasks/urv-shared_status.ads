@@ -17,7 +17,7 @@ is
    procedure Write (Bits : Word)
    with
      Global  => (In_Out => Status),
-     Depends => (Status => Bits, null => Status);
+     Depends => (Status => (Status, Bits));
 
    procedure Read (Bits : out Word)
    with
