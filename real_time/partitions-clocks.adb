@@ -1,0 +1,28 @@
+package body Partitions.Clocks is
+
+   use type Sim.Microseconds;
+
+   Beginning : Time := Clock;
+
+   function In_Microseconds (Span : Time_Span) return Sim.Microseconds is
+     (Sim.Microseconds (To_Duration (Span) * 1_000_000));
+
+   procedure Switch_On is
+   begin
+      Beginning := Clock;
+   end Switch_On;
+
+   function Switched_On_At return Time is (Beginning);
+
+   function Elapsed return Sim.Microseconds is
+     (In_Microseconds (Clock - Beginning));
+
+   function Machine_Time (At_Time : Time) return Sim.Microseconds is
+      Seconds : Seconds_Count;
+      Rest    : Time_Span;
+   begin
+      Split (At_Time, Seconds, Rest);
+      return Sim.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
+   end Machine_Time;
+
+end Partitions.Clocks;

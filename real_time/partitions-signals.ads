@@ -1,0 +1,15 @@
+--  The signals that a partition is sent: SIGINT and SIGTERM switch it off,
+--  SIGUSR1 stands for an unexpected interrupt of its processor (INI-1,
+--  KRN-6).
+--
+--  The signals are kept from every other task. So this package comes before
+--  any task begins.
+
+generic
+   with procedure Switch_Off;
+   with procedure Raise_Processor_Exception;
+package Partitions.Signals is
+
+   pragma Elaborate_Body;
+
+end Partitions.Signals;
