@@ -51,7 +51,7 @@ package body Partitions.Aircraft is
      (Uplink_Names ("mcs.uplink") & PWM_Names ("pwm")
       & Downlink_Names ("mcs.downlink")
       & ",link.uplink_received,link.uplink_bad,link.downlink_sent"
-      & ",link.downlink_scrapped,link.mcs_resets");
+      & ",link.downlink_scrapped,link.mcs_resets,servos_us");
 
    procedure Append_Values (To : in out Row) is
       CORE  : Devices.CORE_Memory.Memory;

@@ -12,6 +12,15 @@ package body Partitions.Clocks is
       Beginning := Clock;
    end Switch_On;
 
+   procedure Await_Phase (Ticks : Natural) is
+      Now  : constant Time := Clock;
+      Past : constant Sim.Microseconds :=
+        Machine_Time (Now) mod Sim.Major_Frame;
+   begin
+      delay until Now
+        + Microseconds (Integer (2 * Sim.Major_Frame - Past) + Ticks * 2_000);
+   end Await_Phase;
+
    function Switched_On_At return Time is (Beginning);
 
    function Elapsed return Sim.Microseconds is
@@ -24,5 +33,11 @@ package body Partitions.Clocks is
       Split (At_Time, Seconds, Rest);
       return Sim.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
    end Machine_Time;
+
+   function Tenths_Of_Microseconds
+     (Span : Time_Span) return Measurements.Measure
+   is
+     (if Span <= Time_Span_Zero then 0
+      else Measurements.Measure (To_Duration (Span) * 10_000_000));
 
 end Partitions.Clocks;

@@ -3,12 +3,17 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 
+with Partitions.Measurements;
 with Sim;
 
 package Partitions.Clocks is
 
    --  The node is switched on now.
    procedure Switch_On;
+
+   --  Waits until the next time that lies so many ticks of 2 ms after a
+   --  whole 20 ms of the machine's clock.
+   procedure Await_Phase (Ticks : Natural);
 
    function Switched_On_At return Time;
 
@@ -17,5 +22,9 @@ package Partitions.Clocks is
 
    --  Since the machine was: what two partitions of one machine share.
    function Machine_Time (At_Time : Time) return Sim.Microseconds;
+
+   --  For distributions; 0 when negative.
+   function Tenths_Of_Microseconds
+     (Span : Time_Span) return Measurements.Measure;
 
 end Partitions.Clocks;

@@ -1,4 +1,5 @@
 with Interfaces.C; use Interfaces.C;
+with Interfaces;
 with System;
 
 with Partitions.Serial_Lines;
@@ -12,6 +13,7 @@ package body Partitions.Links is
    Serial_Prefix : constant String := "serial:";
 
    Line      : File    := Invalid;
+   Nudges    : File    := Invalid;
    Is_Serial : Boolean := False;
    Marks     : Serial_Lines.Mark_Reader;
    Lost      : Count   := 0 with Atomic;
@@ -28,6 +30,7 @@ package body Partitions.Links is
 
    procedure Open (Argument : String) is
    begin
+      Nudges := Event_File (0, Non_Blocking);
       if Starts_With (Argument, UDP_Prefix) then
          Line := Sockets.Opened
            (Argument (Argument'First + UDP_Prefix'Length .. Argument'Last));
@@ -46,17 +49,13 @@ package body Partitions.Links is
 
    procedure Wait (Until_Time : Time) is
       Span     : constant Ada.Real_Time.Time_Span := Until_Time - Clock;
-      Request  : Poll_Request := (Line, Input_Ready, 0);
+      Requests : Poll_Requests :=
+        ((Nudges, Input_Ready, 0), (Line, Input_Ready, 0));
+      Cleared  : Byte_Total;
       Limit    : System_Calls.Time_Span;
       Found    : int;
       Nanosecs : Long_Long_Integer;
    begin
-      if Is_Hung_Up then
-         delay until Until_Time;
-         Is_Hung_Up := False;
-         return;
-      end if;
-
       if Span > Ada.Real_Time.Time_Span_Zero then
          Nanosecs := Long_Long_Integer (To_Duration (Span) * 1.0E9);
          Limit :=
@@ -65,9 +64,31 @@ package body Partitions.Links is
       else
          Limit := (0, 0);
       end if;
-      Found := Poll (Request, 1, Limit, System.Null_Address);
-      Is_Hung_Up := Found > 0 and then Request.Found = Hung_Up;
+
+      --  A line that has no other end would be ready at once, for ever.
+      Found := Poll
+        (Requests'Address, (if Is_Hung_Up then 1 else 2), Limit,
+         System.Null_Address);
+      Is_Hung_Up :=
+        not Is_Hung_Up
+        and then Found > 0
+        and then Requests (2).Found = Hung_Up;
+
+      if Found > 0 and then Requests (1).Found = Input_Ready then
+         Cleared := Read (Nudges, Block'Address, 8);
+         pragma Unreferenced (Cleared);
+      end if;
    end Wait;
+
+   procedure Nudge is
+      One     : aliased constant Interfaces.Unsigned_64 := 1;
+      Written : Byte_Total;
+   begin
+      Written := Write (Nudges, One'Address, 8);
+
+      --  It was nudged already if there is no room.
+      pragma Unreferenced (Written);
+   end Nudge;
 
    procedure Receive (Heard : in out Arrivals) is
       Room   : Character_Count;

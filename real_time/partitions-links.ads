@@ -33,8 +33,11 @@ package Partitions.Links is
    --  Sim.Bad_Input.
    procedure Open (Argument : String);
 
-   --  Returns when a character has arrived, at the latest at that time.
+   --  Returns when a character has arrived or Nudge was called, at the
+   --  latest at that time.
    procedure Wait (Until_Time : Time);
+
+   procedure Nudge;
 
    --  Everything that has arrived.
    procedure Receive (Heard : in out Arrivals);

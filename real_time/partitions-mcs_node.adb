@@ -1,44 +1,198 @@
-with Ada.Real_Time; use Ada.Real_Time;
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
-with System;
-with Partitions.Clocks; use Partitions.Clocks;
-with Partitions.Rows; use Partitions.Rows;
-with URVOS.Frames; use URVOS.Frames;
+with Ada.Real_Time;        use Ada.Real_Time;
+
+with MCS.Real_Time;
+with Partitions.Aircraft;
+with Partitions.Clocks;    use Partitions.Clocks;
+with Partitions.Converter;
+with Partitions.Guarded_Step;
+with Partitions.Rows;      use Partitions.Rows;
+with Partitions.Signals;
+with Partitions.Telemetry_Processor;
+with Sim;
+with URVOS.Arrangements;   use URVOS.Arrangements;
+with URVOS.Frames;         use URVOS.Frames;
+with URVOS.Task_Trees;     use URVOS.Task_Trees;
 
 package body Partitions.MCS_Node is
 
-   Power : Suspension_Object;
+   --  Boards
 
-   task Ticker with Priority => System.Default_Priority;
-   task body Ticker is
-      Now : Clock_Tick := 0;
-      Next : Time;
-      Item : Row;
+   package Telemetry_Hardware is new Partitions.Telemetry_Processor
+     (Start            => MCS.Telemetry_Board.Start,
+      Accept_Character => MCS.Telemetry_Board.Accept_Character,
+      Next_Character   => MCS.Telemetry_Board.Next_Character);
+
+   package Converter_Hardware is new Partitions.Converter
+     (Sample               => Aircraft.Sample,
+      Take_Start           => MCS.AD_Board.Take_Start,
+      Finish               => MCS.AD_Board.Finish,
+      Interrupt_Controller => MCS.AD_Interrupt);
+
+   --  Steps of the tasks
+
+   --  When the servos were commanded last. Only one task runs at a time.
+   Servos_At : Sim.Microseconds := 0;
+
+   procedure No_Initialisation is null;
+
+   procedure Observe_Nothing is null;
+
+   procedure Observe_Servos;
+
+   --  The frame's words are in CORE: a row of the record.
+   procedure Observe_Frame;
+
+   procedure AD_Step is new Guarded_Step
+     (Cost            => Costs (MCS.AD_Task),
+      Initialise      => MCS.AD.Initialise,
+      Run_Transaction => MCS.AD.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure TELIN_Step is new Guarded_Step
+     (Cost            => Costs (MCS.TELIN_Task),
+      Initialise      => MCS.TELIN.Initialise,
+      Run_Transaction => MCS.TELIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure MDCIN_Step is new Guarded_Step
+     (Cost            => Costs (MCS.MDCIN_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.MDCIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure MDCOUT_Step is new Guarded_Step
+     (Cost            => Costs (MCS.MDCOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.MDCOUT.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure PWM_Step is new Guarded_Step
+     (Cost            => Costs (MCS.PWM_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.PWM.Run_Transaction,
+      Observe         => Observe_Servos);
+
+   procedure TELOUT_Step is new Guarded_Step
+     (Cost            => Costs (MCS.TELOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.TELOUT.Run_Transaction,
+      Observe         => Telemetry_Hardware.Look);
+
+   procedure CORE_Step is new Guarded_Step
+     (Cost            => Costs (MCS.CORE_Task),
+      Initialise      => MCS.CORE.Initialise,
+      Run_Transaction => MCS.CORE.Run_Transaction,
+      Observe         => Observe_Frame);
+
+   procedure LOG_Step is new Guarded_Step
+     (Cost            => Costs (MCS.LOG_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.LOG.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   --  Starts
+
+   type Start_Condition is (Cold_Start, Processor_Restart);
+
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Tree      : out Task_Tree);
+
+   procedure Observe_Tick (Late : Time_Span);
+
+   package Tasks is new MCS.Real_Time
+     (Start_Condition => Start_Condition,
+      Cold            => Cold_Start,
+      Begin_Again     => Begin_Again,
+      Restart         => Processor_Restart,
+      AD_Step         => AD_Step,
+      TELIN_Step      => TELIN_Step,
+      MDCIN_Step      => MDCIN_Step,
+      MDCOUT_Step     => MDCOUT_Step,
+      PWM_Step        => PWM_Step,
+      TELOUT_Step     => TELOUT_Step,
+      CORE_Step       => CORE_Step,
+      LOG_Step        => LOG_Step,
+      Observe_Tick    => Observe_Tick);
+
+   procedure Raise_Processor_Exception;
+
+   package Signals is new Partitions.Signals
+     (Switch_Off                => Queue.Finish,
+      Raise_Processor_Exception => Raise_Processor_Exception);
+
+   procedure Observe_Servos is
    begin
-      Suspend_Until_True (Power);
-      Next := Switched_On_At;
-      loop
-         Next := Next + Milliseconds (2);
-         delay until Next;
-         Now := Advanced (Now);
-         MCS.Clock_Interrupt (Now);
-         if Minor_Frame_Of (Now) = 4 then
-            Item.Length := 0;
-            Append (Item, Number (Now / 10));
-            Append (Item, Number ((Now / 10 + 1) * 20));
-            Aircraft.Append_Values (Item);
-            Append (Item, Number (Machine_Time (Clock)));
-            Queue.Put (Item);
-         end if;
+      Servos_At := Machine_Time (Clock);
+   end Observe_Servos;
+
+   procedure Observe_Frame is
+      use type Number;
+
+      Now   : Clock_Tick;
+      Frame : Number;
+      Item  : Row;
+   begin
+      Tasks.Inspect_Clock (Now);
+      Frame := Number (Now / Ticks_Per_Major_Frame);
+      Append (Item, Frame);
+      Append (Item, (Frame + 1) * 20);
+      Aircraft.Append_Values (Item);
+      Append (Item, Number (Servos_At));
+      Append (Item, Number (Machine_Time (Clock)));
+      Queue.Put (Item);
+   end Observe_Frame;
+
+   procedure Observe_Tick (Late : Time_Span) is
+   begin
+      Lateness.Add (Tenths_Of_Microseconds (Late));
+   end Observe_Tick;
+
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Tree      : out Task_Tree)
+   is
+      Which : TCB_Number := 1;
+   begin
+      if Condition = Cold_Start then
+         MCS.Cold_Start (Now);
+      end if;
+      Tree := Empty_Tree;
+      for T in MCS.Task_Name loop
+         Tree (Which) := (MCS.Task_Name'Pos (T) + 1,
+            Next_Release (Now, MCS.Offsets (T)),
+            31 - MCS.Task_Name'Pos (T));
+         Which := Which + 1;
       end loop;
-   end Ticker;
+   end Begin_Again;
+
+   procedure Raise_Processor_Exception is
+   begin
+      Tasks.Request_Start (Processor_Restart);
+   end Raise_Processor_Exception;
 
    procedure Switch_On is
    begin
-      Telemetry_Processor.Switch_On;
-      MCS.Cold_Start (0);
-      Set_True (Power);
-      Converter.Switch_On;
+      Signals.Listen;
+      Telemetry_Hardware.Switch_On;
+      Tasks.Switch_On;
+      Converter_Hardware.Switch_On;
    end Switch_On;
+
+   function Overruns return Count is
+      Number : Count;
+   begin
+      Tasks.Inspect_Overruns (Number);
+      return Number;
+   end Overruns;
+
+   function Log return URV.Errors.Error_Log is
+      Snapshot : URV.Errors.Error_Log;
+   begin
+      MCS.Errors.Inspect (Snapshot);
+      return Snapshot;
+   end Log;
 
 end Partitions.MCS_Node;

@@ -1,32 +1,24 @@
---  The aircraft's multiprocessor control system in its partition.
+--  The aircraft's control system in its partition: the flight
+--  software's tasks, and the hardware of its boards.
 
 with MCS;
-with Partitions.Aircraft;
-with Partitions.Converter;
-with Partitions.Rows;
-with Partitions.Signals;
-with Partitions.Telemetry_Processor;
+with Partitions.Measurements; use Partitions.Measurements;
+with URVOS;                   use URVOS;
+with URV.Errors;
 
 package Partitions.MCS_Node is
 
-   package Telemetry_Processor is new Partitions.Telemetry_Processor
-     (Start            => MCS.Telemetry_Board.Start,
-      Accept_Character => MCS.Telemetry_Board.Accept_Character,
-      Next_Character   => MCS.Telemetry_Board.Next_Character);
+   --  What the transactions of each task took, in tenths of microseconds.
+   Costs : array (MCS.Task_Name) of Distribution;
 
-   package Converter is new Partitions.Converter
-     (Sample               => Aircraft.Sample,
-      Take_Start           => MCS.AD_Board.Take_Start,
-      Finish               => MCS.AD_Board.Finish,
-      Interrupt_Controller => MCS.AD_Interrupt);
-
-   procedure Restart_Processor is null;
-
-   package Signals is new Partitions.Signals
-     (Switch_Off                => Rows.Queue.Finish,
-      Raise_Processor_Exception => Restart_Processor);
+   --  How late the clock ticked, in tenths of microseconds.
+   Lateness : Distribution;
 
    --  Power up of every board.
    procedure Switch_On;
+
+   function Overruns return Count;
+
+   function Log return URV.Errors.Error_Log;
 
 end Partitions.MCS_Node;

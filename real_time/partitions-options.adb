@@ -9,8 +9,8 @@ package body Partitions.Options is
    use type Number;
 
    type Option is
-     (Link_Option, Seconds_Option, Script_Option, Record_Option,
-      Summary_Option, Events_Option, Quiet_Option);
+     (Link_Option, Seconds_Option, Phase_Option, Script_Option,
+      Record_Option, Summary_Option, Events_Option, Quiet_Option);
 
    type Option_Set is array (Option) of Boolean;
 
@@ -21,6 +21,7 @@ package body Partitions.Options is
      (case Which is
          when Link_Option    => "--link",
          when Seconds_Option => "--seconds",
+         when Phase_Option   => "--phase",
          when Script_Option  => (if This = GSC then "--sticks"
                                  else "--sensors"),
          when Record_Option  => "--record",
@@ -68,6 +69,17 @@ package body Partitions.Options is
             end if;
             Chosen.Frames := URVOS.Count
               ((Amount * Frames_Per_Second + 999_999) / 1_000_000);
+
+         when Phase_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid or else Amount > Number (Phase_Ticks'Last) then
+               Refuse
+                 ("--phase: " & Quoted (Value)
+                  & " is not a whole number from 0 to"
+                  & Phase_Ticks'Image (Phase_Ticks'Last));
+            end if;
+            Chosen.In_Phase := True;
+            Chosen.Phase := Phase_Ticks (Amount);
 
          when Link_Option    => Chosen.Link := Given;
          when Script_Option  => Chosen.Script := Given;
@@ -171,6 +183,12 @@ package body Partitions.Options is
         ("  --link serial:DEVICE   the serial line to the other node");
       Put_Line
         ("  --seconds S            ends the run");
+      Put_Line
+        ("  --phase TICKS          switches the node on so many times 2 ms"
+         & " after a whole");
+      Put_Line
+        ("                         20 ms of the machine's clock; else at"
+         & " once");
       if This = GSC then
          Put_Line
            ("  --sticks FILE          the pilot's console input");

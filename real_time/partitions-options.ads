@@ -13,6 +13,8 @@ package Partitions.Options is
    type Output_File is (Record_File, Summary_File, Events_File);
    type Output_Names is array (Output_File) of Unbounded_String;
 
+   subtype Phase_Ticks is Natural range 0 .. 9;
+
    --  Names are empty, and Frames is 0, when they were not given.
    type Choices is record
       Help    : Boolean := False;
@@ -21,6 +23,11 @@ package Partitions.Options is
       Outputs : Output_Names;
       Quiet   : Boolean := False;
       Frames  : URVOS.Count := 0;
+
+      --  Where in the major frames of the machine's clock the node is
+      --  switched on; at once when not In_Phase.
+      In_Phase : Boolean := False;
+      Phase    : Phase_Ticks := 0;
    end record;
 
    function Parsed (This : Node) return Choices;

@@ -1,6 +1,10 @@
+with Sim.Names;
+with URVOS;
+
 package body Partitions.Reports is
 
    use type Number;
+   use type URVOS.Count;
 
    --  Goes to the next line and names what comes there.
    procedure Begin_Field
@@ -122,5 +126,24 @@ package body Partitions.Reports is
       Put (To, Number (Value.Number));
       Put (To, '}');
    end Put_Field;
+
+   procedure Put_Log
+     (To   : in out Writer;
+      This : in out Report;
+      Log  : URV.Errors.Error_Log)
+   is
+      use URV.Errors;
+      Item : Logs.History;
+   begin
+      Begin_Group (This, To, "events");
+      for Kind in Error_Kind loop
+         Item := Logs.History_Of (Log, Kind);
+         if Item.Occurrences > 0 then
+            Put_Field
+              (This, To, Sim.Names.Name (Kind), Number (Item.Occurrences));
+         end if;
+      end loop;
+      End_Group (This, To);
+   end Put_Log;
 
 end Partitions.Reports;

@@ -4,6 +4,7 @@
 with Partitions.Measurements; use Partitions.Measurements;
 with Sim.Text_Numbers;
 with Sim.Text_Output;         use Sim.Text_Output;
+with URV.Errors;
 
 package Partitions.Reports is
 
@@ -41,6 +42,12 @@ package Partitions.Reports is
       Name     : String;
       Value    : Statistics;
       Decimals : Natural);
+
+   --  "events": how often each kind of error happened, of those that did.
+   procedure Put_Log
+     (To   : in out Writer;
+      This : in out Report;
+      Log  : URV.Errors.Error_Log);
 
 private
 

@@ -108,6 +108,9 @@ begin
       New_Line (Files (Record_File));
    end if;
 
+   if Chosen.In_Phase then
+      Clocks.Await_Phase (Chosen.Phase);
+   end if;
    Clocks.Switch_On;
    Switch_On;
    Write_Rows (Number (Chosen.Frames));

@@ -1,3 +1,4 @@
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Interfaces.C; use Interfaces.C;
 with System;
 
@@ -6,11 +7,14 @@ with Partitions.System_Calls; use Partitions.System_Calls;
 
 package body Partitions.Signals is
 
+   Gate : Suspension_Object;
+
    task Listener with Priority => System.Priority'Last - 1;
 
    task body Listener is
       Came : int;
    begin
+      Suspend_Until_True (Gate);
       loop
          if Wait_For (Signal_Masks.Ours, Came) = 0 then
             if Came = Restart then
@@ -21,5 +25,10 @@ package body Partitions.Signals is
          end if;
       end loop;
    end Listener;
+
+   procedure Listen is
+   begin
+      Set_True (Gate);
+   end Listen;
 
 end Partitions.Signals;

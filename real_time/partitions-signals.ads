@@ -10,6 +10,7 @@ generic
    with procedure Raise_Processor_Exception;
 package Partitions.Signals is
 
-   pragma Elaborate_Body;
+   --  From now on signals do what they should.
+   procedure Listen;
 
 end Partitions.Signals;

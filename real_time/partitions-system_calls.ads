@@ -45,11 +45,18 @@ package Partitions.System_Calls is
    end record with Convention => C;
 
    function Poll
-     (Requests : in out Poll_Request;
+     (Requests : System.Address;
       Length   : unsigned_long;
       Limit    : Time_Span;
       Mask     : System.Address) return int
    with Import, Convention => C, External_Name => "ppoll";
+
+   type Poll_Requests is array (Positive range <>) of Poll_Request
+   with Convention => C;
+
+   --  A file that is ready to be read when something was written to it.
+   function Event_File (Initially : unsigned; Flags : int) return File
+   with Import, Convention => C, External_Name => "eventfd";
 
    --  Sockets
 

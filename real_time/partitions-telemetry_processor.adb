@@ -9,8 +9,8 @@ package body Partitions.Telemetry_Processor is
    Character_Time : constant Time_Span :=
      Microseconds (Microseconds_Per_Character);
 
-   --  How soon a board at rest finds the block that its controller gives.
-   Look_Again : constant Time_Span := Microseconds (500);
+   --  How soon a board at rest looks for a block of its controller unasked.
+   Look_Again : constant Time_Span := Milliseconds (2);
 
    Power : Suspension_Object;
 
@@ -127,5 +127,10 @@ package body Partitions.Telemetry_Processor is
       Start;
       Set_True (Power);
    end Switch_On;
+
+   procedure Look is
+   begin
+      Links.Nudge;
+   end Look;
 
 end Partitions.Telemetry_Processor;

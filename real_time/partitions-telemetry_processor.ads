@@ -26,4 +26,8 @@ package Partitions.Telemetry_Processor is
    --  Power up: the board starts, and its task with it.
    procedure Switch_On;
 
+   --  The controller has given the board something: its main program, which
+   --  looks at its flags all the time, finds it now.
+   procedure Look;
+
 end Partitions.Telemetry_Processor;
