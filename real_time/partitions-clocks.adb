@@ -4,6 +4,25 @@ package body Partitions.Clocks is
 
    Beginning : Time := Clock;
 
+   --  Set by the kernel's clock, read by the tasks.
+   protected Last_Tick is
+      procedure Set (At_Time : Time);
+      function Get return Time;
+   private
+      Present : Time := Time_First;
+   end Last_Tick;
+
+   protected body Last_Tick is
+
+      procedure Set (At_Time : Time) is
+      begin
+         Present := At_Time;
+      end Set;
+
+      function Get return Time is (Present);
+
+   end Last_Tick;
+
    function In_Microseconds (Span : Time_Span) return Sim.Microseconds is
      (Sim.Microseconds (To_Duration (Span) * 1_000_000));
 
@@ -25,6 +44,13 @@ package body Partitions.Clocks is
 
    function Elapsed return Sim.Microseconds is
      (In_Microseconds (Clock - Beginning));
+
+   procedure Set_Tick (At_Time : Time) is
+   begin
+      Last_Tick.Set (At_Time);
+   end Set_Tick;
+
+   function Tick return Time is (Last_Tick.Get);
 
    function Machine_Time (At_Time : Time) return Sim.Microseconds is
       Seconds : Seconds_Count;

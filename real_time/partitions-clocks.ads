@@ -20,6 +20,10 @@ package Partitions.Clocks is
    --  Since the node was switched on.
    function Elapsed return Sim.Microseconds;
 
+   --  When the node's clock should have ticked last.
+   procedure Set_Tick (At_Time : Time);
+   function Tick return Time;
+
    --  Since the machine was: what two partitions of one machine share.
    function Machine_Time (At_Time : Time) return Sim.Microseconds;
 

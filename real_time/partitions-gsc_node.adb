@@ -38,42 +38,49 @@ package body Partitions.GSC_Node is
 
    procedure AD_Step is new Guarded_Step
      (Cost            => Costs (GSC.AD_Task),
+      Response        => Responses (GSC.AD_Task),
       Initialise      => GSC.AD.Initialise,
       Run_Transaction => GSC.AD.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure TELIN_Step is new Guarded_Step
      (Cost            => Costs (GSC.TELIN_Task),
+      Response        => Responses (GSC.TELIN_Task),
       Initialise      => GSC.TELIN.Initialise,
       Run_Transaction => GSC.TELIN.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure GDCIN_Step is new Guarded_Step
      (Cost            => Costs (GSC.GDCIN_Task),
+      Response        => Responses (GSC.GDCIN_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.GDCIN.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure GDCOUT_Step is new Guarded_Step
      (Cost            => Costs (GSC.GDCOUT_Task),
+      Response        => Responses (GSC.GDCOUT_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.GDCOUT.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure TELOUT_Step is new Guarded_Step
      (Cost            => Costs (GSC.TELOUT_Task),
+      Response        => Responses (GSC.TELOUT_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.TELOUT.Run_Transaction,
       Observe         => Telemetry_Hardware.Look);
 
    procedure CORE_Step is new Guarded_Step
      (Cost            => Costs (GSC.CORE_Task),
+      Response        => Responses (GSC.CORE_Task),
       Initialise      => GSC.CORE.Initialise,
       Run_Transaction => GSC.CORE.Run_Transaction,
       Observe         => Observe_Frame);
 
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (GSC.LOG_Task),
+      Response        => Responses (GSC.LOG_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.LOG.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -128,6 +135,7 @@ package body Partitions.GSC_Node is
    procedure Observe_Tick (Late : Time_Span) is
    begin
       Lateness.Add (Tenths_Of_Microseconds (Late));
+      Set_Tick (Clock - Late);
    end Observe_Tick;
 
    procedure Begin_Again

@@ -8,8 +8,10 @@ with URV.Errors;
 
 package Partitions.GSC_Node is
 
-   --  What the transactions of each task took, in tenths of microseconds.
-   Costs : array (GSC.Task_Name) of Distribution;
+   --  What the transactions of each task took, and when they ended after
+   --  the tick of their minor frame; in tenths of microseconds.
+   Costs     : array (GSC.Task_Name) of Distribution;
+   Responses : array (GSC.Task_Name) of Distribution;
 
    --  How late the clock ticked, in tenths of microseconds.
    Lateness : Distribution;

@@ -6,12 +6,15 @@ procedure Partitions.Guarded_Step
   (First_Run : Boolean; Failed : out Boolean)
 is
    Began : constant Time := Clock;
+   Ended : Time;
 begin
    if First_Run then
       Initialise;
    else
       Run_Transaction;
-      Cost.Add (Clocks.Tenths_Of_Microseconds (Clock - Began));
+      Ended := Clock;
+      Cost.Add (Clocks.Tenths_Of_Microseconds (Ended - Began));
+      Response.Add (Clocks.Tenths_Of_Microseconds (Ended - Clocks.Tick));
       Observe;
    end if;
    Failed := False;

@@ -44,48 +44,56 @@ package body Partitions.MCS_Node is
 
    procedure AD_Step is new Guarded_Step
      (Cost            => Costs (MCS.AD_Task),
+      Response        => Responses (MCS.AD_Task),
       Initialise      => MCS.AD.Initialise,
       Run_Transaction => MCS.AD.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure TELIN_Step is new Guarded_Step
      (Cost            => Costs (MCS.TELIN_Task),
+      Response        => Responses (MCS.TELIN_Task),
       Initialise      => MCS.TELIN.Initialise,
       Run_Transaction => MCS.TELIN.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure MDCIN_Step is new Guarded_Step
      (Cost            => Costs (MCS.MDCIN_Task),
+      Response        => Responses (MCS.MDCIN_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.MDCIN.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure MDCOUT_Step is new Guarded_Step
      (Cost            => Costs (MCS.MDCOUT_Task),
+      Response        => Responses (MCS.MDCOUT_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.MDCOUT.Run_Transaction,
       Observe         => Observe_Nothing);
 
    procedure PWM_Step is new Guarded_Step
      (Cost            => Costs (MCS.PWM_Task),
+      Response        => Responses (MCS.PWM_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.PWM.Run_Transaction,
       Observe         => Observe_Servos);
 
    procedure TELOUT_Step is new Guarded_Step
      (Cost            => Costs (MCS.TELOUT_Task),
+      Response        => Responses (MCS.TELOUT_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.TELOUT.Run_Transaction,
       Observe         => Telemetry_Hardware.Look);
 
    procedure CORE_Step is new Guarded_Step
      (Cost            => Costs (MCS.CORE_Task),
+      Response        => Responses (MCS.CORE_Task),
       Initialise      => MCS.CORE.Initialise,
       Run_Transaction => MCS.CORE.Run_Transaction,
       Observe         => Observe_Frame);
 
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (MCS.LOG_Task),
+      Response        => Responses (MCS.LOG_Task),
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.LOG.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -147,6 +155,7 @@ package body Partitions.MCS_Node is
    procedure Observe_Tick (Late : Time_Span) is
    begin
       Lateness.Add (Tenths_Of_Microseconds (Late));
+      Set_Tick (Clock - Late);
    end Observe_Tick;
 
    procedure Begin_Again

@@ -16,6 +16,9 @@ procedure Urv_MCS is
 
    procedure Put_Events (To : in out Writer);
 
+   function Name (Which : MCS.Task_Name) return String is
+     (Ada.Characters.Handling.To_Lower (Which'Image));
+
    procedure Put_Results (To : in out Writer; Result : in out Report) is
    begin
       Put_Field
@@ -24,9 +27,15 @@ procedure Urv_MCS is
       Begin_Group (Result, To, "cost_us");
       for Which in MCS.Task_Name loop
          Put_Field
-           (Result, To,
-            Ada.Characters.Handling.To_Lower (Which'Image),
+           (Result, To, Name (Which),
             Partitions.MCS_Node.Costs (Which).Summed_Up, 1);
+      end loop;
+      End_Group (Result, To);
+      Begin_Group (Result, To, "response_us");
+      for Which in MCS.Task_Name loop
+         Put_Field
+           (Result, To, Name (Which),
+            Partitions.MCS_Node.Responses (Which).Summed_Up, 1);
       end loop;
       End_Group (Result, To);
       Put_Log (To, Result, Partitions.MCS_Node.Log);
