@@ -1,6 +1,7 @@
 with Ada.Real_Time;        use Ada.Real_Time;
 
 with GSC.Real_Time;
+with Memory_Hardware;
 with Partitions.Console;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
@@ -8,9 +9,8 @@ with Partitions.Guarded_Step;
 with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
-with URVOS.Arrangements;   use URVOS.Arrangements;
 with URVOS.Frames;         use URVOS.Frames;
-with URVOS.Task_Trees;     use URVOS.Task_Trees;
+with URVOS.Starts;         use URVOS.Starts;
 
 package body Partitions.GSC_Node is
 
@@ -81,40 +81,40 @@ package body Partitions.GSC_Node is
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (GSC.LOG_Task),
       Response        => Responses (GSC.LOG_Task),
-      Initialise      => No_Initialisation,
+      Initialise      => GSC.LOG.Initialise,
       Run_Transaction => GSC.LOG.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure SELF_TEST_Step is new Guarded_Step
+     (Cost            => Costs (GSC.SELF_TEST_Task),
+      Response        => Responses (GSC.SELF_TEST_Task),
+      Initialise      => GSC.SELF_TEST.Initialise,
+      Run_Transaction => GSC.SELF_TEST.Run_Transaction,
       Observe         => Observe_Nothing);
 
    --  Starts
 
-   type Start_Condition is (Cold_Start, Processor_Restart);
-
-   procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Tree      : out Task_Tree);
-
    procedure Observe_Tick (Late : Time_Span);
 
    package Tasks is new GSC.Real_Time
-     (Start_Condition => Start_Condition,
-      Cold            => Cold_Start,
-      Begin_Again     => Begin_Again,
-      Restart         => Processor_Restart,
-      AD_Step         => AD_Step,
-      TELIN_Step      => TELIN_Step,
-      GDCIN_Step      => GDCIN_Step,
-      GDCOUT_Step     => GDCOUT_Step,
-      TELOUT_Step     => TELOUT_Step,
-      CORE_Step       => CORE_Step,
-      LOG_Step        => LOG_Step,
-      Observe_Tick    => Observe_Tick);
+     (AD_Step        => AD_Step,
+      TELIN_Step     => TELIN_Step,
+      GDCIN_Step     => GDCIN_Step,
+      GDCOUT_Step    => GDCOUT_Step,
+      TELOUT_Step    => TELOUT_Step,
+      CORE_Step      => CORE_Step,
+      LOG_Step       => LOG_Step,
+      SELF_TEST_Step => SELF_TEST_Step,
+      Observe_Tick   => Observe_Tick);
 
    procedure Raise_Processor_Exception;
 
+   procedure Press_Reset_Switch;
+
    package Signals is new Partitions.Signals
      (Switch_Off                => Queue.Finish,
-      Raise_Processor_Exception => Raise_Processor_Exception);
+      Raise_Processor_Exception => Raise_Processor_Exception,
+      Press_Reset_Switch        => Press_Reset_Switch);
 
    procedure Observe_Frame is
       use type Number;
@@ -138,33 +138,20 @@ package body Partitions.GSC_Node is
       Set_Tick (Clock - Late);
    end Observe_Tick;
 
-   procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Tree      : out Task_Tree)
-   is
-      Which : TCB_Number := 1;
-   begin
-      if Condition = Cold_Start then
-         GSC.Cold_Start (Now);
-      end if;
-      Tree := Empty_Tree;
-      for T in GSC.Task_Name loop
-         Tree (Which) := (GSC.Task_Name'Pos (T) + 1,
-            Next_Release (Now, GSC.Offsets (T)),
-            31 - GSC.Task_Name'Pos (T));
-         Which := Which + 1;
-      end loop;
-   end Begin_Again;
-
    procedure Raise_Processor_Exception is
    begin
       Tasks.Request_Start (Processor_Restart);
    end Raise_Processor_Exception;
 
+   procedure Press_Reset_Switch is
+   begin
+      Tasks.Request_Start (Warm_Reset);
+   end Press_Reset_Switch;
+
    procedure Switch_On is
    begin
       Signals.Listen;
+      Memory_Hardware.Repair (1);
       Telemetry_Hardware.Switch_On;
       Tasks.Switch_On;
       Converter_Hardware.Switch_On;

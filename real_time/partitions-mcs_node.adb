@@ -1,6 +1,7 @@
 with Ada.Real_Time;        use Ada.Real_Time;
 
 with MCS.Real_Time;
+with Memory_Hardware;
 with Partitions.Aircraft;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
@@ -9,9 +10,8 @@ with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
 with Sim;
-with URVOS.Arrangements;   use URVOS.Arrangements;
 with URVOS.Frames;         use URVOS.Frames;
-with URVOS.Task_Trees;     use URVOS.Task_Trees;
+with URVOS.Starts;         use URVOS.Starts;
 
 package body Partitions.MCS_Node is
 
@@ -94,41 +94,41 @@ package body Partitions.MCS_Node is
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (MCS.LOG_Task),
       Response        => Responses (MCS.LOG_Task),
-      Initialise      => No_Initialisation,
+      Initialise      => MCS.LOG.Initialise,
       Run_Transaction => MCS.LOG.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure SELF_TEST_Step is new Guarded_Step
+     (Cost            => Costs (MCS.SELF_TEST_Task),
+      Response        => Responses (MCS.SELF_TEST_Task),
+      Initialise      => MCS.SELF_TEST.Initialise,
+      Run_Transaction => MCS.SELF_TEST.Run_Transaction,
       Observe         => Observe_Nothing);
 
    --  Starts
 
-   type Start_Condition is (Cold_Start, Processor_Restart);
-
-   procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Tree      : out Task_Tree);
-
    procedure Observe_Tick (Late : Time_Span);
 
    package Tasks is new MCS.Real_Time
-     (Start_Condition => Start_Condition,
-      Cold            => Cold_Start,
-      Begin_Again     => Begin_Again,
-      Restart         => Processor_Restart,
-      AD_Step         => AD_Step,
-      TELIN_Step      => TELIN_Step,
-      MDCIN_Step      => MDCIN_Step,
-      MDCOUT_Step     => MDCOUT_Step,
-      PWM_Step        => PWM_Step,
-      TELOUT_Step     => TELOUT_Step,
-      CORE_Step       => CORE_Step,
-      LOG_Step        => LOG_Step,
-      Observe_Tick    => Observe_Tick);
+     (AD_Step        => AD_Step,
+      TELIN_Step     => TELIN_Step,
+      MDCIN_Step     => MDCIN_Step,
+      MDCOUT_Step    => MDCOUT_Step,
+      PWM_Step       => PWM_Step,
+      TELOUT_Step    => TELOUT_Step,
+      CORE_Step      => CORE_Step,
+      LOG_Step       => LOG_Step,
+      SELF_TEST_Step => SELF_TEST_Step,
+      Observe_Tick   => Observe_Tick);
 
    procedure Raise_Processor_Exception;
 
+   procedure Press_Reset_Switch;
+
    package Signals is new Partitions.Signals
      (Switch_Off                => Queue.Finish,
-      Raise_Processor_Exception => Raise_Processor_Exception);
+      Raise_Processor_Exception => Raise_Processor_Exception,
+      Press_Reset_Switch        => Press_Reset_Switch);
 
    procedure Observe_Servos is
    begin
@@ -158,33 +158,20 @@ package body Partitions.MCS_Node is
       Set_Tick (Clock - Late);
    end Observe_Tick;
 
-   procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Tree      : out Task_Tree)
-   is
-      Which : TCB_Number := 1;
-   begin
-      if Condition = Cold_Start then
-         MCS.Cold_Start (Now);
-      end if;
-      Tree := Empty_Tree;
-      for T in MCS.Task_Name loop
-         Tree (Which) := (MCS.Task_Name'Pos (T) + 1,
-            Next_Release (Now, MCS.Offsets (T)),
-            31 - MCS.Task_Name'Pos (T));
-         Which := Which + 1;
-      end loop;
-   end Begin_Again;
-
    procedure Raise_Processor_Exception is
    begin
       Tasks.Request_Start (Processor_Restart);
    end Raise_Processor_Exception;
 
+   procedure Press_Reset_Switch is
+   begin
+      Tasks.Request_Start (Warm_Reset);
+   end Press_Reset_Switch;
+
    procedure Switch_On is
    begin
       Signals.Listen;
+      Memory_Hardware.Repair (2);
       Telemetry_Hardware.Switch_On;
       Tasks.Switch_On;
       Converter_Hardware.Switch_On;

@@ -20,7 +20,7 @@ package body Partitions.Measurements is
             Passed : Total := 0;
          begin
             for Place in Bin loop
-               Passed := Passed + Counts (Place);
+               Passed := Passed + Total (Counts (Place));
                if Passed >= Wanted then
                   return Measure'Min (Measure (Place), Maximum);
                end if;

@@ -4,13 +4,14 @@
 package Partitions.Measurements is
 
    --  Up to here each value is counted apart; a larger one only as larger.
-   Finest : constant := 20_000;
+   Finest : constant := 60_000;
 
    type Measure is range 0 .. 2 ** 62;
    subtype Total is Measure;
 
    type Bin is range 0 .. Finest;
-   type Bin_Counts is array (Bin) of Total;
+   type Bin_Count is range 0 .. 2 ** 31 - 1;
+   type Bin_Counts is array (Bin) of Bin_Count;
 
    type Statistics is record
       Number  : Total   := 0;

@@ -175,7 +175,9 @@ package body Partitions.Options is
         ("Runs the " & (if This = GSC then "ground station core"
                         else "aircraft's control system")
          & " in real time, until SIGINT or SIGTERM.");
-      Put_Line ("SIGUSR1 raises a processor exception: a warm restart.");
+      Put_Line
+        ("SIGUSR1 raises a processor exception, SIGUSR2 presses the reset"
+         & " switch.");
       New_Line;
       Put_Line
         ("  --link udp:HOST:PORT:PEER_HOST:PEER_PORT");

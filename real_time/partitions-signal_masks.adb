@@ -11,7 +11,8 @@ package body Partitions.Signal_Masks is
 begin
    Add (Set, Interrupt);
    Add (Set, Terminate_Program);
-   Add (Set, Restart);
+   Add (Set, User_1);
+   Add (Set, User_2);
    Status := Set_Mask (To_Block, Set, System.Null_Address);
    Status := Status + Set_Process (Timer_Slack, 1);
 

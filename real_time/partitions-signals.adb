@@ -17,11 +17,11 @@ package body Partitions.Signals is
       Suspend_Until_True (Gate);
       loop
          if Wait_For (Signal_Masks.Ours, Came) = 0 then
-            if Came = Restart then
-               Raise_Processor_Exception;
-            else
-               Switch_Off;
-            end if;
+            case Came is
+               when User_1 => Raise_Processor_Exception;
+               when User_2 => Press_Reset_Switch;
+               when others => Switch_Off;
+            end case;
          end if;
       end loop;
    end Listener;

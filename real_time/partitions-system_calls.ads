@@ -152,9 +152,10 @@ package Partitions.System_Calls is
 
    --  Signals
 
-   Interrupt : constant int := 2;
-   Restart   : constant int := 10;
-   Terminate_Program : constant int := 15;
+   Interrupt         : constant := 2;
+   User_1            : constant := 10;
+   User_2            : constant := 12;
+   Terminate_Program : constant := 15;
 
    type Signal_Words is array (1 .. 16) of unsigned_long;
    type Signal_Set is record

@@ -12,21 +12,18 @@
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Starts;       use URVOS.Starts;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 generic
-   type Start_Condition is (<>);
-
-   --  Power up, and what an unexpected exception asks for (KRN-6).
-   Cold    : Start_Condition;
-   Restart : Start_Condition;
-
-   --  Phases 1 and 2 of a start. They end in the application's START call
-   --  with its task tree; after a failed self-test the tree is empty.
+   --  Phases 1 and 2 of a start. They end in the application's START call,
+   --  unless the self-test has failed.
    with procedure Begin_Again
      (Condition : Start_Condition;
       Now       : Clock_Tick;
-      Tree      : out Task_Tree);
+      Passed    : out Boolean);
+
+   with function Task_Tree_Of (Now : Clock_Tick) return Task_Tree;
 
    --  The time is now Now: for whoever stamps what happens.
    with procedure Tell_Time (Now : Clock_Tick);

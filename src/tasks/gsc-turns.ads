@@ -13,6 +13,9 @@ is
    procedure Resume (Id : Task_Id)
    with Global => (In_Out => Waiting);
 
+   --  The task was released late or ran into its next release (FRM-4).
+   procedure Report_Overrun (Id : Task_Id);
+
    --  Each waits for its own turn.
 
    procedure Await_AD
@@ -34,6 +37,9 @@ is
    with Global => (In_Out => Waiting);
 
    procedure Await_LOG
+   with Global => (In_Out => Waiting);
+
+   procedure Await_SELF_TEST
    with Global => (In_Out => Waiting);
 
 end GSC.Turns;

@@ -16,18 +16,21 @@ package body MCS.Real_Time
           PWM_Runner.Runner,
           TELOUT_Runner.Runner,
           CORE_Runner.Runner,
-          LOG_Runner.Runner))
+          LOG_Runner.Runner,
+          SELF_TEST_Runner.Runner))
 is
 
+   --  One processor runs all tasks.
+   function Whole_Tree (Now : Clock_Tick) return Task_Tree is
+     (Task_Tree_Of (Processors => 1, Which => 1, Now => Now));
+
    package Kernel is new URVOS.Real_Time_Kernels
-     (Start_Condition => Start_Condition,
-      Cold            => Cold,
-      Restart         => Restart,
-      Begin_Again     => Begin_Again,
-      Tell_Time       => Errors.Set_Time,
-      Report_Overrun  => Report_Overrun,
-      Resume          => Turns.Resume,
-      Observe_Tick    => Observe_Tick);
+     (Begin_Again    => Begin_Again,
+      Task_Tree_Of   => Whole_Tree,
+      Tell_Time      => Errors.Set_Time,
+      Report_Overrun => Turns.Report_Overrun,
+      Resume         => Turns.Resume,
+      Observe_Tick   => Observe_Tick);
 
    package AD_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (AD_Task),
@@ -83,6 +86,13 @@ is
       Wait_For_Turn => Turns.Await_LOG,
       Begin_Step    => Kernel.Begin_Step,
       Step          => LOG_Step,
+      End_Step      => Kernel.End_Step);
+
+   package SELF_TEST_Runner is new URVOS.Real_Time_Tasks
+     (Offset        => Offsets (SELF_TEST_Task),
+      Wait_For_Turn => Turns.Await_SELF_TEST,
+      Begin_Step    => Kernel.Begin_Step,
+      Step          => SELF_TEST_Step,
       End_Step      => Kernel.End_Step);
 
    procedure Switch_On is

@@ -7,17 +7,6 @@
 with Ada.Real_Time; use Ada.Real_Time;
 
 generic
-   type Start_Condition is (<>);
-
-   --  See URVOS.Real_Time_Kernels.
-   Cold    : Start_Condition;
-   Restart : Start_Condition;
-
-   with procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Tree      : out Task_Tree);
-
    with procedure AD_Step
      (First_Run : Boolean; Failed : out Boolean);
    with procedure TELIN_Step
@@ -33,6 +22,8 @@ generic
    with procedure CORE_Step
      (First_Run : Boolean; Failed : out Boolean);
    with procedure LOG_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure SELF_TEST_Step
      (First_Run : Boolean; Failed : out Boolean);
 
    with procedure Observe_Tick (Late : Time_Span);
