@@ -1,5 +1,5 @@
---  The command line of a partition. Whatever is wrong with it raises
---  Sim.Bad_Input.
+--  The command line of a partition (RTP-2). Whatever is wrong with it
+--  raises Sim.Bad_Input.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 

@@ -1,4 +1,4 @@
---  A partition from its command line to its end.
+--  A partition from its command line to its end (RTP-2).
 --
 --  Exit status: 0 run, 1 an internal fault, 2 a bad command line, input file
 --  or link.

@@ -1,5 +1,5 @@
---  The real-time partitions: one node each, in its own process, on a real
---  serial link (issue 1's and the interface's bin/urv_mcs and bin/urv_gsc).
+--  The real-time partitions bin/urv_mcs and bin/urv_gsc: one node each, in
+--  its own process, on a real byte stream (RTP-1).
 --
 --  What is here stands for the node's hardware: its serial line, its A/D
 --  converter, the processor of its telemetry board, its power switch. The

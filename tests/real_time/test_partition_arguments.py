@@ -1,4 +1,6 @@
-"""What is wrong with a command line or a link is said before anything runs."""
+"""RTP-2: what is wrong with a command line or a link is said before anything
+runs.
+"""
 
 import socket
 import subprocess

@@ -1,4 +1,4 @@
-"""The partitions beside another implementation of the other end."""
+"""LNK-2: the partitions beside another implementation of the other end."""
 
 from conftest import (
     COMMANDS, SENSORS, SERVOS, different_rows, free_ports, in_turn, script,
@@ -13,7 +13,7 @@ def follows(sequence, expected):
     return all(words in rest for words in expected)
 
 
-def test_lnk_2_the_aircraft_answers_another_ground(start, write):
+def test_lnk2_the_aircraft_answers_another_ground(start, write):
     sent = different_rows(20, len(COMMANDS), 3)
     measured = different_rows(16, len(SENSORS), 4)
     sensors = write("sensors.csv", script(SENSORS, measured))
@@ -37,7 +37,7 @@ def test_lnk_2_the_aircraft_answers_another_ground(start, write):
     assert [words[7] for words in pwm][-1] == sent[-1][3]
 
 
-def test_lnk_2_the_ground_commands_another_aircraft(start, write):
+def test_lnk2_the_ground_commands_another_aircraft(start, write):
     moved = different_rows(16, len(COMMANDS), 5)
     measured = different_rows(20, len(SENSORS), 6)
     sticks = write("sticks.csv", script(COMMANDS, moved))
@@ -56,7 +56,7 @@ def test_lnk_2_the_ground_commands_another_aircraft(start, write):
     assert aircraft.bad == 0
 
 
-def test_lnk_9_a_node_alone_waits_and_is_there_when_the_other_comes(start):
+def test_lnk9_a_node_alone_waits_and_is_there_when_the_other_comes(start):
     own, other = free_ports(2)
     run = start("gsc", udp(own, other))
     words = tuple(range(100, 127)) + (0,)

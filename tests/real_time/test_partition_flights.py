@@ -1,4 +1,4 @@
-"""Both partitions fly together, and do what the simulation does."""
+"""RTP-1, D-9: both partitions fly together, and do what the simulation does."""
 
 from conftest import (
     COMMANDS, SENSORS, SERVOS, different_rows, in_turn, script,
@@ -41,14 +41,14 @@ def assert_same_contents(mcs, gsc, simulated):
         assert flown[flown.index(middle[0]):][:len(middle)] == middle, group
 
 
-def test_lnk_1_a_flight_over_udp_has_the_contents_of_the_simulations(
+def test_lnk1_a_flight_over_udp_has_the_contents_of_the_simulations(
     start_both, write, simulate
 ):
     mcs, gsc, options = fly_scripts(start_both, write)
     assert_same_contents(mcs, gsc, simulate(*options))
 
 
-def test_lnk_1_a_flight_over_a_serial_line_has_them_too(
+def test_lnk1_a_flight_over_a_serial_line_has_them_too(
     start_both, write, simulate, terminals
 ):
     links = [f"serial:{device}" for device in terminals.devices]
@@ -56,7 +56,7 @@ def test_lnk_1_a_flight_over_a_serial_line_has_them_too(
     assert_same_contents(mcs, gsc, simulate(*options))
 
 
-def test_frm_1_a_node_without_a_script_moves_its_surfaces(start_both, write):
+def test_rtp1_a_node_without_a_script_moves_its_surfaces(start_both, write):
     """The bench: surfaces follow the servos."""
     sticks = write("sticks.csv", "time_ms,roll\n300,4000\n")
     mcs, gsc = (
@@ -71,7 +71,7 @@ def test_frm_1_a_node_without_a_script_moves_its_surfaces(start_both, write):
     assert sorted(ailerons[10:]) == ailerons[10:]
 
 
-def test_sim_1_each_frame_has_its_row(start_both):
+def test_frm1_each_frame_has_its_row(start_both):
     mcs, gsc = (
         run.end() for run in start_both(
             mcs=("--seconds", 1.5), gsc=("--seconds", 1.5)

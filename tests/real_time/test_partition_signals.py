@@ -1,4 +1,5 @@
-"""A partition ends when it is told to, and restarts when it is told to."""
+"""RTP-2: a partition ends when it is told to, and restarts when it is told to.
+"""
 
 import signal
 import time
@@ -31,7 +32,7 @@ def test_a_signal_ends_a_run_with_whole_outputs(start_both, which):
         assert isinstance(outputs.events, dict)
 
 
-def test_krn_6_a_processor_exception_restarts_the_aircraft_in_flight(
+def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     start_both, write
 ):
     rows = different_rows(40, len(COMMANDS), 7)
@@ -62,7 +63,7 @@ def test_krn_6_a_processor_exception_restarts_the_aircraft_in_flight(
     assert places[-1] > (restart["last_ms"] - 250) / 120 + 3
 
 
-def test_krn_6_the_ground_restarts_and_flies_on(start_both, write):
+def test_krn6_the_ground_restarts_and_flies_on(start_both, write):
     rows = different_rows(40, len(COMMANDS), 8)
     sticks = write("sticks.csv", script(COMMANDS, rows))
     mcs, gsc = start_both(gsc=("--sticks", sticks))
