@@ -1,7 +1,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly test prove explore fuzz campaign theory bench size trace \
-        mutate clean
+        mutate real_time timing clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -9,6 +9,8 @@ help:
 	@echo "make fly     fly the standard flight, leave it in flight/"
 	@echo "make test    run every test"
 	@echo "make prove   prove src and proofs, renew the proof record"
+	@echo "make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
+	@echo "make timing  fly them beside cyclictest, SECONDS=60 [RENEW=--renew]"
 	@echo "make explore explore both telemetry boards exhaustively"
 	@echo "make mutate  change the code in small ways, see who notices, JOBS=N"
 	@echo "make fuzz    fuzz a telemetry board, SECONDS=60"
@@ -52,6 +54,16 @@ SECONDS := 60
 fuzz:
 	@scripts/setup.sh fuzz
 	@scripts/fuzz.sh $(SECONDS)
+
+real_time:
+	@scripts/setup.sh real_time
+	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
+
+# RENEW=--renew writes the result into docs/timing.md.
+RENEW :=
+timing: real_time
+	@scripts/setup.sh timing
+	@python3 scripts/timing.py --seconds $(SECONDS) $(RENEW)
 
 bench:
 	@scripts/setup.sh bench

@@ -2,7 +2,8 @@
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
 The parts: unit tests in Ada, with and without their contracts executed, the
-simulation's tests in Python, the static data of each node, the proof record.
+tests in Python of the simulation and of the real-time partitions, the static
+data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same.
 Exit status: 0 when none failed and at least one passed.
@@ -48,15 +49,15 @@ def unit_tests(mode):
     return tuple(map(int, totals.groups()))
 
 
-def simulation_tests():
-    project = ["-P", "sim/urv_sim.gpr", "-XURV_Mode=host"]
+def python_tests(project, mode, name):
+    project = ["-P", project, f"-XURV_Mode={mode}"]
     if run(*GPRBUILD, *project) != 0:
         return BROKEN
-    report = RESULTS / "simulation.xml"
+    report = RESULTS / f"{name}.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-q", "-rs", "--tb=short", f"--junitxml={report}"]
-    status = run(*pytest, "tests/simulation")
+    status = run(*pytest, f"tests/{name}")
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
@@ -69,6 +70,14 @@ def simulation_tests():
         skipped += left_out
         passed += tests - failures - errors - left_out
     return passed, failed, skipped
+
+
+def simulation_tests():
+    return python_tests("sim/urv_sim.gpr", "host", "simulation")
+
+
+def real_time_tests():
+    return python_tests("real_time/urv_real_time.gpr", "flight", "real_time")
 
 
 def one_test(*command):
@@ -94,6 +103,7 @@ PARTS = {
     "unit tests, contracts executed": lambda: unit_tests("test"),
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
+    "real time": real_time_tests,
     "static data": node_size,
     "proof record is of these sources": record_is_current,
     "proof anew shows the recorded checks": proof_anew,

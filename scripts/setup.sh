@@ -2,7 +2,7 @@
 # Installs what one target of the Makefile lacks, and nothing else.
 #
 #   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace|
-#                    mutate
+#                    mutate|real_time|timing
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -28,6 +28,12 @@ case $target in
           requirements="" ;;
    campaign)
           packages="$simulate parallel python3"
+          requirements="" ;;
+   real_time)
+          packages="$build"
+          requirements="" ;;
+   timing)
+          packages="$build rt-tests python3"
           requirements="" ;;
    size)  packages="$build binutils python3"
           requirements="" ;;

@@ -1,9 +1,25 @@
+with Ada.Command_Line;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 
 package body Sim.Complaints is
 
-   Program : constant String := "urv_sim: ";
+   --  A path without its folders.
+   function Last_Name (Path : String) return String;
+
+   function Last_Name (Path : String) return String is
+      First : Positive := Path'First;
+   begin
+      for Place in Path'Range loop
+         if Path (Place) = '/' and then Place < Path'Last then
+            First := Place + 1;
+         end if;
+      end loop;
+      return Path (First .. Path'Last);
+   end Last_Name;
+
+   Program : constant String :=
+     Last_Name (Ada.Command_Line.Command_Name) & ": ";
 
    --  The latest complaint, whole.
    Latest : Unbounded_String;

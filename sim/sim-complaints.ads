@@ -8,7 +8,8 @@ with Ada.Exceptions;
 
 package Sim.Complaints is
 
-   --  Refuses the command line. The line is "urv_sim: What".
+   --  Refuses the command line. The line is "urv_sim: What", with
+   --  the name of the program that runs.
    procedure Refuse (What : String) with No_Return;
 
    --  Refuses an input file. The line is "File:Line: What".

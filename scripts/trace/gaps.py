@@ -14,7 +14,7 @@ SRC = ("src/kernel", "src/devices", "src/telemetry", "src/tasks")
 PROOFS = ("proofs",)
 PROGRAMS = ("sim", "real_time")
 UNIT_TESTS = "tests/unit"
-SIMULATION_TESTS = "tests/simulation"
+PYTHON_TESTS = ("tests/simulation", "tests/real_time")
 
 
 class Repository:
@@ -41,9 +41,10 @@ class Repository:
                 continue
             file = path.relative_to(self.root).as_posix()
             found[name[1]] = source_names.unit_tests(path, file)
-        for path in sorted((self.root / SIMULATION_TESTS).glob("test_*.py")):
-            file = path.relative_to(self.root).as_posix()
-            found[path.stem] = source_names.simulation_tests(path, file)
+        for folder in PYTHON_TESTS:
+            for path in sorted((self.root / folder).glob("test_*.py")):
+                file = path.relative_to(self.root).as_posix()
+                found[path.stem] = source_names.simulation_tests(path, file)
         return found
 
     def tested_in(self, uid):

@@ -29,6 +29,7 @@ package body GSC with SPARK_Mode is
             when AD_Task        => AD.Initialise;
             when TELIN_Task     => TELIN.Initialise;
             when CORE_Task      => CORE.Initialise;
+            when LOG_Task       => LOG.Initialise;
             when SELF_TEST_Task => SELF_TEST.Initialise;
             when others         => null;
          end case;
@@ -63,7 +64,6 @@ package body GSC with SPARK_Mode is
 
       --  Error log and status
       Errors.Clear;
-      LOG.Forget;
       Status.Write (No_Error);
    end Cold_Start;
 

@@ -31,6 +31,7 @@ package body MCS with SPARK_Mode is
             when AD_Task        => AD.Initialise;
             when TELIN_Task     => TELIN.Initialise;
             when CORE_Task      => CORE.Initialise;
+            when LOG_Task       => LOG.Initialise;
             when SELF_TEST_Task => SELF_TEST.Initialise;
             when others         => null;
          end case;
@@ -68,7 +69,6 @@ package body MCS with SPARK_Mode is
 
       --  Error log and status
       Errors.Clear;
-      LOG.Forget;
       Status.Write (No_Error);
    end Cold_Start;
 

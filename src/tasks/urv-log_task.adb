@@ -14,6 +14,17 @@ is
       Inspect_Link (Seen_Tally);
    end Forget;
 
+   procedure Initialise is
+      Log : Error_Log;
+   begin
+      Inspect_Log (Log);
+      if Logs.History_Of (Log, Warm_Reset).Occurrences = 0
+        and then Logs.History_Of (Log, Processor_Restart).Occurrences = 0
+      then
+         Forget;
+      end if;
+   end Initialise;
+
    procedure Run_Transaction is
       Tally : Statistics;
       Fresh : Count;

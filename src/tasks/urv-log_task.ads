@@ -30,6 +30,10 @@ is
    --  nothing new.
    procedure Forget;
 
+   --  The task was loaded. After a cold start, which leaves no restart in
+   --  the log, it forgets.
+   procedure Initialise;
+
    procedure Run_Transaction;
 
 end URV.LOG_Task;

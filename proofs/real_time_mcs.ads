@@ -1,0 +1,9 @@
+--  The aircraft's node in real time, as it is proved: with the steps of the
+--  partition, but for what catches their exceptions and measures them.
+
+package Real_Time_MCS with SPARK_Mode is
+
+   --  Power up.
+   procedure Switch_On;
+
+end Real_Time_MCS;

@@ -1,0 +1,20 @@
+--  What is behind the aircraft's boards: surfaces that follow the servos
+--  with a lag, other sensors held, or any of them as a file says
+--  (--sensors).
+
+with Partitions.Rows; use Partitions.Rows;
+with URV.Buffers;     use URV.Buffers;
+
+package Partitions.Aircraft is
+
+   procedure Load (File : String);
+
+   --  What the A/D board's channels see. Asked once for each scan: the
+   --  surfaces have then moved for a major frame.
+   procedure Sample (Words : out Channel_Words);
+
+   --  The names and the values of the record's columns that this node has.
+   function Column_Names return String;
+   procedure Append_Values (To : in out Row);
+
+end Partitions.Aircraft;

@@ -1,0 +1,69 @@
+package body Partitions.Clocks is
+
+   use type Sim.Microseconds;
+
+   Beginning : Time := Clock;
+
+   --  Set by the kernel's clock, read by the tasks.
+   protected Last_Tick is
+      procedure Set (At_Time : Time);
+      function Get return Time;
+   private
+      Present : Time := Time_First;
+   end Last_Tick;
+
+   protected body Last_Tick is
+
+      procedure Set (At_Time : Time) is
+      begin
+         Present := At_Time;
+      end Set;
+
+      function Get return Time is (Present);
+
+   end Last_Tick;
+
+   function In_Microseconds (Span : Time_Span) return Sim.Microseconds is
+     (Sim.Microseconds (To_Duration (Span) * 1_000_000));
+
+   procedure Switch_On is
+   begin
+      Beginning := Clock;
+   end Switch_On;
+
+   procedure Await_Phase (Ticks : Natural) is
+      Now  : constant Time := Clock;
+      Past : constant Sim.Microseconds :=
+        Machine_Time (Now) mod Sim.Major_Frame;
+   begin
+      delay until Now
+        + Microseconds (Integer (2 * Sim.Major_Frame - Past) + Ticks * 2_000);
+   end Await_Phase;
+
+   function Switched_On_At return Time is (Beginning);
+
+   function Elapsed return Sim.Microseconds is
+     (In_Microseconds (Clock - Beginning));
+
+   procedure Set_Tick (At_Time : Time) is
+   begin
+      Last_Tick.Set (At_Time);
+   end Set_Tick;
+
+   function Tick return Time is (Last_Tick.Get);
+
+   function Machine_Time (At_Time : Time) return Sim.Microseconds is
+      Seconds : Seconds_Count;
+      Rest    : Time_Span;
+   begin
+      Split (At_Time, Seconds, Rest);
+      return Sim.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
+   end Machine_Time;
+
+   function Tenths_Of_Microseconds
+     (Span : Time_Span) return Measurements.Measure
+   is
+     (if Span <= Time_Span_Zero then 0
+      else Measurements.Measure (To_Duration (Span) * 10_000_000));
+
+end Partitions.Clocks;

@@ -1,0 +1,34 @@
+--  The partition's time: since the machine was started, and since the node
+--  was switched on.
+
+with Ada.Real_Time; use Ada.Real_Time;
+
+with Partitions.Measurements;
+with Sim;
+
+package Partitions.Clocks is
+
+   --  The node is switched on now.
+   procedure Switch_On;
+
+   --  Waits until the next time that lies so many ticks of 2 ms after a
+   --  whole 20 ms of the machine's clock.
+   procedure Await_Phase (Ticks : Natural);
+
+   function Switched_On_At return Time;
+
+   --  Since the node was switched on.
+   function Elapsed return Sim.Microseconds;
+
+   --  When the node's clock should have ticked last.
+   procedure Set_Tick (At_Time : Time);
+   function Tick return Time;
+
+   --  Since the machine was: what two partitions of one machine share.
+   function Machine_Time (At_Time : Time) return Sim.Microseconds;
+
+   --  For distributions; 0 when negative.
+   function Tenths_Of_Microseconds
+     (Span : Time_Span) return Measurements.Measure;
+
+end Partitions.Clocks;

@@ -1,0 +1,25 @@
+--  The hardware of an A/D board, as its own task: 16 us after a channel was
+--  started it has been converted and the controller is interrupted.
+--
+--  A scan is 32 conversions, each started by the interrupt before it. They
+--  are made together when the last of them is due, 512 us after the first
+--  was started, from values held at the start: the controller takes them at
+--  its next major frame.
+
+with Devices.AD_Board; use Devices.AD_Board;
+with URV.Buffers;      use URV.Buffers;
+with URVOS;            use URVOS;
+
+generic
+   --  What the channels see.
+   with procedure Sample (Words : out Channel_Words);
+
+   with procedure Take_Start
+     (Wanted : out Boolean; Channel : out Channel_Number);
+   with procedure Finish (Value : Word; Interrupt : out Boolean);
+   with procedure Interrupt_Controller;
+package Partitions.Converter is
+
+   procedure Switch_On;
+
+end Partitions.Converter;

@@ -1,0 +1,174 @@
+with Ada.Real_Time;        use Ada.Real_Time;
+
+with GSC.Real_Time;
+with Memory_Hardware;
+with Partitions.Console;
+with Partitions.Clocks;    use Partitions.Clocks;
+with Partitions.Converter;
+with Partitions.Guarded_Step;
+with Partitions.Rows;      use Partitions.Rows;
+with Partitions.Signals;
+with Partitions.Telemetry_Processor;
+with URVOS.Frames;         use URVOS.Frames;
+with URVOS.Starts;         use URVOS.Starts;
+
+package body Partitions.GSC_Node is
+
+   --  Boards
+
+   package Telemetry_Hardware is new Partitions.Telemetry_Processor
+     (Start            => GSC.Telemetry_Board.Start,
+      Accept_Character => GSC.Telemetry_Board.Accept_Character,
+      Next_Character   => GSC.Telemetry_Board.Next_Character);
+
+   package Converter_Hardware is new Partitions.Converter
+     (Sample               => Console.Sample,
+      Take_Start           => GSC.AD_Board.Take_Start,
+      Finish               => GSC.AD_Board.Finish,
+      Interrupt_Controller => GSC.AD_Interrupt);
+
+   --  Steps of the tasks
+
+   procedure No_Initialisation is null;
+
+   procedure Observe_Nothing is null;
+
+   --  The frame's words are in CORE: a row of the record.
+   procedure Observe_Frame;
+
+   procedure AD_Step is new Guarded_Step
+     (Cost            => Costs (GSC.AD_Task),
+      Response        => Responses (GSC.AD_Task),
+      Initialise      => GSC.AD.Initialise,
+      Run_Transaction => GSC.AD.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure TELIN_Step is new Guarded_Step
+     (Cost            => Costs (GSC.TELIN_Task),
+      Response        => Responses (GSC.TELIN_Task),
+      Initialise      => GSC.TELIN.Initialise,
+      Run_Transaction => GSC.TELIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure GDCIN_Step is new Guarded_Step
+     (Cost            => Costs (GSC.GDCIN_Task),
+      Response        => Responses (GSC.GDCIN_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => GSC.GDCIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure GDCOUT_Step is new Guarded_Step
+     (Cost            => Costs (GSC.GDCOUT_Task),
+      Response        => Responses (GSC.GDCOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => GSC.GDCOUT.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure TELOUT_Step is new Guarded_Step
+     (Cost            => Costs (GSC.TELOUT_Task),
+      Response        => Responses (GSC.TELOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => GSC.TELOUT.Run_Transaction,
+      Observe         => Telemetry_Hardware.Look);
+
+   procedure CORE_Step is new Guarded_Step
+     (Cost            => Costs (GSC.CORE_Task),
+      Response        => Responses (GSC.CORE_Task),
+      Initialise      => GSC.CORE.Initialise,
+      Run_Transaction => GSC.CORE.Run_Transaction,
+      Observe         => Observe_Frame);
+
+   procedure LOG_Step is new Guarded_Step
+     (Cost            => Costs (GSC.LOG_Task),
+      Response        => Responses (GSC.LOG_Task),
+      Initialise      => GSC.LOG.Initialise,
+      Run_Transaction => GSC.LOG.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure SELF_TEST_Step is new Guarded_Step
+     (Cost            => Costs (GSC.SELF_TEST_Task),
+      Response        => Responses (GSC.SELF_TEST_Task),
+      Initialise      => GSC.SELF_TEST.Initialise,
+      Run_Transaction => GSC.SELF_TEST.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   --  Starts
+
+   procedure Observe_Tick (Late : Time_Span);
+
+   package Tasks is new GSC.Real_Time
+     (AD_Step        => AD_Step,
+      TELIN_Step     => TELIN_Step,
+      GDCIN_Step     => GDCIN_Step,
+      GDCOUT_Step    => GDCOUT_Step,
+      TELOUT_Step    => TELOUT_Step,
+      CORE_Step      => CORE_Step,
+      LOG_Step       => LOG_Step,
+      SELF_TEST_Step => SELF_TEST_Step,
+      Observe_Tick   => Observe_Tick);
+
+   procedure Raise_Processor_Exception;
+
+   procedure Press_Reset_Switch;
+
+   package Signals is new Partitions.Signals
+     (Switch_Off                => Queue.Finish,
+      Raise_Processor_Exception => Raise_Processor_Exception,
+      Press_Reset_Switch        => Press_Reset_Switch);
+
+   procedure Observe_Frame is
+      use type Number;
+
+      Now   : Clock_Tick;
+      Frame : Number;
+      Item  : Row;
+   begin
+      Tasks.Inspect_Clock (Now);
+      Frame := Number (Now / Ticks_Per_Major_Frame);
+      Append (Item, Frame);
+      Append (Item, (Frame + 1) * 20);
+      Console.Append_Values (Item);
+      Append (Item, Number (Machine_Time (Clock)));
+      Queue.Put (Item);
+   end Observe_Frame;
+
+   procedure Observe_Tick (Late : Time_Span) is
+   begin
+      Lateness.Add (Tenths_Of_Microseconds (Late));
+      Set_Tick (Clock - Late);
+   end Observe_Tick;
+
+   procedure Raise_Processor_Exception is
+   begin
+      Tasks.Request_Start (Processor_Restart);
+   end Raise_Processor_Exception;
+
+   procedure Press_Reset_Switch is
+   begin
+      Tasks.Request_Start (Warm_Reset);
+   end Press_Reset_Switch;
+
+   procedure Switch_On is
+   begin
+      Signals.Listen;
+      Memory_Hardware.Repair (1);
+      Telemetry_Hardware.Switch_On;
+      Tasks.Switch_On;
+      Converter_Hardware.Switch_On;
+   end Switch_On;
+
+   function Overruns return Count is
+      Number : Count;
+   begin
+      Tasks.Inspect_Overruns (Number);
+      return Number;
+   end Overruns;
+
+   function Log return URV.Errors.Error_Log is
+      Snapshot : URV.Errors.Error_Log;
+   begin
+      GSC.Errors.Inspect (Snapshot);
+      return Snapshot;
+   end Log;
+
+end Partitions.GSC_Node;

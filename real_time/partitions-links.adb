@@ -1,0 +1,155 @@
+with Interfaces.C; use Interfaces.C;
+with Interfaces;
+with System;
+
+with Partitions.Serial_Lines;
+with Partitions.Sockets;
+with Partitions.System_Calls; use Partitions.System_Calls;
+with Sim.Complaints;          use Sim.Complaints;
+
+package body Partitions.Links is
+
+   UDP_Prefix    : constant String := "udp:";
+   Serial_Prefix : constant String := "serial:";
+
+   Line      : File    := Invalid;
+   Nudges    : File    := Invalid;
+   Is_Serial : Boolean := False;
+   Marks     : Serial_Lines.Mark_Reader;
+   Lost      : Count   := 0 with Atomic;
+
+   --  The other end of a serial line has gone: nothing to wait for.
+   Is_Hung_Up : Boolean := False;
+
+   Block_Length : constant := 1_024;
+   Block : array (1 .. Block_Length) of Byte;
+
+   function Starts_With (Text, Prefix : String) return Boolean is
+     (Text'Length > Prefix'Length
+      and then Text (Text'First .. Text'First + Prefix'Length - 1) = Prefix);
+
+   procedure Open (Argument : String) is
+   begin
+      Nudges := Event_File (0, Non_Blocking);
+      if Starts_With (Argument, UDP_Prefix) then
+         Line := Sockets.Opened
+           (Argument (Argument'First + UDP_Prefix'Length .. Argument'Last));
+      elsif Starts_With (Argument, Serial_Prefix) then
+         Is_Serial := True;
+         Line := Serial_Lines.Opened
+           (Argument
+              (Argument'First + Serial_Prefix'Length .. Argument'Last));
+      else
+         Refuse
+           ("--link: " & Quoted (Argument)
+            & " is neither udp:HOST:PORT:PEER_HOST:PEER_PORT"
+            & " nor serial:DEVICE");
+      end if;
+   end Open;
+
+   procedure Wait (Until_Time : Time) is
+      Span     : constant Ada.Real_Time.Time_Span := Until_Time - Clock;
+      Requests : Poll_Requests :=
+        ((Nudges, Input_Ready, 0), (Line, Input_Ready, 0));
+      Cleared  : Byte_Total;
+      Limit    : System_Calls.Time_Span;
+      Found    : int;
+      Nanosecs : Long_Long_Integer;
+   begin
+      if Span > Ada.Real_Time.Time_Span_Zero then
+         Nanosecs := Long_Long_Integer (To_Duration (Span) * 1.0E9);
+         Limit :=
+           (Seconds     => long (Nanosecs / 1_000_000_000),
+            Nanoseconds => long (Nanosecs mod 1_000_000_000));
+      else
+         Limit := (0, 0);
+      end if;
+
+      --  A line that has no other end would be ready at once, for ever.
+      Found := Poll
+        (Requests'Address, (if Is_Hung_Up then 1 else 2), Limit,
+         System.Null_Address);
+      Is_Hung_Up :=
+        not Is_Hung_Up
+        and then Found > 0
+        and then Requests (2).Found = Hung_Up;
+
+      if Found > 0 and then Requests (1).Found = Input_Ready then
+         Cleared := Read (Nudges, Block'Address, 8);
+         pragma Unreferenced (Cleared);
+      end if;
+   end Wait;
+
+   procedure Nudge is
+      One     : aliased constant Interfaces.Unsigned_64 := 1;
+      Written : Byte_Total;
+   begin
+      Written := Write (Nudges, One'Address, 8);
+
+      --  It was nudged already if there is no room.
+      pragma Unreferenced (Written);
+   end Nudge;
+
+   procedure Receive (Heard : in out Arrivals) is
+      Room   : Character_Count;
+      Length : Byte_Total;
+   begin
+      Heard.Length := 0;
+      loop
+         Room := Character_Index'Last - Heard.Length;
+         exit when Room < Block_Length / 2;
+
+         if Is_Serial then
+            Length := Read (Line, Block'Address, size_t (Room));
+         else
+            Length := Receive
+              (Line, Block'Address, size_t (Room), Dont_Wait);
+         end if;
+
+         --  An error is no character. A peer that is not there yet is one:
+         --  the operating system then says that a datagram was refused.
+         exit when Length <= 0;
+
+         for Each of Block (1 .. Integer (Length)) loop
+            if Is_Serial then
+               declare
+                  Found        : Boolean;
+                  Parity_Error : Boolean;
+               begin
+                  Serial_Lines.Take (Marks, Each, Found, Parity_Error);
+                  if Found then
+                     Heard.Length := Heard.Length + 1;
+                     Heard.Items (Heard.Length) := (Each, Parity_Error);
+                  end if;
+               end;
+            else
+               Heard.Length := Heard.Length + 1;
+               Heard.Items (Heard.Length) := (Each, False);
+            end if;
+         end loop;
+      end loop;
+   end Receive;
+
+   procedure Send (Characters : Character_Array) is
+      Length : constant size_t := Characters'Length;
+      Sent   : Byte_Total;
+   begin
+      for Attempt in 1 .. 2 loop
+         if Is_Serial then
+            Sent := Write (Line, Characters'Address, Length);
+         else
+            Sent := Send (Line, Characters'Address, Length, No_Signal);
+         end if;
+
+         --  A socket first reports that an earlier datagram was refused.
+         exit when Is_Serial or else Sent >= 0;
+      end loop;
+
+      for Missing in Byte_Total'Max (Sent, 0) + 1 .. Byte_Total (Length) loop
+         Lost := Incremented (Lost);
+      end loop;
+   end Send;
+
+   function Not_Sent return Count is (Lost);
+
+end Partitions.Links;

@@ -1,0 +1,51 @@
+--  The serial link as this machine has it: a UDP socket or a serial device.
+--  There is one for each partition. What is on it: docs/real-time.md.
+--
+--     --link udp:HOST:PORT:PEER_HOST:PEER_PORT
+--     --link serial:DEVICE
+
+with Ada.Real_Time; use Ada.Real_Time;
+with URVOS;         use URVOS;
+
+package Partitions.Links is
+
+   --  What a DUART has received: a character, and whether its parity bit or
+   --  its frame was wrong.
+   type Character_Received is record
+      Data         : Byte    := 0;
+      Parity_Error : Boolean := False;
+   end record;
+
+   --  More than are ever on their way.
+   type Character_Count is range 0 .. 1_024;
+   subtype Character_Index is Character_Count range 1 .. 1_024;
+
+   type Received_Array is array (Character_Index) of Character_Received;
+
+   type Arrivals is record
+      Length : Character_Count := 0;
+      Items  : Received_Array;
+   end record;
+
+   type Character_Array is array (Character_Index range <>) of Byte;
+
+   --  Refuses what is wrong with the argument or the link: raises
+   --  Sim.Bad_Input.
+   procedure Open (Argument : String);
+
+   --  Returns when a character has arrived or Nudge was called, at the
+   --  latest at that time.
+   procedure Wait (Until_Time : Time);
+
+   procedure Nudge;
+
+   --  Everything that has arrived.
+   procedure Receive (Heard : in out Arrivals);
+
+   --  Puts the characters on the line, all together.
+   procedure Send (Characters : Character_Array);
+
+   --  Characters that the machine did not take.
+   function Not_Sent return Count;
+
+end Partitions.Links;

@@ -1,0 +1,194 @@
+with Ada.Real_Time;        use Ada.Real_Time;
+
+with MCS.Real_Time;
+with Memory_Hardware;
+with Partitions.Aircraft;
+with Partitions.Clocks;    use Partitions.Clocks;
+with Partitions.Converter;
+with Partitions.Guarded_Step;
+with Partitions.Rows;      use Partitions.Rows;
+with Partitions.Signals;
+with Partitions.Telemetry_Processor;
+with Sim;
+with URVOS.Frames;         use URVOS.Frames;
+with URVOS.Starts;         use URVOS.Starts;
+
+package body Partitions.MCS_Node is
+
+   --  Boards
+
+   package Telemetry_Hardware is new Partitions.Telemetry_Processor
+     (Start            => MCS.Telemetry_Board.Start,
+      Accept_Character => MCS.Telemetry_Board.Accept_Character,
+      Next_Character   => MCS.Telemetry_Board.Next_Character);
+
+   package Converter_Hardware is new Partitions.Converter
+     (Sample               => Aircraft.Sample,
+      Take_Start           => MCS.AD_Board.Take_Start,
+      Finish               => MCS.AD_Board.Finish,
+      Interrupt_Controller => MCS.AD_Interrupt);
+
+   --  Steps of the tasks
+
+   --  When the servos were commanded last. Only one task runs at a time.
+   Servos_At : Sim.Microseconds := 0;
+
+   procedure No_Initialisation is null;
+
+   procedure Observe_Nothing is null;
+
+   procedure Observe_Servos;
+
+   --  The frame's words are in CORE: a row of the record.
+   procedure Observe_Frame;
+
+   procedure AD_Step is new Guarded_Step
+     (Cost            => Costs (MCS.AD_Task),
+      Response        => Responses (MCS.AD_Task),
+      Initialise      => MCS.AD.Initialise,
+      Run_Transaction => MCS.AD.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure TELIN_Step is new Guarded_Step
+     (Cost            => Costs (MCS.TELIN_Task),
+      Response        => Responses (MCS.TELIN_Task),
+      Initialise      => MCS.TELIN.Initialise,
+      Run_Transaction => MCS.TELIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure MDCIN_Step is new Guarded_Step
+     (Cost            => Costs (MCS.MDCIN_Task),
+      Response        => Responses (MCS.MDCIN_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.MDCIN.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure MDCOUT_Step is new Guarded_Step
+     (Cost            => Costs (MCS.MDCOUT_Task),
+      Response        => Responses (MCS.MDCOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.MDCOUT.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure PWM_Step is new Guarded_Step
+     (Cost            => Costs (MCS.PWM_Task),
+      Response        => Responses (MCS.PWM_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.PWM.Run_Transaction,
+      Observe         => Observe_Servos);
+
+   procedure TELOUT_Step is new Guarded_Step
+     (Cost            => Costs (MCS.TELOUT_Task),
+      Response        => Responses (MCS.TELOUT_Task),
+      Initialise      => No_Initialisation,
+      Run_Transaction => MCS.TELOUT.Run_Transaction,
+      Observe         => Telemetry_Hardware.Look);
+
+   procedure CORE_Step is new Guarded_Step
+     (Cost            => Costs (MCS.CORE_Task),
+      Response        => Responses (MCS.CORE_Task),
+      Initialise      => MCS.CORE.Initialise,
+      Run_Transaction => MCS.CORE.Run_Transaction,
+      Observe         => Observe_Frame);
+
+   procedure LOG_Step is new Guarded_Step
+     (Cost            => Costs (MCS.LOG_Task),
+      Response        => Responses (MCS.LOG_Task),
+      Initialise      => MCS.LOG.Initialise,
+      Run_Transaction => MCS.LOG.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   procedure SELF_TEST_Step is new Guarded_Step
+     (Cost            => Costs (MCS.SELF_TEST_Task),
+      Response        => Responses (MCS.SELF_TEST_Task),
+      Initialise      => MCS.SELF_TEST.Initialise,
+      Run_Transaction => MCS.SELF_TEST.Run_Transaction,
+      Observe         => Observe_Nothing);
+
+   --  Starts
+
+   procedure Observe_Tick (Late : Time_Span);
+
+   package Tasks is new MCS.Real_Time
+     (AD_Step        => AD_Step,
+      TELIN_Step     => TELIN_Step,
+      MDCIN_Step     => MDCIN_Step,
+      MDCOUT_Step    => MDCOUT_Step,
+      PWM_Step       => PWM_Step,
+      TELOUT_Step    => TELOUT_Step,
+      CORE_Step      => CORE_Step,
+      LOG_Step       => LOG_Step,
+      SELF_TEST_Step => SELF_TEST_Step,
+      Observe_Tick   => Observe_Tick);
+
+   procedure Raise_Processor_Exception;
+
+   procedure Press_Reset_Switch;
+
+   package Signals is new Partitions.Signals
+     (Switch_Off                => Queue.Finish,
+      Raise_Processor_Exception => Raise_Processor_Exception,
+      Press_Reset_Switch        => Press_Reset_Switch);
+
+   procedure Observe_Servos is
+   begin
+      Servos_At := Machine_Time (Clock);
+   end Observe_Servos;
+
+   procedure Observe_Frame is
+      use type Number;
+
+      Now   : Clock_Tick;
+      Frame : Number;
+      Item  : Row;
+   begin
+      Tasks.Inspect_Clock (Now);
+      Frame := Number (Now / Ticks_Per_Major_Frame);
+      Append (Item, Frame);
+      Append (Item, (Frame + 1) * 20);
+      Aircraft.Append_Values (Item);
+      Append (Item, Number (Servos_At));
+      Append (Item, Number (Machine_Time (Clock)));
+      Queue.Put (Item);
+   end Observe_Frame;
+
+   procedure Observe_Tick (Late : Time_Span) is
+   begin
+      Lateness.Add (Tenths_Of_Microseconds (Late));
+      Set_Tick (Clock - Late);
+   end Observe_Tick;
+
+   procedure Raise_Processor_Exception is
+   begin
+      Tasks.Request_Start (Processor_Restart);
+   end Raise_Processor_Exception;
+
+   procedure Press_Reset_Switch is
+   begin
+      Tasks.Request_Start (Warm_Reset);
+   end Press_Reset_Switch;
+
+   procedure Switch_On is
+   begin
+      Signals.Listen;
+      Memory_Hardware.Repair (2);
+      Telemetry_Hardware.Switch_On;
+      Tasks.Switch_On;
+      Converter_Hardware.Switch_On;
+   end Switch_On;
+
+   function Overruns return Count is
+      Number : Count;
+   begin
+      Tasks.Inspect_Overruns (Number);
+      return Number;
+   end Overruns;
+
+   function Log return URV.Errors.Error_Log is
+      Snapshot : URV.Errors.Error_Log;
+   begin
+      MCS.Errors.Inspect (Snapshot);
+      return Snapshot;
+   end Log;
+
+end Partitions.MCS_Node;

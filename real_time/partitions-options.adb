@@ -1,0 +1,216 @@
+with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Text_IO;      use Ada.Text_IO;
+
+with Sim.Complaints;   use Sim.Complaints;
+with Sim.Text_Numbers; use Sim.Text_Numbers;
+
+package body Partitions.Options is
+
+   use type Number;
+
+   type Option is
+     (Link_Option, Seconds_Option, Phase_Option, Script_Option,
+      Record_Option, Summary_Option, Events_Option, Quiet_Option);
+
+   type Option_Set is array (Option) of Boolean;
+
+   Longest_Run       : constant := 10_000_000;
+   Frames_Per_Second : constant := 50;
+
+   function Name (This : Node; Which : Option) return String is
+     (case Which is
+         when Link_Option    => "--link",
+         when Seconds_Option => "--seconds",
+         when Phase_Option   => "--phase",
+         when Script_Option  => (if This = GSC then "--sticks"
+                                 else "--sensors"),
+         when Record_Option  => "--record",
+         when Summary_Option => "--summary",
+         when Events_Option  => "--events",
+         when Quiet_Option   => "--quiet");
+
+   function Name (File : Output_File) return String is
+     (case File is
+         when Record_File  => Name (GSC, Record_Option),
+         when Summary_File => Name (GSC, Summary_Option),
+         when Events_File  => Name (GSC, Events_Option));
+
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String);
+
+   --  An option and, if it is in the same argument, its value.
+   procedure Split
+     (This  : Node;
+      Text  : String;
+      Which : out Option;
+      Equal : out Positive);
+
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String)
+   is
+      Given    : constant Unbounded_String := To_Unbounded_String (Value);
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      case Which is
+         when Seconds_Option =>
+            Read_Decimal (Value, 6, Amount, Is_Valid);
+            if not Is_Valid
+              or else Amount not in 1 .. Longest_Run * 1_000_000
+            then
+               Refuse
+                 ("--seconds: " & Quoted (Value)
+                  & " is not a number of seconds above 0 and up to"
+                  & Longest_Run'Image & " with at most six decimals");
+            end if;
+            Chosen.Frames := URVOS.Count
+              ((Amount * Frames_Per_Second + 999_999) / 1_000_000);
+
+         when Phase_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid or else Amount > Number (Phase_Ticks'Last) then
+               Refuse
+                 ("--phase: " & Quoted (Value)
+                  & " is not a whole number from 0 to"
+                  & Phase_Ticks'Image (Phase_Ticks'Last));
+            end if;
+            Chosen.In_Phase := True;
+            Chosen.Phase := Phase_Ticks (Amount);
+
+         when Link_Option    => Chosen.Link := Given;
+         when Script_Option  => Chosen.Script := Given;
+         when Record_Option  => Chosen.Outputs (Record_File) := Given;
+         when Summary_Option => Chosen.Outputs (Summary_File) := Given;
+         when Events_Option  => Chosen.Outputs (Events_File) := Given;
+         when Quiet_Option   => Chosen.Quiet := True;
+      end case;
+   end Choose;
+
+   procedure Split
+     (This  : Node;
+      Text  : String;
+      Which : out Option;
+      Equal : out Positive) is
+   begin
+      Equal := Text'First;
+      while Equal <= Text'Last and then Text (Equal) /= '=' loop
+         Equal := Equal + 1;
+      end loop;
+      for Candidate in Option loop
+         if Name (This, Candidate) = Text (Text'First .. Equal - 1) then
+            Which := Candidate;
+            return;
+         end if;
+      end loop;
+
+      if Text'Length > 0 and then Text (Text'First) = '-' then
+         Refuse ("unknown option " & Quoted (Text (Text'First .. Equal - 1)));
+      else
+         Refuse ("unexpected argument " & Quoted (Text));
+      end if;
+   end Split;
+
+   function Parsed (This : Node) return Choices is
+      Chosen : Choices;
+      Given  : Option_Set := (others => False);
+      Index  : Positive   := 1;
+      Which  : Option;
+      Equal  : Positive;
+   begin
+      while Index <= Argument_Count loop
+         declare
+            Text : constant String := Argument (Index);
+         begin
+            if Text in "help" | "--help" | "-h" then
+               Chosen.Help := True;
+               return Chosen;
+            end if;
+
+            Split (This, Text, Which, Equal);
+            if Given (Which) then
+               Refuse (Name (This, Which) & " is given twice");
+            end if;
+            Given (Which) := True;
+
+            if Which = Quiet_Option then
+               if Equal <= Text'Last then
+                  Refuse (Name (This, Which) & " takes no value");
+               end if;
+               Choose (Chosen, Which, "");
+            elsif Equal < Text'Last then
+               Choose (Chosen, Which, Text (Equal + 1 .. Text'Last));
+            elsif Equal = Text'Last
+              or else Index = Argument_Count
+              or else Argument (Index + 1) = ""
+              or else (Argument (Index + 1)'Length >= 2
+                       and then Argument (Index + 1) (1 .. 2) = "--")
+            then
+               Refuse (Name (This, Which) & " needs a value");
+            else
+               Index := Index + 1;
+               Choose (Chosen, Which, Argument (Index));
+            end if;
+         end;
+         Index := Index + 1;
+      end loop;
+
+      if not Given (Link_Option) then
+         Refuse ("--link is missing; ""--help"" explains it");
+      end if;
+      return Chosen;
+   end Parsed;
+
+   procedure Print_Usage (This : Node) is
+      Program : constant String :=
+        (if This = GSC then "urv_gsc" else "urv_mcs");
+   begin
+      Put_Line
+        ("usage: " & Program & " --link LINK [options]");
+      New_Line;
+      Put_Line
+        ("Runs the " & (if This = GSC then "ground station core"
+                        else "aircraft's control system")
+         & " in real time, until SIGINT or SIGTERM.");
+      Put_Line
+        ("SIGUSR1 raises a processor exception, SIGUSR2 presses the reset"
+         & " switch.");
+      New_Line;
+      Put_Line
+        ("  --link udp:HOST:PORT:PEER_HOST:PEER_PORT");
+      Put_Line
+        ("  --link serial:DEVICE   the serial line to the other node");
+      Put_Line
+        ("  --seconds S            ends the run");
+      Put_Line
+        ("  --phase TICKS          switches the node on so many times 2 ms"
+         & " after a whole");
+      Put_Line
+        ("                         20 ms of the machine's clock; else at"
+         & " once");
+      if This = GSC then
+         Put_Line
+           ("  --sticks FILE          the pilot's console input");
+      else
+         Put_Line
+           ("  --sensors FILE         sensor words; else surfaces follow"
+            & " the servos");
+      end if;
+      Put_Line
+        ("  --record FILE          a row for each major frame");
+      Put_Line
+        ("  --summary FILE         result as JSON");
+      Put_Line
+        ("  --events FILE          event log as JSON lines");
+      Put_Line
+        ("  --quiet                no summary on standard output");
+      New_Line;
+      Put_Line
+        ("Exit status: 0 run; 1 an internal fault; 2 a bad command line,"
+         & " input file or link.");
+   end Print_Usage;
+
+end Partitions.Options;

@@ -1,0 +1,40 @@
+--  The command line of a partition (RTP-2). Whatever is wrong with it
+--  raises Sim.Bad_Input.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with URVOS;
+
+package Partitions.Options is
+
+   type Node is (GSC, MCS);
+
+   --  What a partition writes.
+   type Output_File is (Record_File, Summary_File, Events_File);
+   type Output_Names is array (Output_File) of Unbounded_String;
+
+   subtype Phase_Ticks is Natural range 0 .. 9;
+
+   --  Names are empty, and Frames is 0, when they were not given.
+   type Choices is record
+      Help    : Boolean := False;
+      Link    : Unbounded_String;
+      Script  : Unbounded_String;
+      Outputs : Output_Names;
+      Quiet   : Boolean := False;
+      Frames  : URVOS.Count := 0;
+
+      --  Where in the major frames of the machine's clock the node is
+      --  switched on; at once when not In_Phase.
+      In_Phase : Boolean := False;
+      Phase    : Phase_Ticks := 0;
+   end record;
+
+   function Parsed (This : Node) return Choices;
+
+   --  How an output is asked for, for complaints.
+   function Name (File : Output_File) return String;
+
+   procedure Print_Usage (This : Node);
+
+end Partitions.Options;

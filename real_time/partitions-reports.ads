@@ -1,0 +1,59 @@
+--  The result of a run as a JSON object (--summary), and as a few lines for
+--  people.
+
+with Partitions.Measurements; use Partitions.Measurements;
+with Sim.Text_Numbers;
+with Sim.Text_Output;         use Sim.Text_Output;
+with URV.Errors;
+
+package Partitions.Reports is
+
+   subtype Number is Sim.Text_Numbers.Number;
+
+   --  A JSON object, field by field, with an object of names in it where
+   --  Begin_Group says so.
+   type Report is limited private;
+
+   procedure Begin_Report (This : in out Report; To : in out Writer);
+   procedure End_Report (This : in out Report; To : in out Writer);
+
+   procedure Begin_Group
+     (This : in out Report; To : in out Writer; Name : String);
+   procedure End_Group (This : in out Report; To : in out Writer);
+
+   procedure Put_Field
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Value : Number);
+
+   --  A value with decimals, counted in units of the last of them.
+   procedure Put_Field
+     (This     : in out Report;
+      To       : in out Writer;
+      Name     : String;
+      Value    : Number;
+      Decimals : Positive);
+
+   --  "min", "median", "p99", "max" and how many.
+   procedure Put_Field
+     (This     : in out Report;
+      To       : in out Writer;
+      Name     : String;
+      Value    : Statistics;
+      Decimals : Natural);
+
+   --  "events": how often each kind of error happened, of those that did.
+   procedure Put_Log
+     (To   : in out Writer;
+      This : in out Report;
+      Log  : URV.Errors.Error_Log);
+
+private
+
+   type Report is limited record
+      Depth : Positive := 1;
+      Any   : Boolean  := False;
+   end record;
+
+end Partitions.Reports;

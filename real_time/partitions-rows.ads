@@ -1,0 +1,49 @@
+--  The rows of the flight record on their way from the controller to the
+--  file: the controller never waits for a disk.
+
+with Sim.Text_Numbers;
+with URVOS; use URVOS;
+
+package Partitions.Rows is
+
+   subtype Number is Sim.Text_Numbers.Number;
+
+   Most_Columns : constant := 80;
+   type Column is range 0 .. Most_Columns;
+   type Values is array (Column range 1 .. Most_Columns) of Number;
+
+   type Row is record
+      Length : Column := 0;
+      Value  : Values := (others => 0);
+   end record;
+
+   procedure Append (To : in out Row; Value : Number)
+     with Pre => To.Length < Most_Columns;
+
+   Capacity : constant := 256;
+   type Place is mod Capacity;
+   type Row_Array is array (Place) of Row;
+
+   protected Queue is
+
+      --  A row that finds no room is left out.
+      procedure Put (Item : Row);
+
+      --  No row comes any more.
+      procedure Finish;
+
+      --  Waits for the next row. Found is False when there is none left.
+      entry Take (Item : out Row; Found : out Boolean);
+
+      function Left_Out return Count;
+
+   private
+      Rows    : Row_Array;
+      First   : Place   := 0;
+      Length  : Natural := 0;
+      Done    : Boolean := False;
+      Missing : Count   := 0;
+      Ready   : Boolean := False;
+   end Queue;
+
+end Partitions.Rows;

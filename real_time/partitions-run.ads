@@ -1,0 +1,28 @@
+--  A partition from its command line to its end (RTP-2).
+--
+--  Exit status: 0 run, 1 an internal fault, 2 a bad command line, input file
+--  or link.
+
+with Partitions.Options; use Partitions.Options;
+with Partitions.Reports;
+with Sim.Text_Output;
+with URVOS;
+
+generic
+   This : Node;
+   with procedure Load_Script (File : String);
+   with function Column_Names return String;
+
+   --  Power up of all boards of the node.
+   with procedure Switch_On;
+
+   --  What the node has to say for the summary.
+   with procedure Put_Results
+     (To     : in out Sim.Text_Output.Writer;
+      Report : in out Reports.Report);
+
+   --  The node's event log as JSON lines.
+   with procedure Put_Events (To : in out Sim.Text_Output.Writer);
+
+   with function Overruns return URVOS.Count;
+procedure Partitions.Run;

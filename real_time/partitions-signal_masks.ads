@@ -1,0 +1,15 @@
+--  Keeps the partition's signals from every task, for the one that waits
+--  for them; and has the operating system wake tasks as exactly as it can.
+--
+--  A task inherits both from the environment task, so this package is
+--  elaborated before any task begins.
+
+with Partitions.System_Calls; use Partitions.System_Calls;
+
+package Partitions.Signal_Masks is
+
+   pragma Elaborate_Body;
+
+   function Ours return Signal_Set;
+
+end Partitions.Signal_Masks;

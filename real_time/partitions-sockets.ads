@@ -1,0 +1,12 @@
+--  A UDP socket as the link.
+
+with Partitions.System_Calls;
+
+package Partitions.Sockets is
+
+   --  A socket at the first place, that speaks to the second and hears
+   --  nobody else: Places is HOST:PORT:PEER_HOST:PEER_PORT, a host that has
+   --  colons in its name is in brackets. Raises Sim.Bad_Input.
+   function Opened (Places : String) return System_Calls.File;
+
+end Partitions.Sockets;

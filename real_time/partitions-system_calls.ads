@@ -1,0 +1,185 @@
+--  The few calls of the operating system that the partitions make besides
+--  Ada's own run-time: files as a serial line or a socket, waiting for
+--  either until a time, and signals. Linux.
+
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package Partitions.System_Calls is
+
+   --  -1 from any of them is an error; GNAT.OS_Lib.Errno says which.
+   Failed : constant := -1;
+
+   subtype File is int;
+   Invalid : constant File := Failed;
+
+   subtype Byte_Total is long;
+
+   function Read
+     (From : File; Buffer : System.Address; Length : size_t)
+      return Byte_Total
+   with Import, Convention => C, External_Name => "read";
+
+   function Write
+     (To : File; Buffer : System.Address; Length : size_t)
+      return Byte_Total
+   with Import, Convention => C, External_Name => "write";
+
+   function Close (This : File) return int
+   with Import, Convention => C, External_Name => "close";
+
+   --  Waiting
+
+   Input_Ready : constant short := 1;
+   Hung_Up     : constant short := 16;
+
+   type Poll_Request is record
+      This   : File;
+      Wanted : short;
+      Found  : short;
+   end record with Convention => C;
+
+   type Time_Span is record
+      Seconds     : long;
+      Nanoseconds : long;
+   end record with Convention => C;
+
+   function Poll
+     (Requests : System.Address;
+      Length   : unsigned_long;
+      Limit    : Time_Span;
+      Mask     : System.Address) return int
+   with Import, Convention => C, External_Name => "ppoll";
+
+   type Poll_Requests is array (Positive range <>) of Poll_Request
+   with Convention => C;
+
+   --  A file that is ready to be read when something was written to it.
+   function Event_File (Initially : unsigned; Flags : int) return File
+   with Import, Convention => C, External_Name => "eventfd";
+
+   --  Sockets
+
+   Any_Family      : constant := 0;
+   Datagram        : constant := 2;
+   To_Listen       : constant := 1;
+   Dont_Wait       : constant := 16#40#;
+   No_Signal       : constant := 16#4000#;
+
+   type Address_Info is record
+      Flags     : int := 0;
+      Family    : int := Any_Family;
+      Kind      : int := Datagram;
+      Protocol  : int := 0;
+      Length    : unsigned := 0;
+      Where     : System.Address := System.Null_Address;
+      Canonical : System.Address := System.Null_Address;
+      Next      : access Address_Info;
+   end record with Convention => C;
+
+   --  0, or a number that Address_Error explains.
+   function Get_Address
+     (Host  : char_array;
+      Port  : char_array;
+      Hints : Address_Info;
+      Found : out System.Address) return int
+   with Import, Convention => C, External_Name => "getaddrinfo";
+
+   procedure Free_Address (Found : System.Address)
+   with Import, Convention => C, External_Name => "freeaddrinfo";
+
+   function Socket (Family, Kind, Protocol : int) return File
+   with Import, Convention => C, External_Name => "socket";
+
+   function Bind
+     (This : File; Where : System.Address; Length : unsigned) return int
+   with Import, Convention => C, External_Name => "bind";
+
+   function Connect
+     (This : File; Where : System.Address; Length : unsigned) return int
+   with Import, Convention => C, External_Name => "connect";
+
+   function Receive
+     (From   : File;
+      Buffer : System.Address;
+      Length : size_t;
+      Flags  : int) return Byte_Total
+   with Import, Convention => C, External_Name => "recv";
+
+   function Send
+     (To     : File;
+      Buffer : System.Address;
+      Length : size_t;
+      Flags  : int) return Byte_Total
+   with Import, Convention => C, External_Name => "send";
+
+   --  Serial lines
+
+   Read_Write     : constant := 2;
+   No_Controlling : constant := 8#400#;
+   Non_Blocking   : constant := 8#4000#;
+
+   function Open (Name : char_array; Flags : int) return File
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   Exclusively  : constant := 2;
+   Without_Wait : constant := 4;
+
+   function Lock (This : File; How : int) return int
+   with Import, Convention => C, External_Name => "flock";
+
+   --  struct termios2: a speed may be any number.
+   type Control_Characters is array (0 .. 18) of unsigned_char;
+
+   type Line_Settings is record
+      Input_Flags   : unsigned      := 0;
+      Output_Flags  : unsigned      := 0;
+      Control_Flags : unsigned      := 0;
+      Local_Flags   : unsigned      := 0;
+      Discipline    : unsigned_char := 0;
+      Characters    : Control_Characters := (others => 0);
+      Input_Speed   : unsigned      := 0;
+      Output_Speed  : unsigned      := 0;
+   end record with Convention => C;
+
+   Get_Settings : constant := 16#802C_542A#;
+   Set_Settings : constant := 16#402C_542B#;
+
+   function Control
+     (This : File; Request : unsigned_long; Settings : in out Line_Settings)
+      return int
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   --  Signals
+
+   Interrupt         : constant := 2;
+   User_1            : constant := 10;
+   User_2            : constant := 12;
+   Terminate_Program : constant := 15;
+
+   type Signal_Words is array (1 .. 16) of unsigned_long;
+   type Signal_Set is record
+      Words : Signal_Words := (others => 0);
+   end record with Convention => C;
+
+   procedure Add (To : in out Signal_Set; Signal : int)
+   with Import, Convention => C, External_Name => "sigaddset";
+
+   To_Block : constant := 0;
+
+   function Set_Mask
+     (How : int; To : Signal_Set; Former : System.Address) return int
+   with Import, Convention => C, External_Name => "pthread_sigmask";
+
+   function Wait_For (Any_Of : Signal_Set; Came : out int) return int
+   with Import, Convention => C, External_Name => "sigwait";
+
+   --  How late the operating system may wake a thread of this one's making,
+   --  on purpose, so as to wake several at once.
+   Timer_Slack : constant := 29;
+
+   function Set_Process
+     (What : int; Value : unsigned_long) return int
+   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+end Partitions.System_Calls;

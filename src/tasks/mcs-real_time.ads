@@ -1,0 +1,54 @@
+--  The aircraft's node in real time: each task of the node an Ada task, one
+--  kernel that says whose turn it is.
+--
+--  The steps of the tasks are formal, so that the partition can put round
+--  each what turns an unexpected exception into Failed (KRN-6).
+
+with Ada.Real_Time; use Ada.Real_Time;
+
+generic
+   with procedure AD_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure TELIN_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure MDCIN_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure MDCOUT_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure PWM_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure TELOUT_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure CORE_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure LOG_Step
+     (First_Run : Boolean; Failed : out Boolean);
+   with procedure SELF_TEST_Step
+     (First_Run : Boolean; Failed : out Boolean);
+
+   with procedure Observe_Tick (Late : Time_Span);
+package MCS.Real_Time
+  with
+    SPARK_Mode,
+    Abstract_State =>
+      ((Tasks with Synchronous,
+        External => (Async_Readers, Async_Writers)),
+       (Processor with Synchronous, External)),
+    Initializes    => (Tasks, Processor)
+is
+
+   --  See URVOS.Real_Time_Kernels.
+
+   procedure Switch_On
+   with Global => (In_Out => (Tasks, Processor));
+
+   procedure Request_Start (Condition : Start_Condition)
+   with Global => (In_Out => Tasks);
+
+   procedure Inspect_Overruns (Number : out Count)
+   with Global => (Input => Tasks);
+
+   procedure Inspect_Clock (Now : out Clock_Tick)
+   with Global => (Input => Tasks);
+
+end MCS.Real_Time;

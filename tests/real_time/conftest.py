@@ -1,0 +1,280 @@
+"""Runs bin/urv_mcs and bin/urv_gsc for the tests, and reads what they leave.
+
+    def test_something(partitions, write):
+        flight = partitions.fly(seconds=2, sticks=write("s.csv", text))
+        assert flight.gsc.summary["frames"] == 100
+
+Judged is what the nodes did, not when: the machine may be slow.
+"""
+
+import csv
+import json
+import os
+import random
+import select
+import signal
+import socket
+import subprocess
+import threading
+import tty
+from functools import cached_property
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PROGRAMS = {name: ROOT / "bin" / f"urv_{name}" for name in ("mcs", "gsc")}
+SIMULATION = ROOT / "bin" / "urv_sim"
+
+# Far longer than any run of the tests; a hung program is a failure.
+TIME_LIMIT_S = 60
+
+SWITCHES = tuple(f"switch{n}" for n in range(1, 9))
+COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake", *SWITCHES)
+SENSORS = tuple(
+    """
+    right_flap_1 left_flap_1 right_flap_2 left_flap_2
+    right_aileron left_aileron right_elevator left_elevator
+    right_rudder left_rudder alpha beta altitude_offset
+    lateral_acceleration longitudinal_acceleration vertical_acceleration
+    rpm battery_volts alternator_volts roll_attitude pitch_attitude
+    roll_rate pitch_rate yaw_rate airspeed altitude uplink_signal_strength
+    """.split()
+)
+SERVOS = (
+    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
+    "left_rudder", "right_rudder", "steering", "throttle", "brake",
+    "left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2",
+    "discretes",
+)
+
+
+def free_ports(number):
+    """So many UDP ports that nobody uses."""
+    sockets = [
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        for _ in range(number)
+    ]
+    for each in sockets:
+        each.bind(("127.0.0.1", 0))
+    ports = [each.getsockname()[1] for each in sockets]
+    for each in sockets:
+        each.close()
+    return ports
+
+
+def udp(own, other):
+    return f"udp:127.0.0.1:{own}:127.0.0.1:{other}"
+
+
+class Outputs:
+    """What a program left in its folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    @cached_property
+    def summary(self):
+        return json.loads((self.folder / "summary.json").read_text("utf-8"))
+
+    @cached_property
+    def events(self):
+        lines = (self.folder / "events.jsonl").read_text("utf-8")
+        return {
+            event["kind"]: event
+            for event in map(json.loads, lines.splitlines())
+        }
+
+    @cached_property
+    def rows(self):
+        with (self.folder / "record.csv").open(encoding="utf-8") as file:
+            return [
+                {name: int(value) for name, value in row.items()}
+                for row in csv.DictReader(file)
+            ]
+
+    def words(self, group, names):
+        """A group of the record's columns, a tuple of words a row."""
+        return [
+            tuple(row[f"{group}.{name}"] for name in names)
+            for row in self.rows
+        ]
+
+
+class Run:
+    """A partition that runs."""
+
+    def __init__(self, node, folder, link, *options):
+        folder.mkdir(exist_ok=True)
+        self.outputs = Outputs(folder)
+        self.program = subprocess.Popen(
+            [
+                PROGRAMS[node], "--link", link, "--quiet",
+                "--record", folder / "record.csv",
+                "--summary", folder / "summary.json",
+                "--events", folder / "events.jsonl",
+                *map(str, options),
+            ],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def send(self, which):
+        self.program.send_signal(which)
+
+    def end(self):
+        """Wait for the end of the program, which is to be a good one."""
+        out, err = self.program.communicate(timeout=TIME_LIMIT_S)
+        assert (self.program.returncode, err) == (0, "")
+        return self.outputs
+
+    def stop(self):
+        self.send(signal.SIGTERM)
+        return self.end()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _programs_are_built():
+    for program in (*PROGRAMS.values(), SIMULATION):
+        if not program.exists():
+            pytest.exit(f"{program} is not built: make test builds it", 2)
+
+
+@pytest.fixture
+def start(tmp_path):
+    """Start a partition; whatever still runs at the end is killed."""
+    runs = []
+
+    def begin(node, link, *options, name=None):
+        run = Run(node, tmp_path / (name or node), link, *options)
+        runs.append(run)
+        return run
+
+    yield begin
+    for run in runs:
+        if run.program.poll() is None:
+            run.program.kill()
+            run.program.wait()
+
+
+@pytest.fixture
+def start_both(start):
+    """Start both nodes on one link."""
+
+    def begin(links=None, mcs=(), gsc=()):
+        if links is None:
+            up, down = free_ports(2)
+            links = udp(up, down), udp(down, up)
+        return (
+            start("mcs", links[0], "--phase", 3, *mcs),
+            start("gsc", links[1], "--phase", 0, *gsc),
+        )
+
+    return begin
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write_file(name, text):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+        return tmp_path / name
+
+    return write_file
+
+
+@pytest.fixture
+def simulate(tmp_path):
+    """What the simulation makes of the same scripts."""
+
+    def run(*options):
+        folder = tmp_path / "simulation"
+        folder.mkdir()
+        result = subprocess.run(
+            [
+                SIMULATION, "fly", "--quiet",
+                "--record", folder / "record.csv", *map(str, options),
+            ],
+            capture_output=True, text=True, timeout=TIME_LIMIT_S,
+            check=False,
+        )
+        assert result.returncode == 0, result.stderr
+        return Outputs(folder)
+
+    return run
+
+
+class TerminalPair:
+    """Two serial devices, what is written to one comes out of the other."""
+
+    def __init__(self):
+        pairs = [os.openpty() for _ in range(2)]
+        self._masters = [master for master, _ in pairs]
+        self._slaves = [slave for _, slave in pairs]
+        self.devices = [os.ttyname(slave) for slave in self._slaves]
+        for slave in self._slaves:
+            tty.setraw(slave)
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._carry, daemon=True)
+        self._thread.start()
+
+    def _carry(self):
+        one, other = self._masters
+        to = {one: other, other: one}
+        while not self._ended.is_set():
+            ready, _, _ = select.select(self._masters, [], [], 0.1)
+            for master in ready:
+                try:
+                    os.write(to[master], os.read(master, 4096))
+                except OSError:
+                    pass
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+        for file in (*self._masters, *self._slaves):
+            os.close(file)
+
+
+@pytest.fixture
+def terminals():
+    pair = TerminalPair()
+    yield pair
+    pair.close()
+
+
+# Each row of a script is held for so long, and begins away from the moments
+# at which a node looks.
+HOLD_MS = 120
+FIRST_MS = 250
+
+
+def different_rows(count, width, seed):
+    """So many rows of converter words, no two alike."""
+    words = random.Random(seed)
+    return list(dict.fromkeys(
+        tuple(words.randrange(0x1000) for _ in range(width))
+        for _ in range(count)
+    ))
+
+
+def script(names, rows):
+    lines = ["time_ms," + ",".join(names)]
+    lines += [
+        f"{FIRST_MS + HOLD_MS * place}," + ",".join(map(str, row))
+        for place, row in enumerate(rows)
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def script_seconds(rows):
+    """How long such a script and a little more take."""
+    return (FIRST_MS + HOLD_MS * (len(rows) + 2)) / 1000
+
+
+def in_turn(words):
+    """What came after what, without how long each was there."""
+    return [
+        word for place, word in enumerate(words)
+        if place == 0 or words[place - 1] != word
+    ]

@@ -1,0 +1,179 @@
+"""The other end of the telemetry link, written from docs/link.md alone.
+
+    with GroundPeer(port, peer_port, rows) as ground:
+        ...
+    assert ground.received[-1] == words
+
+A peer speaks over UDP as docs/real-time.md says: a datagram carries one or
+more characters. It sends blocks of words and keeps those it was sent. It is
+no faster and no slower than it has to be: the ground waits for an answer far
+longer than the dead space, for a loaded machine is not the link's fault.
+"""
+
+import select
+import socket
+import threading
+import time
+
+COMMAND = 0x4B
+GOOD, GOOD_WANTS = 0xD2, 0x2D
+BAD, BAD_WANTS = 0xCC, 0x33
+UPLINK, DOWNLINK = 0x1E, 0x87
+WORDS = {UPLINK: 14, DOWNLINK: 28}
+
+CHARACTER_S = 96e-6
+DEAD_SPACE_S = 20 * CHARACTER_S
+IDLE_S = 24 * CHARACTER_S
+FRAME_S = 0.020
+
+
+def checksum(data):
+    """CRC-8/DARC: x^8 + x^5 + x^4 + x^3 + 1, low bit first, from 0."""
+    remainder = 0
+    for byte in data:
+        remainder ^= byte
+        for _ in range(8):
+            low = remainder & 1
+            remainder >>= 1
+            if low:
+                remainder ^= 0x9C
+    return remainder
+
+
+def data_message(header, words):
+    block = bytes([header]) + b"".join(w.to_bytes(2, "big") for w in words)
+    return block + bytes([checksum(block)])
+
+
+class Peer:
+    """A telemetry board and its controller, on a thread of its own."""
+
+    sends = None
+    hears = None
+
+    def __init__(self, port, peer_port, words=(), host="127.0.0.1"):
+        self.words = list(words)
+        self.received = []
+        self.bad = 0
+        self.sent = 0
+        self.answered = 0
+        self._line = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._line.bind((host, port))
+        self._to = (host, peer_port)
+        self._pending = bytearray()
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+
+    def __enter__(self):
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._ended.set()
+        self._thread.join()
+        self._line.close()
+
+    def _send(self, data):
+        try:
+            self._line.sendto(bytes(data), self._to)
+        except OSError:
+            pass
+
+    def _character(self, limit_s):
+        """The next character, or None when none comes in time."""
+        if not self._pending:
+            ready, _, _ = select.select([self._line], [], [], limit_s)
+            if ready:
+                try:
+                    self._pending += self._line.recv(4096)
+                except OSError:
+                    pass
+        return self._pending.pop(0) if self._pending else None
+
+    def _be_silent(self, for_s):
+        """Wait until the line was silent for so long."""
+        self._pending.clear()
+        while self._character(for_s) is not None and not self._ended.is_set():
+            self._pending.clear()
+
+    def _rest_of_data(self, limit_s):
+        """What follows the header of a data message: is it good?"""
+        block = bytearray([self.hears])
+        length = 2 * WORDS[self.hears] + 2
+        while len(block) < length:
+            character = self._character(limit_s)
+            if character is None:
+                break
+            block.append(character)
+        if len(block) < length or checksum(block[:-1]) != block[-1]:
+            self.bad += 1
+            return False
+        self.received.append(tuple(
+            int.from_bytes(block[i:i + 2], "big")
+            for i in range(1, length - 1, 2)
+        ))
+        return True
+
+
+class GroundPeer(Peer):
+    """The bus master: sends commands, asks for what the aircraft has."""
+
+    sends, hears = UPLINK, DOWNLINK
+    patience_s = 0.050
+
+    def _run(self):
+        self._be_silent(IDLE_S)
+        while not self._ended.is_set():
+            began = time.monotonic()
+            words = self.words[min(self.sent, len(self.words) - 1)]
+            self.sent += 1
+            for _ in range(2):
+                if self._exchange(words):
+                    break
+                self._be_silent(IDLE_S)
+            self._ended.wait(max(0, began + FRAME_S - time.monotonic()))
+
+    def _exchange(self, words):
+        self._send(data_message(UPLINK, words))
+        answer = self._character(self.patience_s)
+        if answer not in (GOOD, GOOD_WANTS):
+            return False
+        self.answered += 1
+        if answer == GOOD_WANTS:
+            for _ in range(2):
+                self._send([COMMAND])
+                if self._character(self.patience_s) == DOWNLINK:
+                    good = self._rest_of_data(self.patience_s)
+                    self._send([GOOD if good else BAD])
+                    break
+                self._be_silent(IDLE_S)
+        return True
+
+
+class AircraftPeer(Peer):
+    """The slave: answers, and sends its words when it is commanded."""
+
+    sends, hears = DOWNLINK, UPLINK
+
+    def _run(self):
+        commanded = False
+        place = 0
+        while not self._ended.is_set():
+            character = self._character(0.1)
+            if character is None:
+                continue
+            if character == UPLINK:
+                good = self._rest_of_data(DEAD_SPACE_S * 10)
+                self._send([GOOD_WANTS if good else BAD_WANTS])
+            elif character == COMMAND:
+                words = self.words[min(place, len(self.words) - 1)]
+                self._send(data_message(DOWNLINK, words))
+                self.sent += 1
+                commanded = True
+            elif character in (GOOD, BAD) and commanded:
+                commanded = False
+                if character == GOOD:
+                    self.answered += 1
+                    place += 1
+            else:
+                self._be_silent(DEAD_SPACE_S)

@@ -1,0 +1,131 @@
+"""RTP-2: what is wrong with a command line or a link is said before anything
+runs.
+"""
+
+import socket
+import subprocess
+
+import pytest
+
+from conftest import PROGRAMS, free_ports, udp
+
+NODES = ("mcs", "gsc")
+
+
+def run(node, *arguments):
+    return subprocess.run(
+        [PROGRAMS[node], *map(str, arguments)],
+        capture_output=True, text=True, timeout=20, check=False,
+    )
+
+
+def assert_refused(result, node, *parts):
+    assert result.returncode == 2, result
+    assert result.stdout == ""
+    assert len(result.stderr.splitlines()) == 1, result.stderr
+    for part in parts:
+        assert part in result.stderr, result.stderr
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("link, what", [
+    ("", "needs a value"),
+    ("udp", "is neither"),
+    ("udp:", "is neither"),
+    ("tcp:1.2.3.4:5:6.7.8.9:10", "is neither"),
+    ("udp:127.0.0.1:5000", "is not udp:HOST:PORT:PEER_HOST:PEER_PORT"),
+    ("udp:127.0.0.1:5000:127.0.0.1:5001:1", "is not udp:HOST:PORT"),
+    ("udp:127.0.0.1::127.0.0.1:5001", "is not udp:HOST:PORT"),
+    ("udp:127.0.0.1:0:127.0.0.1:5001", "is not a port from 1 to 65535"),
+    ("udp:127.0.0.1:65536:127.0.0.1:1", "is not a port from 1 to 65535"),
+    ("udp:127.0.0.1:5000:127.0.0.1:x", "is not a port from 1 to 65535"),
+    ("udp:127.0.0.1:5000:no-such.invalid:5001", "there is no host"),
+    ("udp:192.0.2.1:5000:127.0.0.1:5001", "cannot be bound"),
+    ("serial:/dev/no/such", "cannot be opened"),
+    ("serial:/dev/null", "is no serial device"),
+    ("serial:/", "cannot be opened"),
+    ("serial:", "is neither"),
+])
+def test_a_bad_link_is_refused(node, link, what):
+    assert_refused(run(node, "--link", link), node, f"urv_{node}: ", what)
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_a_port_in_use_is_refused(node):
+    own, other = free_ports(2)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", own))
+        result = run(node, "--link", udp(own, other))
+    assert_refused(result, node, "cannot be bound", "in use")
+
+
+def test_a_device_in_use_is_refused(start, terminals):
+    link = f"serial:{terminals.devices[0]}"
+    first = start("mcs", link)
+    for _ in range(50):
+        result = run("gsc", "--link", link, "--seconds", "0.02")
+        if result.returncode == 2:
+            break
+    assert_refused(result, "gsc", "is in use by another program")
+    first.stop()
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("options, what", [
+    ((), "--link is missing"),
+    (("--link",), "--link needs a value"),
+    (("fly",), "unexpected argument"),
+    (("--wings", "2"), "unknown option"),
+    (("--seconds", "0"), "--seconds"),
+    (("--seconds", "soon"), "--seconds"),
+    (("--phase", "10"), "--phase"),
+    (("--quiet=1",), "takes no value"),
+    (("--quiet", "--quiet"), "is given twice"),
+])
+def test_a_bad_option_is_refused(node, options, what):
+    assert_refused(run(node, *options), node, what)
+
+
+def test_each_node_has_its_own_script():
+    assert_refused(run("mcs", "--sticks", "s"), "mcs", "unknown option")
+    assert_refused(run("gsc", "--sensors", "s"), "gsc", "unknown option")
+
+
+@pytest.mark.parametrize("node, option", [
+    ("mcs", "--sensors"), ("gsc", "--sticks"),
+])
+def test_a_bad_script_is_refused_at_its_line(node, option, tmp_path):
+    script = tmp_path / "script.csv"
+    script.write_text("time_ms,wings\n0,1\n", encoding="utf-8")
+    own, other = free_ports(2)
+    result = run(node, "--link", udp(own, other), option, script,
+                 "--record", tmp_path / "record.csv")
+    assert_refused(result, node, f"{script}:1: unknown column")
+    assert not (tmp_path / "record.csv").exists()
+
+
+@pytest.mark.parametrize("option", ["--record", "--summary", "--events"])
+def test_an_output_that_cannot_be_written_is_refused(option, tmp_path):
+    own, other = free_ports(2)
+    result = run("mcs", "--link", udp(own, other),
+                 option, tmp_path / "no" / "file")
+    assert_refused(result, "mcs", option, "cannot be created")
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("word", ["help", "--help", "-h"])
+def test_help_explains_the_options(node, word):
+    result = run(node, word)
+    assert result.returncode == 0
+    for option in ("--link", "--seconds", "--record", "--summary"):
+        assert option in result.stdout
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_a_summary_is_printed_unless_quiet(node):
+    own, other = free_ports(2)
+    for quiet in ((), ("--quiet",)):
+        result = run(node, "--link", udp(own, other), "--seconds", "0.2",
+                     *quiet)
+        assert result.returncode == 0
+        assert (result.stdout == "") == bool(quiet)
