@@ -221,6 +221,12 @@ class Finder:
             node.start_byte, node.end_byte, old, new, row + 1,
         ))
 
+    def calls_ghost(self, node):
+        if node.type != "procedure_call_statement":
+            return False
+        name = text_of(node).split("(")[0].strip(" ;\n")
+        return name.rsplit(".", 1)[-1] in self.code.ghosts
+
     def visit(self, node, where):
         if node.type in NOT_CODE:
             return
@@ -229,7 +235,7 @@ class Finder:
             if name in self.code.ghosts or name in self.code.proof_only:
                 return
             where = [*where, name]
-        if has_aspect(node, "Ghost"):
+        if has_aspect(node, "Ghost") or self.calls_ghost(node):
             return
         change = getattr(self, f"change_{node.type}", None)
         if change:
