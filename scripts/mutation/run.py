@@ -73,19 +73,32 @@ class Worker:
         self.changed = None
         self.objects = None
         self.proved = {}
+        self.process = None
 
-    def run(self, command, limit, limited=False, **more):
-        """Run a command in a process group of its own; None: too long."""
-        process = subprocess.Popen(
+    def start(self, command, **more):
+        """Start a command in a process group of its own."""
+        self.process = subprocess.Popen(
             command, cwd=self.root, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True, errors="replace",
-            start_new_session=True,
-            preexec_fn=limit_memory if limited else None, **more
+            start_new_session=True, **more
         )
+        return self.process
+
+    def stop(self):
+        """End what the worker is running, with all that it started."""
+        if self.process and self.process.returncode is None:
+            try:
+                os.killpg(self.process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+
+    def run(self, command, limit, **more):
+        """Run a command to its end; status None: it took too long."""
+        process = self.start(command, **more)
         try:
             output, _ = process.communicate(timeout=limit)
         except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
+            self.stop()
             process.communicate()
             return None, ""
         return process.returncode, output
@@ -157,20 +170,15 @@ class Worker:
     def unit_tests(self):
         """Why the unit tests fail, or nothing. The first failure ends
         them."""
-        process = subprocess.Popen(
-            ["bin/urv_tests_test"], cwd=self.root, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True, errors="replace",
-            start_new_session=True, preexec_fn=limit_memory,
-        )
-        alarm = threading.Timer(TEST_LIMIT_S, os.killpg,
-                                (process.pid, signal.SIGKILL))
+        process = self.start(["bin/urv_tests_test"], preexec_fn=limit_memory)
+        alarm = threading.Timer(TEST_LIMIT_S, self.stop)
         alarm.start()
         failure, last = None, ""
         for line in process.stdout:
             last = line.strip()
             if line.startswith("FAIL"):
                 failure = line[len("FAIL"):].strip()
-                os.killpg(process.pid, signal.SIGKILL)
+                self.stop()
                 break
         process.stdout.close()
         status = process.wait()
@@ -403,6 +411,15 @@ def main():
     for path in sorted(groups, key=lambda p: -len(groups[p])):
         tasks.put(groups[path])
     workers = [Worker(n) for n in range(min(arguments.jobs, len(groups)))]
+
+    def leave(*_):
+        for worker in workers:
+            worker.stop()
+        print("\nmutation: stopped; it goes on from here next time")
+        os._exit(130)
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, leave)
     for worker in workers:
         problem = worker.prepare()
         if problem:
