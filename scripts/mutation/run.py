@@ -3,9 +3,10 @@
 
 Each mutant is built, then given to the unit tests with contracts executed.
 One that passes and has the same object code as the original is the original
-in other words, and is set aside. The others go to the simulation's tests,
-then to the proof of the units that the change can concern: of a body its own,
-of a specification all that depend on it. The first to notice is recorded.
+in other words, and is set aside. The others go to the simulation's tests.
+When all mutants have been there, those that are left go to the proof of the
+units that the change can concern: of a body its own, of a specification all
+that depend on it. The first to notice is recorded.
 
 Results are appended to a file as they come. A run goes on where the last one
 stopped; a mutant is tried again when the file it changes has changed.
@@ -37,7 +38,7 @@ WORKPLACE = ROOT / "obj" / "mutation"
 SEED = 1991
 SHARE, LEAST, MOST = 0.25, 10, 36
 
-COPIED = ("src", "proofs", "sim", "tests", "scripts", "explore", "urv.gpr",
+COPIED = ("src", "proofs", "sim", "tests", "scripts", "urv.gpr",
           "ravenscar.adc")
 UNIT_TESTS = ["gprbuild", "-q", "-p", "-j1", "-P", "tests/urv_tests.gpr",
               "-XURV_Mode=test"]
@@ -56,6 +57,7 @@ MEMORY_LIMIT = 4 * 2 ** 30
 # What became of a mutant.
 INVALID = "does not build"
 EQUIVALENT = "same object code"
+PASSED = "passes the tests"
 SURVIVED = "survived"
 KILLED = ("tests", "simulation", "proof")
 
@@ -103,8 +105,9 @@ class Worker:
             return None, ""
         return process.returncode, output
 
-    def prepare(self):
-        """The copy as the repository is now, built, and it passes."""
+    def prepare(self, tests):
+        """The copy as the repository is now; if it is for tests, built, and
+        it passes them."""
         for name in COPIED:
             source, target = ROOT / name, self.root / name
             if source.is_dir():
@@ -122,6 +125,8 @@ class Worker:
                       'Strict_Switches := ("-gnatws");', text, flags=re.S)
         if project.read_text(encoding="utf-8") != text:
             project.write_text(text, encoding="utf-8")
+        if not tests:
+            return None
         for command in (UNIT_TESTS, SIMULATOR):
             status, output = self.run(command, BUILD_LIMIT_S)
             if status != 0:
@@ -250,8 +255,8 @@ class Worker:
                 return "{}:{}: {}".format(*min(new, key=str))
         return None
 
-    def judge(self, mutant):
-        """What becomes of a mutant, and who said so."""
+    def test(self, mutant):
+        """What becomes of a mutant short of the proof, and who said so."""
         self.put(mutant)
         status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)
         if status != 0:
@@ -267,10 +272,13 @@ class Worker:
         failure = self.simulation()
         if failure:
             return "simulation", failure
+        return PASSED, ""
+
+    def prove(self, mutant):
+        """Whether a mutant that passes the tests fails the proof."""
+        self.put(mutant)
         failure = self.proof(mutant)
-        if failure:
-            return "proof", failure
-        return SURVIVED, ""
+        return ("proof", failure) if failure else (SURVIVED, "")
 
 
 def same(one, other):
@@ -335,13 +343,13 @@ class Progress:
     def step(self, mutant, fate):
         with self.lock:
             self.done += 1
-            self.alive += fate == SURVIVED
+            self.alive += fate in (PASSED, SURVIVED)
             seconds = time.monotonic() - self.begun
             left = seconds / self.done * (self.total - self.done)
             filled = 30 * self.done // self.total
             bar = "#" * filled + "." * (30 - filled)
             line = (f"[{bar}] {self.done}/{self.total}, {self.alive} "
-                    f"survived, {left / 60:.0f} min left")
+                    f"alive, {left / 60:.0f} min left")
             if sys.stdout.isatty():
                 print(f"\r{line} ", end="", flush=True)
             else:
@@ -349,7 +357,7 @@ class Progress:
                       f"{fate}", flush=True)
 
 
-def work(worker, tasks, digests, progress, lock):
+def work(worker, stage, tasks, digests, progress, lock):
     while True:
         try:
             group = tasks.get_nowait()
@@ -358,7 +366,7 @@ def work(worker, tasks, digests, progress, lock):
             return
         for mutant in group:
             begun = time.monotonic()
-            fate, by = worker.judge(mutant)
+            fate, by = stage(worker, mutant)
             result = {
                 "name": mutant.name, "path": mutant.path,
                 "line": mutant.line, "subprogram": mutant.subprogram,
@@ -379,6 +387,8 @@ def main():
                         help="only files whose path contains this")
     parser.add_argument("--again", metavar="FATE",
                         help="also mutants of this result, once more")
+    parser.add_argument("--no-proof", action="store_true",
+                        help="leave the proof for another run")
     parser.add_argument("--list", action="store_true",
                         help="list the mutants, try none")
     arguments = parser.parse_args()
@@ -392,17 +402,27 @@ def main():
             print(f"{m.name} {m.path}:{m.line} {m.operator}: {m.change}")
         return 0
     results = read_results()
-    wanted = [
-        m for m in picked
-        if m.name not in results
-        or results[m.name]["source"] != digests[m.path]
-        or results[m.name]["fate"] == arguments.again
-    ]
+    fresh = {
+        name: result for name, result in results.items()
+        if digests.get(result["path"]) == result["source"]
+        and result["fate"] != arguments.again
+    }
+    untested = [m for m in picked if m.name not in fresh]
     print(f"mutation: {len(every)} mutants, {len(picked)} chosen, "
-          f"{len(picked) - len(wanted)} done before")
+          f"{len(picked) - len(untested)} tested before")
+    status = run_stage(Worker.test, untested, digests, arguments.jobs)
+    if status != 0 or arguments.no_proof:
+        return status
+    results = read_results()
+    unproved = [m for m in picked if results[m.name]["fate"] == PASSED]
+    print(f"mutation: {len(unproved)} pass the tests and go to the proof")
+    return run_stage(Worker.prove, unproved, digests, arguments.jobs)
+
+
+def run_stage(stage, wanted, digests, jobs):
+    """Take some mutants through one stage. Exit status."""
     if not wanted:
         return 0
-
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     groups = {}
     for mutant in wanted:
@@ -410,7 +430,7 @@ def main():
     tasks = queue.Queue()
     for path in sorted(groups, key=lambda p: -len(groups[p])):
         tasks.put(groups[path])
-    workers = [Worker(n) for n in range(min(arguments.jobs, len(groups)))]
+    workers = [Worker(n) for n in range(min(jobs, len(groups)))]
 
     def leave(*_):
         for worker in workers:
@@ -421,13 +441,16 @@ def main():
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, leave)
     for worker in workers:
-        problem = worker.prepare()
+        problem = worker.prepare(stage is Worker.test)
         if problem:
             print(f"mutation: without any change: {problem}")
             return 1
     progress, lock = Progress(len(wanted)), threading.Lock()
     threads = [
-        threading.Thread(target=work, args=(worker, tasks, digests, progress, lock))
+        threading.Thread(
+            target=work,
+            args=(worker, stage, tasks, digests, progress, lock),
+        )
         for worker in workers
     ]
     for thread in threads:
