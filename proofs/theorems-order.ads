@@ -1,0 +1,100 @@
+--  The order of a frame (report, section 2.2, figure 3; FRM-2, SET-1): who
+--  consumes what another task has produced runs after it, in the same
+--  frame, on any schedule that keeps the releases, on one processor or two.
+
+with GSC;
+with MCS;
+with URVOS.Frames; use URVOS.Frames;
+
+package Theorems.Order with SPARK_Mode, Ghost is
+
+   --  The tick at which each task runs in one major frame.
+   type MCS_Schedule is array (MCS.Task_Name) of Tick;
+   type GSC_Schedule is array (GSC.Task_Name) of Tick;
+
+   --  No task has overrun: each runs in the minor frame in which it is
+   --  released, in the major frame that follows Now. Which of those that
+   --  share a minor frame runs first is left open.
+
+   function Is_Legal
+     (Schedule : MCS_Schedule;
+      Now      : Clock_Tick) return Boolean
+   is
+     (for all Who in MCS.Task_Name =>
+        Schedule (Who) = Next_Release (Now, MCS.Offsets (Who)));
+
+   function Is_Legal
+     (Schedule : GSC_Schedule;
+      Now      : Clock_Tick) return Boolean
+   is
+     (for all Who in GSC.Task_Name =>
+        Schedule (Who) = Next_Release (Now, GSC.Offsets (Who)));
+
+   --  The variables between the tasks that pass within a frame: figure 2.
+   --  ADINT_variable is not one of them, it passes from frame to frame.
+
+   use type MCS.Task_Name;
+   use type GSC.Task_Name;
+
+   function Consumes
+     (Consumer, Producer : MCS.Task_Name) return Boolean
+   is
+     (case Consumer is
+         when MCS.MDCIN_Task  => Producer = MCS.TELIN_Task,
+         when MCS.MDCOUT_Task => Producer = MCS.AD_Task,
+         when MCS.PWM_Task    => Producer = MCS.MDCIN_Task,
+         when MCS.TELOUT_Task => Producer = MCS.MDCOUT_Task,
+         when MCS.CORE_Task   =>
+           Producer in MCS.MDCIN_Task | MCS.MDCOUT_Task,
+         when others          => False);
+
+   function Consumes
+     (Consumer, Producer : GSC.Task_Name) return Boolean
+   is
+     (case Consumer is
+         when GSC.GDCIN_Task  => Producer = GSC.TELIN_Task,
+         when GSC.GDCOUT_Task => Producer = GSC.AD_Task,
+         when GSC.TELOUT_Task => Producer = GSC.GDCOUT_Task,
+         when GSC.CORE_Task   =>
+           Producer in GSC.GDCIN_Task | GSC.GDCOUT_Task,
+         when others          => False);
+
+   --  Aircraft: every consumer runs at a later tick than its producer.
+   procedure Aircraft_Consumers_Follow_Producers
+     (Schedule : MCS_Schedule;
+      Now      : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Is_Legal (Schedule, Now),
+     Post   =>
+       (for all Consumer in MCS.Task_Name =>
+          (for all Producer in MCS.Task_Name =>
+             (if Consumes (Consumer, Producer)
+              then Schedule (Consumer) > Schedule (Producer))));
+
+   --  Ground: the same.
+   procedure Ground_Consumers_Follow_Producers
+     (Schedule : GSC_Schedule;
+      Now      : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Is_Legal (Schedule, Now),
+     Post   =>
+       (for all Consumer in GSC.Task_Name =>
+          (for all Producer in GSC.Task_Name =>
+             (if Consumes (Consumer, Producer)
+              then Schedule (Consumer) > Schedule (Producer))));
+
+   --  All of it is over before the next frame begins.
+   procedure A_Frame_Is_Done_Within_It
+     (Schedule : MCS_Schedule;
+      Now      : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Is_Legal (Schedule, Now),
+     Post   =>
+       (for all Who in MCS.Task_Name =>
+          Schedule (Who) in Next_Frame (Now) ..
+                              Next_Frame (Now) + Ticks_Per_Major_Frame - 1);
+
+end Theorems.Order;
