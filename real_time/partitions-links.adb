@@ -2,6 +2,7 @@ with Interfaces.C; use Interfaces.C;
 with Interfaces;
 with System;
 
+with Partitions.Error_Marks;
 with Partitions.Serial_Lines;
 with Partitions.Sockets;
 with Partitions.System_Calls; use Partitions.System_Calls;
@@ -15,7 +16,7 @@ package body Partitions.Links is
    Line      : File    := Invalid;
    Nudges    : File    := Invalid;
    Is_Serial : Boolean := False;
-   Marks     : Serial_Lines.Mark_Reader;
+   Marks     : Error_Marks.Mark_Reader;
    Lost      : Count   := 0 with Atomic;
 
    --  The other end of a serial line has gone: nothing to wait for.
@@ -116,7 +117,7 @@ package body Partitions.Links is
                   Found        : Boolean;
                   Parity_Error : Boolean;
                begin
-                  Serial_Lines.Take (Marks, Each, Found, Parity_Error);
+                  Error_Marks.Take (Marks, Each, Found, Parity_Error);
                   if Found then
                      Heard.Length := Heard.Length + 1;
                      Heard.Items (Heard.Length) := (Each, Parity_Error);

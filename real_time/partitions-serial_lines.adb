@@ -18,8 +18,6 @@ package body Partitions.Serial_Lines is
    No_Modem       : constant unsigned := 8#4000#;
    Any_Speed      : constant unsigned := 8#010000#;
 
-   Mark : constant Byte := 16#FF#;
-
    procedure Refuse_Device (Device, What : String) with No_Return;
 
    procedure Set_Line (Device : String; Line : File);
@@ -74,26 +72,5 @@ package body Partitions.Serial_Lines is
       Set_Line (Device, Line);
       return Line;
    end Opened;
-
-   procedure Take
-     (Reader       : in out Mark_Reader;
-      Data         : Byte;
-      Found        : out Boolean;
-      Parity_Error : out Boolean) is
-   begin
-      Parity_Error := Reader.Now_At = At_Damaged;
-      case Reader.Now_At is
-         when At_Character =>
-            Found := Data /= Mark;
-            Reader.Now_At := (if Found then At_Character else After_Mark);
-         when After_Mark =>
-            --  Another FF: that was the character.
-            Found := Data = Mark;
-            Reader.Now_At := (if Found then At_Character else At_Damaged);
-         when At_Damaged =>
-            Found := True;
-            Reader.Now_At := At_Character;
-      end case;
-   end Take;
 
 end Partitions.Serial_Lines;

@@ -9,11 +9,6 @@ is
 
    Seen_Tally : Statistics := (others => 0);
 
-   procedure Forget is
-   begin
-      Inspect_Link (Seen_Tally);
-   end Forget;
-
    procedure Initialise is
       Log : Error_Log;
    begin
@@ -21,7 +16,7 @@ is
       if Logs.History_Of (Log, Warm_Reset).Occurrences = 0
         and then Logs.History_Of (Log, Processor_Restart).Occurrences = 0
       then
-         Forget;
+         Inspect_Link (Seen_Tally);
       end if;
    end Initialise;
 

@@ -26,12 +26,8 @@ package URV.LOG_Task
     Initializes    => Seen
 is
 
-   --  A cold start, and no other: what the board has counted up to now is
-   --  nothing new.
-   procedure Forget;
-
-   --  The task was loaded. After a cold start, which leaves no restart in
-   --  the log, it forgets.
+   --  After a cold start, which leaves no restart in the log, and after no
+   --  other: what the board has counted up to now is nothing new.
    procedure Initialise;
 
    procedure Run_Transaction;

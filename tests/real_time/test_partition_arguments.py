@@ -62,10 +62,8 @@ def test_a_port_in_use_is_refused(node):
 def test_a_device_in_use_is_refused(start, terminals):
     link = f"serial:{terminals.devices[0]}"
     first = start("mcs", link)
-    for _ in range(50):
-        result = run("gsc", "--link", link, "--seconds", "0.02")
-        if result.returncode == 2:
-            break
+    first.await_begin()
+    result = run("gsc", "--link", link, "--seconds", "0.02")
     assert_refused(result, "gsc", "is in use by another program")
     first.stop()
 

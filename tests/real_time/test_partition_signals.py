@@ -14,6 +14,7 @@ FAR_LONGER_S = 1000
 def await_rows(run, number):
     """Wait until the program has made so many rows: it writes late, so the
     length of the run is what counts."""
+    run.await_begin()
     time.sleep(number * 0.02 + 0.3)
     assert run.program.poll() is None
 

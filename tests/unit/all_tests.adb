@@ -17,6 +17,7 @@ with PWM_Tests;
 with Receivers_Tests;
 with Self_Test_Tests;
 with Senders_Tests;
+with Serial_Line_Tests;
 with Telemetry_Task_Tests;
 
 package body All_Tests is
@@ -47,6 +48,7 @@ package body All_Tests is
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
       Self_Test_Tests.Add_To (Result);
+      Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
 
       --  These take the longest.

@@ -60,7 +60,7 @@ package body LOG_Task_Tests is
       CORE.Clear;
       Errors.Set_Time (0);
       Errors.Clear;
-      Under_Test.Forget;
+      Under_Test.Initialise;
    end Begin_Test;
 
    ------------
@@ -166,12 +166,25 @@ package body LOG_Task_Tests is
       --  What the board has counted before a cold start is not logged.
       Begin_Test;
       Tally := (others => 1_000);
-      Under_Test.Forget;
+      Under_Test.Initialise;
       Under_Test.Run_Transaction;
       Expect ("bad", History (Link_Block_Bad).Occurrences, 0);
       Tally.Bad := 1_001;
       Under_Test.Run_Transaction;
       Expect ("bad after it", History (Link_Block_Bad).Occurrences, 1);
+
+      --  What it counts before a warm start is.
+      Tally.Bad := 1_003;
+      Errors.Report (Processor_Restart, 0);
+      Under_Test.Initialise;
+      Under_Test.Run_Transaction;
+      Expect ("bad with a restart", History (Link_Block_Bad).Occurrences, 3);
+      Tally.Bad := 1_006;
+      Errors.Clear;
+      Errors.Report (Warm_Reset, 0);
+      Under_Test.Initialise;
+      Under_Test.Run_Transaction;
+      Expect ("bad with a reset", History (Link_Block_Bad).Occurrences, 3);
    end Cold_Only;
 
    ----------

@@ -1,0 +1,9 @@
+--  RTP-1: what a serial device tells of a character.
+
+with AUnit.Test_Suites;
+
+package Serial_Line_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Serial_Line_Tests;
