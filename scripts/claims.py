@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every single claim of a contract, so that none goes away unnoticed.
+"""Every single claim of a contract, so that none goes away unnoticed (EVI-5).
 
   list    writes proofs/claims.txt
   check   the file must say what the contracts say

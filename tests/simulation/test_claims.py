@@ -1,4 +1,4 @@
-"""No claim of a contract goes away unnoticed."""
+"""EVI-5: no claim of a contract goes away unnoticed."""
 
 import sys
 from pathlib import Path
