@@ -13,7 +13,7 @@ package body URVOS.Mailboxes with SPARK_Mode is
       end if;
    end Send;
 
-   procedure Receive
+   procedure Look
      (Box   : in out Mailbox;
       Item  : out Message;
       Fresh : out Boolean)
@@ -21,9 +21,17 @@ package body URVOS.Mailboxes with SPARK_Mode is
    begin
       Item := Box.Data;
       Fresh := Is_Fresh (Box);
-      if Fresh then
-         Box.Consumer := Box.Producer;
-      else
+      Box.Consumer := Box.Producer;
+   end Look;
+
+   procedure Receive
+     (Box   : in out Mailbox;
+      Item  : out Message;
+      Fresh : out Boolean)
+   is
+   begin
+      Look (Box, Item, Fresh);
+      if not Fresh then
          Box.Missed := Incremented (Box.Missed);
       end if;
    end Receive;

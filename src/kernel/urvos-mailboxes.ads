@@ -79,6 +79,23 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Consumed (Box) = Consumed (Box'Old)
        and then Misses (Box) = Misses (Box'Old);
 
+   --  Gives the message in the box, as Receive does, but counts no miss: a
+   --  look that is not the last one of a RECV that waits (MBX-3).
+   procedure Look
+     (Box   : in out Mailbox;
+      Item  : out Message;
+      Fresh : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Item = Contents (Box'Old)
+       and then Contents (Box) = Contents (Box'Old)
+       and then Fresh = Is_Fresh (Box'Old)
+       and then not Is_Fresh (Box)
+       and then Produced (Box) = Produced (Box'Old)
+       and then Consumed (Box) = Produced (Box)
+       and then Misses (Box) = Misses (Box'Old);
+
    --  Gives the message in the box. Fresh tells whether it is one that was
    --  not given before; if not, the miss is counted.
    procedure Receive

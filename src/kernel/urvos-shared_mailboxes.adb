@@ -8,6 +8,8 @@ is
 
       procedure Send (Item : Message; Success : out Boolean);
 
+      procedure Look (Item : out Message; Fresh : out Boolean);
+
       procedure Receive (Item : out Message; Fresh : out Boolean);
 
       procedure Reset;
@@ -26,6 +28,11 @@ is
       begin
          Boxes.Send (Contents, Item, Success);
       end Send;
+
+      procedure Look (Item : out Message; Fresh : out Boolean) is
+      begin
+         Boxes.Look (Contents, Item, Fresh);
+      end Look;
 
       procedure Receive (Item : out Message; Fresh : out Boolean) is
       begin
@@ -50,6 +57,11 @@ is
    begin
       Guarded_Box.Send (Item, Success);
    end Send;
+
+   procedure Look (Item : out Message; Fresh : out Boolean) is
+   begin
+      Guarded_Box.Look (Item, Fresh);
+   end Look;
 
    procedure Receive (Item : out Message; Fresh : out Boolean) is
    begin

@@ -14,8 +14,10 @@ with LOG_Task_Tests;
 with Mailboxes_Tests;
 with Nodes_Tests;
 with PWM_Tests;
+with Receive_Calls_Tests;
 with Receivers_Tests;
 with Self_Test_Tests;
+with Semaphores_Tests;
 with Senders_Tests;
 with Serial_Line_Tests;
 with Telemetry_Task_Tests;
@@ -32,6 +34,8 @@ package body All_Tests is
    begin
       Frames_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
+      Semaphores_Tests.Add_To (Result);
+      Receive_Calls_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);

@@ -1,0 +1,116 @@
+--  A wait of some clock ticks (report, sections 3.4 and 3.5; MBX-3, MBX-5,
+--  SEM-1): how long a task goes on looking for what is not there yet.
+--
+--     Patience := Begun (Now, 2);
+--     while not Is_Over (Patience, Now) loop
+--        --  Look, call EXIT, read the clock.
+--        Note_Look (Patience, Now);
+--     end loop;
+--     --  Look for the last time.
+--
+--  Every wait ends, whatever the clock does. At its last tick, where time
+--  stands still for good, a wait is over. A clock that runs back is not
+--  believed. A clock that has not moved for Most_Looks looks has stopped:
+--  nobody looks and calls EXIT in 20 ns, so that in a tick of 2 ms there
+--  are fewer looks than that.
+
+with URVOS.Frames; use URVOS.Frames;
+
+package URVOS.Waits with Pure, SPARK_Mode is
+
+   --  How long to wait, in ticks: a minute at most.
+   type Wait_Ticks is range 0 .. 30_000;
+
+   --  How often one may look while the clock stands still.
+   Most_Looks : constant := 100_000;
+
+   type Look_Count is range 0 .. 30_000 * Most_Looks;
+
+   type Wait is private;
+
+   --  What is left of the wait, from the tick that was last seen.
+   function Ticks_Left (Item : Wait) return Wait_Ticks
+   with Global => null;
+
+   --  The latest tick that was seen.
+   function Last_Seen (Item : Wait) return Clock_Tick
+   with Global => null;
+
+   --  How often somebody has looked since the clock moved.
+   function Looks (Item : Wait) return Look_Count
+   with
+     Global => null,
+     Post   =>
+       Looks'Result <= Most_Looks
+       and then (if Ticks_Left (Item) = 0 then Looks'Result = 0);
+
+   --  The wait is over: its ticks have passed, or there will be no more.
+   function Is_Over (Item : Wait; Now : Clock_Tick) return Boolean is
+     (Now = Last_Tick
+      or else
+        (if Now > Last_Seen (Item)
+         then Now - Last_Seen (Item) >= Tick (Ticks_Left (Item))
+         else Ticks_Left (Item) = 0 or else Looks (Item) = Most_Looks))
+   with Global => null;
+
+   --  How many looks are left, at the very most.
+   function Looks_Left (Item : Wait) return Look_Count is
+     (Look_Count (Ticks_Left (Item)) * Most_Looks - Looks (Item))
+   with Global => null;
+
+   --  A wait that begins now. Of 0 ticks it is over at once.
+   function Begun (Now : Clock_Tick; Ticks : Wait_Ticks) return Wait
+   with
+     Global => null,
+     Post   =>
+       Ticks_Left (Begun'Result) = Ticks
+       and then Last_Seen (Begun'Result) = Now
+       and then Looks (Begun'Result) = 0;
+
+   --  The wait after one more look in vain.
+   function Is_A_Look_Later
+     (Before, After : Wait;
+      Now           : Clock_Tick) return Boolean
+   is
+     (if Now > Last_Seen (Before)
+      then Last_Seen (After) = Now
+        and then Tick (Ticks_Left (After)) =
+          Tick (Ticks_Left (Before)) - (Now - Last_Seen (Before))
+        and then Looks (After) = 1
+      else Last_Seen (After) = Last_Seen (Before)
+        and then Ticks_Left (After) = Ticks_Left (Before)
+        and then Looks (After) = Looks (Before) + 1)
+   with
+     Global => null,
+     Pre    => not Is_Over (Before, Now);
+
+   --  Somebody has looked in vain, and the time is Now. So no wait is for
+   --  ever (MBX-5).
+   procedure Note_Look (Item : in out Wait; Now : Clock_Tick)
+   with
+     Global => null,
+     Pre    => not Is_Over (Item, Now),
+     Post   =>
+       Is_A_Look_Later (Item'Old, Item, Now)
+       and then Looks_Left (Item) < Looks_Left (Item'Old);
+
+private
+
+   type Wait is record
+      Left : Wait_Ticks := 0;
+      Seen : Clock_Tick := 0;
+      Done : Look_Count := 0;
+   end record
+   with
+     Predicate => Done <= Most_Looks and then (if Left = 0 then Done = 0);
+
+   function Ticks_Left (Item : Wait) return Wait_Ticks is (Item.Left);
+
+   function Last_Seen (Item : Wait) return Clock_Tick is (Item.Seen);
+
+   function Looks (Item : Wait) return Look_Count is (Item.Done);
+
+   function Begun (Now : Clock_Tick; Ticks : Wait_Ticks) return Wait is
+     ((Left => Ticks, Seen => Now, Done => 0));
+
+end URVOS.Waits;

@@ -1,0 +1,9 @@
+--  SEM-1, SEM-2: who has a semaphore, and how long a P waits for it.
+
+with AUnit.Test_Suites;
+
+package Semaphores_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Semaphores_Tests;

@@ -1,0 +1,29 @@
+--  The processor of a task that waits: its clock, and the other tasks, which
+--  run while it has called EXIT.
+--
+--     Begin_At (100, Exits_Per_Tick => 4, Others_Run => Send_It'Access);
+--     --  The task waits.
+--     Expect ("it ended", Now, 102);
+
+with URVOS.Frames; use URVOS.Frames;
+
+package Waiting_Rig is
+
+   --  What the others do when they run.
+   type Action is access procedure;
+
+   --  The clock, and how often the task has called EXIT.
+   Now   : Clock_Tick := 0;
+   Exits : Natural    := 0;
+
+   --  From here on the clock ticks at every so many EXITs, at 0 never.
+   procedure Begin_At
+     (Start          : Clock_Tick;
+      Exits_Per_Tick : Natural;
+      Others_Run     : Action := null);
+
+   procedure Read_Clock (Shown : out Clock_Tick);
+
+   procedure Exit_Processor;
+
+end Waiting_Rig;
