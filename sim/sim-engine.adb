@@ -1,86 +1,47 @@
-with Devices.AD_Board;
-with Sim.Faulty_Line;  use Sim.Faulty_Line;
-with Sim.Nodes;        use Sim.Nodes;
-with Sim.Windows;      use Sim.Windows;
+with Memory_Hardware;     use Memory_Hardware;
+with Sim.Agenda;          use Sim.Agenda;
+with Sim.Controllers;
+with Sim.Faulty_Line;     use Sim.Faulty_Line;
+with Sim.Hardware_Faults; use Sim.Hardware_Faults;
+with Sim.Windows;         use Sim.Windows;
 with Sim.Wire_Log;
-with Telemetry;        use Telemetry;
+with Telemetry;           use Telemetry;
 with Telemetry.Boards;
 with URV.Routing;
-with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Starts;        use URVOS.Starts;
 
 package body Sim.Engine is
 
-   Conversion_Time : constant Microseconds :=
-     Devices.AD_Board.Microseconds_Per_Conversion;
-
-   --  What can happen. Of events at the same instant the first named
-   --  happens first.
-   type Event is
-     (Extra_Up, Extra_Down,               --  one more comes than was sent
-      Character_Up, Character_Down,       --  a character has been sent
-      GSC_Restart, MCS_Restart,           --  a telemetry board starts anew
-      GSC_Converted, MCS_Converted,       --  an A/D conversion is done
-      GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's patience
-      GSC_Clock, MCS_Clock);              --  a minor frame begins
-
-   --  When each happens next: the time and, so that one comparison finds
-   --  the first of several at the same instant, the place of the event in
-   --  the order above.
-   type Entry_Time is range 0 .. 2 ** 63 - 1;
-   Agenda : array (Event) of Entry_Time := (others => Entry_Time'Last);
-
-   function Is_Due (What : Event) return Boolean is
-     (Agenda (What) /= Entry_Time'Last);
-
-   Restart   : constant array (Node) of Event :=
-     (GSC => GSC_Restart, MCS => MCS_Restart);
-   Converted : constant array (Node) of Event :=
-     (GSC => GSC_Converted, MCS => MCS_Converted);
-   Time_Out  : constant array (Node) of Event :=
+   Time_Out : constant array (Node) of Event :=
      (GSC => GSC_Time_Out, MCS => MCS_Time_Out);
-   Clock     : constant array (Node) of Event :=
-     (GSC => GSC_Clock, MCS => MCS_Clock);
-   Sent      : constant array (Node) of Event :=
+   Sent     : constant array (Node) of Event :=
      (GSC => Character_Up, MCS => Character_Down);
-   Extra     : constant array (Node) of Event :=
+   Extra    : constant array (Node) of Event :=
      (GSC => Extra_Up, MCS => Extra_Down);
 
-   --  What a node's hardware knows.
+   --  What a telemetry board's hardware knows.
    type Hardware is record
-      Switched_On : Microseconds := 0;
-      Now         : Clock_Tick   := 0;
+      --  Up to where its timer has been told.
+      Timer   : Microseconds := 0;
 
-      --  The value held by the A/D board while it converts.
-      Held        : Word := 0;
-
-      --  Up to where the telemetry board's timer has been told.
-      Timer       : Microseconds := 0;
-
-      --  When the telemetry board's processor stands still.
-      Stalls      : Windows.List;
-
-      --  When it starts anew: at the first instant of each.
-      Restarts    : Windows.List;
+      --  When its processor stands still.
+      Stalls  : Windows.List;
 
       --  Its DUART has lost characters that nobody read, and will say so
       --  with the next one.
-      Overrun     : Boolean := False;
+      Overrun : Boolean := False;
 
       --  What the other board will have heard when the character on the
       --  line has been sent.
-      On_Line     : Delivery;
+      On_Line : Delivery;
 
       --  What it hears besides, when Extra is due.
-      Added       : Arrival_List;
+      Added   : Arrival_List;
    end record;
 
-   Nodes_Hardware : array (Node) of Hardware;
+   Boards : array (Node) of Hardware;
 
    Link_Line : Line;
-
-   --  What each converter's channels see.
-   Inputs : array (Node) of Channel_Words :=
-     (others => (others => Neutral_Value));
 
    procedure Prepare_Boards (Script : Faults.Script);
 
@@ -90,10 +51,10 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
-   --  Enters when an event happens next.
-   procedure Schedule (What : Event; Time : Microseconds) with Inline;
-
-   procedure Cancel (What : Event) with Inline;
+   --  The next fault of a node's hardware happens.
+   procedure Do_Harm
+     (Time : Microseconds;
+      Wire : in out Text_Output.Writer);
 
    --  The board's processor stands still. Its timer is set on by every
    --  stall that is over.
@@ -135,89 +96,96 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer);
 
-   --  Begins the conversion that the controller has asked for, if any. The
-   --  board holds the channel's value from now on.
-   procedure Serve_Converter (Which : Node; Time : Microseconds);
+   --  The controller has run: what it gave the telemetry board may be sent.
 
-   --  The conversion is done.
-   procedure End_Conversion (Which : Node; Time : Microseconds);
-
-   --  A minor frame begins, the node's first one with power up.
    procedure Tick
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
+   procedure End_Start
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer);
+
    procedure Prepare_Boards (Script : Faults.Script) is
+      use type Faults.Board;
       use type Faults.Fault_Kind;
-      use type Faults.Node;
    begin
       for Index in 1 .. Faults.Length (Script) loop
          declare
             Fault : constant Faults.Fault := Faults.Element (Script, Index);
          begin
-            if Fault.Kind = Faults.Stall then
+            if Fault.Kind = Faults.Stall
+              and then Fault.Stalled = Faults.Telemetry
+            then
                Add
-                 (Nodes_Hardware
-                    (if Fault.Where = Faults.GSC then GSC else MCS).Stalls,
+                 (Boards (Fault.Where).Stalls,
                   (Fault.Time, Fault.Time + Fault.Duration));
-            elsif Fault.Kind = Faults.Reset then
-               Add
-                 (Nodes_Hardware
-                    (if Fault.Where = Faults.GSC then GSC else MCS).Restarts,
-                  (Fault.Time, Fault.Time + 1));
             end if;
          end;
-      end loop;
-
-      for Which in Node loop
-         if Next (Nodes_Hardware (Which).Restarts) /= Never then
-            Schedule
-              (Restart (Which), Next (Nodes_Hardware (Which).Restarts).First);
-         end if;
       end loop;
    end Prepare_Boards;
 
    procedure Start_Anew
      (Which : Node;
       Time  : Microseconds;
-      Wire  : in out Text_Output.Writer)
-   is
-      Board : Hardware renames Nodes_Hardware (Which);
+      Wire  : in out Text_Output.Writer) is
    begin
-      Skip (Board.Restarts);
-      if Next (Board.Restarts) = Never then
-         Cancel (Restart (Which));
-      else
-         Schedule (Restart (Which), Next (Board.Restarts).First);
-      end if;
-
-      --  Before it is switched on there is nothing to start anew.
-      if Time > Board.Switched_On then
-         Restart_Telemetry (Which);
-         Board.Overrun := False;
-         Serve_Telemetry (Which, Time, Wire);
-      end if;
+      Restart_Telemetry (Which);
+      Boards (Which).Overrun := False;
+      Serve_Telemetry (Which, Time, Wire);
    end Start_Anew;
 
-   procedure Schedule (What : Event; Time : Microseconds) is
+   procedure Do_Harm
+     (Time : Microseconds;
+      Wire : in out Text_Output.Writer)
+   is
+      Item : Faults.Fault;
    begin
-      Agenda (What) :=
-        Entry_Time (Time) * Event'Range_Length
-        + Event'Pos (What);
-   end Schedule;
+      Take_Next (Item);
+      if Next_Time = Microseconds'Last then
+         Cancel (Hardware_Fault);
+      else
+         Schedule (Hardware_Fault, Next_Time);
+      end if;
 
-   procedure Cancel (What : Event) is
-   begin
-      Agenda (What) := Entry_Time'Last;
-   end Cancel;
+      case Item.Kind is
+         when Faults.Reset =>
+            --  Before it is switched on there is nothing to start anew.
+            if Controllers.Is_On (Item.Where) then
+               case Item.How is
+                  when Faults.Warm =>
+                     Start_Anew (Item.Where, Time, Wire);
+                     Controllers.Begin_Start (Item.Where, Time, Warm_Reset);
+                  when Faults.Processor =>
+                     Controllers.Begin_Start
+                       (Item.Where, Time, Processor_Restart);
+                  when Faults.Telemetry_Board =>
+                     Start_Anew (Item.Where, Time, Wire);
+               end case;
+            end if;
+
+         when Faults.ROM_Harm =>
+            Spoil_ROM (Memory_Of (Item.Where), Item.Byte_At, Item.Flips);
+
+         when Faults.RAM_Harm =>
+            Stick_RAM (Memory_Of (Item.Where), Item.Word_At, Item.Stuck);
+
+         when Faults.Bus_Error =>
+            Fail_Next_Read (Memory_Of (Item.Where));
+
+         when others =>
+            null;
+      end case;
+   end Do_Harm;
 
    procedure Ask_Stalled
      (Which   : Node;
       Time    : Microseconds;
       Stalled : out Boolean)
    is
-      Board : Hardware renames Nodes_Hardware (Which);
+      Board : Hardware renames Boards (Which);
    begin
       while Next (Board.Stalls).Stop <= Time loop
          Board.Timer := Board.Timer + Next (Board.Stalls).Stop
@@ -232,7 +200,7 @@ package body Sim.Engine is
       Time    : Microseconds;
       Elapsed : out Character_Times)
    is
-      Board : Hardware renames Nodes_Hardware (Which);
+      Board : Hardware renames Boards (Which);
       Whole : constant Microseconds :=
         (Time - Board.Timer) / Character_Time;
    begin
@@ -248,7 +216,7 @@ package body Sim.Engine is
       May_Speak : out Boolean)
    is
       Listener : constant Node := Other (Sender);
-      Board    : Hardware renames Nodes_Hardware (Listener);
+      Board    : Hardware renames Boards (Listener);
       Stalled  : Boolean;
       Elapsed  : Character_Times;
    begin
@@ -276,7 +244,7 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer)
    is
-      Board     : Hardware renames Nodes_Hardware (Which);
+      Board     : Hardware renames Boards (Which);
       Stalled   : Boolean;
       Elapsed   : Character_Times;
       Time_Left : Character_Times;
@@ -329,7 +297,7 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    is
-      Board     : Hardware renames Nodes_Hardware (Sender);
+      Board     : Hardware renames Boards (Sender);
       Itself    : Arrival_List;
       May_Speak : Boolean := False;
    begin
@@ -357,7 +325,7 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    is
-      Board     : Hardware renames Nodes_Hardware (Sender);
+      Board     : Hardware renames Boards (Sender);
       May_Speak : Boolean;
    begin
       Cancel (Extra (Sender));
@@ -366,57 +334,46 @@ package body Sim.Engine is
       Serve_Telemetry (Other (Sender), Time, Wire);
    end Hear_Extra;
 
-   procedure Serve_Converter (Which : Node; Time : Microseconds) is
-      Wanted  : Boolean;
-      Channel : Devices.AD_Board.Channel_Number;
-   begin
-      Take_Start (Which, Wanted, Channel);
-      if Wanted then
-         Nodes_Hardware (Which).Held :=
-           Inputs (Which) (URV.Buffers.Channel (Channel));
-         Schedule (Converted (Which), Time + Conversion_Time);
-      end if;
-   end Serve_Converter;
-
-   procedure End_Conversion (Which : Node; Time : Microseconds) is
-   begin
-      Cancel (Converted (Which));
-      Finish_Conversion (Which, Nodes_Hardware (Which).Held);
-      Serve_Converter (Which, Time);
-   end End_Conversion;
-
    procedure Tick
      (Which : Node;
       Time  : Microseconds;
-      Wire  : in out Text_Output.Writer)
-   is
-      Board : Hardware renames Nodes_Hardware (Which);
+      Wire  : in out Text_Output.Writer) is
    begin
-      if Time = Board.Switched_On then
-         Switch_On (Which);
-      else
-         Board.Now := Advanced (Board.Now);
-         Clock_Interrupt (Which, Board.Now);
-      end if;
-      Schedule (Clock (Which), Time + Tick_Time);
-
-      Serve_Converter (Which, Time);
+      Controllers.Tick (Which, Time);
       Serve_Telemetry (Which, Time, Wire);
    end Tick;
 
-   procedure Start
-     (Lag    : Microseconds;
-      Script : Faults.Script;
-      Seed   : Noise.Seed_Number) is
+   procedure End_Start
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer) is
    begin
-      Nodes_Hardware :=
+      Controllers.End_Start (Which, Time);
+      Serve_Telemetry (Which, Time, Wire);
+   end End_Start;
+
+   procedure Start
+     (Lag        : Microseconds;
+      Script     : Faults.Script;
+      Seed       : Noise.Seed_Number;
+      Processors : Processor_Count := 1) is
+   begin
+      Boards :=
         (GSC => (others => <>),
-         MCS => (Switched_On => Lag, Timer => Lag, others => <>));
-      Agenda := (others => Entry_Time'Last);
-      Schedule (GSC_Clock, 0);
-      Schedule (MCS_Clock, Lag);
+         MCS => (Timer => Lag, others => <>));
+      for Which in Node loop
+         Repair (Memory_Of (Which));
+      end loop;
+
+      Agenda.Clear;
+      Controllers.Prepare (Lag, Script, Processors);
       Prepare (Link_Line, Script, Seed);
       Prepare_Boards (Script);
+      Hardware_Faults.Prepare (Script);
+      if Next_Time < Microseconds'Last then
+         Schedule (Hardware_Fault, Next_Time);
+      end if;
+
       Set_Console (Neutral_Console);
       Set_Sensors (Neutral_Sensors);
    end Start;
@@ -425,32 +382,27 @@ package body Sim.Engine is
      (Stop : Microseconds;
       Wire : in out Text_Output.Writer)
    is
-      Next : Entry_Time;
+      Next : Event;
       Time : Microseconds;
    begin
       loop
-         Next := Agenda (Event'First);
-         for Candidate in Event range Event'Succ (Event'First) .. Event'Last
-         loop
-            Next := Entry_Time'Min (Next, Agenda (Candidate));
-         end loop;
-
-         Time := Microseconds (Next / Event'Range_Length);
+         Find_First (Next, Time);
          exit when Time >= Stop;
 
-         case Event'Val (Next mod Event'Range_Length) is
+         case Next is
             when Extra_Up       => Hear_Extra (GSC, Time, Wire);
             when Extra_Down     => Hear_Extra (MCS, Time, Wire);
             when Character_Up   => End_Character (GSC, Time, Wire);
             when Character_Down => End_Character (MCS, Time, Wire);
-            when GSC_Converted  => End_Conversion (GSC, Time);
-            when MCS_Converted  => End_Conversion (MCS, Time);
+            when Hardware_Fault => Do_Harm (Time, Wire);
+            when GSC_Converted  => Controllers.End_Conversion (GSC, Time);
+            when MCS_Converted  => Controllers.End_Conversion (MCS, Time);
             when GSC_Time_Out   => Serve_Telemetry (GSC, Time, Wire);
             when MCS_Time_Out   => Serve_Telemetry (MCS, Time, Wire);
-            when GSC_Restart    => Start_Anew (GSC, Time, Wire);
-            when MCS_Restart    => Start_Anew (MCS, Time, Wire);
             when GSC_Clock      => Tick (GSC, Time, Wire);
             when MCS_Clock      => Tick (MCS, Time, Wire);
+            when GSC_Started    => End_Start (GSC, Time, Wire);
+            when MCS_Started    => End_Start (MCS, Time, Wire);
          end case;
       end loop;
    end Run;
@@ -458,14 +410,16 @@ package body Sim.Engine is
    procedure Set_Console (Words : Console_Words) is
    begin
       for Item in Command_Item loop
-         Inputs (GSC) (URV.Routing.Channel_Of (Item)) := Words (Item);
+         Controllers.Set_Input
+           (GSC, URV.Routing.Channel_Of (Item), Words (Item));
       end loop;
    end Set_Console;
 
    procedure Set_Sensors (Words : Sensor_Words) is
    begin
       for Item in Sensor_Item loop
-         Inputs (MCS) (URV.Routing.Channel_Of (Item)) := Words (Item);
+         Controllers.Set_Input
+           (MCS, URV.Routing.Channel_Of (Item), Words (Item));
       end loop;
    end Set_Sensors;
 

@@ -9,19 +9,20 @@
 --  flight is the same every time. There is one engine.
 
 with Sim.Faults;
+with Sim.Nodes; use Sim.Nodes;
 with Sim.Noise;
 with Sim.Text_Output;
 
 package Sim.Engine is
 
-   Tick_Time : constant Microseconds := 2_000;
-
    --  Switches both nodes on: the ground at time 0, the aircraft Lag later.
-   --  Faults that happen by chance are drawn from Seed.
+   --  Faults that happen by chance are drawn from Seed. Processors is how
+   --  many the aircraft's node has.
    procedure Start
-     (Lag    : Microseconds;
-      Script : Faults.Script;
-      Seed   : Noise.Seed_Number);
+     (Lag        : Microseconds;
+      Script     : Faults.Script;
+      Seed       : Noise.Seed_Number;
+      Processors : Processor_Count := 1);
 
    --  Lets everything happen that happens before Stop. Bytes on the link
    --  are written to Wire if that is open.

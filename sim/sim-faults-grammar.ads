@@ -8,7 +8,8 @@ private package Sim.Faults.Grammar is
    --  What may follow the kind.
    type Parameter is
      (None, A_Duration, A_Probability, An_Ordinal, A_Mask, A_Byte,
-      A_Board, A_Restart);
+      A_Board, A_Restart, A_ROM_Address, A_ROM_Mask, A_RAM_Address,
+      A_RAM_Mask);
    type Parameter_List is array (1 .. 2) of Parameter;
 
    type Form is record
@@ -25,7 +26,10 @@ private package Sim.Faults.Grammar is
       Duplicate  => (A_Way, (An_Ordinal, None)),
       Insert     => (A_Way, (An_Ordinal, A_Byte)),
       Stall      => (A_Node, (A_Board, A_Duration)),
-      Reset      => (A_Node, (A_Restart, None)));
+      Reset      => (A_Node, (A_Restart, None)),
+      ROM_Harm   => (A_Node, (A_ROM_Address, A_ROM_Mask)),
+      RAM_Harm   => (A_Node, (A_RAM_Address, A_RAM_Mask)),
+      Bus_Error  => (A_Node, (None, None)));
 
    function Name (Kind : Fault_Kind) return String is
      (case Kind is
@@ -36,7 +40,10 @@ private package Sim.Faults.Grammar is
          when Duplicate  => "dup",
          when Insert     => "insert",
          when Stall      => "stall",
-         when Reset      => "reset");
+         when Reset      => "reset",
+         when ROM_Harm   => "rom",
+         when RAM_Harm   => "ram",
+         when Bus_Error  => "bus_error");
 
    --  How the parameter stands in a description of the form.
    function Name (What : Parameter) return String is
@@ -48,7 +55,11 @@ private package Sim.Faults.Grammar is
          when A_Mask        => " MASK",
          when A_Byte        => " BYTE",
          when A_Board       => " adc|telemetry",
-         when A_Restart     => " warm|processor|telemetry");
+         when A_Restart     => " warm|processor|telemetry",
+         when A_ROM_Address => " ADDRESS",
+         when A_ROM_Mask    => " MASK",
+         when A_RAM_Address => " ADDRESS",
+         when A_RAM_Mask    => " MASK");
 
    --  The whole line of such a fault.
    function Image (Kind : Fault_Kind) return String is

@@ -40,6 +40,14 @@ package body Sim.Faults is
       Word  : String;
       Value : out Probability);
 
+   --  A hexadecimal number from First to Last.
+   procedure Read_Bits
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      First, Last : Number;
+      Value       : out Number);
+
    procedure Read_Parameter
      (From : Reader;
       What : Parameter;
@@ -124,6 +132,25 @@ package body Sim.Faults is
             "P: " & Quoted (Word) & " is not a probability from 0 to 1");
    end Read_Probability;
 
+   procedure Read_Bits
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      First, Last : Number;
+      Value       : out Number)
+   is
+      Is_Valid : Boolean;
+   begin
+      Read_Hexadecimal (Word, Value, Is_Valid);
+      if not Is_Valid or else Value not in First .. Last then
+         Refuse
+           (From,
+            What & ": " & Quoted (Word)
+            & " is not a hexadecimal number from "
+            & Hexadecimal_Image (First) & " to " & Hexadecimal_Image (Last));
+      end if;
+   end Read_Bits;
+
    procedure Read_Parameter
      (From : Reader;
       What : Parameter;
@@ -157,26 +184,32 @@ package body Sim.Faults is
             Made.Ordinal := Byte_Ordinal (Value);
 
          when A_Mask =>
-            Read_Hexadecimal (Word, Value, Is_Valid);
-            if not Is_Valid
-              or else Value not in 1 .. Number (Flip_Mask'Last)
-            then
-               Refuse
-                 (From,
-                  "MASK: " & Quoted (Word)
-                  & " is not a hexadecimal number from 1 to 1ff");
-            end if;
+            Read_Bits
+              (From, "MASK", Word, 1, Number (Flip_Mask'Last), Value);
             Made.Mask := Flip_Mask (Value);
 
          when A_Byte =>
-            Read_Hexadecimal (Word, Value, Is_Valid);
-            if not Is_Valid or else Value > Number (Byte'Last) then
-               Refuse
-                 (From,
-                  "BYTE: " & Quoted (Word)
-                  & " is not a hexadecimal number from 0 to ff");
-            end if;
+            Read_Bits (From, "BYTE", Word, 0, Number (Byte'Last), Value);
             Made.Inserted := Byte (Value);
+
+         when A_ROM_Address =>
+            Read_Bits
+              (From, "ADDRESS", Word, 0, Number (ROM_Address'Last), Value);
+            Made.Byte_At := ROM_Address (Value);
+
+         when A_ROM_Mask =>
+            Read_Bits (From, "MASK", Word, 1, Number (Byte'Last), Value);
+            Made.Flips := Byte (Value);
+
+         when A_RAM_Address =>
+            Read_Bits
+              (From, "ADDRESS", Word, 0, Number (RAM_Address'Last), Value);
+            Made.Word_At := RAM_Address (Value);
+
+         when A_RAM_Mask =>
+            Read_Bits
+              (From, "MASK", Word, 1, Number (URVOS.Word'Last), Value);
+            Made.Stuck := URVOS.Word (Value);
 
          when A_Board =>
             if Word = "adc" then
@@ -231,7 +264,8 @@ package body Sim.Faults is
 
       declare
          After  : constant Parameter_List := Forms (Made.Kind).After;
-         Wanted : constant Positive := (if After (2) = None then 1 else 2);
+         Wanted : constant Natural :=
+           (if After (1) = None then 0 elsif After (2) = None then 1 else 2);
       begin
          if Before /= Forms (Made.Kind).Before
            or else Count - Next /= Wanted
@@ -245,15 +279,6 @@ package body Sim.Faults is
               (From, After (Index), Word (Next + Index), Made);
          end loop;
       end;
-
-      if not Supported (Made) then
-         Refuse
-           (From,
-            "fault "
-            & Quoted
-                (if Made.Kind = Stall then "stall adc" else Name (Made.Kind))
-            & " is not supported yet");
-      end if;
    end Read_Fault;
 
    procedure Load (Loaded : in out Script; File : String) is

@@ -1,17 +1,21 @@
 --  A script of what goes wrong in a flight, read from a file (--faults)
 --  and checked before the flight begins (SIM-2).
---
---  The whole grammar is read. Kinds of fault that nothing in the
---  simulation can yet do are refused, see Supported.
+
+with Memory_Hardware; use Memory_Hardware;
 
 private with Ada.Containers.Vectors;
 
 package Sim.Faults is
 
    type Fault_Kind is
-     (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset);
+     (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset,
+      ROM_Harm,      --  bits of a byte of the program memory change
+      RAM_Harm,      --  bits of a RAM word read as 0
+      Bus_Error);    --  the next read of the program memory fails
 
-   type Node is (MCS, GSC);
+   --  Of a node's hardware, not of the line.
+   subtype Node_Fault is Fault_Kind range Stall .. Bus_Error;
+
    type Board is (ADC, Telemetry);
 
    --  Of the whole node by its switch, of its processor, or of its telemetry
@@ -44,14 +48,11 @@ package Sim.Faults is
       Rate     : Probability  := 0.0;
       Stalled  : Board        := ADC;
       How      : Restart      := Warm;
+      Byte_At  : ROM_Address  := 0;
+      Flips    : Byte         := 0;
+      Word_At  : RAM_Address  := 0;
+      Stuck    : Word         := 0;
    end record;
-
-   --  What the simulation can do.
-   function Supported (Item : Fault) return Boolean is
-     (case Item.Kind is
-         when Reset  => Item.How = Telemetry_Board,
-         when Stall  => Item.Stalled = Telemetry,
-         when others => True);
 
    type Script is limited private;
 

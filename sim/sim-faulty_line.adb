@@ -88,8 +88,7 @@ package body Sim.Faulty_Line is
                   Made.Ways (Next.Way).Waiting.Append (Next);
                when Faults.Bit_Errors =>
                   Made.Ways (Next.Way).Noises.Append (Next);
-               when Faults.Stall | Faults.Reset =>
-                  --  Not of the line.
+               when Faults.Node_Fault =>
                   null;
             end case;
          end;
@@ -120,7 +119,7 @@ package body Sim.Faulty_Line is
             if Meant.Copies < Most_Arrivals then
                Meant.Copies := Meant.Copies + 1;
             end if;
-         when Faults.Cut | Faults.Bit_Errors | Faults.Stall | Faults.Reset =>
+         when Faults.Cut | Faults.Bit_Errors | Faults.Node_Fault =>
             --  Not of a single character.
             raise Program_Error;
       end case;

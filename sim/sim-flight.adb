@@ -1,7 +1,7 @@
 with Ada.Calendar;    use Ada.Calendar;
-with Ada.Characters.Handling;
 with Ada.Strings.Unbounded;
 
+with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Sim.Bench;
 with Sim.Engine;
 with Sim.Event_Log;
@@ -31,7 +31,7 @@ package body Sim.Flight is
    use type URVOS.Count;
 
    --  When in the aircraft's frame the servos have new commands (FRM-2).
-   PWM_Offset : constant Microseconds := 2 * Engine.Tick_Time;
+   PWM_Offset : constant Microseconds := 2 * Tick_Time;
 
    --  Everything that a flight reads, writes and remembers. There is one
    --  flight.
@@ -69,7 +69,7 @@ package body Sim.Flight is
 
    --  How much later than the ground the aircraft is switched on.
    function Lag_Of (Chosen : Choices) return Microseconds is
-     (Microseconds (Chosen.Phase) * Engine.Tick_Time);
+     (Microseconds (Chosen.Phase) * Tick_Time);
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
@@ -133,21 +133,21 @@ package body Sim.Flight is
              Time         => Time,
              Console      => Console,
              GSC_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Nodes.GSC).Uplink),
+                               (Nodes.CORE (GSC).Uplink),
              MCS_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Nodes.MCS).Uplink),
+                               (Nodes.CORE (MCS).Uplink),
              PWM          => Nodes.Servos,
              MCS_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Nodes.MCS).Downlink),
+                               (Nodes.CORE (MCS).Downlink),
              GSC_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Nodes.GSC).Downlink),
+                               (Nodes.CORE (GSC).Downlink),
              Link         => Engine.Link));
       end if;
 
       if Given (Chosen.Pilot) then
          Pilot.Move
            (Time,
-            URV.CORE_Layout.To_Buffer (Nodes.CORE (Nodes.GSC).Downlink),
+            URV.CORE_Layout.To_Buffer (Nodes.CORE (GSC).Downlink),
             Words);
          Move_Console (Words, Time);
          if Chosen.Plant = JSBSim_Plant then
@@ -218,15 +218,15 @@ package body Sim.Flight is
          Frames   => URVOS.Count (Length / Major_Frame),
          Elapsed  => Elapsed,
          Link     => Engine.Link,
-         Overruns => Nodes.Overruns (Nodes.GSC) + Nodes.Overruns (Nodes.MCS),
+         Overruns => Nodes.Overruns (GSC) + Nodes.Overruns (MCS),
          Latency  => Latency.Result (Delays));
       Further : Summary.Result;
    begin
-      for Node in Nodes.Node loop
+      for Node in Sim.Node loop
          declare
-            Log  : constant Error_Log := Nodes.Errors (Node);
-            Name : constant String :=
-              Ada.Characters.Handling.To_Lower (Node'Image);
+            Log  : constant Error_Log    := Nodes.Errors (Node);
+            CORE : constant Status_Words := Nodes.CORE (Node).Status;
+            Name : constant String       := Names.Name (Node);
          begin
             for Kind in Error_Kind loop
                if Logs.History_Of (Log, Kind).Occurrences > 0 then
@@ -237,13 +237,18 @@ package body Sim.Flight is
                end if;
             end loop;
 
+            for Item in Status_Item loop
+               Summary.Add_Status
+                 (Further, Node, Names.Name (Item), CORE (Item));
+            end loop;
+
             if Text_Output.Is_Open (Files (Event_File)) then
                Event_Log.Write
                  (Files (Event_File), Name, Log,
                   Switched_On =>
                     (case Node is
-                        when Nodes.GSC => 0,
-                        when Nodes.MCS => Lag_Of (Chosen)));
+                        when GSC => 0,
+                        when MCS => Lag_Of (Chosen)));
             end if;
          end;
       end loop;
@@ -276,9 +281,10 @@ package body Sim.Flight is
             else Stick_Scripts.Length (Sticks)));
 
       Engine.Start
-        (Lag    => Lag_Of (Chosen),
-         Script => Faults,
-         Seed   => Chosen.Seed);
+        (Lag        => Lag_Of (Chosen),
+         Script     => Faults,
+         Seed       => Chosen.Seed,
+         Processors => Chosen.Processors);
       if Chosen.Plant = JSBSim_Plant then
          JSBSim.Start (Measured, Truth);
          Engine.Set_Sensors (Measured);

@@ -34,4 +34,10 @@ package body Sim.Names is
    function Name (Kind : Error_Kind) return String is
      (To_Lower (Kind'Image));
 
+   function Name (Item : Status_Item) return String is
+     (To_Lower (Item'Image));
+
+   function Name (Which : Node) return String is
+     (To_Lower (Which'Image));
+
 end Sim.Names;

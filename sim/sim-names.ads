@@ -1,7 +1,8 @@
 --  What the items of the buffers are called in files: the promise of the
 --  stick, sensor, record and event formats.
 
-with URV.Errors; use URV.Errors;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URV.Errors;          use URV.Errors;
 
 package Sim.Names is
 
@@ -11,5 +12,7 @@ package Sim.Names is
    function Name (Item : Link_Item) return String;
    function Name (Way : Direction) return String;
    function Name (Kind : Error_Kind) return String;
+   function Name (Item : Status_Item) return String;
+   function Name (Which : Node) return String;
 
 end Sim.Names;

@@ -1,9 +1,11 @@
+with Ada.Exceptions;
+with Ada.Text_IO;
+
 with Devices.PWM_Board;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Memory_Hardware;
 with URV.PWM_Layout;
-with URVOS.Starts; use URVOS.Starts;
 
 package body Sim.Nodes is
 
@@ -12,19 +14,57 @@ package body Sim.Nodes is
    package GSC_Time renames Ground.Virtual_Time;
    package MCS_Time renames Aircraft.Virtual_Time;
 
-   procedure Switch_On (Which : Node) is
+   Failed : Boolean := False;
+
+   --  Says that a node's program has failed, the first time.
+   procedure Complain
+     (Which : Node; Error : Ada.Exceptions.Exception_Occurrence);
+
+   function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number is
+     (case Which is
+         when GSC => 1,
+         when MCS => 2);
+
+   function Has_Failed return Boolean is (Failed);
+
+   procedure Complain
+     (Which : Node; Error : Ada.Exceptions.Exception_Occurrence) is
    begin
+      if not Failed then
+         Failed := True;
+         Ada.Text_IO.Put_Line
+           (Ada.Text_IO.Standard_Error,
+            "urv_sim: internal fault: " & Which'Image
+            & " restarts its processor: "
+            & Ada.Exceptions.Exception_Information (Error));
+      end if;
+   end Complain;
+
+   procedure Start
+     (Which      : Node;
+      Condition  : Start_Condition;
+      Now        : URVOS.Frames.Clock_Tick;
+      Processors : Processor_Count;
+      Raised     : out Boolean) is
+   begin
+      Raised := False;
+      if Condition = Cold_Start then
+         Restart_Telemetry (Which);
+      end if;
       case Which is
          when GSC =>
-            Memory_Hardware.Repair (1);
-            Ground.Telemetry_Board.Start;
-            GSC_Time.Start (Cold_Start, 0);
+            GSC_Time.Start (Condition, Now);
          when MCS =>
-            Memory_Hardware.Repair (2);
-            Aircraft.Telemetry_Board.Start;
-            MCS_Time.Start (Cold_Start, 0);
+            MCS_Time.Start
+              (Condition, Now, Aircraft.Processor_Number (Processors));
       end case;
-   end Switch_On;
+   exception
+      when Memory_Hardware.Bus_Error =>
+         Raised := True;
+      when Error : others =>
+         Raised := True;
+         Complain (Which, Error);
+   end Start;
 
    procedure Restart_Telemetry (Which : Node) is
    begin
@@ -34,12 +74,22 @@ package body Sim.Nodes is
       end case;
    end Restart_Telemetry;
 
-   procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick) is
+   procedure Clock_Interrupt
+     (Which  : Node;
+      Now    : URVOS.Frames.Clock_Tick;
+      Raised : out Boolean) is
    begin
+      Raised := False;
       case Which is
          when GSC => GSC_Time.Clock_Interrupt (Now);
          when MCS => MCS_Time.Clock_Interrupt (Now);
       end case;
+   exception
+      when Memory_Hardware.Bus_Error =>
+         Raised := True;
+      when Error : others =>
+         Raised := True;
+         Complain (Which, Error);
    end Clock_Interrupt;
 
    procedure Take_Start
@@ -54,21 +104,31 @@ package body Sim.Nodes is
       end case;
    end Take_Start;
 
-   procedure Finish_Conversion (Which : Node; Value : Word) is
+   procedure Finish_Conversion
+     (Which  : Node;
+      Value  : Word;
+      Is_Up  : Boolean;
+      Raised : out Boolean)
+   is
       Interrupt : Boolean;
    begin
+      Raised := False;
       case Which is
          when GSC =>
             Ground.AD_Board.Finish (Value, Interrupt);
-            if Interrupt then
+            if Interrupt and then Is_Up then
                Ground.AD_Interrupt;
             end if;
          when MCS =>
             Aircraft.AD_Board.Finish (Value, Interrupt);
-            if Interrupt then
+            if Interrupt and then Is_Up then
                Aircraft.AD_Interrupt;
             end if;
       end case;
+   exception
+      when Error : others =>
+         Raised := True;
+         Complain (Which, Error);
    end Finish_Conversion;
 
    procedure Accept_Character

@@ -3,14 +3,17 @@
 
 with Devices.AD_Board;
 with Devices.CORE_Memory;
+with Devices.Memory_Bus;
 with Telemetry;
 with Telemetry.Boards;
 with URV.Errors;
 with URVOS.Frames;
+with URVOS.Starts; use URVOS.Starts;
 
 package Sim.Nodes is
 
-   type Node is (GSC, MCS);
+   --  Of the aircraft's node.
+   subtype Processor_Count is Positive range 1 .. 2;
 
    --  The way of what a node sends.
    function Way_From (Sender : Node) return Direction is
@@ -19,23 +22,38 @@ package Sim.Nodes is
    function Other (Than : Node) return Node is
      (if Than = GSC then MCS else GSC);
 
-   --  Power up of the controller and of the telemetry board.
-   procedure Switch_On (Which : Node);
+   --  The controller starts, at power up the telemetry board too. Raised:
+   --  here and below, the controller's program has raised an exception that
+   --  it does not handle. Of one that no fault has ordered the program's
+   --  user is told.
+   procedure Start
+     (Which      : Node;
+      Condition  : Start_Condition;
+      Now        : URVOS.Frames.Clock_Tick;
+      Processors : Processor_Count;
+      Raised     : out Boolean);
 
    --  The telemetry board's processor starts anew, the controller goes on.
    procedure Restart_Telemetry (Which : Node);
 
-   procedure Clock_Interrupt (Which : Node; Now : URVOS.Frames.Clock_Tick);
+   procedure Clock_Interrupt
+     (Which  : Node;
+      Now    : URVOS.Frames.Clock_Tick;
+      Raised : out Boolean);
 
    --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.
-   --  The controller is interrupted if it wants to be.
+   --  The controller is interrupted if it wants to be, and is not down.
 
    procedure Take_Start
      (Which   : Node;
       Wanted  : out Boolean;
       Channel : out Devices.AD_Board.Channel_Number);
 
-   procedure Finish_Conversion (Which : Node; Value : Word);
+   procedure Finish_Conversion
+     (Which  : Node;
+      Value  : Word;
+      Is_Up  : Boolean;
+      Raised : out Boolean);
 
    --  The telemetry board: see Telemetry.Shared_Boards.
 
@@ -64,5 +82,12 @@ package Sim.Nodes is
    function Errors (Which : Node) return URV.Errors.Error_Log;
 
    function Overruns (Which : Node) return Count;
+
+   --  The processor board with the node's ROM and RAM.
+   function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;
+
+   --  Whether an exception was raised that no fault has ordered: a fault of
+   --  the program.
+   function Has_Failed return Boolean;
 
 end Sim.Nodes;

@@ -11,27 +11,28 @@ package body Sim.Options is
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Seed_Option, Phase_Option,
-      Record_Option, Summary_Option, Wire_Option, Events_Option,
-      Pace_Option, Quiet_Option);
+      Processors_Option, Record_Option, Summary_Option, Wire_Option,
+      Events_Option, Pace_Option, Quiet_Option);
 
    type Option_Set is array (Option) of Boolean;
 
    function Name (Which : Option) return String is
      (case Which is
-         when Seconds_Option => "--seconds",
-         when Plant_Option   => "--plant",
-         when Sticks_Option  => "--sticks",
-         when Pilot_Option   => "--pilot",
-         when Sensors_Option => "--sensors",
-         when Faults_Option  => "--faults",
-         when Seed_Option    => "--seed",
-         when Phase_Option   => "--phase",
-         when Record_Option  => "--record",
-         when Summary_Option => "--summary",
-         when Wire_Option    => "--wire",
-         when Events_Option  => "--events",
-         when Pace_Option    => "--pace",
-         when Quiet_Option   => "--quiet");
+         when Seconds_Option    => "--seconds",
+         when Plant_Option      => "--plant",
+         when Sticks_Option     => "--sticks",
+         when Pilot_Option      => "--pilot",
+         when Sensors_Option    => "--sensors",
+         when Faults_Option     => "--faults",
+         when Seed_Option       => "--seed",
+         when Phase_Option      => "--phase",
+         when Processors_Option => "--processors",
+         when Record_Option     => "--record",
+         when Summary_Option    => "--summary",
+         when Wire_Option       => "--wire",
+         when Events_Option     => "--events",
+         when Pace_Option       => "--pace",
+         when Quiet_Option      => "--quiet");
 
    function Name (File : Input_File) return String is
      (case File is
@@ -152,6 +153,15 @@ package body Sim.Options is
                   & Phase_Ticks'Image (Phase_Ticks'Last));
             end if;
             Chosen.Phase := Phase_Ticks (Amount);
+
+         when Processors_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid
+              or else Amount not in 1 .. Number (Processor_Count'Last)
+            then
+               Refuse_Value (Which, Value, "is neither 1 nor 2");
+            end if;
+            Chosen.Processors := Processor_Count (Amount);
 
          when Pilot_Option   =>
             Chosen.Pilot := To_Unbounded_String (Value);

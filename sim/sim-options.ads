@@ -4,6 +4,7 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Sim.Nodes;
 with Sim.Noise;
 
 package Sim.Options is
@@ -17,6 +18,8 @@ package Sim.Options is
    type Pace_Kind is (Max, Realtime);
 
    subtype Phase_Ticks is Natural range 0 .. 9;
+
+   subtype Processor_Count is Nodes.Processor_Count;
 
    subtype Seed_Number is Noise.Seed_Number;
 
@@ -39,6 +42,9 @@ package Sim.Options is
       Phase   : Phase_Ticks := 3;
       Pace    : Pace_Kind := Max;
       Quiet   : Boolean := False;
+
+      --  Of the aircraft's node.
+      Processors : Processor_Count := 1;
 
       --  The flight the simulated pilot flies; empty for nobody.
       Pilot : Unbounded_String;

@@ -41,6 +41,8 @@ package body Sim.Summary is
    function Latency_Object
      (Measured : Latency.Statistics) return JSON_Value;
    function Event_Object (Further : Result) return JSON_Value;
+   function Status_Object
+     (Further : Result; Where : Node) return JSON_Value;
    function Quality_Object (Further : Result) return JSON_Value;
 
    function Image (Value : Long_Float; Decimals : Positive) return String is
@@ -74,6 +76,16 @@ package body Sim.Summary is
       To.Events.Append
         (Event'(Texts.To_Unbounded_String (Kind), How_Often));
    end Add_Event;
+
+   procedure Add_Status
+     (To    : in out Result;
+      Where : Node;
+      Name  : String;
+      Value : Word) is
+   begin
+      To.Statuses.Append
+        (Status'(Where, Texts.To_Unbounded_String (Name), Value));
+   end Add_Status;
 
    procedure Add_Quality
      (To    : in out Result;
@@ -147,6 +159,20 @@ package body Sim.Summary is
       return Made;
    end Event_Object;
 
+   function Status_Object
+     (Further : Result; Where : Node) return JSON_Value
+   is
+      Made : constant JSON_Value := Create_Object;
+   begin
+      for Each of Further.Statuses loop
+         if Each.Where = Where then
+            Made.Set_Field
+              (Texts.To_String (Each.Name), To_JSON (Count (Each.Value)));
+         end if;
+      end loop;
+      return Made;
+   end Status_Object;
+
    function Quality_Object (Further : Result) return JSON_Value is
       Made : constant JSON_Value := Create_Object;
    begin
@@ -166,8 +192,13 @@ package body Sim.Summary is
       Flight  : Figures;
       Further : Result)
    is
-      Made : constant JSON_Value := Create_Object;
+      Made   : constant JSON_Value := Create_Object;
+      Status : constant JSON_Value := Create_Object;
    begin
+      for Where in Node loop
+         Status.Set_Field (Name (Where), Status_Object (Further, Where));
+      end loop;
+
       Made.Set_Field ("seconds", To_JSON (In_Seconds (Flight.Flown)));
       Made.Set_Field ("frames", To_JSON (Flight.Frames));
       Made.Set_Field ("speed", To_JSON (Rounded (Speed (Flight), 1)));
@@ -175,6 +206,7 @@ package body Sim.Summary is
       Made.Set_Field ("overruns", To_JSON (Flight.Overruns));
       Made.Set_Field ("latency_ms", Latency_Object (Flight.Latency));
       Made.Set_Field ("events", Event_Object (Further));
+      Made.Set_Field ("core_status", Status);
       if not Further.Qualities.Is_Empty then
          Made.Set_Field ("flight_quality", Quality_Object (Further));
       end if;

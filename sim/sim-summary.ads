@@ -31,6 +31,14 @@ package Sim.Summary is
       Kind      : String;
       How_Often : Count);
 
+   --  A word of CORE's status at the end of the flight. The words of a node
+   --  are added one after the other.
+   procedure Add_Status
+     (To    : in out Result;
+      Where : Node;
+      Name  : String;
+      Value : Word);
+
    --  How well the pilot flew. A name ends with its unit, as in
    --  "altitude_rms_ft". Values are given to three decimals; one that is
    --  no number is given as null.
@@ -64,6 +72,14 @@ private
 
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
 
+   type Status is record
+      Where : Node;
+      Name  : Texts.Unbounded_String;
+      Value : Word;
+   end record;
+
+   package Status_Vectors is new Ada.Containers.Vectors (Positive, Status);
+
    type Value_Kind is (A_Number, A_Fact, Unknown);
 
    type Quality is record
@@ -78,6 +94,7 @@ private
 
    type Result is limited record
       Events    : Event_Vectors.Vector;
+      Statuses  : Status_Vectors.Vector;
       Qualities : Quality_Vectors.Vector;
    end record;
 

@@ -125,4 +125,19 @@ package body Sim.Text_Numbers is
         (if Value < 0 then Text else Text (Text'First + 1 .. Text'Last));
    end Image;
 
+   function Hexadecimal_Image (Value : Number) return String is
+      Digit : constant String (1 .. 16) := "0123456789abcdef";
+      Text  : String (1 .. 16);
+      First : Positive := Text'Last;
+      Rest  : Number   := Value;
+   begin
+      loop
+         Text (First) := Digit (Positive (Rest mod 16 + 1));
+         Rest := Rest / 16;
+         exit when Rest = 0;
+         First := First - 1;
+      end loop;
+      return Text (First .. Text'Last);
+   end Hexadecimal_Image;
+
 end Sim.Text_Numbers;

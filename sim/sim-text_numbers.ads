@@ -36,4 +36,7 @@ package Sim.Text_Numbers is
    --  How the value is written, without a leading blank.
    function Image (Value : Long_Long_Integer) return String;
 
+   --  In hexadecimal digits, without a mark.
+   function Hexadecimal_Image (Value : Number) return String;
+
 end Sim.Text_Numbers;

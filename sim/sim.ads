@@ -11,6 +11,10 @@ package Sim is
 
    Microseconds_Per_Millisecond : constant := 1_000;
    Major_Frame                  : constant Microseconds := 20_000;
+   Tick_Time                    : constant Microseconds := 2_000;
+
+   --  The ground's and the aircraft's.
+   type Node is (GSC, MCS);
 
    --  What the pilot's console gives the ground's A/D board.
    type Console_Words is array (Command_Item) of Word;

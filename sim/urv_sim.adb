@@ -11,6 +11,7 @@ with Ada.Text_IO;
 with Sim;
 with Sim.Complaints;
 with Sim.Flight;
+with Sim.Nodes;
 with Sim.Options;
 with Sim.Pilot;
 with Sim.Scaling;
@@ -29,6 +30,9 @@ begin
          when Sim.Options.Help  => Sim.Options.Print_Usage;
          when Sim.Options.Items => Sim.Scaling.Print;
          when Sim.Options.Fly   => Sim.Flight.Fly (Chosen);
+            if Sim.Nodes.Has_Failed then
+               Ada.Command_Line.Set_Exit_Status (1);
+            end if;
       end case;
    end;
 

@@ -10,6 +10,12 @@ package body Memory_Hardware is
       ROM    : ROM_Image;
       RAM    : RAM_Cells := (others => 16#DEAD#);
       Faults : Fault_List;
+
+      --  The bits of each word that read as 0.
+      Stuck  : RAM_Cells := (others => 0);
+
+      --  The next read of the ROM fails.
+      Broken : Boolean := False;
    end record;
 
    --  Numbers in the place of a program, and their sum.
@@ -76,6 +82,21 @@ package body Memory_Hardware is
       Boards (Board).ROM := (others => Data);
    end Blank_ROM;
 
+   procedure Fail_Next_Read (Board : Board_Number) is
+   begin
+      Boards (Board).Broken := True;
+   end Fail_Next_Read;
+
+   procedure Stick_RAM
+     (Board : Board_Number;
+      Where : RAM_Address;
+      Bits  : Word)
+   is
+      Stuck : Word renames Boards (Board).Stuck (Where);
+   begin
+      Stuck := Stuck or Bits;
+   end Stick_RAM;
+
    procedure Plant
      (Board   : Board_Number;
       Planted : Fault;
@@ -90,6 +111,8 @@ package body Memory_Hardware is
    begin
       Boards (Board).ROM := Original;
       Boards (Board).Faults := (others => <>);
+      Boards (Board).Stuck := (others => 0);
+      Boards (Board).Broken := False;
    end Repair;
 
    procedure Settle (Memory : in out Board_Memory) is
@@ -152,8 +175,13 @@ package body Memory_Hardware is
       Where : Byte_Address;
       Data  : out Byte)
    is
+      Memory : Board_Memory renames Boards (Board);
    begin
-      Data := Boards (Board).ROM (Where);
+      Data := Memory.ROM (Where);
+      if Memory.Broken then
+         Memory.Broken := False;
+         raise Bus_Error;
+      end if;
    end Read_ROM;
 
    procedure Read_RAM
@@ -181,6 +209,7 @@ package body Memory_Hardware is
             end case;
          end if;
       end loop;
+      Data := Data and not Memory.Stuck (Where);
    end Read_RAM;
 
    procedure Write_RAM

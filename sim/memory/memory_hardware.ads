@@ -28,6 +28,18 @@ package Memory_Hardware is
    --  The whole ROM reads as one value: erased, or not there.
    procedure Blank_ROM (Board : Board_Number; Data : Byte);
 
+   --  Nothing answers the next read of the ROM: an exception of the processor
+   --  that reads.
+   procedure Fail_Next_Read (Board : Board_Number);
+
+   Bus_Error : exception;
+
+   --  Some bits of a word of the RAM read as 0 from now on.
+   procedure Stick_RAM
+     (Board : Board_Number;
+      Where : RAM_Address;
+      Bits  : Word);
+
    --  What a fault in the RAM does. Cell is the bit that suffers, Source
    --  another that makes it.
    type Fault_Kind is

@@ -1,0 +1,40 @@
+package body Sim.Agenda is
+
+   --  The time and, so that one comparison finds the first of several at
+   --  the same instant, the place of the event in the order of events.
+   type Entry_Time is range 0 .. 2 ** 63 - 1;
+   Never : constant Entry_Time := Entry_Time'Last;
+
+   Entries : array (Event) of Entry_Time := (others => Never);
+
+   procedure Clear is
+   begin
+      Entries := (others => Never);
+   end Clear;
+
+   procedure Schedule (What : Event; Time : Microseconds) is
+   begin
+      Entries (What) :=
+        Entry_Time (Time) * Event'Range_Length + Event'Pos (What);
+   end Schedule;
+
+   procedure Cancel (What : Event) is
+   begin
+      Entries (What) := Never;
+   end Cancel;
+
+   function Is_Due (What : Event) return Boolean is
+     (Entries (What) /= Never);
+
+   procedure Find_First (What : out Event; Time : out Microseconds) is
+      First : Entry_Time := Entries (Event'First);
+   begin
+      for Candidate in Event range Event'Succ (Event'First) .. Event'Last
+      loop
+         First := Entry_Time'Min (First, Entries (Candidate));
+      end loop;
+      What := Event'Val (First mod Event'Range_Length);
+      Time := Microseconds (First / Event'Range_Length);
+   end Find_First;
+
+end Sim.Agenda;

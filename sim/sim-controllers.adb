@@ -1,0 +1,198 @@
+with Devices.AD_Board;
+with Sim.Agenda;    use Sim.Agenda;
+with Sim.Windows;   use Sim.Windows;
+with URVOS.Frames;  use URVOS.Frames;
+
+package body Sim.Controllers is
+
+   Conversion_Time : constant Microseconds :=
+     Devices.AD_Board.Microseconds_Per_Conversion;
+
+   Converted : constant array (Node) of Event :=
+     (GSC => GSC_Converted, MCS => MCS_Converted);
+   Clock     : constant array (Node) of Event :=
+     (GSC => GSC_Clock, MCS => MCS_Clock);
+   Started   : constant array (Node) of Event :=
+     (GSC => GSC_Started, MCS => MCS_Started);
+
+   type Controller is record
+      Is_On       : Boolean         := False;
+      Now         : Clock_Tick      := 0;
+
+      --  It is down until the time of its start is over.
+      Is_Starting : Boolean         := False;
+      Condition   : Start_Condition := Cold_Start;
+
+      --  The value held by the A/D board while it converts.
+      Held        : Word := 0;
+
+      --  When the A/D board stands still.
+      Stalls      : Windows.List;
+   end record;
+
+   Controllers : array (Node) of Controller;
+
+   --  Of the aircraft.
+   Number_Of_Processors : Processor_Count := 1;
+
+   --  What each converter's channels see.
+   Inputs : array (Node) of Channel_Words :=
+     (others => (others => Neutral_Value));
+
+   --  Phases one to three of a start, at its end.
+   procedure Start (Which : Node; Time : Microseconds);
+
+   --  An exception that the node's program has not handled (KRN-6).
+   procedure Answer_Exception
+     (Which  : Node;
+      Time   : Microseconds;
+      Raised : Boolean);
+
+   --  Begins the conversion that the controller has asked for, if any. The
+   --  board holds the channel's value from now on.
+   procedure Serve_Converter (Which : Node; Time : Microseconds);
+
+   procedure Prepare
+     (Lag        : Microseconds;
+      Script     : Faults.Script;
+      Processors : Processor_Count)
+   is
+      use type Faults.Board;
+      use type Faults.Fault_Kind;
+   begin
+      Controllers := (others => (others => <>));
+      Number_Of_Processors := Processors;
+      Schedule (GSC_Clock, 0);
+      Schedule (MCS_Clock, Lag);
+
+      for Index in 1 .. Faults.Length (Script) loop
+         declare
+            Fault : constant Faults.Fault := Faults.Element (Script, Index);
+         begin
+            if Fault.Kind = Faults.Stall
+              and then Fault.Stalled = Faults.ADC
+            then
+               Add
+                 (Controllers (Fault.Where).Stalls,
+                  (Fault.Time, Fault.Time + Fault.Duration));
+            end if;
+         end;
+      end loop;
+   end Prepare;
+
+   function Is_On (Which : Node) return Boolean is
+     (Controllers (Which).Is_On);
+
+   procedure Set_Input
+     (Which : Node;
+      Where : URV.Buffers.Channel;
+      Value : Word) is
+   begin
+      Inputs (Which) (Where) := Value;
+   end Set_Input;
+
+   procedure Answer_Exception
+     (Which  : Node;
+      Time   : Microseconds;
+      Raised : Boolean) is
+   begin
+      if Raised then
+         Begin_Start (Which, Time, Processor_Restart);
+      end if;
+   end Answer_Exception;
+
+   procedure Serve_Converter (Which : Node; Time : Microseconds) is
+      Wanted  : Boolean;
+      Channel : Devices.AD_Board.Channel_Number;
+   begin
+      Take_Start (Which, Wanted, Channel);
+      if Wanted then
+         Controllers (Which).Held :=
+           Inputs (Which) (URV.Buffers.Channel (Channel));
+         Schedule (Converted (Which), Time + Conversion_Time);
+      end if;
+   end Serve_Converter;
+
+   procedure End_Conversion (Which : Node; Time : Microseconds) is
+      Item   : Controller renames Controllers (Which);
+      Raised : Boolean;
+   begin
+      while Next (Item.Stalls).Stop <= Time loop
+         Skip (Item.Stalls);
+      end loop;
+
+      --  A board that stands still converts anew when it goes on.
+      if Next (Item.Stalls).First <= Time then
+         Schedule
+           (Converted (Which), Next (Item.Stalls).Stop + Conversion_Time);
+         return;
+      end if;
+
+      Cancel (Converted (Which));
+      Finish_Conversion
+        (Which, Item.Held, not Item.Is_Starting, Raised);
+      Serve_Converter (Which, Time);
+      Answer_Exception (Which, Time, Raised);
+   end End_Conversion;
+
+   procedure Tick (Which : Node; Time : Microseconds) is
+      Item   : Controller renames Controllers (Which);
+      Raised : Boolean := False;
+   begin
+      Schedule (Clock (Which), Time + Tick_Time);
+      if not Item.Is_On then
+         Item.Is_On := True;
+         Item.Is_Starting := True;
+         Start (Which, Time);
+      else
+         Item.Now := Advanced (Item.Now);
+         if not Item.Is_Starting then
+            Clock_Interrupt (Which, Item.Now, Raised);
+            Serve_Converter (Which, Time);
+            Answer_Exception (Which, Time, Raised);
+         end if;
+      end if;
+   end Tick;
+
+   procedure Begin_Start
+     (Which     : Node;
+      Time      : Microseconds;
+      Condition : Start_Condition)
+   is
+      Item : Controller renames Controllers (Which);
+   begin
+      --  Without phase two of the cold start there is nothing to keep.
+      if not (Item.Is_Starting and then Item.Condition = Cold_Start) then
+         Item.Condition := Condition;
+      end if;
+      Item.Is_Starting := True;
+      Schedule (Started (Which), Time + Start_Time);
+      if Condition = Warm_Reset then
+         Cancel (Converted (Which));
+      end if;
+   end Begin_Start;
+
+   procedure Start (Which : Node; Time : Microseconds) is
+      Item   : Controller renames Controllers (Which);
+      Raised : Boolean;
+   begin
+      Nodes.Start
+        (Which, Item.Condition, Item.Now, Number_Of_Processors, Raised);
+
+      --  It has prepared its A/D board anew: no conversion is under way but
+      --  the one it may have asked for.
+      Cancel (Converted (Which));
+      Serve_Converter (Which, Time);
+      if not Raised then
+         Item.Is_Starting := False;
+      end if;
+      Answer_Exception (Which, Time, Raised);
+   end Start;
+
+   procedure End_Start (Which : Node; Time : Microseconds) is
+   begin
+      Cancel (Started (Which));
+      Start (Which, Time);
+   end End_Start;
+
+end Sim.Controllers;

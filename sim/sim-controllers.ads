@@ -1,0 +1,52 @@
+--  The controllers of both nodes in virtual time: their clocks, their A/D
+--  boards' hardware, and how they start again (INI-1, KRN-6, SIM-1).
+--
+--  A controller that starts again is down for the time of its self-test. Its
+--  clock runs on meanwhile, but it misses the ticks and whatever the A/D
+--  board has to tell it. docs/starts.md says more.
+
+with Sim.Faults;
+with Sim.Nodes;    use Sim.Nodes;
+with URVOS.Starts; use URVOS.Starts;
+
+package Sim.Controllers is
+
+   --  How long a start takes after a reset or an exception. An assumption of
+   --  the simulation: five ticks, which a fast processor needs for the
+   --  self-test.
+   Start_Time : constant Microseconds := 5 * Tick_Time;
+
+   --  Both will be switched on: the ground at time 0, the aircraft Lag later.
+   procedure Prepare
+     (Lag        : Microseconds;
+      Script     : Faults.Script;
+      Processors : Processor_Count);
+
+   --  Whether the node has been switched on.
+   function Is_On (Which : Node) return Boolean;
+
+   --  What an A/D channel sees from now on.
+   procedure Set_Input
+     (Which : Node;
+      Where : URV.Buffers.Channel;
+      Value : Word);
+
+   --  A minor frame begins, the node's first one with power up.
+   procedure Tick (Which : Node; Time : Microseconds);
+
+   --  A conversion is done.
+   procedure End_Conversion (Which : Node; Time : Microseconds);
+
+   --  The reset switch, or an exception. One during a start begins it anew,
+   --  as the last one says; but power up stays a cold start until one is
+   --  through.
+   procedure Begin_Start
+     (Which     : Node;
+      Time      : Microseconds;
+      Condition : Start_Condition)
+   with Pre => Is_On (Which);
+
+   --  The time of the start has passed.
+   procedure End_Start (Which : Node; Time : Microseconds);
+
+end Sim.Controllers;

@@ -1,0 +1,18 @@
+--  The faults of a script that befall the hardware of a node at an instant,
+--  one after the other: resets, and harm to a processor's memory.
+
+with Sim.Faults; use Sim.Faults;
+
+package Sim.Hardware_Faults is
+
+   --  Begins with the first of the script.
+   procedure Prepare (From : Script);
+
+   --  When the next one happens; the last instant when there is none.
+   function Next_Time return Microseconds;
+
+   --  Those of the same instant come in the order of their lines.
+   procedure Take_Next (Item : out Fault)
+   with Pre => Next_Time < Microseconds'Last;
+
+end Sim.Hardware_Faults;
