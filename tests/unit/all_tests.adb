@@ -15,6 +15,7 @@ with Mailboxes_Tests;
 with Nodes_Tests;
 with PWM_Tests;
 with Receivers_Tests;
+with Schedulers_Tests;
 with Self_Test_Tests;
 with Senders_Tests;
 with Telemetry_Task_Tests;
@@ -32,6 +33,7 @@ package body All_Tests is
       Frames_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
+      Schedulers_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
