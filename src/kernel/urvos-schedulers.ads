@@ -335,9 +335,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
        and then not Is_Idle (S)
        and then Clock (S) = Clock (S'Old)
        and then
-         (if not Has_Higher_Ready (S'Old)
-          then S = S'Old
-          else
+         (if Has_Higher_Ready (S'Old)
+          then
             Is_Best_Ready (S'Old, Running_TCB (S))
             and then Queue_Of (S, Running_TCB (S'Old)) = Ready
             and then
@@ -370,7 +369,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
               (if Is_New_Release (S'Old, Running_TCB (S))
                  and then Release_Of (S, Running_TCB (S)) < Clock (S)
                then Incremented (Overruns (S'Old))
-               else Overruns (S'Old)));
+               else Overruns (S'Old))
+          else S = S'Old);
 
    --  The tick that SLEEP makes of a wish: a task that wants to sleep until
    --  a tick that has passed sleeps until the next one.
