@@ -16,6 +16,7 @@ with Nodes_Tests;
 with PWM_Tests;
 with Receive_Calls_Tests;
 with Receivers_Tests;
+with Schedulers_Tests;
 with Self_Test_Tests;
 with Semaphores_Tests;
 with Senders_Tests;
@@ -37,6 +38,7 @@ package body All_Tests is
       Semaphores_Tests.Add_To (Result);
       Receive_Calls_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
+      Schedulers_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
