@@ -555,7 +555,7 @@ package body Schedulers_Tests is
       --  How often each call was made.
       Sleeps, Exits, Ends, Loads, Changes : Natural := 0;
    begin
-      for Flight in 1 .. 40 loop
+      for Flight in 1 .. 60 loop
          Now := Tick (5 + Below (1_000));
          Tree := Empty_Tree;
          for Which in TCB_Number'First ..
@@ -680,7 +680,7 @@ package body Schedulers_Tests is
         (Suite, "FRM-4 a task that runs at its next release is counted",
          Run_Into_Next_Release'Access);
       Add
-        (Suite, "KRN-1 KRN-2 KRN-3 KRN-4 FRM-4 4000 calls do what a naive "
+        (Suite, "KRN-1 KRN-2 KRN-3 KRN-4 FRM-4 6000 calls do what a naive "
          & "scheduler does", Random_Calls'Access);
    end Add_To;
 
