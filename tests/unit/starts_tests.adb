@@ -457,6 +457,20 @@ package body Starts_Tests is
          MCS.AD_Board.Take_Start (Wanted, Channel);
          MCS.AD_Board.Finish (0, Interrupt);
          Expect (Condition'Image & ", interrupt", Interrupt, True);
+
+         --  The AD task's initialisation begins a scan.
+         for Node in Station loop
+            Start_Again (Node, Condition);
+            if Node = Ground then
+               GSC.AD_Board.Take_Start (Wanted, Channel);
+            else
+               MCS.AD_Board.Take_Start (Wanted, Channel);
+            end if;
+            Expect (Condition'Image & ", " & Node'Image, Wanted, True);
+            Expect_Number
+              (Condition'Image & ", " & Node'Image & ", channel",
+               Integer (Channel), 0);
+         end loop;
       end loop;
    end Converters;
 
@@ -576,9 +590,10 @@ package body Starts_Tests is
    ---------------------
 
    procedure Silent_Aircraft is
-      Held   : Data_Area;
-      CORE   : Memory;
-      Status : Status_Words;
+      Held     : Data_Area;
+      CORE     : Memory;
+      Status   : Status_Words;
+      Overfull : Count;
 
       --  The word of the result, for each fault.
       In_ROM : constant Word := 16#1000#;
@@ -590,6 +605,12 @@ package body Starts_Tests is
             Console := Numbered (16#100#);
             Sensors := Numbered (16#500#);
             Fly (6);
+
+            --  Both transmit buffers are full of what is old by now.
+            Link_Is_Cut := True;
+            Fly (4);
+            Overfull := Occurrences (Aircraft, TELOUT_Overwrote_Block);
+            Link_Is_Cut := False;
             Held := Servos;
             CORE := CORE_Of_MCS;
             if Fault then
@@ -626,6 +647,10 @@ package body Starts_Tests is
             Expect
               (Condition'Image & ", CORE", CORE_Of_MCS.Uplink = CORE.Uplink
                and then CORE_Of_MCS.Downlink = CORE.Downlink, True);
+
+            Expect
+              (Condition'Image & ", blocks overwritten",
+               Occurrences (Aircraft, TELOUT_Overwrote_Block), Overfull);
 
             --  The ground knows.
             Expect
