@@ -21,6 +21,7 @@ with Self_Test_Tests;
 with Semaphores_Tests;
 with Senders_Tests;
 with Serial_Line_Tests;
+with Starts_Tests;
 with Telemetry_Task_Tests;
 with Waiting_Tasks_Tests;
 
@@ -58,6 +59,7 @@ package body All_Tests is
       Self_Test_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
+      Starts_Tests.Add_To (Result);
 
       --  These take the longest.
       Link_Tests.Add_To (Result);
