@@ -21,7 +21,9 @@ with Self_Test_Tests;
 with Semaphores_Tests;
 with Senders_Tests;
 with Serial_Line_Tests;
+with Starts_Tests;
 with Telemetry_Task_Tests;
+with Waiting_Tasks_Tests;
 
 package body All_Tests is
 
@@ -37,6 +39,7 @@ package body All_Tests is
       Mailboxes_Tests.Add_To (Result);
       Semaphores_Tests.Add_To (Result);
       Receive_Calls_Tests.Add_To (Result);
+      Waiting_Tasks_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
       Schedulers_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
@@ -56,6 +59,7 @@ package body All_Tests is
       Self_Test_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
+      Starts_Tests.Add_To (Result);
 
       --  These take the longest.
       Link_Tests.Add_To (Result);
