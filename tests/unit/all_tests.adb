@@ -53,11 +53,11 @@ package body All_Tests is
       PWM_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
-      Self_Test_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
 
       --  These take the longest.
+      Self_Test_Tests.Add_To (Result);
       Link_Tests.Add_To (Result);
       return Result;
    end Suite;
