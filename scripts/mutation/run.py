@@ -36,22 +36,26 @@ RESULTS = ROOT / "tests" / "mutation" / "results.jsonl"
 WORKPLACE = ROOT / "obj" / "mutation"
 
 SEED = 1991
-SHARE, LEAST, MOST = 0.25, 10, 36
+SHARE, LEAST, MOST = 0.15, 4, 10
 
-COPIED = ("src", "proofs", "sim", "tests", "scripts", "urv.gpr",
-          "ravenscar.adc")
+COPIED = ("src", "proofs", "sim", "tests", "real_time", "scripts",
+          "urv.gpr", "ravenscar.adc")
 UNIT_TESTS = ["gprbuild", "-q", "-p", "-j1", "-P", "tests/urv_tests.gpr",
               "-XURV_Mode=test"]
 SIMULATOR = ["gprbuild", "-q", "-p", "-j1", "-P", "sim/urv_sim.gpr",
              "-XURV_Mode=host"]
+SIMULATOR_OBJECTS = ("obj/host", "obj/sim-host")
+TEST_OBJECTS = ("obj/test", "obj/test/unit")
 PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
 
 # The quick ones of the simulation's tests that look at the data's path.
 SIMULATION_TESTS = ["test_data_path.py", "test_wire.py", "test_faults.py"]
 
 BUILD_LIMIT_S = 900
-TEST_LIMIT_S = 300
+TEST_LIMIT_S = 600
 PROOF_LIMIT_S = 1200
+# Of one program under test; without a change none needs half of it.
+CPU_LIMIT_S = 60
 MEMORY_LIMIT = 4 * 2 ** 30
 
 # What became of a mutant.
@@ -62,8 +66,10 @@ SURVIVED = "survived"
 KILLED = ("tests", "simulation", "proof")
 
 
-def limit_memory():
+def set_limits():
+    """A mutant that goes on for ever is ended, however slow the machine."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+    resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S))
 
 
 class Worker:
@@ -73,6 +79,7 @@ class Worker:
         self.root = WORKPLACE / f"worker-{number}"
         self.original = WORKPLACE / f"original-{number}"
         self.changed = None
+        self.in_simulator = None
         self.objects = None
         self.proved = {}
         self.process = None
@@ -131,7 +138,9 @@ class Worker:
             status, output = self.run(command, BUILD_LIMIT_S)
             if status != 0:
                 return output
-        self.objects = self.object_code()
+        self.in_simulator = self.units_in_simulator()
+        self.objects = {every: self.object_code(every)
+                        for every in (False, True)}
         return self.unit_tests() or self.simulation()
 
     def synchronise(self, source, target):
@@ -162,20 +171,39 @@ class Worker:
         """A file as it was when the worker began."""
         return (self.original / path).read_bytes()
 
-    def object_code(self):
-        """The code of src in the simulator, without debugging aids."""
-        found = {}
-        for path in sorted((self.root / "obj" / "host").glob("*.o")):
-            copy = self.root / "obj" / "stripped.o"
-            subprocess.run(["objcopy", "--strip-debug", path, copy],
-                           check=True)
-            found[path.name] = hashlib.sha256(copy.read_bytes()).hexdigest()
+    def units_in_simulator(self):
+        """The files of src that the simulator is made of, generics too."""
+        found = set()
+        for folder in SIMULATOR_OBJECTS:
+            for path in (self.root / folder).glob("*.ali"):
+                text = path.read_text(encoding="utf-8", errors="replace")
+                found |= set(re.findall(r"^D (\S+)", text, re.M))
         return found
+
+    def object_code(self, tests_too):
+        """The code of the simulator, without debugging aids; if wanted, that
+        of the unit tests, too."""
+        folders = SIMULATOR_OBJECTS + (TEST_OBJECTS if tests_too else ())
+        found = {}
+        for folder in folders:
+            for path in sorted((self.root / folder).glob("*.o")):
+                copy = self.root / "obj" / "stripped.o"
+                subprocess.run(["objcopy", "--strip-debug", path, copy],
+                               check=True)
+                found[folder, path.name] = hashlib.sha256(
+                    copy.read_bytes()).hexdigest()
+        return found
+
+    def same_object_code(self, mutant):
+        """Whether the mutant is the original in other words. What the
+        simulator does not have is looked for in the unit tests."""
+        every = Path(mutant.path).name not in self.in_simulator
+        return self.object_code(every) == self.objects[every]
 
     def unit_tests(self):
         """Why the unit tests fail, or nothing. The first failure ends
         them."""
-        process = self.start(["bin/urv_tests_test"], preexec_fn=limit_memory)
+        process = self.start(["bin/urv_tests_test"], preexec_fn=set_limits)
         alarm = threading.Timer(TEST_LIMIT_S, self.stop)
         alarm.start()
         failure, last = None, ""
@@ -198,6 +226,7 @@ class Worker:
         status, output = self.run(
             [sys.executable, "-B", "-m", "pytest", "-x", "-q", "--tb=no",
              "-p", "no:cacheprovider", *tests], TEST_LIMIT_S,
+            preexec_fn=set_limits,
             env={**os.environ, "URV_SIM": str(self.root / "bin/urv_sim")},
         )
         if status == 0:
@@ -267,7 +296,7 @@ class Worker:
         status, _ = self.run(SIMULATOR, BUILD_LIMIT_S)
         if status != 0:
             return INVALID, ""
-        if self.object_code() == self.objects:
+        if self.same_object_code(mutant):
             return EQUIVALENT, ""
         failure = self.simulation()
         if failure:
@@ -279,6 +308,11 @@ class Worker:
         self.put(mutant)
         failure = self.proof(mutant)
         return ("proof", failure) if failure else (SURVIVED, "")
+
+
+def turn(path):
+    """Folder by folder."""
+    return mutants.FOLDERS.index(Path(path).parent.name), path
 
 
 def same(one, other):
@@ -428,7 +462,7 @@ def run_stage(stage, wanted, digests, jobs):
     for mutant in wanted:
         groups.setdefault(mutant.path, []).append(mutant)
     tasks = queue.Queue()
-    for path in sorted(groups, key=lambda p: -len(groups[p])):
+    for path in sorted(groups, key=turn):
         tasks.put(groups[path])
     workers = [Worker(n) for n in range(min(jobs, len(groups)))]
 
