@@ -18,6 +18,7 @@ package body Link_Tests is
    procedure Retry;
    procedure Scrap;
    procedure Scrap_Downlink;
+   procedure Ask_Twice;
    procedure Two_Full;
    procedure Not_Taken;
    procedure Busy_Meanwhile;
@@ -439,6 +440,35 @@ package body Link_Tests is
       Expect_Block (Item, Ground, 11);
    end Scrap_Downlink;
 
+   ---------------
+   -- Ask_Twice --
+   ---------------
+
+   procedure Ask_Twice is
+      Item : Link;
+   begin
+      Spoilt_Sender := Aircraft;
+      First_Spoilt  := 10;
+      Last_Spoilt   := 10;
+      Spoilt_How    := Changed;
+      Spoilt_Mask   := 16#0F#;
+      Give (Item, Ground, 1);
+      Give (Item, Aircraft, 9);
+
+      --  The second transmission has begun, and will come bad, too.
+      Run (Item, 96, Spoil'Access);
+      First_Spoilt  := 68;
+      Last_Spoilt   := 68;
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item,
+         ((Ground, 30), (Aircraft, 1), (Ground, 1), (Aircraft, 58),
+          (Ground, 2), (Aircraft, 58),
+          (Ground, 1)));     --  bad status, and no command
+      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
+      Expect ("resets", Resets (Item), 0);
+   end Ask_Twice;
+
    --------------
    -- Two_Full --
    --------------
@@ -805,6 +835,9 @@ package body Link_Tests is
       Add
         (Suite, "LNK-6 a downlink is repeated and scrapped just so",
          Scrap_Downlink'Access);
+      Add
+        (Suite, "LNK-8 a downlink that came bad twice is not asked for again",
+         Ask_Twice'Access);
       Add
         (Suite, "LNK-7 of two full buffers the newest is sent, no other",
          Two_Full'Access);
