@@ -1,5 +1,5 @@
 --  The aircraft's node in real time, as it is proved: with the steps of the
---  partition, but for what catches their exceptions and measures them.
+--  partition, but for what catches their exceptions and measures them (D-9).
 
 package Real_Time_MCS with SPARK_Mode is
 

@@ -1,4 +1,4 @@
-"""Judges the canaries: claims that GNATprove must not prove.
+"""Judges the canaries: claims that GNATprove must not prove (EVI-2).
 
 A line of a source in proofs/canaries that ends in the name of a check is
 where this check must fail:

@@ -28,7 +28,6 @@ package body Sim.Flight is
 
    use Ada.Strings.Unbounded;
    use Options;
-   use type URVOS.Count;
 
    --  When in the aircraft's frame the servos have new commands (FRM-2).
    PWM_Offset : constant Microseconds := 2 * Tick_Time;

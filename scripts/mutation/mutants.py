@@ -1,4 +1,4 @@
-"""Small changes to the code of the flight software.
+"""Small changes to the code of the flight software (EVI-3).
 
 What is changed is code: statements, and the expressions of functions that
 code calls. Contracts, pragmas, ghosts, and functions that only contracts call

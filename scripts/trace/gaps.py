@@ -70,7 +70,8 @@ class Repository:
 
 
 def requirement_gaps(repository):
-    """Each requirement has code and a test; what is open has no test."""
+    """Each requirement has code and a test; what is open has no test, but
+    a reason."""
     for line in requirements_file.unread(repository.text):
         yield f"{requirements_file.FILE}: cannot be read: {line}"
     seen = set()
@@ -79,6 +80,8 @@ def requirement_gaps(repository):
             yield f"{item.uid}: stands twice"
         seen.add(item.uid)
         tested = repository.tested_in(item.uid)
+        if item.is_open != bool(item.why_open):
+            yield f"{item.uid}: Open without a WHY, or a WHY and not Open"
         if item.is_open:
             if tested:
                 yield (f"{item.uid}: has tests in {', '.join(sorted(tested))}"

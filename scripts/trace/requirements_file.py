@@ -22,6 +22,7 @@ class Requirement:
 
     uid: str
     is_open: bool
+    why_open: str
     code: list
     theorems: list
     tests: list
@@ -43,6 +44,7 @@ def parsed(text):
         found.append(Requirement(
             uid=fields["UID"],
             is_open=fields.get("STATUS") == "Open",
+            why_open=fields.get("WHY", ""),
             code=names(fields.get("CODE", "")),
             theorems=names(fields.get("THEOREMS", "")),
             tests=names(fields.get("TESTS", "")),
@@ -61,7 +63,7 @@ def unread(text):
 def with_links(text, links_of):
     """The same text with other links: `links_of` gives for a UID the names
     of each of the fields CODE, THEOREMS and TESTS. What is Open and has
-    tests is Open no more."""
+    tests is Open no more, and needs no reason why."""
 
     def renewed(node):
         uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
@@ -69,7 +71,7 @@ def with_links(text, links_of):
         kept = "".join(
             field[0] for field in FIELD_ON_LINE.finditer(node[1])
             if field["name"] not in links
-            and not (field["name"] == "STATUS" and links["TESTS"]))
+            and not (field["name"] in ("STATUS", "WHY") and links["TESTS"]))
         fields = "".join(map(field_of, links.items()))
         return f"[REQUIREMENT]\n{kept}{fields}\n"
 

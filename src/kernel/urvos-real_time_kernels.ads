@@ -1,5 +1,5 @@
 --  Task management in real time (report, sections 2.2, 2.3 and 3.1 to 3.3;
---  FRM-1, FRM-4, KRN-1 to KRN-3, KRN-6, INI-1, INI-2).
+--  FRM-1, FRM-4, KRN-1 to KRN-3, KRN-6, INI-1, INI-2, D-9).
 --
 --  Each task of the tree is an Ada task that waits for its turn. Which one
 --  has it URVOS.Schedulers decides, here in a protected object; Resume then

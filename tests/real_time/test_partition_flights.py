@@ -56,7 +56,7 @@ def assert_same_contents(start_both, write, simulate, links=None):
     pytest.fail("contents were left out, however long they were there")
 
 
-def test_lnk1_a_flight_over_udp_has_the_contents_of_the_simulations(
+def test_lnk1_d9_a_flight_over_udp_has_the_contents_of_the_simulations(
     start_both, write, simulate
 ):
     assert_same_contents(start_both, write, simulate)

@@ -1,4 +1,4 @@
-"""What scripts/proof_canaries.py says of what GNATprove found."""
+"""EVI-2: what scripts/proof_canaries.py says of what GNATprove found."""
 
 import json
 import sys

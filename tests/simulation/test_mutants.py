@@ -1,4 +1,4 @@
-"""What scripts/mutation/mutants.py changes, and what it leaves alone."""
+"""EVI-3: what scripts/mutation/mutants.py changes, and what it leaves alone."""
 
 import sys
 from pathlib import Path

@@ -36,6 +36,9 @@ PLANTED = {
         "TIN-1: names no CODE"),
     "an identifier twice": (
         REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-1\n", "SIM-1: stands twice"),
+    "what is open without a reason": (
+        REQUIREMENTS, "WHY: A later version.", "REPORT: None.",
+        "EXT-2: Open without a WHY"),
     "a line that is no field": (
         REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-2\nNonsense\n",
         f"{REQUIREMENTS}: cannot be read: Nonsense"),

@@ -541,10 +541,14 @@ package body Schedulers_Tests is
          return Natural (Random / 2 ** 16) mod Limit;
       end Below;
 
+      --  Drawn one after another: an aggregate may draw in any order.
       function Any_Header (Now : Clock_Tick) return Task_Header is
-        ((Id               => Task_Id (1 + Below (255)),
-          Start_Time       => Now + Tick (Below (16)) - 5,
-          Initial_Priority => Priority (Below (4))));
+         Id     : constant Task_Id  := Task_Id (1 + Below (255));
+         Start  : constant Tick     := Now + Tick (Below (16)) - 5;
+         Urgent : constant Priority := Priority (Below (4));
+      begin
+         return (Id, Start, Urgent);
+      end Any_Header;
 
       S     : Scheduler;
       Model : Naive.Naive_Scheduler;
@@ -555,7 +559,7 @@ package body Schedulers_Tests is
       --  How often each call was made.
       Sleeps, Exits, Ends, Loads, Changes : Natural := 0;
    begin
-      for Flight in 1 .. 40 loop
+      for Flight in 1 .. 80 loop
          Now := Tick (5 + Below (1_000));
          Tree := Empty_Tree;
          for Which in TCB_Number'First ..
@@ -680,7 +684,7 @@ package body Schedulers_Tests is
         (Suite, "FRM-4 a task that runs at its next release is counted",
          Run_Into_Next_Release'Access);
       Add
-        (Suite, "KRN-1 KRN-2 KRN-3 KRN-4 FRM-4 4000 calls do what a naive "
+        (Suite, "KRN-1 KRN-2 KRN-3 KRN-4 FRM-4 8000 calls do what a naive "
          & "scheduler does", Random_Calls'Access);
    end Add_To;
 

@@ -1,0 +1,292 @@
+#!/usr/bin/env python3
+"""Which lines, subprograms and decisions of src the tests reach (EVI-4).
+
+    scripts/coverage.py run       builds, runs the tests, then checks
+    scripts/coverage.py check     checks what was counted last
+
+The unit tests and simulated flights run in a build without optimisation or
+inlining. It is built twice. Without contracts and run-time checks, so that
+each branch the compiler makes is one of the source: decisions are counted
+here. And with contracts executed: what only contracts use is entered here.
+
+A generic's text is merged over its instances: a line is reached when it is in
+any of them, and so is a branch.
+
+Each line that is not reached and each decision that goes one way only stands
+in docs/coverage.md with its reason. One that is not there fails, and so does
+one that is there without need. The report as HTML is in coverage/.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections import defaultdict
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+EXPLAINED = ROOT / "docs" / "coverage.md"
+HTML = ROOT / "coverage"
+COUNTED = ROOT / "obj" / "coverage.json"
+
+LEAST_LINES = 98.0
+
+SWITCHES = ["-O0", "-fno-inline", "-fprofile-arcs", "-ftest-coverage"]
+
+# Program: its project, mode and switches. Each has its own objects: the unit
+# tests have configuration pragmas that the simulation has not.
+PROGRAMS = {
+    "unit": ("tests/urv_tests.gpr", "host", ["-gnatp"]),
+    "flights": ("sim/urv_sim.gpr", "host", ["-gnatp"]),
+    "contracts": ("tests/urv_tests.gpr", "test", []),
+}
+COUNT_DECISIONS = ("unit", "flights")
+
+# The simulation's tests that fly with bin/urv_sim; the rest of them look at
+# other programs, or at the same flights for longer.
+FLIGHTS = ("data_path", "events", "faults", "line_faults", "wire")
+
+
+def run(*command, **more):
+    result = subprocess.run(command, cwd=ROOT, check=False, **more)
+    if result.returncode != 0:
+        sys.exit(f"coverage: failed: {' '.join(map(str, command))}")
+
+
+# --- counting --------------------------------------------------------------
+
+def folders(program):
+    """Where the objects are that have text of src: its own, and instances of
+    its generics in the tests and the simulation."""
+    _, mode, _ = PROGRAMS[program]
+    return [ROOT / "obj" / where / f"coverage-{program}"
+            for where in (mode, f"{mode}/unit", f"sim-{mode}")]
+
+
+def build_and_run(program):
+    project, mode, switches = PROGRAMS[program]
+    for folder in folders(program):
+        shutil.rmtree(folder, ignore_errors=True)
+    run("gprbuild", "-q", "-p", "-j0", "-P", project, f"-XURV_Mode={mode}",
+        f"--subdirs=coverage-{program}",
+        "-cargs:Ada", *SWITCHES, *switches, "-largs", "-fprofile-arcs")
+    built = ROOT / "bin" / f"coverage-{program}"
+    if program == "flights":
+        run(sys.executable, "-B", "-m", "pytest", "-q", "-p",
+            "no:cacheprovider",
+            *(f"tests/simulation/test_{name}.py" for name in FLIGHTS),
+            env={**os.environ, "URV_SIM": str(built / "urv_sim")})
+    else:
+        run(built / f"urv_tests_{mode}", stdout=subprocess.DEVNULL)
+
+
+def counted(program):
+    """What gcov says of each source below src in each object."""
+    for folder in folders(program):
+        for notes in sorted(folder.glob("*.gcno")):
+            result = subprocess.run(
+                ["gcov", "--json-format", "--stdout", "--branch-probabilities",
+                 notes],
+                cwd=folder, capture_output=True, text=True, check=False)
+            if "mismatch" in result.stderr:
+                sys.exit(f"coverage: {result.stderr}")
+            for line in result.stdout.splitlines():
+                for file in json.loads(line)["files"]:
+                    path = Path(file["file"])
+                    if path.is_relative_to(ROOT / "src"):
+                        yield path.relative_to(ROOT).as_posix(), file
+
+
+# What the compiler makes of its own: elaboration, finalization, the
+# initialisation of types, their predicates and images.
+MADE_BY_COMPILER = re.compile(
+    r"___elab[bs]$|___finalize|IP(__\d+)?$|(DIC|predicate|invariant)$"
+    r"|put_image|(_|^)(read|write|input|output)__\d+$|S[ROIW]$|P\d+b$|Tmp$",
+    re.I)
+
+
+class Source:
+    """One file of src, merged over its instances and both builds."""
+
+    def __init__(self):
+        self.lines = defaultdict(int)
+        self.subprograms = {}
+        self.branches = defaultdict(dict)
+
+    def add(self, file, decisions):
+        starts = {}
+        for function in file["functions"]:
+            starts[function["name"]] = function["start_line"]
+            if MADE_BY_COMPILER.search(function["name"]):
+                continue
+            start = function["start_line"]
+            name, count = self.subprograms.get(start, (function["name"], 0))
+            self.subprograms[start] = (
+                min(name, function["name"], key=len),
+                count + function["execution_count"])
+        for line in file["lines"]:
+            number = line["line_number"]
+            self.lines[number] += line["count"]
+            ways = [branch["count"] for branch in line["branches"]
+                    if not branch["throw"]]
+            if decisions and len(ways) > 1:
+                # Instances with as many branches here have the same ones.
+                key = (starts.get(line.get("function_name")), len(ways))
+                before = self.branches[number].get(key, [0] * len(ways))
+                self.branches[number][key] = [
+                    one + other for one, other in zip(before, ways)]
+
+
+def merged():
+    sources = defaultdict(Source)
+    for program in PROGRAMS:
+        for name, file in counted(program):
+            sources[name].add(file, decisions=program in COUNT_DECISIONS)
+    return sources
+
+
+# --- judging ---------------------------------------------------------------
+
+DECIDES = re.compile(
+    r"\b(if|elsif|case|when|while|for|and then|or else|exit)\b")
+
+
+@cache
+def text_of(name):
+    lines = (ROOT / name).read_text(encoding="utf-8").splitlines()
+    return [re.sub(r"--.*", "", line).strip() for line in lines]
+
+
+def decides(name, number):
+    """Whether a line has a decision of the source, or an operand of one. A
+    call that the compiler branches after is none."""
+    text = text_of(name)
+    following = text[number] if number < len(text) else ""
+    return bool(DECIDES.search(text[number - 1])
+                or re.match(r"(and then|or else)\b", following))
+
+
+def one_sided(name, source):
+    """Lines with a decision that was entered and never goes one of its
+    ways."""
+    for number, of_line in source.branches.items():
+        if not decides(name, number):
+            continue
+        entered = [ways for ways in of_line.values() if any(ways)]
+        if entered and not any(all(ways) for ways in entered):
+            yield number
+
+
+def findings(sources):
+    """What was not reached: file, kind, line number."""
+    found = []
+    for name, source in sorted(sources.items()):
+        found += [(name, "subprogram", start)
+                  for start, (_, count) in source.subprograms.items()
+                  if count == 0]
+        found += [(name, "line", number)
+                  for number, count in source.lines.items() if count == 0]
+        found += [(name, "decision", number)
+                  for number in one_sided(name, source)]
+    return sorted(found)
+
+
+ROW = re.compile(r"^\| `([^`]+)` \| (line|decision) \| `([^`]+)` \| (.+) \|$",
+                 re.M)
+
+
+def explained():
+    """The rows of docs/coverage.md: file, kind and text, with the reason."""
+    page = EXPLAINED.read_text(encoding="utf-8")
+    return {row.groups()[:3]: row[4] for row in ROW.finditer(page)}
+
+
+def judge(sources):
+    """Print what is wrong; return whether anything is."""
+    wrong = []
+    reasons = explained()
+    used = set()
+    for name, kind, number in findings(sources):
+        text = text_of(name)[number - 1]
+        if kind != "subprogram" and (name, kind, text) in reasons:
+            used.add((name, kind, text))
+        elif kind == "subprogram":
+            wrong.append(f"{name}:{number}: never entered: {text}")
+        elif kind == "line":
+            wrong.append(f"{name}:{number}: never reached: {text}")
+        else:
+            wrong.append(f"{name}:{number}: goes one way only: {text}")
+    wrong += [f"docs/coverage.md: covered, or not there: {name}: {text}"
+              for name, _, text in sorted(set(reasons) - used)]
+    lines = [count for source in sources.values()
+             for count in source.lines.values()]
+    reached = sum(count > 0 for count in lines)
+    percent = 100 * reached / len(lines)
+    if percent < LEAST_LINES:
+        wrong.append(f"lines: {percent:.2f} %, wanted {LEAST_LINES} %")
+    subprograms = [count for source in sources.values()
+                   for _, count in source.subprograms.values()]
+    decisions = sum(decides(name, number) for name, source in sources.items()
+                    for number in source.branches)
+    sides = sum(kind == "decision" for _, kind, _ in findings(sources))
+    for line in wrong:
+        print(line)
+    print(f"subprograms entered {sum(c > 0 for c in subprograms)} of"
+          f" {len(subprograms)}")
+    print(f"lines reached       {reached} of {len(lines)}, {percent:.2f} %")
+    print(f"decisions both ways {decisions - sides} of {decisions}")
+    print(f"explained           {len(used)}")
+    return bool(wrong)
+
+
+# --- HTML ------------------------------------------------------------------
+
+def tracefile(sources):
+    """What was merged, in gcovr's format."""
+    files = []
+    for name, source in sorted(sources.items()):
+        lines = []
+        for number, count in sorted(source.lines.items()):
+            ways = []
+            if decides(name, number):
+                ways = max(source.branches[number].values(),
+                           key=lambda ways: sum(map(bool, ways)), default=[])
+            lines.append({
+                "line_number": number, "count": count,
+                "branches": [{"branchno": place, "count": way,
+                              "throw": False, "fallthrough": place == 0}
+                             for place, way in enumerate(ways)],
+            })
+        functions = [
+            {"name": label, "lineno": start, "execution_count": count}
+            for start, (label, count) in sorted(source.subprograms.items())]
+        files.append({"file": name, "lines": lines, "functions": functions})
+    return {"gcovr/format_version": "0.15", "files": files}
+
+
+def write_html(sources):
+    COUNTED.write_text(json.dumps(tracefile(sources)), encoding="utf-8")
+    shutil.rmtree(HTML, ignore_errors=True)
+    HTML.mkdir()
+    run(Path(sys.executable).parent / "gcovr", "--root", ".",
+        "--add-tracefile", COUNTED, "--html-details", HTML / "index.html",
+        "--html-title", "URV: what the tests reach")
+
+
+def main(arguments):
+    if arguments not in (["run"], ["check"]):
+        print(__doc__, file=sys.stderr)
+        return 2
+    if arguments == ["run"]:
+        for program in PROGRAMS:
+            build_and_run(program)
+    sources = merged()
+    write_html(sources)
+    return judge(sources)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
