@@ -9,6 +9,8 @@ fit into one flight; its name is all that is needed to make it again:
     cut/PHASE/SEED/STEP            cuts from 1 ms to 10 s
     stall/PHASE/NODE/MS/STEP_US    a stall at every point of a frame
     reset/PHASE/NODE/STEP_US       a telemetry board started anew, likewise
+    start/PHASE/NODE/HOW/STEP_US   a node reset (HOW is warm), or its
+                                   processor restarted (processor), likewise
     soak/PHASE/SEED/RATE/FRAMES    spells of bit errors
     calm/PHASE/FRAMES              no fault at all
 """
@@ -117,6 +119,11 @@ def resets(node, step_us):
         yield case([lasting(at, node, "reset telemetry", 1)], at + 1)
 
 
+def starts(node, how, step_us):
+    for at in range(0, FRAME_US, step_us):
+        yield case([lasting(at, node, f"reset {how}", 1)], at + 1)
+
+
 def soak(rate, frames):
     duration = NOISY_FRAMES * FRAME_US
     for _ in range(frames // (NOISY_FRAMES + CALM)):
@@ -144,6 +151,8 @@ def of_shard(name):
         made = stalls(rest[0], rest[1], int(rest[2]))
     elif group == "reset":
         made = resets(rest[0], int(rest[1]))
+    elif group == "start":
+        made = starts(rest[0], rest[1], int(rest[2]))
     elif group == "soak":
         seed = int(rest[0])
         made = soak(rest[1], int(rest[2]))
@@ -185,6 +194,8 @@ def plan(size):
                 yield (f"stall/{phase}/{node}/{duration}"
                        f"/{chosen['stall_step_us']}")
             yield f"reset/{phase}/{node}/{chosen['stall_step_us']}"
+            for how in ("warm", "processor"):
+                yield f"start/{phase}/{node}/{how}/{chosen['stall_step_us']}"
         yield f"cut/{phase}/{phase}/{chosen['cuts']}"
     for phase in range(10):
         yield f"calm/{phase}/{chosen['calm']}"

@@ -16,8 +16,11 @@ LINK_NAMES = ("uplink_sent", "uplink_received", "uplink_bad",
               "uplink_scrapped", "downlink_sent", "downlink_received",
               "downlink_bad", "downlink_scrapped", "gsc_resets", "mcs_resets")
 
-# Frames within which everything must be as without faults.
-BOUND = 3
+# Frames within which everything must be as without faults, by the group of
+# the shard; else LINK_BOUND, after faults of the link or its boards.
+BOUNDS = {"calm": 0, "start": 5}
+LINK_BOUND = 3
+LONGEST = max(LINK_BOUND, *BOUNDS.values())
 
 # Columns of the record.
 MCS_UPLINK = slice(29, 43)
@@ -27,6 +30,10 @@ LINK = slice(113, 123)
 # In place of a block's number.
 NOTHING_YET = -1
 NEVER_SENT = -2
+
+# What a block's error word may be: after a start the first words may be old,
+# and say so.
+NO_ERROR, STALE = 0, 1
 
 MESSAGE_LENGTHS = {"up": {0x1E: 30, 0x4B: 1, 0xD2: 1, 0xCC: 1},
                    "down": {0x87: 58, 0x2D: 1, 0xD2: 1, 0x33: 1, 0xCC: 1}}
@@ -52,22 +59,26 @@ class Wrong(NamedTuple):
 
 class Flight:
     """What a flight left: for each frame the age of what CORE holds and
-    what the link counted in it; when each character was sent."""
+    what the link counted in it; when each character was sent. What is wrong
+    with the messages on the wire, or with the counts beside them, is in
+    wire_errors."""
 
-    def __init__(self, record, wire, frames):
+    def __init__(self, record, wire, frames, error_words=(NO_ERROR,)):
         self.newest = {"up": [], "down": []}
         self.link = []
         self.wrong = []
         self.errors = []
-        self._read_record(record, frames)
+        self.wire_errors = []
+        self._read_record(record, frames, error_words)
         self._read_wire(wire)
         self._check_counts()
 
-    def _read_record(self, path, frames):
+    def _read_record(self, path, frames, error_words):
         columns = {"up": MCS_UPLINK, "down": GSC_DOWNLINK}
         known = {}
         for way, count in (("up", 13), ("down", 27)):
-            known[way] = {data.text(n, count) + ",0": n for n in range(frames)}
+            known[way] = {f"{data.text(n, count)},{word}": n
+                          for n in range(frames) for word in error_words}
         last = dict.fromkeys(columns, NOTHING_YET)
         before = dict.fromkeys(columns, "")
         with open(path, encoding="ascii") as record:
@@ -111,7 +122,7 @@ class Flight:
                 first = sent[place]
                 length = MESSAGE_LENGTHS[way].get(first)
                 if length is None:
-                    self.errors.append(
+                    self.wire_errors.append(
                         f"the {place}th byte {way} begins no message:"
                         f" {first:02x}")
                     break
@@ -131,12 +142,12 @@ class Flight:
             ("downlink_received", up[0xD2], total["downlink_received"]),
         ):
             if on_wire != counted:
-                self.errors.append(
+                self.wire_errors.append(
                     f"{what} is {counted}, on the wire are {on_wire}")
         for bad, on_wire in (("uplink_bad", down[0x33] + down[0xCC]),
                              ("downlink_bad", up[0xCC])):
             if total[bad] < on_wire:
-                self.errors.append(
+                self.wire_errors.append(
                     f"{bad} is {total[bad]}, on the wire are {on_wire}")
         for way in ("uplink", "downlink"):
             if total[f"{way}_scrapped"] * 2 > total[f"{way}_sent"]:

@@ -75,6 +75,7 @@ def by_theory(name, flight):
 
 
 def run_shard(name):
+    group = name.split("/")[0]
     phase, seed, made = cases.of_shard(name)
     starts = [cases.LEAD]
     for case in made:
@@ -83,7 +84,7 @@ def run_shard(name):
     result = {"shard": name, "cases": len(made), "frames": frames,
               "faults": sum(fault.duration_us != 0
                             for case in made for fault in case.faults),
-              "recovered_within": [0] * (checker.BOUND + 1), "wrong": 0,
+              "recovered_within": [0] * (checker.LONGEST + 1), "wrong": 0,
               "wrong_by_theory": 0.0, "failures": []}
     failures = result["failures"]
 
@@ -97,12 +98,15 @@ def run_shard(name):
                             f" {flown.stderr.strip()}")
             return result
         flight = checker.Flight(
-            folder / "record.csv", folder / "wire.csv", frames)
+            folder / "record.csv", folder / "wire.csv", frames,
+            (checker.NO_ERROR, checker.STALE) if group == "start"
+            else (checker.NO_ERROR,))
 
     # A board that starts anew breaks its message off, so that the messages on
     # the wire cannot be told apart and counted.
-    if not name.startswith("reset"):
-        failures += [f"{name}: {error}" for error in flight.errors]
+    failures += [f"{name}: {error}" for error in flight.errors]
+    if group not in ("reset", "start"):
+        failures += [f"{name}: {error}" for error in flight.wire_errors]
     flight.learn_lags(cases.LEAD - 1)
     if any(not flight.is_calm(frame)
            for frame in range(cases.LEAD // 2, cases.LEAD)):
@@ -112,7 +116,7 @@ def run_shard(name):
     wrong = list(flight.wrong)
     result["wrong"] = len(wrong)
     result["wrong_by_theory"] = by_theory(name, flight)
-    bound = 0 if name.startswith("calm") else checker.BOUND
+    bound = checker.BOUNDS.get(group, checker.LINK_BOUND)
     for case, first, stop in zip(made, starts, starts[1:], strict=False):
         took = flight.recovery(case, first, stop)
         what = "; ".join(lines_of(case, first))
@@ -145,7 +149,7 @@ def report(results, size, seconds):
         group = parts[0] + (f" ber {parts[3]}" if parts[0] == "soak" else "")
         total = groups.setdefault(group, {
             "shards": 0, "cases": 0, "faults": 0, "frames": 0,
-            "recovered_within": [0] * (checker.BOUND + 1), "wrong": 0,
+            "recovered_within": [0] * (checker.LONGEST + 1), "wrong": 0,
             "wrong_by_theory": 0.0, "failures": []})
         total["shards"] += 1
         for name in ("cases", "faults", "frames", "wrong", "wrong_by_theory",
@@ -161,17 +165,20 @@ def report(results, size, seconds):
             failures.append(f"{group}: {total['wrong']} wrong blocks, about"
                             f" {total['wrong_by_theory']:.1f} expected")
 
-    columns = ["cases", "faults", "frames", "after 0", "1", "2", "3 frames",
-               "wrong", "by theory", "failures"]
+    columns = ["cases", "faults", "frames", "after 0",
+               *map(str, range(1, checker.LONGEST)),
+               f"{checker.LONGEST} frames", "wrong", "by theory", "failures"]
     table = [["", *columns]]
     for group, total in groups.items():
         table.append([group, total["cases"], total["faults"],
                       total["frames"], *total["recovered_within"],
                       total["wrong"], f"{total['wrong_by_theory']:.1f}",
                       len(total["failures"])])
+    sums = [sum(float(row[n]) for row in table[1:])
+            for n in range(1, len(columns) + 1)]
     table.append(["all"] + [
-        f"{sum(float(row[n]) for row in table[1:]):.{1 if n == 9 else 0}f}"
-        for n in range(1, len(columns) + 1)])
+        f"{total:.{1 if name == 'by theory' else 0}f}"
+        for name, total in zip(columns, sums, strict=True)])
 
     RESULTS.mkdir(exist_ok=True)
     with (RESULTS / "results.csv").open("w", newline="") as out:
@@ -216,7 +223,7 @@ def run_campaign(size, jobs, hosts):
     missing = set(names) - {result["shard"] for result in results}
     for name in sorted(missing):
         results.append({"shard": name, "cases": 0, "faults": 0, "frames": 0,
-                        "recovered_within": [0] * (checker.BOUND + 1),
+                        "recovered_within": [0] * (checker.LONGEST + 1),
                         "wrong": 0, "wrong_by_theory": 0.0,
                         "failures": [f"{name}: no result"]})
     return report(results, size, time.monotonic() - began)

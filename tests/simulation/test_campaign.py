@@ -1,4 +1,5 @@
-"""LNK-9: the smallest campaign, and that its checker sees what it should."""
+"""LNK-9, INI-1: the smallest campaign, and that its checker sees what it
+should."""
 
 import subprocess
 import sys
@@ -87,7 +88,7 @@ def altered(row, column, word):
 
 def test_a_flight_without_faults_is_calm(flown):
     flight = flown()
-    assert flight.errors == [] and flight.wrong == []
+    assert flight.errors == flight.wire_errors == flight.wrong == []
     assert all(flight.is_calm(frame) for frame in range(10, FRAMES))
 
 
@@ -115,13 +116,30 @@ def test_an_old_block_after_a_newer_one_is_seen(flown):
 def test_a_count_that_is_not_the_wires_is_seen(flown, count):
     flight = flown(alter=altered(FRAMES - 1, f"link.{count}", 70))
     assert any(error.startswith(f"{count} is 70")
-               for error in flight.errors)
+               for error in flight.wire_errors)
 
 
 def test_a_byte_that_begins_no_message_is_seen(flown):
     flight = flown(alter=("wire.csv", lambda text: text.replace(
         ",up,4b", ",up,00", 1)))
-    assert any("begins no message: 00" in error for error in flight.errors)
+    assert any("begins no message: 00" in error
+               for error in flight.wire_errors)
+
+
+def test_a_start_that_takes_too_long_is_seen(monkeypatch):
+    monkeypatch.setitem(checker.BOUNDS, "start", 2)
+    failures = run.run_shard("start/3/mcs/processor/4000")["failures"]
+    assert len(failures) == 5
+    assert all("recovered after" in failure for failure in failures)
+
+
+def test_old_words_are_allowed_after_a_start_only(monkeypatch):
+    # This one ends just before a frame of the aircraft begins.
+    name = "start/3/mcs/processor/15900"
+    assert run.run_shard(name)["failures"] == []
+    monkeypatch.setattr(checker, "STALE", checker.NO_ERROR)
+    assert any("wrong data" in failure
+               for failure in run.run_shard(name)["failures"])
 
 
 @pytest.mark.parametrize("cut_ms, frames", [(0, 0), (30, 2), (400, None)])
@@ -161,7 +179,7 @@ def test_a_shard_that_cannot_fly_fails(monkeypatch):
 
 def shard_result(**changed):
     return {"shard": "many/3/0/100", "cases": 100, "frames": 1000,
-            "faults": 250, "recovered_within": [0, 50, 50, 0], "wrong": 0,
+            "faults": 250, "recovered_within": [0, 50, 50, 0, 0, 0], "wrong": 0,
             "wrong_by_theory": 1.0, "failures": [], **changed}
 
 

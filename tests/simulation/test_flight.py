@@ -120,3 +120,16 @@ def test_the_same_flight_twice_is_the_same_to_the_byte(tmp_path_factory):
     for summary in summaries:
         del summary["speed"]
     assert summaries[0] == summaries[1]
+
+
+def test_krn5_ext4_two_processors_fly_the_same_flight(flight, tmp_path):
+    """The boards' tasks on one, data collection and CORE on the other."""
+    other = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
+                   "--processors", "2")
+    for name in ("record.csv", "wire.csv", "events.jsonl"):
+        assert flight.path(name).read_bytes() == \
+            other.path(name).read_bytes(), name
+    summaries = [dict(flown.summary) for flown in (flight, other)]
+    for summary in summaries:
+        del summary["speed"]
+    assert summaries[0] == summaries[1]

@@ -75,6 +75,9 @@ COMMAND_LINES = [
     *((["fly", "--phase", value],
        f'--phase: "{value}" is not a whole number from 0 to 9')
       for value in ("12", "10", "-1", "1.5", "three", "0x3", " 3")),
+    *((["fly", "--processors", value],
+       f'--processors: "{value}" is neither 1 nor 2')
+      for value in ("0", "3", "12", "-1", "two", "1.0")),
     *((["fly", "--seconds", value],
        f'--seconds: "{value}" is not a number of seconds above 0 and up to'
        " 10000000 with at most six decimals")
@@ -84,8 +87,8 @@ COMMAND_LINES = [
 ]
 
 NEED_A_VALUE = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
-                "--faults", "--seed", "--phase", "--record", "--summary",
-                "--wire", "--events", "--pace")
+                "--faults", "--seed", "--phase", "--processors", "--record",
+                "--summary", "--wire", "--events", "--pace")
 
 
 @pytest.mark.parametrize("arguments, message", COMMAND_LINES)
@@ -225,7 +228,6 @@ BAD_FAULTS = [
      'MASK: "200" is not a hexadecimal number from 1 to 1ff'),
     ("100 up flip 1 xy\n", 1,
      'MASK: "xy" is not a hexadecimal number from 1 to 1ff'),
-    # What is not there yet is read all the same.
     ("100 up insert 1 100\n", 1,
      'BYTE: "100" is not a hexadecimal number from 0 to ff'),
     ("100 up ber 1.5 10\n", 1,
@@ -234,10 +236,21 @@ BAD_FAULTS = [
      'P: "often" is not a probability from 0 to 1'),
     ("100 mcs stall pwm 5\n", 1, 'unknown board "pwm"'),
     ("100 gsc reset cold\n", 1, 'unknown reset "cold"'),
-    *((f"10 cut 5\n20 {fault}\n", 2, f'fault "{name}" is not supported yet')
-      for fault, name in (("mcs stall adc 100", "stall adc"),
-                          ("mcs reset warm", "reset"),
-                          ("gsc reset processor", "reset"))),
+    ("10 cut 5\n20 mcs reset\n", 2,
+     FORM + "mcs|gsc reset warm|processor|telemetry"),
+    ("100 reset warm\n", 1,
+     FORM + "mcs|gsc reset warm|processor|telemetry"),
+    ("100 mcs rom 0\n", 1, FORM + "mcs|gsc rom ADDRESS MASK"),
+    ("100 mcs rom 10000 1\n", 1,
+     'ADDRESS: "10000" is not a hexadecimal number from 0 to ffff'),
+    ("100 mcs rom 0 100\n", 1,
+     'MASK: "100" is not a hexadecimal number from 1 to ff'),
+    ("100 up ram 0 1\n", 1, FORM + "mcs|gsc ram ADDRESS MASK"),
+    ("100 gsc ram 2000 1\n", 1,
+     'ADDRESS: "2000" is not a hexadecimal number from 0 to 1fff'),
+    ("100 gsc ram 0 0\n", 1,
+     'MASK: "0" is not a hexadecimal number from 1 to ffff'),
+    ("100 gsc bus_error 1\n", 1, FORM + "mcs|gsc bus_error"),
 ]
 
 
@@ -477,5 +490,12 @@ def test_faults_that_are_there_are_taken(fly, write):
           "50 down ber 1e-6 10\n"
           "60 up dup 3\n"
           "70 down insert 3 a5\n"
-          "80 gsc stall telemetry 2.5\n")
+          "80 gsc stall telemetry 2.5\n"
+          "80 mcs stall adc 2.5\n"
+          "90 mcs reset warm\n"
+          "90 gsc reset processor\n"
+          "90 gsc reset telemetry\n"
+          "95 mcs bus_error\n"
+          "100 gsc rom ffff FF\n"
+          "100 mcs ram 0x1fff ffff\n")
     assert fly("--faults", "faults.txt", "--seconds=1").status == 0

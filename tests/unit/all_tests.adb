@@ -21,6 +21,7 @@ with Self_Test_Tests;
 with Semaphores_Tests;
 with Senders_Tests;
 with Serial_Line_Tests;
+with Starts_Tests;
 with Telemetry_Task_Tests;
 
 package body All_Tests is
@@ -55,6 +56,7 @@ package body All_Tests is
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
+      Starts_Tests.Add_To (Result);
 
       --  These take the longest.
       Self_Test_Tests.Add_To (Result);

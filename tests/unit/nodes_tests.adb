@@ -1,14 +1,12 @@
 with Checks;              use Checks;
-with Devices.AD_Board;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
 with Expectations;        use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
-with Memory_Hardware;
+with Node_Rig;            use Node_Rig;
 with Telemetry.Boards;
 with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
 with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
@@ -31,227 +29,6 @@ package body Nodes_Tests is
    procedure Type_Codes;
    procedure Logged_Flight;
    procedure Logged_Range;
-
-   --  What the converters of the nodes see.
-   Console : Channel_Words;
-   Sensors : Channel_Words;
-
-   --  The world outside the nodes.
-   Now         : Clock_Tick := 0;
-   Link_Is_Cut : Boolean    := False;
-   MCS_Stalls  : Boolean    := False;
-
-   --  Cold start of both nodes and their telemetry boards. The console and
-   --  the sensors are neutral.
-   procedure Switch_On;
-
-   --  Both nodes for some major frames. The aircraft's clock is three ticks
-   --  behind the ground's.
-   procedure Fly (Frames : Positive);
-
-   --  One tick's worth of the nodes, the boards' hardware and the line.
-   procedure Clock_Tick_Of_Both;
-   procedure Convert;
-   procedure Exchange_Character;
-
-   function CORE_Of_MCS return Memory;
-   function CORE_Of_GSC return Memory;
-   function Servos return Data_Area;
-
-   --  A number for each channel: the first word and on.
-   function Numbered (First : Word) return Channel_Words;
-
-   --  Words as they stand in both CORE memories and at the servos.
-   procedure Expect_Commands (What : String; First, Error : Word);
-   procedure Expect_Sensors (What : String; First, Error : Word);
-
-   --------------
-   -- Numbered --
-   --------------
-
-   function Numbered (First : Word) return Channel_Words is
-   begin
-      return Result : Channel_Words do
-         for Number in Channel loop
-            Result (Number) := First + Word (Number);
-         end loop;
-      end return;
-   end Numbered;
-
-   -----------------
-   -- CORE_Of_MCS --
-   -----------------
-
-   function CORE_Of_MCS return Memory is
-   begin
-      return Result : Memory do
-         MCS.CORE_Memory.Inspect (Result);
-      end return;
-   end CORE_Of_MCS;
-
-   -----------------
-   -- CORE_Of_GSC --
-   -----------------
-
-   function CORE_Of_GSC return Memory is
-   begin
-      return Result : Memory do
-         GSC.CORE_Memory.Inspect (Result);
-      end return;
-   end CORE_Of_GSC;
-
-   ------------
-   -- Servos --
-   ------------
-
-   function Servos return Data_Area is
-   begin
-      return Result : Data_Area do
-         MCS.PWM_Board.Read (Result);
-      end return;
-   end Servos;
-
-   ---------------
-   -- Switch_On --
-   ---------------
-
-   procedure Switch_On is
-   begin
-      Memory_Hardware.Repair (1);
-      Memory_Hardware.Repair (2);
-      Now         := 0;
-      Link_Is_Cut := False;
-      MCS_Stalls  := False;
-      Console     := (others => 16#800#);
-      Sensors     := (others => 16#800#);
-      for Switch in Switch_Item loop
-         Console (Channel (Switch_Item'Pos (Switch))) := 0;
-      end loop;
-      GSC.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
-      GSC.Telemetry_Board.Start;
-      MCS.Virtual_Time.Start (URVOS.Starts.Cold_Start, 0);
-      MCS.Telemetry_Board.Start;
-   end Switch_On;
-
-   -------------
-   -- Convert --
-   -------------
-
-   procedure Convert is
-      Wanted    : Boolean;
-      Interrupt : Boolean;
-      Number    : Devices.AD_Board.Channel_Number;
-   begin
-      loop
-         GSC.AD_Board.Take_Start (Wanted, Number);
-         exit when not Wanted;
-         GSC.AD_Board.Finish (Console (Channel (Number)), Interrupt);
-         if Interrupt then
-            GSC.AD_Interrupt;
-         end if;
-      end loop;
-      while not MCS_Stalls loop
-         MCS.AD_Board.Take_Start (Wanted, Number);
-         exit when not Wanted;
-         MCS.AD_Board.Finish (Sensors (Channel (Number)), Interrupt);
-         if Interrupt then
-            MCS.AD_Interrupt;
-         end if;
-      end loop;
-   end Convert;
-
-   ------------------------
-   -- Exchange_Character --
-   ------------------------
-
-   procedure Exchange_Character is
-      Up, Down           : Byte;
-      Up_Sent, Down_Sent : Boolean;
-      Unused_Time        : Telemetry.Character_Times;
-      Unused_Flag        : Boolean;
-   begin
-      GSC.Telemetry_Board.Next_Character (1, Up_Sent, Up, Unused_Time);
-      MCS.Telemetry_Board.Next_Character (1, Down_Sent, Down, Unused_Time);
-      if Up_Sent and not Link_Is_Cut then
-         MCS.Telemetry_Board.Accept_Character (0, Up, False, Unused_Flag);
-      end if;
-      if Down_Sent and not Link_Is_Cut then
-         GSC.Telemetry_Board.Accept_Character (0, Down, False, Unused_Flag);
-      end if;
-   end Exchange_Character;
-
-   ------------------------
-   -- Clock_Tick_Of_Both --
-   ------------------------
-
-   procedure Clock_Tick_Of_Both is
-      Characters : constant := 20;
-   begin
-      Now := Advanced (Now);
-      GSC.Virtual_Time.Clock_Interrupt (Now);
-      if Now >= 3 then
-         MCS.Virtual_Time.Clock_Interrupt (Now - 3);
-      end if;
-      Convert;
-      for Time in 1 .. Characters loop
-         Exchange_Character;
-      end loop;
-   end Clock_Tick_Of_Both;
-
-   ---------
-   -- Fly --
-   ---------
-
-   procedure Fly (Frames : Positive) is
-   begin
-      for Ticks in 1 .. 10 * Frames loop
-         Clock_Tick_Of_Both;
-      end loop;
-   end Fly;
-
-   ---------------------
-   -- Expect_Commands --
-   ---------------------
-
-   procedure Expect_Commands (What : String; First, Error : Word) is
-      Ground   : constant Memory := CORE_Of_GSC;
-      Aircraft : constant Memory := CORE_Of_MCS;
-      Expected : Word;
-   begin
-      for Item in Uplink_Item loop
-         Expected :=
-           (if Item = Error_Status then Error
-            else First + Word (Uplink_Item'Pos (Item)));
-         Expect
-           (What & ", GSC CORE " & Item'Image, Ground.Uplink (Place (Item)),
-            Expected);
-         Expect
-           (What & ", MCS CORE " & Item'Image, Aircraft.Uplink (Place (Item)),
-            Expected);
-      end loop;
-   end Expect_Commands;
-
-   --------------------
-   -- Expect_Sensors --
-   --------------------
-
-   procedure Expect_Sensors (What : String; First, Error : Word) is
-      Ground   : constant Memory := CORE_Of_GSC;
-      Aircraft : constant Memory := CORE_Of_MCS;
-      Expected : Word;
-   begin
-      for Item in Downlink_Item loop
-         Expected :=
-           (if Item = Error_Status then Error
-            else First + Word (Downlink_Item'Pos (Item)));
-         Expect
-           (What & ", MCS CORE " & Item'Image,
-            Aircraft.Downlink (Place (Item)), Expected);
-         Expect
-           (What & ", GSC CORE " & Item'Image, Ground.Downlink (Place (Item)),
-            Expected);
-      end loop;
-   end Expect_Sensors;
 
    ------------------
    -- Data_Through --
@@ -607,7 +384,7 @@ package body Nodes_Tests is
    begin
       Switch_On;
       Fly (6);
-      MCS.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Aircraft);
       Before := Logs.Total (Log);
       Expect
         ("no resets before",
@@ -616,7 +393,7 @@ package body Nodes_Tests is
       --  The cut begins with frame 6 of the ground.
       Link_Is_Cut := True;
       Fly (4);
-      MCS.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Aircraft);
       Expect
         ("frames without a block",
          Logs.History_Of (Log, TELIN_No_Block).Occurrences, 3);
@@ -631,7 +408,7 @@ package body Nodes_Tests is
          Logs.Total (Log));
       Expect ("more than before", Logs.Total (Log) > Before, True);
 
-      GSC.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Ground);
       Expect
         ("the ground has reset",
          Logs.History_Of (Log, Link_Reset).Occurrences > 0, True);
@@ -640,10 +417,10 @@ package body Nodes_Tests is
          Logs.History_Of (Log, Link_Block_Scrapped).Occurrences > 0, True);
 
       Switch_On;
-      GSC.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Ground);
       Expect ("after a cold start", Logs.Total (Log), 0);
       Fly (6);
-      GSC.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Ground);
       Expect
         ("what the board had counted is forgotten",
          Logs.History_Of (Log, Link_Reset).Occurrences, 0);
@@ -657,11 +434,11 @@ package body Nodes_Tests is
       Log : Error_Log;
    begin
       Too_Large;
-      MCS.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Aircraft);
       Expect
         ("throttle is word 4",
          Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 4);
-      GSC.Errors.Inspect (Log);
+      Log := Log_Of (Telemetry.Ground);
       Expect
         ("left rudder is word 10",
          Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 10);

@@ -1,0 +1,245 @@
+with Devices.AD_Board;
+with Expectations;    use Expectations;
+with GSC.Virtual_Time;
+with MCS.Virtual_Time;
+with Memory_Hardware;
+with URV.CORE_Layout; use URV.CORE_Layout;
+
+package body Node_Rig is
+
+   --  How far the aircraft's clock is behind.
+   Lag : constant Clock_Tick := 3;
+
+   --  All conversions that a node asks for.
+   procedure Convert;
+
+   --  A character time of the line.
+   procedure Exchange_Character;
+
+   --------------
+   -- Numbered --
+   --------------
+
+   function Numbered (First : Word) return Channel_Words is
+   begin
+      return Result : Channel_Words do
+         for Number in Channel loop
+            Result (Number) := First + Word (Number);
+         end loop;
+      end return;
+   end Numbered;
+
+   -------------
+   -- CORE_Of --
+   -------------
+
+   function CORE_Of (Node : Station) return Memory is
+   begin
+      return Result : Memory do
+         case Node is
+            when Ground   => GSC.CORE_Memory.Inspect (Result);
+            when Aircraft => MCS.CORE_Memory.Inspect (Result);
+         end case;
+      end return;
+   end CORE_Of;
+
+   ------------
+   -- Log_Of --
+   ------------
+
+   function Log_Of (Node : Station) return Error_Log is
+   begin
+      return Result : Error_Log do
+         case Node is
+            when Ground   => GSC.Errors.Inspect (Result);
+            when Aircraft => MCS.Errors.Inspect (Result);
+         end case;
+      end return;
+   end Log_Of;
+
+   ------------
+   -- Servos --
+   ------------
+
+   function Servos return Data_Area is
+   begin
+      return Result : Data_Area do
+         MCS.PWM_Board.Read (Result);
+      end return;
+   end Servos;
+
+   ---------------
+   -- Switch_On --
+   ---------------
+
+   procedure Switch_On (Processors : MCS.Processor_Number := 1) is
+   begin
+      Memory_Hardware.Repair (1);
+      Memory_Hardware.Repair (2);
+      Now         := 0;
+      Link_Is_Cut := False;
+      MCS_Stalls  := False;
+      Console     := (others => 16#800#);
+      Sensors     := (others => 16#800#);
+      for Switch in Switch_Item loop
+         Console (Channel (Switch_Item'Pos (Switch))) := 0;
+      end loop;
+      GSC.Virtual_Time.Start (Starts.Cold_Start, 0);
+      GSC.Telemetry_Board.Start;
+      MCS.Virtual_Time.Start (Starts.Cold_Start, 0, Processors);
+      MCS.Telemetry_Board.Start;
+   end Switch_On;
+
+   --------------
+   -- Clock_Of --
+   --------------
+
+   function Clock_Of (Node : Station) return Clock_Tick is
+     (case Node is
+         when Ground   => Now,
+         when Aircraft => Tick'Max (Now, Lag) - Lag);
+
+   -----------------
+   -- Start_Again --
+   -----------------
+
+   procedure Start_Again
+     (Node : Station; Condition : Starts.Start_Condition)
+   is
+      use type Starts.Start_Condition;
+   begin
+      case Node is
+         when Ground =>
+            if Condition = Starts.Warm_Reset then
+               GSC.Telemetry_Board.Start;
+            end if;
+            GSC.Virtual_Time.Start (Condition, Clock_Of (Ground));
+         when Aircraft =>
+            if Condition = Starts.Warm_Reset then
+               MCS.Telemetry_Board.Start;
+            end if;
+            MCS.Virtual_Time.Start (Condition, Clock_Of (Aircraft));
+      end case;
+   end Start_Again;
+
+   -------------
+   -- Convert --
+   -------------
+
+   procedure Convert is
+      Wanted    : Boolean;
+      Interrupt : Boolean;
+      Number    : Devices.AD_Board.Channel_Number;
+   begin
+      loop
+         GSC.AD_Board.Take_Start (Wanted, Number);
+         exit when not Wanted;
+         GSC.AD_Board.Finish (Console (Channel (Number)), Interrupt);
+         if Interrupt then
+            GSC.AD_Interrupt;
+         end if;
+      end loop;
+      while not MCS_Stalls loop
+         MCS.AD_Board.Take_Start (Wanted, Number);
+         exit when not Wanted;
+         MCS.AD_Board.Finish (Sensors (Channel (Number)), Interrupt);
+         if Interrupt then
+            MCS.AD_Interrupt;
+         end if;
+      end loop;
+   end Convert;
+
+   ------------------------
+   -- Exchange_Character --
+   ------------------------
+
+   procedure Exchange_Character is
+      Up, Down           : Byte;
+      Up_Sent, Down_Sent : Boolean;
+      Unused_Time        : Telemetry.Character_Times;
+      Unused_Flag        : Boolean;
+   begin
+      GSC.Telemetry_Board.Next_Character (1, Up_Sent, Up, Unused_Time);
+      MCS.Telemetry_Board.Next_Character (1, Down_Sent, Down, Unused_Time);
+      if Up_Sent and not Link_Is_Cut then
+         MCS.Telemetry_Board.Accept_Character (0, Up, False, Unused_Flag);
+      end if;
+      if Down_Sent and not Link_Is_Cut then
+         GSC.Telemetry_Board.Accept_Character (0, Down, False, Unused_Flag);
+      end if;
+   end Exchange_Character;
+
+   ------------------------
+   -- Clock_Tick_Of_Both --
+   ------------------------
+
+   procedure Clock_Tick_Of_Both is
+      Characters : constant := 20;
+   begin
+      Now := Advanced (Now);
+      GSC.Virtual_Time.Clock_Interrupt (Now);
+      if Now >= Lag then
+         MCS.Virtual_Time.Clock_Interrupt (Now - Lag);
+      end if;
+      Convert;
+      for Time in 1 .. Characters loop
+         Exchange_Character;
+      end loop;
+   end Clock_Tick_Of_Both;
+
+   ---------
+   -- Fly --
+   ---------
+
+   procedure Fly (Frames : Positive) is
+   begin
+      for Ticks in 1 .. 10 * Frames loop
+         Clock_Tick_Of_Both;
+      end loop;
+   end Fly;
+
+   ---------------------
+   -- Expect_Commands --
+   ---------------------
+
+   procedure Expect_Commands (What : String; First, Error : Word) is
+      Ground   : constant Memory := CORE_Of_GSC;
+      Aircraft : constant Memory := CORE_Of_MCS;
+      Expected : Word;
+   begin
+      for Item in Uplink_Item loop
+         Expected :=
+           (if Item = Error_Status then Error
+            else First + Word (Uplink_Item'Pos (Item)));
+         Expect
+           (What & ", GSC CORE " & Item'Image, Ground.Uplink (Place (Item)),
+            Expected);
+         Expect
+           (What & ", MCS CORE " & Item'Image, Aircraft.Uplink (Place (Item)),
+            Expected);
+      end loop;
+   end Expect_Commands;
+
+   --------------------
+   -- Expect_Sensors --
+   --------------------
+
+   procedure Expect_Sensors (What : String; First, Error : Word) is
+      Ground   : constant Memory := CORE_Of_GSC;
+      Aircraft : constant Memory := CORE_Of_MCS;
+      Expected : Word;
+   begin
+      for Item in Downlink_Item loop
+         Expected :=
+           (if Item = Error_Status then Error
+            else First + Word (Downlink_Item'Pos (Item)));
+         Expect
+           (What & ", MCS CORE " & Item'Image,
+            Aircraft.Downlink (Place (Item)), Expected);
+         Expect
+           (What & ", GSC CORE " & Item'Image, Ground.Downlink (Place (Item)),
+            Expected);
+      end loop;
+   end Expect_Sensors;
+
+end Node_Rig;

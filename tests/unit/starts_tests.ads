@@ -1,0 +1,10 @@
+--  INI-1 to INI-8, TST-4, KRN-5, KRN-6, EXT-4: how a node starts, and what
+--  each kind of start clears and keeps.
+
+with AUnit.Test_Suites;
+
+package Starts_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Starts_Tests;
