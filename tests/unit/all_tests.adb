@@ -9,6 +9,7 @@ with Exchange_Tests;
 with Executives_Tests;
 with Frames_Tests;
 with Headers_Tests;
+with In_Flight_Tests;
 with Link_Tests;
 with LOG_Task_Tests;
 with Mailboxes_Tests;
@@ -59,6 +60,7 @@ package body All_Tests is
       Starts_Tests.Add_To (Result);
 
       --  These take the longest.
+      In_Flight_Tests.Add_To (Result);
       Self_Test_Tests.Add_To (Result);
       Link_Tests.Add_To (Result);
       return Result;
