@@ -1,7 +1,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly test prove explore fuzz campaign theory bench size trace \
-        mutate real_time timing clean
+        mutate real_time timing coverage independence clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -19,6 +19,8 @@ help:
 	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
 	@echo "             spoil the link in every way, check that it recovers"
 	@echo "make theory  measure the link under bit errors beside theory"
+	@echo "make coverage what the tests reach of src, as HTML in coverage/"
+	@echo "make independence  the tests with other switches, other compilers"
 	@echo "make trace   requirements with their links, as HTML in trace/"
 	@echo "make clean   remove what was built"
 
@@ -59,7 +61,7 @@ real_time:
 	@scripts/setup.sh real_time
 	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
 
-# RENEW=--renew writes the result into docs/timing.md.
+# RENEW=--renew writes the result into the page in docs that shows it.
 RENEW :=
 timing: real_time
 	@scripts/setup.sh timing
@@ -93,5 +95,17 @@ trace:
 	@scripts/setup.sh trace
 	@.venv/bin/python scripts/trace/run.py export
 
+coverage:
+	@scripts/setup.sh coverage
+	@.venv/bin/python scripts/coverage.py run $(RENEW)
+
+# CHROOT: a folder for Debian 13, to build and test there, too. Needs root.
+CHROOT :=
+independence:
+	@scripts/setup.sh independence
+	@.venv/bin/python scripts/independence.py $(RENEW) switches
+	@$(if $(CHROOT),.venv/bin/python scripts/independence.py $(RENEW) \
+	   chroot $(CHROOT))
+
 clean:
-	@rm -rf obj bin flight bench campaign trace
+	@rm -rf obj bin flight bench campaign trace coverage

@@ -4,10 +4,11 @@
     scripts/coverage.py run       builds, runs the tests, then checks
     scripts/coverage.py check     checks what was counted last
 
-The unit tests and simulated flights run in a build without optimisation or
-inlining. It is built twice. Without contracts and run-time checks, so that
+Unit tests, simulated flights and flights of the real-time partitions run in
+builds without optimisation or inlining. They have no run-time checks, so that
 each branch the compiler makes is one of the source: decisions are counted
-here. And with contracts executed: what only contracts use is entered here.
+here. The unit tests run once more with contracts executed: what only
+contracts use is entered here.
 
 A generic's text is merged over its instances: a line is reached when it is in
 any of them, and so is a branch.
@@ -34,16 +35,20 @@ COUNTED = ROOT / "obj" / "coverage.json"
 
 LEAST_LINES = 98.0
 
-SWITCHES = ["-O0", "-fno-inline", "-fprofile-arcs", "-ftest-coverage"]
+# Atomic, for a partition has several tasks. No reuse of the stack: it would
+# make a branch after a call, for an exception.
+SWITCHES = ["-O0", "-fno-inline", "-fprofile-arcs", "-ftest-coverage",
+            "-fprofile-update=atomic", "-fstack-reuse=none"]
 
-# Program: its project, mode and switches. Each has its own objects: the unit
-# tests have configuration pragmas that the simulation has not.
+# Programs: their project, mode and switches. Each has its own objects, for
+# each project has configuration pragmas of its own.
 PROGRAMS = {
     "unit": ("tests/urv_tests.gpr", "host", ["-gnatp"]),
     "flights": ("sim/urv_sim.gpr", "host", ["-gnatp"]),
-    "contracts": ("tests/urv_tests.gpr", "test", []),
+    "partitions": ("real_time/urv_real_time.gpr", "flight", ["-gnatp"]),
+    "contracts": ("tests/urv_tests.gpr", "host", ["-O1", "-gnata"]),
 }
-COUNT_DECISIONS = ("unit", "flights")
+COUNT_DECISIONS = ("unit", "flights", "partitions")
 
 # The simulation's tests that fly with bin/urv_sim; the rest of them look at
 # other programs, or at the same flights for longer.
@@ -63,24 +68,34 @@ def folders(program):
     its generics in the tests and the simulation."""
     _, mode, _ = PROGRAMS[program]
     return [ROOT / "obj" / where / f"coverage-{program}"
-            for where in (mode, f"{mode}/unit", f"sim-{mode}")]
+            for where in (mode, f"{mode}/unit", f"sim-{mode}", "real_time")]
 
 
 def build_and_run(program):
     project, mode, switches = PROGRAMS[program]
     for folder in folders(program):
         shutil.rmtree(folder, ignore_errors=True)
-    run("gprbuild", "-q", "-p", "-j0", "-P", project, f"-XURV_Mode={mode}",
+    run("gprbuild", "-q", "-p", "-j1", "-P", project, f"-XURV_Mode={mode}",
         f"--subdirs=coverage-{program}",
         "-cargs:Ada", *SWITCHES, *switches, "-largs", "-fprofile-arcs")
-    built = ROOT / "bin" / f"coverage-{program}"
     if program == "flights":
-        run(sys.executable, "-B", "-m", "pytest", "-q", "-p",
-            "no:cacheprovider",
-            *(f"tests/simulation/test_{name}.py" for name in FLIGHTS),
-            env={**os.environ, "URV_SIM": str(built / "urv_sim")})
+        run_pytest(f"tests/simulation/test_{name}.py" for name in FLIGHTS)
+    elif program == "partitions":
+        run_pytest(["tests/real_time"])
     else:
-        run(built / f"urv_tests_{mode}", stdout=subprocess.DEVNULL)
+        run(folder_of(program) / f"urv_tests_{mode}",
+            stdout=subprocess.DEVNULL)
+
+
+def folder_of(program):
+    return ROOT / "bin" / f"coverage-{program}"
+
+
+def run_pytest(files):
+    programs = {"URV_SIM": str(folder_of("flights") / "urv_sim"),
+                "URV_PARTITIONS": str(folder_of("partitions"))}
+    run(sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider",
+        *files, env={**os.environ, **programs})
 
 
 def counted(program):
@@ -204,6 +219,12 @@ def explained():
     return {row.groups()[:3]: row[4] for row in ROW.finditer(page)}
 
 
+def bodies():
+    """What is sure to have code."""
+    return {path.relative_to(ROOT).as_posix()
+            for path in ROOT.glob("src/*/*.adb")}
+
+
 def judge(sources):
     """Print what is wrong; return whether anything is."""
     wrong = []
@@ -221,6 +242,8 @@ def judge(sources):
             wrong.append(f"{name}:{number}: goes one way only: {text}")
     wrong += [f"docs/coverage.md: covered, or not there: {name}: {text}"
               for name, _, text in sorted(set(reasons) - used)]
+    wrong += [f"{name}: in no program"
+              for name in sorted(bodies() - set(sources))]
     lines = [count for source in sources.values()
              for count in source.lines.values()]
     reached = sum(count > 0 for count in lines)

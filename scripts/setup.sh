@@ -2,7 +2,7 @@
 # Installs what one target of the Makefile lacks, and nothing else.
 #
 #   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace|
-#                    mutate|real_time|timing
+#                    mutate|real_time|timing|coverage|independence
 #
 # On Debian 12 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -23,6 +23,13 @@ case $target in
                         scripts/trace/requirements.txt" ;;
    mutate)
           packages="$simulate libaunit22-dev binutils python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
+   coverage)
+          packages="$simulate libaunit22-dev gcc-12 python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt
+                        scripts/coverage-requirements.txt" ;;
+   independence)
+          packages="$simulate libaunit22-dev python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;

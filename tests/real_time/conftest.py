@@ -4,7 +4,9 @@
         flight = partitions.fly(seconds=2, sticks=write("s.csv", text))
         assert flight.gsc.summary["frames"] == 100
 
-Judged is what the nodes did, not when: the machine may be slow.
+Judged is what the nodes did, not when: the machine may be slow. The programs
+are those in bin, or in the folder that URV_PARTITIONS names; the simulation
+they are compared with is bin/urv_sim, or what URV_SIM names.
 """
 
 import csv
@@ -24,8 +26,9 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-PROGRAMS = {name: ROOT / "bin" / f"urv_{name}" for name in ("mcs", "gsc")}
-SIMULATION = ROOT / "bin" / "urv_sim"
+FOLDER = Path(os.environ.get("URV_PARTITIONS", ROOT / "bin")).resolve()
+PROGRAMS = {name: FOLDER / f"urv_{name}" for name in ("mcs", "gsc")}
+SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 # Far longer than any run of the tests; a hung program is a failure.
 TIME_LIMIT_S = 60

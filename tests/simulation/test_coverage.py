@@ -9,7 +9,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 import coverage  # noqa: E402
 
-NAME = "src/some.adb"
+NAME = "src/kernel/some.adb"
 TEXT = """\
 procedure Some is
 begin
@@ -40,7 +40,7 @@ def counted(lines=REACHED, ways=BOTH_WAYS, throws=(), name="some"):
 @pytest.fixture
 def judged(tmp_path, monkeypatch, capsys):
     """What is said of some instances, with these rows in docs/coverage.md."""
-    (tmp_path / "src").mkdir()
+    (tmp_path / NAME).parent.mkdir(parents=True)
     (tmp_path / NAME).write_text(TEXT, encoding="utf-8")
     monkeypatch.setattr(coverage, "ROOT", tmp_path)
     monkeypatch.setattr(coverage, "EXPLAINED", tmp_path / "coverage.md")
@@ -110,3 +110,8 @@ def test_what_is_explained_without_need_is_told(judged, text):
     row = f"| `{NAME}` | line | `{text}` | it is so |\n"
     assert f"covered, or not there: {NAME}: {text}" in judged(
         counted(), rows=row)
+
+
+def test_a_body_in_no_program_is_told(judged, tmp_path):
+    (tmp_path / "src/kernel/other.adb").write_text(TEXT, encoding="utf-8")
+    assert "src/kernel/other.adb: in no program" in judged(counted())

@@ -24,6 +24,7 @@ with Senders_Tests;
 with Serial_Line_Tests;
 with Starts_Tests;
 with Telemetry_Task_Tests;
+with Waiting_Tasks_Tests;
 
 package body All_Tests is
 
@@ -39,6 +40,7 @@ package body All_Tests is
       Mailboxes_Tests.Add_To (Result);
       Semaphores_Tests.Add_To (Result);
       Receive_Calls_Tests.Add_To (Result);
+      Waiting_Tasks_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
       Schedulers_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);

@@ -1,0 +1,71 @@
+"""EVI-6: what scripts/independence.py makes of what it sees."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import PROGRAM, ROOT
+
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import independence  # noqa: E402
+
+PAGE = "a\n<!-- switches -->\nold\n<!-- end -->\nb\n<!-- chroot -->\n<!-- end -->"
+
+
+def said(text):
+    """A program that says this and ends with status 1."""
+    return lambda *command, **more: (1, text)
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("ok one\n3 passed, 0 failed, 0 skipped\n", (3, 0)),
+    ("FAIL one\n2 passed, 1 failed, 0 skipped\n", (2, 1)),
+    ("raised PROGRAM_ERROR\n", (0, 1)),
+])
+def test_unit_tests_are_counted(monkeypatch, text, expected):
+    monkeypatch.setattr(independence, "run", said(text))
+    assert independence.unit_tests(Path("bin")) == expected
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("..\n2 passed in 0.10s\n", (2, 0)),
+    ("F.\n1 failed, 2 passed, 1 skipped in 0.10s\n", (2, 1)),
+    ("nothing was collected\n", (0, 1)),
+])
+def test_flying_tests_are_counted(monkeypatch, text, expected):
+    monkeypatch.setattr(independence, "run", said(text))
+    assert independence.flying_tests(Path("bin")) == expected
+
+
+def test_bytes_of_flights_are_those_of_the_flights(monkeypatch):
+    first = independence.bytes_of_flights(PROGRAM)
+    assert first == independence.bytes_of_flights(PROGRAM)
+    monkeypatch.setattr(independence, "FLIGHTS",
+                        (*independence.FLIGHTS[:-1], ("--seconds", "6")))
+    assert first != independence.bytes_of_flights(PROGRAM)
+
+
+def test_a_flight_that_fails_is_no_result(tmp_path):
+    with pytest.raises(subprocess.CalledProcessError):
+        independence.bytes_of_flights("false")
+
+
+def test_the_page_gets_the_table_and_keeps_the_rest():
+    page = independence.renewed(PAGE, "switches", "new\n")
+    assert page == PAGE.replace("old\n", "new\n")
+    page = (ROOT / "docs" / "independence.md").read_text(encoding="utf-8")
+    for part in ("switches", "chroot"):
+        assert independence.renewed(page, part, "") != page
+
+
+def test_a_page_without_a_place_is_refused():
+    with pytest.raises(SystemExit):
+        independence.renewed("a\nb\n", "switches", "new\n")
+
+
+def test_switches_are_all_combinations():
+    assert list(independence.BUILDS) == [
+        "-O0 -gnatVa", "-O2 -gnatVa", "-O0 -gnata -gnatVa",
+        "-O2 -gnata -gnatVa"]
