@@ -10,6 +10,7 @@ with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Starts;
 with URV.Errors;          use URV.Errors;
+with URV.Shared_Status;
 
 package body In_Flight_Tests is
 
@@ -18,6 +19,7 @@ package body In_Flight_Tests is
    --  The tests, in order.
    procedure Sound_ROM;
    procedure Spoilt_ROM;
+   procedure New_Status;
    procedure Results_In_CORE;
    procedure Late_Tasks;
 
@@ -150,6 +152,22 @@ package body In_Flight_Tests is
       end loop;
    end Spoilt_ROM;
 
+   ----------------
+   -- New_Status --
+   ----------------
+
+   package Status_Under_Test is new URV.Shared_Status;
+
+   procedure New_Status is
+      Bits : Word;
+   begin
+      Status_Under_Test.Read (Bits);
+      Expect ("new", Bits, 0);
+      Status_Under_Test.Write (ROM_Bit);
+      Status_Under_Test.Read (Bits);
+      Expect ("written", Bits, ROM_Bit);
+   end New_Status;
+
    ---------------------
    -- Results_In_CORE --
    ---------------------
@@ -234,6 +252,9 @@ package body In_Flight_Tests is
       Add
         (Suite, "TST-3 TST-4 either node tells the other that its ROM differs",
          Spoilt_ROM'Access);
+      Add
+        (Suite, "TST-4 a node's status is no error until it is told of one",
+         New_Status'Access);
       Add
         (Suite, "TST-3 INI-6 the counts in CORE stay at their last value",
          Results_In_CORE'Access);
