@@ -52,7 +52,7 @@ COUNT_DECISIONS = ("unit", "flights", "partitions")
 
 # The simulation's tests that fly with bin/urv_sim; the rest of them look at
 # other programs, or at the same flights for longer.
-FLIGHTS = ("data_path", "events", "faults", "line_faults", "wire")
+FLIGHTS = ("data_path", "events", "faults", "line_faults", "starts", "wire")
 
 
 def run(*command, **more):
