@@ -2,8 +2,8 @@
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
 The parts: unit tests in Ada, with and without their contracts executed, the
-tests in Python of the simulation and of the real-time partitions, the static
-data of each node, the proof record.
+tests in Python of the simulation and of the real-time partitions, the links of
+the requirements, the static data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same.
 Exit status: 0 when none failed and at least one passed.
@@ -84,6 +84,11 @@ def one_test(*command):
     return (1, 0, 0) if run(sys.executable, *command) == 0 else BROKEN
 
 
+def links():
+    """Also when the file of tests is gone that would find it gone."""
+    return one_test("scripts/trace/run.py", "check")
+
+
 def node_size():
     return one_test("scripts/node_size.py")
 
@@ -104,6 +109,7 @@ PARTS = {
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
     "real time": real_time_tests,
+    "links of the requirements": links,
     "static data": node_size,
     "proof record is of these sources": record_is_current,
     "proof anew shows the recorded checks": proof_anew,

@@ -36,22 +36,32 @@ RESULTS = ROOT / "tests" / "mutation" / "results.jsonl"
 WORKPLACE = ROOT / "obj" / "mutation"
 
 SEED = 1991
-SHARE, LEAST, MOST = 0.25, 10, 36
+SHARE, LEAST, MOST = 0.15, 4, 10
 
-COPIED = ("src", "proofs", "sim", "tests", "scripts", "urv.gpr",
-          "ravenscar.adc")
+COPIED = ("src", "proofs", "sim", "tests", "real_time", "scripts",
+          "urv.gpr", "ravenscar.adc")
 UNIT_TESTS = ["gprbuild", "-q", "-p", "-j1", "-P", "tests/urv_tests.gpr",
               "-XURV_Mode=test"]
 SIMULATOR = ["gprbuild", "-q", "-p", "-j1", "-P", "sim/urv_sim.gpr",
              "-XURV_Mode=host"]
+SIMULATOR_OBJECTS = ("obj/host", "obj/sim-host")
+TEST_OBJECTS = ("obj/test", "obj/test/unit")
 PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
 
-# The quick ones of the simulation's tests that look at the data's path.
-SIMULATION_TESTS = ["test_data_path.py", "test_wire.py", "test_faults.py"]
+# The unit tests after this one take three quarters of the time. They spoil
+# the line in every way: for mutants of the telemetry board only.
+LAST_QUICK_TEST = "LNK-10 the board counts the messages received"
+
+# The quick ones of the simulation's tests that look at the data's path; of
+# the telemetry board also those that spoil the line.
+SIMULATION_TESTS = ["test_data_path.py", "test_wire.py"]
+TELEMETRY_TESTS = ["test_faults.py"]
 
 BUILD_LIMIT_S = 900
-TEST_LIMIT_S = 300
+TEST_LIMIT_S = 600
 PROOF_LIMIT_S = 1200
+# Of one program under test; without a change none needs half of it.
+CPU_LIMIT_S = 60
 MEMORY_LIMIT = 4 * 2 ** 30
 
 # What became of a mutant.
@@ -62,8 +72,10 @@ SURVIVED = "survived"
 KILLED = ("tests", "simulation", "proof")
 
 
-def limit_memory():
+def set_limits():
+    """A mutant that goes on for ever is ended, however slow the machine."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+    resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S))
 
 
 class Worker:
@@ -73,6 +85,8 @@ class Worker:
         self.root = WORKPLACE / f"worker-{number}"
         self.original = WORKPLACE / f"original-{number}"
         self.changed = None
+        self.in_simulator = None
+        self.hashes = {}
         self.objects = None
         self.proved = {}
         self.process = None
@@ -131,8 +145,10 @@ class Worker:
             status, output = self.run(command, BUILD_LIMIT_S)
             if status != 0:
                 return output
-        self.objects = self.object_code()
-        return self.unit_tests() or self.simulation()
+        self.in_simulator = self.units_in_simulator()
+        self.objects = {every: self.object_code(every)
+                        for every in (False, True)}
+        return self.unit_tests(True) or self.simulation(True)
 
     def synchronise(self, source, target):
         """Copy what differs, remove what is gone; keep what is the same as
@@ -162,42 +178,70 @@ class Worker:
         """A file as it was when the worker began."""
         return (self.original / path).read_bytes()
 
-    def object_code(self):
-        """The code of src in the simulator, without debugging aids."""
-        found = {}
-        for path in sorted((self.root / "obj" / "host").glob("*.o")):
+    def units_in_simulator(self):
+        """The files of src that the simulator is made of, generics too."""
+        found = set()
+        for folder in SIMULATOR_OBJECTS:
+            for path in (self.root / folder).glob("*.ali"):
+                text = path.read_text(encoding="utf-8", errors="replace")
+                found |= set(re.findall(r"^D (\S+)", text, re.M))
+        return found
+
+    def object_code(self, tests_too):
+        """The code of the simulator, without debugging aids; if wanted, that
+        of the unit tests, too."""
+        folders = SIMULATOR_OBJECTS + (TEST_OBJECTS if tests_too else ())
+        return {path: self.hash_of(path) for folder in folders
+                for path in sorted((self.root / folder).glob("*.o"))}
+
+    def hash_of(self, path):
+        """Of an object file without debugging aids; known, if it was not
+        built since it was last asked for."""
+        built = path.stat().st_mtime_ns
+        if self.hashes.get(path, (0, ""))[0] != built:
             copy = self.root / "obj" / "stripped.o"
             subprocess.run(["objcopy", "--strip-debug", path, copy],
                            check=True)
-            found[path.name] = hashlib.sha256(copy.read_bytes()).hexdigest()
-        return found
+            found = hashlib.sha256(copy.read_bytes()).hexdigest()
+            self.hashes[path] = (built, found)
+        return self.hashes[path][1]
 
-    def unit_tests(self):
+    def same_object_code(self, mutant):
+        """Whether the mutant is the original in other words. What the
+        simulator does not have is looked for in the unit tests."""
+        every = Path(mutant.path).name not in self.in_simulator
+        return self.object_code(every) == self.objects[every]
+
+    def unit_tests(self, every):
         """Why the unit tests fail, or nothing. The first failure ends
         them."""
-        process = self.start(["bin/urv_tests_test"], preexec_fn=limit_memory)
+        process = self.start(["bin/urv_tests_test"], preexec_fn=set_limits)
         alarm = threading.Timer(TEST_LIMIT_S, self.stop)
         alarm.start()
-        failure, last = None, ""
+        failure, last, enough = None, "", False
         for line in process.stdout:
             last = line.strip()
+            enough = enough or last.endswith(LAST_QUICK_TEST)
             if line.startswith("FAIL"):
                 failure = line[len("FAIL"):].strip()
+            if failure or (enough and not every):
                 self.stop()
                 break
         process.stdout.close()
         status = process.wait()
         alarm.cancel()
-        if failure or status == 0:
+        if failure or (enough and (status == 0 or not every)):
             return failure
         return f"ended with {status} after: {last[:100]}"
 
-    def simulation(self):
+    def simulation(self, every):
         """Why the simulation's tests fail, or nothing."""
-        tests = [f"tests/simulation/{name}" for name in SIMULATION_TESTS]
+        tests = [f"tests/simulation/{name}" for name in
+                 SIMULATION_TESTS + (TELEMETRY_TESTS if every else [])]
         status, output = self.run(
             [sys.executable, "-B", "-m", "pytest", "-x", "-q", "--tb=no",
              "-p", "no:cacheprovider", *tests], TEST_LIMIT_S,
+            preexec_fn=set_limits,
             env={**os.environ, "URV_SIM": str(self.root / "bin/urv_sim")},
         )
         if status == 0:
@@ -258,18 +302,19 @@ class Worker:
     def test(self, mutant):
         """What becomes of a mutant short of the proof, and who said so."""
         self.put(mutant)
+        every = mutant.path.startswith("src/telemetry/")
         status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)
         if status != 0:
             return INVALID, ""
-        failure = self.unit_tests()
+        failure = self.unit_tests(every)
         if failure:
             return "tests", failure
         status, _ = self.run(SIMULATOR, BUILD_LIMIT_S)
         if status != 0:
             return INVALID, ""
-        if self.object_code() == self.objects:
+        if self.same_object_code(mutant):
             return EQUIVALENT, ""
-        failure = self.simulation()
+        failure = self.simulation(every)
         if failure:
             return "simulation", failure
         return PASSED, ""
@@ -279,6 +324,11 @@ class Worker:
         self.put(mutant)
         failure = self.proof(mutant)
         return ("proof", failure) if failure else (SURVIVED, "")
+
+
+def turn(path):
+    """Folder by folder."""
+    return mutants.FOLDERS.index(Path(path).parent.name), path
 
 
 def same(one, other):
@@ -428,7 +478,7 @@ def run_stage(stage, wanted, digests, jobs):
     for mutant in wanted:
         groups.setdefault(mutant.path, []).append(mutant)
     tasks = queue.Queue()
-    for path in sorted(groups, key=lambda p: -len(groups[p])):
+    for path in sorted(groups, key=turn):
         tasks.put(groups[path])
     workers = [Worker(n) for n in range(min(jobs, len(groups)))]
 

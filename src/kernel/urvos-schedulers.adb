@@ -99,24 +99,80 @@ package body URVOS.Schedulers with SPARK_Mode is
        and then Is_In_Its_Place (After, Moved),
      Post   => Ready_In_Order (After) and then Timer_In_Order (After);
 
-   --  The best ready task was the best before the caller came to it.
-   procedure Prove_Best_Ready
+   --  The first of the ready queue has been given the processor.
+   function Is_Dispatched
      (Before, After : Scheduler;
-      Caller, Best  : TCB_Number)
+      Chosen        : TCB_Number) return Boolean
+   is
+     (not Before.Busy
+      and then Before.Ready > 0
+      and then After.Busy
+      and then After.Ready = Before.Ready - 1
+      and then After.Sleeping = Before.Sleeping
+      and then After.Now = Before.Now
+      and then
+        (for all Which in TCB_Number =>
+           Place_Of (After.Row, Which) = Place_Of (Before.Row, Which)
+           and then (Place_Of (Before.Row, Which) = 1) = (Which = Chosen)
+           and then After.Blocks (Which) =
+             (Before.Blocks (Which) with delta
+                New_Release => Before.Blocks (Which).New_Release
+                  and then Which /= Chosen))
+      and then After.Late =
+        (if Before.Blocks (Chosen).New_Release
+           and then Before.Blocks (Chosen).Release < Before.Now
+         then Incremented (Before.Late)
+         else Before.Late))
+   with
+     Ghost,
+     Global => null;
+
+   --  Gives the idle processor to the best ready task.
+   procedure Choose (S : in out Scheduler)
+   with
+     Global => null,
+     Pre    => Is_Sound (S) and then Is_Idle (S) and then S.Ready > 0,
+     Post   =>
+       Is_Sound (S)
+       and then not Is_Idle (S)
+       and then Is_Dispatched (S'Old, S, Running_TCB (S))
+       and then Is_Best_Ready (S'Old, Running_TCB (S));
+
+   --  The caller has gone to its place in the ready queue, the best task
+   --  there runs instead.
+   procedure Prove_Handed_Over
+     (Before, Waiting, After : Scheduler;
+      Caller, Best           : TCB_Number)
    with
      Ghost,
      Global => null,
      Pre    =>
        Best /= Caller
-       and then Is_Best_Ready (After, Best)
-       and then Before.Blocks = After.Blocks
-       and then Queue_Of (Before, Caller) /= Ready
+       and then Waiting.Blocks = Before.Blocks
+       and then Waiting.Now = Before.Now
+       and then Waiting.Late = Before.Late
+       and then Queue_Of (Before, Caller) = Running
        and then
          (for all Which in TCB_Number =>
-            (if Which /= Caller
-             then Queue_Of (After, Which) = Queue_Of (Before, Which)))
-       and then Order_Is_Kept (Before, After, Except => Caller),
-     Post   => Is_Best_Ready (Before, Best);
+            Queue_Of (Waiting, Which) =
+              (if Which = Caller then Ready else Queue_Of (Before, Which)))
+       and then Order_Is_Kept (Before, Waiting, Except => Caller)
+       and then Is_In_Its_Place (Waiting, Caller)
+       and then Is_Best_Ready (Waiting, Best)
+       and then Is_Dispatched (Waiting, After, Best),
+     Post   => Is_Handed_Over (Before, After, Caller, Best);
+
+   procedure Prove_Handed_Over
+     (Before, Waiting, After : Scheduler;
+      Caller, Best           : TCB_Number) is
+   begin
+      pragma Assert
+        (for all Which in TCB_Number =>
+           Queue_Of (After, Which) =
+             (if Which = Best then Running else Queue_Of (Waiting, Which)));
+      pragma Assert (Queue_Of (After, Caller) = Ready);
+      pragma Assert (Is_Best_Ready (Before, Best));
+   end Prove_Handed_Over;
 
    procedure Prove_Order_After_Move
      (Before, After : Scheduler;
@@ -126,10 +182,6 @@ package body URVOS.Schedulers with SPARK_Mode is
    procedure Prove_Queues_In_Order
      (Before, After : Scheduler;
       Moved         : TCB_Number) is null;
-
-   procedure Prove_Best_Ready
-     (Before, After : Scheduler;
-      Caller, Best  : TCB_Number) is null;
 
    --  A task's TCB is as it was loaded.
    function Is_Loaded
@@ -146,6 +198,111 @@ package body URVOS.Schedulers with SPARK_Mode is
    with
      Ghost,
      Global => null;
+
+   --  The first Number tasks of the tree have the first TCBs, the others
+   --  stand in the free queue in the order of their numbers.
+   function Is_Loaded_To
+     (S      : Scheduler;
+      Tree   : Task_Tree;
+      Number : TCB_Count) return Boolean
+   is
+     (Is_Sound (S)
+      and then Is_Idle (S)
+      and then
+        (for all Which in TCB_Number =>
+           (if Integer (Which) <= Number
+            then Is_Loaded (S, Which, Tree (Which))
+            else Queue_Of (S, Which) = Free))
+      and then
+        (for all A in TCB_Number =>
+           (for all B in TCB_Number =>
+              (if Integer (A) > Number and then B > A
+               then Is_Ahead (S, A, B)))))
+   with
+     Ghost,
+     Global => null;
+
+   --  Of the free TCBs that with the lowest number is the first.
+   procedure Prove_Next_Free (S : Scheduler; Which : TCB_Number)
+   with
+     Ghost,
+     Global => null,
+     Pre    =>
+       Is_Sound (S)
+       and then Queue_Of (S, Which) = Free
+       and then
+         (for all Other in TCB_Number =>
+            (if Queue_Of (S, Other) = Free and then Other /= Which
+             then Is_Ahead (S, Which, Other))),
+     Post   => Has_Free_TCB (S) and then Next_Free_TCB (S) = Which;
+
+   procedure Prove_Next_Free (S : Scheduler; Which : TCB_Number) is
+      First : constant TCB_Number :=
+        TCB_At (S.Row, Place (Timer_Last (S) + 1));
+   begin
+      pragma Assert (Queue_Of (S, First) = Free);
+      pragma Assert (not Is_Ahead (S, Which, First));
+   end Prove_Next_Free;
+
+   --  The tasks of the tree have been loaded, and the best of them runs.
+   procedure Prove_Started
+     (Loaded, After : Scheduler;
+      Tree          : Task_Tree;
+      Best          : TCB_Number)
+   with
+     Ghost,
+     Global => null,
+     Pre    =>
+       (for all Which in TCB_Number =>
+          (if Is_In_Tree (Tree, Which)
+           then Is_Loaded (Loaded, Which, Tree (Which))
+           else Queue_Of (Loaded, Which) = Free))
+       and then Is_Best_Ready (Loaded, Best)
+       and then Is_Dispatched (Loaded, After, Best),
+     Post   =>
+       (for all Which in TCB_Number =>
+          (if Is_In_Tree (Tree, Which)
+           then Id_Of (After, Which) = Tree (Which).Id
+             and then Priority_Of (After, Which) =
+                        Tree (Which).Initial_Priority
+             and then Release_Of (After, Which) = Tree (Which).Start_Time
+             and then Is_First_Run (After, Which)
+             and then
+               (if Tree (Which).Start_Time <= Clock (After)
+                then Queue_Of (After, Which) in Ready | Running
+                else Queue_Of (After, Which) = Timer)
+           else Queue_Of (After, Which) = Free))
+       and then
+         (for all Which in TCB_Number =>
+            (if Queue_Of (After, Which) = Ready
+             then Priority_Of (After, Which) <= Priority_Of (After, Best)));
+
+   procedure Prove_Started
+     (Loaded, After : Scheduler;
+      Tree          : Task_Tree;
+      Best          : TCB_Number) is
+   begin
+      pragma Assert
+        (for all Which in TCB_Number =>
+           Queue_Of (After, Which) =
+             (if Which = Best then Running else Queue_Of (Loaded, Which)));
+      pragma Assert
+        (for all Which in TCB_Number =>
+           (if Is_In_Tree (Tree, Which)
+            then Id_Of (After, Which) = Tree (Which).Id));
+   end Prove_Started;
+
+   --  Loads one more task of the tree.
+   procedure Load_Next
+     (S     : in out Scheduler;
+      Tree  : Task_Tree;
+      Which : TCB_Number)
+   with
+     Global => null,
+     Pre    => Is_Loaded_To (S, Tree, Integer (Which) - 1),
+     Post   =>
+       Is_Loaded_To (S, Tree, Integer (Which))
+       and then Clock (S) = Clock (S'Old);
 
    --  Loads the tasks of a tree, one TCB for each header, in their order.
    procedure Load_Tree
@@ -175,6 +332,17 @@ package body URVOS.Schedulers with SPARK_Mode is
    with
      Global => null,
      Pre    => Queues_Fit (S);
+
+   --  Who sleeps on is behind one that is not due.
+   procedure Prove_None_Is_Due (S : Scheduler; Now : Clock_Tick)
+   with
+     Ghost,
+     Global => null,
+     Pre    => Is_Sound (S) and then not Sleeper_Is_Due (S, Now),
+     Post   =>
+       (for all Which in TCB_Number =>
+          (if Queue_Of (S, Which) = Timer
+           then Release_Of (S, Which) > Now));
 
    --  The head of the timer queue goes to its place in the ready queue.
    procedure Wake_First (S : in out Scheduler; First : TCB_Number)
@@ -293,6 +461,23 @@ package body URVOS.Schedulers with SPARK_Mode is
        and then Order_Is_Kept (S'Old, S, Except => Running_TCB (S'Old))
        and then Is_In_Its_Place (S, Running_TCB (S'Old));
 
+   procedure Prove_None_Is_Due (S : Scheduler; Now : Clock_Tick) is
+   begin
+      if S.Sleeping > 0 then
+         declare
+            First : constant TCB_Number :=
+              TCB_At (S.Row, Place (Ready_Last (S) + 1));
+         begin
+            pragma Assert (Queue_Of (S, First) = Timer);
+            pragma Assert
+              (for all Which in TCB_Number =>
+                 (if Queue_Of (S, Which) = Timer and then Which /= First
+                  then Is_Ahead (S, First, Which)));
+            pragma Assert (Release_Of (S, First) > Now);
+         end;
+      end if;
+   end Prove_None_Is_Due;
+
    procedure Prove_Wake_Order
      (Before, Last, After : Scheduler;
       First               : TCB_Number)
@@ -389,21 +574,41 @@ package body URVOS.Schedulers with SPARK_Mode is
       pragma Assert (Sleepers_Are_Not_Due (S));
    end Load;
 
+   procedure Choose (S : in out Scheduler) is
+      Chosen : constant TCB_Number := TCB_At (S.Row, 1);
+   begin
+      S.Busy := True;
+      S.Ready := S.Ready - 1;
+      if S.Blocks (Chosen).New_Release
+        and then S.Blocks (Chosen).Release < S.Now
+      then
+         S.Late := Incremented (S.Late);
+      end if;
+      S.Blocks (Chosen).New_Release := False;
+   end Choose;
+
    procedure Dispatch (S : in out Scheduler) is
-      Chosen : TCB_Number;
    begin
       if not S.Busy and then S.Ready > 0 then
-         S.Busy := True;
-         S.Ready := S.Ready - 1;
-         Chosen := TCB_At (S.Row, 1);
-         if S.Blocks (Chosen).New_Release
-           and then S.Blocks (Chosen).Release < S.Now
-         then
-            S.Late := Incremented (S.Late);
-         end if;
-         S.Blocks (Chosen).New_Release := False;
+         Choose (S);
       end if;
    end Dispatch;
+
+   procedure Load_Next
+     (S     : in out Scheduler;
+      Tree  : Task_Tree;
+      Which : TCB_Number)
+   is
+      Before : constant Scheduler := S with Ghost;
+   begin
+      pragma Assert (Queue_Of (S, Which) = Free);
+      Prove_Next_Free (S, Which);
+      Load (S, Tree (Which));
+      pragma Assert (Is_Loaded (S, Which, Tree (Which)));
+      pragma Assert
+        (for all Other in TCB_Number =>
+           (if Other /= Which then Is_Unchanged (Before, S, Other)));
+   end Load_Next;
 
    procedure Load_Tree
      (S    : out Scheduler;
@@ -418,22 +623,10 @@ package body URVOS.Schedulers with SPARK_Mode is
                  not Is_In_Tree (Tree, Later));
             return;
          end if;
-         pragma Assert (Next_Free_TCB (S) = Which);
-         Load (S, Tree (Which));
-         pragma Loop_Invariant (Is_Sound (S));
-         pragma Loop_Invariant (Is_Idle (S));
+         Load_Next (S, Tree, Which);
+         pragma Loop_Invariant (Is_Loaded_To (S, Tree, Integer (Which)));
          pragma Loop_Invariant (Clock (S) = Now);
          pragma Loop_Invariant (Is_In_Tree (Tree, Which));
-         pragma Loop_Invariant
-           (for all I in TCB_Number'First .. Which =>
-              Is_Loaded (S, I, Tree (I)));
-         pragma Loop_Invariant
-           (for all A in TCB_Number =>
-              (if A > Which then Queue_Of (S, A) = Free));
-         pragma Loop_Invariant
-           (for all A in TCB_Number =>
-              (for all B in TCB_Number =>
-                 (if A > Which and then B > A then Is_Ahead (S, A, B))));
       end loop;
    end Load_Tree;
 
@@ -443,7 +636,14 @@ package body URVOS.Schedulers with SPARK_Mode is
       Now  : Clock_Tick) is
    begin
       Load_Tree (S, Tree, Now);
-      Dispatch (S);
+      if S.Ready > 0 then
+         declare
+            Loaded : constant Scheduler := S with Ghost;
+         begin
+            Choose (S);
+            Prove_Started (Loaded, S, Tree, Running_TCB (S));
+         end;
+      end if;
    end Start;
 
    procedure Wake_First (S : in out Scheduler; First : TCB_Number) is
@@ -489,11 +689,7 @@ package body URVOS.Schedulers with SPARK_Mode is
          pragma Loop_Invariant (Is_In_Wake_Order (Before, S));
       end loop;
 
-      --  Who sleeps on is behind one that is not due.
-      pragma Assert
-        (for all Which in TCB_Number =>
-           (if Queue_Of (S, Which) = Timer
-            then Release_Of (S, Which) > Now));
+      Prove_None_Is_Due (S, Now);
    end Wake_Due;
 
    procedure Wake (S : in out Scheduler; Now : Clock_Tick) is
@@ -525,12 +721,19 @@ package body URVOS.Schedulers with SPARK_Mode is
         and then S.Blocks (TCB_At (S.Row, 2)).Priority >
                  S.Blocks (Caller).Priority
       then
+         pragma Assert (Queue_Of (S, TCB_At (S.Row, 2)) = Ready);
+         pragma Assert (Has_Higher_Ready (S));
          Give_Way (S);
          declare
             Waiting : constant Scheduler := S with Ghost;
+            First   : constant TCB_Number := TCB_At (Before.Row, 2)
+            with Ghost;
          begin
-            Dispatch (S);
-            Prove_Best_Ready (Before, Waiting, Caller, Running_TCB (S));
+            pragma Assert (Queue_Of (Waiting, First) = Ready);
+            Choose (S);
+            pragma Assert (Running_TCB (S) /= Caller);
+            Prove_Handed_Over
+              (Before, Waiting, S, Caller, Best => Running_TCB (S));
          end;
       else
          pragma Assert

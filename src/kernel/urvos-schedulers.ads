@@ -323,6 +323,41 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    --  The calls of the running task
 
+   --  The best ready task runs, and the caller is in the ready queue, behind
+   --  those of its own priority.
+   function Is_Handed_Over
+     (Before, After : Scheduler;
+      Caller, Best  : TCB_Number) return Boolean
+   is
+     (Is_Best_Ready (Before, Best)
+      and then
+        (for all Which in TCB_Number =>
+           Is_Same_Task (Before, After, Which)
+           and then Is_First_Run (After, Which) = Is_First_Run (Before, Which)
+           and then Is_New_Release (After, Which) =
+             (Is_New_Release (Before, Which) and then Which /= Best)
+           and then Queue_Of (After, Which) =
+             (if Which = Best then Running
+              elsif Which = Caller then Ready
+              else Queue_Of (Before, Which)))
+      and then
+        (for all A in TCB_Number =>
+           (for all B in TCB_Number =>
+              (if A not in Best | Caller and then B not in Best | Caller
+                 and then Queue_Of (After, A) = Queue_Of (After, B)
+               then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
+      and then
+        (for all Other in TCB_Number =>
+           (if Other /= Caller and then Queue_Of (After, Other) = Ready
+            then Is_Ahead (After, Other, Caller) =
+              (Priority_Of (After, Other) >= Priority_Of (After, Caller))))
+      and then Overruns (After) =
+        (if Is_New_Release (Before, Best)
+           and then Release_Of (After, Best) < Clock (After)
+         then Incremented (Overruns (Before))
+         else Overruns (Before)))
+   with Global => null;
+
    --  EXIT: the caller gives the processor to the best ready task, if one
    --  has a higher priority than its own, and goes behind those of its own
    --  in the ready queue. Else it runs on.
@@ -336,40 +371,10 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
        and then Clock (S) = Clock (S'Old)
        and then
          (if Has_Higher_Ready (S'Old)
-          then
-            Is_Best_Ready (S'Old, Running_TCB (S))
-            and then Queue_Of (S, Running_TCB (S'Old)) = Ready
-            and then
-              (for all Which in TCB_Number =>
-                 Is_Same_Task (S'Old, S, Which)
-                 and then Is_First_Run (S, Which) =
-                            Is_First_Run (S'Old, Which)
-                 and then Is_New_Release (S, Which) =
-                   (Is_New_Release (S'Old, Which)
-                    and then Which /= Running_TCB (S))
-                 and then
-                   (if Which not in Running_TCB (S) | Running_TCB (S'Old)
-                    then Queue_Of (S, Which) = Queue_Of (S'Old, Which)))
-            and then
-              (for all A in TCB_Number =>
-                 (for all B in TCB_Number =>
-                    (if A not in Running_TCB (S) | Running_TCB (S'Old)
-                       and then
-                         B not in Running_TCB (S) | Running_TCB (S'Old)
-                       and then Queue_Of (S, A) = Queue_Of (S, B)
-                     then Is_Ahead (S, A, B) = Is_Ahead (S'Old, A, B))))
-            and then
-              (for all Other in TCB_Number =>
-                 (if Other /= Running_TCB (S'Old)
-                    and then Queue_Of (S, Other) = Ready
-                  then Is_Ahead (S, Other, Running_TCB (S'Old)) =
-                    (Priority_Of (S, Other) >=
-                       Priority_Of (S, Running_TCB (S'Old)))))
-            and then Overruns (S) =
-              (if Is_New_Release (S'Old, Running_TCB (S))
-                 and then Release_Of (S, Running_TCB (S)) < Clock (S)
-               then Incremented (Overruns (S'Old))
-               else Overruns (S'Old))
+          then Is_Handed_Over
+                 (S'Old, S,
+                  Caller => Running_TCB (S'Old),
+                  Best   => Running_TCB (S))
           else S = S'Old);
 
    --  The tick that SLEEP makes of a wish: a task that wants to sleep until

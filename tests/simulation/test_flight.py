@@ -67,6 +67,26 @@ def test_quality_is_within(flight, name):
     assert low <= flight.summary["flight_quality"][name] <= high
 
 
+@pytest.mark.parametrize("how", ["warm", "processor"])
+def test_ini1_the_flight_is_as_good_with_a_start_every_5_s(tmp_path, how):
+    # Of either node in turn, at ever other points of a frame.
+    (tmp_path / "faults.txt").write_text("".join(
+        f"{5003.7 * number:.3f} {'gsc' if number % 2 else 'mcs'} reset {how}\n"
+        for number in range(1, 36)))
+    flown = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
+                   "--faults", "faults.txt")
+    quality = flown.summary["flight_quality"]
+    for name, most in QUALITY_AT_MOST.items():
+        assert 0 <= quality[name] <= most, name
+    for name, (low, high) in QUALITY_WITHIN.items():
+        assert low <= quality[name] <= high, name
+    assert (quality["ended_level"], quality["crashed"]) == (True, False)
+    started = {"warm": "warm_resets", "processor": "processor_restarts"}[how]
+    status = flown.summary["core_status"]
+    assert (status["gsc"][started], status["mcs"][started]) == (18, 17)
+    assert flown.summary["overruns"] == 0
+
+
 def test_it_ends_level_and_in_one_piece(flight):
     quality = flight.summary["flight_quality"]
     assert (quality["ended_level"], quality["crashed"]) == (True, False)

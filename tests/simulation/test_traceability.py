@@ -1,6 +1,7 @@
 """EVI-1: requirements, code, theorems and tests are linked to each other, and
 a link that is missing or leads nowhere is found."""
 
+import re
 import shutil
 import subprocess
 import sys
@@ -126,6 +127,26 @@ def test_each_file_of_tests_is_missed():
         del repository.tests[name]
         assert any(f"TESTS names {name}, which does not exist" in gap
                    for gap in gaps.requirement_gaps(repository)), name
+
+
+def test_each_file_that_is_no_test_is_needed_by_one():
+    """Without it something does not build, or does not run."""
+    unit = list((ROOT / "tests" / "unit").glob("*.ad[sb]"))
+    texts = [path.read_text(encoding="utf-8").lower() for path in unit]
+    for path in unit:
+        if path.stem != "urv_tests" and not path.stem.endswith("_tests"):
+            assert any(re.search(rf"^with {path.stem}\b", text, re.M)
+                       for text in texts), path
+    python = [path for folder in ("simulation", "real_time")
+              for path in (ROOT / "tests" / folder).glob("*.py")]
+    texts = [path.read_text(encoding="utf-8") for path in python]
+    for path in python:
+        if not path.stem.startswith("test_"):
+            assert any(f"from {path.stem} import" in text
+                       or f"import {path.stem}\n" in text
+                       for text in texts), path
+    for path in (ROOT / "tests" / "data").iterdir():
+        assert any(path.name in text for text in texts), path
 
 
 def test_strictdoc_shows_the_links_both_ways(tmp_path):

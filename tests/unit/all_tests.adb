@@ -9,6 +9,7 @@ with Exchange_Tests;
 with Executives_Tests;
 with Frames_Tests;
 with Headers_Tests;
+with In_Flight_Tests;
 with Link_Tests;
 with LOG_Task_Tests;
 with Mailboxes_Tests;
@@ -56,12 +57,13 @@ package body All_Tests is
       PWM_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
-      Self_Test_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       Starts_Tests.Add_To (Result);
 
       --  These take the longest.
+      In_Flight_Tests.Add_To (Result);
+      Self_Test_Tests.Add_To (Result);
       Link_Tests.Add_To (Result);
       return Result;
    end Suite;

@@ -18,6 +18,7 @@ package body Link_Tests is
    procedure Retry;
    procedure Scrap;
    procedure Scrap_Downlink;
+   procedure Ask_Twice;
    procedure Two_Full;
    procedure Not_Taken;
    procedure Busy_Meanwhile;
@@ -25,6 +26,7 @@ package body Link_Tests is
    procedure Priority;
    procedure Retry_Priority;
    procedure Nothing_To_Send;
+   procedure Told_Before;
    procedure Messages;
    procedure Every_Fault;
    procedure Cuts;
@@ -32,6 +34,7 @@ package body Link_Tests is
    procedure Restarts;
 
    procedure Expect is new Expect_Value (Station);
+   procedure Expect is new Expect_Value (Character_Times);
 
    --  The turns of the line so far: who, and how many characters.
    type Turns is array (Positive range <>) of Transmission;
@@ -437,6 +440,35 @@ package body Link_Tests is
       Expect_Block (Item, Ground, 11);
    end Scrap_Downlink;
 
+   ---------------
+   -- Ask_Twice --
+   ---------------
+
+   procedure Ask_Twice is
+      Item : Link;
+   begin
+      Spoilt_Sender := Aircraft;
+      First_Spoilt  := 10;
+      Last_Spoilt   := 10;
+      Spoilt_How    := Changed;
+      Spoilt_Mask   := 16#0F#;
+      Give (Item, Ground, 1);
+      Give (Item, Aircraft, 9);
+
+      --  The second transmission has begun, and will come bad, too.
+      Run (Item, 96, Spoil'Access);
+      First_Spoilt  := 68;
+      Last_Spoilt   := 68;
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item,
+         ((Ground, 30), (Aircraft, 1), (Ground, 1), (Aircraft, 58),
+          (Ground, 2), (Aircraft, 58),
+          (Ground, 1)));     --  bad status, and no command
+      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
+      Expect ("resets", Resets (Item), 0);
+   end Ask_Twice;
+
    --------------
    -- Two_Full --
    --------------
@@ -583,6 +615,63 @@ package body Link_Tests is
       Expect ("resets", Resets (Item), 0);
       Expect_Recovered ("after silence", Item);
    end Nothing_To_Send;
+
+   -----------------
+   -- Told_Before --
+   -----------------
+
+   procedure Told_Before is
+      --  The longest waits announced.
+      type Longest_Waits is array (Station) of Character_Times;
+      Idle : Character_Times := 0;
+      Dead : Longest_Waits   := (others => 0);
+
+      --  What a board announces is what it does.
+      procedure Expect_Kept (What : String; Now : Board);
+
+      -----------------
+      -- Expect_Kept --
+      -----------------
+
+      procedure Expect_Kept (What : String; Now : Board) is
+         Left      : constant Character_Times := Time_Left (Now);
+         Then_Item : Board                    := Now;
+      begin
+         if Left = Character_Times'Last then
+            Elapse (Then_Item, 100);
+            Expect (What & " stays as it is", Then_Item = Now, True);
+            return;
+         end if;
+
+         Expect (What & " has time left", Left > 0, True);
+         if Now.State = Idling then
+            Idle := Character_Times'Max (Idle, Left);
+         else
+            Dead (Now.Role) := Character_Times'Max (Dead (Now.Role), Left);
+         end if;
+         Elapse (Then_Item, Left - 1);
+         Expect (What & " waits", Then_Item.State = Now.State, True);
+         Expect_Number
+           (What & " has been silent", Integer (Then_Item.Silence),
+            Integer (Now.Silence + Left) - 1);
+         Elapse (Then_Item, 1);
+         Expect (What & " starts afresh", Then_Item.Silence, 0);
+      end Expect_Kept;
+
+      Item : Link;
+   begin
+      Give (Item, Ground, 1);
+      Give (Item, Aircraft, 1);
+      for Time in 1 .. Frame loop
+         --  From the middle of the downlink on the line is cut.
+         Run (Item, 1, (if Time > Frame / 3 then Cut'Access else null));
+         Expect_Kept ("the ground at" & Time'Image, Item.Ground_Board);
+         Expect_Kept ("the aircraft at" & Time'Image, Item.Aircraft_Board);
+      end loop;
+      Expect ("the ground waits", Dead (Ground), 20);
+      Expect ("the aircraft waits", Dead (Aircraft), 20);
+      Expect ("the ground idles", Idle, 24);
+   end Told_Before;
 
    --------------
    -- Messages --
@@ -747,6 +836,9 @@ package body Link_Tests is
         (Suite, "LNK-6 a downlink is repeated and scrapped just so",
          Scrap_Downlink'Access);
       Add
+        (Suite, "LNK-8 a downlink that came bad twice is not asked for again",
+         Ask_Twice'Access);
+      Add
         (Suite, "LNK-7 of two full buffers the newest is sent, no other",
          Two_Full'Access);
       Add
@@ -765,6 +857,9 @@ package body Link_Tests is
       Add
         (Suite, "LNK-9 silence without data is no error",
          Nothing_To_Send'Access);
+      Add
+        (Suite, "LNK-9 D-7 a board tells when it starts afresh, and does",
+         Told_Before'Access);
       Add
         (Suite, "LNK-10 the board counts the messages received",
          Messages'Access);

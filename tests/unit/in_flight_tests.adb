@@ -1,0 +1,241 @@
+with Checks;              use Checks;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Expectations;        use Expectations;
+with GSC.Virtual_Time;
+with MCS.Virtual_Time;
+with Memory_Hardware;
+with Node_Rig;            use Node_Rig;
+with Telemetry;           use Telemetry;
+with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
+with URVOS.Starts;
+with URV.Buffers;         use URV.Buffers;
+with URV.Errors;          use URV.Errors;
+
+package body In_Flight_Tests is
+
+   --  The tests, in order.
+   procedure Sound_ROM;
+   procedure Spoilt_ROM;
+   procedure Results_In_CORE;
+   procedure Late_Tasks;
+
+   --  How many bytes of the ROM are checked a frame, and in how many frames
+   --  all of them.
+   Bytes_A_Frame : constant := 64;
+   Frames_A_Pass : constant := 16#1_0000# / Bytes_A_Frame;
+
+   --  Both nodes' tasks for some frames; the boards' hardware stands still.
+   procedure Run_Tasks (Frames : Positive);
+
+   --  What a node adds to its error/status word.
+   function Status_Of (Node : Station) return Word;
+
+   procedure Expect_ROM_Result
+     (What         : String;
+      Node         : Station;
+      Good, Bad    : Word;
+      Bits         : Word);
+
+   ---------------
+   -- Run_Tasks --
+   ---------------
+
+   procedure Run_Tasks (Frames : Positive) is
+   begin
+      for Ticks in 1 .. Frames * Ticks_Per_Major_Frame loop
+         Now := Advanced (Now);
+         GSC.Virtual_Time.Clock_Interrupt (Now);
+         if Now >= 3 then
+            MCS.Virtual_Time.Clock_Interrupt (Now - 3);
+         end if;
+      end loop;
+   end Run_Tasks;
+
+   ---------------
+   -- Status_Of --
+   ---------------
+
+   function Status_Of (Node : Station) return Word is
+   begin
+      return Result : Word do
+         case Node is
+            when Ground   => GSC.Status.Read (Result);
+            when Aircraft => MCS.Status.Read (Result);
+         end case;
+      end return;
+   end Status_Of;
+
+   -----------------------
+   -- Expect_ROM_Result --
+   -----------------------
+
+   procedure Expect_ROM_Result
+     (What         : String;
+      Node         : Station;
+      Good, Bad    : Word;
+      Bits         : Word)
+   is
+      Where : constant String := Node'Image & ", " & What;
+   begin
+      Expect
+        (Where & ": passes", CORE_Of (Node).Status (ROM_Passes), Good);
+      Expect
+        (Where & ": failures", CORE_Of (Node).Status (ROM_Failures), Bad);
+      Expect (Where & ": status", Status_Of (Node), Bits);
+   end Expect_ROM_Result;
+
+   ---------------
+   -- Sound_ROM --
+   ---------------
+
+   procedure Sound_ROM is
+   begin
+      Switch_On;
+      Run_Tasks (Frames_A_Pass - 1);
+      for Node in Station loop
+         Expect_ROM_Result ("before the first pass's end", Node, 0, 0, 0);
+      end loop;
+      Run_Tasks (2);
+      for Node in Station loop
+         Expect_ROM_Result ("after the first pass", Node, 1, 0, 0);
+         Expect
+           ("failures in the log",
+            Logs.History_Of (Log_Of (Node), ROM_Check_Failed).Occurrences,
+            0);
+      end loop;
+   end Sound_ROM;
+
+   ----------------
+   -- Spoilt_ROM --
+   ----------------
+
+   procedure Spoilt_ROM is
+   begin
+      Switch_On;
+      Memory_Hardware.Spoil_ROM (1, 16#4321#, 16#10#);
+      Memory_Hardware.Spoil_ROM (2, 16#FEDC#, 16#01#);
+      Run_Tasks (Frames_A_Pass + 1);
+      for Node in Station loop
+         Expect_ROM_Result ("spoilt", Node, 0, 1, ROM_Differs);
+         Expect
+           ("failures in the log",
+            Logs.History_Of (Log_Of (Node), ROM_Check_Failed).Occurrences,
+            1);
+         Expect
+           ("how many, in the log",
+            Logs.History_Of (Log_Of (Node), ROM_Check_Failed).Last_Detail,
+            1);
+      end loop;
+
+      --  The other node's CORE has it in the error/status word.
+      Fly (4);
+      Expect
+        ("the ground's, in the air",
+         CORE_Of_MCS.Uplink (14) and ROM_Differs, ROM_Differs);
+      Expect
+        ("the aircraft's, on the ground",
+         CORE_Of_GSC.Downlink (28) and ROM_Differs, ROM_Differs);
+
+      --  A start forgets it until the next pass.
+      Memory_Hardware.Repair (1);
+      Memory_Hardware.Repair (2);
+      for Node in Station loop
+         Start_Again (Node, Starts.Warm_Reset);
+         Expect ("after a start", Status_Of (Node), 0);
+      end loop;
+   end Spoilt_ROM;
+
+   ---------------------
+   -- Results_In_CORE --
+   ---------------------
+
+   procedure Results_In_CORE is
+      procedure Expect_Written
+        (Good, Bad : Count; Good_Word, Bad_Word, Bits : Word);
+
+      procedure Expect_Written
+        (Good, Bad : Count; Good_Word, Bad_Word, Bits : Word) is
+      begin
+         Switch_On;
+         GSC.Write_ROM_Result (Good, Bad);
+         MCS.Write_ROM_Result (Good, Bad);
+         for Node in Station loop
+            Expect_ROM_Result
+              ("after" & Good'Image & Bad'Image, Node, Good_Word, Bad_Word,
+               Bits);
+         end loop;
+      end Expect_Written;
+   begin
+      --  A count is kept in one word, and stays at its last value.
+      Expect_Written (3, 0, 3, 0, 0);
+      Expect_Written (0, 1, 0, 1, ROM_Differs);
+      Expect_Written (65_534, 65_535, 65_534, 65_535, ROM_Differs);
+      Expect_Written (65_536, 65_537, 65_535, 65_535, ROM_Differs);
+      Expect_Written (Count'Last, Count'Last, 65_535, 65_535, ROM_Differs);
+   end Results_In_CORE;
+
+   ----------------
+   -- Late_Tasks --
+   ----------------
+
+   procedure Late_Tasks is
+      Before, Late : Count;
+   begin
+      --  The clock of both jumps by more than a frame: each task is late,
+      --  and has missed the next release.
+      Switch_On;
+      Before := GSC.Virtual_Time.Overruns;
+      GSC.Virtual_Time.Clock_Interrupt (37);
+      Late := GSC.Virtual_Time.Overruns - Before;
+      Expect ("late on the ground", Late, 16);
+      Expect
+        ("in the ground's log",
+         Logs.History_Of (Log_Of (Ground), Task_Overrun).Occurrences, Late);
+      Expect
+        ("the last of them, of the ground",
+         Logs.History_Of (Log_Of (Ground), Task_Overrun).Last_Detail,
+         Word (GSC.Id_Of (GSC.SELF_TEST_Task)));
+
+      --  However many processors share the aircraft's tasks, as many are
+      --  late.
+      for Processors in MCS.Processor_Number loop
+         Switch_On (Processors);
+         Before := MCS.Virtual_Time.Overruns;
+         MCS.Virtual_Time.Clock_Interrupt (37);
+         Late := MCS.Virtual_Time.Overruns - Before;
+         Expect ("late in the air", Late, 18);
+         Expect
+           ("in the aircraft's log",
+            Logs.History_Of (Log_Of (Aircraft), Task_Overrun).Occurrences,
+            Late);
+         if Processors = 1 then
+            Expect
+              ("the last of them, of the aircraft",
+               Logs.History_Of (Log_Of (Aircraft), Task_Overrun).Last_Detail,
+               Word (MCS.Id_Of (MCS.SELF_TEST_Task)));
+         end if;
+      end loop;
+   end Late_Tasks;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "TST-3 INI-6 CORE counts each node's passes through its ROM",
+         Sound_ROM'Access);
+      Add
+        (Suite, "TST-3 TST-4 either node tells the other that its ROM differs",
+         Spoilt_ROM'Access);
+      Add
+        (Suite, "TST-3 INI-6 the counts in CORE stay at their last value",
+         Results_In_CORE'Access);
+      Add
+        (Suite, "FRM-4 KRN-5 late tasks are counted and logged, on each "
+         & "processor", Late_Tasks'Access);
+   end Add_To;
+
+end In_Flight_Tests;
