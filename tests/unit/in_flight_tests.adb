@@ -14,6 +14,8 @@ with URV.Errors;          use URV.Errors;
 
 package body In_Flight_Tests is
 
+   use type MCS.Processor_Number;
+
    --  The tests, in order.
    procedure Sound_ROM;
    procedure Spoilt_ROM;

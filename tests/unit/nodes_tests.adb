@@ -7,7 +7,6 @@ with MCS.Virtual_Time;
 with Node_Rig;            use Node_Rig;
 with Telemetry.Boards;
 with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
 with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
@@ -30,7 +29,6 @@ package body Nodes_Tests is
    procedure Type_Codes;
    procedure Logged_Flight;
    procedure Logged_Range;
-   procedure Late_Clock;
 
    ------------------
    -- Data_Through --
@@ -449,46 +447,6 @@ package body Nodes_Tests is
          Error_Kind'Pos (Input_Out_Of_Range) + 1);
    end Logged_Range;
 
-   ----------------
-   -- Late_Clock --
-   ----------------
-
-   procedure Late_Clock is
-      Tasks_Of_MCS : constant Count :=
-        Count (MCS.Task_Name'Pos (MCS.Task_Name'Last) + 1);
-      Tasks_Of_GSC : constant Count :=
-        Count (GSC.Task_Name'Pos (GSC.Task_Name'Last) + 1);
-      Of_MCS, Of_GSC : Count;
-   begin
-      for Processors in MCS.Processor_Number loop
-         Of_MCS := MCS.Virtual_Time.Overruns;
-         Of_GSC := GSC.Virtual_Time.Overruns;
-         Switch_On (Processors);
-         Fly (4);
-         Expect ("in time, aircraft", MCS.Virtual_Time.Overruns, Of_MCS);
-         Expect ("in time, ground", GSC.Virtual_Time.Overruns, Of_GSC);
-
-         --  More than a frame is left out: each task is late, and some run
-         --  into their next release.
-         Now := Now + 12;
-         Fly (4);
-         Of_MCS := MCS.Virtual_Time.Overruns - Of_MCS;
-         Of_GSC := GSC.Virtual_Time.Overruns - Of_GSC;
-         Expect ("each is late, aircraft", Of_MCS >= Tasks_Of_MCS, True);
-         Expect ("each is late, ground", Of_GSC >= Tasks_Of_GSC, True);
-         Expect
-           ("in the aircraft's log",
-            Logs.History_Of (Log_Of (Telemetry.Aircraft), Task_Overrun)
-              .Occurrences,
-            Of_MCS);
-         Expect
-           ("in the ground's log",
-            Logs.History_Of (Log_Of (Telemetry.Ground), Task_Overrun)
-              .Occurrences,
-            Of_GSC);
-      end loop;
-   end Late_Clock;
-
    ------------
    -- Add_To --
    ------------
@@ -534,9 +492,6 @@ package body Nodes_Tests is
       Add
         (Suite, "EXT-1 D-11 a word out of range is logged with its place",
          Logged_Range'Access);
-      Add
-        (Suite, "FRM-4 EXT-1 tasks that a late clock holds up are logged",
-         Late_Clock'Access);
    end Add_To;
 
 end Nodes_Tests;
