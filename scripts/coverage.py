@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Which lines, subprograms and decisions of src the tests reach (EVI-4).
 
-    scripts/coverage.py run       builds, runs the tests, then checks
-    scripts/coverage.py check     checks what was counted last
+    scripts/coverage.py run [--renew]     builds, runs the tests, then checks
+    scripts/coverage.py check [--renew]   checks what was counted last
 
 Unit tests, simulated flights and flights of the real-time partitions run in
 builds without optimisation or inlining. They have no run-time checks, so that
@@ -14,17 +14,20 @@ A generic's text is merged over its instances: a line is reached when it is in
 any of them, and so is a branch.
 
 Each line that is not reached and each decision that goes one way only stands
-in docs/coverage.md with its reason. One that is not there fails, and so does
-one that is there without need. The report as HTML is in coverage/.
+in docs/coverage.md with its reason; a text that ends in "..." is that of all
+lines that begin so. One that is not there fails, and so does one that is there
+without need. The report as HTML is in coverage/; with --renew the result is
+written into docs/coverage.md.
 """
 
 import json
+import math
 import os
 import re
 import shutil
 import subprocess
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from functools import cache
 from pathlib import Path
 
@@ -52,7 +55,7 @@ COUNT_DECISIONS = ("unit", "flights", "partitions")
 
 # The simulation's tests that fly with bin/urv_sim; the rest of them look at
 # other programs, or at the same flights for longer.
-FLIGHTS = ("data_path", "events", "faults", "line_faults", "wire")
+FLIGHTS = ("data_path", "events", "faults", "line_faults", "starts", "wire")
 
 
 def run(*command, **more):
@@ -199,7 +202,7 @@ def findings(sources):
     """What was not reached: file, kind, line number."""
     found = []
     for name, source in sorted(sources.items()):
-        found += [(name, "subprogram", start)
+        found += [(name, "entry", start)
                   for start, (_, count) in source.subprograms.items()
                   if count == 0]
         found += [(name, "line", number)
@@ -209,39 +212,53 @@ def findings(sources):
     return sorted(found)
 
 
-ROW = re.compile(r"^\| `([^`]+)` \| (line|decision) \| `([^`]+)` \| (.+) \|$",
-                 re.M)
+ROW = re.compile(r"^\| `([^`]+)` \| (entry|line|decision) \| `([^`]+)` \|"
+                 r" .+ \|$", re.M)
 
 
 def explained():
-    """The rows of docs/coverage.md: file, kind and text, with the reason."""
+    """The rows of docs/coverage.md: file, kind and text."""
     page = EXPLAINED.read_text(encoding="utf-8")
-    return {row.groups()[:3]: row[4] for row in ROW.finditer(page)}
+    return [row.groups() for row in ROW.finditer(page)]
+
+
+def row_for(rows, name, kind, text):
+    """The row that explains a finding, if there is one."""
+    for row in rows:
+        if row[:2] == (name, kind) and (
+                row[2] == text
+                or (row[2].endswith("...") and text.startswith(row[2][:-3]))):
+            return row
+    return None
+
+
+MISSED = {"entry": "never entered", "line": "never reached",
+          "decision": "goes one way only"}
 
 
 def bodies():
-    """What is sure to have code."""
+    """What is sure to have code: bodies with a subprogram in them."""
     return {path.relative_to(ROOT).as_posix()
-            for path in ROOT.glob("src/*/*.adb")}
+            for path in ROOT.glob("src/*/*.adb")
+            if re.search(r"^ *(procedure|function|entry|task) ",
+                         path.read_text(encoding="utf-8"), re.M)}
 
 
 def judge(sources):
     """Print what is wrong; return whether anything is."""
     wrong = []
-    reasons = explained()
+    rows = explained()
     used = set()
-    for name, kind, number in findings(sources):
+    missed = findings(sources)
+    for name, kind, number in missed:
         text = text_of(name)[number - 1]
-        if kind != "subprogram" and (name, kind, text) in reasons:
-            used.add((name, kind, text))
-        elif kind == "subprogram":
-            wrong.append(f"{name}:{number}: never entered: {text}")
-        elif kind == "line":
-            wrong.append(f"{name}:{number}: never reached: {text}")
+        row = row_for(rows, name, kind, text)
+        if row:
+            used.add(row)
         else:
-            wrong.append(f"{name}:{number}: goes one way only: {text}")
+            wrong.append(f"{name}:{number}: {MISSED[kind]}: {text}")
     wrong += [f"docs/coverage.md: covered, or not there: {name}: {text}"
-              for name, _, text in sorted(set(reasons) - used)]
+              for name, _, text in sorted(set(rows) - used)]
     wrong += [f"{name}: in no program"
               for name in sorted(bodies() - set(sources))]
     lines = [count for source in sources.values()
@@ -250,19 +267,31 @@ def judge(sources):
     percent = 100 * reached / len(lines)
     if percent < LEAST_LINES:
         wrong.append(f"lines: {percent:.2f} %, wanted {LEAST_LINES} %")
-    subprograms = [count for source in sources.values()
-                   for _, count in source.subprograms.values()]
-    decisions = sum(decides(name, number) for name, source in sources.items()
-                    for number in source.branches)
-    sides = sum(kind == "decision" for _, kind, _ in findings(sources))
     for line in wrong:
         print(line)
-    print(f"subprograms entered {sum(c > 0 for c in subprograms)} of"
-          f" {len(subprograms)}")
-    print(f"lines reached       {reached} of {len(lines)}, {percent:.2f} %")
-    print(f"decisions both ways {decisions - sides} of {decisions}")
-    print(f"explained           {len(used)}")
     return bool(wrong)
+
+
+def result(sources):
+    """The table: what there is, what the tests reach."""
+    missed = Counter(kind for _, kind, _ in findings(sources))
+    of_all = {
+        "entry": sum(len(source.subprograms) for source in sources.values()),
+        "line": sum(len(source.lines) for source in sources.values()),
+        "decision": sum(decides(name, number)
+                        for name, source in sources.items()
+                        for number in source.branches),
+    }
+    table = "| of src | there are | reached | |\n|---|---|---|---|\n"
+    for kind, what in WHAT.items():
+        there, reached = of_all[kind], of_all[kind] - missed[kind]
+        table += (f"| {what} | {there} | {reached} |"
+                  f" {math.floor(1000 * reached / max(there, 1)) / 10} % |\n")
+    return table
+
+
+WHAT = {"entry": "subprograms entered", "line": "lines reached",
+        "decision": "lines with a decision, each operand both ways"}
 
 
 # --- HTML ------------------------------------------------------------------
@@ -299,16 +328,33 @@ def write_html(sources):
         "--html-title", "URV: what the tests reach")
 
 
+def renew(table):
+    page = EXPLAINED.read_text(encoding="utf-8")
+    begin, end = "<!-- make coverage -->\n", "<!-- end -->\n"
+    before, _, rest = page.partition(begin)
+    _, _, after = rest.partition(end)
+    EXPLAINED.write_text(before + begin + table + end + after,
+                         encoding="utf-8")
+
+
 def main(arguments):
-    if arguments not in (["run"], ["check"]):
-        print(__doc__, file=sys.stderr)
-        return 2
-    if arguments == ["run"]:
+    match arguments:
+        case ["run" | "check" as what, *more] if more in ([], ["--renew"]):
+            pass
+        case _:
+            print(__doc__, file=sys.stderr)
+            return 2
+    if what == "run":
         for program in PROGRAMS:
             build_and_run(program)
     sources = merged()
     write_html(sources)
-    return judge(sources)
+    wrong = judge(sources)
+    table = result(sources)
+    print(table, end="")
+    if more:
+        renew(table)
+    return wrong
 
 
 if __name__ == "__main__":

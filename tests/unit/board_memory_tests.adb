@@ -87,7 +87,11 @@ package body Board_Memory_Tests is
 
          --  Both full, neither busy: the older one.
          (T, T, F, F, First,  Second),
-         (T, T, F, F, Second, First));
+         (T, T, F, F, Second, First),
+
+         --  Both full and busy: the older one.
+         (T, T, T, T, First,  Second),
+         (T, T, T, T, Second, First));
    begin
       for Each of Table loop
          declare

@@ -17,6 +17,7 @@ package body Mailboxes_Tests is
    procedure Model;
    procedure Two_Tasks;
    procedure Reset;
+   procedure Full_Count;
 
    Neutral : constant Word := 16#800#;
 
@@ -309,6 +310,17 @@ package body Mailboxes_Tests is
       Expect ("data after reset", Item (1), 0);
    end Reset;
 
+   ----------------
+   -- Full_Count --
+   ----------------
+
+   procedure Full_Count is
+   begin
+      Expect ("one more", Incremented (Count'(41)), 42);
+      Expect ("the last one", Incremented (Count'Last - 1), Count'Last);
+      Expect ("no more", Incremented (Count'Last), Count'Last);
+   end Full_Count;
+
    ------------
    -- Add_To --
    ------------
@@ -340,6 +352,9 @@ package body Mailboxes_Tests is
         (Suite, "MBX-4 between two tasks messages stay whole and in order",
          Two_Tasks'Access);
       Add (Suite, "INI-8 a reset box is as new", Reset'Access);
+      Add
+        (Suite, "MBX-1 a count stays at its last value",
+         Full_Count'Access);
    end Add_To;
 
 end Mailboxes_Tests;

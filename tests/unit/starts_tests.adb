@@ -558,6 +558,9 @@ package body Starts_Tests is
    --------------------
 
    procedure Flight_Goes_On is
+      GSC_Before : constant Count := GSC.Virtual_Time.Overruns;
+      MCS_Before : constant Count := MCS.Virtual_Time.Overruns;
+
       Frames_To_Recover : constant := 5;
    begin
       --  At each tick of two frames, either node.
@@ -586,8 +589,8 @@ package body Starts_Tests is
             end loop;
          end loop;
       end loop;
-      Expect ("overruns of GSC", GSC.Virtual_Time.Overruns, 0);
-      Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, 0);
+      Expect ("overruns of GSC", GSC.Virtual_Time.Overruns, GSC_Before);
+      Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, MCS_Before);
    end Flight_Goes_On;
 
    ---------------------
@@ -749,6 +752,8 @@ package body Starts_Tests is
    --------------------
 
    procedure Two_Processors is
+      Before : constant Count := MCS.Virtual_Time.Overruns;
+
       Frames : constant := 40;
       type Servo_Record is array (1 .. Frames) of Data_Area;
       type CORE_Record is array (1 .. Frames) of Memory;
@@ -768,7 +773,7 @@ package body Starts_Tests is
             Servos_Of (Processors) (Frame) := Servos;
             COREs_Of (Processors) (Frame) := CORE_Of_MCS;
          end loop;
-         Expect ("overruns", MCS.Virtual_Time.Overruns, 0);
+         Expect ("overruns", MCS.Virtual_Time.Overruns, Before);
       end loop;
       for Frame in 1 .. Frames loop
          Expect
