@@ -286,9 +286,10 @@ package body AD_Tests is
       Board : Registers;
    begin
       Expect ("interrupt at power up", Board.Interrupt_Enabled, False);
+      Expect ("at power up", Board.Doing, Idle);
       Board := Initialised (Board);
       Expect ("interrupt", Board.Interrupt_Enabled, True);
-      Expect ("vector", Board.Vector, Interrupt_Vector);
+      Expect ("vector", Board.Vector, 16#40#);
       Expect_Number
         ("microseconds a scan", Microseconds_Per_Conversion * 32, 512);
 
