@@ -72,6 +72,10 @@ SURVIVED = "survived"
 KILLED = ("tests", "simulation", "proof")
 
 
+def needs_every_test(mutant):
+    return mutant.path.startswith("src/telemetry/")
+
+
 def set_limits():
     """A mutant that goes on for ever is ended, however slow the machine."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
@@ -119,9 +123,9 @@ class Worker:
             return None, ""
         return process.returncode, output
 
-    def prepare(self, tests):
+    def prepare(self, tests, every):
         """The copy as the repository is now; if it is for tests, built, and
-        it passes them."""
+        it passes them, every one if wanted."""
         for name in COPIED:
             source, target = ROOT / name, self.root / name
             if source.is_dir():
@@ -132,13 +136,15 @@ class Worker:
                     shutil.copy(source, target)
         for name in ("src", "proofs"):
             self.synchronise(ROOT / name, self.original / name)
-        # A mutant may have a condition that is always true.
-        project = self.root / "urv.gpr"
-        text = (ROOT / "urv.gpr").read_text(encoding="utf-8")
-        text = re.sub(r'Strict_Switches := \(.*?\);',
-                      'Strict_Switches := ("-gnatws");', text, flags=re.S)
-        if project.read_text(encoding="utf-8") != text:
-            project.write_text(text, encoding="utf-8")
+        # A mutant may have a condition that is always true. What only helps
+        # to debug, and the tests' own speed, would cost building time.
+        self.edit("urv.gpr", [
+            (r'Strict_Switches := \(.*?\);', 'Strict_Switches := ("-gnatws");'),
+            (r'Debug_Switches  := \("-g"\);', 'Debug_Switches  := ("-g0");'),
+        ])
+        self.edit("tests/urv_tests.gpr", [
+            (r'use URV.Ada_Switches;', 'use URV.Ada_Switches & ("-O0");'),
+        ])
         if not tests:
             return None
         for command in (UNIT_TESTS, SIMULATOR):
@@ -148,7 +154,18 @@ class Worker:
         self.in_simulator = self.units_in_simulator()
         self.objects = {every: self.object_code(every)
                         for every in (False, True)}
-        return self.unit_tests(True) or self.simulation(True)
+        return self.unit_tests(every) or self.simulation(every)
+
+    def edit(self, name, changes):
+        """The repository's file with some changes, built anew only if it is
+        not as it was."""
+        text = (ROOT / name).read_text(encoding="utf-8")
+        for old, new in changes:
+            text, number = re.subn(old, new, text, flags=re.S)
+            assert number == 1, f"{name}: {old}"
+        project = self.root / name
+        if not project.exists() or project.read_text("utf-8") != text:
+            project.write_text(text, encoding="utf-8")
 
     def synchronise(self, source, target):
         """Copy what differs, remove what is gone; keep what is the same as
@@ -302,7 +319,7 @@ class Worker:
     def test(self, mutant):
         """What becomes of a mutant short of the proof, and who said so."""
         self.put(mutant)
-        every = mutant.path.startswith("src/telemetry/")
+        every = needs_every_test(mutant)
         status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)
         if status != 0:
             return INVALID, ""
@@ -491,7 +508,8 @@ def run_stage(stage, wanted, digests, jobs):
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, leave)
     for worker in workers:
-        problem = worker.prepare(stage is Worker.test)
+        problem = worker.prepare(
+            stage is Worker.test, any(map(needs_every_test, wanted)))
         if problem:
             print(f"mutation: without any change: {problem}")
             return 1

@@ -50,8 +50,8 @@ package URV.Errors with Pure, SPARK_Mode is
       Semaphore_Not_Claimed,   --  P went on without it after two ticks
       Semaphore_Not_Owned,     --  V of what someone else has claimed
 
-      --  Starts. Detail of the second: which exception; of the last two:
-      --  the result word.
+      --  Starts. Detail of the third: the result word; of the last: how
+      --  many checks have found a difference.
       Warm_Reset,              --  the reset switch
       Processor_Restart,       --  an unexpected exception
       Self_Test_Failed,        --  before the start

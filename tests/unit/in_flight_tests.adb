@@ -9,8 +9,8 @@ with Telemetry;           use Telemetry;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Starts;
-with URV.Buffers;         use URV.Buffers;
 with URV.Errors;          use URV.Errors;
+with URV.Shared_Status;
 
 package body In_Flight_Tests is
 
@@ -19,6 +19,7 @@ package body In_Flight_Tests is
    --  The tests, in order.
    procedure Sound_ROM;
    procedure Spoilt_ROM;
+   procedure New_Status;
    procedure Results_In_CORE;
    procedure Late_Tasks;
 
@@ -26,6 +27,9 @@ package body In_Flight_Tests is
    --  all of them.
    Bytes_A_Frame : constant := 64;
    Frames_A_Pass : constant := 16#1_0000# / Bytes_A_Frame;
+
+   --  The bit of the error/status word that says it.
+   ROM_Bit : constant Word := 2;
 
    --  Both nodes' tasks for some frames; the boards' hardware stands still.
    procedure Run_Tasks (Frames : Positive);
@@ -119,7 +123,7 @@ package body In_Flight_Tests is
       Memory_Hardware.Spoil_ROM (2, 16#FEDC#, 16#01#);
       Run_Tasks (Frames_A_Pass + 1);
       for Node in Station loop
-         Expect_ROM_Result ("spoilt", Node, 0, 1, ROM_Differs);
+         Expect_ROM_Result ("spoilt", Node, 0, 1, ROM_Bit);
          Expect
            ("failures in the log",
             Logs.History_Of (Log_Of (Node), ROM_Check_Failed).Occurrences,
@@ -134,10 +138,10 @@ package body In_Flight_Tests is
       Fly (4);
       Expect
         ("the ground's, in the air",
-         CORE_Of_MCS.Uplink (14) and ROM_Differs, ROM_Differs);
+         CORE_Of_MCS.Uplink (14), ROM_Bit);
       Expect
         ("the aircraft's, on the ground",
-         CORE_Of_GSC.Downlink (28) and ROM_Differs, ROM_Differs);
+         CORE_Of_GSC.Downlink (28), ROM_Bit);
 
       --  A start forgets it until the next pass.
       Memory_Hardware.Repair (1);
@@ -147,6 +151,22 @@ package body In_Flight_Tests is
          Expect ("after a start", Status_Of (Node), 0);
       end loop;
    end Spoilt_ROM;
+
+   ----------------
+   -- New_Status --
+   ----------------
+
+   package Status_Under_Test is new URV.Shared_Status;
+
+   procedure New_Status is
+      Bits : Word;
+   begin
+      Status_Under_Test.Read (Bits);
+      Expect ("new", Bits, 0);
+      Status_Under_Test.Write (ROM_Bit);
+      Status_Under_Test.Read (Bits);
+      Expect ("written", Bits, ROM_Bit);
+   end New_Status;
 
    ---------------------
    -- Results_In_CORE --
@@ -171,10 +191,10 @@ package body In_Flight_Tests is
    begin
       --  A count is kept in one word, and stays at its last value.
       Expect_Written (3, 0, 3, 0, 0);
-      Expect_Written (0, 1, 0, 1, ROM_Differs);
-      Expect_Written (65_534, 65_535, 65_534, 65_535, ROM_Differs);
-      Expect_Written (65_536, 65_537, 65_535, 65_535, ROM_Differs);
-      Expect_Written (Count'Last, Count'Last, 65_535, 65_535, ROM_Differs);
+      Expect_Written (0, 1, 0, 1, ROM_Bit);
+      Expect_Written (65_534, 65_535, 65_534, 65_535, ROM_Bit);
+      Expect_Written (65_536, 65_537, 65_535, 65_535, ROM_Bit);
+      Expect_Written (Count'Last, Count'Last, 65_535, 65_535, ROM_Bit);
    end Results_In_CORE;
 
    ----------------
@@ -232,6 +252,9 @@ package body In_Flight_Tests is
       Add
         (Suite, "TST-3 TST-4 either node tells the other that its ROM differs",
          Spoilt_ROM'Access);
+      Add
+        (Suite, "TST-4 a node's status is no error until it is told of one",
+         New_Status'Access);
       Add
         (Suite, "TST-3 INI-6 the counts in CORE stay at their last value",
          Results_In_CORE'Access);

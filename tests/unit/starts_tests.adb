@@ -279,6 +279,11 @@ package body Starts_Tests is
             Expect
               (Node'Image & ", restarts in the log",
                Occurrences (Node, Processor_Restart), Count (Restarts));
+            for Kind in Error_Kind range Warm_Reset .. Processor_Restart loop
+               Expect
+                 (Node'Image & ", detail",
+                  Logs.History_Of (Log_Of (Node), Kind).Last_Detail, 0);
+            end loop;
          end loop;
 
          --  Power goes, and comes again.

@@ -39,6 +39,10 @@ package body Task_Doubles is
    begin
       Errors (Error) := Errors (Error) + 1;
       Last_Detail := Detail;
+      if Error not in AD_No_Scan | AD_Unexpected_Interrupt | Input_Out_Of_Range
+      then
+         Expect ("detail of " & Error'Image, Detail, 0);
+      end if;
    end Report;
 
    -------------------

@@ -41,6 +41,7 @@ package Task_Doubles is
    Errors      : Error_Counts := (others => 0);
    Last_Detail : Word         := 0;
 
+   --  Expects a detail of 0 where URV.Errors says nothing of one.
    procedure Report (Error : Error_Kind; Detail : Word);
 
    --  Exactly these errors were reported since this was last asked, the
