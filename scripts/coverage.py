@@ -16,7 +16,8 @@ any of them, and so is a branch.
 Each line that is not reached and each decision that goes one way only stands
 in docs/coverage.md with its reason; a text that ends in "..." is that of all
 lines that begin so. One that is not there fails, and so does one that is there
-without need. The report as HTML is in coverage/; with --renew the result is
+without need, but for those that the machine's load decides: their reason begins
+with "Sometimes". The report as HTML is in coverage/; with --renew the result is
 written into docs/coverage.md.
 """
 
@@ -251,11 +252,12 @@ def findings(sources):
 
 
 ROW = re.compile(r"^\| `([^`]+)` \| (entry|line|decision) \| `([^`]+)` \|"
-                 r" .+ \|$", re.M)
+                 r" (Sometimes)?.+ \|$", re.M)
 
 
 def explained():
-    """The rows of docs/coverage.md: file, kind and text."""
+    """The rows of docs/coverage.md: file, kind, text, and what is not None
+    for what is missed sometimes."""
     page = EXPLAINED.read_text(encoding="utf-8")
     return [row.groups() for row in ROW.finditer(page)]
 
@@ -296,7 +298,8 @@ def judge(sources):
         else:
             wrong.append(f"{name}:{number}: {MISSED[kind]}: {text}")
     wrong += [f"docs/coverage.md: covered, or not there: {name}: {text}"
-              for name, _, text in sorted(set(rows) - used)]
+              for name, kind, text, sometimes in rows
+              if not sometimes and (name, kind, text, None) not in used]
     wrong += [f"{name}: in no program"
               for name in sorted(bodies() - set(sources))]
     lines = [count for source in sources.values()
