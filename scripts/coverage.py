@@ -40,6 +40,9 @@ COUNTED = ROOT / "obj" / "coverage.json"
 
 LEAST_LINES = 98.0
 
+# GNAT 12's; Debian calls it so.
+GCOV = shutil.which("gcov-12") or "gcov"
+
 # Atomic, for a partition has several tasks. No reuse of the stack: it would
 # make a branch after a call, for an exception.
 SWITCHES = ["-O0", "-fno-inline", "-fprofile-arcs", "-ftest-coverage",
@@ -145,7 +148,7 @@ def counted_in(notes):
         if data.exists():
             shutil.copyfile(data, copy.with_suffix(".gcda"))
         result = subprocess.run(
-            ["gcov", "--json-format", "--stdout", "--branch-probabilities",
+            [GCOV, "--json-format", "--stdout", "--branch-probabilities",
              copy.name],
             cwd=name, capture_output=True, text=True, check=False)
     if "mismatch" in result.stderr:
