@@ -28,17 +28,20 @@ package URVOS.Frames with Pure, SPARK_Mode is
 
    --  The clock after one more tick. At its last tick it stands still.
    function Advanced (Now : Clock_Tick) return Clock_Tick is
-     (if Now = Last_Tick then Last_Tick else Now + 1);
+     (if Now = Last_Tick then Last_Tick else Now + 1)
+   with Global => null;
 
    function Minor_Frame_Of (Now : Clock_Tick) return Minor_Frame is
-     (Minor_Frame (Now mod Ticks_Per_Major_Frame));
+     (Minor_Frame (Now mod Ticks_Per_Major_Frame))
+   with Global => null;
 
    --  The tick at which the next major frame begins: the one place where
    --  tasks get it from (FRM-3).
    function Next_Frame (Now : Clock_Tick) return Tick is
      (Now - Now mod Ticks_Per_Major_Frame + Ticks_Per_Major_Frame)
    with
-     Post =>
+     Global => null,
+     Post   =>
        --  It begins a major frame, later than now and at most one frame
        --  away.
        Next_Frame'Result mod Ticks_Per_Major_Frame = 0
@@ -50,6 +53,7 @@ package URVOS.Frames with Pure, SPARK_Mode is
    function Next_Release
      (Now    : Clock_Tick;
       Offset : Minor_Frame) return Tick
-   is (Next_Frame (Now) + Tick (Offset));
+   is (Next_Frame (Now) + Tick (Offset))
+   with Global => null;
 
 end URVOS.Frames;

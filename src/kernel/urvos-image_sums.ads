@@ -40,12 +40,16 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
 
    function Four_Bits_On (Register : Sum) return Sum is
      (Shift_Right (Register, 4) xor Given_Back (Register and 15))
-   with Inline;
+   with
+     Inline,
+     Global => null;
 
    --  The register after one more byte.
    function Next (Register : Sum; Data : Byte) return Sum is
      (Four_Bits_On (Four_Bits_On (Register xor Sum (Data))))
-   with Inline;
+   with
+     Inline,
+     Global => null;
 
    --  The register after the first Length bytes of an image. Only contracts
    --  call it.
@@ -55,6 +59,7 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
       else Next (Register_After (Item, Length - 1),
                  Item (Byte_Address (Length - 1))))
    with
+     Global             => null,
      Subprogram_Variant => (Decreases => Length),
      Pre                => Item'First = 0 and then Length <= Item'Length;
 
@@ -64,6 +69,7 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
    type Sum_Place is range 0 .. 3;
 
    function Kept_Byte (Register : Sum; Place : Sum_Place) return Byte is
-     (Byte (Shift_Right (not Register, 8 * Natural (Place)) and 16#FF#));
+     (Byte (Shift_Right (not Register, 8 * Natural (Place)) and 16#FF#))
+   with Global => null;
 
 end URVOS.Image_Sums;

@@ -26,25 +26,31 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
 
    type Mailbox is private;
 
-   function Contents (Box : Mailbox) return Message;
+   function Contents (Box : Mailbox) return Message
+   with Global => null;
 
-   function Produced (Box : Mailbox) return Flag;
+   function Produced (Box : Mailbox) return Flag
+   with Global => null;
 
-   function Consumed (Box : Mailbox) return Flag;
+   function Consumed (Box : Mailbox) return Flag
+   with Global => null;
 
    --  How often Receive found nothing new.
-   function Misses (Box : Mailbox) return Count;
+   function Misses (Box : Mailbox) return Count
+   with Global => null;
 
    --  The message in the box has not been received yet.
    function Is_Fresh (Box : Mailbox) return Boolean is
      (Produced (Box) /= Consumed (Box))
    with
-     Post => Is_Fresh'Result = (Produced (Box) = Consumed (Box) + 1);
+     Global => null,
+     Post   => Is_Fresh'Result = (Produced (Box) = Consumed (Box) + 1);
 
    --  A box in its known first state.
    function Empty_Mailbox return Mailbox
    with
-     Post =>
+     Global => null,
+     Post   =>
        Contents (Empty_Mailbox'Result) = Neutral
        and then Produced (Empty_Mailbox'Result) = 0
        and then Consumed (Empty_Mailbox'Result) = 0
@@ -54,7 +60,8 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
    --  message left as an acceptable previous one (INI-8).
    function Restarted (Box : Mailbox) return Mailbox
    with
-     Post =>
+     Global => null,
+     Post   =>
        Contents (Restarted'Result) = Contents (Box)
        and then Produced (Restarted'Result) = 0
        and then Consumed (Restarted'Result) = 0

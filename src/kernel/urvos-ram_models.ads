@@ -8,6 +8,7 @@ package URVOS.RAM_Models with Pure, SPARK_Mode is
    function Not_Known
      (Unused_Where : Word_Address;
       Unused_Data  : Word) return Boolean
-   is (False);
+   is (False)
+   with Global => null;
 
 end URVOS.RAM_Models;

@@ -24,7 +24,8 @@ package URVOS.Self_Tests with Pure, SPARK_Mode is
    function Failure
      (Of_Test : Test_Name;
       Where   : Word_Address := 0) return Test_Result
-   is ((Passed => False, Failed => Of_Test, Where => Where));
+   is ((Passed => False, Failed => Of_Test, Where => Where))
+   with Global => null;
 
    --  The result in one word, as it stands in CORE memory: 0 when all is
    --  well, else the test's number in the high four bits and in the low
@@ -36,16 +37,19 @@ package URVOS.Self_Tests with Pure, SPARK_Mode is
    Last_Block : constant := 16#FFF#;
 
    function Test_Number (Name : Test_Name) return Word is
-     (Word (Test_Name'Pos (Name)) + 1);
+     (Word (Test_Name'Pos (Name)) + 1)
+   with Global => null;
 
    function Block_Of (Where : Word_Address) return Word is
-     (Word (Word_Address'Min (Where / Words_Per_Block, Last_Block)));
+     (Word (Word_Address'Min (Where / Words_Per_Block, Last_Block)))
+   with Global => null;
 
    function To_Word (Result : Test_Result) return Word is
      (if Result.Passed then 0
       else Test_Number (Result.Failed) * 16#1000# + Block_Of (Result.Where))
    with
-     Post =>
+     Global => null,
+     Post   =>
        (To_Word'Result = 0) = Result.Passed
        and then
          (if not Result.Passed

@@ -166,20 +166,25 @@ package GSC with SPARK_Mode is
       SELF_TEST_Task => 6);
 
    function Id_Of (Who : Task_Name) return Task_Id is
-     (Task_Name'Pos (Who) + 1);
+     (Task_Name'Pos (Who) + 1)
+   with Global => null;
 
    function Is_Task (Id : Task_Id) return Boolean is
-     (Id in Id_Of (Task_Name'First) .. Id_Of (Task_Name'Last));
+     (Id in Id_Of (Task_Name'First) .. Id_Of (Task_Name'Last))
+   with Global => null;
 
    function Task_Of (Id : Task_Id) return Task_Name is
      (Task_Name'Val (Id - 1))
-   with Pre => Is_Task (Id);
+   with
+     Global => null,
+     Pre    => Is_Task (Id);
 
    --  The header of a task that begins at once, with its initialisation.
    function Header (Who : Task_Name; Now : Clock_Tick) return Task_Header is
      ((Id               => Id_Of (Who),
        Start_Time       => Now,
-       Initial_Priority => Priority'Last - Task_Name'Pos (Who)));
+       Initial_Priority => Priority'Last - Task_Name'Pos (Who)))
+   with Global => null;
 
    function Task_Tree_Of (Now : Clock_Tick) return Task_Tree is
      ((1 => Header (AD_Task, Now),
@@ -190,7 +195,8 @@ package GSC with SPARK_Mode is
        6 => Header (CORE_Task, Now),
        7 => Header (LOG_Task, Now),
        8 => Header (SELF_TEST_Task, Now),
-       others => Null_Header));
+       others => Null_Header))
+   with Global => null;
 
    --  A task's next step: its initialisation, or the transaction of a frame.
    procedure Run_Step (Who : Task_Name; First_Run : Boolean);

@@ -16,12 +16,14 @@ package URV.AD_Scans with Pure, SPARK_Mode is
       Words   : Channel_Words := (others => Neutral_Value);
    end record;
 
-   function Is_Complete (Item : Scan) return Boolean is (Item.Current = 32);
+   function Is_Complete (Item : Scan) return Boolean is (Item.Current = 32)
+   with Global => null;
 
    --  The scan begins again with channel 0; the words stay until they are
    --  stored anew.
    function Restarted (Item : Scan) return Scan is
-     ((Item with delta Current => 0));
+     ((Item with delta Current => 0))
+   with Global => null;
 
    type Next_Step is
      (Start_Channel,   --  have the board convert the current channel

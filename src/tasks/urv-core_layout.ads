@@ -12,47 +12,57 @@ with URV.Errors;          use URV.Errors;
 package URV.CORE_Layout with Pure, SPARK_Mode is
 
    function Place (Item : Uplink_Item) return Item_Number is
-     (Item_Number (Uplink_Item'Pos (Item) + 1));
+     (Item_Number (Uplink_Item'Pos (Item) + 1))
+   with Global => null;
 
    function Place (Item : Downlink_Item) return Item_Number is
-     (Item_Number (Downlink_Item'Pos (Item) + 1));
+     (Item_Number (Downlink_Item'Pos (Item) + 1))
+   with Global => null;
 
    function Type_Code (Item : Uplink_Item) return Word is
-     (16#0100# + Word (Place (Item)));
+     (16#0100# + Word (Place (Item)))
+   with Global => null;
 
    function Type_Code (Item : Downlink_Item) return Word is
-     (16#0200# + Word (Place (Item)));
+     (16#0200# + Word (Place (Item)))
+   with Global => null;
 
    function Type_Code (Item : Status_Item) return Word is
-     (16#0301# + Word (Status_Item'Pos (Item)));
+     (16#0301# + Word (Status_Item'Pos (Item)))
+   with Global => null;
 
    function Uplink_Type_Codes return Uplink_Words
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Uplink_Item =>
           Uplink_Type_Codes'Result (Place (Item)) = Type_Code (Item));
 
    function Downlink_Type_Codes return Downlink_Words
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Downlink_Item =>
           Downlink_Type_Codes'Result (Place (Item)) = Type_Code (Item));
 
    function Status_Type_Codes return Status_Words
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Status_Item =>
           Status_Type_Codes'Result (Item) = Type_Code (Item));
 
    function To_Words (Source : Uplink_Buffer) return Uplink_Words
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Uplink_Item =>
           To_Words'Result (Place (Item)) = Source (Item));
 
    function To_Words (Source : Downlink_Buffer) return Downlink_Words
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Downlink_Item =>
           To_Words'Result (Place (Item)) = Source (Item));
 
@@ -60,13 +70,15 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
 
    function To_Buffer (Source : Uplink_Words) return Uplink_Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Uplink_Item =>
           To_Buffer'Result (Item) = Source (Place (Item)));
 
    function To_Buffer (Source : Downlink_Words) return Downlink_Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Downlink_Item =>
           To_Buffer'Result (Item) = Source (Place (Item)));
 

@@ -8,12 +8,14 @@ with URV.Buffers;       use URV.Buffers;
 package URV.PWM_Layout with Pure, SPARK_Mode is
 
    function Channel_Of (Item : PWM_Item) return Channel_Number is
-     (Channel_Number (PWM_Item'Pos (Item) + 1));
+     (Channel_Number (PWM_Item'Pos (Item) + 1))
+   with Global => null;
 
    --  Unused channels are neutral.
    function To_Data_Area (Source : PWM_Buffer) return Data_Area
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in PWM_Item =>
           To_Data_Area'Result (Channel_Of (Item)) = Source (Item))
        and then
@@ -23,7 +25,8 @@ package URV.PWM_Layout with Pure, SPARK_Mode is
 
    function To_Outputs (Area : Data_Area) return PWM_Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in PWM_Item =>
           To_Outputs'Result (Item) = Area (Channel_Of (Item)));
 

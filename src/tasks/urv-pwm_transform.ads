@@ -8,11 +8,13 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
 
    --  A switch is on from the middle of the converter's range upward (D-8).
    function Is_On (Switch : Word) return Boolean is
-     (Switch >= Neutral_Value);
+     (Switch >= Neutral_Value)
+   with Global => null;
 
    --  What the board is given of a command that exceeds 12 bits (D-11).
    function Clipped (Command : Word) return Converter_Value is
-     (if Command in Converter_Value then Command else Converter_Value'Last);
+     (if Command in Converter_Value then Command else Converter_Value'Last)
+   with Global => null;
 
    --  Zero degrees, and half flaps: 15 degrees.
    Flaps_Up   : constant Converter_Value := Neutral_Value;
@@ -20,7 +22,8 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
 
    --  The bit of a switch in the discretes: switch n is bit n - 1 (D-10).
    function Switch_Bit (Switch : Switch_Item) return Word is
-     (2 ** (Uplink_Item'Pos (Switch) - Uplink_Item'Pos (Switch_1)));
+     (2 ** (Uplink_Item'Pos (Switch) - Uplink_Item'Pos (Switch_1)))
+   with Global => null;
 
    --  The eight switches packed in one byte.
    function Packed_Switches (Commands : Uplink_Buffer) return Word is
@@ -33,7 +36,8 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
       or (if Is_On (Commands (Switch_7)) then Switch_Bit (Switch_7) else 0)
       or (if Is_On (Commands (Switch_8)) then Switch_Bit (Switch_8) else 0))
    with
-     Post =>
+     Global => null,
+     Post   =>
        Packed_Switches'Result <= 255
        and then
          (for all Switch in Switch_Item =>
@@ -41,7 +45,8 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
               Is_On (Commands (Switch)));
 
    function Flap_Command (Commands : Uplink_Buffer) return Converter_Value is
-     (if Is_On (Commands (Switch_8)) then Flaps_Half else Flaps_Up);
+     (if Is_On (Commands (Switch_8)) then Flaps_Half else Flaps_Up)
+   with Global => null;
 
    --  All 14 outputs (PWM-2).
    function Transform (Commands : Uplink_Buffer) return PWM_Buffer is
@@ -54,7 +59,8 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
         | Left_Flap_2 | Right_Flap_2          => Flap_Command (Commands),
       Discretes                               => Packed_Switches (Commands))
    with
-     Post =>
+     Global => null,
+     Post   =>
        Transform'Result (Left_Aileron) = Clipped (Commands (Roll))
        and then Transform'Result (Right_Aileron) = Clipped (Commands (Roll))
        and then Transform'Result (Left_Elevator) = Clipped (Commands (Pitch))

@@ -8,15 +8,18 @@ package URV.Routing with Pure, SPARK_Mode is
    --  The channel that carries an item: the first channel the first item,
    --  and so on.
    function Channel_Of (Item : Command_Item) return Channel is
-     (Channel (Command_Item'Pos (Item)));
+     (Channel (Command_Item'Pos (Item)))
+   with Global => null;
 
    function Channel_Of (Item : Sensor_Item) return Channel is
-     (Channel (Sensor_Item'Pos (Item)));
+     (Channel (Sensor_Item'Pos (Item)))
+   with Global => null;
 
    --  The commands and, as 14th word, the error/status word (GDO-1).
    function To_Uplink (Image : AD_Image) return Uplink_Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Command_Item =>
           To_Uplink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Uplink'Result (Error_Status) = Image.Error_Status;
@@ -24,7 +27,8 @@ package URV.Routing with Pure, SPARK_Mode is
    --  The sensors and, as 28th word, the error/status word (MDO-1, D-1).
    function To_Downlink (Image : AD_Image) return Downlink_Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Item in Sensor_Item =>
           To_Downlink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Downlink'Result (Error_Status) = Image.Error_Status;
@@ -35,13 +39,15 @@ package URV.Routing with Pure, SPARK_Mode is
      (Source : Uplink_Buffer;
       Status : Word) return Uplink_Buffer
    is
-     ((Source with delta Error_Status => Source (Error_Status) or Status));
+     ((Source with delta Error_Status => Source (Error_Status) or Status))
+   with Global => null;
 
    function Marked
      (Source : Downlink_Buffer;
       Status : Word) return Downlink_Buffer
    is
-     ((Source with delta Error_Status => Source (Error_Status) or Status));
+     ((Source with delta Error_Status => Source (Error_Status) or Status))
+   with Global => null;
 
    --  The image of a scan, stamped with whether it is of this frame (AD-1).
    function Stamped
@@ -49,17 +55,21 @@ package URV.Routing with Pure, SPARK_Mode is
       Fresh : Boolean) return AD_Image
    is
      (Words        => Words,
-      Error_Status => (if Fresh then No_Error else Stale_Data));
+      Error_Status => (if Fresh then No_Error else Stale_Data))
+   with Global => null;
 
    --  A word of a 12-bit converter that no converter can have given (D-11).
    function Is_Out_Of_Range (Value : Word) return Boolean is
-     (Value not in Converter_Value);
+     (Value not in Converter_Value)
+   with Global => null;
 
    function Any_Out_Of_Range (Source : Uplink_Buffer) return Boolean is
-     (for some Item in Command_Item => Is_Out_Of_Range (Source (Item)));
+     (for some Item in Command_Item => Is_Out_Of_Range (Source (Item)))
+   with Global => null;
 
    function Any_Out_Of_Range (Source : Downlink_Buffer) return Boolean is
-     (for some Item in Sensor_Item => Is_Out_Of_Range (Source (Item)));
+     (for some Item in Sensor_Item => Is_Out_Of_Range (Source (Item)))
+   with Global => null;
 
    --  A word's place in its buffer, from 1; 0 is none.
    type Place_Count is range 0 .. 28;

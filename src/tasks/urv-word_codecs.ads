@@ -16,22 +16,27 @@ package URV.Word_Codecs with Pure, SPARK_Mode is
    function Place (Which : Item) return Byte_Index is
      (Byte_Index (2 * (Item'Pos (Which) - Item'Pos (Item'First)) + 1))
    with
-     Post => Place'Result < Block_Length;
+     Global => null,
+     Post   => Place'Result < Block_Length;
 
-   function High_Byte (Value : Word) return Byte is (Byte (Value / 256));
+   function High_Byte (Value : Word) return Byte is (Byte (Value / 256))
+   with Global => null;
 
-   function Low_Byte (Value : Word) return Byte is (Byte (Value mod 256));
+   function Low_Byte (Value : Word) return Byte is (Byte (Value mod 256))
+   with Global => null;
 
    function To_Word (High, Low : Byte) return Word is
      (Word (High) * 256 + Word (Low))
    with
-     Post => High_Byte (To_Word'Result) = High
+     Global => null,
+     Post   => High_Byte (To_Word'Result) = High
        and then Low_Byte (To_Word'Result) = Low;
 
    --  The bytes after the last word are zero.
    function Encode (Source : Buffer) return Block_Data
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Which in Item =>
           Encode'Result (Place (Which)) = High_Byte (Source (Which))
           and then Encode'Result (Place (Which) + 1) =
@@ -42,7 +47,8 @@ package URV.Word_Codecs with Pure, SPARK_Mode is
 
    function Decode (Source : Block_Data) return Buffer
    with
-     Post =>
+     Global => null,
+     Post   =>
        (for all Which in Item =>
           Decode'Result (Which) =
             To_Word (Source (Place (Which)), Source (Place (Which) + 1)));

@@ -120,26 +120,31 @@ package Telemetry.Boards with Pure, SPARK_Mode is
          then Item.Receiver.State /= Out_Of_Step
            and then not Item.Clear_To_Send
          else Item.State not in Awaiting_Data | Idling
-           and then Item.Downlink_Turns = 0));
+           and then Item.Downlink_Turns = 0))
+   with Global => null;
 
    --  The board has something on the line or is about to: the link is half
    --  duplex, so it hears nothing meanwhile.
    function Is_Talking (Item : Board) return Boolean is
-     (Item.Line_Taken or else Item.Owed /= None or else Item.State = Sending);
+     (Item.Line_Taken or else Item.Owed /= None or else Item.State = Sending)
+   with Global => null;
 
    --  The board waits for the other one, and not for ever.
    function Is_Waiting (Item : Board) return Boolean is
      (Item.State in Awaiting_Status | Awaiting_Data | Idling
-      or else Item.Receiver.State /= At_Start);
+      or else Item.Receiver.State /= At_Start)
+   with Global => null;
 
    --  The board may have a character to send: nothing but its own turn
    --  keeps it from speaking.
    function May_Speak (Item : Board) return Boolean is
      (Is_Talking (Item)
-      or else (Item.State = Ready and then Item.Receiver.State = At_Start));
+      or else (Item.State = Ready and then Item.Receiver.State = At_Start))
+   with Global => null;
 
    function Patience (Item : Board) return Character_Times is
-     (if Item.State = Idling then Idle_Time else Dead_Space);
+     (if Item.State = Idling then Idle_Time else Dead_Space)
+   with Global => null;
 
    --  A character has arrived.
    procedure Accept_Character
@@ -330,7 +335,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
       then Character_Times'Last
       elsif Item.Silence >= Patience (Item)
       then 0
-      else Patience (Item) - Item.Silence);
+      else Patience (Item) - Item.Silence)
+   with Global => null;
 
    --  The controller takes the newest block received, if there is one.
    --  Ever_Received tells that there has been any since the board started.

@@ -10,7 +10,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
    type Slot is (First, Second);
 
    function Other (Which : Slot) return Slot is
-     (if Which = First then Second else First);
+     (if Which = First then Second else First)
+   with Global => null;
 
    --  How often a block was transmitted. The second time is the last.
    type Attempt_Count is range 0 .. 2;
@@ -32,10 +33,12 @@ package Telemetry.Memory with Pure, SPARK_Mode is
    Empty_Pair : constant Buffer_Pair := (others => <>);
 
    function Any_Full (Pair : Buffer_Pair) return Boolean is
-     (Pair.Slots (First).Full or else Pair.Slots (Second).Full);
+     (Pair.Slots (First).Full or else Pair.Slots (Second).Full)
+   with Global => null;
 
    function Both_Full (Pair : Buffer_Pair) return Boolean is
-     (Pair.Slots (First).Full and then Pair.Slots (Second).Full);
+     (Pair.Slots (First).Full and then Pair.Slots (Second).Full)
+   with Global => null;
 
    --  Which buffer to fill: one that is not full; if both are, one that is
    --  not busy, the older one first; if both are busy too, the older one.
@@ -50,7 +53,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
       then Pair.Newest
       else Other (Pair.Newest))
    with
-     Post =>
+     Global => null,
+     Post   =>
        (if not Both_Full (Pair)
         then not Pair.Slots (To_Fill'Result).Full
         elsif Pair.Slots (To_Fill'Result).Busy
@@ -61,8 +65,9 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      (if Pair.Slots (Pair.Newest).Full then Pair.Newest
       else Other (Pair.Newest))
    with
-     Pre  => Any_Full (Pair),
-     Post => Pair.Slots (Newest_Full'Result).Full;
+     Global => null,
+     Pre    => Any_Full (Pair),
+     Post   => Pair.Slots (Newest_Full'Result).Full;
 
    --  The controller takes the newest block out of a receive pair; an older
    --  one is dropped. Fresh is False, and the pair left as it is, when there

@@ -31,7 +31,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    end record;
 
    function Data_Header (Length : Block_Length) return Byte is
-     (Encode ((Kind => Data, Length => Length)));
+     (Encode ((Kind => Data, Length => Length)))
+   with Global => null;
 
    --  The receiver and its buffers fit together: within a message, the
    --  buffer is claimed and not full, and the checksum is that of the bytes
@@ -50,7 +51,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                    (Data_Header (Length),
                     Pair.Slots (Item.Target).Data,
                     Item.Received)
-      else not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy);
+      else not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy)
+   with Global => null;
 
    type Event_Kind is
      (Nothing,
@@ -86,7 +88,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
             when Headers.Data        =>
               (Kind   => (if Wants_Data and then Decode (Data).Length = Length
                           then Block_Begun else Lost_Step),
-               others => False)));
+               others => False)))
+   with Global => null;
 
    --  A character has come. Length is that of the blocks this board is
    --  sent; a data message is taken only when the board wants one.
@@ -168,7 +171,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      ((Pair with delta
          Slots => (Pair.Slots with delta
            Which => (Pair.Slots (Which) with delta
-             Busy => True, Full => False))));
+             Busy => True, Full => False))))
+   with Global => null;
 
    --  Gives up the message that was coming in, if any, and its buffer.
    procedure Restart

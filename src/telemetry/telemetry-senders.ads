@@ -20,7 +20,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
    end record;
 
    function Message_Length (Length : Block_Length) return Character_Count is
-     (Character_Count (Length) + 2);
+     (Character_Count (Length) + 2)
+   with Global => null;
 
    --  What stands at a place of the message, from 1.
    function Message_Byte
@@ -36,7 +37,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
              (Encode ((Headers.Data, Length)), Data, Length))
    with
      Ghost,
-     Pre => Place in 1 .. Message_Length (Length);
+     Global => null,
+     Pre    => Place in 1 .. Message_Length (Length);
 
    --  The message is not finished, and the checksum is that of its part
    --  already sent.
@@ -51,7 +53,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
          then Item.Sum = Checksum.Of_Message
                 (Encode ((Headers.Data, Length)),
                  Data,
-                 Byte_Count (Item.Sent - 1))));
+                 Byte_Count (Item.Sent - 1))))
+   with Global => null;
 
    --  The next character of the message.
    procedure Send_Next

@@ -1,0 +1,112 @@
+"""EVI-7: each public subprogram has a complete contract, and one that has not
+is found."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import contracts  # noqa: E402
+
+SPEC = """
+package Shop
+  with SPARK_Mode, Abstract_State => (Till with Synchronous, External)
+is
+
+   type Basket is private;
+
+   function Price (Item : Basket) return Natural
+   with Global => null;
+
+   function Doubled (Item : Natural) return Natural is (2 * Item)
+   with Global => null;
+
+   function Empty return Basket
+   with
+     Global => null,
+     Post   => Price (Empty'Result) = 0;
+
+   procedure Sell
+     (Item    : in out Basket;
+      By_Whom : Natural;
+      Paid    : out Boolean)
+   with
+     Global => null,
+     Post   => Price (Item) = 0 and then Paid = (Price (Item'Old) > 0);
+
+   procedure Count (Coins : out Natural)
+   with Global => (In_Out => Till);
+
+private
+   type Basket is new Natural;
+
+   function Price (Item : Basket) return Natural is (Natural (Item));
+
+   procedure Refund (Item : out Basket);
+end Shop;
+"""
+
+# What is changed, and what must be found then.
+PLANTED = {
+    "no Global": (
+        "(2 * Item)\n   with Global => null;", "(2 * Item);",
+        "Doubled has no Global"),
+    "a result that nothing is said of": (
+        "Price (Empty'Result) = 0", "True",
+        "Empty's postcondition does not speak of its result"),
+    "a function without a body that is an expression": (
+        "return Natural is (Natural (Item));", "return Natural;",
+        "Price's postcondition does not speak of its result"),
+    "a parameter that nothing is said of": (
+        " and then Paid = (Price (Item'Old) > 0)", "",
+        "Sell's postcondition does not speak of Paid"),
+    "one of which only the old value is spoken": (
+        "Price (Item) = 0 and then ", "",
+        "Sell's postcondition does not speak of Item"),
+    "what stands in a comment alone": (
+        "Price (Item) = 0 and", "--  Item\n  1 = 1 and",
+        "Sell's postcondition does not speak of Item"),
+    "a state of its own that no task shares": (
+        "(In_Out => Till)", "null",
+        "Count's postcondition does not speak of Coins"),
+}
+
+
+def test_a_complete_contract_has_no_gap():
+    assert list(contracts.unit_gaps(SPEC.encode())) == []
+
+
+@pytest.mark.parametrize("what", PLANTED)
+def test_a_planted_gap_is_found(what):
+    text, instead, expected = PLANTED[what]
+    assert text in SPEC
+    changed = SPEC.replace(text, instead)
+    assert list(contracts.unit_gaps(changed.encode())) == [expected]
+
+
+def test_of_a_generic_with_formal_subprograms_nothing_is_asked():
+    generic = "generic\n   with procedure Pay;\n"
+    changed = SPEC.replace("(2 * Item)\n   with Global => null;", "(2 * Item);")
+    text = changed.replace("\npackage", f"\n{generic}package")
+    assert list(contracts.unit_gaps(text.encode())) == []
+
+
+def test_a_procedure_without_its_theorem_is_found(tmp_path):
+    for folder in ("src", "proofs"):
+        (tmp_path / folder).symlink_to(ROOT / folder)
+    assert list(contracts.theorem_gaps(tmp_path)) == []
+    (tmp_path / "proofs").unlink()
+    theorem = tmp_path / contracts.THEOREM
+    theorem.parent.mkdir()
+    text = (ROOT / contracts.THEOREM).read_text(encoding="utf-8")
+    theorem.write_text(text.replace("procedure Of_Move", "procedure Of_Moving"),
+                       encoding="utf-8")
+    assert list(contracts.theorem_gaps(tmp_path)) == [
+        f"{contracts.THEOREM}: 1 procedures Move, 0 Of_Move"]
+
+
+def test_no_contract_has_a_gap():
+    assert list(contracts.gaps(ROOT)) == []
