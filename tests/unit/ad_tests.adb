@@ -1,5 +1,6 @@
 with Checks;           use Checks;
 with Devices.AD_Board; use Devices.AD_Board;
+with Devices.Shared_AD_Board;
 with Expect_Value;
 with Expectations;     use Expectations;
 with Task_Doubles;     use Task_Doubles;
@@ -23,6 +24,7 @@ package body AD_Tests is
    procedure Old_Scan;
    procedure Image_Unread;
    procedure The_Board;
+   procedure Each_Start_Once;
 
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
@@ -286,9 +288,10 @@ package body AD_Tests is
       Board : Registers;
    begin
       Expect ("interrupt at power up", Board.Interrupt_Enabled, False);
+      Expect ("at power up", Board.Doing, Idle);
       Board := Initialised (Board);
       Expect ("interrupt", Board.Interrupt_Enabled, True);
-      Expect ("vector", Board.Vector, Interrupt_Vector);
+      Expect ("vector", Board.Vector, 16#40#);
       Expect_Number
         ("microseconds a scan", Microseconds_Per_Conversion * 32, 512);
 
@@ -307,6 +310,33 @@ package body AD_Tests is
       Expect ("started anew", Board.Doing, Start_Wanted);
       Expect_Number ("channel", Integer (Board.Channel), 4);
    end The_Board;
+
+   ---------------------
+   -- Each_Start_Once --
+   ---------------------
+
+   package Hardware is new Devices.Shared_AD_Board;
+
+   procedure Each_Start_Once is
+      Wanted    : Boolean;
+      Interrupt : Boolean;
+      Number    : Channel_Number;
+      Data      : Word;
+   begin
+      Hardware.Take_Start (Wanted, Number);
+      Expect ("at power up", Wanted, False);
+      Hardware.Initialise;
+      Hardware.Start (9);
+      Hardware.Take_Start (Wanted, Number);
+      Expect ("wanted", Wanted, True);
+      Expect_Number ("channel", Integer (Number), 9);
+      Hardware.Take_Start (Wanted, Number);
+      Expect ("wanted again", Wanted, False);
+      Hardware.Finish (16#DEF#, Interrupt);
+      Expect ("interrupt", Interrupt, True);
+      Hardware.Read (Data);
+      Expect ("data", Data, 16#DEF#);
+   end Each_Start_Once;
 
    ------------
    -- Add_To --
@@ -343,6 +373,9 @@ package body AD_Tests is
       Add
         (Suite, "INI-5 the board's vector is set and its interrupt enabled",
          The_Board'Access);
+      Add
+        (Suite, "ADI-1 the board's hardware sees each start once",
+         Each_Start_Once'Access);
    end Add_To;
 
 end AD_Tests;

@@ -5,6 +5,7 @@ with Telemetry;    use Telemetry;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;   use URV.Codecs;
 with URV.Routing;  use URV.Routing;
+with URV.Word_Codecs;
 
 package body Codecs_Tests is
 
@@ -12,6 +13,7 @@ package body Codecs_Tests is
    procedure Wire_Lengths;
    procedure Uplink_Bytes;
    procedure Downlink_Bytes;
+   procedure Part_Of_A_List;
    procedure Round_Trips;
    procedure Image_Uplink;
    procedure Image_Downlink;
@@ -93,6 +95,25 @@ package body Codecs_Tests is
            ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
       end loop;
    end Downlink_Bytes;
+
+   --------------------
+   -- Part_Of_A_List --
+   --------------------
+
+   subtype Switch_Part is Uplink_Item range Switch_1 .. Switch_3;
+   type Switch_Words is array (Switch_Part) of Word;
+   package Switch_Codec is new URV.Word_Codecs (Switch_Part, Switch_Words);
+
+   procedure Part_Of_A_List is
+      Block : constant Block_Data :=
+        Switch_Codec.Encode ((16#102#, 16#304#, 16#506#));
+   begin
+      Expect_Number ("bytes", Integer (Switch_Codec.Block_Length), 6);
+      for I in Byte_Index range 1 .. 6 loop
+         Expect ("byte" & I'Image, Block (I), Byte (I));
+      end loop;
+      Expect ("byte behind", Block (7), 0);
+   end Part_Of_A_List;
 
    -----------------
    -- Round_Trips --
@@ -266,6 +287,9 @@ package body Codecs_Tests is
       Add
         (Suite, "BUF-2 on the wire: in order, high byte first",
          Downlink_Bytes'Access);
+      Add
+        (Suite, "BUF-3 a part of a buffer has its first byte first, too",
+         Part_Of_A_List'Access);
       Add
         (Suite, "BUF-3 every word comes back from the wire as it was",
          Round_Trips'Access);

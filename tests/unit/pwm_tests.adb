@@ -103,6 +103,7 @@ package body PWM_Tests is
          Expect ("neutral " & Servo'Image, Output (Servo), 16#800#);
       end loop;
       Expect ("neutral discretes", Output (Discretes), 0);
+      Expect_Number ("channels of the board", Neutral_Area'Length, 16);
    end Neutral_All;
 
    ------------------
