@@ -37,29 +37,34 @@ package body Theorems.Scheduling with SPARK_Mode is
             Load (S, Call.Header);
             pragma Assert
               (Others_Are_Kept (Before, S, Except => Next_Free_TCB (Before)));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
 
          when Dispatches =>
             Dispatch (S);
             pragma Assert (All_Are_Kept (Before, S));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
 
          when Wakes =>
             Wake (S, Call.Now);
             pragma Assert (All_Are_Kept (Before, S));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
 
          when Exits =>
             Exit_Call (S);
             pragma Assert (All_Are_Kept (Before, S));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
 
          when Sleeps =>
             Sleep (S, Call.Until_Tick);
             pragma Assert (All_Are_Kept (Before, S));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
 
          when Terminates =>
             Terminate_Caller (S);
             pragma Assert
               (Others_Are_Kept (Before, S, Except => Running_TCB (Before)));
+            pragma Assert (Nobody_Is_Woken_Early (Before, S));
       end case;
-      pragma Assert (Nobody_Is_Woken_Early (Before, S));
    end Step;
 
    procedure Dispatch_Chooses_The_Best (S : in out Scheduler) is

@@ -121,7 +121,9 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      (Id_Of (After, Which) = Id_Of (Before, Which)
       and then Priority_Of (After, Which) = Priority_Of (Before, Which)
       and then Release_Of (After, Which) = Release_Of (Before, Which))
-   with Global => null;
+   with
+     Global   => null,
+     Annotate => (GNATprove, Inline_For_Proof);
 
    --  Neither its queue nor anything else has changed.
    function Is_Unchanged
@@ -132,7 +134,9 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
       and then Queue_Of (After, Which) = Queue_Of (Before, Which)
       and then Is_New_Release (After, Which) = Is_New_Release (Before, Which)
       and then Is_First_Run (After, Which) = Is_First_Run (Before, Which))
-   with Global => null;
+   with
+     Global   => null,
+     Annotate => (GNATprove, Inline_For_Proof);
 
    --  Among all but one, those that share a queue stand as they stood.
    function Order_Is_Kept

@@ -107,6 +107,13 @@ def test_what_is_explained_is_well(judged):
     assert "both ways | 2 | 1 | 50.0 %" in said
 
 
+def test_what_is_missed_sometimes_may_be_covered(judged):
+    row = f"| `{NAME}` | line | `C;` | Sometimes: on a busy machine. |\n"
+    for times in (0, 2):
+        assert judged(counted({**REACHED, 6: times}),
+                      rows=row).startswith("| of src")
+
+
 @pytest.mark.parametrize("text, is_well", [
     ("and then...", True), ("and...", True), ("if...", False)])
 def test_lines_that_begin_alike_have_one_row(judged, text, is_well):

@@ -8,6 +8,7 @@ with Error_Log_Tests;
 with Exchange_Tests;
 with Executives_Tests;
 with Frames_Tests;
+with Guarded_Step_Tests;
 with Headers_Tests;
 with In_Flight_Tests;
 with Link_Tests;
@@ -58,6 +59,7 @@ package body All_Tests is
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
+      Guarded_Step_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       Starts_Tests.Add_To (Result);
 

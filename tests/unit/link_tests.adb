@@ -32,6 +32,7 @@ package body Link_Tests is
    procedure Cuts;
    procedure Storm;
    procedure Restarts;
+   procedure Clearings;
 
    procedure Expect is new Expect_Value (Station);
    procedure Expect is new Expect_Value (Character_Times);
@@ -809,6 +810,57 @@ package body Link_Tests is
       end loop;
    end Restarts;
 
+   ---------------
+   -- Clearings --
+   ---------------
+
+   procedure Clearings is
+      procedure Clear (What : String; Item : in out Board);
+
+      Broken_Off : Natural := 0;
+
+      procedure Clear (What : String; Item : in out Board) is
+         Before : constant Turn := Item.State;
+      begin
+         Clear_Transmit_Half (Item);
+         Expect
+           (What & ", empty", Item.Transmit_Pair = Empty_Pair, True);
+         if Before in Sending | Awaiting_Status then
+            Broken_Off := Broken_Off + 1;
+            Expect
+              (What & ", at rest",
+               Item.State = (if Item.Role = Ground then Idling else Ready),
+               True);
+            Expect (What & ", silence", Item.Silence, 0);
+         else
+            Expect (What & ", as before", Item.State = Before, True);
+         end if;
+      end Clear;
+   begin
+      --  Either controller starts again at any time of a frame.
+      for Time in 0 .. Frame - 1 loop
+         for Who in Station loop
+            declare
+               What : constant String :=
+                 Who'Image & " cleared at" & Time'Image;
+               Item : Link;
+            begin
+               Fly (Item, 1, 1, Phase => 40);
+               Give (Item, Ground, 2);
+               Give (Item, Aircraft, 2);
+               Run (Item, Time);
+               if Who = Ground then
+                  Clear (What, Item.Ground_Board);
+               else
+                  Clear (What, Item.Aircraft_Board);
+               end if;
+               Expect_Recovered (What, Item);
+            end;
+         end loop;
+      end loop;
+      Expect ("boards broken off", Broken_Off > 80, True);
+   end Clearings;
+
    ------------
    -- Add_To --
    ------------
@@ -874,6 +926,9 @@ package body Link_Tests is
          Storm'Access);
       Add
         (Suite, "LNK-9 a board may start again at any time", Restarts'Access);
+      Add
+        (Suite, "INI-4 a transmit half may be cleared at any time",
+         Clearings'Access);
    end Add_To;
 
 end Link_Tests;

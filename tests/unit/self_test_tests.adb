@@ -545,6 +545,9 @@ package body Self_Test_Tests is
       for Test in Processor_Test loop
          Expect (Test'Image, Passes (Test, Known_Operands), True);
       end loop;
+      Expect
+        ("nothing to divide by",
+         Passes (Arithmetic, (Known_Operands with delta Seven => 0)), False);
       for Name in Operand_Name loop
          for Bit in 0 .. 15 loop
             Here := False;
