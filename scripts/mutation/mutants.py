@@ -4,8 +4,8 @@ What is changed is code: statements, and the expressions of functions that
 code calls. Contracts, pragmas, ghosts, and functions that only contracts call
 are evidence; they are left alone. Sources are parsed with tree-sitter-ada.
 
-A mutant keeps its name as long as the text of its subprogram that it changes
-stays the same, wherever the line moves to.
+A mutant keeps its name as long as the statement or declaration that it changes
+stays the same but for its contract, wherever the line moves to.
 """
 
 import hashlib
@@ -221,7 +221,7 @@ class Finder:
         old = text_of(node) if old is None else old
         row = node.start_point[0]
         subprogram = ".".join(where)
-        context = squeezed(text_of(statement_of(node)))
+        context = squeezed(without_aspects(statement_of(node)))
         key = (self.path, subprogram, operator, context, old, new)
         number = self.seen[key]
         self.seen[key] += 1
@@ -462,6 +462,16 @@ def statement_of(node):
     return node
 
 
+def without_aspects(node):
+    """The text of a statement or declaration, but not its contract."""
+    aspects = child_of_type(node, "aspect_specification")
+    if aspects is None:
+        return text_of(node)
+    start, end = (place - node.start_byte
+                  for place in (aspects.start_byte, aspects.end_byte))
+    return node.text[:start].decode().rstrip() + node.text[end:].decode()
+
+
 def package_of(path):
     return Path(path).stem
 
@@ -479,9 +489,10 @@ def ranked(mutants, seed):
     return [mutant for *_, mutant in sorted(order, key=lambda o: o[:2])]
 
 
-def chosen(mutants, seed, share, least, most):
+def chosen(mutants, seed, share, least, most, tried=()):
     """Of each package a share of its mutants, so many at least, if it has
-    them, and so many at the most."""
+    them, and so many at the most. Those whose names are tried before stay
+    chosen, whatever became of them."""
     by_package = {}
     for mutant in mutants:
         by_package.setdefault(package_of(mutant.path), []).append(mutant)
@@ -489,5 +500,8 @@ def chosen(mutants, seed, share, least, most):
     for package in sorted(by_package):
         of_package = by_package[package]
         number = min(max(least, round(share * len(of_package))), most)
-        picked += ranked(of_package, seed)[:number]
+        order = ranked(of_package, seed)
+        before = [mutant for mutant in order if mutant.name in tried]
+        new = [mutant for mutant in order if mutant.name not in tried]
+        picked += before + new[:max(0, number - len(before))]
     return picked

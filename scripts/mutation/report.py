@@ -41,6 +41,9 @@ def column_of(result, equivalent):
     fate = result["fate"]
     if fate == run.EQUIVALENT or result["name"] in equivalent:
         return "equivalent"
+    if fate == run.PASSED:
+        # The proof, which may notice it, has yet to come.
+        return run.SURVIVED
     return None if fate == run.INVALID else fate
 
 
@@ -82,7 +85,8 @@ def table(results, equivalent):
 
 def problems(results, equivalent, total):
     """Survivors nobody judged, judgements of none, a score too low."""
-    survivors = {r["name"]: r for r in results if r["fate"] == run.SURVIVED}
+    survivors = {r["name"]: r for r in results
+                 if r["fate"] in (run.SURVIVED, run.PASSED)}
     for name, one in equivalent.items():
         if name not in survivors:
             yield f"{name}: judged, but is no survivor"
