@@ -54,7 +54,7 @@ PROGRAMS = {
     "unit": ("tests/urv_tests.gpr", "host", ["-gnatp"]),
     "flights": ("sim/urv_sim.gpr", "host", ["-gnatp"]),
     "partitions": ("real_time/urv_real_time.gpr", "flight", ["-gnatp"]),
-    "contracts": ("tests/urv_tests.gpr", "host", ["-O1", "-gnata"]),
+    "contracts": ("tests/urv_tests.gpr", "host", ["-gnata"]),
 }
 COUNT_DECISIONS = ("unit", "flights", "partitions")
 
