@@ -99,7 +99,7 @@ def unit_tests(folder):
 def flying_tests(folder):
     status, said = run(
         sys.executable, "-B", "-m", "pytest", "-q", "--tb=short", "-p",
-        "no:cacheprovider",
+        "no:cacheprovider", *coverage.SHORT,
         *(f"tests/simulation/test_{name}.py" for name in coverage.FLIGHTS),
         stdout=subprocess.PIPE,
         env={**os.environ, "URV_SIM": str(folder / "urv_sim")})
