@@ -18,7 +18,7 @@ from pathlib import Path
 FOLDER = Path("proofs", "canaries")
 RESULTS = Path("obj", "canaries", "gnatprove")
 COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
-           "-j2"]
+           "--no-subprojects", "-j2"]
 
 MARK = re.compile(r"--  ([A-Z]+(?:_[A-Z]+)*)$")
 

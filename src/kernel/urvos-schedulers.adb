@@ -608,6 +608,14 @@ package body URVOS.Schedulers with SPARK_Mode is
       pragma Assert
         (for all Other in TCB_Number =>
            (if Other /= Which then Is_Unchanged (Before, S, Other)));
+      pragma Assert
+        (for all Other in TCB_Number =>
+           (if Other > Which then Queue_Of (S, Other) = Free
+            else Is_Loaded (S, Other, Tree (Other))));
+      pragma Assert
+        (for all A in TCB_Number =>
+           (for all B in TCB_Number =>
+              (if A > Which and then B > A then Is_Ahead (S, A, B))));
    end Load_Next;
 
    procedure Load_Tree

@@ -571,6 +571,16 @@ package body Self_Test_Tests is
            (Test'Image & " looks at its operands", Seen (Test) > 0,
             Test /= Floating_Point);
       end loop;
+
+      --  A bit that is not cleared is seen even if it is set, changed and
+      --  found as it should be.
+      Expect
+        ("a bit that stays",
+         Passes
+           (Bit_Manipulation,
+            (Known_Operands with delta
+               Zero => 1, One => 2, Pattern => 16#A5C2#)),
+         False);
    end Operands_Are_Looked_At;
 
    procedure Slices is
