@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
+    scripts/run_tests.py [PART ...]    those parts whose names begin so
+
 The parts: unit tests in Ada, with and without their contracts executed, the
 tests in Python of the simulation and of the real-time partitions, the links of
 the requirements, the static data of each node, the proof record.
@@ -120,12 +122,21 @@ def totals_line(counts):
     return "{} passed, {} failed, {} skipped".format(*counts)
 
 
+def chosen(beginnings):
+    """The parts whose names begin so; all if nothing is asked for."""
+    for each in beginnings:
+        if not any(name.startswith(each) for name in PARTS):
+            sys.exit(f"no part begins with {each}: {', '.join(PARTS)}")
+    return [name for name in PARTS
+            if not beginnings or name.startswith(tuple(beginnings))]
+
+
 def main():
     RESULTS.mkdir(parents=True, exist_ok=True)
     counts = {}
-    for name, part in PARTS.items():
+    for name in chosen(sys.argv[1:]):
         print(f"== {name}")
-        counts[name] = part()
+        counts[name] = PARTS[name]()
         print()
     print("== all")
     for name, of_part in counts.items():
