@@ -139,15 +139,18 @@ package body Partitions.MCS_Node is
       use type Number;
 
       Now   : Clock_Tick;
+      Late  : Count;
       Frame : Number;
       Item  : Row;
    begin
       Tasks.Inspect_Clock (Now);
+      Tasks.Inspect_Overruns (Late);
       Frame := Number (Now / Ticks_Per_Major_Frame);
       Append (Item, Frame);
       Append (Item, (Frame + 1) * 20);
       Aircraft.Append_Values (Item);
       Append (Item, Number (Servos_At));
+      Append (Item, Number (Late));
       Append (Item, Number (Machine_Time (Clock)));
       Queue.Put (Item);
    end Observe_Frame;

@@ -104,7 +104,8 @@ begin
    Outputs.Open (Files, Chosen.Outputs);
    if Is_Open (Files (Record_File)) then
       Put
-        (Files (Record_File), "frame,time_ms" & Column_Names & ",clock_us");
+        (Files (Record_File),
+         "frame,time_ms" & Column_Names & ",overruns,clock_us");
       New_Line (Files (Record_File));
    end if;
 

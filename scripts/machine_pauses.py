@@ -1,0 +1,83 @@
+"""When the machine paused: a processor ran nobody's program.
+
+A watcher on each processor, of a higher priority than any other program, waits
+for the next millisecond and does nothing else. If it is woken late, no program
+could have run there meanwhile: the kernel or what is below it had the
+processor. Only root may have such a priority.
+"""
+
+import bisect
+import multiprocessing
+import os
+import time
+
+PERIOD_US = 1_000
+
+# What is not called a pause: a program is woken in 0.1 ms without any.
+SHORTEST_US = 500
+
+
+def now_us():
+    """Of the clock that the partitions have, too."""
+    return time.clock_gettime_ns(time.CLOCK_MONOTONIC) // 1_000
+
+
+def watch(processor, seconds, pauses):
+    """Put into pauses, a list, when this processor paused: from and until."""
+    os.sched_setaffinity(0, {processor})
+    os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+    found = []
+    due = now_us()
+    end = due + seconds * 1_000_000
+    while due < end:
+        due += PERIOD_US
+        time.sleep(max(0, due - now_us()) / 1e6)
+        woken = now_us()
+        if woken - due >= SHORTEST_US:
+            found.append((due, woken))
+            due = woken
+    pauses.extend(found)
+
+
+class Watchers:
+    """One on each processor, for so many seconds."""
+
+    def __init__(self, seconds):
+        self.manager = multiprocessing.Manager()
+        self.pauses = self.manager.list()
+        self.processes = [
+            multiprocessing.Process(
+                target=watch, args=(each, seconds, self.pauses)
+            )
+            for each in sorted(os.sched_getaffinity(0))
+        ]
+        for process in self.processes:
+            process.start()
+
+    def result(self):
+        """The pauses of all processors, or None if it could not be watched."""
+        for process in self.processes:
+            process.join()
+        found = sorted(self.pauses)
+        self.manager.shutdown()
+        if any(process.exitcode != 0 for process in self.processes):
+            return None
+        return found
+
+
+class Pauses:
+    """Pauses in the order of their times, to be asked of."""
+
+    def __init__(self, pauses):
+        self.pauses = sorted(pauses)
+        self.begins = [begin for begin, _ in self.pauses]
+        self.longest = max((end - begin for begin, end in pauses), default=0)
+
+    def within(self, begin, end):
+        """There was one between two times."""
+        place = bisect.bisect_left(self.begins, begin - self.longest)
+        while place < len(self.begins) and self.begins[place] <= end:
+            if self.pauses[place][1] >= begin:
+                return True
+            place += 1
+        return False
