@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prove the flight software, and keep the record of what was proved.
+"""Prove the flight software, and keep the record of what was proved (EVI-8).
 
   prove    runs GNATprove; with everything proved, renews proofs/record.json
   sources  compares the hash of each source with the record's

@@ -1,4 +1,4 @@
-"""What the proof record takes for a subprogram that has no body to prove."""
+"""EVI-8: what the proof record takes for a subprogram that has no body to prove."""
 
 import sys
 from pathlib import Path
@@ -22,7 +22,7 @@ IMPORTED = "procedure Read (Data : out Byte)\nwith\n  Import,\n  Pre => True;"
      False),
     ("procedure Work is  --  is null\nbegin\n  null;\nend Work;", True, False),
 ])
-def test_EVI_1_only_what_is_null_or_on_the_bus_needs_no_body(
+def test_only_what_is_null_or_on_the_bus_needs_no_body(
         text, imported, whole):
     lines = text.splitlines()
     assert proof_record.is_whole_declaration(lines, imported) is whole
