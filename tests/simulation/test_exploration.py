@@ -22,9 +22,9 @@ CANARIES = {
     ),
     "the aircraft waits longer than the ground ever does": (
         BOARDS,
-        "(if Item.State = Idling then Idle_Time else Dead_Space);",
+        "(if Item.State = Idling then Idle_Time else Dead_Space)",
         "(if Item.State = Idling then Idle_Time\n"
-        "      elsif Item.Role = Aircraft then 50 else Dead_Space);",
+        "      elsif Item.Role = Aircraft then 50 else Dead_Space)",
         "back in step: ",
     ),
 }

@@ -1,4 +1,4 @@
-"""EVI-8: what the proof record takes for a subprogram that has no body to prove."""
+"""EVI-8: what the proof takes for a subprogram that has no body to prove."""
 
 import sys
 from pathlib import Path
