@@ -18,6 +18,7 @@ package body PWM_Tests is
    procedure Threshold;
    procedure Too_Large;
    procedure Error_Word;
+   procedure Read_Back;
    procedure The_Task;
 
    --  Every command different, switches off.
@@ -207,6 +208,25 @@ package body PWM_Tests is
       Expect_Outputs ("error word set", Input, 16#800#, 0);
    end Error_Word;
 
+   ---------------
+   -- Read_Back --
+   ---------------
+
+   procedure Read_Back is
+      Area    : Data_Area;
+      Outputs : PWM_Buffer;
+   begin
+      for Number in Channel_Number loop
+         Area (Number) := Word (Number) * 16#101#;
+      end loop;
+      Outputs := To_Outputs (Area);
+      for Item in PWM_Item loop
+         Expect
+           (Item'Image, Outputs (Item),
+            Word (PWM_Item'Pos (Item) + 1) * 16#101#);
+      end loop;
+   end Read_Back;
+
    --------------
    -- The_Task --
    --------------
@@ -258,6 +278,9 @@ package body PWM_Tests is
       Add
         (Suite, "D-11 a word above 0FFFh drives its servos to 0FFFh",
          Too_Large'Access);
+      Add
+        (Suite, "PWM-2 each output is read from its channel",
+         Read_Back'Access);
       Add (Suite, "PWM-2 the error word reaches no servo", Error_Word'Access);
    end Add_To;
 
