@@ -1,4 +1,4 @@
-"""When the machine paused: a processor ran nobody's program.
+"""When the machine paused: a processor ran nobody's program (EVI-9).
 
 A watcher on each processor, of a higher priority than any other program, waits
 for the next millisecond and does nothing else. If it is woken late, no program

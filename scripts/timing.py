@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Flies both real-time partitions over UDP, as an ordinary user, beside
-cyclictest, and says how timely they were.
+cyclictest, and says how timely they were (EVI-9).
 
     scripts/timing.py --seconds 600 [--renew]
 
