@@ -29,7 +29,6 @@ ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "independence.md"
 
 SUITE = "trixie"
-MIRROR = "http://deb.debian.org/debian"
 PACKAGES = ("ca-certificates gnat-14 gprbuild gcc libc6-dev make git binutils"
             " libaunit-dev libgnatcoll-dev afl++ python3 python3-venv").split()
 
@@ -173,8 +172,8 @@ def prepare(folder):
     """The chroot with what `make test` needs, and this repository in it."""
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     if not (folder / "usr").exists():
-        must(run("debootstrap", "--variant=minbase", SUITE, folder, MIRROR,
-                 **quiet), "debootstrap")
+        must(run("debootstrap", "--variant=minbase", SUITE, folder, **quiet),
+             "debootstrap")
     for name in ("resolv.conf", "hosts", "ssl/certs/ca-certificates.crt"):
         if Path("/etc", name).exists():
             (folder / "etc" / name).parent.mkdir(parents=True, exist_ok=True)
