@@ -192,6 +192,7 @@ package body URVOS.Schedulers with SPARK_Mode is
      (Id_Of (S, Which) = Header.Id
       and then Priority_Of (S, Which) = Header.Initial_Priority
       and then Release_Of (S, Which) = Header.Start_Time
+      and then Is_New_Release (S, Which)
       and then Is_First_Run (S, Which)
       and then Queue_Of (S, Which) =
         (if Header.Start_Time <= Clock (S) then Ready else Timer))
@@ -199,8 +200,8 @@ package body URVOS.Schedulers with SPARK_Mode is
      Ghost,
      Global => null;
 
-   --  The first Number tasks of the tree have the first TCBs, the others
-   --  stand in the free queue in the order of their numbers.
+   --  The first Number tasks of the tree have the first TCBs, the others are
+   --  free.
    function Is_Loaded_To
      (S      : Scheduler;
       Tree   : Task_Tree;
@@ -208,16 +209,13 @@ package body URVOS.Schedulers with SPARK_Mode is
    is
      (Is_Sound (S)
       and then Is_Idle (S)
+      and then Overruns (S) = 0
       and then
         (for all Which in TCB_Number =>
            (if Integer (Which) <= Number
             then Is_Loaded (S, Which, Tree (Which))
             else Queue_Of (S, Which) = Free))
-      and then
-        (for all A in TCB_Number =>
-           (for all B in TCB_Number =>
-              (if Integer (A) > Number and then B > A
-               then Is_Ahead (S, A, B)))))
+      and then Equals_Are_In_Turn (S))
    with
      Ghost,
      Global => null;
@@ -257,6 +255,7 @@ package body URVOS.Schedulers with SPARK_Mode is
           (if Is_In_Tree (Tree, Which)
            then Is_Loaded (Loaded, Which, Tree (Which))
            else Queue_Of (Loaded, Which) = Free))
+       and then Equals_Are_In_Turn (Loaded)
        and then Is_Best_Ready (Loaded, Best)
        and then Is_Dispatched (Loaded, After, Best),
      Post   =>
@@ -266,16 +265,21 @@ package body URVOS.Schedulers with SPARK_Mode is
              and then Priority_Of (After, Which) =
                         Tree (Which).Initial_Priority
              and then Release_Of (After, Which) = Tree (Which).Start_Time
+             and then Is_New_Release (After, Which) = (Which /= Best)
              and then Is_First_Run (After, Which)
              and then
                (if Tree (Which).Start_Time <= Clock (After)
                 then Queue_Of (After, Which) in Ready | Running
                 else Queue_Of (After, Which) = Timer)
            else Queue_Of (After, Which) = Free))
+       and then Equals_Are_In_Turn (After)
        and then
          (for all Which in TCB_Number =>
             (if Queue_Of (After, Which) = Ready
-             then Priority_Of (After, Which) <= Priority_Of (After, Best)));
+             then Priority_Of (After, Which) < Priority_Of (After, Best)
+               or else
+                 (Priority_Of (After, Which) = Priority_Of (After, Best)
+                  and then Which > Best)));
 
    procedure Prove_Started
      (Loaded, After : Scheduler;
@@ -315,11 +319,13 @@ package body URVOS.Schedulers with SPARK_Mode is
        Is_Sound (S)
        and then Is_Idle (S)
        and then Clock (S) = Now
+       and then Overruns (S) = 0
        and then
          (for all Which in TCB_Number =>
             (if Is_In_Tree (Tree, Which)
              then Is_Loaded (S, Which, Tree (Which))
-             else Queue_Of (S, Which) = Free));
+             else Queue_Of (S, Which) = Free))
+       and then Equals_Are_In_Turn (S);
 
    --  The head of the timer queue, if there is one, is due.
    function Sleeper_Is_Due
@@ -374,7 +380,7 @@ package body URVOS.Schedulers with SPARK_Mode is
 
    --  Some sleepers have been woken: the ready queue is in the order of
    --  priorities, and within them as it was before, all the woken ones
-   --  being ahead of those that sleep on.
+   --  being ahead of those that sleep on. Nobody else has moved.
    function Is_In_Wake_Order (Before, After : Scheduler) return Boolean is
      (for all A in TCB_Number =>
         (for all B in TCB_Number =>
@@ -388,7 +394,10 @@ package body URVOS.Schedulers with SPARK_Mode is
               (if Queue_Of (After, A) = Timer
                then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B)
                elsif Queue_Of (After, A) = Ready
-               then Is_Ahead (Before, A, B)))))
+               then Is_Ahead (Before, A, B))
+            elsif Queue_Of (After, A) = Free
+              and then Queue_Of (After, B) = Free
+            then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
    with
      Ghost,
      Global => null;
@@ -613,9 +622,19 @@ package body URVOS.Schedulers with SPARK_Mode is
            (if Other > Which then Queue_Of (S, Other) = Free
             else Is_Loaded (S, Other, Tree (Other))));
       pragma Assert
+        (for all Other in TCB_Number =>
+           (if Other /= Which
+              and then Queue_Of (S, Other) = Queue_Of (S, Which)
+            then Other < Which
+              and then Is_Ahead (S, Which, Other) =
+                         not Is_Ahead (S, Other, Which)));
+      pragma Assert
         (for all A in TCB_Number =>
            (for all B in TCB_Number =>
-              (if A > Which and then B > A then Is_Ahead (S, A, B))));
+              (if A /= Which and then B /= Which
+                 and then Queue_Of (S, A) = Queue_Of (S, B)
+               then Is_Ahead (S, A, B) = Is_Ahead (Before, A, B))));
+      pragma Assert (Equals_Are_In_Turn (S));
    end Load_Next;
 
    procedure Load_Tree
@@ -774,9 +793,13 @@ package body URVOS.Schedulers with SPARK_Mode is
    end Sleep;
 
    procedure Terminate_Caller (S : in out Scheduler) is
+      Before : constant Scheduler := S with Ghost;
    begin
       Move (S.Row, 1, Place'Last);
       S.Busy := False;
+
+      Prove_Order_After_Move
+        (Before, S, Moved => Running_TCB (Before), To => Place'Last);
    end Terminate_Caller;
 
 end URVOS.Schedulers;

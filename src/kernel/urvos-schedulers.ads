@@ -24,7 +24,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
    function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name
    with Global => null;
 
-   --  Of two TCBs in the same queue: the first will leave it first.
+   --  Of two TCBs in the same queue: the first will leave it first. Who is
+   --  ready is ahead of who sleeps, and both of who is free.
    function Is_Ahead
      (S            : Scheduler;
       First, Other : TCB_Number) return Boolean
@@ -169,6 +170,26 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    --  Starting
 
+   --  Each queue is in its order, and equals in that of their numbers.
+   function Equals_Are_In_Turn (S : Scheduler) return Boolean is
+     (for all A in TCB_Number =>
+        (for all B in TCB_Number =>
+           (if Queue_Of (S, A) = Queue_Of (S, B)
+            then Is_Ahead (S, A, B) =
+              (case Queue_Of (S, A) is
+                  when Ready          =>
+                     Priority_Of (S, A) > Priority_Of (S, B)
+                     or else
+                       (Priority_Of (S, A) = Priority_Of (S, B)
+                        and then A < B),
+                  when Timer          =>
+                     Release_Of (S, A) < Release_Of (S, B)
+                     or else
+                       (Release_Of (S, A) = Release_Of (S, B)
+                        and then A < B),
+                  when Running | Free => A < B))))
+   with Global => null;
+
    --  All TCBs free.
    function Empty_Scheduler (Now : Clock_Tick) return Scheduler
    with
@@ -271,6 +292,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                and then Priority_Of (S, Which) =
                           Tree (Which).Initial_Priority
                and then Release_Of (S, Which) = Tree (Which).Start_Time
+               and then Is_New_Release (S, Which) =
+                          (Queue_Of (S, Which) /= Running)
                and then Is_First_Run (S, Which)
                and then
                  (if Tree (Which).Start_Time <= Now
@@ -278,13 +301,25 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                   else Queue_Of (S, Which) = Timer)
              else Queue_Of (S, Which) = Free))
 
-       --  Who runs has the highest priority of those that are due.
+       and then Equals_Are_In_Turn (S)
+
+       --  Who runs is the first of the highest priority that are due.
        and then
          (if not Is_Idle (S)
           then (for all Which in TCB_Number =>
                   (if Queue_Of (S, Which) = Ready
-                   then Priority_Of (S, Which) <=
-                          Priority_Of (S, Running_TCB (S)))));
+                   then Priority_Of (S, Which) <
+                          Priority_Of (S, Running_TCB (S))
+                     or else
+                       (Priority_Of (S, Which) =
+                          Priority_Of (S, Running_TCB (S))
+                        and then Which > Running_TCB (S)))))
+
+       --  Who runs after its tick has overrun.
+       and then Overruns (S) =
+         (if not Is_Idle (S) and then Release_Of (S, Running_TCB (S)) < Now
+          then 1
+          else 0);
 
    --  The clock
 
@@ -322,7 +357,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
        and then
          (for all A in TCB_Number =>
             (for all B in TCB_Number =>
-               (if Queue_Of (S, A) = Timer and then Queue_Of (S, B) = Timer
+               (if Queue_Of (S, A) = Queue_Of (S, B)
+                  and then Queue_Of (S, A) in Timer | Free
                 then Is_Ahead (S, A, B) = Is_Ahead (S'Old, A, B))));
 
    --  The calls of the running task
@@ -432,7 +468,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                   Wake_Up_Tick (Clock (S), Until_Tick))));
 
    --  TERMINATE, or the end of a task's statements: the caller's TCB is
-   --  free, the processor idle, see Dispatch.
+   --  free, the last to be used again, the processor idle, see Dispatch.
    procedure Terminate_Caller (S : in out Scheduler)
    with
      Global => null,
@@ -447,7 +483,12 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
             (if Which = Running_TCB (S'Old)
              then Queue_Of (S, Which) = Free
              else Is_Unchanged (S'Old, S, Which)))
-       and then Order_Is_Kept (S'Old, S, Except => Running_TCB (S'Old));
+       and then Order_Is_Kept (S'Old, S, Except => Running_TCB (S'Old))
+       and then
+         (for all Other in TCB_Number =>
+            (if Other /= Running_TCB (S'Old)
+               and then Queue_Of (S, Other) = Free
+             then Is_Ahead (S, Other, Running_TCB (S'Old))));
 
 private
 

@@ -16,6 +16,7 @@ package body Schedulers_Tests is
    procedure Full;
    procedure Null_Header_Ends;
    procedure Same_Order_As_Headers;
+   procedure Sleepers_In_Order_Of_Headers;
    procedure First_Run;
    procedure Exit_With_Nothing_Higher;
    procedure Exit_To_A_Higher;
@@ -28,6 +29,7 @@ package body Schedulers_Tests is
    procedure Terminate_Frees;
    procedure TCBs_Are_Used_In_Turn;
    procedure Late_Start;
+   procedure Late_At_The_Start;
    procedure Run_Into_Next_Release;
    procedure Random_Calls;
 
@@ -202,6 +204,38 @@ package body Schedulers_Tests is
          Sleep_And_Dispatch (S, 10);
       end loop;
    end Same_Order_As_Headers;
+
+   ----------------------------------
+   -- Sleepers_In_Order_Of_Headers --
+   ----------------------------------
+
+   procedure Sleepers_In_Order_Of_Headers is
+      S : constant Scheduler :=
+        Started
+          (((Id => 4, Start_Time => 9, Initial_Priority => 1),
+            (Id => 3, Start_Time => 8, Initial_Priority => 2),
+            (Id => 2, Start_Time => 9, Initial_Priority => 3),
+            (Id => 1, Start_Time => 8, Initial_Priority => 1)),
+           Now => 7);
+
+      --  The timer queue, from its head.
+      Queue : constant array (TCB_Number range <>) of TCB_Number :=
+        (2, 4, 1, 3);
+   begin
+      Expect ("idle", Is_Idle (S), True);
+      for First in Queue'Range loop
+         for Other in Queue'Range loop
+            Expect
+              (Queue (First)'Image & " is ahead of" & Queue (Other)'Image,
+               Is_Ahead (S, Queue (First), Queue (Other)), First < Other);
+         end loop;
+      end loop;
+      for Which in Queue'Length + 1 .. TCB_Number'Last - 1 loop
+         Expect
+           (Which'Image & " is ahead of the next",
+            Is_Ahead (S, Which, Which + 1), True);
+      end loop;
+   end Sleepers_In_Order_Of_Headers;
 
    ---------------
    -- First_Run --
@@ -498,6 +532,34 @@ package body Schedulers_Tests is
       Expect ("counted once", Overruns (S), 1);
    end Late_Start;
 
+   -----------------------
+   -- Late_At_The_Start --
+   -----------------------
+
+   procedure Late_At_The_Start is
+      First : constant Headers :=
+        ((Id => 1, Start_Time => 4, Initial_Priority => 1),
+         (Id => 2, Start_Time => 4, Initial_Priority => 2),
+         (Id => 3, Start_Time => 4, Initial_Priority => 2));
+   begin
+      for Now in Clock_Tick range 3 .. 6 loop
+         declare
+            S           : constant Scheduler := Started (First, Now);
+            When_It_Was : constant String := "started at" & Now'Image;
+         begin
+            --  Those that wait are counted when they run.
+            Expect
+              (When_It_Was & ": overruns", Overruns (S),
+               (if Now > 4 then 1 else 0));
+            for Which in First'Range loop
+               Expect
+                 (When_It_Was & ":" & Which'Image & " has not run",
+                  Is_New_Release (S, Which), Now < 4 or else Which /= 2);
+            end loop;
+         end;
+      end loop;
+   end Late_At_The_Start;
+
    ---------------------------
    -- Run_Into_Next_Release --
    ---------------------------
@@ -645,6 +707,9 @@ package body Schedulers_Tests is
         (Suite, "KRN-1 tasks of one priority start in their headers' order",
          Same_Order_As_Headers'Access);
       Add
+        (Suite, "KRN-1 KRN-3 tasks of one start time sleep in their headers' "
+         & "order", Sleepers_In_Order_Of_Headers'Access);
+      Add
         (Suite, "KRN-1 a task's first run lasts until it sleeps",
          First_Run'Access);
       Add
@@ -680,6 +745,9 @@ package body Schedulers_Tests is
       Add
         (Suite, "FRM-4 a task that starts after its tick is counted once",
          Late_Start'Access);
+      Add
+        (Suite, "FRM-4 of late tasks at the start the one that runs is "
+         & "counted", Late_At_The_Start'Access);
       Add
         (Suite, "FRM-4 a task that runs at its next release is counted",
          Run_Into_Next_Release'Access);
