@@ -14,7 +14,9 @@ with URVOS.Error_Logs;
 with URVOS.Frames;
 with URVOS.Mailboxes;
 with URVOS.ROM_Checks;
+with URVOS.Schedulers;
 with URVOS.Semaphores;
+with URVOS.Task_Trees;
 with URVOS.Waits;
 with URV.AD_Scans;
 
@@ -25,7 +27,9 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
    use URVOS;
    use URVOS.Arrangements;
    use URVOS.Frames;
+   use URVOS.Schedulers;
    use URVOS.Semaphores;
+   use URVOS.Task_Trees;
    use URVOS.Waits;
    use URV.AD_Scans;
 
@@ -112,6 +116,125 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    => not Is_Over (Item, Now),
      Post   => Same;
+
+   --  The scheduler
+
+   --  The queues of both stand in the same order.
+   function Orders_Are_Alike (One, Other : Scheduler) return Boolean is
+     (for all A in TCB_Number =>
+        (for all B in TCB_Number =>
+           (if Queue_Of (One, A) = Queue_Of (One, B)
+            then Is_Ahead (One, A, B) = Is_Ahead (Other, A, B))))
+   with Global => null;
+
+   --  Two schedulers that cannot be told apart. Of a free TCB nothing counts
+   --  but its place in the queue: the next task to be loaded overwrites it.
+   function Are_Alike (One, Other : Scheduler) return Boolean is
+     (Clock (One) = Clock (Other)
+      and then Overruns (One) = Overruns (Other)
+      and then Is_Idle (One) = Is_Idle (Other)
+      and then
+        (for all Which in TCB_Number =>
+           Queue_Of (One, Which) = Queue_Of (Other, Which)
+           and then
+             (if Queue_Of (One, Which) /= Free
+              then Is_Unchanged (One, Other, Which)))
+      and then Orders_Are_Alike (One, Other))
+   with Global => null;
+
+   --  They are told apart by no question either.
+   procedure Of_Questions (One, Other : Scheduler)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other),
+     Post   =>
+       Is_Settled (One) = Is_Settled (Other)
+       and then Has_Free_TCB (One) = Has_Free_TCB (Other)
+       and then
+         (if Has_Free_TCB (One)
+          then Next_Free_TCB (One) = Next_Free_TCB (Other))
+       and then
+         (if not Is_Idle (One)
+          then Running_TCB (One) = Running_TCB (Other)
+            and then Has_Higher_Ready (One) = Has_Higher_Ready (Other)
+            and then Has_Overrun (One) = Has_Overrun (Other))
+       and then
+         (for all Which in TCB_Number =>
+            Is_Best_Ready (One, Which) = Is_Best_Ready (Other, Which));
+
+   procedure Of_Start
+     (Tree       : Task_Tree;
+      Now        : Clock_Tick;
+      One, Other : out Scheduler)
+   with
+     Global => null,
+     Post   => Are_Alike (One, Other);
+
+   --  The same call makes of alike schedulers alike ones.
+
+   procedure Of_Load
+     (One, Other : in out Scheduler;
+      Header     : Task_Header)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other)
+       and then Has_Free_TCB (One),
+     Post   => Are_Alike (One, Other);
+
+   procedure Of_Dispatch (One, Other : in out Scheduler)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other),
+     Post   => Are_Alike (One, Other);
+
+   procedure Of_Wake (One, Other : in out Scheduler; Now : Clock_Tick)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other)
+       and then Now >= Clock (One),
+     Post   => Are_Alike (One, Other);
+
+   procedure Of_Exit_Call (One, Other : in out Scheduler)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other)
+       and then not Is_Idle (One),
+     Post   => Are_Alike (One, Other);
+
+   procedure Of_Sleep (One, Other : in out Scheduler; Until_Tick : Tick)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other)
+       and then not Is_Idle (One),
+     Post   => Are_Alike (One, Other);
+
+   procedure Of_Terminate_Caller (One, Other : in out Scheduler)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One, Other)
+       and then not Is_Idle (One),
+     Post   => Are_Alike (One, Other);
 
    --  The telemetry board
 
