@@ -8,6 +8,7 @@
 
 with Telemetry;
 with Telemetry.Memory;
+with Theorems.Alike_Schedulers;
 with URVOS;
 with URVOS.Arrangements;
 with URVOS.Error_Logs;
@@ -24,6 +25,7 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
 
    use Telemetry;
    use Telemetry.Memory;
+   use Theorems.Alike_Schedulers;
    use URVOS;
    use URVOS.Arrangements;
    use URVOS.Frames;
@@ -119,30 +121,7 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
 
    --  The scheduler
 
-   --  The queues of both stand in the same order.
-   function Orders_Are_Alike (One, Other : Scheduler) return Boolean is
-     (for all A in TCB_Number =>
-        (for all B in TCB_Number =>
-           (if Queue_Of (One, A) = Queue_Of (One, B)
-            then Is_Ahead (One, A, B) = Is_Ahead (Other, A, B))))
-   with Global => null;
-
-   --  Two schedulers that cannot be told apart. Of a free TCB nothing counts
-   --  but its place in the queue: the next task to be loaded overwrites it.
-   function Are_Alike (One, Other : Scheduler) return Boolean is
-     (Clock (One) = Clock (Other)
-      and then Overruns (One) = Overruns (Other)
-      and then Is_Idle (One) = Is_Idle (Other)
-      and then
-        (for all Which in TCB_Number =>
-           Queue_Of (One, Which) = Queue_Of (Other, Which)
-           and then
-             (if Queue_Of (One, Which) /= Free
-              then Is_Unchanged (One, Other, Which)))
-      and then Orders_Are_Alike (One, Other))
-   with Global => null;
-
-   --  They are told apart by no question either.
+   --  What is asked of two that are alike has the same answer.
    procedure Of_Questions (One, Other : Scheduler)
    with
      Global => null,

@@ -1,0 +1,66 @@
+package body Theorems.Alike_Schedulers with SPARK_Mode is
+
+   --  Equals are alike, and who is alike one that is alike a third is alike
+   --  the third.
+
+   procedure Prove_Equals_Are_Alike (One, Other : Scheduler)
+   with
+     Global => null,
+     Pre    => One = Other,
+     Post   => Are_Alike (One, Other);
+
+   procedure Prove_Alike (First, Middle, Last : Scheduler)
+   with
+     Global => null,
+     Pre    => Are_Alike (First, Middle) and then Are_Alike (Middle, Last),
+     Post   => Are_Alike (First, Last);
+
+   procedure Prove_Equals_Are_Alike (One, Other : Scheduler) is null;
+
+   procedure Prove_Alike (First, Middle, Last : Scheduler) is null;
+
+   procedure Prove_Still_Alike
+     (One_Before, One, Other_Before, Other : Scheduler) is
+   begin
+      Prove_Equals_Are_Alike (One, One_Before);
+      Prove_Equals_Are_Alike (Other_Before, Other);
+      Prove_Alike (One, One_Before, Other_Before);
+      Prove_Alike (One, Other_Before, Other);
+   end Prove_Still_Alike;
+
+   procedure Prove_One_Is_Ahead (S : Scheduler) is null;
+
+   procedure Prove_Sleepers_Are_Behind (S : Scheduler) is null;
+
+   procedure Prove_One_Best (S : Scheduler; A, B : TCB_Number) is null;
+
+   procedure Prove_Others_Stand
+     (Before, After : Scheduler;
+      Except        : TCB_Number) is null;
+
+   procedure Prove_Others_Are_Alike
+     (One_Before, One, Other_Before, Other : Scheduler;
+      Moved                                : TCB_Number) is null;
+
+   procedure Prove_Orders_Are_Alike
+     (One, Other : Scheduler;
+      Moved      : TCB_Number) is null;
+
+   procedure Prove_Others_Wait
+     (Before, After : Scheduler;
+      Caller, Best  : TCB_Number) is null;
+
+   procedure Prove_Others_Wait_Alike
+     (One_Before, One, Other_Before, Other : Scheduler;
+      Caller, Best                         : TCB_Number) is
+   begin
+      Prove_Others_Wait (One_Before, One, Caller, Best);
+      Prove_Others_Wait (Other_Before, Other, Caller, Best);
+      pragma Assert
+        (for all Which in TCB_Number =>
+           (if Queue_Of (One, Which) = Running then Which = Best));
+   end Prove_Others_Wait_Alike;
+
+   procedure Prove_Turns_Are_Alike (One, Other : Scheduler) is null;
+
+end Theorems.Alike_Schedulers;
