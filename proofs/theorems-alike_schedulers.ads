@@ -1,5 +1,5 @@
 --  When two schedulers cannot be told apart, and what follows of it. What
---  Theorems.Results says of the scheduler is said in these words.
+--  Theorems.Results says of the scheduler is said in these words (EVI-7).
 
 with URVOS;              use URVOS;
 with URVOS.Arrangements; use URVOS.Arrangements;
