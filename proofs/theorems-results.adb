@@ -348,6 +348,143 @@ package body Theorems.Results with SPARK_Mode is
         and then Overwrote = As_Well;
    end Of_Put;
 
+   procedure Of_Accept_Character
+     (Item         : Receiver;
+      Pair         : Buffer_Pair;
+      Length       : Block_Length;
+      Wants_Data   : Boolean;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   is
+      One, Other        : Receiver := Item;
+      One_Pair, As_Well : Buffer_Pair := Pair;
+      Outcome, Its_Like : Event;
+   begin
+      Accept_Character
+        (One, One_Pair, Length, Wants_Data, Data, Parity_Error, Outcome);
+      Accept_Character
+        (Other, As_Well, Length, Wants_Data, Data, Parity_Error, Its_Like);
+      Same :=
+        One = Other
+        and then One_Pair = As_Well
+        and then Outcome = Its_Like;
+   end Of_Accept_Character;
+
+   procedure Of_Restart
+     (Item : Receiver;
+      Pair : Buffer_Pair;
+      Same : out Boolean)
+   is
+      One, Other        : Receiver := Item;
+      One_Pair, As_Well : Buffer_Pair := Pair;
+   begin
+      Restart (One, One_Pair);
+      Restart (Other, As_Well);
+      Same :=
+        One = Other
+        and then One_Pair = As_Well;
+   end Of_Restart;
+
+   procedure Of_Send_Next
+     (Item   : Sender;
+      Data   : Block_Data;
+      Length : Block_Length;
+      Same   : out Boolean)
+   is
+      One, Other       : Sender := Item;
+      Output, Its_Like : Byte;
+   begin
+      Send_Next (One, Data, Length, Output);
+      Send_Next (Other, Data, Length, Its_Like);
+      Same :=
+        One = Other
+        and then Output = Its_Like;
+   end Of_Send_Next;
+
+   procedure Of_Next_Character
+     (Item : Board;
+      Same : out Boolean)
+   is
+      One, Other     : Board := Item;
+      Send, As_Well  : Boolean;
+      Data, Its_Like : Byte;
+   begin
+      Next_Character (One, Send, Data);
+      Next_Character (Other, As_Well, Its_Like);
+      Same :=
+        One = Other
+        and then Send = As_Well
+        and then Data = Its_Like;
+   end Of_Next_Character;
+
+   procedure Of_Elapse
+     (Item : Board;
+      Time : Character_Times;
+      Same : out Boolean)
+   is
+      One, Other : Board := Item;
+   begin
+      Elapse (One, Time);
+      Elapse (Other, Time);
+      Same := One = Other;
+   end Of_Elapse;
+
+   procedure Of_Take
+     (Item : Board;
+      Same : out Boolean)
+   is
+      One, Other            : Board := Item;
+      Data, Its_Like        : Block_Data;
+      Fresh, As_Well        : Boolean;
+      Received, As_Received : Boolean;
+   begin
+      Take (One, Data, Fresh, Received);
+      Take (Other, Its_Like, As_Well, As_Received);
+      Same :=
+        One = Other
+        and then Data = Its_Like
+        and then Fresh = As_Well
+        and then Received = As_Received;
+   end Of_Take;
+
+   procedure Of_Put
+     (Item : Board;
+      Data : Block_Data;
+      Same : out Boolean)
+   is
+      One, Other         : Board := Item;
+      Overwrote, As_Well : Boolean;
+   begin
+      Put (One, Data, Overwrote);
+      Put (Other, Data, As_Well);
+      Same :=
+        One = Other
+        and then Overwrote = As_Well;
+   end Of_Put;
+
+   procedure Of_Clear_Transmit_Half
+     (Item : Board;
+      Same : out Boolean)
+   is
+      One, Other : Board := Item;
+   begin
+      Clear_Transmit_Half (One);
+      Clear_Transmit_Half (Other);
+      Same := One = Other;
+   end Of_Clear_Transmit_Half;
+
+   procedure Of_Start
+     (Item : Board;
+      Same : out Boolean)
+   is
+      One, Other : Board := Item;
+   begin
+      Start (One);
+      Start (Other);
+      Same := One = Other;
+   end Of_Start;
+
    procedure Of_Store
      (Item  : Scan;
       Value : Word;

@@ -7,7 +7,11 @@
 --  expression, or an equation for each part of the result, shows it.
 
 with Telemetry;
+with Telemetry.Boards;
+with Telemetry.Headers;
 with Telemetry.Memory;
+with Telemetry.Receivers;
+with Telemetry.Senders;
 with Theorems.Alike_Schedulers;
 with URVOS;
 with URVOS.Arrangements;
@@ -24,7 +28,11 @@ with URV.AD_Scans;
 package Theorems.Results with Pure, SPARK_Mode, Ghost is
 
    use Telemetry;
+   use Telemetry.Boards;
+   use Telemetry.Headers;
    use Telemetry.Memory;
+   use Telemetry.Receivers;
+   use Telemetry.Senders;
    use Theorems.Alike_Schedulers;
    use URVOS;
    use URVOS.Arrangements;
@@ -233,6 +241,79 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
           (if Pair.Slots (Which).Busy
            then Pair.Slots (Which).Full
              and then not Pair.Slots (Other (Which)).Busy)),
+     Post   => Same;
+
+   procedure Of_Accept_Character
+     (Item         : Receiver;
+      Pair         : Buffer_Pair;
+      Length       : Block_Length;
+      Wants_Data   : Boolean;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   with
+     Global => null,
+     Pre    => Fits (Item, Pair, Length),
+     Post   => Same;
+
+   procedure Of_Restart
+     (Item : Receiver;
+      Pair : Buffer_Pair;
+      Same : out Boolean)
+   with
+     Global => null,
+     Post   => Same;
+
+   procedure Of_Send_Next
+     (Item   : Sender;
+      Data   : Block_Data;
+      Length : Block_Length;
+      Same   : out Boolean)
+   with
+     Global => null,
+     Pre    => Fits (Item, Data, Length),
+     Post   => Same;
+
+   procedure Of_Next_Character (Item : Board; Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
+   procedure Of_Elapse
+     (Item : Board;
+      Time : Character_Times;
+      Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
+   procedure Of_Take (Item : Board; Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
+   procedure Of_Put
+     (Item : Board;
+      Data : Block_Data;
+      Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
+   procedure Of_Clear_Transmit_Half (Item : Board; Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
+   procedure Of_Start (Item : Board; Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
      Post   => Same;
 
    --  The tasks

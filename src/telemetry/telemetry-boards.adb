@@ -5,8 +5,21 @@ package body Telemetry.Boards with SPARK_Mode is
      Global => null,
      Post   => Value = Incremented (Value'Old);
 
-   --  The block on its way was not confirmed. After its second transmission
-   --  it is scrapped (LNK-6).
+   --  The block in one buffer was not confirmed. After its second
+   --  transmission it is scrapped (LNK-6).
+   procedure Refuse
+     (Pair     : in out Buffer_Pair;
+      Which    : Slot;
+      Scrapped : in out Count)
+   with
+     Global => null,
+     Post   =>
+       Pair = Refused (Pair'Old, Which)
+       and then Scrapped = Counted
+         (Scrapped'Old,
+          Pair'Old.Slots (Which).Attempts = Attempt_Count'Last);
+
+   --  So was the block on its way.
    procedure End_Attempt (Item : in out Board)
    with
      Global => null,
@@ -14,54 +27,19 @@ package body Telemetry.Boards with SPARK_Mode is
        Is_Sound (Item) and then Item.State in Sending | Awaiting_Status,
      Post   =>
        Is_Sound (Item)
-       and then Item.State = Ready
-       and then Item.Receiver = Item'Old.Receiver
-       and then Item.Receive_Pair = Item'Old.Receive_Pair
-       and then Item.Messages = Item'Old.Messages
-       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
-       and then Item.Owed = Item'Old.Owed
-       and then Item.Silence = Item'Old.Silence
-       and then Item.Line_Taken = Item'Old.Line_Taken
-       and then Item.Clear_To_Send = Item'Old.Clear_To_Send
-       and then Item.Downlink_Turns = Item'Old.Downlink_Turns
-       and then
-         (for all Which in Slot =>
-            Item.Transmit_Pair.Slots (Which).Data =
-              Item'Old.Transmit_Pair.Slots (Which).Data
-            and then
-              (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full
-                 and then Item.Transmit_Pair.Slots (Which).Attempts =
-                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
+       and then Item = (Item'Old with delta
+         Transmit_Pair => Pair_Given_Up (Item'Old),
+         State         => Ready,
+         Tally         => (Item'Old.Tally with delta
+           Scrapped =>
+             Counted (Item'Old.Tally.Scrapped, Is_Scrapped (Item'Old))));
 
    --  Gives up waiting (LNK-9).
    procedure Reset (Item : in out Board)
    with
      Global => null,
      Pre    => Is_Sound (Item) and then not Is_Talking (Item),
-     Post   =>
-       Is_Sound (Item)
-       and then Item.Receiver.State = At_Start
-       and then Item.State =
-         (if Item.Role = Ground and then Item'Old.State /= Idling
-          then Idling else Ready)
-       and then Item.Silence = 0
-       and then Item.Owed = Item'Old.Owed
-       and then Item.Line_Taken = Item'Old.Line_Taken
-       and then Item.Messages = Item'Old.Messages
-       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
-       and then Item.Receive_Pair.Newest = Item'Old.Receive_Pair.Newest
-       and then
-         (for all Which in Slot =>
-            Item.Receive_Pair.Slots (Which).Full =
-              Item'Old.Receive_Pair.Slots (Which).Full
-            and then Item.Transmit_Pair.Slots (Which).Data =
-              Item'Old.Transmit_Pair.Slots (Which).Data
-            and then
-              (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full
-                 and then Item.Transmit_Pair.Slots (Which).Attempts =
-                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
+     Post   => Is_Sound (Item) and then Item = Reset_Board (Item'Old);
 
    --  The block on its way was answered.
    procedure Accept_Status
@@ -73,20 +51,40 @@ package body Telemetry.Boards with SPARK_Mode is
      Pre    => Is_Sound (Item) and then Item.State = Awaiting_Status,
      Post   =>
        Is_Sound (Item)
-       and then Item.State = Ready
-       and then Item.Receiver = Item'Old.Receiver
-       and then Item.Receive_Pair = Item'Old.Receive_Pair
-       and then Item.Messages = Item'Old.Messages
-       and then Item.Tally.Not_Taken = Item'Old.Tally.Not_Taken
+       and then Item = (Item'Old with delta
+         Transmit_Pair  => Pair_Answered (Item'Old, Confirmed),
+         State          => Ready,
+         Downlink_Turns => Turns_Given (Item'Old, Wants_Downlink),
+         Tally          => (Item'Old.Tally with delta
+           Scrapped => Counted
+             (Item'Old.Tally.Scrapped,
+              not Confirmed and then Is_Scrapped (Item'Old))));
+
+   --  A character brought this. The receiver has it already; where it makes
+   --  no sense to the ground the receiver is back at the start.
+   procedure Act_On (Item : in out Board; What : Event)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then not Is_Talking (Item)
+       and then Item.State /= Idling
+       and then Item.Silence = 0
        and then
-         (for all Which in Slot =>
-            Item.Transmit_Pair.Slots (Which).Data =
-              Item'Old.Transmit_Pair.Slots (Which).Data
-            and then
-              (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full
-                 and then Item.Transmit_Pair.Slots (Which).Attempts =
-                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
+         (if What.Kind in Command | Block_Begun
+          then Item.Role = Ground or else Item.State /= Awaiting_Status)
+       and then
+         (if What.Kind = Lost_Step and then Item.Role = Ground
+          then Item.Receiver.State = At_Start)
+       and then
+         (if What.Kind in Block_Good | Block_Bad
+          then Item.Receiver.State = At_Start
+            and then Item.State =
+              (if Item.Role = Ground then Awaiting_Data else Ready))
+       and then
+         (if What.Kind = Block_Good
+          then Item.Receive_Pair.Slots (Item.Receiver.Target).Full),
+     Post   => Is_Sound (Item) and then Item = Informed (Item'Old, What);
 
    --  Begins to send the newest block and clears the other (LNK-7).
    procedure Begin_Block (Item : in out Board)
@@ -100,34 +98,66 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Any_Full (Item.Transmit_Pair),
      Post   =>
        Is_Sound (Item)
-       and then Item.State = Sending
-       and then Item.Sender.Sent = 0
-       and then Item.Sender.Source = Newest_Full (Item'Old.Transmit_Pair)
-       and then not Item.Transmit_Pair.Slots (Other (Item.Sender.Source)).Full
-       and then Item.Transmit_Pair.Slots (Item.Sender.Source).Attempts =
-         Item'Old.Transmit_Pair.Slots (Item.Sender.Source).Attempts + 1
-       and then Item.Receive_Pair = Item'Old.Receive_Pair
-       and then Item.Receiver = Item'Old.Receiver
-       and then Item.Messages = Item'Old.Messages;
+       and then Item = (Item'Old with delta
+         Transmit_Pair => Begun
+           (Item'Old.Transmit_Pair, Newest_Full (Item'Old.Transmit_Pair)),
+         Sender        =>
+           (Source => Newest_Full (Item'Old.Transmit_Pair),
+            Sent   => 0,
+            Sum    => 0),
+         State         => Sending,
+         Tally         => (Item'Old.Tally with delta
+           Sent    => Incremented (Item'Old.Tally.Sent),
+           Cleared => Counted
+             (Item'Old.Tally.Cleared, Both_Full (Item'Old.Transmit_Pair))));
+
+   --  Sends the next character of the block on its way.
+   procedure Continue_Block (Item : in out Board; Data : out Byte)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item) and then Item.State = Sending,
+     Post   =>
+       Is_Sound (Item)
+       and then Data = Message_Byte
+         (Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
+          Item.Transmit_Length,
+          Item'Old.Sender.Sent + 1)
+       and then Item = (Item'Old with delta
+         Sender => Advanced
+           (Item'Old.Sender,
+            Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
+            Item.Transmit_Length),
+         State  =>
+           (if Item'Old.Sender.Sent + 1 = Message_Length (Item.Transmit_Length)
+            then Awaiting_Status else Sending));
 
    procedure Count_One (Value : in out Count) is
    begin
       Value := Incremented (Value);
    end Count_One;
 
-   procedure End_Attempt (Item : in out Board) is
-      Source : constant Slot := Item.Sender.Source;
+   procedure Refuse
+     (Pair     : in out Buffer_Pair;
+      Which    : Slot;
+      Scrapped : in out Count)
+   is
    begin
-      Item.Transmit_Pair.Slots (Source).Busy := False;
-      if Item.Transmit_Pair.Slots (Source).Attempts = 2 then
-         Item.Transmit_Pair.Slots (Source).Full := False;
-         Item.Transmit_Pair.Slots (Source).Attempts := 0;
-         Count_One (Item.Tally.Scrapped);
+      Pair.Slots (Which).Busy := False;
+      if Pair.Slots (Which).Attempts = Attempt_Count'Last then
+         Pair.Slots (Which).Full := False;
+         Pair.Slots (Which).Attempts := 0;
+         Count_One (Scrapped);
       end if;
+   end Refuse;
+
+   procedure End_Attempt (Item : in out Board) is
+   begin
+      Refuse (Item.Transmit_Pair, Item.Sender.Source, Item.Tally.Scrapped);
       Item.State := Ready;
    end End_Attempt;
 
    procedure Reset (Item : in out Board) is
+      Before : constant Board := Item with Ghost;
    begin
       if Item.Receiver.State = In_Data then
          Count_One (Item.Tally.Bad);
@@ -147,6 +177,11 @@ package body Telemetry.Boards with SPARK_Mode is
          Count_One (Item.Tally.Resets);
       end if;
       Item.Silence := 0;
+
+      pragma Assert (Item.Receiver = Reset_Board (Before).Receiver);
+      pragma Assert (Item.Receive_Pair = Released (Before.Receive_Pair));
+      pragma Assert (Item.Transmit_Pair = Pair_Given_Up (Before));
+      pragma Assert (Item.Tally = Reset_Board (Before).Tally);
    end Reset;
 
    procedure Accept_Status
@@ -171,11 +206,60 @@ package body Telemetry.Boards with SPARK_Mode is
       end if;
    end Accept_Status;
 
+   procedure Act_On (Item : in out Board; What : Event) is
+      Before : constant Board := Item with Ghost;
+   begin
+      case What.Kind is
+         when Nothing | Block_Begun =>
+            null;
+
+         when Lost_Step =>
+            --  The aircraft waits for silence as it is; the ground leaves
+            --  at once for its idle time.
+            if Item.Role = Ground then
+               Reset (Item);
+            end if;
+
+         when Command =>
+            --  The ground needs no permission and disregards it (LNK-3).
+            if Item.Role = Aircraft then
+               Item.Clear_To_Send := True;
+            end if;
+
+         when Receivers.Status =>
+            if Item.State = Awaiting_Status then
+               Accept_Status (Item, What.Good, What.Wants_Downlink);
+            end if;
+
+         when Block_Good =>
+            Item.State := Ready;
+            Item.Owed := Good;
+            Item.Downlink_Turns := 0;
+            Count_One (Item.Messages);
+            Count_One (Item.Tally.Received);
+            if Both_Full (Item.Receive_Pair) then
+               Count_One (Item.Tally.Not_Taken);
+            end if;
+
+         when Block_Bad =>
+            Item.State := Ready;
+            Item.Owed := Bad;
+            Count_One (Item.Tally.Bad);
+      end case;
+
+      pragma Assert (Item.Receive_Pair = Before.Receive_Pair);
+      pragma Assert
+        (Item.Transmit_Pair = Informed (Before, What).Transmit_Pair);
+      pragma Assert (Item.State = Informed (Before, What).State);
+      pragma Assert (Item.Tally = Informed (Before, What).Tally);
+   end Act_On;
+
    procedure Accept_Character
      (Item         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    is
+      Before  : constant Board := Item with Ghost;
       Outcome : Event;
    begin
       if Is_Talking (Item) then
@@ -195,7 +279,8 @@ package body Telemetry.Boards with SPARK_Mode is
           (Data, Parity_Error, Item.Receive_Length, Wants_Data => True).Kind
             in Command | Block_Begun
       then
-         End_Attempt (Item);
+         Refuse (Item.Transmit_Pair, Item.Sender.Source, Item.Tally.Scrapped);
+         Item.State := Ready;
       end if;
 
       Accept_Character
@@ -208,44 +293,51 @@ package body Telemetry.Boards with SPARK_Mode is
          Parity_Error => Parity_Error,
          Outcome      => Outcome);
 
-      case Outcome.Kind is
-         when Nothing | Block_Begun =>
-            null;
+      pragma Assert
+        (if Outcome.Kind = Block_Good
+         then not Parity_Error
+           and then Before.Receiver.State = In_Data
+           and then Before.Receiver.Received = Item.Receive_Length
+           and then not Before.Receiver.Damaged
+           and then Item.Receiver.Target = Before.Receiver.Target);
+      pragma Assert
+        (for all Which in Slot =>
+           (if Item.Receive_Pair.Slots (Which).Full
+              and then not Before.Receive_Pair.Slots (Which).Full
+            then Outcome.Kind = Block_Good
+              and then Which = Before.Receiver.Target
+              and then Item.Receive_Pair.Newest = Which));
+      pragma Assert
+        (for all Which in Slot =>
+           (if Before.Receive_Pair.Slots (Which).Full
+              and then not Item.Receive_Pair.Slots (Which).Full
+            then Outcome.Kind = Block_Begun
+              and then Which = To_Fill (Before.Receive_Pair)));
+      pragma Assert
+        (if Outcome.Kind = Block_Begun
+         then not Before.Receive_Pair.Slots (First).Busy
+           and then not Before.Receive_Pair.Slots (Second).Busy);
 
-         when Lost_Step =>
-            --  The aircraft waits for silence as it is; the ground leaves
-            --  at once for its idle time.
-            if Item.Role = Ground then
-               Restart (Item.Receiver, Item.Receive_Pair);
-               Reset (Item);
-            end if;
+      if Outcome.Kind = Lost_Step and then Item.Role = Ground then
+         Item.Receiver.State := At_Start;
+      end if;
 
-         when Command =>
-            --  The ground needs no permission and disregards it (LNK-3).
-            if Item.Role = Aircraft then
-               Item.Clear_To_Send := True;
-            end if;
+      declare
+         Middle : constant Buffer_Pair := Item.Receive_Pair with Ghost;
+      begin
+         Act_On (Item, Outcome);
 
-         when Receivers.Status =>
-            if Item.State = Awaiting_Status then
-               Accept_Status (Item, Outcome.Good, Outcome.Wants_Downlink);
-            end if;
-
-         when Block_Good =>
-            Item.State := Ready;
-            Item.Owed := Good;
-            Item.Downlink_Turns := 0;
-            Count_One (Item.Messages);
-            Count_One (Item.Tally.Received);
-            if Both_Full (Item.Receive_Pair) then
-               Count_One (Item.Tally.Not_Taken);
-            end if;
-
-         when Block_Bad =>
-            Item.State := Ready;
-            Item.Owed := Bad;
-            Count_One (Item.Tally.Bad);
-      end case;
+         pragma Assert (Item.Receive_Pair = Middle);
+         Checksum.Same_Bytes_Same_Sum
+           (Data_Header (Item.Receive_Length),
+            Middle.Slots (Item.Receiver.Target).Data,
+            Item.Receive_Pair.Slots (Item.Receiver.Target).Data,
+            Item.Receive_Length);
+         pragma Assert
+           (for all Which in Slot =>
+              Item.Receive_Pair.Slots (Which).Full =
+                Middle.Slots (Which).Full);
+      end;
    end Accept_Character;
 
    procedure Begin_Block (Item : in out Board) is
@@ -264,11 +356,24 @@ package body Telemetry.Boards with SPARK_Mode is
       Count_One (Item.Tally.Sent);
    end Begin_Block;
 
+   procedure Continue_Block (Item : in out Board; Data : out Byte) is
+   begin
+      Send_Next
+        (Item.Sender,
+         Item.Transmit_Pair.Slots (Item.Sender.Source).Data,
+         Item.Transmit_Length,
+         Data);
+      if Item.Sender.Sent = Message_Length (Item.Transmit_Length) then
+         Item.State := Awaiting_Status;
+      end if;
+   end Continue_Block;
+
    procedure Next_Character
      (Item : in out Board;
       Send : out Boolean;
       Data : out Byte)
    is
+      Before : constant Board := Item with Ghost;
    begin
       --  Dead space begins when our last character has left.
       if Item.Line_Taken then
@@ -302,15 +407,19 @@ package body Telemetry.Boards with SPARK_Mode is
       end if;
 
       if Item.State = Sending then
-         Send_Next
-           (Item.Sender,
-            Item.Transmit_Pair.Slots (Item.Sender.Source).Data,
-            Item.Transmit_Length,
-            Data);
+         Continue_Block (Item, Data);
          Send := True;
-         if Item.Sender.Sent = Message_Length (Item.Transmit_Length) then
-            Item.State := Awaiting_Status;
-         end if;
+         pragma Assert
+           (if May_Begin_Block (Before)
+            then Data = Data_Header (Item.Transmit_Length));
+         pragma Assert
+           (if May_Begin_Block (Before)
+            then Item.Sender =
+              (Source => Newest_Full (Before.Transmit_Pair),
+               Sent   => 1,
+               Sum    => Checksum.Next (Checksum.First_Value, Data)));
+         pragma Assert
+           (if May_Begin_Block (Before) then Item.State = Sending);
       end if;
 
       Item.Line_Taken := Send;

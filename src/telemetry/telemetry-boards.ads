@@ -146,6 +146,148 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      (if Item.State = Idling then Idle_Time else Dead_Space)
    with Global => null;
 
+   --  Value, one higher if something is so.
+   function Counted (Value : Count; If_So : Boolean) return Count is
+     (if If_So then Incremented (Value) else Value)
+   with
+     Ghost,
+     Global => null;
+
+   --  The transmit half when the block on its way, if there is one, is
+   --  given up: it is tried again or scrapped (LNK-6).
+   function Pair_Given_Up (Item : Board) return Buffer_Pair is
+     (if Item.State in Sending | Awaiting_Status
+      then Refused (Item.Transmit_Pair, Item.Sender.Source)
+      else Item.Transmit_Pair)
+   with
+     Ghost,
+     Global => null;
+
+   --  The transmit half when the block on its way is answered.
+   function Pair_Answered
+     (Item      : Board;
+      Confirmed : Boolean) return Buffer_Pair
+   is
+     (if Confirmed then Emptied (Item.Transmit_Pair, Item.Sender.Source)
+      else Pair_Given_Up (Item))
+   with
+     Ghost,
+     Global => null;
+
+   --  How often the ground may tell the aircraft to downlink then.
+   function Turns_Given
+     (Item           : Board;
+      Wants_Downlink : Boolean) return Turn_Count
+   is
+     (if Item.Role = Aircraft then Item.Downlink_Turns
+      elsif Wants_Downlink then Turn_Count'Last
+      else 0)
+   with
+     Ghost,
+     Global => null;
+
+   --  Whether a block on its way that is given up is scrapped.
+   function Is_Scrapped (Item : Board) return Boolean is
+     (Item.State in Sending | Awaiting_Status
+      and then Item.Transmit_Pair.Slots (Item.Sender.Source).Attempts =
+                 Attempt_Count'Last)
+   with
+     Ghost,
+     Global => null;
+
+   --  The board after its dead space has passed (LNK-9): nothing is coming
+   --  in and no block is on its way. A ground goes into its idle time and
+   --  from there to Ready, an aircraft to Ready.
+   function Reset_Board (Item : Board) return Board is
+     ((Item with delta
+         Receiver      => (Item.Receiver with delta State => At_Start),
+         Receive_Pair  => Released (Item.Receive_Pair),
+         Transmit_Pair => Pair_Given_Up (Item),
+         State         =>
+           (if Item.Role = Ground and then Item.State /= Idling
+            then Idling else Ready),
+         Silence       => 0,
+         Tally         => (Item.Tally with delta
+           Bad      =>
+             Counted (Item.Tally.Bad, Item.Receiver.State = In_Data),
+           Scrapped => Counted (Item.Tally.Scrapped, Is_Scrapped (Item)),
+           Resets   => Counted (Item.Tally.Resets, Item.State /= Idling))))
+   with
+     Ghost,
+     Global => null;
+
+   --  It is the answer to our block.
+   function Is_Answer (Item : Board; What : Event) return Boolean is
+     (Item.State = Awaiting_Status and then What.Kind = Receivers.Status)
+   with
+     Ghost,
+     Global => null;
+
+   --  It tells that our block did not arrive: it says so, the ground speaks
+   --  of other things, or it makes no sense to the ground.
+   function Is_Refusal (Item : Board; What : Event) return Boolean is
+     (Item.State = Awaiting_Status
+      and then
+        (case What.Kind is
+            when Receivers.Status      => not What.Good,
+            when Command | Block_Begun => Item.Role = Aircraft,
+            when Lost_Step             => Item.Role = Ground,
+            when others                => False))
+   with
+     Ghost,
+     Global => null;
+
+   --  The board after a character that brought this, but for the receiver.
+   function Informed (Item : Board; What : Event) return Board is
+     ((Item with delta
+         Transmit_Pair  =>
+           (if Is_Refusal (Item, What) then Pair_Given_Up (Item)
+            elsif Is_Answer (Item, What)
+            then Pair_Answered (Item, What.Good)
+            else Item.Transmit_Pair),
+         State          =>
+           (if What.Kind = Lost_Step and then Item.Role = Ground then Idling
+            elsif What.Kind in Block_Good | Block_Bad
+              or else Is_Answer (Item, What)
+              or else Is_Refusal (Item, What)
+            then Ready
+            else Item.State),
+         Owed           =>
+           (case What.Kind is
+               when Block_Good => Good,
+               when Block_Bad  => Bad,
+               when others     => Item.Owed),
+         Silence        => 0,
+         Downlink_Turns =>
+           (if What.Kind = Block_Good then 0
+            elsif Is_Answer (Item, What)
+            then Turns_Given (Item, What.Wants_Downlink)
+            else Item.Downlink_Turns),
+
+         --  The ground needs no permission and disregards it (LNK-3).
+         Clear_To_Send  =>
+           Item.Clear_To_Send
+           or else (What.Kind = Command and then Item.Role = Aircraft),
+         Messages       => Counted (Item.Messages, What.Kind = Block_Good),
+         Tally          => (Item.Tally with delta
+           Received  =>
+             Counted (Item.Tally.Received, What.Kind = Block_Good),
+           Bad       => Counted (Item.Tally.Bad, What.Kind = Block_Bad),
+           Scrapped  => Counted
+             (Item.Tally.Scrapped,
+              Is_Refusal (Item, What) and then Is_Scrapped (Item)),
+           Resets    => Counted
+             (Item.Tally.Resets,
+              What.Kind = Lost_Step and then Item.Role = Ground),
+           Not_Taken => Counted
+             (Item.Tally.Not_Taken,
+              What.Kind = Block_Good
+                and then Item.Receive_Pair.Slots
+                           (Other (Item.Receiver.Target)).Full))))
+   with
+     Ghost,
+     Global => null;
+
    --  A character has arrived.
    procedure Accept_Character
      (Item         : in out Board;
@@ -201,18 +343,36 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             (if Item'Old.Receive_Pair.Slots (Which).Full
                and then not Item.Receive_Pair.Slots (Which).Full
              then Both_Full (Item'Old.Receive_Pair)
-               and then Which = Other (Item'Old.Receive_Pair.Newest)))
+               and then Which = Other (Item'Old.Receive_Pair.Newest)));
 
-       --  Nothing is ever put into a transmit buffer here.
-       and then
-         (for all Which in Slot =>
-            Item.Transmit_Pair.Slots (Which).Data =
-              Item'Old.Transmit_Pair.Slots (Which).Data
-            and then
-              (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full
-                 and then Item.Transmit_Pair.Slots (Which).Attempts =
-                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
+   --  The board may begin to send a block.
+   function May_Begin_Block (Item : Board) return Boolean is
+     (Item.State = Ready
+      and then Item.Owed = None
+      and then Item.Receiver.State = At_Start
+      and then (Item.Role = Ground or else Item.Clear_To_Send)
+      and then Any_Full (Item.Transmit_Pair))
+   with
+     Ghost,
+     Global => null;
+
+   --  The ground may let the aircraft send a block (LNK-8).
+   function May_Command (Item : Board) return Boolean is
+     (Item.State = Ready
+      and then Item.Owed = None
+      and then Item.Receiver.State = At_Start
+      and then not May_Begin_Block (Item)
+      and then Item.Downlink_Turns > 0)
+   with
+     Ghost,
+     Global => null;
+
+   --  Dead space begins when our last character has left.
+   function Silence_Now (Item : Board) return Character_Times is
+     (if Item.Line_Taken then 0 else Item.Silence)
+   with
+     Ghost,
+     Global => null;
 
    --  The transmitter is empty: Data is the next character if Send is True,
    --  else there is none now.
@@ -221,68 +381,85 @@ package Telemetry.Boards with Pure, SPARK_Mode is
       Send : out Boolean;
       Data : out Byte)
    with
-     Global => null,
-     Pre    => Is_Sound (Item),
-     Post   =>
-       Is_Sound (Item)
-       and then Item.Line_Taken = Send
-
+     Global         => null,
+     Pre            => Is_Sound (Item),
+     Post           => Is_Sound (Item) and then Item.Line_Taken = Send,
+     Contract_Cases =>
        --  An owed status goes out first.
-       and then
-         (if Item'Old.Owed /= None
-          then Send
-            and then Item.Owed = None
-            and then Item.State = Item'Old.State
-            and then Data = Encode
-              ((Kind           => Headers.Status,
-                Good           => Item'Old.Owed = Good,
-                Wants_Downlink =>
-                  Item.Role = Aircraft
-                  and then Any_Full (Item.Transmit_Pair))))
+       (Item.Owed /= None =>
+          Send
+          and then Data = Encode
+            ((Kind           => Headers.Status,
+              Good           => Item'Old.Owed = Good,
+              Wants_Downlink =>
+                Item.Role = Aircraft
+                and then Any_Full (Item.Transmit_Pair)))
+          and then Item = (Item'Old with delta
+            Owed       => None,
+            Line_Taken => True,
+            Silence    => Silence_Now (Item'Old)),
 
-       --  A data message goes out as header, data, checksum.
-       and then
-         (if Item'Old.State = Sending
-          then Send
-            and then Data = Message_Byte
-              (Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
-               Item.Transmit_Length,
-               Item'Old.Sender.Sent + 1)
-            and then Item.Owed = None
-            and then Item.Sender =
-              (Item.Sender with delta Sent => Item'Old.Sender.Sent + 1)
-            and then Item.State =
-              (if Item.Sender.Sent = Message_Length (Item.Transmit_Length)
-               then Awaiting_Status else Sending))
+        --  A data message goes out as header, data, checksum.
+        Item.State = Sending =>
+          Send
+          and then Data = Message_Byte
+            (Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
+             Item.Transmit_Length,
+             Item'Old.Sender.Sent + 1)
+          and then Item = (Item'Old with delta
+            Sender     => Advanced
+              (Item'Old.Sender,
+               Item'Old.Transmit_Pair.Slots (Item'Old.Sender.Source).Data,
+               Item.Transmit_Length),
+            State      =>
+              (if Item'Old.Sender.Sent + 1 =
+                    Message_Length (Item.Transmit_Length)
+               then Awaiting_Status else Sending),
+            Line_Taken => True,
+            Silence    => Silence_Now (Item'Old)),
 
-       --  Who waits is silent. Dead space begins when the last character
-       --  has left.
-       and then
-         (if Item'Old.State in Awaiting_Status | Awaiting_Data | Idling
-            or else (Item'Old.State = Ready
-                     and then Item'Old.Owed = None
-                     and then Item'Old.Receiver.State /= At_Start)
-          then not Send
-            and then Item.State = Item'Old.State
-            and then Item.Owed = Item'Old.Owed
-            and then Item.Silence =
-              (if Item'Old.Line_Taken then 0 else Item'Old.Silence))
+        --  A block that begins is the newest, is now transmitted once more,
+        --  and is alone.
+        May_Begin_Block (Item) =>
+          Send
+          and then Data = Data_Header (Item.Transmit_Length)
+          and then Item = (Item'Old with delta
+            Transmit_Pair => Begun
+              (Item'Old.Transmit_Pair, Newest_Full (Item'Old.Transmit_Pair)),
+            Sender        =>
+              (Source => Newest_Full (Item'Old.Transmit_Pair),
+               Sent   => 1,
+               Sum    => Checksum.Next (Checksum.First_Value, Data)),
+            State         => Sending,
+            Line_Taken    => True,
+            Silence       => Silence_Now (Item'Old),
+            Clear_To_Send => False,
+            Tally         => (Item'Old.Tally with delta
+              Sent    => Incremented (Item'Old.Tally.Sent),
+              Cleared => Counted
+                (Item'Old.Tally.Cleared, Both_Full (Item'Old.Transmit_Pair)))),
 
-       --  A block that begins is the newest, is now transmitted once more,
-       --  and is alone.
-       and then
-         (if Item'Old.State = Ready and then Item.State = Sending
-          then Item.Sender.Source = Newest_Full (Item'Old.Transmit_Pair)
-            and then not Item.Transmit_Pair.Slots
-                           (Other (Item.Sender.Source)).Full
-            and then Item.Transmit_Pair.Slots (Item.Sender.Source).Attempts =
-              Item'Old.Transmit_Pair.Slots (Item.Sender.Source).Attempts + 1
-            and then (Item.Role = Ground or else Item'Old.Clear_To_Send))
+        --  Without one of its own, the ground lets the aircraft send.
+        May_Command (Item) =>
+          Send
+          and then Data = Encode ((Kind => Command_To_Downlink))
+          and then Item = (Item'Old with delta
+            State          => Awaiting_Data,
+            Line_Taken     => True,
+            Silence        => Silence_Now (Item'Old),
+            Downlink_Turns => Item'Old.Downlink_Turns - 1),
 
-       --  The receive half is not touched.
-       and then Item.Receive_Pair = Item'Old.Receive_Pair
-       and then Item.Receiver = Item'Old.Receiver
-       and then Item.Messages = Item'Old.Messages;
+        --  Who waits is silent. A permission that finds no block lapses.
+        others =>
+          not Send
+          and then Data = 0
+          and then Item = (Item'Old with delta
+            Line_Taken    => False,
+            Silence       => Silence_Now (Item'Old),
+            Clear_To_Send =>
+              Item'Old.Clear_To_Send
+              and then (Item'Old.State /= Ready
+                        or else Item'Old.Receiver.State /= At_Start)));
 
    --  Time has passed. A board that has waited for too long resets itself.
    procedure Elapse (Item : in out Board; Time : Character_Times)
@@ -302,31 +479,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             Item = (Item'Old with delta
                       Silence => Item'Old.Silence + Time),
 
-        --  Else it resets: the ground into its idle time and from there to
-        --  Ready, the aircraft to Ready.
-        others =>
-          Item.Receiver.State = At_Start
-          and then Item.State =
-            (if Item.Role = Ground and then Item'Old.State /= Idling
-             then Idling else Ready)
-          and then Item.Silence = 0
-          and then Item.Owed = None
-          and then not Item.Line_Taken
-          and then Item.Messages = Item'Old.Messages
-
-          --  No block becomes full, and one that stays full has not been
-          --  transmitted more often.
-          and then
-            (for all Which in Slot =>
-               Item.Receive_Pair.Slots (Which).Full =
-                 Item'Old.Receive_Pair.Slots (Which).Full
-               and then Item.Transmit_Pair.Slots (Which).Data =
-                 Item'Old.Transmit_Pair.Slots (Which).Data
-               and then
-                 (if Item.Transmit_Pair.Slots (Which).Full
-                  then Item'Old.Transmit_Pair.Slots (Which).Full
-                    and then Item.Transmit_Pair.Slots (Which).Attempts =
-                      Item'Old.Transmit_Pair.Slots (Which).Attempts)));
+        others => Item = Reset_Board (Item'Old));
 
    --  How long until the board resets itself if nothing happens; the last
    --  value if it never does.
@@ -355,9 +508,10 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then
          (if Fresh
           then Data = Item'Old.Receive_Pair.Slots
-                        (Newest_Full (Item'Old.Receive_Pair)).Data)
-       and then not Any_Full (Item.Receive_Pair)
-       and then Item.Transmit_Pair = Item'Old.Transmit_Pair;
+                        (Newest_Full (Item'Old.Receive_Pair)).Data
+          else Data = (Data'Range => 0))
+       and then Item = (Item'Old with delta
+         Receive_Pair => Taken (Item'Old.Receive_Pair));
 
    --  The controller gives a block to transmit. Overwrote tells that it
    --  replaced one that was still waiting.
@@ -375,8 +529,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Newest_Full (Item.Transmit_Pair) = Item.Transmit_Pair.Newest
        and then Item.Transmit_Pair.Slots (Item.Transmit_Pair.Newest).Data =
                   Data
-       and then Item.State = Item'Old.State
-       and then Item.Receive_Pair = Item'Old.Receive_Pair;
+       and then Item = (Item'Old with delta
+         Transmit_Pair => Filled (Item'Old.Transmit_Pair, Data));
 
    --  The controller's part of the start: transmit buffers empty, flags
    --  empty, semaphores available (INI-4). A ground board whose message is
@@ -387,13 +541,15 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Pre    => Is_Sound (Item),
      Post   =>
        Is_Sound (Item)
-       and then Item.Transmit_Pair = Empty_Pair
-       and then Item.State =
-         (if Item'Old.State not in Sending | Awaiting_Status
-          then Item'Old.State
-          elsif Item.Role = Ground then Idling
-          else Ready)
-       and then Item.Receive_Pair = Item'Old.Receive_Pair;
+       and then Item =
+         (if Item'Old.State in Sending | Awaiting_Status
+          then
+            (Item'Old with delta
+               Transmit_Pair => Empty_Pair,
+               State         =>
+                 (if Item.Role = Ground then Idling else Ready),
+               Silence       => 0)
+          else (Item'Old with delta Transmit_Pair => Empty_Pair));
 
    --  The board's own start: a board that has neither sent nor received,
    --  but for its transmit buffers, which are the controller's (INI-4). It
@@ -404,17 +560,19 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Pre    => Is_Sound (Item),
      Post   =>
        Is_Sound (Item)
-       and then Item.Receive_Pair = Empty_Pair
-       and then Item.State = (if Item.Role = Ground then Idling else Ready)
-       and then Item.Receiver.State = At_Start
-       and then Item.Silence = 0
-       and then Item.Messages = 0
-       and then
-         (for all Which in Slot =>
-            Item.Transmit_Pair.Slots (Which).Data =
-              Item'Old.Transmit_Pair.Slots (Which).Data
-            and then
-              (if Item.Transmit_Pair.Slots (Which).Full
-               then Item'Old.Transmit_Pair.Slots (Which).Full));
+       and then Item = (Item'Old with delta
+         Receive_Pair   => Empty_Pair,
+         Transmit_Pair  => Pair_Given_Up (Item'Old),
+         Receiver       => (others => <>),
+         State          => (if Item.Role = Ground then Idling else Ready),
+         Owed           => None,
+         Line_Taken     => False,
+         Silence        => 0,
+         Downlink_Turns => 0,
+         Clear_To_Send  => False,
+         Messages       => 0,
+         Tally          => (Item'Old.Tally with delta
+           Scrapped =>
+             Counted (Item'Old.Tally.Scrapped, Is_Scrapped (Item'Old))));
 
 end Telemetry.Boards;

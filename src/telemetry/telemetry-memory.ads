@@ -69,6 +69,84 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Pre    => Any_Full (Pair),
      Post   => Pair.Slots (Newest_Full'Result).Full;
 
+   --  What becomes of a pair.
+
+   --  Nobody holds a buffer any more.
+   function Released (Pair : Buffer_Pair) return Buffer_Pair is
+     ((Pair with delta
+         Slots => (First  => (Pair.Slots (First) with delta Busy => False),
+                   Second => (Pair.Slots (Second) with delta Busy => False))))
+   with
+     Ghost,
+     Global => null,
+     Post   =>
+       (if not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy
+        then Released'Result = Pair);
+
+   --  The block in one buffer is done with.
+   function Emptied (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
+     ((Pair with delta
+         Slots => (Pair.Slots with delta
+           Which => (Pair.Slots (Which) with delta
+             Full => False, Busy => False, Attempts => 0))))
+   with
+     Ghost,
+     Global => null;
+
+   --  The block in one buffer was transmitted and not confirmed. After the
+   --  second time it is scrapped (LNK-6).
+   function Refused (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
+     (if Pair.Slots (Which).Attempts = Attempt_Count'Last
+      then Emptied (Pair, Which)
+      else
+        (Pair with delta
+           Slots => (Pair.Slots with delta
+             Which => (Pair.Slots (Which) with delta Busy => False))))
+   with
+     Ghost,
+     Global => null;
+
+   --  The block in one buffer is transmitted once more; the other is
+   --  cleared if it is full (LNK-7).
+   function Begun (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
+     ((Pair with delta
+         Slots => (Pair.Slots with delta
+           Which         => (Pair.Slots (Which) with delta
+             Busy     => True,
+             Attempts => Pair.Slots (Which).Attempts + 1),
+           Other (Which) => (Pair.Slots (Other (Which)) with delta
+             Full     => False,
+             Attempts =>
+               (if Pair.Slots (Other (Which)).Full
+                then 0
+                else Pair.Slots (Other (Which)).Attempts)))))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Pair.Slots (Which).Attempts < Attempt_Count'Last;
+
+   --  The controller has taken from a receive pair.
+   function Taken (Pair : Buffer_Pair) return Buffer_Pair is
+     ((Pair with delta
+         Slots => (First  => (Pair.Slots (First) with delta Full => False),
+                   Second => (Pair.Slots (Second) with delta Full => False))))
+   with
+     Ghost,
+     Global => null;
+
+   --  The controller has put a block into a transmit pair.
+   function Filled
+     (Pair : Buffer_Pair;
+      Data : Block_Data) return Buffer_Pair
+   is
+     ((Newest => To_Fill (Pair),
+       Slots  => (Pair.Slots with delta
+         To_Fill (Pair) =>
+           (Full => True, Busy => False, Attempts => 0, Data => Data))))
+   with
+     Ghost,
+     Global => null;
+
    --  The controller takes the newest block out of a receive pair; an older
    --  one is dropped. Fresh is False, and the pair left as it is, when there
    --  is none.
@@ -86,10 +164,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
                  else Data = (Data'Range => 0))
 
        --  Nothing else changes.
-       and then Pair.Newest = Pair'Old.Newest
-       and then (for all Which in Slot =>
-                   Pair.Slots (Which) =
-                     (Pair'Old.Slots (Which) with delta Full => False));
+       and then Pair = Taken (Pair'Old);
 
    --  The controller puts a block into a transmit pair. Overwrote tells
    --  that it replaced one that was not transmitted yet.
@@ -108,12 +183,6 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Post   =>
        Overwrote = Both_Full (Pair'Old)
        and then not Pair'Old.Slots (Pair.Newest).Busy
-       and then Pair.Newest = To_Fill (Pair'Old)
-       and then Pair.Slots =
-         (Pair'Old.Slots with delta
-            Pair.Newest => (Full     => True,
-                            Busy     => False,
-                            Attempts => 0,
-                            Data     => Data));
+       and then Pair = Filled (Pair'Old, Data);
 
 end Telemetry.Memory;

@@ -9,8 +9,8 @@ package body Telemetry.Receivers with SPARK_Mode is
       Parity_Error : Boolean;
       Outcome      : out Event)
    is
-      Before : constant Block_Data := Pair.Slots (Item.Target).Data
-      with Ghost;
+      Was    : constant Receiver    := Item with Ghost;
+      Before : constant Buffer_Pair := Pair with Ghost;
    begin
       case Item.State is
          when At_Start =>
@@ -29,6 +29,8 @@ package body Telemetry.Receivers with SPARK_Mode is
             elsif Outcome.Kind = Lost_Step then
                Item.State := Out_Of_Step;
             end if;
+            pragma Assert
+              (Pair = Pair_After (Was, Before, Outcome.Kind, Data));
 
          when In_Data =>
             Item.Damaged := Item.Damaged or Parity_Error;
@@ -41,7 +43,7 @@ package body Telemetry.Receivers with SPARK_Mode is
 
                Checksum.Same_Bytes_Same_Sum
                  (Data_Header (Length),
-                  Before,
+                  Before.Slots (Item.Target).Data,
                   Pair.Slots (Item.Target).Data,
                   Item.Received - 1);
                pragma Assert
@@ -49,6 +51,8 @@ package body Telemetry.Receivers with SPARK_Mode is
                     (Data_Header (Length),
                      Pair.Slots (Item.Target).Data,
                      Item.Received));
+               pragma Assert
+                 (Pair = Pair_After (Was, Before, Outcome.Kind, Data));
             else
                Item.State := At_Start;
                Pair.Slots (Item.Target).Busy := False;
@@ -60,6 +64,8 @@ package body Telemetry.Receivers with SPARK_Mode is
                else
                   Outcome := (Kind => Block_Bad, others => False);
                end if;
+               pragma Assert
+                 (Pair = Pair_After (Was, Before, Outcome.Kind, Data));
             end if;
 
          when Out_Of_Step =>

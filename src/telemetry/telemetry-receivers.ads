@@ -91,8 +91,110 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                others => False)))
    with Global => null;
 
-   --  A character has come. Length is that of the blocks this board is
-   --  sent; a data message is taken only when the board wants one.
+   --  What a character brings. Between messages it is a header or nothing;
+   --  after the data it is the checksum, and the receiver has that of the
+   --  header and the data (see Fits); out of step it is noise. Length is
+   --  that of the blocks this board is sent; a data message is taken only
+   --  when the board wants one.
+   function Outcome_Of
+     (Item         : Receiver;
+      Length       : Block_Length;
+      Wants_Data   : Boolean;
+      Data         : Byte;
+      Parity_Error : Boolean) return Event
+   is
+     (case Item.State is
+         when At_Start    =>
+           Meaning (Data, Parity_Error, Length, Wants_Data),
+         when In_Data     =>
+           (Kind   =>
+              (if Item.Received < Length then Nothing
+               elsif not Item.Damaged
+                 and then not Parity_Error
+                 and then Data = Item.Sum
+               then Block_Good
+               else Block_Bad),
+            others => False),
+         when Out_Of_Step => (others => <>))
+   with
+     Ghost,
+     Global => null;
+
+   --  The receiver after a character that brought this.
+   function Receiver_After
+     (Item         : Receiver;
+      Pair         : Buffer_Pair;
+      Outcome      : Event_Kind;
+      Data         : Byte;
+      Parity_Error : Boolean) return Receiver
+   is
+     (case Outcome is
+         when Lost_Step              =>
+           (Item with delta State => Out_Of_Step),
+         when Command | Status       => Item,
+         when Block_Begun            =>
+           (State    => In_Data,
+            Target   => To_Fill (Pair),
+            Received => 0,
+            Sum      => Checksum.Next (Checksum.First_Value, Data),
+            Damaged  => False),
+         when Nothing                =>
+           (if Item.State = In_Data
+            then
+              (Item with delta
+                 Received => Item.Received + 1,
+                 Sum      => Checksum.Next (Item.Sum, Data),
+                 Damaged  => Item.Damaged or Parity_Error)
+            else Item),
+         when Block_Good | Block_Bad =>
+           (Item with delta
+              State   => At_Start,
+              Damaged => Item.Damaged or Parity_Error))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Item.State /= In_Data
+       or else Outcome /= Nothing
+       or else Item.Received < Longest_Block;
+
+   --  And its buffers. One is claimed when a message begins: it is busy, and
+   --  no longer full. It is full again only after a good one.
+   function Pair_After
+     (Item    : Receiver;
+      Pair    : Buffer_Pair;
+      Outcome : Event_Kind;
+      Data    : Byte) return Buffer_Pair
+   is
+     (case Outcome is
+         when Lost_Step | Command | Status => Pair,
+         when Block_Begun                  =>
+           (Pair with delta
+              Slots => (Pair.Slots with delta
+                To_Fill (Pair) => (Pair.Slots (To_Fill (Pair)) with delta
+                  Busy => True, Full => False))),
+         when Nothing                      =>
+           (if Item.State = In_Data
+            then
+              (Pair with delta
+                 Slots => (Pair.Slots with delta
+                   Item.Target => (Pair.Slots (Item.Target) with delta
+                     Data => (Pair.Slots (Item.Target).Data with delta
+                       Item.Received + 1 => Data))))
+            else Pair),
+         when Block_Good | Block_Bad       =>
+           (Newest =>
+              (if Outcome = Block_Good then Item.Target else Pair.Newest),
+            Slots  => (Pair.Slots with delta
+              Item.Target => (Pair.Slots (Item.Target) with delta
+                Busy => False, Full => Outcome = Block_Good))))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Item.State /= In_Data
+       or else Outcome /= Nothing
+       or else Item.Received < Longest_Block;
+
+   --  A character has come.
    procedure Accept_Character
      (Item         : in out Receiver;
       Pair         : in out Buffer_Pair;
@@ -102,77 +204,38 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Parity_Error : Boolean;
       Outcome      : out Event)
    with
-     Global         => null,
-     Pre            => Fits (Item, Pair, Length),
-     Post           => Fits (Item, Pair, Length)
-       and then Pair.Slots (Other (Item.Target)) =
-                  Pair'Old.Slots (Other (Item.Target)),
-     Contract_Cases =>
-       --  Between messages, the byte is a header or nothing.
-       (Item.State = At_Start =>
-          Outcome = Meaning (Data, Parity_Error, Length, Wants_Data)
-          and then Item.State =
-            (case Outcome.Kind is
-                when Block_Begun => In_Data,
-                when Lost_Step   => Out_Of_Step,
-                when others      => At_Start)
-          and then
-            (if Outcome.Kind = Block_Begun
-             then Item.Target = To_Fill (Pair'Old)
-               and then Item.Received = 0
-               and then not Item.Damaged
-               and then Pair = Claimed (Pair'Old, Item.Target)
-             else Pair = Pair'Old),
+     Global => null,
+     Pre    => Fits (Item, Pair, Length),
+     Post   =>
+       Fits (Item, Pair, Length)
+       and then Outcome = Outcome_Of
+         (Item'Old, Length, Wants_Data, Data, Parity_Error)
+       and then Item = Receiver_After
+         (Item'Old, Pair'Old, Outcome.Kind, Data, Parity_Error)
+       and then Pair = Pair_After
+         (Item'Old, Pair'Old, Outcome.Kind, Data)
 
-        --  Within the data, it goes into the buffer.
-        Item.State = In_Data and then Item.Received < Length =>
-          Outcome = (others => <>)
-          and then Item.State = In_Data
-          and then Item.Target = Item'Old.Target
-          and then Item.Received = Item'Old.Received + 1
-          and then Item.Damaged = (Item'Old.Damaged or Parity_Error)
-          and then Pair = (Pair'Old with delta
-            Slots => (Pair'Old.Slots with delta
-              Item.Target => (Pair'Old.Slots (Item.Target) with delta
-                Data => (Pair'Old.Slots (Item.Target).Data with delta
-                  Item.Received => Data)))),
+       --  A buffer is full only if the checksum is that of the header and
+       --  the bytes in it (LNK-5).
+       and then
+         (if Outcome.Kind = Block_Good
+          then Data = Checksum.Of_Message
+            (Data_Header (Length), Pair.Slots (Item.Target).Data, Length))
+       and then
+         (for all Which in Slot =>
+            (if Pair.Slots (Which).Full
+               and then not Pair'Old.Slots (Which).Full
+             then Outcome.Kind = Block_Good
+               and then Which = Item.Target
+               and then Pair.Newest = Which))
 
-        --  After the data, it is the checksum. The buffer is full only if
-        --  it is that of the header and the bytes in the buffer.
-        Item.State = In_Data and then Item.Received = Length =>
-          Item.State = At_Start
-          and then Outcome =
-            (Kind   => (if not Item'Old.Damaged
-                          and then not Parity_Error
-                          and then Data = Checksum.Of_Message
-                                     (Data_Header (Length),
-                                      Pair.Slots (Item.Target).Data,
-                                      Length)
-                        then Block_Good else Block_Bad),
-             others => False)
-          and then Item.Target = Item'Old.Target
-          and then Pair.Newest =
-            (if Outcome.Kind = Block_Good
-             then Item.Target else Pair'Old.Newest)
-          and then Pair.Slots =
-            (Pair'Old.Slots with delta
-               Item.Target => (Pair'Old.Slots (Item.Target) with delta
-                 Busy => False,
-                 Full => Outcome.Kind = Block_Good)),
-
-        --  Out of step, it is noise.
-        Item.State = Out_Of_Step =>
-          Outcome = (others => <>)
-          and then Item = Item'Old
-          and then Pair = Pair'Old);
-
-   --  A pair with one buffer claimed for filling: busy, and no longer full.
-   function Claimed (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
-     ((Pair with delta
-         Slots => (Pair.Slots with delta
-           Which => (Pair.Slots (Which) with delta
-             Busy => True, Full => False))))
-   with Global => null;
+       --  It is no longer full when another message goes into it.
+       and then
+         (for all Which in Slot =>
+            (if Pair'Old.Slots (Which).Full
+               and then not Pair.Slots (Which).Full
+             then Outcome.Kind = Block_Begun
+               and then Which = To_Fill (Pair'Old)));
 
    --  Gives up the message that was coming in, if any, and its buffer.
    procedure Restart
@@ -181,10 +244,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Item.State = At_Start
-       and then Pair.Newest = Pair'Old.Newest
-       and then (for all Which in Slot =>
-                   Pair.Slots (Which) =
-                     (Pair'Old.Slots (Which) with delta Busy => False));
+       Item = (Item'Old with delta State => At_Start)
+       and then Pair = Released (Pair'Old);
 
 end Telemetry.Receivers;

@@ -56,6 +56,27 @@ package Telemetry.Senders with Pure, SPARK_Mode is
                  Byte_Count (Item.Sent - 1))))
    with Global => null;
 
+   --  The sender after one more character: it sums up the header and the
+   --  data as they go.
+   function Advanced
+     (Item   : Sender;
+      Data   : Block_Data;
+      Length : Block_Length) return Sender
+   is
+     ((Item with delta
+         Sent => Item.Sent + 1,
+         Sum  =>
+           (if Item.Sent <= Character_Count (Length)
+            then Checksum.Of_Message
+                   (Encode ((Headers.Data, Length)),
+                    Data,
+                    Byte_Count (Item.Sent))
+            else Item.Sum)))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Item.Sent < Message_Length (Length);
+
    --  The next character of the message.
    procedure Send_Next
      (Item   : in out Sender;
@@ -66,8 +87,7 @@ package Telemetry.Senders with Pure, SPARK_Mode is
      Global => null,
      Pre    => Fits (Item, Data, Length),
      Post   =>
-       Item.Source = Item'Old.Source
-       and then Item.Sent = Item'Old.Sent + 1
+       Item = Advanced (Item'Old, Data, Length)
        and then Output = Message_Byte (Data, Length, Item.Sent)
        and then
          (if Item.Sent < Message_Length (Length)
