@@ -402,6 +402,19 @@ package body Theorems.Results with SPARK_Mode is
         and then Output = Its_Like;
    end Of_Send_Next;
 
+   procedure Of_Accept_Character
+     (Item         : Board;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   is
+      One, Other : Board := Item;
+   begin
+      Accept_Character (One, Data, Parity_Error);
+      Accept_Character (Other, Data, Parity_Error);
+      Same := One = Other;
+   end Of_Accept_Character;
+
    procedure Of_Next_Character
      (Item : Board;
       Same : out Boolean)

@@ -274,6 +274,16 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
      Pre    => Fits (Item, Data, Length),
      Post   => Same;
 
+   procedure Of_Accept_Character
+     (Item         : Board;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
    procedure Of_Next_Character (Item : Board; Same : out Boolean)
    with
      Global => null,

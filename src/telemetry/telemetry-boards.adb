@@ -86,6 +86,65 @@ package body Telemetry.Boards with SPARK_Mode is
           then Item.Receive_Pair.Slots (Item.Receiver.Target).Full),
      Post   => Is_Sound (Item) and then Item = Informed (Item'Old, What);
 
+   --  A ground that speaks of other things has given up our last block.
+   function Is_Overtaken (Item : Board; What : Event) return Boolean is
+     (Item.Role = Aircraft
+      and then Item.State = Awaiting_Status
+      and then What.Kind in Command | Block_Begun)
+   with
+     Ghost,
+     Global => null;
+
+   --  A board that has given its block up before it acts ends as one that
+   --  gives it up then.
+   procedure Prove_Same_End
+     (Before, Middle : Board;
+      What           : Event)
+   with
+     Ghost,
+     Global => null,
+     Pre    =>
+       Middle = (Before with delta
+         Receiver      => Middle.Receiver,
+         Receive_Pair  => Middle.Receive_Pair,
+         Transmit_Pair =>
+           (if Is_Overtaken (Before, What)
+            then Pair_Given_Up (Before) else Before.Transmit_Pair),
+         State         =>
+           (if Is_Overtaken (Before, What) then Ready else Before.State),
+         Silence       => 0,
+         Tally         => (Before.Tally with delta
+           Scrapped => Counted
+             (Before.Tally.Scrapped,
+              Is_Overtaken (Before, What) and then Is_Scrapped (Before))))
+       and then
+         (if What.Kind = Block_Good
+          then Middle.Receiver.Target = Before.Receiver.Target
+            and then Middle.Receive_Pair.Slots
+                       (Other (Before.Receiver.Target)).Full =
+                     Before.Receive_Pair.Slots
+                       (Other (Before.Receiver.Target)).Full),
+     Post   => Informed (Middle, What) =
+       (Informed (Before, What) with delta
+          Receiver     => Middle.Receiver,
+          Receive_Pair => Middle.Receive_Pair);
+
+   --  Nothing that a character brings is put into a transmit buffer.
+   procedure Prove_Nothing_Put (Item : Board; What : Event)
+   with
+     Ghost,
+     Global => null,
+     Post   =>
+       (for all Which in Slot =>
+          Informed (Item, What).Transmit_Pair.Slots (Which).Data =
+            Item.Transmit_Pair.Slots (Which).Data
+          and then
+            (if Informed (Item, What).Transmit_Pair.Slots (Which).Full
+             then Item.Transmit_Pair.Slots (Which).Full
+               and then
+                 Informed (Item, What).Transmit_Pair.Slots (Which).Attempts =
+                   Item.Transmit_Pair.Slots (Which).Attempts));
+
    --  Begins to send the newest block and clears the other (LNK-7).
    procedure Begin_Block (Item : in out Board)
    with
@@ -254,6 +313,39 @@ package body Telemetry.Boards with SPARK_Mode is
       pragma Assert (Item.Tally = Informed (Before, What).Tally);
    end Act_On;
 
+   procedure Prove_Same_End
+     (Before, Middle : Board;
+      What           : Event)
+   is
+   begin
+      pragma Assert
+        (Informed (Middle, What).Transmit_Pair =
+           Informed (Before, What).Transmit_Pair);
+      pragma Assert
+        (Informed (Middle, What).State = Informed (Before, What).State);
+      if Is_Overtaken (Before, What) then
+         pragma Assert (Is_Refusal (Before, What));
+         pragma Assert (not Is_Refusal (Middle, What));
+         pragma Assert
+           (Informed (Middle, What).Tally.Scrapped = Middle.Tally.Scrapped);
+      else
+         pragma Assert (Is_Scrapped (Middle) = Is_Scrapped (Before));
+         pragma Assert
+           (Is_Refusal (Middle, What) = Is_Refusal (Before, What));
+         pragma Assert (Middle.Tally.Scrapped = Before.Tally.Scrapped);
+      end if;
+      pragma Assert
+        (Informed (Middle, What).Tally.Scrapped =
+           Informed (Before, What).Tally.Scrapped);
+      pragma Assert
+        (Informed (Middle, What).Tally.Not_Taken =
+           Informed (Before, What).Tally.Not_Taken);
+      pragma Assert
+        (Informed (Middle, What).Tally = Informed (Before, What).Tally);
+   end Prove_Same_End;
+
+   procedure Prove_Nothing_Put (Item : Board; What : Event) is null;
+
    procedure Accept_Character
      (Item         : in out Board;
       Data         : Byte;
@@ -268,6 +360,7 @@ package body Telemetry.Boards with SPARK_Mode is
 
       Item.Silence := 0;
       if Item.State = Idling then
+         pragma Assert (Item = (Before with delta Silence => 0));
          return;
       end if;
 
@@ -281,7 +374,19 @@ package body Telemetry.Boards with SPARK_Mode is
       then
          Refuse (Item.Transmit_Pair, Item.Sender.Source, Item.Tally.Scrapped);
          Item.State := Ready;
+         pragma Assert
+           (Is_Overtaken (Before, Heard (Before, Data, Parity_Error)));
+         pragma Assert (Item.Transmit_Pair = Pair_Given_Up (Before));
+      else
+         pragma Assert
+           (not Is_Overtaken (Before, Heard (Before, Data, Parity_Error)));
       end if;
+      pragma Assert
+        (Item.Tally = (Before.Tally with delta
+           Scrapped => Counted
+             (Before.Tally.Scrapped,
+              Is_Overtaken (Before, Heard (Before, Data, Parity_Error))
+                and then Is_Scrapped (Before))));
 
       Accept_Character
         (Item         => Item.Receiver,
@@ -293,6 +398,11 @@ package body Telemetry.Boards with SPARK_Mode is
          Parity_Error => Parity_Error,
          Outcome      => Outcome);
 
+      pragma Assert (Outcome = Heard (Before, Data, Parity_Error));
+      pragma Assert
+        (Item.Receiver = Receiver_After
+           (Before.Receiver, Before.Receive_Pair,
+            Outcome.Kind, Data, Parity_Error));
       pragma Assert
         (if Outcome.Kind = Block_Good
          then not Parity_Error
@@ -323,21 +433,35 @@ package body Telemetry.Boards with SPARK_Mode is
       end if;
 
       declare
-         Middle : constant Buffer_Pair := Item.Receive_Pair with Ghost;
+         Middle : constant Board := Item with Ghost;
       begin
          Act_On (Item, Outcome);
 
-         pragma Assert (Item.Receive_Pair = Middle);
+         Prove_Same_End (Before, Middle, Outcome);
+         pragma Assert
+           (Middle.Receiver = Receiver_Informed
+              (Before, Outcome, Data, Parity_Error));
+         pragma Assert
+           (Middle.Receive_Pair = Pair_After
+              (Before.Receiver, Before.Receive_Pair, Outcome.Kind, Data));
+         pragma Assert
+           (Item = Board_After (Before, Outcome, Data, Parity_Error));
+
+         pragma Assert (Item.Receive_Pair = Middle.Receive_Pair);
          Checksum.Same_Bytes_Same_Sum
            (Data_Header (Item.Receive_Length),
-            Middle.Slots (Item.Receiver.Target).Data,
+            Middle.Receive_Pair.Slots (Item.Receiver.Target).Data,
             Item.Receive_Pair.Slots (Item.Receiver.Target).Data,
             Item.Receive_Length);
          pragma Assert
            (for all Which in Slot =>
               Item.Receive_Pair.Slots (Which).Full =
-                Middle.Slots (Which).Full);
+                Middle.Receive_Pair.Slots (Which).Full);
       end;
+      pragma Assert
+        (Item = Board_After
+           (Before, Heard (Before, Data, Parity_Error), Data, Parity_Error));
+      Prove_Nothing_Put (Before, Outcome);
    end Accept_Character;
 
    procedure Begin_Block (Item : in out Board) is

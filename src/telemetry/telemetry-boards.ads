@@ -216,6 +216,23 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Ghost,
      Global => null;
 
+   --  What a character brings to a board that listens.
+   function Heard
+     (Item         : Board;
+      Data         : Byte;
+      Parity_Error : Boolean) return Event
+   is
+     (Outcome_Of
+        (Item         => Item.Receiver,
+         Length       => Item.Receive_Length,
+         Wants_Data   => Item.Role = Aircraft
+                           or else Item.State = Awaiting_Data,
+         Data         => Data,
+         Parity_Error => Parity_Error))
+   with
+     Ghost,
+     Global => null;
+
    --  It is the answer to our block.
    function Is_Answer (Item : Board; What : Event) return Boolean is
      (Item.State = Awaiting_Status and then What.Kind = Receivers.Status)
@@ -288,6 +305,41 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Ghost,
      Global => null;
 
+   --  The receiver after it. Where it makes no sense the aircraft waits for
+   --  silence as it is; the ground leaves at once for its idle time.
+   function Receiver_Informed
+     (Item         : Board;
+      What         : Event;
+      Data         : Byte;
+      Parity_Error : Boolean) return Receivers.Receiver
+   is
+     (if What.Kind = Lost_Step and then Item.Role = Ground
+      then (Item.Receiver with delta State => At_Start)
+      else Receiver_After
+        (Item.Receiver, Item.Receive_Pair, What.Kind, Data, Parity_Error))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Is_Sound (Item)
+       and then What = Heard (Item, Data, Parity_Error);
+
+   --  The board after a character that it listens to.
+   function Board_After
+     (Item         : Board;
+      What         : Event;
+      Data         : Byte;
+      Parity_Error : Boolean) return Board
+   is
+     ((Informed (Item, What) with delta
+         Receiver     => Receiver_Informed (Item, What, Data, Parity_Error),
+         Receive_Pair => Pair_After
+           (Item.Receiver, Item.Receive_Pair, What.Kind, Data)))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Is_Sound (Item)
+       and then What = Heard (Item, Data, Parity_Error);
+
    --  A character has arrived.
    procedure Accept_Character
      (Item         : in out Board;
@@ -299,8 +351,16 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Post   =>
        Is_Sound (Item)
 
-       --  While the board talks it hears nothing.
-       and then (if Is_Talking (Item'Old) then Item = Item'Old)
+       --  While the board talks it hears nothing; in its reset, nothing but
+       --  that the line is not silent.
+       and then Item =
+         (if Is_Talking (Item'Old)
+          then Item'Old
+          elsif Item'Old.State = Idling
+          then (Item'Old with delta Silence => 0)
+          else Board_After
+            (Item'Old,
+             Heard (Item'Old, Data, Parity_Error), Data, Parity_Error))
 
        --  A receive buffer becomes full only with a data message whose
        --  checksum matched; that one is counted, and owed a good status.
@@ -343,7 +403,18 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             (if Item'Old.Receive_Pair.Slots (Which).Full
                and then not Item.Receive_Pair.Slots (Which).Full
              then Both_Full (Item'Old.Receive_Pair)
-               and then Which = Other (Item'Old.Receive_Pair.Newest)));
+               and then Which = Other (Item'Old.Receive_Pair.Newest)))
+
+       --  Nothing is ever put into a transmit buffer here.
+       and then
+         (for all Which in Slot =>
+            Item.Transmit_Pair.Slots (Which).Data =
+              Item'Old.Transmit_Pair.Slots (Which).Data
+            and then
+              (if Item.Transmit_Pair.Slots (Which).Full
+               then Item'Old.Transmit_Pair.Slots (Which).Full
+                 and then Item.Transmit_Pair.Slots (Which).Attempts =
+                   Item'Old.Transmit_Pair.Slots (Which).Attempts));
 
    --  The board may begin to send a block.
    function May_Begin_Block (Item : Board) return Boolean is

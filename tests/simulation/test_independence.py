@@ -36,7 +36,7 @@ def test_unit_tests_are_counted(monkeypatch, text, expected):
 ])
 def test_flying_tests_are_counted(monkeypatch, text, expected):
     monkeypatch.setattr(independence, "run", said(text))
-    assert independence.flying_tests(Path("bin")) == expected
+    assert independence.flying_tests(Path("bin"), ["wire"]) == expected
 
 
 def test_bytes_of_flights_are_those_of_the_flights(monkeypatch):
