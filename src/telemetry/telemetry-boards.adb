@@ -226,6 +226,7 @@ package body Telemetry.Boards with SPARK_Mode is
       if Item.State = Awaiting_Status then
          End_Attempt (Item);
       end if;
+      pragma Assert (Is_Sound (Item));
 
       if Item.Role = Aircraft then
          Count_One (Item.Tally.Resets);
