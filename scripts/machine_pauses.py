@@ -1,9 +1,10 @@
-"""When the machine paused: a processor ran nobody's program (EVI-9).
+"""When the machine paused, and programs were not run in time (EVI-9).
 
-A watcher on each processor, of a higher priority than any other program, waits
-for the next millisecond and does nothing else. If it is woken late, no program
-could have run there meanwhile: the kernel or what is below it had the
-processor. Only root may have such a priority.
+Watchers wait for the next millisecond and do nothing else; a pause is when one
+is woken late. Of each priority there is one on each processor: one that is
+higher than any other program's, late when the kernel or what is below it has
+the processor; and the usual one, late when another program has it. Only root
+may have the higher.
 """
 
 import bisect
@@ -22,10 +23,11 @@ def now_us():
     return time.clock_gettime_ns(time.CLOCK_MONOTONIC) // 1_000
 
 
-def watch(processor, seconds, pauses):
+def watch(processor, policy, seconds, pauses):
     """Put into pauses, a list, when this processor paused: from and until."""
     os.sched_setaffinity(0, {processor})
-    os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+    os.sched_setscheduler(
+        0, policy, os.sched_param(os.sched_get_priority_min(policy)))
     found = []
     due = now_us()
     end = due + seconds * 1_000_000
@@ -40,22 +42,23 @@ def watch(processor, seconds, pauses):
 
 
 class Watchers:
-    """One on each processor, for so many seconds."""
+    """On all processors, for so many seconds."""
 
     def __init__(self, seconds):
         self.manager = multiprocessing.Manager()
         self.pauses = self.manager.list()
         self.processes = [
             multiprocessing.Process(
-                target=watch, args=(each, seconds, self.pauses)
+                target=watch, args=(each, policy, seconds, self.pauses)
             )
             for each in sorted(os.sched_getaffinity(0))
+            for policy in (os.SCHED_FIFO, os.SCHED_OTHER)
         ]
         for process in self.processes:
             process.start()
 
     def result(self):
-        """The pauses of all processors, or None if it could not be watched."""
+        """All pauses, in order, or None if it could not be watched."""
         for process in self.processes:
             process.join()
         found = sorted(self.pauses)

@@ -235,7 +235,7 @@ def deviations(ways, records):
     for node, rows in records.items():
         for kind, places, before_us in (
             ("frames without a row", lost_rows(rows), 0),
-            ("overruns", increases(rows, "overruns"), 0),
+            ("overruns", increases(rows, "overruns"), FRAME_US),
             ("link errors", increases(rows, *LINK_ERRORS[node]), FRAME_US),
         ):
             found[kind] += [
