@@ -16,6 +16,7 @@ the machine had not paused.
 """
 
 import argparse
+import bisect
 import csv
 import json
 import os
@@ -184,19 +185,18 @@ def fly(folder, seconds):
 
 def ways_of(changes, summaries, records):
     """Of each change of the stick: when it was made, and when the servos had
-    it."""
+    it, or, if they never did, when the next was made."""
     began = summaries["gsc"]["switched_on_us"]
-    found, place = [], 0
     rows = records["mcs"]
+    times = [row["servos_us"] for row in rows]
+    found = []
     for at_us, word in changes:
-        while place < len(rows) and not (
-            rows[place]["pwm.left_aileron"] == word
-            and rows[place]["servos_us"] > began + at_us
-        ):
-            place += 1
-        if place == len(rows):
-            break
-        found.append((began + at_us, rows[place]["servos_us"]))
+        made = began + at_us
+        within = rows[bisect.bisect_right(times, made):
+                      bisect.bisect_right(times, made + CHANGE_US)]
+        found.append((made, next(
+            (row["servos_us"] for row in within
+             if row["pwm.left_aileron"] == word), made + CHANGE_US)))
     return found
 
 

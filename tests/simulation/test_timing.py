@@ -84,3 +84,18 @@ def test_a_pause_explains_what_it_touches_and_nothing_else():
     places = [(2, 0, 4_000), (3, 20_000, 21_000)]
     assert timing.count_explained(places, pauses) == 3
     assert timing.count_explained(places, pauses, later_us=5_000) == 5
+
+
+def test_a_change_that_never_comes_is_out_of_bounds():
+    changes = [(timing.CHANGE_US * number, number) for number in (1, 2, 3)]
+    rows = [
+        {"servos_us": 5_000 + changes[number - 1][0] + 60_000,
+         "pwm.left_aileron": number}
+        for number in (1, 3)
+    ]
+    ways = timing.ways_of(
+        changes, {"gsc": {"switched_on_us": 5_000}}, {"mcs": rows})
+    assert [timing.latency_ms(way) for way in ways] == [
+        60, timing.CHANGE_US / 1_000, 60
+    ]
+    assert [timing.is_in_bounds(way) for way in ways] == [True, False, True]
