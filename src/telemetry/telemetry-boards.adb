@@ -19,7 +19,7 @@ package body Telemetry.Boards with SPARK_Mode is
          (Scrapped'Old,
           Pair'Old.Slots (Which).Attempts = Attempt_Count'Last);
 
-   --  So was the block on its way.
+   --  The block on its way was not confirmed.
    procedure End_Attempt (Item : in out Board)
    with
      Global => null,
