@@ -3,6 +3,7 @@
 
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Mailboxes;
 with URVOS.Receive_Calls;
 with URVOS.Semaphore_Calls;
 with URVOS.Semaphores; use URVOS.Semaphores;
@@ -15,7 +16,9 @@ package Waiting_Instances with SPARK_Mode is
 
    package Resource is new URVOS.Shared_Semaphores;
 
-   package Variable is new URVOS.Shared_Mailboxes (Word, 0);
+   package Boxes is new URVOS.Mailboxes (Word, 0);
+
+   package Variable is new URVOS.Shared_Mailboxes (Boxes);
 
    package Errors is new URV.Shared_Errors;
 

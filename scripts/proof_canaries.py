@@ -10,6 +10,7 @@ that does not name it: then it fails for another reason than its own.
 """
 
 import json
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -18,6 +19,10 @@ FOLDER = Path("proofs", "canaries")
 RESULTS = Path("obj", "canaries", "gnatprove")
 COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
            "--no-subprojects", "-j2"]
+
+# What GNATprove calls for each subprogram is written in OCaml, and takes a
+# fifth less time where it collects its garbage late.
+ENVIRONMENT = {"OCAMLRUNPARAM": "o=1000,i=4M", **os.environ}
 
 MARK = re.compile(r"--  ([A-Z]+(?:_[A-Z]+)*)$")
 
@@ -77,7 +82,8 @@ def failures(root):
                 *(root / RESULTS).glob("*.ali")]:
         old.unlink()
     output = subprocess.run(
-        COMMAND, cwd=root, capture_output=True, text=True, check=False
+        COMMAND, cwd=root, env=ENVIRONMENT, capture_output=True, text=True,
+        check=False
     )
     results = [
         json.loads(path.read_text(encoding="utf-8"))

@@ -139,8 +139,9 @@ class Proof:
     def run(self, root, command):
         """Run GNATprove, show what it says, return its complaints."""
         complaints = []
-        pipe = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-        with subprocess.Popen(command, cwd=root, text=True, **pipe) as process:
+        how = {"cwd": root, "env": proof_canaries.ENVIRONMENT, "text": True,
+               "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        with subprocess.Popen(command, **how) as process:
             for line in process.stdout:
                 if ": info: " in line:
                     continue

@@ -7,8 +7,7 @@
 with URVOS.Mailboxes;
 
 generic
-   type Message is private;
-   Neutral : Message;
+   with package Boxes is new URVOS.Mailboxes (<>);
 package URVOS.Shared_Mailboxes
   with
     SPARK_Mode,
@@ -18,7 +17,7 @@ package URVOS.Shared_Mailboxes
     Initializes    => Box
 is
 
-   package Boxes is new URVOS.Mailboxes (Message, Neutral);
+   subtype Message is Boxes.Message;
 
    procedure Send (Item : Message; Success : out Boolean)
    with Global => (In_Out => Box);

@@ -24,6 +24,7 @@ with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Task;
 with URV.LOG_Task;
+with URV.Mailboxes;
 with URV.MDCIN_Task;
 with URV.MDCOUT_Task;
 with URV.PWM_Task;
@@ -56,25 +57,25 @@ package MCS with SPARK_Mode is
    --  Variables, each with one producer and one consumer
 
    package ADINT_Variable is new URVOS.Shared_Mailboxes
-     (Channel_Words, (others => Neutral_Value));
+     (URV.Mailboxes.For_Channels);
 
    package AD_Variable is new URVOS.Shared_Mailboxes
-     (AD_Image, Neutral_Image);
+     (URV.Mailboxes.For_Images);
 
    package TELIN_Variable is new URVOS.Shared_Mailboxes
-     (Uplink_Buffer, Neutral_Uplink);
+     (URV.Mailboxes.For_Uplink);
 
    package Uplink_Variable is new URVOS.Shared_Mailboxes
-     (Uplink_Buffer, Neutral_Uplink);
+     (URV.Mailboxes.For_Uplink);
 
    package Downlink_Variable is new URVOS.Shared_Mailboxes
-     (Downlink_Buffer, Neutral_Downlink);
+     (URV.Mailboxes.For_Downlink);
 
    package TELOUT_Variable is new URVOS.Shared_Mailboxes
-     (Downlink_Buffer, Neutral_Downlink);
+     (URV.Mailboxes.For_Downlink);
 
    package PWM_Variable is new URVOS.Shared_Mailboxes
-     (Uplink_Buffer, Neutral_Uplink);
+     (URV.Mailboxes.For_Uplink);
 
    package Errors is new URV.Shared_Errors;
 

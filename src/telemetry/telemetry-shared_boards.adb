@@ -1,96 +1,13 @@
+with Telemetry.Guarded_Boards;
+
 package body Telemetry.Shared_Boards
   with
     SPARK_Mode,
     Refined_State => (Shared_Board => Guarded_Board)
 is
 
-   subtype Own_Board is Board (Role, Transmit_Length, Receive_Length)
-   with Predicate => Is_Sound (Own_Board);
-
-   protected Guarded_Board is
-
-      procedure Take
-        (Data          : out Block_Data;
-         Fresh         : out Boolean;
-         Ever_Received : out Boolean);
-
-      procedure Put (Data : Block_Data; Overwrote : out Boolean);
-
-      procedure Clear_Transmit_Half;
-
-      procedure Start;
-
-      procedure Accept_Character
-        (Elapsed      : Character_Times;
-         Data         : Byte;
-         Parity_Error : Boolean;
-         May_Speak    : out Boolean);
-
-      procedure Next_Character
-        (Elapsed   : Character_Times;
-         Send      : out Boolean;
-         Data      : out Byte;
-         Time_Left : out Character_Times);
-
-      function Tally return Statistics;
-
-   private
-      Item : Own_Board;
-   end Guarded_Board;
-
-   protected body Guarded_Board is
-
-      procedure Take
-        (Data          : out Block_Data;
-         Fresh         : out Boolean;
-         Ever_Received : out Boolean)
-      is
-      begin
-         Boards.Take (Item, Data, Fresh, Ever_Received);
-      end Take;
-
-      procedure Put (Data : Block_Data; Overwrote : out Boolean) is
-      begin
-         Boards.Put (Item, Data, Overwrote);
-      end Put;
-
-      procedure Clear_Transmit_Half is
-      begin
-         Boards.Clear_Transmit_Half (Item);
-      end Clear_Transmit_Half;
-
-      procedure Start is
-      begin
-         Boards.Start (Item);
-      end Start;
-
-      procedure Accept_Character
-        (Elapsed      : Character_Times;
-         Data         : Byte;
-         Parity_Error : Boolean;
-         May_Speak    : out Boolean)
-      is
-      begin
-         Boards.Elapse (Item, Elapsed);
-         Boards.Accept_Character (Item, Data, Parity_Error);
-         May_Speak := Boards.May_Speak (Item);
-      end Accept_Character;
-
-      procedure Next_Character
-        (Elapsed   : Character_Times;
-         Send      : out Boolean;
-         Data      : out Byte;
-         Time_Left : out Character_Times)
-      is
-      begin
-         Boards.Elapse (Item, Elapsed);
-         Boards.Next_Character (Item, Send, Data);
-         Time_Left := Boards.Time_Left (Item);
-      end Next_Character;
-
-      function Tally return Statistics is (Item.Tally);
-
-   end Guarded_Board;
+   Guarded_Board : Guarded_Boards.Guarded_Board
+     (Role, Transmit_Length, Receive_Length);
 
    procedure Take
      (Data          : out Block_Data;

@@ -52,8 +52,10 @@ package body Mailboxes_Tests is
    --  between two tasks.
    type Long_Message is array (1 .. 256) of Count;
 
-   package Shared is
-     new URVOS.Shared_Mailboxes (Long_Message, (others => 0));
+   package Long_Boxes is
+     new URVOS.Mailboxes (Long_Message, (others => 0));
+
+   package Shared is new URVOS.Shared_Mailboxes (Long_Boxes);
 
    ------------------
    -- Expect_State --
@@ -255,7 +257,7 @@ package body Mailboxes_Tests is
       Fresh     : Boolean;
       Last      : Count := 0;
       Fresh_Now : Count := 0;
-      Box       : Shared.Boxes.Mailbox;
+      Box       : Long_Boxes.Mailbox;
       Is_Over   : Boolean := False;
    begin
       --  One more look after the producer has ended.
@@ -279,11 +281,11 @@ package body Mailboxes_Tests is
       Shared.Inspect (Box);
       Expect
         ("messages seen fresh and messages consumed", Fresh_Now,
-         Count (Shared.Boxes.Consumed (Box)));
+         Count (Long_Boxes.Consumed (Box)));
       Expect
         ("produced and consumed, at the end",
-         Count (Shared.Boxes.Produced (Box)),
-         Count (Shared.Boxes.Consumed (Box)));
+         Count (Long_Boxes.Produced (Box)),
+         Count (Long_Boxes.Consumed (Box)));
    end Two_Tasks;
 
    -----------
@@ -291,7 +293,7 @@ package body Mailboxes_Tests is
    -----------
 
    procedure Reset is
-      Box     : Shared.Boxes.Mailbox;
+      Box     : Long_Boxes.Mailbox;
       Item    : Long_Message;
       Fresh   : Boolean;
       Success : Boolean;
@@ -302,9 +304,9 @@ package body Mailboxes_Tests is
       Expect ("the second send replaces the first", Success, False);
       Shared.Reset;
       Shared.Inspect (Box);
-      Expect ("produced", Count (Shared.Boxes.Produced (Box)), 0);
-      Expect ("consumed", Count (Shared.Boxes.Consumed (Box)), 0);
-      Expect ("misses", Shared.Boxes.Misses (Box), 0);
+      Expect ("produced", Count (Long_Boxes.Produced (Box)), 0);
+      Expect ("consumed", Count (Long_Boxes.Consumed (Box)), 0);
+      Expect ("misses", Long_Boxes.Misses (Box), 0);
       Shared.Receive (Item, Fresh);
       Expect ("fresh after reset", Fresh, False);
       Expect ("data after reset", Item (1), 0);

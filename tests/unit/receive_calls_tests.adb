@@ -2,6 +2,7 @@ with Checks;           use Checks;
 with Expectations;     use Expectations;
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Mailboxes;
 with URVOS.Receive_Calls;
 with URVOS.Shared_Mailboxes;
 with URVOS.Waits;      use URVOS.Waits;
@@ -24,7 +25,9 @@ package body Receive_Calls_Tests is
 
    Neutral : constant Word := 16#800#;
 
-   package Variable is new URVOS.Shared_Mailboxes (Word, Neutral);
+   package Boxes is new URVOS.Mailboxes (Word, Neutral);
+
+   package Variable is new URVOS.Shared_Mailboxes (Boxes);
 
    --  How often somebody has looked.
    Looked : Count := 0;
@@ -130,13 +133,13 @@ package body Receive_Calls_Tests is
    -------------------
 
    procedure Expect_Misses (When_It_Was : String; Expected : Count) is
-      Box : Variable.Boxes.Mailbox;
+      Box : Boxes.Mailbox;
    begin
       Variable.Inspect (Box);
       Expect
-        (When_It_Was & ", misses", Variable.Boxes.Misses (Box), Expected);
+        (When_It_Was & ", misses", Boxes.Misses (Box), Expected);
       Expect
-        (When_It_Was & ", left fresh", Variable.Boxes.Is_Fresh (Box), False);
+        (When_It_Was & ", left fresh", Boxes.Is_Fresh (Box), False);
    end Expect_Misses;
 
    --------------------

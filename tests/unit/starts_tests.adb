@@ -105,7 +105,8 @@ package body Starts_Tests is
             Variable.Inspect (Before);
             Expect
               (Where & " holds something before",
-               Variable.Boxes.Contents (Before) /= Variable.Neutral, True);
+               Variable.Boxes.Contents (Before) /= Variable.Boxes.Neutral,
+               True);
             Expect
               (Where & " has been used before",
                Count (Variable.Boxes.Produced (Before)) > 0, True);
@@ -122,7 +123,7 @@ package body Starts_Tests is
             Expect
               (Where & ", message",
                Variable.Boxes.Contents (After) =
-                 (if Condition = Starts.Cold_Start then Variable.Neutral
+                 (if Condition = Starts.Cold_Start then Variable.Boxes.Neutral
                   else Variable.Boxes.Contents (Before)),
                True);
          end;

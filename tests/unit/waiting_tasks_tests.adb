@@ -3,6 +3,7 @@ with Expect_Value;
 with Expectations;     use Expectations;
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Mailboxes;
 with URVOS.Receive_Calls;
 with URVOS.Schedulers; use URVOS.Schedulers;
 with URVOS.Semaphore_Calls;
@@ -53,7 +54,9 @@ package body Waiting_Tasks_Tests is
 
    procedure Claim is new Resource_Calls.Claim (Exit_Processor);
 
-   package Variable is new URVOS.Shared_Mailboxes (Word, 5);
+   package Boxes is new URVOS.Mailboxes (Word, 5);
+
+   package Variable is new URVOS.Shared_Mailboxes (Boxes);
 
    package Variable_Calls is new URVOS.Receive_Calls
      (Message    => Word,
@@ -238,7 +241,7 @@ package body Waiting_Tasks_Tests is
    procedure Producer_Sleeps_On is
       Item  : Word;
       Fresh : Boolean;
-      Box   : Variable.Boxes.Mailbox;
+      Box   : Boxes.Mailbox;
    begin
       Begin_Tasks (106, Its_Priority => 9);
       Receive_Within (5, Item, Fresh);
@@ -246,7 +249,7 @@ package body Waiting_Tasks_Tests is
       Expect ("received", Item, 5);
       Expect ("gone on at", Now, 105);
       Variable.Inspect (Box);
-      Expect ("misses", Variable.Boxes.Misses (Box), 1);
+      Expect ("misses", Boxes.Misses (Box), 1);
    end Producer_Sleeps_On;
 
    ------------
