@@ -129,6 +129,16 @@ package body Telemetry.Boards with SPARK_Mode is
           Receiver     => Middle.Receiver,
           Receive_Pair => Middle.Receive_Pair);
 
+   --  It does not matter which of two equal events is acted upon.
+   procedure Prove_Same_Event
+     (Item        : Board;
+      What, Other : Event)
+   with
+     Ghost,
+     Global => null,
+     Pre    => What = Other,
+     Post   => Informed (Item, What) = Informed (Item, Other);
+
    --  Nothing that a character brings is put into a transmit buffer.
    procedure Prove_Nothing_Put (Item : Board; What : Event)
    with
@@ -345,6 +355,11 @@ package body Telemetry.Boards with SPARK_Mode is
         (Informed (Middle, What).Tally = Informed (Before, What).Tally);
    end Prove_Same_End;
 
+   procedure Prove_Same_Event
+     (Item        : Board;
+      What, Other : Event)
+   is null;
+
    procedure Prove_Nothing_Put (Item : Board; What : Event) is null;
 
    procedure Accept_Character
@@ -353,6 +368,8 @@ package body Telemetry.Boards with SPARK_Mode is
       Parity_Error : Boolean)
    is
       Before  : constant Board := Item with Ghost;
+      What    : constant Event := Heard (Before, Data, Parity_Error)
+      with Ghost;
       Outcome : Event;
    begin
       if Is_Talking (Item) then
@@ -375,19 +392,16 @@ package body Telemetry.Boards with SPARK_Mode is
       then
          Refuse (Item.Transmit_Pair, Item.Sender.Source, Item.Tally.Scrapped);
          Item.State := Ready;
-         pragma Assert
-           (Is_Overtaken (Before, Heard (Before, Data, Parity_Error)));
+         pragma Assert (Is_Overtaken (Before, What));
          pragma Assert (Item.Transmit_Pair = Pair_Given_Up (Before));
       else
-         pragma Assert
-           (not Is_Overtaken (Before, Heard (Before, Data, Parity_Error)));
+         pragma Assert (not Is_Overtaken (Before, What));
       end if;
       pragma Assert
         (Item.Tally = (Before.Tally with delta
            Scrapped => Counted
              (Before.Tally.Scrapped,
-              Is_Overtaken (Before, Heard (Before, Data, Parity_Error))
-                and then Is_Scrapped (Before))));
+              Is_Overtaken (Before, What) and then Is_Scrapped (Before))));
 
       Accept_Character
         (Item         => Item.Receiver,
@@ -399,11 +413,11 @@ package body Telemetry.Boards with SPARK_Mode is
          Parity_Error => Parity_Error,
          Outcome      => Outcome);
 
-      pragma Assert (Outcome = Heard (Before, Data, Parity_Error));
+      pragma Assert (Outcome = What);
       pragma Assert
         (Item.Receiver = Receiver_After
            (Before.Receiver, Before.Receive_Pair,
-            Outcome.Kind, Data, Parity_Error));
+            What.Kind, Data, Parity_Error));
       pragma Assert
         (if Outcome.Kind = Block_Good
          then not Parity_Error
@@ -438,15 +452,26 @@ package body Telemetry.Boards with SPARK_Mode is
       begin
          Act_On (Item, Outcome);
 
-         Prove_Same_End (Before, Middle, Outcome);
+         Prove_Same_Event (Middle, Outcome, What);
+         Prove_Same_End (Before, Middle, What);
          pragma Assert
            (Middle.Receiver = Receiver_Informed
-              (Before, Outcome, Data, Parity_Error));
+              (Before, What, Data, Parity_Error));
          pragma Assert
            (Middle.Receive_Pair = Pair_After
-              (Before.Receiver, Before.Receive_Pair, Outcome.Kind, Data));
+              (Before.Receiver, Before.Receive_Pair, What.Kind, Data));
+         pragma Assert (Item = Informed (Middle, What));
          pragma Assert
-           (Item = Board_After (Before, Outcome, Data, Parity_Error));
+           (Item = (Informed (Before, What) with delta
+                      Receiver     => Middle.Receiver,
+                      Receive_Pair => Middle.Receive_Pair));
+         pragma Assert
+           (Board_After (Before, What, Data, Parity_Error) =
+              (Informed (Before, What) with delta
+                 Receiver     => Middle.Receiver,
+                 Receive_Pair => Middle.Receive_Pair));
+         pragma Assert
+           (Item = Board_After (Before, What, Data, Parity_Error));
 
          pragma Assert (Item.Receive_Pair = Middle.Receive_Pair);
          Checksum.Same_Bytes_Same_Sum
@@ -459,10 +484,7 @@ package body Telemetry.Boards with SPARK_Mode is
               Item.Receive_Pair.Slots (Which).Full =
                 Middle.Receive_Pair.Slots (Which).Full);
       end;
-      pragma Assert
-        (Item = Board_After
-           (Before, Heard (Before, Data, Parity_Error), Data, Parity_Error));
-      Prove_Nothing_Put (Before, Outcome);
+      Prove_Nothing_Put (Before, What);
    end Accept_Character;
 
    procedure Begin_Block (Item : in out Board) is
