@@ -76,11 +76,13 @@ def unit_of(name):
 
 
 def switches(root):
-    """The switches of package Prove, which decide what can be proved."""
+    """The switches of package Prove, which decide what can be proved: those
+    of all units and those of single files."""
     text = (root / PROJECT).read_text(encoding="utf-8")
     package = re.search(r"package Prove is(.*?)end Prove;", text, re.S)[1]
-    used = re.search(r"for Proof_Switches .*? use(.*?);", package, re.S)[1]
-    return re.findall(r'"([^"]*)"', used)
+    used = re.findall(
+        r'for Proof_Switches \("(.*?)"\) use(.*?);', package, re.S)
+    return {of: re.findall(r'"([^"]*)"', given) for of, given in used}
 
 
 def tool_versions():
