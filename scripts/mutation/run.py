@@ -61,7 +61,7 @@ BUILD_LIMIT_S = 900
 TEST_LIMIT_S = 600
 PROOF_LIMIT_S = 1200
 # Of one program under test; without a change none needs half of it.
-CPU_LIMIT_S = 60
+CPU_LIMIT_S = 240
 MEMORY_LIMIT = 4 * 2 ** 30
 
 # What became of a mutant.
