@@ -37,7 +37,7 @@ package body Theorems.Results with SPARK_Mode is
 
    procedure Of_Send
      (Box  : Mailbox;
-      Item : Word;
+      Item : Channel_Words;
       Same : out Boolean)
    is
       One, Other       : Mailbox := Box;
@@ -58,7 +58,7 @@ package body Theorems.Results with SPARK_Mode is
       Same : out Boolean)
    is
       One, Other     : Mailbox := Box;
-      Item, Its_Like : Word;
+      Item, Its_Like : Channel_Words;
       Fresh, As_Well : Boolean;
    begin
       Look (One, Item, Fresh);
@@ -77,7 +77,7 @@ package body Theorems.Results with SPARK_Mode is
       Same : out Boolean)
    is
       One, Other     : Mailbox := Box;
-      Item, Its_Like : Word;
+      Item, Its_Like : Channel_Words;
       Fresh, As_Well : Boolean;
    begin
       Receive (One, Item, Fresh);

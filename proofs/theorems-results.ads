@@ -17,15 +17,16 @@ with URVOS;
 with URVOS.Arrangements;
 with URVOS.Error_Logs;
 with URVOS.Frames;
-with URVOS.Mailboxes;
 with URVOS.ROM_Checks;
 with URVOS.Schedulers;
 with URVOS.Semaphores;
 with URVOS.Task_Trees;
 with URVOS.Waits;
 with URV.AD_Scans;
+with URV.Buffers;
+with URV.Mailboxes;
 
-package Theorems.Results with Pure, SPARK_Mode, Ghost is
+package Theorems.Results with SPARK_Mode, Ghost is
 
    use Telemetry;
    use Telemetry.Boards;
@@ -42,6 +43,8 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
    use URVOS.Task_Trees;
    use URVOS.Waits;
    use URV.AD_Scans;
+   use URV.Buffers;
+   use URV.Mailboxes.For_Channels;
 
    --  The kernel
 
@@ -70,12 +73,9 @@ package Theorems.Results with Pure, SPARK_Mode, Ghost is
      Global => null,
      Post   => Same;
 
-   package Boxes is new URVOS.Mailboxes (Word, 0);
-   use Boxes;
-
    procedure Of_Send
      (Box  : Mailbox;
-      Item : Word;
+      Item : Channel_Words;
       Same : out Boolean)
    with
      Global => null,

@@ -20,7 +20,8 @@ package body Theorems.Self_Test with SPARK_Mode is
    begin
       pragma Assert (Left_In /= Right_In);
       Half_A_Step_Tells_Apart (Left_In, Right_In);
-      Half_A_Step_Tells_Apart (Four_Bits_On (Left_In), Four_Bits_On (Right_In));
+      Half_A_Step_Tells_Apart
+        (Four_Bits_On (Left_In), Four_Bits_On (Right_In));
    end Step_Tells_Apart;
 
    procedure Same_Bytes_Same_Register

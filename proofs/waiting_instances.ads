@@ -3,22 +3,22 @@
 
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
-with URVOS.Mailboxes;
 with URVOS.Receive_Calls;
 with URVOS.Semaphore_Calls;
 with URVOS.Semaphores; use URVOS.Semaphores;
 with URVOS.Shared_Mailboxes;
 with URVOS.Shared_Semaphores;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
+with URV.Buffers;      use URV.Buffers;
+with URV.Mailboxes;
 with URV.Shared_Errors;
 
 package Waiting_Instances with SPARK_Mode is
 
    package Resource is new URVOS.Shared_Semaphores;
 
-   package Boxes is new URVOS.Mailboxes (Word, 0);
-
-   package Variable is new URVOS.Shared_Mailboxes (Boxes);
+   package Variable is
+     new URVOS.Shared_Mailboxes (URV.Mailboxes.For_Channels);
 
    package Errors is new URV.Shared_Errors;
 
@@ -54,7 +54,7 @@ package Waiting_Instances with SPARK_Mode is
    procedure Claim is new Resource_Calls.Claim (Exit_Processor);
 
    package Variable_Calls is new URVOS.Receive_Calls
-     (Message    => Word,
+     (Message    => Channel_Words,
       Look       => Variable.Look,
       Receive    => Variable.Receive,
       Read_Clock => Read_Clock);

@@ -3,9 +3,10 @@
 
     scripts/run_tests.py [PART ...]    those parts whose names begin so
 
-The parts: unit tests in Ada, with and without their contracts executed, the
-tests in Python of the simulation and of the real-time partitions, the links of
-the requirements, the static data of each node, the proof record.
+The parts: that every source of src and proofs builds without a warning; unit
+tests in Ada, with and without their contracts executed; the tests in Python of
+the simulation and of the real-time partitions; the links of the requirements,
+the static data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same.
 Exit status: 0 when none failed and at least one passed.
@@ -30,6 +31,12 @@ def run(*command):
     """Run a command with its output on ours, return its exit status."""
     sys.stdout.flush()
     return subprocess.run(command, cwd=ROOT, check=False).returncode
+
+
+def every_source():
+    """Also what no program needs: theorems, say. Warnings are errors."""
+    built = run(*GPRBUILD, "-P", "urv.gpr", "-XURV_Mode=flight")
+    return (1, 0, 0) if built == 0 else BROKEN
 
 
 def unit_tests(mode):
@@ -107,6 +114,7 @@ def proof_anew():
 
 
 PARTS = {
+    "every source builds without a warning": every_source,
     "unit tests, contracts executed": lambda: unit_tests("test"),
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
