@@ -370,7 +370,7 @@ def write_html(sources):
     COUNTED.write_text(json.dumps(tracefile(sources)), encoding="utf-8")
     shutil.rmtree(HTML, ignore_errors=True)
     HTML.mkdir()
-    run(Path(sys.executable).parent / "gcovr", "--root", ".",
+    run(sys.executable, "-m", "gcovr", "--root", ".",
         "--add-tracefile", COUNTED, "--html-details", HTML / "index.html",
         "--html-title", "URV: what the tests reach")
 
