@@ -20,9 +20,8 @@ RESULTS = Path("obj", "canaries", "gnatprove")
 COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
            "--no-subprojects", "-j2"]
 
-# What GNATprove calls for each subprogram is written in OCaml, and takes a
-# fifth less time where it collects its garbage late, and its memory comes in
-# large pages.
+# What GNATprove calls for each subprogram is written in OCaml. It takes less
+# time where it collects its garbage late and has its memory in large pages.
 ENVIRONMENT = {"OCAMLRUNPARAM": "o=1000,i=16M",
                "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1", **os.environ}
 

@@ -34,7 +34,7 @@ def run(*command):
 
 
 def every_source():
-    """Also what no program needs: theorems, say. Warnings are errors."""
+    """Theorems too, which no program needs. Warnings are errors."""
     built = run(*GPRBUILD, "-P", "urv.gpr", "-XURV_Mode=flight")
     return (1, 0, 0) if built == 0 else BROKEN
 
