@@ -1,6 +1,7 @@
 with Ada.Real_Time;        use Ada.Real_Time;
 
 with GSC.Real_Time;
+with GSC.Turns;
 with Memory_Hardware;
 with Partitions.Console;
 with Partitions.Clocks;    use Partitions.Clocks;
@@ -124,8 +125,8 @@ package body Partitions.GSC_Node is
       Frame : Number;
       Item  : Row;
    begin
-      Tasks.Inspect_Clock (Now);
-      Tasks.Inspect_Overruns (Late);
+      GSC.Turns.Scheduler.Inspect_Clock (Now);
+      GSC.Turns.Scheduler.Inspect_Overruns (Late);
       Frame := Number (Now / Ticks_Per_Major_Frame);
       Append (Item, Frame);
       Append (Item, (Frame + 1) * 20);
@@ -143,12 +144,12 @@ package body Partitions.GSC_Node is
 
    procedure Raise_Processor_Exception is
    begin
-      Tasks.Request_Start (Processor_Restart);
+      GSC.Turns.Scheduler.Request_Start (Processor_Restart);
    end Raise_Processor_Exception;
 
    procedure Press_Reset_Switch is
    begin
-      Tasks.Request_Start (Warm_Reset);
+      GSC.Turns.Scheduler.Request_Start (Warm_Reset);
    end Press_Reset_Switch;
 
    procedure Switch_On is
@@ -163,7 +164,7 @@ package body Partitions.GSC_Node is
    function Overruns return Count is
       Number : Count;
    begin
-      Tasks.Inspect_Overruns (Number);
+      GSC.Turns.Scheduler.Inspect_Overruns (Number);
       return Number;
    end Overruns;
 

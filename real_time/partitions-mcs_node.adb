@@ -1,6 +1,7 @@
 with Ada.Real_Time;        use Ada.Real_Time;
 
 with MCS.Real_Time;
+with MCS.Turns;
 with Memory_Hardware;
 with Partitions.Aircraft;
 with Partitions.Clocks;    use Partitions.Clocks;
@@ -143,8 +144,8 @@ package body Partitions.MCS_Node is
       Frame : Number;
       Item  : Row;
    begin
-      Tasks.Inspect_Clock (Now);
-      Tasks.Inspect_Overruns (Late);
+      MCS.Turns.Scheduler.Inspect_Clock (Now);
+      MCS.Turns.Scheduler.Inspect_Overruns (Late);
       Frame := Number (Now / Ticks_Per_Major_Frame);
       Append (Item, Frame);
       Append (Item, (Frame + 1) * 20);
@@ -163,12 +164,12 @@ package body Partitions.MCS_Node is
 
    procedure Raise_Processor_Exception is
    begin
-      Tasks.Request_Start (Processor_Restart);
+      MCS.Turns.Scheduler.Request_Start (Processor_Restart);
    end Raise_Processor_Exception;
 
    procedure Press_Reset_Switch is
    begin
-      Tasks.Request_Start (Warm_Reset);
+      MCS.Turns.Scheduler.Request_Start (Warm_Reset);
    end Press_Reset_Switch;
 
    procedure Switch_On is
@@ -183,7 +184,7 @@ package body Partitions.MCS_Node is
    function Overruns return Count is
       Number : Count;
    begin
-      Tasks.Inspect_Overruns (Number);
+      MCS.Turns.Scheduler.Inspect_Overruns (Number);
       return Number;
    end Overruns;
 

@@ -22,7 +22,7 @@ COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
 
 # What GNATprove calls for each subprogram is written in OCaml. It takes less
 # time where it collects its garbage late and has its memory in large pages.
-ENVIRONMENT = {"OCAMLRUNPARAM": "o=1000,i=16M",
+ENVIRONMENT = {"OCAMLRUNPARAM": "o=1000000,i=16M",
                "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1", **os.environ}
 
 MARK = re.compile(r"--  ([A-Z]+(?:_[A-Z]+)*)$")

@@ -1,6 +1,6 @@
 package body Canaries.Mailboxes with SPARK_Mode is
 
-   procedure Send_Twice (Box : in out Mailbox; Item : Word) is
+   procedure Send_Twice (Box : in out Mailbox; Item : Channel_Words) is
       First, Second : Boolean;
    begin
       Send (Box, Item, First);
@@ -9,8 +9,8 @@ package body Canaries.Mailboxes with SPARK_Mode is
       pragma Unreferenced (First);
    end Send_Twice;
 
-   procedure Receive_Twice (Box : in out Mailbox; Item : out Word) is
-      Old_Item         : Word;
+   procedure Receive_Twice (Box : in out Mailbox; Item : out Channel_Words) is
+      Old_Item         : Channel_Words;
       Old_Fresh, Fresh : Boolean;
    begin
       Receive (Box, Old_Item, Old_Fresh);

@@ -1,16 +1,16 @@
 --  Claims about the real mailbox. What a contract of the flight software
 --  says too much is a false claim here that would be proved.
 
-with URVOS; use URVOS;
-with URVOS.Mailboxes;
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
+with URV.Mailboxes;
 
-package Canaries.Mailboxes with Pure, SPARK_Mode is
+package Canaries.Mailboxes with SPARK_Mode is
 
-   package Boxes is new URVOS.Mailboxes (Message => Word, Neutral => 0);
-   use Boxes;
+   use URV.Mailboxes.For_Channels;
 
    --  MBX-2: of two messages sent, one is counted, not two.
-   procedure Send_Twice (Box : in out Mailbox; Item : Word)
+   procedure Send_Twice (Box : in out Mailbox; Item : Channel_Words)
    with
      Global => null,
      Post   =>
@@ -20,7 +20,7 @@ package Canaries.Mailboxes with Pure, SPARK_Mode is
 
    --  MBX-3: a second look finds nothing new, and counts, but for a count
    --  that is full.
-   procedure Receive_Twice (Box : in out Mailbox; Item : out Word)
+   procedure Receive_Twice (Box : in out Mailbox; Item : out Channel_Words)
    with
      Global => null,
      Post   =>

@@ -1,4 +1,3 @@
-with GSC.Turns;
 with URVOS.Real_Time_Kernels;
 with URVOS.Real_Time_Tasks;
 
@@ -6,8 +5,7 @@ package body GSC.Real_Time
   with
     SPARK_Mode,
     Refined_State =>
-      (Tasks     => Kernel.Task_Management,
-       Processor =>
+      (Processor =>
          (Kernel.Power_Switch,
           AD_Runner.Runner,
           TELIN_Runner.Runner,
@@ -20,7 +18,11 @@ package body GSC.Real_Time
 is
 
    package Kernel is new URVOS.Real_Time_Kernels
-     (Begin_Again    => Begin_Again,
+     (Start_Tasks    => Turns.Scheduler.Start,
+      Wake           => Turns.Scheduler.Wake,
+      Request_Start  => Turns.Scheduler.Request_Start,
+      End_Task_Step  => Turns.Scheduler.End_Step,
+      Begin_Again    => Begin_Again,
       Task_Tree_Of   => Task_Tree_Of,
       Tell_Time      => Errors.Set_Time,
       Report_Overrun => Turns.Report_Overrun,
@@ -30,56 +32,56 @@ is
    package AD_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (AD_Task),
       Wait_For_Turn => Turns.Await_AD,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => AD_Step,
       End_Step      => Kernel.End_Step);
 
    package TELIN_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (TELIN_Task),
       Wait_For_Turn => Turns.Await_TELIN,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => TELIN_Step,
       End_Step      => Kernel.End_Step);
 
    package GDCIN_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (GDCIN_Task),
       Wait_For_Turn => Turns.Await_GDCIN,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => GDCIN_Step,
       End_Step      => Kernel.End_Step);
 
    package GDCOUT_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (GDCOUT_Task),
       Wait_For_Turn => Turns.Await_GDCOUT,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => GDCOUT_Step,
       End_Step      => Kernel.End_Step);
 
    package TELOUT_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (TELOUT_Task),
       Wait_For_Turn => Turns.Await_TELOUT,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => TELOUT_Step,
       End_Step      => Kernel.End_Step);
 
    package CORE_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (CORE_Task),
       Wait_For_Turn => Turns.Await_CORE,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => CORE_Step,
       End_Step      => Kernel.End_Step);
 
    package LOG_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (LOG_Task),
       Wait_For_Turn => Turns.Await_LOG,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => LOG_Step,
       End_Step      => Kernel.End_Step);
 
    package SELF_TEST_Runner is new URVOS.Real_Time_Tasks
      (Offset        => Offsets (SELF_TEST_Task),
       Wait_For_Turn => Turns.Await_SELF_TEST,
-      Begin_Step    => Kernel.Begin_Step,
+      Begin_Step    => Turns.Scheduler.Begin_Step,
       Step          => SELF_TEST_Step,
       End_Step      => Kernel.End_Step);
 
@@ -87,20 +89,5 @@ is
    begin
       Kernel.Switch_On;
    end Switch_On;
-
-   procedure Request_Start (Condition : Start_Condition) is
-   begin
-      Kernel.Request_Start (Condition);
-   end Request_Start;
-
-   procedure Inspect_Overruns (Number : out Count) is
-   begin
-      Kernel.Inspect_Overruns (Number);
-   end Inspect_Overruns;
-
-   procedure Inspect_Clock (Now : out Clock_Tick) is
-   begin
-      Kernel.Inspect_Clock (Now);
-   end Inspect_Clock;
 
 end GSC.Real_Time;

@@ -5,6 +5,7 @@
 --  each what turns an unexpected exception into Failed (KRN-6).
 
 with Ada.Real_Time; use Ada.Real_Time;
+with MCS.Turns;
 
 generic
    with procedure AD_Step
@@ -30,25 +31,12 @@ generic
 package MCS.Real_Time
   with
     SPARK_Mode,
-    Abstract_State =>
-      ((Tasks with Synchronous,
-        External => (Async_Readers, Async_Writers)),
-       (Processor with Synchronous, External)),
-    Initializes    => (Tasks, Processor)
+    Abstract_State => (Processor with Synchronous, External),
+    Initializes    => Processor
 is
 
-   --  See URVOS.Real_Time_Kernels.
-
+   --  Power up: see URVOS.Real_Time_Kernels.
    procedure Switch_On
-   with Global => (In_Out => (Tasks, Processor));
-
-   procedure Request_Start (Condition : Start_Condition)
-   with Global => (In_Out => Tasks);
-
-   procedure Inspect_Overruns (Number : out Count)
-   with Global => (Input => Tasks);
-
-   procedure Inspect_Clock (Now : out Clock_Tick)
-   with Global => (Input => Tasks);
+   with Global => (In_Out => (Turns.Scheduler.Task_Management, Processor));
 
 end MCS.Real_Time;

@@ -2,12 +2,17 @@
 --  real time. Under the Ravenscar profile each waits at an object of its
 --  own.
 
+with URVOS.Shared_Schedulers;
+
 package MCS.Turns
   with
     SPARK_Mode,
     Abstract_State => (Waiting with Synchronous, External),
-    Initializes    => Waiting
+    Initializes    => (Waiting, Scheduler.Task_Management)
 is
+
+   --  Who is to have the next turn.
+   package Scheduler is new URVOS.Shared_Schedulers;
 
    --  The task of that number goes on.
    procedure Resume (Id : Task_Id)

@@ -8,6 +8,7 @@ with Error_Log_Tests;
 with Exchange_Tests;
 with Executives_Tests;
 with Frames_Tests;
+with Guarded_Schedulers_Tests;
 with Guarded_Step_Tests;
 with Headers_Tests;
 with In_Flight_Tests;
@@ -45,6 +46,7 @@ package body All_Tests is
       Error_Log_Tests.Add_To (Result);
       Schedulers_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
+      Guarded_Schedulers_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
       Board_Memory_Tests.Add_To (Result);
