@@ -254,6 +254,7 @@ package body Guarded_Schedulers_Tests is
       Todo      : Orders;
       First_Run : Boolean;
    begin
+      Expect ("clock", Tasks.Now, 0);
       Tasks.Begin_Step (First_Run);
       Expect ("initialises", First_Run, False);
       Sleep (Tasks, 0, Next => No_Task);
