@@ -24,7 +24,6 @@ FOLDERS = ("telemetry", "tasks", "devices", "kernel")
 REAL_TIME_UNITS = {
     "gsc-real_time", "gsc-turns", "mcs-real_time", "mcs-turns",
     "urvos-real_time_kernels", "urvos-real_time_tasks",
-    "urvos-shared_schedulers",
 }
 
 PARSER = tree_sitter.Parser(

@@ -5,12 +5,19 @@ package body URVOS.Guarded_Schedulers with SPARK_Mode is
      (if Left > Count'Last - Right then Count'Last else Left + Right)
    with Global => null;
 
-   --  Gives an idle processor to the next task.
+   --  Gives an idle processor to the next task, which is to be resumed; late
+   --  is one that the scheduler has counted as such.
    procedure Choose (Tasks : in out Scheduler; Todo : in out Orders)
    with
      Global => null,
      Pre    => Is_Sound (Tasks),
-     Post   => Is_Sound (Tasks);
+     Post   =>
+       Is_Sound (Tasks)
+       and then Todo =
+         (if Is_Idle (Tasks) then Todo'Old
+          else (Todo'Old with delta
+                  Next      => Id_Of (Tasks, Running_TCB (Tasks)),
+                  Late_Next => Overruns (Tasks) /= Overruns (Tasks'Old)));
 
    procedure Choose (Tasks : in out Scheduler; Todo : in out Orders) is
       Before : constant Count := Overruns (Tasks);

@@ -4,6 +4,7 @@ with Expectations;             use Expectations;
 with URVOS;                    use URVOS;
 with URVOS.Frames;             use URVOS.Frames;
 with URVOS.Guarded_Schedulers; use URVOS.Guarded_Schedulers;
+with URVOS.Shared_Schedulers;
 with URVOS.Starts;             use URVOS.Starts;
 with URVOS.Task_Trees;         use URVOS.Task_Trees;
 
@@ -303,14 +304,53 @@ package body Guarded_Schedulers_Tests is
    -----------------
 
    procedure Failed_Step is
-      Tasks : Guarded_Scheduler;
-      Todo  : Orders;
+      Todo : Orders;
    begin
-      Tasks.Start ((Pair (0) with delta 2 => Null_Header), 0, Todo);
-      Tasks.End_Step (0, True, Todo);
-      Expect_Orders (Todo, No_Task);
-      Expect_Start (Tasks, 1, Processor_Restart);
-      Wake (Tasks, 2, Next => No_Task);
+      declare
+         Tasks : Guarded_Scheduler;
+      begin
+         Tasks.Start (Pair (0), 0, Todo);
+         Tasks.End_Step (0, True, Todo);
+         Expect_Orders (Todo, No_Task);
+         Expect_Start (Tasks, 1, Processor_Restart);
+         Wake (Tasks, 2, Next => Second, Late_Next => True);
+      end;
+
+      --  The same in a node's scheduler, as its Ada tasks and its watchers
+      --  see it.
+      declare
+         package Tasks is new URVOS.Shared_Schedulers;
+
+         Granted   : Wish;
+         First_Run : Boolean;
+         Number    : Count;
+         Now       : Clock_Tick;
+      begin
+         Tasks.Start (Pair (0), 0, Todo);
+         Expect_Orders (Todo, First);
+         Tasks.Begin_Step (First_Run);
+         Expect ("initialises", First_Run, True);
+         Tasks.End_Step (0, True, Todo);
+         Expect_Orders (Todo, No_Task);
+         Tasks.Wake (1, Todo, Granted);
+         Expect_Orders (Todo, No_Task);
+         Expect ("a start", Granted.Is_There, True);
+         Expect ("condition", Granted.Condition, Processor_Restart);
+         Tasks.Wake (2, Todo, Granted);
+         Expect_Orders (Todo, Second, Late_Next => True);
+         Tasks.End_Step (4, False, Todo);
+         Tasks.Request_Start (Warm_Reset);
+         Tasks.Wake (9, Todo, Granted);
+         Expect ("condition", Granted.Condition, Warm_Reset);
+         Tasks.Wake (14, Todo, Granted);
+         Expect_Orders (Todo, First, Late_Next => True);
+         Tasks.End_Step (0, False, Todo);
+         Expect_Orders (Todo, Second);
+         Tasks.Inspect_Overruns (Number);
+         Expect ("overruns", Number, 2);
+         Tasks.Inspect_Clock (Now);
+         Expect ("clock", Now, 14);
+      end;
    end Failed_Step;
 
    ------------
