@@ -151,7 +151,8 @@ package body Sim.Pilot is
 
    procedure Look (Downlink : Downlink_Buffer) is
    begin
-      if Downlink (Error_Status) /= No_Error then
+      --  The other bits of the word say nothing about its age (TST-4).
+      if (Downlink (Error_Status) and Stale_Data) /= 0 then
          Mind.Stale := Mind.Stale + 1;
       else
          Mind.Stale := 0;
