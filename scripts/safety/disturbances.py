@@ -1,0 +1,176 @@
+"""When a script of faults disturbs what: the spans from which the monitor
+knows how old a command may be, and where a wrong block may come from."""
+
+import bisect
+import math
+from pathlib import Path
+
+from timelines import FRAME_US, to_us
+
+NODES = ("gsc", "mcs")
+WAYS = ("up", "down")
+ENDLESS = 1 << 60
+
+# A start takes so long; the tasks run from the next major frame on, and CORE
+# has the frame's words after so much of it (docs/starts.md).
+START_US = 10_000
+CORE_US = 8_000
+
+# The aircraft is switched on so much later at most (--phase).
+LARGEST_LAG_US = 18_000
+
+# A message's end, beyond the fault that spoils it.
+MESSAGE_US = 10_000
+
+# The fewest characters a frame has each way, when both nodes run.
+CHARACTERS = {"up": 32, "down": 59}
+
+
+class Spans:
+    """Spans of time, merged and in order."""
+
+    def __init__(self, spans):
+        self.first, self.last = [], []
+        for first, last in sorted(spans):
+            if self.first and first <= self.last[-1]:
+                self.last[-1] = max(self.last[-1], last)
+            else:
+                self.first.append(first)
+                self.last.append(last)
+
+    def __iter__(self):
+        return zip(self.first, self.last, strict=True)
+
+    def touch(self, first, last):
+        """True when a span and these times have something in common."""
+        place = bisect.bisect_right(self.first, last)
+        return place > 0 and self.last[place - 1] >= first
+
+    def within(self, first, last):
+        """How much of these times lies in a span."""
+        place = bisect.bisect_left(self.last, first)
+        total = 0
+        while place < len(self.first) and self.first[place] < last:
+            total += min(last, self.last[place]) - max(
+                first, self.first[place])
+            place += 1
+        return total
+
+
+def orders(text):
+    """The lines of a script, each as time and words."""
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if words:
+            yield to_us(words[0]), words[1:]
+
+
+class Disturbances:
+    """Of one flight.
+
+    line[way]      characters of it may be altered
+    stalls         a telemetry board stands still
+    scans[node]    the converter stands still, or the scan it delays goes on
+    down[node]     no task of the node runs, but for its board
+    silent[node]   and until CORE has words of a scan again
+    starts[node]   the same without the start at power up
+    any            all of these
+    """
+
+    def __init__(self, script=""):
+        line = {way: [] for way in WAYS}
+        counted = []
+        stalls, every = [], []
+        scans = {node: [] for node in NODES}
+        events = {node: [] for node in NODES}
+        for at, (*before, kind, first, second) in (
+                (at, self._spread(words)) for at, words in orders(script)):
+            subject = before[0]
+            if kind == "cut":
+                for way in WAYS:
+                    line[way].append((at, at + to_us(first) + MESSAGE_US))
+            elif kind == "ber":
+                line[subject].append((at, at + to_us(second) + MESSAGE_US))
+            elif kind in ("flip", "drop", "dup", "insert"):
+                counted.append((at, subject, int(first)))
+            elif kind == "stall" and first == "telemetry":
+                stalls.append((at, at + to_us(second)))
+            elif kind == "stall":
+                scans[subject].append(
+                    (at, at + to_us(second) + 2 * FRAME_US))
+            else:
+                events[subject].append((at, kind, first))
+                # A board that starts anew breaks off what it sends.
+                if kind == "reset" and first != "processor":
+                    for way in WAYS:
+                        line[way].append((at, at + MESSAGE_US))
+        self.stalls = Spans(stalls)
+        self.scans = {node: Spans(scans[node]) for node in NODES}
+        self.down, self.silent, self.starts = {}, {}, {}
+        for node in NODES:
+            down = self._down(node, sorted(events[node]))
+            again = FRAME_US + CORE_US
+            self.down[node] = Spans(down)
+            self.silent[node] = Spans(
+                (first, last + again) for first, last in down)
+            self.starts[node] = Spans(
+                (first, last + again) for first, last in down
+                if last > LARGEST_LAG_US)
+        # The Nth character from a time on comes later, the longer the nodes
+        # or the line were silent.
+        idle = Spans([*self.stalls, *line["up"], *line["down"],
+                      *self.silent["gsc"], *self.silent["mcs"]])
+        for at, way, count in counted:
+            last = at + FRAME_US * (2 + math.ceil(count / CHARACTERS[way]))
+            reached = 0
+            while reached != last:
+                reached = last
+                last = (at + idle.within(at, reached) + FRAME_US
+                        * (2 + math.ceil(count / CHARACTERS[way])))
+            line[way].append((at, last + MESSAGE_US))
+        self.line = {way: Spans(line[way]) for way in WAYS}
+        for spans in (line["up"], line["down"], stalls,
+                      *self.starts.values()):
+            every += spans
+        self.any = Spans(every)
+
+    @staticmethod
+    def _spread(words):
+        """Subject, kind and up to two parameters."""
+        subject = [words[0]] if words[0] in (*NODES, *WAYS) else [""]
+        rest = words[1:] if subject[0] else words
+        return [*subject, *rest, "", ""][:4]
+
+    @staticmethod
+    def _down(node, events):
+        """From when until when no task of the node runs. One that fails its
+        self-test stays down."""
+        spans = [[0, 0 if node == "gsc" else LARGEST_LAG_US]]
+        harmed = ENDLESS
+        for at, kind, first in events:
+            if kind in ("rom", "ram"):
+                harmed = min(harmed, at)
+            elif kind == "bus_error":
+                # At the next read of the ROM: within a frame, or when the
+                # start that is under way tests itself.
+                last = spans[-1][1]
+                if at <= last:
+                    spans[-1][1] = last + START_US
+                else:
+                    spans.append([at, at + FRAME_US + START_US])
+            elif first != "telemetry":
+                if at <= spans[-1][1]:
+                    spans[-1][1] = max(spans[-1][1], at + START_US)
+                else:
+                    spans.append([at, at + START_US])
+        for number, span in enumerate(spans):
+            if span[1] >= harmed:
+                span[1] = ENDLESS
+                del spans[number + 1:]
+                break
+        return spans
+
+
+def of_file(path):
+    return Disturbances(
+        Path(path).read_text(encoding="utf-8") if path else "")

@@ -1,0 +1,539 @@
+#!/usr/bin/env python3
+"""Looks at the record of a flight for what must never happen (SAF-1 to SAF-6,
+SAF-9). It knows the hazards and the record, and nothing of the software:
+docs/safety-monitor.md says what it checks, and from what its times come.
+
+    python3 scripts/safety/monitor.py RECORD [--sticks FILE] [--sensors FILE]
+            [--faults FILE]
+    python3 scripts/safety/monitor.py --gsc RECORD --mcs RECORD
+
+A line for each violation, then a sum; exit status 1 when there is any. The
+files are those the flight was given: without --sticks the console is taken to
+move only as a frame of the ground begins, as the simulated pilot moves it.
+
+For a test, with this folder in sys.path:
+
+    findings = monitor.check(record, sticks=None, sensors=None, faults=None)
+    findings = monitor.check_partitions(gsc=None, mcs=None, starts=(),
+                                        disturbed=())
+    assert findings.violations == []
+
+All paths. `findings.violations` is a list of text; `findings.wrong_blocks` has
+blocks that the checksum let through though the line had altered them, which a
+fault of the line explains: known to happen (D-7), and never silent.
+
+check_partitions takes the record of the ground, of the aircraft, or of both;
+rows are joined by clock_us. `starts` are (node, clock_us) of each warm start,
+`disturbed` (first_us, last_us) of each time in which something was done to
+the link. How late the machine was is measured from the rows' clock_us.
+"""
+
+import argparse
+import bisect
+import itertools
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import disturbances  # noqa: E402
+import timelines  # noqa: E402
+from disturbances import ENDLESS, Spans  # noqa: E402
+from safe_words import (  # noqa: E402
+    COMMANDS,
+    NEUTRAL_SENSORS,
+    NEUTRAL_STICKS,
+    SAFE_ROW,
+    SENSORS,
+    SERVOS,
+    STALE,
+    orders_behind,
+    orders_of,
+    transformed,
+)
+from timelines import FRAME_US, SCAN_US, Timeline  # noqa: E402
+
+# How old a scan may be when its commands reach the servos: 50 ms, and 20 ms
+# until the row (docs/design.md). When anything disturbs link or nodes, a
+# block may have waited for a frame, been sent twice with all waiting between,
+# and have missed a frame of the aircraft.
+CALM_US = 70_000
+DISTURBED_US = 110_000
+
+# From the row in which CORE has a message until the other node's row has it:
+# commands so much less than from the scan; sensors wait for their command.
+UNTIL_ROW_US = 30_000
+SENSORS_CALM_US = 80_000
+SENSORS_DISTURBED_US = 120_000
+
+# Before the row's time, when the scan began that CORE has as fresh. The
+# aircraft's frame ends up to 18 ms after the ground's begins.
+OWN_SCAN_US = {"gsc": (40_000, 20_000), "mcs": (48_000, 8_000)}
+
+# In the partitions a row is taken when CORE has the frame's words; between
+# the rows that show a message at both ends, and at the console and in CORE.
+PARTITION_UP_US = {"calm": 50_000, "disturbed": 90_000}
+PARTITION_DOWN_US = {"calm": 60_000, "disturbed": 100_000}
+PARTITION_SCAN_US = 30_000
+
+
+class Findings(NamedTuple):
+    violations: list
+    wrong_blocks: list
+    rows: int
+
+
+class Record:
+    """A record's rows: the times, and for each buffer its words."""
+
+    def __init__(self, path, time="time_ms"):
+        with open(path, encoding="utf-8") as file:
+            titles, *lines = file.read().splitlines()
+        titles = titles.split(",")
+        rows = [line.split(",") for line in lines]
+        place = titles.index(time)
+        self.times = ([timelines.to_us(row[place]) for row in rows]
+                      if time == "time_ms"
+                      else [int(row[place]) for row in rows])
+        for name, group, items in BUFFERS:
+            wanted = [f"{group}.{item}" for item in items]
+            if wanted[0] not in titles:
+                continue
+            first = titles.index(wanted[0])
+            cells = slice(first, first + len(wanted))
+            if titles[cells] != wanted:
+                raise ValueError(f"{path}: the columns of {group} are not"
+                                 " those of docs/items.md")
+            setattr(self, name, self._words(rows, cells))
+
+    @staticmethod
+    def _words(rows, cells):
+        """A buffer's words in each row; the same object while unchanged."""
+        found, before, words = [], None, None
+        for row in rows:
+            if row[cells] != before:
+                before = row[cells]
+                words = tuple(map(int, before))
+            found.append(words)
+        return found
+
+
+BUFFERS = (("console", "console", COMMANDS),
+           ("gsc_uplink", "gsc.uplink", (*COMMANDS, "error")),
+           ("mcs_uplink", "mcs.uplink", (*COMMANDS, "error")),
+           ("pwm", "pwm", SERVOS),
+           ("mcs_downlink", "mcs.downlink", (*SENSORS, "error")),
+           ("gsc_downlink", "gsc.downlink", (*SENSORS, "error")))
+
+
+def is_stale(message):
+    return bool(message[-1] & STALE)
+
+
+def changes(values, first):
+    """The rows in which a buffer is not what it was, the first compared with
+    what is given."""
+    before = first
+    for place, words in enumerate(values):
+        if words is not before and words != before:
+            yield place, before, words
+        before = words
+
+
+def differing(names, before, words):
+    return ", ".join(
+        f"{name} {old} to {new}"
+        for name, old, new in zip(names, before, words, strict=True)
+        if old != new)
+
+
+class Sent:
+    """The messages that a node's CORE had, to find where those of the other
+    node came from."""
+
+    def __init__(self, times, messages):
+        self.times, self.messages = times, messages
+
+    def earliest(self, wanted, first, last):
+        """The earliest time of a row that has the message."""
+        for place in range(bisect.bisect_left(self.times, first),
+                           bisect.bisect_right(self.times, last)):
+            if self.messages[place] == wanted:
+                return self.times[place]
+        return None
+
+
+class Checker:
+    """What is common to flights of the simulation and of the partitions."""
+
+    def __init__(self):
+        self.violations = []
+        self.wrong_blocks = []
+
+    def say(self, time, what):
+        self.violations.append(f"{time / 1000:g} ms: {what}")
+
+    def say_wrong(self, time, what):
+        self.wrong_blocks.append(
+            f"{time / 1000:g} ms: wrong block passed: {what}")
+
+    def check_link(self, times, values, sent, window, excuse, name, names):
+        """What a node's CORE has newly, and as fresh, of the other node's is
+        what the other had, and not older than what it replaces. The rows in
+        which it is a wrong block."""
+        wrong = set()
+        floor = -ENDLESS
+        for place, before, words in changes(values, (0,) * len(values[0])
+                                            if values else ()):
+            if is_stale(words):
+                continue
+            time = times[place]
+            first, last = window(time)
+            found = sent.earliest(words, max(first, floor), last)
+            if found is not None:
+                floor = found
+                continue
+            what = f"{name}: {differing(names, before, words)}"
+            reason = excuse(time, first, words)
+            if reason == "wrong":
+                wrong.add(place)
+                self.say_wrong(time, what)
+            elif reason is None:
+                older = sent.earliest(words, -ENDLESS, last)
+                self.say(time, what + (
+                    ": the other node never had this" if older is None else
+                    f": the other node had this at {older / 1000:g} ms,"
+                    " which is too old"))
+        return wrong
+
+    def check_marks(self, times, pwm, uplink, after, near_start):
+        """A message that says that it is old moves nothing: what the servos
+        do newly is what a message said that does not. CORE may have it
+        `after` so many rows."""
+        for place, before, words in changes(pwm, SAFE_ROW):
+            near = uplink[place:place + after + 1]
+            if len(near) < after + 1 or near_start(times[place]):
+                continue
+            if not any(not is_stale(message)
+                       and transformed(message[:13]) == words
+                       for message in near):
+                self.say(times[place],
+                         f"pwm: {differing(SERVOS, before, words)}: no"
+                         " message in mcs.uplink that is not marked as old"
+                         " says so")
+
+
+class Flight(Checker):
+    """A flight of the simulation."""
+
+    def __init__(self, record, sticks, sensors, faults):
+        super().__init__()
+        self.record = Record(record)
+        self.faults = disturbances.of_file(faults)
+        self.console = self._console(sticks)
+        self.orders = self.console.map(orders_of)
+        self.sensors = self._sensors(sensors)
+        self.fresh_uplinks = Sent(self.record.times, self.record.gsc_uplink)
+        self.fresh_downlinks = Sent(self.record.times,
+                                    self.record.mcs_downlink)
+
+    def _console(self, sticks):
+        times, console = self.record.times, self.record.console
+        if sticks:
+            line = timelines.of_script(sticks, COMMANDS, NEUTRAL_STICKS)
+            for time, words in zip(times, console, strict=True):
+                if line.at(time) != words:
+                    raise ValueError(
+                        f"{sticks}: at {time / 1000:g} ms the record has"
+                        f" another console: {words}, not {line.at(time)}")
+            return line
+        begins, words = [0], [NEUTRAL_STICKS]
+        for place, _, now in changes(console, NEUTRAL_STICKS):
+            begins.append(times[place] - FRAME_US)
+            words.append(now)
+        return Timeline(begins, words)
+
+    @staticmethod
+    def _sensors(path):
+        """Of the sensors that the script gives; the bench or the aircraft
+        moves the others."""
+        if not path:
+            return None
+        with open(path, encoding="utf-8") as file:
+            titles = [title.strip() for title in file.readline().split(",")]
+        line = timelines.of_script(path, SENSORS, NEUTRAL_SENSORS)
+        known = [name in titles for name in SENSORS]
+        return line.map(lambda words: tuple(
+            word if is_known else None
+            for word, is_known in zip(words, known, strict=True)))
+
+    def run(self):
+        if self.record.times:
+            self.check_own("gsc", self.record.gsc_uplink, self.console)
+            self.check_own("mcs", self.record.mcs_downlink, self.sensors)
+            wrong = self.check_link(
+                self.record.times, self.record.mcs_uplink,
+                self.fresh_uplinks, self.uplink_rows, self.excuse_uplink,
+                "mcs.uplink", (*COMMANDS, "error"))
+            self.check_servos(wrong)
+            self.check_marks(
+                self.record.times, self.record.pwm, self.record.mcs_uplink,
+                1, lambda time: self.faults.starts["mcs"].touch(
+                    time - FRAME_US, time + FRAME_US))
+            self.check_link(
+                self.record.times, self.record.gsc_downlink,
+                self.fresh_downlinks, self.downlink_rows,
+                self.excuse_downlink, "gsc.downlink", (*SENSORS, "error"))
+        return Findings(self.violations, self.wrong_blocks,
+                        len(self.record.times))
+
+    def window(self, time, calm_us, disturbed_us, sender):
+        """From when on a scan may have begun whose words arrive newly at
+        this time. A telemetry board that stands still keeps its block; so
+        does one whose node is down and gives it no newer one."""
+        faults = self.faults
+        if not faults.any.touch(time - disturbed_us, time):
+            return time - calm_us
+        kept = [faults.stalls, faults.down[sender]]
+        first, before = time - disturbed_us, None
+        while first != before:
+            before = first
+            first = time - disturbed_us - sum(
+                spans.within(before, time) for spans in kept)
+        return first
+
+    def commands_from(self, time):
+        return self.window(time, CALM_US, DISTURBED_US, "gsc")
+
+    def uplink_rows(self, time):
+        return self.commands_from(time) + UNTIL_ROW_US, time
+
+    def downlink_rows(self, time):
+        return (self.window(time, SENSORS_CALM_US, SENSORS_DISTURBED_US,
+                            "mcs"), time)
+
+    def scan_lasts(self, node, first, last):
+        return (FRAME_US if self.faults.scans[node].touch(first, last)
+                else SCAN_US)
+
+    def check_own(self, node, values, line):
+        """What CORE has of its own node as fresh is of the node's scan
+        before this one's; while the node is down it may stand."""
+        if line is None:
+            return
+        name = "gsc.uplink" if node == "gsc" else "mcs.downlink"
+        names = COMMANDS if node == "gsc" else SENSORS
+        early, late = OWN_SCAN_US[node]
+        before = (0,) * len(values[0])
+        for time, words in zip(self.record.times, values, strict=True):
+            changed, before = words != before, words
+            if is_stale(words):
+                continue
+            if line.earliest_scan(
+                    words[:-1], time - early, time - late,
+                    self.scan_lasts(node, time - early, time)) is None:
+                if changed or not self.faults.silent[node].touch(time, time):
+                    older = line.earliest_scan(words[:-1], 0, time, FRAME_US)
+                    self.say(time, f"{name}, shown as fresh: "
+                             + text(names, words[:-1]) + (
+                                 ": no scan saw this" if older is None else
+                                 f": of a scan at {older / 1000:g} ms"))
+
+    def excuse_uplink(self, time, first, words):
+        scan = self.commands_from(time)
+        # The ground may be down before its CORE has what it sent.
+        if self.faults.starts["gsc"].touch(scan, time):
+            if self.console.earliest_scan(
+                    words[:-1], scan, time,
+                    self.scan_lasts("gsc", scan, time)) is not None:
+                return "sent"
+        return "wrong" if self.faults.line["up"].touch(first, time) else None
+
+    def excuse_downlink(self, time, first, words):
+        if self.faults.starts["mcs"].touch(first - 2 * FRAME_US, time):
+            if self.sensors is None or self.sensors.earliest_scan(
+                    words[:-1], first - 2 * FRAME_US, time,
+                    self.scan_lasts("mcs", first, time)) is not None:
+                return "sent"
+        return "wrong" if self.faults.line["down"].touch(first, time) else None
+
+    def check_servos(self, wrong):
+        """What the servos do newly a scan said within the window, and no
+        older one than what they did before."""
+        times, uplink = self.record.times, self.record.mcs_uplink
+        floor = -ENDLESS
+        for place, before, words in changes(self.record.pwm, SAFE_ROW):
+            time = times[place]
+            first = self.commands_from(time)
+            orders = orders_behind(words)
+            found = None if orders is None else self.orders.earliest_scan(
+                orders, max(first, floor), time,
+                self.scan_lasts("gsc", first, time))
+            if found is not None:
+                floor = found
+                continue
+            if any(near in wrong
+                   and transformed(uplink[near][:13]) == words
+                   for near in (place, place + 1)):
+                continue
+            what = f"pwm: {differing(SERVOS, before, words)}"
+            if (self.faults.line["up"].touch(first, time)
+                    and self.faults.starts["mcs"].touch(time - FRAME_US,
+                                                        time + FRAME_US)):
+                self.say_wrong(time, what)
+                continue
+            self.say(time, what + ": " + self.why(orders, words, first, time))
+
+    def why(self, orders, words, first, time):
+        """What is wrong with these outputs, as text."""
+        if orders is None:
+            return "no commands give these outputs"
+        older = self.orders.earliest_scan(orders, 0, time, FRAME_US)
+        if older is not None:
+            return (f"the console said so at {older / 1000:g} ms, before the"
+                    f" last {(time - first) / 1000:g} ms or what the servos"
+                    " did before")
+        held = [row for at, row in zip(self.orders.times, self.orders.words,
+                                       strict=True) if at <= time]
+        unsaid = [name for channel, name in enumerate(COMMANDS)
+                  if all(row[channel] != orders[channel] for row in held)]
+        if words == SAFE_ROW:
+            return "back to the safe words"
+        return ("the console never said so: " + ", ".join(unsaid) if unsaid
+                else "of no one scan of the console")
+
+
+def check(record, sticks=None, sensors=None, faults=None):
+    """A flight of the simulation, from its record and what it was given."""
+    return Flight(record, sticks, sensors, faults).run()
+
+
+class Partitions(Checker):
+    """A flight of one or both partitions."""
+
+    def __init__(self, gsc, mcs, starts, disturbed):
+        super().__init__()
+        self.gsc = Record(gsc, "clock_us") if gsc else None
+        self.mcs = Record(mcs, "clock_us") if mcs else None
+        self.starts = {node: Spans((at - FRAME_US, at + 5 * FRAME_US)
+                                   for which, at in starts if which == node)
+                       for node in disturbances.NODES}
+        every = [span for spans in self.starts.values() for span in spans]
+        self.disturbed = Spans([*disturbed, *every])
+        self.late = Spans(span for record, node in ((self.gsc, "gsc"),
+                                                    (self.mcs, "mcs"))
+                          if record for span in self._late(record, node))
+
+    def _late(self, record, node):
+        """The times in which rows were late, each as long as it was."""
+        for before, time in itertools.pairwise(record.times):
+            if (time - before > FRAME_US
+                    and not self.starts[node].touch(before, time)):
+                yield before + FRAME_US, time
+
+    def window(self, time, reach):
+        reach = reach["disturbed" if self.disturbed.touch(
+            time - reach["disturbed"], time) else "calm"]
+        first, before = time - reach, None
+        while first != before:
+            before = first
+            first = time - reach - self.late.within(before, time)
+        return first
+
+    def late_before(self, time):
+        return self.late.within(time - 10 * FRAME_US, time)
+
+    def run(self):
+        gsc, mcs = self.gsc, self.mcs
+        if gsc and gsc.times:
+            self.check_ground()
+        if mcs and mcs.times:
+            self.check_marks(mcs.times, mcs.pwm, mcs.mcs_uplink, 0,
+                             lambda time: self.starts["mcs"].touch(time, time))
+        if gsc and mcs and gsc.times and mcs.times:
+            self.check_link(
+                mcs.times, mcs.mcs_uplink, Sent(gsc.times, gsc.gsc_uplink),
+                lambda time: (self.window(time, PARTITION_UP_US),
+                              time + self.late_before(time)),
+                lambda time, first, words: self.excuse(
+                    "gsc", time, first), "mcs.uplink", (*COMMANDS, "error"))
+            self.check_link(
+                gsc.times, gsc.gsc_downlink,
+                Sent(mcs.times, mcs.mcs_downlink),
+                lambda time: (self.window(time, PARTITION_DOWN_US),
+                              time + self.late_before(time)),
+                lambda time, first, words: self.excuse(
+                    "mcs", time, first), "gsc.downlink", (*SENSORS, "error"))
+        return Findings(self.violations, self.wrong_blocks,
+                        sum(len(record.times) for record in (gsc, mcs)
+                            if record))
+
+    def excuse(self, sender, time, first):
+        """A node that starts may have sent what its CORE never had."""
+        if self.starts[sender].touch(first, time):
+            return "sent"
+        return "wrong" if self.disturbed.touch(first, time) else None
+
+    def check_ground(self):
+        """What the ground's CORE has as fresh stood at its last scan."""
+        times = self.gsc.times
+        before = (0,) * 14
+        for place, (time, words) in enumerate(
+                zip(times, self.gsc.gsc_uplink, strict=True)):
+            changed, before = words != before, words
+            if is_stale(words):
+                continue
+            first = (time - PARTITION_SCAN_US
+                     - self.late.within(time - PARTITION_SCAN_US, time))
+            near = place
+            while near >= 0 and times[near] >= first:
+                if self.gsc.console[near] == words[:-1]:
+                    break
+                near -= 1
+            else:
+                if changed or not (place == 0 or self.starts["gsc"].touch(
+                        time, time)):
+                    self.say(time, "gsc.uplink, shown as fresh, is not what"
+                             " stood at the last scan: "
+                             + text(COMMANDS, words[:-1]))
+
+
+def check_partitions(gsc=None, mcs=None, starts=(), disturbed=()):
+    """A flight of the partitions, from their records."""
+    return Partitions(gsc, mcs, starts, disturbed).run()
+
+
+def text(names, words):
+    return " ".join(f"{name}={word}"
+                    for name, word in zip(names, words, strict=True))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("record", nargs="?", help="of a simulated flight")
+    for option in ("sticks", "sensors", "faults"):
+        parser.add_argument(f"--{option}", help="that the flight was given")
+    for node in disturbances.NODES:
+        parser.add_argument(f"--{node}", help="record of that partition")
+    given = parser.parse_args()
+    partitions = given.gsc or given.mcs
+    if bool(given.record) == bool(partitions):
+        parser.error("either a record, or --gsc or --mcs or both")
+    try:
+        findings = (
+            check_partitions(given.gsc, given.mcs) if partitions
+            else check(given.record, given.sticks, given.sensors,
+                       given.faults))
+    except (OSError, ValueError) as error:
+        print(f"monitor.py: {error}", file=sys.stderr)
+        return 2
+    for line in (*findings.violations, *findings.wrong_blocks):
+        print(line)
+    print(f"{findings.rows} rows, {len(findings.violations)} violations,"
+          f" {len(findings.wrong_blocks)} wrong blocks passed")
+    return 1 if findings.violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,63 @@
+"""What the monitor knows of the words: their names and order, what the
+servos make of a command (PWM-2, figure 13), what they hold until then."""
+
+COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake",
+            *(f"switch{n}" for n in range(1, 9)))
+SENSORS = tuple("""right_flap_1 left_flap_1 right_flap_2 left_flap_2
+right_aileron left_aileron right_elevator left_elevator right_rudder
+left_rudder alpha beta altitude_offset lateral_acceleration
+longitudinal_acceleration vertical_acceleration rpm battery_volts
+alternator_volts roll_attitude pitch_attitude roll_rate pitch_rate yaw_rate
+airspeed altitude uplink_signal_strength""".split())
+SERVOS = ("left_aileron", "right_aileron", "left_elevator", "right_elevator",
+          "left_rudder", "right_rudder", "steering", "throttle", "brake",
+          "left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2",
+          "discretes")
+
+MIDDLE, LARGEST = 0x800, 0xFFF
+
+# What a console without a script holds.
+NEUTRAL_STICKS = (MIDDLE,) * 5 + (0,) * 8
+NEUTRAL_SENSORS = (MIDDLE,) * 27
+
+# What each output holds from power up until the first commands (SAF-1):
+# surfaces at zero, flaps up, the engine idle, brakes full on, all off.
+SAFE = {name: MIDDLE for name in SERVOS} | {
+    "throttle": 0, "brake": LARGEST, "discretes": 0}
+SAFE_ROW = tuple(SAFE[name] for name in SERVOS)
+
+# The error word's bit that says: these are words of an earlier scan.
+STALE = 1
+
+
+def is_on(switch):
+    return switch >= MIDDLE
+
+
+def transformed(commands):
+    """The 14 outputs for 13 command words."""
+    roll, pitch, yaw, throttle, brake = (
+        min(word, LARGEST) for word in commands[:5])
+    switches = commands[5:13]
+    flaps = LARGEST if is_on(switches[7]) else MIDDLE
+    discretes = sum(1 << bit for bit, word in enumerate(switches)
+                    if is_on(word))
+    return (roll, roll, pitch, pitch, yaw, yaw, yaw, throttle, brake,
+            flaps, flaps, flaps, flaps, discretes)
+
+
+def orders_of(commands):
+    """What a command says to the servos: five words and eight switches."""
+    return (*commands[:5], *map(is_on, commands[5:13]))
+
+
+def orders_behind(servos):
+    """The orders that give these outputs; None if there are none."""
+    discretes = servos[13]
+    if discretes > 0xFF:
+        return None
+    orders = (servos[0], servos[2], servos[4], servos[7], servos[8],
+              *(bool(discretes >> bit & 1) for bit in range(8)))
+    made = transformed((*orders[:5],
+                        *(LARGEST if on else 0 for on in orders[5:])))
+    return orders if made == servos else None
