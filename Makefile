@@ -1,7 +1,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly test prove explore fuzz campaign theory bench size trace \
-        mutate real_time timing coverage independence clean
+        mutate planted real_time timing coverage independence clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -13,6 +13,7 @@ help:
 	@echo "make timing  fly them beside cyclictest, SECONDS=60 [RENEW=--renew]"
 	@echo "make explore explore both telemetry boards exhaustively"
 	@echo "make mutate  change the code in small ways, see who notices, JOBS=N"
+	@echo "make planted plant mistakes in what judges the code, see who notices"
 	@echo "make fuzz    fuzz a telemetry board, SECONDS=60"
 	@echo "make bench   compare the simulation's speed with C's"
 	@echo "make size    static data of each node's flight software"
@@ -50,6 +51,10 @@ mutate:
 	@scripts/setup.sh mutate
 	@.venv/bin/python scripts/mutation/run.py --jobs $(MUTATE_JOBS)
 	@.venv/bin/python scripts/mutation/report.py table
+
+planted:
+	@scripts/setup.sh test
+	@.venv/bin/python scripts/planted.py
 
 SECONDS := 60
 
