@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Static data of each node's flight software, as built for flight.
+"""Static data of each node's flight software, as built for flight (EVI-10).
 
 Adds up the data sections of every object file a node's top package needs,
 itself included. Ada's run-time library is not counted: a target has its own.
