@@ -19,7 +19,7 @@ help:
 	@echo "make size    static data of each node's flight software"
 	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
 	@echo "             spoil the link in every way, check that it recovers"
-	@echo "make theory  measure the link under bit errors beside theory"
+	@echo "make theory  measure the link under bit errors beside theory [RENEW]"
 	@echo "make coverage what the tests reach of src, as HTML in coverage/"
 	@echo "make independence  the tests with other switches, other compilers"
 	@echo "make trace   requirements with their links, as HTML in trace/"
@@ -94,7 +94,7 @@ campaign:
 theory:
 	@scripts/setup.sh campaign
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@python3 scripts/campaign/theory.py
+	@python3 scripts/campaign/theory.py $(RENEW)
 
 trace:
 	@scripts/setup.sh trace

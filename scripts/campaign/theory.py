@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """The link under bit errors: what theory says and what the simulation does.
 
-  theory.py [--frames N]   measure, renew docs/link-errors.svg and the table
-                           in docs/link.md
+  theory.py [--frames N] [--renew]
+      measures, prints the table; --renew writes it into docs/link.md, and the
+      plot docs/link-errors.svg
 
 Theory is a closed form from the protocol as docs/link.md has it. What is
 measured comes from the wire alone: who sent what, and how it was answered.
@@ -227,7 +228,10 @@ def svg(points):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--frames", type=int, default=50_000)
-    frames = parser.parse_args().frames
+    parser.add_argument("--renew", action="store_true",
+                        help="write table and plot into docs")
+    chosen = parser.parse_args()
+    frames = chosen.frames
     points = []
     for rate in RATES:
         points.append((rate, theory(float(rate)), measure(rate, frames)))
@@ -235,12 +239,18 @@ def main():
             f"{name} {points[-1][1][name]:.5f} {point.value:.5f}"
             f" ({z_score(point, points[-1][1][name], frames):.1f})"
             for name, point in points[-1][2].items()), flush=True)
+    made = "".join(f"{line}\n" for line in table(points))
+    print(made, end="")
+    if chosen.renew:
+        renew(made, points)
+
+
+def renew(made, points):
     (DOCS / "link-errors.svg").write_text(svg(points), encoding="ascii")
     page = (DOCS / "link.md").read_text(encoding="utf-8")
     begin, end = "<!-- make theory -->\n", "<!-- end -->\n"
     before, rest = page.split(begin)
     after = rest.split(end)[1]
-    made = "".join(f"{line}\n" for line in table(points))
     (DOCS / "link.md").write_text(before + begin + made + end + after,
                                   encoding="utf-8")
 
