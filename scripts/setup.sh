@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs what one target of the Makefile lacks, and nothing else.
 #
-#   scripts/setup.sh fly|test|prove|size|bench|campaign|explore|fuzz|trace|
-#                    mutate|real_time|timing|coverage|independence
+#   scripts/setup.sh fly|test|check|prove|size|bench|campaign|explore|fuzz|
+#                    trace|mutate|real_time|timing|coverage|independence
 #
-# On Debian 12 as root it installs packages; as anyone else it names the
+# On Debian 12 and 13 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
 
 set -eu
@@ -12,24 +12,44 @@ cd "$(dirname "$0")/.."
 
 target=${1:?usage: scripts/setup.sh TARGET}
 
-build="gnat-12 gprbuild"
-simulate="$build libgnatcoll21-dev"
+# The number of this Debian, when packages are to come from it: alr exec has
+# put its own compiler and libraries on the PATH.
+debian=
+if [ -z "${ALIRE:-}" ] && [ -r /etc/os-release ]; then
+   debian=$(. /etc/os-release &&
+            [ "${ID:-}" = debian ] && echo "${VERSION_ID:-}") || debian=
+fi
+
+case $debian in
+   12) build="gnat-12 gprbuild"
+       gnatcoll=libgnatcoll21-dev
+       aunit=libaunit22-dev
+       gcov=gcc-12 ;;
+   13) build="gnat-14 gprbuild"
+       gnatcoll=libgnatcoll-dev
+       aunit=libaunit-dev
+       gcov=gcc ;;
+   *)  debian= build='' gnatcoll='' aunit='' gcov='' ;;
+esac
+
+simulate="$build $gnatcoll"
 case $target in
    fly)   packages="$simulate python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt" ;;
-   test)  packages="$simulate libaunit22-dev afl++ binutils gcc python3
+   test | check)
+          packages="$simulate $aunit afl++ binutils gcc python3
                     python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt" ;;
    mutate)
-          packages="$simulate libaunit22-dev binutils python3 python3-venv"
+          packages="$simulate $aunit binutils python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    coverage)
-          packages="$simulate libaunit22-dev gcc-12 python3 python3-venv"
+          packages="$simulate $aunit $gcov python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/coverage-requirements.txt" ;;
    independence)
-          packages="$simulate libaunit22-dev python3 python3-venv"
+          packages="$simulate $aunit python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    bench) packages="$simulate gcc python3"
           requirements="" ;;
@@ -56,13 +76,6 @@ case $target in
           exit 2 ;;
 esac
 
-is_debian_12 ()
-{
-   [ -r /etc/os-release ] &&
-      (. /etc/os-release && [ "${ID:-}" = debian ] &&
-         [ "${VERSION_ID:-}" = 12 ])
-}
-
 # The packages of the list that are not installed.
 missing_packages ()
 {
@@ -74,44 +87,67 @@ missing_packages ()
    done
 }
 
+# A command's words go to a file: what apt-get and pip say is long, and its
+# last lines are what helps when it fails.
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+# What apt-get, pip and Python say of a network that is not there.
+unreachable='Could not resolve|Temporary failure|Name or service not known'
+unreachable="$unreachable|[Nn]etwork is unreachable|No route to host"
+unreachable="$unreachable|[Cc]onnection (refused|timed out)|Could not connect"
+unreachable="$unreachable|NewConnectionError|ConnectTimeout"
+
+# failed WHAT WANTED: ends, and says why.
+failed ()
+{
+   if grep -E -q "$unreachable" "$log"; then
+      echo "setup: no network: $1 reached nothing. Needed are: $2" >&2
+   else
+      tail -n 20 "$log" >&2
+      echo "setup: $1 failed. Needed are: $2" >&2
+   fi
+   exit 1
+}
+
 install_packages ()
 {
    missing=$(missing_packages "$@")
+   missing=${missing# }
    [ -n "$missing" ] || return 0
+   update="apt-get update"
+   install="apt-get install -y --no-install-recommends $missing"
    if [ "$(id -u)" -ne 0 ]; then
-      echo "setup: missing:$missing" >&2
-      echo "setup: install with: sudo apt-get install$missing" >&2
+      echo "setup: packages are missing. Have this run as root, then try" \
+           "again:" >&2
+      echo "    $update && $install" >&2
       exit 1
    fi
-   echo "setup: installing$missing"
+   echo "$target: installing $missing"
    export DEBIAN_FRONTEND=noninteractive
-   log=$(mktemp)
-   # shellcheck disable=SC2086 # a list of names
-   if ! { apt-get update && apt-get install -y --no-install-recommends \
-          $missing; } >"$log" 2>&1 </dev/null
+   # apt-get update succeeds when it reached nothing.
+   if ! $update >"$log" 2>&1 </dev/null || ! grep -E -q '^(Get|Hit):' "$log"
    then
-      cat "$log" >&2
-      rm -f "$log"
-      echo "setup: apt-get failed" >&2
-      exit 1
+      failed "apt-get update" "$missing"
    fi
-   rm -f "$log"
+   if ! $install >"$log" 2>&1 </dev/null; then
+      failed "apt-get install" "$missing"
+   fi
 }
 
-# Elsewhere than on Debian 12: are the commands there?
+# Elsewhere than on Debian: are the commands there?
 require_commands ()
 {
    for command in "$@"; do
       if ! command -v "$command" >/dev/null 2>&1; then
-         echo "setup: $command is missing. This is not Debian 12: get" \
-              "Alire and Python 3, then: alr exec -- make $target" >&2
+         echo "setup: $command is missing. This is neither Debian 12 nor 13:" \
+              "get Alire and Python 3, then: alr exec -- make $target" >&2
          exit 1
       fi
    done
 }
 
-# alr exec has put its own compiler and libraries on the PATH.
-if is_debian_12 && [ -z "${ALIRE:-}" ]; then
+if [ -n "$debian" ]; then
    # shellcheck disable=SC2086 # a list of names
    install_packages $packages
    python=/usr/bin/python3
@@ -120,18 +156,31 @@ else
    python=python3
 fi
 
+if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
+   echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \
+        "has it, crate gnatprove 12. Get Alire, https://alire.ada.dev, then:" \
+        "alr exec -- make prove" >&2
+   exit 1
+fi
+
 # The virtual environment: made again when its Python went away, filled
 # again when a list of requirements changed. Each list is complete.
 for list in $requirements; do
    if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
       rm -rf .venv
-      "$python" -m venv .venv
+      if ! "$python" -m venv .venv >"$log" 2>&1; then
+         failed "$python -m venv" "Python 3 with its module venv"
+      fi
    fi
    done_list=.venv/$(echo "$list" | tr / -)
    if ! cmp -s "$list" "$done_list"; then
-      echo "setup: installing $list"
-      .venv/bin/python -m pip install --quiet \
-         --disable-pip-version-check --no-deps -r "$list"
+      echo "$target: installing into .venv: $(grep -c == "$list") packages" \
+           "of $list"
+      if ! .venv/bin/python -m pip install --quiet --retries 1 \
+         --disable-pip-version-check --no-deps -r "$list" >"$log" 2>&1
+      then
+         failed pip "the packages of $list"
+      fi
       cp "$list" "$done_list"
    fi
 done
