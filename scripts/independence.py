@@ -5,9 +5,12 @@
         Unit tests and the tests that fly, built with and without contracts
         executed, without optimisation and with, validity checked wherever it
         may be. Some flights must leave the same bytes whatever the build.
-    scripts/independence.py [--renew] chroot FOLDER
-        All tests but the proof's in Debian 13, trixie, with its GNAT;
-        debootstrap puts it in FOLDER unless it is there. Needs root.
+    scripts/independence.py [--renew] chroot FOLDER [DEBIAN/WHO ...]
+        What a newcomer does, in a fresh bare Debian in FOLDER, with nothing
+        but git and make: `make fly`, `make test`. As root, and as a user who
+        has root run the one command that `make test` names. DEBIAN/WHO is
+        12/root, 12/user, 13/root, 13/user; all of them unless named. Needs
+        root and debootstrap.
 
 --renew writes the result into docs/independence.md. All warnings are errors,
 so what builds has none. Exit status 1 when a test fails or bytes differ.
@@ -21,6 +24,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import coverage
@@ -28,12 +32,16 @@ import coverage
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "independence.md"
 
-SUITE = "trixie"
-PACKAGES = ("ca-certificates gnat-14 gprbuild gcc libc6-dev make git binutils"
-            " libaunit-dev libgnatcoll-dev afl++ python3 python3-venv").split()
+SUITES = {"12": "bookworm", "13": "trixie"}
+NEWCOMERS = [f"{debian}/{who}" for debian in SUITES for who in ("root", "user")]
 
-# What of the tests hangs on the compiler.
-PARTS = "every unit simulation 'real time' 'static data'"
+# How this machine reaches the packages, which a fresh system is told, too.
+NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf",
+           "etc/ssl/certs/ca-certificates.crt",
+           "usr/local/share/ca-certificates")
+
+# Where setup.sh names the command that root runs for a user.
+NAMED = re.compile(r"^    (apt-get update && apt-get install .+)$", re.M)
 
 # The switches come after those of urv.gpr, so that these count.
 BUILDS = {
@@ -160,12 +168,10 @@ def passed(counts):
     return f"{good} passed" + (f", {bad} failed" if bad else "")
 
 
-# --- another compiler ------------------------------------------------------
+# --- another system and compiler -------------------------------------------
 
-def in_chroot(folder, command, **more):
-    return run("chroot", folder, "/usr/bin/env", "-i", "HOME=/root",
-               "LC_ALL=C.UTF-8", "PATH=/usr/sbin:/usr/bin:/sbin:/bin",
-               "sh", "-c", command, **more)
+# A user with a home, as systems have.
+USER = "pilot"
 
 
 def must(result, what):
@@ -175,21 +181,55 @@ def must(result, what):
     return said
 
 
-def prepare(folder):
-    """The chroot with what `make test` needs, and this repository in it."""
+def fresh(folder, debian):
+    """A bare Debian with git and make. What debootstrap made is kept, and
+    copied."""
+    suite = SUITES[debian]
+    base, system = folder / f"{suite}-base", folder / suite
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-    if not (folder / "usr").exists():
-        must(run("debootstrap", "--variant=minbase", SUITE, folder, **quiet),
-             "debootstrap")
-    for name in ("resolv.conf", "hosts", "ssl/certs/ca-certificates.crt"):
-        if Path("/etc", name).exists():
-            (folder / "etc" / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(Path("/etc", name), folder / "etc" / name)
-    must(in_chroot(folder, "apt-get update && DEBIAN_FRONTEND=noninteractive"
-                   " apt-get install -y --no-install-recommends "
-                   + " ".join(PACKAGES), **quiet), "apt-get")
-    home = folder / "root" / "urv"
-    shutil.rmtree(home, ignore_errors=True)
+    if not base.exists():
+        unfinished = folder / f"{suite}-unfinished"
+        shutil.rmtree(unfinished, ignore_errors=True)
+        must(run("debootstrap", "--variant=minbase", suite, unfinished,
+                 **quiet), "debootstrap")
+        unfinished.rename(base)
+    if system.exists():
+        shutil.rmtree(system)
+    must(run("cp", "-a", base, system), "cp")
+    for name in NETWORK:
+        source, place = Path("/", name), system / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        if source.is_dir():
+            shutil.copytree(source, place, dirs_exist_ok=True)
+        elif source.exists():
+            shutil.copyfile(source, place)
+    must(run("mount", "-t", "proc", "proc", system / "proc"), "mount")
+    must(in_system(system, "root", f"""
+        mkdir -p /dev/pts /dev/shm && chmod 1777 /dev/shm &&
+        mount -t devpts devpts /dev/pts -o newinstance,ptmxmode=0666 &&
+        ln -sf pts/ptmx /dev/ptmx &&
+        apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y \
+           --no-install-recommends git make &&
+        useradd --create-home {USER}""", **quiet), "preparing")
+    return system
+
+
+def left(system):
+    for name in ("dev/pts", "proc"):
+        subprocess.run(["umount", "-l", system / name], check=False,
+                       stderr=subprocess.DEVNULL)
+
+
+def in_system(system, who, command, **more):
+    home = "/root" if who == "root" else f"/home/{USER}"
+    return run("chroot", system, "/usr/bin/env", "-i", f"HOME={home}",
+               "LC_ALL=C.UTF-8", "PATH=/usr/sbin:/usr/bin:/sbin:/bin",
+               *([] if who == "root" else ["su", USER]),
+               *(["sh"] if who == "root" else []), "-c", command, **more)
+
+
+def check_out(home):
+    """What is in this repository as it stands."""
     names = must(run("git", "ls-files", "-z", stdout=subprocess.PIPE), "git")
     for name in names.split("\0")[:-1]:
         if (ROOT / name).exists():
@@ -197,31 +237,100 @@ def prepare(folder):
             shutil.copy2(ROOT / name, home / name)
 
 
-def try_chroot(folder):
+def command_for_root(said):
+    """What a user is told to have run; nothing but one command."""
+    commands = NAMED.findall(said)
+    return commands[0] if len(commands) == 1 else None
+
+
+def in_minutes(seconds):
+    return f"{seconds / 60:.0f} min"
+
+
+def used_mb(system):
+    said = must(run("du", "-smx", system, stdout=subprocess.PIPE), "du")
+    return int(said.split()[0])
+
+
+def try_newcomer(folder, newcomer):
+    """The row of the table, and whether all is well."""
+    debian, who = newcomer.split("/")
+    system = folder / SUITES[debian]
+    left(system)
+    fresh(folder, debian)
+    try:
+        home = system / ("root" if who == "root" else f"home/{USER}") / "urv"
+        check_out(home)
+        if who == "user":
+            must(in_system(system, "root", f"chown -R {USER} /home/{USER}"),
+                 "chown")
+        return what_happens(system, home, debian, who)
+    finally:
+        left(system)
+
+
+def what_happens(system, home, debian, who):
+    first = used_mb(system)
+    began = time.monotonic()
+    if who == "user":
+        status, said = in_system(system, who, "cd ~/urv && make test",
+                                 stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
+        print(said, flush=True)
+        command = command_for_root(said)
+        if status == 0 or not command:
+            sys.exit("independence: a user is not told the one command")
+        must(in_system(system, "root",
+                       f"export DEBIAN_FRONTEND=noninteractive; {command}",
+                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT),
+             command)
+    flown, _ = in_system(system, who, "cd ~/urv && make fly")
+    fly = in_minutes(time.monotonic() - began)
+    fly_mb = used_mb(system) - first
+    there = all((home / "flight" / name).exists()
+                for name in ("record.csv", "summary.json"))
+    began = time.monotonic()
+    tested, _ = in_system(system, who, "cd ~/urv && make test")
+    test = in_minutes(time.monotonic() - began)
+    version = must(in_system(system, who, "gnatls --version",
+                             stdout=subprocess.PIPE), "gnatls")
+    file = home / "obj" / "tests" / "totals"
+    totals = TOTALS.match(file.read_text("utf-8")) if file.exists() else None
+    well = (flown == tested == 0 and there and bool(totals)
+            and totals[2] == "0")
+    return [f"Debian {debian}", who, version.split(maxsplit=2)[1],
+            f"{fly}, {fly_mb} MB" if flown == 0 and there else "failed",
+            totals[0] if totals else "did not come to its end",
+            f"{test}, {used_mb(system) - first} MB"], well
+
+
+def try_newcomers(folder, newcomers):
+    """The table's rows by newcomer, and whether all is well."""
     if os.geteuid() != 0:
         sys.exit("independence: a chroot needs root")
-    prepare(folder)
-    must(run("mount", "-t", "proc", "proc", folder / "proc"), "mount")
-    try:
-        must(in_chroot(folder, "mountpoint -q /dev/pts ||"
-                       " { mkdir -p /dev/pts /dev/shm &&"
-                       " mount -t devpts devpts /dev/pts -o newinstance,"
-                       "ptmxmode=0666 && ln -sf pts/ptmx /dev/ptmx; }"),
-             "mount")
-        version = must(in_chroot(folder, "gnatls --version",
-                                 stdout=subprocess.PIPE), "gnatls")
-        in_chroot(folder, "cd /root/urv && scripts/setup.sh test &&"
-                  f" .venv/bin/python scripts/run_tests.py {PARTS}")
-    finally:
-        run("umount", folder / "dev" / "pts")
-        run("umount", folder / "proc")
-    file = folder / "root" / "urv" / "obj" / "tests" / "totals"
-    totals = TOTALS.match(file.read_text("utf-8")) if file.exists() else None
-    number = version.split(maxsplit=2)[1]
-    rows = [[f"GNAT {number}, Debian 13",
-             totals[0] if totals else "did not come to its end"]]
-    return (table(("compiler", "tests"), rows),
-            bool(totals) and totals[2] == "0")
+    folder.mkdir(parents=True, exist_ok=True)
+    rows, all_well = [], True
+    for newcomer in newcomers:
+        row, well = try_newcomer(folder, newcomer)
+        print(*row, sep=", ", flush=True)
+        rows.append(row)
+        all_well = all_well and well
+    return rows, all_well
+
+
+def newcomers_table(page, rows):
+    """Rows that were not tried anew stay as the page has them."""
+    found = dict.fromkeys(map(tuple, (n.split("/") for n in NEWCOMERS)))
+    for line in page.splitlines():
+        row = [cell.strip() for cell in line.strip("|").split("|")]
+        key = (row[0].removeprefix("Debian "), *row[1:2])
+        if len(row) == 6 and key in found:
+            found[key] = row
+    for row in rows:
+        found[row[0].removeprefix("Debian "), row[1]] = row
+    return table(("system", "as", "GNAT", "`make fly`, with what it installs",
+                  "`make test`", "the same, with what both need"),
+                 filter(None, found.values()))
 
 
 # --- the page --------------------------------------------------------------
@@ -246,11 +355,19 @@ def main():
     options.add_argument("--renew", action="store_true")
     options.add_argument("part", choices=("switches", "chroot"))
     options.add_argument("folder", nargs="?", type=Path)
+    options.add_argument("newcomers", nargs="*", metavar="DEBIAN/WHO")
     chosen = options.parse_args()
     if (chosen.part == "chroot") != bool(chosen.folder):
         options.error("a folder for chroot, and for nothing else")
-    text, well = (try_switches() if chosen.part == "switches"
-                  else try_chroot(chosen.folder.resolve()))
+    if unknown := set(chosen.newcomers) - set(NEWCOMERS):
+        options.error(f"{', '.join(unknown)}: not one of"
+                      f" {', '.join(NEWCOMERS)}")
+    if chosen.part == "switches":
+        text, well = try_switches()
+    else:
+        rows, well = try_newcomers(chosen.folder.resolve(),
+                                   chosen.newcomers or NEWCOMERS)
+        text = newcomers_table(DOCUMENT.read_text(encoding="utf-8"), rows)
     print(text, end="")
     if chosen.renew:
         page = DOCUMENT.read_text(encoding="utf-8")

@@ -69,3 +69,32 @@ def test_switches_are_all_combinations():
     assert list(independence.BUILDS) == [
         "-O0 -gnatVa", "-O2 -gnatVa", "-O0 -gnata -gnatVa",
         "-O2 -gnata -gnatVa"]
+
+
+MISSING = "    apt-get update && apt-get install -y gnat-12 gprbuild\n"
+
+
+@pytest.mark.parametrize("said, command", [
+    (f"setup: have root run this:\n{MISSING}make: Error 1\n",
+     MISSING.strip()),
+    (MISSING * 2, None),
+    ("setup: no network\n", None),
+])
+def test_a_user_is_told_one_command(said, command):
+    assert independence.command_for_root(said) == command
+
+
+def test_a_newcomer_tried_alone_leaves_the_others_rows():
+    def row(debian, who, result):
+        return [f"Debian {debian}", who, "14.2.0", "5 min", result, "9 min"]
+    page = independence.newcomers_table(
+        "", [row(12, "root", "old"), row(13, "user", "old")])
+    page = independence.newcomers_table(
+        f"a\n{page}b\n", [row(13, "user", "new"), row(12, "user", "new")])
+    lines = page.splitlines()
+    assert len(lines) == 5
+    for line, beginning, result in zip(
+            lines[2:], ["12 | root", "12 | user", "13 | user"],
+            ["old", "new", "new"]):
+        assert line.startswith(f"| Debian {beginning} |")
+        assert f"| {result} |" in line
