@@ -1,40 +1,50 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test prove explore fuzz campaign theory bench size trace \
-        mutate planted real_time timing coverage independence clean
+.PHONY: help fly test check prove explore fuzz campaign theory bench size \
+        trace mutate planted real_time timing coverage independence clean
 
 GPRBUILD := gprbuild -q -p -j0
 
 help:
-	@echo "make fly     fly the standard flight, leave it in flight/"
-	@echo "make test    run every test"
-	@echo "make prove   prove src and proofs, renew the proof record"
-	@echo "make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
-	@echo "make timing  fly them beside cyclictest, SECONDS=60 [RENEW=--renew]"
-	@echo "make explore explore both telemetry boards exhaustively"
-	@echo "make mutate  change the code in small ways, see who notices, JOBS=N"
-	@echo "make planted plant mistakes in what judges the code, see who notices"
-	@echo "make fuzz    fuzz a telemetry board, SECONDS=60"
-	@echo "make bench   compare the simulation's speed with C's"
-	@echo "make size    static data of each node's flight software"
-	@echo "make campaign [CAMPAIGN=tiny|short|full] [JOBS=N]"
-	@echo "             spoil the link in every way, check that it recovers"
-	@echo "make theory  measure the link under bit errors beside theory [RENEW]"
-	@echo "make coverage what the tests reach of src, as HTML in coverage/"
-	@echo "make independence  the tests with other switches, other compilers"
-	@echo "make trace   requirements with their links, as HTML in trace/"
-	@echo "make clean   remove what was built"
+	@echo "To fly and to work:"
+	@echo "  make fly        fly the standard flight, leave it in flight/"
+	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
+	@echo "  make check      the quick tests: after each change"
+	@echo "  make test       run every test"
+	@echo "  make prove      prove src and proofs, renew the proof record"
+	@echo "  make clean      remove what was built"
+	@echo "Evidence; RENEW=--renew writes the result into docs:"
+	@echo "  make explore    explore both telemetry boards exhaustively"
+	@echo "  make campaign   spoil the link in every way, see it recover;"
+	@echo "                  CAMPAIGN=tiny|short|full JOBS=N"
+	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
+	@echo "  make mutate     change the code, see who notices, JOBS=N"
+	@echo "  make planted    plant mistakes in what judges, see who notices"
+	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
+	@echo "  make independence  other switches, other compilers [RENEW]"
+	@echo "  make theory     the link under bit errors beside theory [RENEW]"
+	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
+	@echo "  make bench      compare the simulation's speed with C's"
+	@echo "  make size       static data of each node's flight software"
+	@echo "  make trace      requirements with their links, in trace/"
 
 fly:
 	@scripts/setup.sh fly
+	@echo "fly: building bin/urv_sim"
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@mkdir -p flight
+	@echo "fly: flying 180 s"
 	@bin/urv_sim fly --plant jsbsim --pilot standard \
 	   --record flight/record.csv --summary flight/summary.json
+	@echo "fly: results are in flight/record.csv and flight/summary.json"
 
 test:
 	@scripts/setup.sh test
 	@.venv/bin/python scripts/run_tests.py
+
+check:
+	@scripts/setup.sh check
+	@.venv/bin/python scripts/run_tests.py --quick
 
 prove:
 	@scripts/setup.sh prove
@@ -104,7 +114,7 @@ coverage:
 	@scripts/setup.sh coverage
 	@.venv/bin/python scripts/coverage.py run $(RENEW)
 
-# CHROOT: a folder for Debian 13, to build and test there, too. Needs root.
+# CHROOT: a folder for fresh Debians, to fly and test there, too. Needs root.
 CHROOT :=
 independence:
 	@scripts/setup.sh independence

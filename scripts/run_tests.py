@@ -2,13 +2,15 @@
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
     scripts/run_tests.py [PART ...]    those parts whose names begin so
+    scripts/run_tests.py --quick       the quick ones, for daily work
 
 The parts: that every source of src and proofs builds without a warning; unit
 tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation and of the real-time partitions; the links of the requirements,
 the static data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
-parts run all the same.
+parts run all the same. Before the last line stand the slowest tests, the
+failed ones, and each part with its result and time.
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -16,15 +18,35 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree
 from pathlib import Path
+from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "obj" / "tests"
 GPRBUILD = ["gprbuild", "-q", "-p", "-j0"]
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$")
+UNIT_TEST = re.compile(r"^(ok  |FAIL) (.+)$")
+SLOWEST = 10
+
+# The files of tests of the simulation that `make check` leaves out: they take
+# longest.
+SLOW = ("campaign", "exploration", "faults", "flight", "fuzz", "link_theory",
+        "planted", "starts", "traceability")
 
 BROKEN = (0, 1, 0)
+
+
+class Test(NamedTuple):
+    seconds: float
+    failed: bool
+    name: str
+
+
+# What ran, and how long building took, in the order they came.
+tests = []
+building = []
 
 
 def run(*command):
@@ -33,56 +55,86 @@ def run(*command):
     return subprocess.run(command, cwd=ROOT, check=False).returncode
 
 
+def build(project, mode):
+    """Whether it was built. Warnings are errors."""
+    print(f"building {project}", flush=True)
+    began = time.monotonic()
+    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}")
+    building.append(time.monotonic() - began)
+    if status != 0:
+        tests.append(Test(0, True, f"building {project}"))
+    return status == 0
+
+
 def every_source():
-    """Theorems too, which no program needs. Warnings are errors."""
-    built = run(*GPRBUILD, "-P", "urv.gpr", "-XURV_Mode=flight")
-    return (1, 0, 0) if built == 0 else BROKEN
+    """Theorems too, which no program needs."""
+    return (1, 0, 0) if build("urv.gpr", "flight") else BROKEN
 
 
 def unit_tests(mode):
-    project = ["-P", "tests/urv_tests.gpr", f"-XURV_Mode={mode}"]
-    if run(*GPRBUILD, *project) != 0:
+    if not build("tests/urv_tests.gpr", mode):
         return BROKEN
     totals = None
-    command = [f"bin/urv_tests_{mode}"]
+    program = f"bin/urv_tests_{mode}"
+    began = time.monotonic()
     with subprocess.Popen(
-        command, cwd=ROOT, stdout=subprocess.PIPE, text=True
-    ) as program:
-        for line in program.stdout:
+        [program], cwd=ROOT, stdout=subprocess.PIPE, text=True
+    ) as running:
+        for line in running.stdout:
             print(line, end="", flush=True)
             totals = TOTALS.match(line)
+            if ended := UNIT_TEST.match(line):
+                now = time.monotonic()
+                tests.append(
+                    Test(now - began, ended[1] == "FAIL", ended[2]))
+                began = now
     # Its last line is its totals, or it did not get to its end.
     if not totals:
-        print(f"{command[0]} ended early, status {program.returncode}")
+        early = f"{program} ended early, status {running.returncode}"
+        print(early)
+        tests.append(Test(0, True, early))
         return BROKEN
     return tuple(map(int, totals.groups()))
 
 
-def python_tests(project, mode, name):
-    project = ["-P", project, f"-XURV_Mode={mode}"]
-    if run(*GPRBUILD, *project) != 0:
+def python_tests(project, mode, name, without=()):
+    if not build(project, mode):
         return BROKEN
     report = RESULTS / f"{name}.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
-    pytest += ["-q", "-rs", "--tb=short", f"--junitxml={report}"]
+    pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
+    pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
     status = run(*pytest, f"tests/{name}")
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
+        tests.append(Test(0, True, f"pytest tests/{name}, status {status}"))
         return BROKEN
     passed = failed = skipped = 0
     for suite in xml.etree.ElementTree.parse(report).iter("testsuite"):
         names = ("tests", "failures", "errors", "skipped")
-        tests, failures, errors, left_out = (int(suite.get(n)) for n in names)
+        count, failures, errors, left_out = (int(suite.get(n)) for n in names)
         failed += failures + errors
         skipped += left_out
-        passed += tests - failures - errors - left_out
+        passed += count - failures - errors - left_out
+        tests.extend(map(python_test, suite.iter("testcase")))
     return passed, failed, skipped
+
+
+def python_test(case):
+    place = case.get("classname").rpartition(".")[2]
+    failed = any(case.find(how) is not None for how in ("failure", "error"))
+    return Test(float(case.get("time")), failed,
+                f"{place}.py::{case.get('name')}")
 
 
 def simulation_tests():
     return python_tests("sim/urv_sim.gpr", "host", "simulation")
+
+
+def quick_simulation_tests():
+    return python_tests("sim/urv_sim.gpr", "host", "simulation", SLOW)
 
 
 def real_time_tests():
@@ -90,7 +142,11 @@ def real_time_tests():
 
 
 def one_test(*command):
-    return (1, 0, 0) if run(sys.executable, *command) == 0 else BROKEN
+    began = time.monotonic()
+    status = run(sys.executable, *command)
+    tests.append(Test(time.monotonic() - began, status != 0,
+                      " ".join(command)))
+    return (1, 0, 0) if status == 0 else BROKEN
 
 
 def links():
@@ -125,30 +181,56 @@ PARTS = {
     "proof anew shows the recorded checks": proof_anew,
 }
 
+QUICK_PARTS = {
+    **{name: PARTS[name] for name in PARTS
+       if name.startswith(("every", "links", "static", "proof record"))
+       or name == "unit tests, contracts not executed"},
+    "simulation, the quick tests": quick_simulation_tests,
+}
+
 
 def totals_line(counts):
     return "{} passed, {} failed, {} skipped".format(*counts)
 
 
-def chosen(beginnings):
+def duration(seconds):
+    minutes, seconds = divmod(round(seconds), 60)
+    return f"{minutes} min {seconds} s" if minutes else f"{seconds} s"
+
+
+def chosen(arguments):
     """The parts whose names begin so; all if nothing is asked for."""
-    for each in beginnings:
+    if arguments == ["--quick"]:
+        return QUICK_PARTS
+    for each in arguments:
         if not any(name.startswith(each) for name in PARTS):
             sys.exit(f"no part begins with {each}: {', '.join(PARTS)}")
-    return [name for name in PARTS
-            if not beginnings or name.startswith(tuple(beginnings))]
+    return {name: part for name, part in PARTS.items()
+            if not arguments or name.startswith(tuple(arguments))}
 
 
 def main():
     RESULTS.mkdir(parents=True, exist_ok=True)
-    counts = {}
-    for name in chosen(sys.argv[1:]):
-        print(f"== {name}")
-        counts[name] = PARTS[name]()
+    counts, times = {}, {}
+    parts = chosen(sys.argv[1:])
+    for number, (name, part) in enumerate(parts.items(), 1):
+        print(f"== {number} of {len(parts)}: {name}", flush=True)
+        began = time.monotonic()
+        built_before = len(building)
+        counts[name] = part()
+        times[name] = duration(time.monotonic() - began)
+        if built := sum(building[built_before:]):
+            times[name] += f", {duration(built)} of it building"
         print()
-    print("== all")
+    print("== slowest tests")
+    for test in sorted(tests, reverse=True)[:SLOWEST]:
+        print(f"{test.seconds:6.1f} s  {test.name}")
+    failed = [test.name for test in tests if test.failed]
+    if failed:
+        print("\n== failed", *failed, sep="\n")
+    print("\n== all")
     for name, of_part in counts.items():
-        print(f"{name}: {totals_line(of_part)}")
+        print(f"{name}: {totals_line(of_part)}, in {times[name]}")
     total = [sum(column) for column in zip(*counts.values())]
     last_line = totals_line(total)
     (RESULTS / "totals").write_text(f"{last_line}\n", encoding="utf-8")
