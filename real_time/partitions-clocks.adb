@@ -8,8 +8,11 @@ package body Partitions.Clocks is
    protected Last_Tick is
       procedure Set (At_Time : Time);
       function Get return Time;
+      procedure See (At_Time : Time);
+      function Seen return Time;
    private
       Present : Time := Time_First;
+      Seen_At : Time := Time_First;
    end Last_Tick;
 
    protected body Last_Tick is
@@ -20,6 +23,13 @@ package body Partitions.Clocks is
       end Set;
 
       function Get return Time is (Present);
+
+      procedure See (At_Time : Time) is
+      begin
+         Seen_At := At_Time;
+      end See;
+
+      function Seen return Time is (Seen_At);
 
    end Last_Tick;
 
@@ -51,6 +61,19 @@ package body Partitions.Clocks is
    end Set_Tick;
 
    function Tick return Time is (Last_Tick.Get);
+
+   procedure See_Tick is
+   begin
+      Last_Tick.See (Clock);
+   end See_Tick;
+
+   function Has_Stood_Still return Boolean is
+      Seen : constant Time := Last_Tick.Seen;
+   begin
+      return Seen /= Time_First and then Clock - Seen > Longest_Pause;
+   end Has_Stood_Still;
+
+   function Is_Running return Boolean is (Last_Tick.Seen /= Time_First);
 
    function Machine_Time (At_Time : Time) return Sim.Microseconds is
       Seconds : Seconds_Count;

@@ -1,5 +1,5 @@
 --  The partition's time: since the machine was started, and since the node
---  was switched on.
+--  was switched on; and whether the node has stood still (SAF-4).
 
 with Ada.Real_Time; use Ada.Real_Time;
 
@@ -23,6 +23,19 @@ package Partitions.Clocks is
    --  When the node's clock should have ticked last.
    procedure Set_Tick (At_Time : Time);
    function Tick return Time;
+
+   --  A node whose clock has not been seen to tick for longer than this has
+   --  stood still: what it was about to do is of another time.
+   Longest_Pause : constant Time_Span := Milliseconds (100);
+
+   --  The clock ticks now, or the tasks are loaded now.
+   procedure See_Tick;
+
+   --  Never before the clock was first seen.
+   function Has_Stood_Still return Boolean;
+
+   --  The clock has been seen: the cold start is over.
+   function Is_Running return Boolean;
 
    --  Since the machine was: what two partitions of one machine share.
    function Machine_Time (At_Time : Time) return Sim.Microseconds;

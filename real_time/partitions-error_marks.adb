@@ -23,4 +23,9 @@ package body Partitions.Error_Marks is
       end case;
    end Take;
 
+   procedure Forget (Reader : in out Mark_Reader) is
+   begin
+      Reader.Now_At := At_Character;
+   end Forget;
+
 end Partitions.Error_Marks;

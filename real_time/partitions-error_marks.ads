@@ -18,6 +18,9 @@ package Partitions.Error_Marks is
       Found        : out Boolean;
       Parity_Error : out Boolean);
 
+   --  What the device gave before is thrown away.
+   procedure Forget (Reader : in out Mark_Reader);
+
 private
 
    type Place is (At_Character, After_Mark, At_Damaged);

@@ -6,6 +6,7 @@ with Memory_Hardware;
 with Partitions.Console;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
+with Partitions.Guarded_Call;
 with Partitions.Guarded_Step;
 with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
@@ -18,17 +19,26 @@ package body Partitions.GSC_Node is
    --  Boards
 
    package Telemetry_Hardware is new Partitions.Telemetry_Processor
-     (Start            => GSC.Telemetry_Board.Start,
-      Accept_Character => GSC.Telemetry_Board.Accept_Character,
-      Next_Character   => GSC.Telemetry_Board.Next_Character);
+     (Start               => GSC.Telemetry_Board.Start,
+      Clear_Transmit_Half => GSC.Telemetry_Board.Clear_Transmit_Half,
+      Accept_Character    => GSC.Telemetry_Board.Accept_Character,
+      Next_Character      => GSC.Telemetry_Board.Next_Character);
+
+   procedure Raise_Processor_Exception;
+
+   procedure AD_Interrupt is new Guarded_Call
+     (Call                      => GSC.AD_Interrupt,
+      Raise_Processor_Exception => Raise_Processor_Exception);
 
    package Converter_Hardware is new Partitions.Converter
      (Sample               => Console.Sample,
       Take_Start           => GSC.AD_Board.Take_Start,
       Finish               => GSC.AD_Board.Finish,
-      Interrupt_Controller => GSC.AD_Interrupt);
+      Interrupt_Controller => AD_Interrupt);
 
    --  Steps of the tasks
+
+   Stood_Still : Count := 0 with Atomic;
 
    procedure No_Initialisation is null;
 
@@ -40,6 +50,7 @@ package body Partitions.GSC_Node is
    procedure AD_Step is new Guarded_Step
      (Cost            => Costs (GSC.AD_Task),
       Response        => Responses (GSC.AD_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => GSC.AD.Initialise,
       Run_Transaction => GSC.AD.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -47,6 +58,7 @@ package body Partitions.GSC_Node is
    procedure TELIN_Step is new Guarded_Step
      (Cost            => Costs (GSC.TELIN_Task),
       Response        => Responses (GSC.TELIN_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => GSC.TELIN.Initialise,
       Run_Transaction => GSC.TELIN.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -54,6 +66,7 @@ package body Partitions.GSC_Node is
    procedure GDCIN_Step is new Guarded_Step
      (Cost            => Costs (GSC.GDCIN_Task),
       Response        => Responses (GSC.GDCIN_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.GDCIN.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -61,6 +74,7 @@ package body Partitions.GSC_Node is
    procedure GDCOUT_Step is new Guarded_Step
      (Cost            => Costs (GSC.GDCOUT_Task),
       Response        => Responses (GSC.GDCOUT_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.GDCOUT.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -68,6 +82,7 @@ package body Partitions.GSC_Node is
    procedure TELOUT_Step is new Guarded_Step
      (Cost            => Costs (GSC.TELOUT_Task),
       Response        => Responses (GSC.TELOUT_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => GSC.TELOUT.Run_Transaction,
       Observe         => Telemetry_Hardware.Look);
@@ -75,6 +90,7 @@ package body Partitions.GSC_Node is
    procedure CORE_Step is new Guarded_Step
      (Cost            => Costs (GSC.CORE_Task),
       Response        => Responses (GSC.CORE_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => GSC.CORE.Initialise,
       Run_Transaction => GSC.CORE.Run_Transaction,
       Observe         => Observe_Frame);
@@ -82,6 +98,7 @@ package body Partitions.GSC_Node is
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (GSC.LOG_Task),
       Response        => Responses (GSC.LOG_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => GSC.LOG.Initialise,
       Run_Transaction => GSC.LOG.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -89,6 +106,7 @@ package body Partitions.GSC_Node is
    procedure SELF_TEST_Step is new Guarded_Step
      (Cost            => Costs (GSC.SELF_TEST_Task),
       Response        => Responses (GSC.SELF_TEST_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => GSC.SELF_TEST.Initialise,
       Run_Transaction => GSC.SELF_TEST.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -107,8 +125,6 @@ package body Partitions.GSC_Node is
       LOG_Step       => LOG_Step,
       SELF_TEST_Step => SELF_TEST_Step,
       Observe_Tick   => Observe_Tick);
-
-   procedure Raise_Processor_Exception;
 
    procedure Press_Reset_Switch;
 
@@ -140,17 +156,40 @@ package body Partitions.GSC_Node is
    begin
       Lateness.Add (Tenths_Of_Microseconds (Late));
       Set_Tick (Clock - Late);
+      if Has_Stood_Still then
+         Stood_Still := Incremented (Stood_Still);
+         GSC.Turns.Scheduler.Request_Start (Processor_Restart);
+      end if;
+      See_Tick;
    end Observe_Tick;
 
    procedure Raise_Processor_Exception is
    begin
-      GSC.Turns.Scheduler.Request_Start (Processor_Restart);
+      --  A start at power up stays a cold start.
+      if Is_Running then
+         GSC.Turns.Scheduler.Request_Start (Processor_Restart);
+      end if;
    end Raise_Processor_Exception;
 
    procedure Press_Reset_Switch is
    begin
-      GSC.Turns.Scheduler.Request_Start (Warm_Reset);
+      if Is_Running then
+         Telemetry_Hardware.Reset;
+         GSC.Turns.Scheduler.Request_Start (Warm_Reset);
+      end if;
    end Press_Reset_Switch;
+
+   function Link_Tally return Telemetry.Boards.Statistics is
+      Tally : Telemetry.Boards.Statistics;
+   begin
+      GSC.Telemetry_Board.Inspect (Tally);
+      return Tally;
+   end Link_Tally;
+
+   function Pauses return Count is (Stood_Still);
+
+   function Board_Starts return Count is
+     (Telemetry_Hardware.Starts_Unasked);
 
    procedure Switch_On is
    begin

@@ -3,6 +3,7 @@
 
 with GSC;
 with Partitions.Measurements; use Partitions.Measurements;
+with Telemetry.Boards;
 with URVOS;                   use URVOS;
 with URV.Errors;
 
@@ -20,6 +21,15 @@ package Partitions.GSC_Node is
    procedure Switch_On;
 
    function Overruns return Count;
+
+   --  What the telemetry board has counted.
+   function Link_Tally return Telemetry.Boards.Statistics;
+
+   --  How often the node has found that it had stood still.
+   function Pauses return Count;
+
+   --  How often the telemetry board's processor has found that it had.
+   function Board_Starts return Count;
 
    function Log return URV.Errors.Error_Log;
 

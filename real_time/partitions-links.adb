@@ -1,3 +1,4 @@
+with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 with Interfaces;
 with System;
@@ -18,6 +19,7 @@ package body Partitions.Links is
    Is_Serial : Boolean := False;
    Marks     : Error_Marks.Mark_Reader;
    Lost      : Count   := 0 with Atomic;
+   Thrown    : Count   := 0 with Atomic;
 
    --  The other end of a serial line has gone: nothing to wait for.
    Is_Hung_Up : Boolean := False;
@@ -48,28 +50,54 @@ package body Partitions.Links is
       end if;
    end Open;
 
+   function Limit_Of (Span : Ada.Real_Time.Time_Span)
+                      return System_Calls.Time_Span;
+
+   --  Gives up to Room bytes of the input in Block. Length is not above 0
+   --  when there are none.
+   procedure Read_Block (Room : size_t; Length : out Byte_Total);
+
+   function Limit_Of (Span : Ada.Real_Time.Time_Span)
+                      return System_Calls.Time_Span
+   is
+      Nanosecs : Long_Long_Integer := 0;
+   begin
+      if Span > Ada.Real_Time.Time_Span_Zero then
+         Nanosecs := Long_Long_Integer (To_Duration (Span) * 1.0E9);
+      end if;
+      return
+        (Seconds     => long (Nanosecs / 1_000_000_000),
+         Nanoseconds => long (Nanosecs mod 1_000_000_000));
+   end Limit_Of;
+
+   procedure Read_Block (Room : size_t; Length : out Byte_Total) is
+   begin
+      if Is_Serial then
+         Length := Read (Line, Block'Address, Room);
+         return;
+      end if;
+
+      --  An error is no character and does not end the input. A peer that
+      --  is not there yet is one: the operating system then says that a
+      --  datagram was refused. An empty datagram ends nothing either.
+      for Attempt in 1 .. Block_Length loop
+         Length := Receive (Line, Block'Address, Room, Dont_Wait);
+         exit when Length > 0
+           or else (Length < 0 and then GNAT.OS_Lib.Errno = Would_Block);
+      end loop;
+   end Read_Block;
+
    procedure Wait (Until_Time : Time) is
       Span     : constant Ada.Real_Time.Time_Span := Until_Time - Clock;
       Requests : Poll_Requests :=
         ((Nudges, Input_Ready, 0), (Line, Input_Ready, 0));
       Cleared  : Byte_Total;
-      Limit    : System_Calls.Time_Span;
       Found    : int;
-      Nanosecs : Long_Long_Integer;
    begin
-      if Span > Ada.Real_Time.Time_Span_Zero then
-         Nanosecs := Long_Long_Integer (To_Duration (Span) * 1.0E9);
-         Limit :=
-           (Seconds     => long (Nanosecs / 1_000_000_000),
-            Nanoseconds => long (Nanosecs mod 1_000_000_000));
-      else
-         Limit := (0, 0);
-      end if;
-
       --  A line that has no other end would be ready at once, for ever.
       Found := Poll
-        (Requests'Address, (if Is_Hung_Up then 1 else 2), Limit,
-         System.Null_Address);
+        (Requests'Address, (if Is_Hung_Up then 1 else 2),
+         Limit_Of (Span), System.Null_Address);
       Is_Hung_Up :=
         not Is_Hung_Up
         and then Found > 0
@@ -96,20 +124,16 @@ package body Partitions.Links is
       Length : Byte_Total;
    begin
       Heard.Length := 0;
+      Heard.Emptied := False;
       loop
          Room := Character_Index'Last - Heard.Length;
          exit when Room < Block_Length / 2;
 
-         if Is_Serial then
-            Length := Read (Line, Block'Address, size_t (Room));
-         else
-            Length := Receive
-              (Line, Block'Address, size_t (Room), Dont_Wait);
+         Read_Block (size_t (Room), Length);
+         if Length <= 0 then
+            Heard.Emptied := True;
+            exit;
          end if;
-
-         --  An error is no character. A peer that is not there yet is one:
-         --  the operating system then says that a datagram was refused.
-         exit when Length <= 0;
 
          for Each of Block (1 .. Integer (Length)) loop
             if Is_Serial then
@@ -130,6 +154,31 @@ package body Partitions.Links is
          end loop;
       end loop;
    end Receive;
+
+   procedure Discard
+     (Silence : Ada.Real_Time.Time_Span;
+      At_Most : Ada.Real_Time.Time_Span)
+   is
+      Ends     : constant Time := Clock + At_Most;
+      Requests : Poll_Requests := (1 => (Line, Input_Ready, 0));
+      Length   : Byte_Total;
+   begin
+      loop
+         loop
+            Read_Block (Block_Length, Length);
+            exit when Length <= 0 or else Clock >= Ends;
+            for Each in 1 .. Length loop
+               Thrown := Incremented (Thrown);
+            end loop;
+         end loop;
+         exit when Clock >= Ends
+           or else Poll
+             (Requests'Address, 1, Limit_Of (Silence),
+              System.Null_Address) <= 0
+           or else Requests (1).Found = Hung_Up;
+      end loop;
+      Error_Marks.Forget (Marks);
+   end Discard;
 
    procedure Send (Characters : Character_Array) is
       Length : constant size_t := Characters'Length;
@@ -152,5 +201,7 @@ package body Partitions.Links is
    end Send;
 
    function Not_Sent return Count is (Lost);
+
+   function Discarded return Count is (Thrown);
 
 end Partitions.Links;

@@ -22,9 +22,11 @@ package Partitions.Links is
 
    type Received_Array is array (Character_Index) of Character_Received;
 
+   --  Emptied tells that nothing more stands in the input.
    type Arrivals is record
-      Length : Character_Count := 0;
-      Items  : Received_Array;
+      Length  : Character_Count := 0;
+      Items   : Received_Array;
+      Emptied : Boolean := False;
    end record;
 
    type Character_Array is array (Character_Index range <>) of Byte;
@@ -42,10 +44,18 @@ package Partitions.Links is
    --  Everything that has arrived.
    procedure Receive (Heard : in out Arrivals);
 
+   --  Throws away what stands in the input, and what comes until the line
+   --  has been silent for so long: what others keep before the line comes
+   --  out of there too. It gives up waiting for silence after At_Most.
+   procedure Discard (Silence : Time_Span; At_Most : Time_Span);
+
    --  Puts the characters on the line, all together.
    procedure Send (Characters : Character_Array);
 
    --  Characters that the machine did not take.
    function Not_Sent return Count;
+
+   --  Bytes that Discard has thrown away.
+   function Discarded return Count;
 
 end Partitions.Links;

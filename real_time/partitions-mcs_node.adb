@@ -6,6 +6,7 @@ with Memory_Hardware;
 with Partitions.Aircraft;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
+with Partitions.Guarded_Call;
 with Partitions.Guarded_Step;
 with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
@@ -19,20 +20,29 @@ package body Partitions.MCS_Node is
    --  Boards
 
    package Telemetry_Hardware is new Partitions.Telemetry_Processor
-     (Start            => MCS.Telemetry_Board.Start,
-      Accept_Character => MCS.Telemetry_Board.Accept_Character,
-      Next_Character   => MCS.Telemetry_Board.Next_Character);
+     (Start               => MCS.Telemetry_Board.Start,
+      Clear_Transmit_Half => MCS.Telemetry_Board.Clear_Transmit_Half,
+      Accept_Character    => MCS.Telemetry_Board.Accept_Character,
+      Next_Character      => MCS.Telemetry_Board.Next_Character);
+
+   procedure Raise_Processor_Exception;
+
+   procedure AD_Interrupt is new Guarded_Call
+     (Call                      => MCS.AD_Interrupt,
+      Raise_Processor_Exception => Raise_Processor_Exception);
 
    package Converter_Hardware is new Partitions.Converter
      (Sample               => Aircraft.Sample,
       Take_Start           => MCS.AD_Board.Take_Start,
       Finish               => MCS.AD_Board.Finish,
-      Interrupt_Controller => MCS.AD_Interrupt);
+      Interrupt_Controller => AD_Interrupt);
 
    --  Steps of the tasks
 
    --  When the servos were commanded last. Only one task runs at a time.
    Servos_At : Sim.Microseconds := 0;
+
+   Stood_Still : Count := 0 with Atomic;
 
    procedure No_Initialisation is null;
 
@@ -46,6 +56,7 @@ package body Partitions.MCS_Node is
    procedure AD_Step is new Guarded_Step
      (Cost            => Costs (MCS.AD_Task),
       Response        => Responses (MCS.AD_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => MCS.AD.Initialise,
       Run_Transaction => MCS.AD.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -53,6 +64,7 @@ package body Partitions.MCS_Node is
    procedure TELIN_Step is new Guarded_Step
      (Cost            => Costs (MCS.TELIN_Task),
       Response        => Responses (MCS.TELIN_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => MCS.TELIN.Initialise,
       Run_Transaction => MCS.TELIN.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -60,6 +72,7 @@ package body Partitions.MCS_Node is
    procedure MDCIN_Step is new Guarded_Step
      (Cost            => Costs (MCS.MDCIN_Task),
       Response        => Responses (MCS.MDCIN_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.MDCIN.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -67,6 +80,7 @@ package body Partitions.MCS_Node is
    procedure MDCOUT_Step is new Guarded_Step
      (Cost            => Costs (MCS.MDCOUT_Task),
       Response        => Responses (MCS.MDCOUT_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.MDCOUT.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -74,6 +88,7 @@ package body Partitions.MCS_Node is
    procedure PWM_Step is new Guarded_Step
      (Cost            => Costs (MCS.PWM_Task),
       Response        => Responses (MCS.PWM_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.PWM.Run_Transaction,
       Observe         => Observe_Servos);
@@ -81,6 +96,7 @@ package body Partitions.MCS_Node is
    procedure TELOUT_Step is new Guarded_Step
      (Cost            => Costs (MCS.TELOUT_Task),
       Response        => Responses (MCS.TELOUT_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => No_Initialisation,
       Run_Transaction => MCS.TELOUT.Run_Transaction,
       Observe         => Telemetry_Hardware.Look);
@@ -88,6 +104,7 @@ package body Partitions.MCS_Node is
    procedure CORE_Step is new Guarded_Step
      (Cost            => Costs (MCS.CORE_Task),
       Response        => Responses (MCS.CORE_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => MCS.CORE.Initialise,
       Run_Transaction => MCS.CORE.Run_Transaction,
       Observe         => Observe_Frame);
@@ -95,6 +112,7 @@ package body Partitions.MCS_Node is
    procedure LOG_Step is new Guarded_Step
      (Cost            => Costs (MCS.LOG_Task),
       Response        => Responses (MCS.LOG_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => MCS.LOG.Initialise,
       Run_Transaction => MCS.LOG.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -102,6 +120,7 @@ package body Partitions.MCS_Node is
    procedure SELF_TEST_Step is new Guarded_Step
      (Cost            => Costs (MCS.SELF_TEST_Task),
       Response        => Responses (MCS.SELF_TEST_Task),
+      Has_Stood_Still => Has_Stood_Still,
       Initialise      => MCS.SELF_TEST.Initialise,
       Run_Transaction => MCS.SELF_TEST.Run_Transaction,
       Observe         => Observe_Nothing);
@@ -121,8 +140,6 @@ package body Partitions.MCS_Node is
       LOG_Step       => LOG_Step,
       SELF_TEST_Step => SELF_TEST_Step,
       Observe_Tick   => Observe_Tick);
-
-   procedure Raise_Processor_Exception;
 
    procedure Press_Reset_Switch;
 
@@ -160,17 +177,40 @@ package body Partitions.MCS_Node is
    begin
       Lateness.Add (Tenths_Of_Microseconds (Late));
       Set_Tick (Clock - Late);
+      if Has_Stood_Still then
+         Stood_Still := Incremented (Stood_Still);
+         MCS.Turns.Scheduler.Request_Start (Processor_Restart);
+      end if;
+      See_Tick;
    end Observe_Tick;
 
    procedure Raise_Processor_Exception is
    begin
-      MCS.Turns.Scheduler.Request_Start (Processor_Restart);
+      --  A start at power up stays a cold start.
+      if Is_Running then
+         MCS.Turns.Scheduler.Request_Start (Processor_Restart);
+      end if;
    end Raise_Processor_Exception;
 
    procedure Press_Reset_Switch is
    begin
-      MCS.Turns.Scheduler.Request_Start (Warm_Reset);
+      if Is_Running then
+         Telemetry_Hardware.Reset;
+         MCS.Turns.Scheduler.Request_Start (Warm_Reset);
+      end if;
    end Press_Reset_Switch;
+
+   function Link_Tally return Telemetry.Boards.Statistics is
+      Tally : Telemetry.Boards.Statistics;
+   begin
+      MCS.Telemetry_Board.Inspect (Tally);
+      return Tally;
+   end Link_Tally;
+
+   function Pauses return Count is (Stood_Still);
+
+   function Board_Starts return Count is
+     (Telemetry_Hardware.Starts_Unasked);
 
    procedure Switch_On is
    begin

@@ -184,7 +184,7 @@ package body Partitions.Options is
       Put_Line
         ("  --link serial:DEVICE   the serial line to the other node");
       Put_Line
-        ("  --seconds S            ends the run");
+        ("  --seconds S            ends the run; 0.5 is half a second");
       Put_Line
         ("  --phase TICKS          switches the node on so many times 2 ms"
          & " after a whole");
@@ -206,7 +206,8 @@ package body Partitions.Options is
       Put_Line
         ("  --events FILE          event log as JSON lines");
       Put_Line
-        ("  --quiet                no summary on standard output");
+        ("  --quiet                no summary, and not a word about the other"
+         & " node");
       New_Line;
       Put_Line
         ("Exit status: 0 run; 1 an internal fault; 2 a bad command line,"

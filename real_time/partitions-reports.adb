@@ -90,6 +90,16 @@ package body Partitions.Reports is
    end Put_Field;
 
    procedure Put_Field
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Value : String) is
+   begin
+      Begin_Field (This, To, Name);
+      Put (To, '"' & Value & '"');
+   end Put_Field;
+
+   procedure Put_Field
      (This     : in out Report;
       To       : in out Writer;
       Name     : String;

@@ -27,6 +27,12 @@ package Partitions.Reports is
       Name  : String;
       Value : Number);
 
+   procedure Put_Field
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Value : String);
+
    --  A value with decimals, counted in units of the last of them.
    procedure Put_Field
      (This     : in out Report;

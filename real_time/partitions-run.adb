@@ -4,8 +4,11 @@ with Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Partitions.Clocks;
+with Partitions.Exceptions;
 with Partitions.Links;
+with Partitions.Notes;
 with Partitions.Outputs;    use Partitions.Outputs;
+with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Rows;       use Partitions.Rows;
 with Sim;
 with Sim.Complaints;
@@ -15,9 +18,27 @@ procedure Partitions.Run is
 
    use Sim.Text_Output;
    use type Number;
+   use type URVOS.Count;
 
    Files  : File_Set;
    Frames : Number := 0;
+   Chosen : Choices;
+   Peer   : Watch;
+
+   --  What this node sends and what it receives.
+   Sent     : constant String :=
+     (if This = GSC then "uplink" else "downlink");
+   Received : constant String :=
+     (if This = GSC then "downlink" else "uplink");
+
+   --  For who sits at the terminal.
+   procedure Note (What : String);
+
+   --  Hundredths of a second, with no more decimals than it takes.
+   function Seconds (Of_Frames : Number) return String;
+
+   --  Says what is new of the other node and of this one.
+   procedure Look_Around;
 
    --  The partition ends. Its other tasks do not: Ravenscar.
    procedure Leave (Status : Integer) with No_Return;
@@ -28,6 +49,49 @@ procedure Partitions.Run is
    procedure Write_Summary;
 
    procedure Print_Summary;
+
+   procedure Note (What : String) is
+   begin
+      if not Chosen.Quiet then
+         Notes.Print (What);
+      end if;
+   end Note;
+
+   function Seconds (Of_Frames : Number) return String is
+      use Sim.Text_Numbers;
+      Rest : constant Rows.Number := Of_Frames mod 50 * 2;
+   begin
+      return
+        Image (Long_Long_Integer (Of_Frames / 50))
+        & (if Rest = 0 then ""
+           elsif Rest < 10 then ".0" & Image (Long_Long_Integer (Rest))
+           elsif Rest mod 10 = 0
+           then "." & Image (Long_Long_Integer (Rest / 10))
+           else "." & Image (Long_Long_Integer (Rest)));
+   end Seconds;
+
+   Told_Pauses : URVOS.Count := 0;
+
+   procedure Look_Around is
+      Change : News;
+   begin
+      Look (Peer, Link_Tally.Received, Frames, Change);
+      case Change is
+         when Nothing_New => null;
+         when Heard       =>
+            Note ("peer heard at " & Seconds (Frames) & " s");
+         when Lost        =>
+            Note
+              ("peer lost at " & Seconds (Frames)
+               & " s: no good message for 1 s");
+      end case;
+      if Pauses > Told_Pauses then
+         Told_Pauses := Pauses;
+         Note
+           ("stood still before " & Seconds (Frames)
+            & " s: the processor was restarted");
+      end if;
+   end Look_Around;
 
    procedure Leave (Status : Integer) is
    begin
@@ -42,6 +106,7 @@ procedure Partitions.Run is
          Queue.Take (Item, Found);
          exit when not Found;
          Frames := Item.Value (1) + 1;
+         Look_Around;
          if Is_Open (Files (Record_File)) then
             for Place in 1 .. Item.Length loop
                if Place > 1 then
@@ -57,6 +122,7 @@ procedure Partitions.Run is
    end Write_Rows;
 
    procedure Write_Summary is
+      Tally  : constant Telemetry.Boards.Statistics := Link_Tally;
       Result : Reports.Report;
       To     : Writer renames Files (Summary_File);
    begin
@@ -72,6 +138,24 @@ procedure Partitions.Run is
         (Result, To, "characters_not_sent", Number (Links.Not_Sent));
       Reports.Put_Field
         (Result, To, "rows_left_out", Number (Queue.Left_Out));
+      Reports.Begin_Group (Result, To, "link");
+      Reports.Put_Field (Result, To, "state", State (Peer));
+      Reports.Put_Field (Result, To, Sent & "_sent", Number (Tally.Sent));
+      Reports.Put_Field
+        (Result, To, Sent & "_scrapped", Number (Tally.Scrapped));
+      Reports.Put_Field
+        (Result, To, Received & "_received", Number (Tally.Received));
+      Reports.Put_Field
+        (Result, To, Received & "_bad", Number (Tally.Bad));
+      Reports.Put_Field (Result, To, "resets", Number (Tally.Resets));
+      Reports.Put_Field
+        (Result, To, "board_restarts", Number (Board_Starts));
+      Reports.Put_Field
+        (Result, To, "bytes_discarded", Number (Links.Discarded));
+      Reports.End_Group (Result, To);
+      Reports.Put_Field (Result, To, "stood_still", Number (Pauses));
+      Reports.Put_Field
+        (Result, To, "exceptions", Number (Exceptions.Number));
       Put_Results (To, Result);
       Reports.End_Report (Result, To);
    end Write_Summary;
@@ -79,15 +163,26 @@ procedure Partitions.Run is
    procedure Print_Summary is
       use Ada.Text_IO;
       use Sim.Text_Numbers;
+
+      Tally : constant Telemetry.Boards.Statistics := Link_Tally;
+
+      function Number_Of (Total : URVOS.Count; What : String) return String is
+        (Image (Long_Long_Integer (Total)) & " " & What
+         & (if Total = 1 then "" else "s"));
    begin
       Put_Line
-        ("run       " & Image (Long_Long_Integer (Frames / 50)) & " s, "
+        ("run       " & Seconds (Frames) & " s, "
          & Image (Long_Long_Integer (Frames)) & " frames, "
          & Image (Long_Long_Integer (Overruns)) & " overruns");
+      Put_Line
+        ("link      peer " & State (Peer) & ", "
+         & Number_Of (Tally.Sent, Sent) & " sent, "
+         & Image (Long_Long_Integer (Tally.Scrapped)) & " scrapped, "
+         & Number_Of (Tally.Received, Received) & " received, "
+         & Image (Long_Long_Integer (Tally.Bad)) & " bad, "
+         & Number_Of (Tally.Resets, "reset"));
       Flush;
    end Print_Summary;
-
-   Chosen : Choices;
 
 begin
    Chosen := Parsed (This);
@@ -112,6 +207,7 @@ begin
    if Chosen.In_Phase then
       Clocks.Await_Phase (Chosen.Phase);
    end if;
+   Note ("listening at " & To_String (Chosen.Link));
    Clocks.Switch_On;
    Switch_On;
    Write_Rows (Number (Chosen.Frames));
@@ -125,6 +221,10 @@ begin
    Outputs.Close (Files);
    if not Chosen.Quiet then
       Print_Summary;
+   end if;
+   if Exceptions.Number > 0 then
+      Notes.Print ("internal fault: " & Exceptions.First);
+      Leave (1);
    end if;
    Leave (0);
 

@@ -1,11 +1,15 @@
 --  A partition from its command line to its end (RTP-2).
 --
+--  While it runs it says on standard error when the other node is heard and
+--  when it is lost.
+--
 --  Exit status: 0 run, 1 an internal fault, 2 a bad command line, input file
 --  or link.
 
 with Partitions.Options; use Partitions.Options;
 with Partitions.Reports;
 with Sim.Text_Output;
+with Telemetry.Boards;
 with URVOS;
 
 generic
@@ -25,4 +29,11 @@ generic
    with procedure Put_Events (To : in out Sim.Text_Output.Writer);
 
    with function Overruns return URVOS.Count;
+
+   --  What its telemetry board has counted.
+   with function Link_Tally return Telemetry.Boards.Statistics;
+
+   --  How often the node has stood still, and its telemetry board has.
+   with function Pauses return URVOS.Count;
+   with function Board_Starts return URVOS.Count;
 procedure Partitions.Run;

@@ -70,6 +70,12 @@ package body Partitions.Serial_Lines is
          Refuse_Device (Device, "is in use by another program");
       end if;
       Set_Line (Device, Line);
+
+      --  What was on the line before is nobody's.
+      if Control (Line, Flush, Flush_Both) /= 0 then
+         Refuse_Device
+           (Device, "cannot be emptied: " & GNAT.OS_Lib.Errno_Message);
+      end if;
       return Line;
    end Opened;
 

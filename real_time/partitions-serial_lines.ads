@@ -5,7 +5,8 @@ with Partitions.System_Calls;
 
 package Partitions.Serial_Lines is
 
-   --  The device, set and locked for this process. Raises Sim.Bad_Input.
+   --  The device, set, empty and locked for this process. Raises
+   --  Sim.Bad_Input.
    function Opened (Device : String) return System_Calls.File;
 
 end Partitions.Serial_Lines;

@@ -1,4 +1,4 @@
---  A UDP socket as the link.
+--  A UDP socket as the link (SAF-8).
 
 with Partitions.System_Calls;
 

@@ -60,6 +60,9 @@ package Partitions.System_Calls is
 
    --  Sockets
 
+   --  Nothing stands in the input.
+   Would_Block     : constant := 11;
+
    Any_Family      : constant := 0;
    Datagram        : constant := 2;
    To_Listen       : constant := 1;
@@ -148,6 +151,14 @@ package Partitions.System_Calls is
    function Control
      (This : File; Request : unsigned_long; Settings : in out Line_Settings)
       return int
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   Flush          : constant := 16#540B#;
+   Flush_Received : constant := 0;
+   Flush_Both     : constant := 2;
+
+   function Control
+     (This : File; Request, Value : unsigned_long) return int
    with Import, Convention => C_Variadic_2, External_Name => "ioctl";
 
    --  Signals

@@ -2,7 +2,9 @@ with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
-with Partitions.Links; use Partitions.Links;
+with Partitions.Exceptions;
+with Partitions.Links;    use Partitions.Links;
+with Telemetry.Boards;    use Telemetry.Boards;
 
 package body Partitions.Telemetry_Processor is
 
@@ -12,7 +14,22 @@ package body Partitions.Telemetry_Processor is
    --  How soon a board at rest looks for a block of its controller unasked.
    Look_Again : constant Time_Span := Milliseconds (2);
 
+   --  A frame: a block is not older when the controller takes it in time.
+   Longest_Pause : constant Time_Span := Milliseconds (20);
+
+   --  When its input is thrown away, the board listens again after its dead
+   --  space of silence, as it does when it has lost its place; at the latest
+   --  after five frames.
+   Silence          : constant Time_Span :=
+     Integer (Dead_Space) * Character_Time;
+   Longest_Deafness : constant Time_Span := Milliseconds (100);
+
    Power : Suspension_Object;
+
+   --  The reset switch was pressed.
+   Is_Pressed : Boolean := False with Atomic;
+
+   Unasked : Count := 0 with Atomic;
 
    --  Of the task alone.
 
@@ -29,11 +46,20 @@ package body Partitions.Telemetry_Processor is
 
    Heard : Arrivals;
 
+   --  Whatever stands in the input has come since then.
+   Emptied_At : Time := Time_First;
+
    --  The character times since the board's timer was last told.
    procedure Ask_Timer (Now : Time; Elapsed : out Character_Times);
 
+   --  The board starts anew and the input with it.
+   procedure Start_Anew;
+
    --  The interrupt handler.
-   procedure Receive_All (Now : Time);
+   procedure Take_In (Now : Time);
+
+   --  Everything there is to do.
+   procedure Run;
 
    --  The main program: every character whose time has come by Now.
    procedure Transmit_Due (Now : Time);
@@ -54,17 +80,28 @@ package body Partitions.Telemetry_Processor is
       end if;
    end Ask_Timer;
 
-   procedure Receive_All (Now : Time) is
+   procedure Start_Anew is
+   begin
+      Start;
+
+      --  The board is deaf and dumb meanwhile.
+      Links.Discard (Silence, Longest_Deafness);
+      On_Line := False;
+      Time_Left := 0;
+      Emptied_At := Clock;
+      Told_Until := Emptied_At;
+   end Start_Anew;
+
+   procedure Take_In (Now : Time) is
       Unused : Boolean;
    begin
-      Links.Receive (Heard);
       for Item of Heard.Items (1 .. Heard.Length) loop
          Accept_Character (0, Item.Data, Item.Parity_Error, Unused);
       end loop;
       if Heard.Length > 0 then
          Told_Until := Now;
       end if;
-   end Receive_All;
+   end Take_In;
 
    procedure Transmit_Due (Now : Time) is
       Batch  : Character_Array (1 .. 256);
@@ -90,7 +127,8 @@ package body Partitions.Telemetry_Processor is
          Ends    := Moment + Character_Time;
       end loop;
 
-      if Length > 0 then
+      --  Nothing of another time.
+      if Length > 0 and then Clock - Now <= Longest_Pause then
          Links.Send (Batch (1 .. Length));
       end if;
    end Transmit_Due;
@@ -107,30 +145,62 @@ package body Partitions.Telemetry_Processor is
          else Look);
    end Next_Instant;
 
+   procedure Run is
+      Looked_At : constant Time := Clock;
+      Now       : Time;
+   begin
+      Links.Receive (Heard);
+      Now := Clock;
+      if Now - Emptied_At > Longest_Pause then
+         Unasked := Incremented (Unasked);
+         Clear_Transmit_Half;
+         Is_Pressed := True;
+      end if;
+
+      if Is_Pressed then
+         Is_Pressed := False;
+         Start_Anew;
+      else
+         if Heard.Emptied then
+            Emptied_At := Looked_At;
+         end if;
+         Take_In (Now);
+         Transmit_Due (Now);
+      end if;
+      Links.Wait (Next_Instant (Now));
+   exception
+      when Error : others =>
+         Exceptions.Tell (Error);
+         Is_Pressed := True;
+   end Run;
+
    task Processor with Priority => System.Priority'Last - 2;
 
    task body Processor is
-      Now : Time;
    begin
       Suspend_Until_True (Power);
-      Told_Until := Clock;
+      Start_Anew;
       loop
-         Now := Clock;
-         Receive_All (Now);
-         Transmit_Due (Now);
-         Links.Wait (Next_Instant (Now));
+         Run;
       end loop;
    end Processor;
 
    procedure Switch_On is
    begin
-      Start;
       Set_True (Power);
    end Switch_On;
+
+   procedure Reset is
+   begin
+      Is_Pressed := True;
+      Links.Nudge;
+   end Reset;
 
    procedure Look is
    begin
       Links.Nudge;
    end Look;
+
+   function Starts_Unasked return Count is (Unasked);
 
 end Partitions.Telemetry_Processor;

@@ -5,12 +5,18 @@
 --  and a character begins when the one before it ended, not when the task
 --  woke up: so a task that the machine runs late loses no character and
 --  takes no lateness for silence.
+--
+--  Only so late, though. A task that has not looked at its input for longer
+--  than Longest_Pause cannot know how old it is, nor is what the board was
+--  about to send of any use. Then the board starts anew, with nothing
+--  received and nothing to send, and the input is thrown away (SAF-4).
 
 with Telemetry; use Telemetry;
 with URVOS;     use URVOS;
 
 generic
    with procedure Start;
+   with procedure Clear_Transmit_Half;
    with procedure Accept_Character
      (Elapsed      : Character_Times;
       Data         : Byte;
@@ -23,11 +29,18 @@ generic
       Time_Left : out Character_Times);
 package Partitions.Telemetry_Processor is
 
-   --  Power up: the board starts, and its task with it.
+   --  Power up: the board starts, and its task with it. It hears nothing
+   --  that came before.
    procedure Switch_On;
+
+   --  The reset switch: the board starts anew, at once.
+   procedure Reset;
 
    --  The controller has given the board something: its main program, which
    --  looks at its flags all the time, finds it now.
    procedure Look;
+
+   --  How often the board has started anew without having been told to.
+   function Starts_Unasked return Count;
 
 end Partitions.Telemetry_Processor;

@@ -53,7 +53,10 @@ procedure Urv_GSC is
       Switch_On    => Partitions.GSC_Node.Switch_On,
       Put_Results  => Put_Results,
       Put_Events   => Put_Events,
-      Overruns     => Partitions.GSC_Node.Overruns);
+      Overruns     => Partitions.GSC_Node.Overruns,
+      Link_Tally   => Partitions.GSC_Node.Link_Tally,
+      Pauses       => Partitions.GSC_Node.Pauses,
+      Board_Starts => Partitions.GSC_Node.Board_Starts);
 
 begin
    Run;

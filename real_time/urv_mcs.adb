@@ -53,7 +53,10 @@ procedure Urv_MCS is
       Switch_On    => Partitions.MCS_Node.Switch_On,
       Put_Results  => Put_Results,
       Put_Events   => Put_Events,
-      Overruns     => Partitions.MCS_Node.Overruns);
+      Overruns     => Partitions.MCS_Node.Overruns,
+      Link_Tally   => Partitions.MCS_Node.Link_Tally,
+      Pauses       => Partitions.MCS_Node.Pauses,
+      Board_Starts => Partitions.MCS_Node.Board_Starts);
 
 begin
    Run;

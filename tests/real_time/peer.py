@@ -54,6 +54,7 @@ class Peer:
     def __init__(self, port, peer_port, words=(), host="127.0.0.1"):
         self.words = list(words)
         self.received = []
+        self.received_at = []
         self.bad = 0
         self.sent = 0
         self.answered = 0
@@ -72,6 +73,13 @@ class Peer:
         self._ended.set()
         self._thread.join()
         self._line.close()
+
+    def await_received(self, number, limit_s=60):
+        """Wait until so many good data messages have come."""
+        deadline = time.monotonic() + limit_s
+        while len(self.received) < number:
+            assert time.monotonic() < deadline, "too few messages came"
+            time.sleep(0.005)
 
     def _send(self, data):
         try:
@@ -108,6 +116,7 @@ class Peer:
         if len(block) < length or checksum(block[:-1]) != block[-1]:
             self.bad += 1
             return False
+        self.received_at.append(time.monotonic())
         self.received.append(tuple(
             int.from_bytes(block[i:i + 2], "big")
             for i in range(1, length - 1, 2)

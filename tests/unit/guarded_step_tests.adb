@@ -1,18 +1,25 @@
-with Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 
 with Checks;       use Checks;
 with Expectations; use Expectations;
 with Partitions.Clocks;
+with Partitions.Exceptions;
+with Partitions.Guarded_Call;
 with Partitions.Guarded_Step;
 with Partitions.Measurements;
+with URVOS;
 
 package body Guarded_Step_Tests is
 
    use type Partitions.Measurements.Total;
+   use type URVOS.Count;
 
    --  The tests, in order.
    procedure Whole_Steps;
+   procedure Times_Taken;
    procedure Exceptions;
+   procedure Pauses;
+   procedure Interrupts;
 
    --  A task that counts what it does, and fails when it is told to.
    procedure Initialise;
@@ -21,12 +28,37 @@ package body Guarded_Step_Tests is
 
    Is_Broken : Boolean := False;
 
+   --  The node has stood still.
+   Is_Late : Boolean := False;
+
+   function Has_Stood_Still return Boolean is (Is_Late);
+
    Begun, Run, Observed : Natural := 0;
 
    Cost, Response : Partitions.Measurements.Distribution;
 
    procedure Step is new Partitions.Guarded_Step
-     (Cost, Response, Initialise, Run_Transaction, Observe);
+     (Cost, Response, Has_Stood_Still, Initialise, Run_Transaction, Observe);
+
+   --  A transaction that takes so long, and its step.
+   Busy_Time : constant Time_Span := Milliseconds (3);
+
+   procedure Be_Busy;
+
+   procedure Nothing is null;
+
+   Busy_Cost, Busy_Response : Partitions.Measurements.Distribution;
+
+   procedure Busy_Step is new Partitions.Guarded_Step
+     (Busy_Cost, Busy_Response, Has_Stood_Still, Nothing, Be_Busy, Nothing);
+
+   --  An interrupt of the processor.
+   procedure Raise_Processor_Exception;
+
+   Raised : Natural := 0;
+
+   procedure Interrupt is new Partitions.Guarded_Call
+     (Run_Transaction, Raise_Processor_Exception);
 
    procedure Expect_Step
      (What : String; First_Run : Boolean; Failed : Boolean);
@@ -54,6 +86,27 @@ package body Guarded_Step_Tests is
       end if;
       Run := Run + 1;
    end Run_Transaction;
+
+   -------------
+   -- Be_Busy --
+   -------------
+
+   procedure Be_Busy is
+      Ends : constant Time := Clock + Busy_Time;
+   begin
+      while Clock < Ends loop
+         null;
+      end loop;
+   end Be_Busy;
+
+   -------------------------------
+   -- Raise_Processor_Exception --
+   -------------------------------
+
+   procedure Raise_Processor_Exception is
+   begin
+      Raised := Raised + 1;
+   end Raise_Processor_Exception;
 
    -------------
    -- Observe --
@@ -101,12 +154,48 @@ package body Guarded_Step_Tests is
       Expect ("response measured", Response.Summed_Up.Number = 3, True);
    end Whole_Steps;
 
+   -----------------
+   -- Times_Taken --
+   -----------------
+
+   --  Not less than the transaction takes, not more than who calls it sees:
+   --  on a machine of any speed.
+   procedure Times_Taken is
+      Tick   : Time;
+      Failed : Boolean;
+      Most   : Partitions.Measurements.Measure;
+   begin
+      for Frame in 1 .. 5 loop
+         Tick := Clock;
+         Partitions.Clocks.Set_Tick (Tick);
+         Be_Busy;
+         Busy_Step (First_Run => False, Failed => Failed);
+         Most := Partitions.Measurements.Measure
+           (To_Duration (Clock - Tick) * 10_000_000);
+         Expect ("is a step", Failed, False);
+         Expect
+           ("cost is no less", Busy_Cost.Summed_Up.Minimum >= 30_000, True);
+         Expect
+           ("response is no less",
+            Busy_Response.Summed_Up.Minimum >= 60_000, True);
+         if Frame = 1 then
+            Expect
+              ("cost is no more",
+               Busy_Cost.Summed_Up.Maximum + 30_000 <= Most, True);
+            Expect
+              ("response is no more",
+               Busy_Response.Summed_Up.Maximum <= Most, True);
+         end if;
+      end loop;
+   end Times_Taken;
+
    ----------------
    -- Exceptions --
    ----------------
 
    procedure Exceptions is
       Before : constant Natural := Observed;
+      Told   : constant URVOS.Count := Partitions.Exceptions.Number;
    begin
       Is_Broken := True;
       Expect_Step ("a first step", First_Run => True, Failed => True);
@@ -114,7 +203,48 @@ package body Guarded_Step_Tests is
       Expect_Number ("seen", Observed, Before);
       Is_Broken := False;
       Expect_Step ("the next step", First_Run => False, Failed => False);
+      Expect ("both are told", Partitions.Exceptions.Number = Told + 2, True);
    end Exceptions;
+
+   ------------
+   -- Pauses --
+   ------------
+
+   procedure Pauses is
+      Before_Run   : constant Natural := Run;
+      Before_Begun : constant Natural := Begun;
+   begin
+      Is_Broken := False;
+      Is_Late := True;
+      Expect_Step ("a step", First_Run => False, Failed => True);
+      Expect_Number ("transactions", Run, Before_Run);
+
+      --  The first step passes nothing on.
+      Expect_Step ("a first step", First_Run => True, Failed => False);
+      Expect_Number ("initialised", Begun, Before_Begun + 1);
+      Is_Late := False;
+      Expect_Step ("the next step", First_Run => False, Failed => False);
+   end Pauses;
+
+   ----------------
+   -- Interrupts --
+   ----------------
+
+   procedure Interrupts is
+      Before : constant Natural := Run;
+   begin
+      Raised := 0;
+      Is_Broken := False;
+      Interrupt;
+      Expect_Number ("handled", Run, Before + 1);
+      Expect_Number ("exceptions of a good one", Raised, 0);
+      Is_Broken := True;
+      Interrupt;
+      Is_Broken := False;
+      Expect_Number ("exceptions of a bad one", Raised, 1);
+      Interrupt;
+      Expect_Number ("handled again", Run, Before + 2);
+   end Interrupts;
 
    ------------
    -- Add_To --
@@ -126,8 +256,17 @@ package body Guarded_Step_Tests is
         (Suite, "RTP-1 a step initialises first, then runs transactions",
          Whole_Steps'Access);
       Add
+        (Suite, "RTP-1 a step's times are those that it took",
+         Times_Taken'Access);
+      Add
         (Suite, "KRN-6 a step that raises an exception has failed",
          Exceptions'Access);
+      Add
+        (Suite, "SAF-4 a step of a node that stood still is not made",
+         Pauses'Access);
+      Add
+        (Suite, "KRN-6 an interrupt that raises one restarts the processor",
+         Interrupts'Access);
    end Add_To;
 
 end Guarded_Step_Tests;

@@ -1,0 +1,47 @@
+with Memory_Hardware;
+
+package body Partitions.Exceptions is
+
+   Longest : constant := 400;
+
+   protected Latest is
+      procedure Add (Text : String);
+      function Number return Count;
+      function First return String;
+   private
+      Total  : Count := 0;
+      Text   : String (1 .. Longest) := (others => ' ');
+      Length : Natural range 0 .. Longest := 0;
+   end Latest;
+
+   protected body Latest is
+
+      procedure Add (Text : String) is
+      begin
+         if Total = 0 then
+            Length := Natural'Min (Text'Length, Longest);
+            Latest.Text (1 .. Length) :=
+              Text (Text'First .. Text'First + Length - 1);
+         end if;
+         Total := Incremented (Total);
+      end Add;
+
+      function Number return Count is (Total);
+
+      function First return String is (Text (1 .. Length));
+
+   end Latest;
+
+   procedure Tell (Error : Exception_Occurrence) is
+   begin
+      if Exception_Identity (Error) /= Memory_Hardware.Bus_Error'Identity then
+         Latest.Add
+           (Exception_Name (Error) & ": " & Exception_Message (Error));
+      end if;
+   end Tell;
+
+   function Number return Count is (Latest.Number);
+
+   function First return String is (Latest.First);
+
+end Partitions.Exceptions;

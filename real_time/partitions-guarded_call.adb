@@ -1,0 +1,10 @@
+with Partitions.Exceptions;
+
+procedure Partitions.Guarded_Call is
+begin
+   Call;
+exception
+   when Error : others =>
+      Exceptions.Tell (Error);
+      Raise_Processor_Exception;
+end Partitions.Guarded_Call;

@@ -1,0 +1,35 @@
+--  Whether the other node is heard: good messages of it come in (RTP-2).
+
+with Partitions.Rows; use Partitions.Rows;
+with URVOS;           use URVOS;
+
+package Partitions.Peer_Watch is
+
+   --  For so many frames without a good message a peer is not yet lost.
+   Longest_Silence : constant := 50;
+
+   type Watch is limited private;
+
+   type News is (Nothing_New, Heard, Lost);
+
+   --  So many good messages have come up to this frame.
+   procedure Look
+     (This     : in out Watch;
+      Received : Count;
+      Frame    : Number;
+      Change   : out News);
+
+   --  "never heard", "heard" or "lost".
+   function State (This : Watch) return String;
+
+private
+
+   type Peer_State is (Never_Heard, Is_Heard, Is_Lost);
+
+   type Watch is limited record
+      Present  : Peer_State := Never_Heard;
+      Former   : Count      := 0;
+      Heard_At : Number     := 0;
+   end record;
+
+end Partitions.Peer_Watch;

@@ -1,0 +1,279 @@
+"""SAF-4: nothing that was sent before a node was switched on, or while it stood
+still, is acted upon by it, and what it sends is young. SAF-8: a node hears its
+peer only. Seen from the other end of its link.
+"""
+
+import os
+import select
+import signal
+import socket
+import time
+import tty
+
+import pytest
+
+from conftest import (
+    COMMANDS, TIME_LIMIT_S, different_rows, free_ports, script, udp,
+)
+from peer import (
+    BAD, BAD_WANTS, GOOD, GOOD_WANTS, UPLINK, AircraftPeer, data_message,
+)
+
+BEFORE, OLD, YOUNG = different_rows(3, len(COMMANDS), 11)
+
+
+def uplink(commands):
+    return data_message(UPLINK, (*commands, 0))
+
+
+class UDPEnd:
+    """The ground's end of a UDP link."""
+
+    def __init__(self, host="127.0.0.1"):
+        self.node_port, self.port = free_ports(2)
+        self.link = udp(self.node_port, self.port)
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.bind((host, self.port))
+        self.file = self._socket.fileno()
+
+    def write(self, data):
+        try:
+            self._socket.sendto(data, ("127.0.0.1", self.node_port))
+        except ConnectionRefusedError:
+            pass
+
+    def read(self):
+        try:
+            return self._socket.recv(4096)
+        except ConnectionRefusedError:
+            return b""
+
+    def close(self):
+        self._socket.close()
+
+
+class SerialEnd:
+    """The ground's end of a serial line."""
+
+    def __init__(self):
+        self.file, self._device = os.openpty()
+        tty.setraw(self._device)
+        os.set_blocking(self.file, False)
+        self.link = f"serial:{os.ttyname(self._device)}"
+
+    def write(self, data):
+        try:
+            os.write(self.file, data)
+        except BlockingIOError:
+            pass
+
+    def read(self):
+        return os.read(self.file, 4096)
+
+    def close(self):
+        os.close(self.file)
+        os.close(self._device)
+
+
+@pytest.fixture(params=[UDPEnd, SerialEnd], ids=["udp", "serial"])
+def end(request):
+    line = request.param()
+    yield line
+    line.close()
+
+
+def answer(line, limit_s):
+    """All that comes until the line is silent for so long."""
+    heard = b""
+    while select.select([line.file], [], [], limit_s)[0]:
+        heard += line.read()
+    return heard
+
+
+def command(line, commands, times=10):
+    """Send them until the aircraft has said so often that they came well:
+    it has then had the time of as many frames to do something with them."""
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while times > 0:
+        assert time.monotonic() < deadline, "no answer"
+        line.write(uplink(commands))
+        heard = answer(line, 0.02)
+        times -= bool(heard) and heard[-1] in (GOOD, GOOD_WANTS)
+
+
+def await_state(run, wanted):
+    """Wait until the system says that of the program's process."""
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while True:
+        with open(f"/proc/{run.program.pid}/stat", encoding="ascii") as file:
+            state = file.read().rpartition(")")[2].split()[0]
+        if (state == "T") == (wanted == "T"):
+            return
+        assert time.monotonic() < deadline
+        time.sleep(0.001)
+
+
+def acted_upon(outputs, commands):
+    """Whether the commands came to the servos or to CORE."""
+    return commands in outputs.words("mcs.uplink", COMMANDS) or any(
+        row["pwm.throttle"] == commands[COMMANDS.index("throttle")]
+        for row in outputs.rows
+    )
+
+
+@pytest.mark.parametrize("copies", [1, 400])
+def test_saf4_what_stands_on_a_serial_line_at_power_up_is_thrown_away(
+    start, copies
+):
+    line = SerialEnd()
+    try:
+        for _ in range(copies):
+            line.write(uplink(OLD))
+        mcs = start("mcs", line.link)
+
+        # It answers what is sent to it now, so it has had the rest.
+        command(line, YOUNG)
+        mcs = mcs.stop()
+    finally:
+        line.close()
+    assert acted_upon(mcs, YOUNG)
+    assert not acted_upon(mcs, OLD)
+
+
+def await_port(port):
+    """Wait until somebody has opened that UDP port."""
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while True:
+        with open("/proc/net/udp", encoding="ascii") as file:
+            if f":{port:04X} " in file.read():
+                return
+        assert time.monotonic() < deadline
+        time.sleep(0.001)
+
+
+def test_saf4_what_came_by_udp_before_power_up_is_thrown_away(start):
+    """A node that waits for its phase opens its port 38 ms before it is
+    switched on, or more. A command that comes too late to show anything is
+    sent to another node."""
+    for _ in range(20):
+        line = UDPEnd()
+        try:
+            run = start("mcs", line.link, "--phase", 9)
+            await_port(line.node_port)
+            line.write(uplink(OLD))
+            sent_at = time.monotonic()
+            command(line, YOUNG)
+            mcs = run.stop()
+        finally:
+            line.close()
+        if sent_at < mcs.summary["switched_on_us"] / 1e6:
+            assert not acted_upon(mcs, OLD)
+            assert acted_upon(mcs, YOUNG)
+            return
+    pytest.fail("the command was never sent in time")
+
+
+@pytest.mark.parametrize("restart", [None, signal.SIGUSR1, signal.SIGUSR2])
+def test_saf4_what_comes_while_the_aircraft_stands_still_is_thrown_away(
+    start, end, restart
+):
+    run = start("mcs", end.link)
+    command(end, BEFORE)
+    run.send(signal.SIGSTOP)
+    await_state(run, "T")
+    for _ in range(10):
+        end.write(uplink(OLD))
+        time.sleep(0.02)
+    time.sleep(0.5)
+    if restart:
+        run.send(restart)
+    run.send(signal.SIGCONT)
+
+    # Silence, in which it may do what it likes with what it has.
+    time.sleep(0.5)
+    answer(end, 0.05)
+    command(end, YOUNG)
+    mcs = run.stop()
+    assert acted_upon(mcs, YOUNG)
+    assert not acted_upon(mcs, OLD)
+    assert mcs.summary["stood_still"] == 1
+    assert mcs.summary["link"]["board_restarts"] >= 1
+
+
+def test_saf4_a_ground_that_stood_still_sends_nothing_old(start, write):
+    """The aircraft hears what the console holds now, not what it held when
+    the ground was stopped."""
+    rows = different_rows(100, len(COMMANDS), 12)
+    hold_s, first_s, stopped_s = 0.1, 0.2, 2
+    sticks = write("sticks.csv", "\n".join(
+        ["time_ms," + ",".join(COMMANDS)]
+        + [f"{round(1000 * (first_s + hold_s * place))},"
+           + ",".join(map(str, row)) for place, row in enumerate(rows)]
+    ) + "\n")
+    own, other = free_ports(2)
+    run = start("gsc", udp(own, other), "--sticks", sticks)
+    with AircraftPeer(other, own, [(0x800,) * 28]) as aircraft:
+        aircraft.await_received(20)
+        run.send(signal.SIGSTOP)
+        await_state(run, "T")
+        time.sleep(stopped_s)
+        before = len(aircraft.received)
+        run.send(signal.SIGCONT)
+        aircraft.await_received(before + 20)
+        after = list(zip(aircraft.received, aircraft.received_at))[before:]
+    gsc = run.stop()
+    on_at = gsc.summary["switched_on_us"] / 1e6
+    for words, came_at in after:
+        place = rows.index(words[:-1])
+        held_until = on_at + first_s + hold_s * (place + 1)
+        assert came_at - held_until < stopped_s / 2
+    assert gsc.summary["stood_still"] >= 1
+
+
+STRANGERS = {
+    "another port": ("127.0.0.1", lambda port: 0),
+    "another address": ("127.0.0.2", lambda port: port),
+}
+
+
+@pytest.mark.parametrize("who", STRANGERS)
+def test_saf8_a_stranger_is_not_heard_over_udp(start, who):
+    host, port = STRANGERS[who]
+    line = UDPEnd()
+    stranger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    stranger.bind((host, port(line.port)))
+    stranger.settimeout(0.02)
+    run = start("mcs", line.link)
+    answered = 0
+    try:
+        command(line, BEFORE)
+        for _ in range(50):
+            stranger.sendto(uplink(OLD), ("127.0.0.1", line.node_port))
+            try:
+                answered += bool(stranger.recv(4096))
+            except (TimeoutError, ConnectionRefusedError):
+                pass
+        command(line, YOUNG)
+        mcs = run.stop()
+    finally:
+        line.close()
+        stranger.close()
+    assert answered == 0
+    assert acted_upon(mcs, BEFORE) and acted_upon(mcs, YOUNG)
+    assert not acted_upon(mcs, OLD)
+
+
+def test_saf8_a_stranger_does_not_disturb_the_ground(start):
+    """Whatever a stranger sends, the ground sees its aircraft."""
+    own, other = free_ports(2)
+    words = tuple(range(300, 327)) + (0,)
+    run = start("gsc", udp(own, other))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger, \
+            AircraftPeer(other, own, [words]) as aircraft:
+        while len(aircraft.received) < 50:
+            stranger.sendto(bytes([BAD, BAD_WANTS, 0x55]) * 10,
+                            ("127.0.0.1", own))
+            time.sleep(0.005)
+    gsc = run.stop()
+    assert gsc.summary["link"]["downlink_bad"] == 0
+    assert gsc.summary["link"]["uplink_scrapped"] <= 2
