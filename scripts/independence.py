@@ -65,11 +65,14 @@ FAULTS = """\
 3000 gsc stall adc 200
 4000 up dup 1
 """
+STICKS = "time_ms,roll,pitch,throttle,switch8\n" + "".join(
+    f"{50 * row},{37 * row},{61 * row % 4096},{83 * row % 4096},"
+    f"{4095 * (row // 10 % 2)}\n" for row in range(100))
 FLIGHTS = (
     ("--seconds", "6"),
-    ("--seconds", "6", "--pilot", "standard", "--phase", "7"),
-    ("--seconds", "6", "--pilot", "standard", "--faults", "faults.txt"),
-    ("--seconds", "6", "--pilot", "standard", "--processors", "2"),
+    ("--seconds", "6", "--sticks", "sticks.csv", "--phase", "7"),
+    ("--seconds", "6", "--sticks", "sticks.csv", "--faults", "faults.txt"),
+    ("--seconds", "6", "--sticks", "sticks.csv", "--processors", "2"),
 )
 
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$", re.M)
@@ -129,6 +132,7 @@ def bytes_of_flights(program):
     with tempfile.TemporaryDirectory(prefix="urv-independence-") as name:
         folder = Path(name)
         (folder / "faults.txt").write_text(FAULTS, encoding="utf-8")
+        (folder / "sticks.csv").write_text(STICKS, encoding="utf-8")
         for options in FLIGHTS:
             outputs = ("record", "wire", "events")
             subprocess.run(

@@ -21,14 +21,21 @@ package body Sim.Complaints is
    Program : constant String :=
      Last_Name (Ada.Command_Line.Command_Name) & ": ";
 
-   --  The latest complaint, whole.
-   Latest : Unbounded_String;
+   Status : Natural := 2;
+
+   function Exit_Status return Natural is (Status);
+
+   --  The first complaint, whole.
+   First : Unbounded_String;
 
    procedure Complain (Line : String) with No_Return;
 
    procedure Complain (Line : String) is
    begin
-      Latest := To_Unbounded_String (Line);
+      --  What comes while the program gives up for one is not told.
+      if First = Null_Unbounded_String then
+         First := To_Unbounded_String (Line);
+      end if;
       raise Bad_Input with Line;
    end Complain;
 
@@ -36,6 +43,12 @@ package body Sim.Complaints is
    begin
       Complain (Program & What);
    end Refuse;
+
+   procedure Give_Up (What : String) is
+   begin
+      Status := 1;
+      Refuse (What);
+   end Give_Up;
 
    procedure Refuse (File : String; Line : Positive; What : String) is
       Number : constant String := Line'Image;
@@ -51,10 +64,10 @@ package body Sim.Complaints is
       Message : constant String := Ada.Exceptions.Exception_Message (Error);
    begin
       if Message'Length > 0
-        and then Message'Length <= Length (Latest)
-        and then Head (Latest, Message'Length) = Message
+        and then Message'Length <= Length (First)
+        and then Head (First, Message'Length) = Message
       then
-         return To_String (Latest);
+         return To_String (First);
       else
          return Program & Message;
       end if;

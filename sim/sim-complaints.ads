@@ -12,6 +12,10 @@ package Sim.Complaints is
    --  the name of the program that runs.
    procedure Refuse (What : String) with No_Return;
 
+   --  Gives up because an output cannot be written, in the same words as
+   --  the first Refuse.
+   procedure Give_Up (What : String) with No_Return;
+
    --  Refuses an input file. The line is "File:Line: What".
    procedure Refuse (File : String; Line : Positive; What : String)
      with No_Return;
@@ -24,6 +28,10 @@ package Sim.Complaints is
    --  Prints that line on standard error, byte for byte: a file's name
    --  need not be text in any encoding.
    procedure Print (Error : Ada.Exceptions.Exception_Occurrence);
+
+   --  With what the program then ends: 2, or 1 after Give_Up, when the
+   --  command line was not to blame.
+   function Exit_Status return Natural;
 
    --  Text of the user's in quotes, fit for one line: control characters
    --  are replaced and the rest of a long text is cut off.

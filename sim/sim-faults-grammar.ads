@@ -45,6 +45,12 @@ private package Sim.Faults.Grammar is
          when RAM_Harm   => "ram",
          when Bus_Error  => "bus_error");
 
+   function Name (What : Subject) return String is
+     (case What is
+         when Nothing => "",
+         when A_Way   => "up|down ",
+         when A_Node  => "mcs|gsc ");
+
    --  How the parameter stands in a description of the form.
    function Name (What : Parameter) return String is
      (case What is
@@ -64,11 +70,8 @@ private package Sim.Faults.Grammar is
    --  The whole line of such a fault.
    function Image (Kind : Fault_Kind) return String is
      ("TIME_MS "
-      & (case Forms (Kind).Before is
-            when Nothing => "",
-            when A_Way   => "up|down ",
-            when A_Node  => "mcs|gsc ")
-      & Name (Kind) & Name (Forms (Kind).After (1))
+      & Name (Forms (Kind).Before) & Name (Kind)
+      & Name (Forms (Kind).After (1))
       & Name (Forms (Kind).After (2)));
 
 end Sim.Faults.Grammar;

@@ -24,9 +24,13 @@ package body Sim.Faults is
       Count : out Natural);
 
    procedure Read_Kind
-     (From : Reader;
-      Word : String;
-      Kind : out Fault_Kind);
+     (From   : Reader;
+      Before : Subject;
+      Word   : String;
+      Kind   : out Fault_Kind);
+
+   --  The faults that may follow it, separated by bars.
+   function Kinds_After (Before : Subject) return String;
 
    procedure Read_Time
      (From  : Reader;
@@ -56,6 +60,8 @@ package body Sim.Faults is
 
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
 
+   function Form_Of (Kind : Fault_Kind) return String renames Image;
+
    procedure Split
      (Line  : String;
       Words : out Slice_List;
@@ -79,10 +85,36 @@ package body Sim.Faults is
       end loop;
    end Split;
 
+   function Kinds_After (Before : Subject) return String is
+
+      function List (From : Fault_Kind) return String;
+
+      --  Those from there on.
+      function List (From : Fault_Kind) return String is
+         Here : constant String :=
+           (if Forms (From).Before = Before then "|" & Name (From) else "");
+      begin
+         return
+           (if From = Fault_Kind'Last then Here
+            else Here & List (Fault_Kind'Succ (From)));
+      end List;
+
+      Whole : constant String := List (Fault_Kind'First);
+   begin
+      return Name (Before) & Whole (Whole'First + 1 .. Whole'Last);
+   end Kinds_After;
+
    procedure Read_Kind
-     (From : Reader;
-      Word : String;
-      Kind : out Fault_Kind) is
+     (From   : Reader;
+      Before : Subject;
+      Word   : String;
+      Kind   : out Fault_Kind)
+   is
+      Choices : constant String :=
+        (if Before = Nothing
+         then Kinds_After (Nothing) & ", " & Kinds_After (A_Way) & ", "
+              & Kinds_After (A_Node)
+         else Kinds_After (Before));
    begin
       for Known in Fault_Kind loop
          if Name (Known) = Word then
@@ -90,7 +122,11 @@ package body Sim.Faults is
             return;
          end if;
       end loop;
-      Refuse (From, "unknown fault " & Quoted (Word));
+      Refuse
+        (From,
+         (if Word = "" then "no fault follows"
+          else "unknown fault " & Quoted (Word))
+         & "; there are " & Choices);
    end Read_Kind;
 
    procedure Read_Time
@@ -217,7 +253,10 @@ package body Sim.Faults is
             elsif Word = "telemetry" then
                Made.Stalled := Telemetry;
             else
-               Refuse (From, "unknown board " & Quoted (Word));
+               Refuse
+                 (From,
+                  "unknown board " & Quoted (Word)
+                  & "; there are adc, telemetry");
             end if;
 
          when A_Restart =>
@@ -228,7 +267,10 @@ package body Sim.Faults is
             elsif Word = "telemetry" then
                Made.How := Telemetry_Board;
             else
-               Refuse (From, "unknown reset " & Quoted (Word));
+               Refuse
+                 (From,
+                  "unknown reset " & Quoted (Word)
+                  & "; there are warm, processor, telemetry");
             end if;
       end case;
    end Read_Parameter;
@@ -260,7 +302,7 @@ package body Sim.Faults is
          Next       := 3;
       end if;
 
-      Read_Kind (From, Word (Next), Made.Kind);
+      Read_Kind (From, Before, Word (Next), Made.Kind);
 
       declare
          After  : constant Parameter_List := Forms (Made.Kind).After;

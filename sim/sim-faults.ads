@@ -13,6 +13,9 @@ package Sim.Faults is
       RAM_Harm,      --  bits of a RAM word read as 0
       Bus_Error);    --  the next read of the program memory fails
 
+   --  How a line with such a fault is written, for help.
+   function Form_Of (Kind : Fault_Kind) return String;
+
    --  Of a node's hardware, not of the line.
    subtype Node_Fault is Fault_Kind range Stall .. Bus_Error;
 

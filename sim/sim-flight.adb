@@ -16,6 +16,7 @@ with Sim.Outputs;     use Sim.Outputs;
 with Sim.Pilot;
 with Sim.Progress;
 with Sim.Sensor_Scripts;
+with Sim.Signals;
 with Sim.Stick_Scripts;
 with Sim.Summary;
 with Sim.Text_Output;
@@ -23,6 +24,7 @@ with Sim.Wire_Log;
 with URV.CORE_Layout;
 with URV.Errors;      use URV.Errors;
 with URV.PWM_Transform;
+with URVOS.Frames;        use URVOS.Frames;
 
 package body Sim.Flight is
 
@@ -56,19 +58,38 @@ package body Sim.Flight is
    --  A major frame of the ground has ended.
    procedure End_Frame (Chosen : Choices; Time : Microseconds);
 
-   procedure Fly_Through (Chosen : Choices; Length : Microseconds);
+   --  Flies for that time, or until the user wants no more.
+   procedure Fly_Through
+     (Chosen : Choices;
+      Length : Microseconds;
+      Flown  : out Microseconds);
 
    procedure Conclude
      (Chosen  : Choices;
-      Length  : Microseconds;
+      Flown   : Microseconds;
       Elapsed : Duration);
 
    function Given (Name : Unbounded_String) return Boolean is
      (Length (Name) > 0);
 
+   --  Whether the error is one of those with which every start begins: no
+   --  message has come yet.
+   function Is_Usual
+     (Kind : Error_Kind; History : Logs.History) return Boolean;
+
    --  How much later than the ground the aircraft is switched on.
    function Lag_Of (Chosen : Choices) return Microseconds is
      (Microseconds (Chosen.Phase) * Tick_Time);
+
+   function Is_Usual
+     (Kind : Error_Kind; History : Logs.History) return Boolean
+   is
+      First_Frames : constant := 3;
+   begin
+      return
+        Kind = No_Input
+        and then History.Last < First_Frames * Ticks_Per_Major_Frame;
+   end Is_Usual;
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
@@ -157,7 +178,11 @@ package body Sim.Flight is
       Progress.Show (Time);
    end End_Frame;
 
-   procedure Fly_Through (Chosen : Choices; Length : Microseconds) is
+   procedure Fly_Through
+     (Chosen : Choices;
+      Length : Microseconds;
+      Flown  : out Microseconds)
+   is
       Lag       : constant Microseconds := Lag_Of (Chosen);
       Began     : constant Ada.Calendar.Time := Clock;
       Frame_End : Microseconds := Major_Frame;
@@ -182,7 +207,7 @@ package body Sim.Flight is
 
          if Next = Frame_End then
             End_Frame (Chosen, Frame_End);
-            exit when Frame_End = Length;
+            exit when Frame_End = Length or else Signals.Interrupted;
             if Chosen.Pace = Realtime then
                delay until Began + Duration (Frame_End) / 1_000_000;
             end if;
@@ -205,21 +230,23 @@ package body Sim.Flight is
             Engine.Set_Sensors (Measured);
          end if;
       end loop;
+      Flown := Frame_End;
    end Fly_Through;
 
    procedure Conclude
      (Chosen  : Choices;
-      Length  : Microseconds;
+      Flown   : Microseconds;
       Elapsed : Duration)
    is
       Figures : constant Summary.Figures :=
-        (Flown    => Length,
-         Frames   => URVOS.Count (Length / Major_Frame),
+        (Flown    => Flown,
+         Frames   => URVOS.Count (Flown / Major_Frame),
          Elapsed  => Elapsed,
          Link     => Engine.Link,
          Overruns => Nodes.Overruns (GSC) + Nodes.Overruns (MCS),
          Latency  => Latency.Result (Delays));
       Further : Summary.Result;
+      Screen  : Text_Output.Writer;
    begin
       for Node in Sim.Node loop
          declare
@@ -232,7 +259,8 @@ package body Sim.Flight is
                   Summary.Add_Event
                     (Further,
                      Name & "." & Names.Name (Kind),
-                     Logs.History_Of (Log, Kind).Occurrences);
+                     Logs.History_Of (Log, Kind).Occurrences,
+                     Is_Usual (Kind, Logs.History_Of (Log, Kind)));
                end if;
             end loop;
 
@@ -262,11 +290,15 @@ package body Sim.Flight is
       Outputs.Close (Files);
 
       if not Chosen.Quiet then
-         Summary.Print (Figures, Further);
+         Text_Output.Attach_Screen
+           (Screen,
+            Is_Error => Use_Standard_Output (Chosen.Outputs));
+         Summary.Print (Screen, Figures, Further);
+         Text_Output.Close (Screen);
       end if;
    end Conclude;
 
-   procedure Fly (Chosen : Choices) is
+   procedure Fly (Chosen : Choices; Flown : out Microseconds) is
       Length  : Microseconds;
       Began   : Time;
       Elapsed : Duration;
@@ -295,6 +327,7 @@ package body Sim.Flight is
          Flight_Quality.Start;
       end if;
 
+      Signals.Watch;
       Outputs.Open (Files, Chosen.Inputs, Chosen.Outputs);
       if Text_Output.Is_Open (Files (Record_File)) then
          Flight_Record.Write_Header (Files (Record_File));
@@ -303,19 +336,23 @@ package body Sim.Flight is
          Wire_Log.Write_Header (Files (Wire_File));
       end if;
 
-      Progress.Start (Length, Wanted => not Chosen.Quiet);
+      Progress.Start
+        (Length,
+         Wanted => not Chosen.Quiet,
+         Beside => Use_Standard_Output (Chosen.Outputs));
       Began := Clock;
-      Fly_Through (Chosen, Length);
+      Fly_Through (Chosen, Length, Flown);
       Elapsed := Clock - Began;
       Progress.Stop;
       JSBSim.Stop;
 
-      Conclude (Chosen, Length, Elapsed);
+      Conclude (Chosen, Flown, Elapsed);
 
    exception
       when others =>
          Progress.Stop;
          JSBSim.Stop;
+         Rescue (Files);
          raise;
    end Fly;
 

@@ -5,7 +5,9 @@ with Sim.Options;
 package Sim.Flight is
 
    --  Flies as chosen. Everything that is read is read and checked before
-   --  any output file is opened. Raises Bad_Input.
-   procedure Fly (Chosen : Options.Choices);
+   --  any output file is opened. Raises Bad_Input. When the user wants no
+   --  more (Sim.Signals) the flight ends with the frame, and Flown is less
+   --  than was chosen.
+   procedure Fly (Chosen : Options.Choices; Flown : out Microseconds);
 
 end Sim.Flight;

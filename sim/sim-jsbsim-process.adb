@@ -121,10 +121,31 @@ package body Sim.JSBSim.Process is
    procedure Receive (Message : out Stream_Element_Array) is
       Last : Stream_Element_Offset := Message'First - 1;
       Next : Stream_Element_Offset;
+
+      --  What has come, up to the end of the message. A signal interrupts
+      --  a wait that has a time limit; it is waited for anew.
+      procedure Receive_Some (First : Stream_Element_Offset);
+
+      procedure Receive_Some (First : Stream_Element_Offset) is
+      begin
+         loop
+            begin
+               Receive_Socket (Link, Message (First .. Message'Last), Last);
+               return;
+            exception
+               when Error : Socket_Error =>
+                  if Resolve_Exception (Error) /= Interrupted_System_Call
+                  then
+                     raise;
+                  end if;
+            end;
+         end loop;
+      end Receive_Some;
+
    begin
       while Last < Message'Last loop
          Next := Last + 1;
-         Receive_Socket (Link, Message (Next .. Message'Last), Last);
+         Receive_Some (Next);
          if Last < Next then
             raise Plant_Failure with "JSBSim's process has ended";
          end if;

@@ -1,39 +1,93 @@
-with Ada.Text_IO;
+with Sim.Faults;
+with Sim.Pilot;
 
 package body Sim.Options.Usage is
 
-   procedure Print is
-      procedure Put (Line : String) renames Ada.Text_IO.Put_Line;
+   procedure Print
+     (To    : in out Text_Output.Writer;
+      Topic : Help_Topic)
+   is
+      procedure Put (Line : String);
+
+      procedure Put_Commands;
+      procedure Put_Fly;
+      procedure Put_Items;
+
+      procedure Put (Line : String) is
+      begin
+         Text_Output.Put_Line (To, Line);
+      end Put;
+
+      procedure Put_Commands is
+      begin
+         Put ("urv_sim: both nodes, the link between them and the aircraft,");
+         Put ("in virtual time");
+         Put ("");
+         Put ("  urv_sim fly [options]   a flight, from files and to files");
+         Put ("  urv_sim items           the table of items, as CSV");
+         Put ("  urv_sim help [COMMAND]  this text, or its part about fly");
+         Put ("                          or items");
+         Put ("  urv_sim --version       the program's version");
+         Put ("");
+      end Put_Commands;
+
+      procedure Put_Fly is
+      begin
+         Put ("options of fly (--option VALUE or --option=VALUE)");
+         Put ("  --seconds S       length of the flight");
+         Put ("                    (60, or that of the sticks or the pilot)");
+         Put ("  --plant PLANT     bench or jsbsim (bench)");
+         Put ("  --sticks FILE     the pilot's sticks, CSV (neutral)");
+         Put ("  --pilot NAME      the simulated pilot flies: "
+              & Pilot.Names);
+         Put ("                    (nobody); needs --plant jsbsim");
+         Put ("  --sensors FILE    the bench's sensors, CSV (neutral)");
+         Put ("  --faults FILE     what goes wrong (nothing)");
+         Put ("  --seed N          for random faults (1)");
+         Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
+         Put ("  --processors N    of the aircraft's node, 1 or 2 (1)");
+         Put ("  --record FILE     flight record, CSV");
+         Put ("  --summary FILE    result, JSON");
+         Put ("  --wire FILE       every byte on the serial link, CSV");
+         Put ("  --events FILE     both error logs, JSON lines: node, kind,");
+         Put ("                    count, first_frame, last_frame, first_ms,");
+         Put ("                    last_ms, last_detail");
+         Put ("  --pace PACE       max or realtime (max)");
+         Put ("  --quiet           no progress, no summary");
+         Put ("An output named - is standard output; the summary for people");
+         Put ("then goes to standard error.");
+         Put ("");
+         Put ("faults, one a line; # starts a comment");
+         for Kind in Faults.Fault_Kind loop
+            Put ("  " & Faults.Form_Of (Kind));
+         end loop;
+         Put ("");
+         Put ("exit status: 0 flown, 1 an output cannot be written or an");
+         Put ("internal fault, 2 bad command line or bad input file");
+         Put ("(FILE:LINE: what is wrong), 130 interrupted");
+      end Put_Fly;
+
+      procedure Put_Items is
+      begin
+         Put ("items prints a line for each word of the uplink, the downlink");
+         Put ("and the PWM board: name, buffer, position, unit, and what the");
+         Put ("words 0 and 4095 stand for");
+      end Put_Items;
+
    begin
-      Put ("urv_sim: both nodes, the link between them and the aircraft,");
-      Put ("in virtual time");
-      Put ("");
-      Put ("  urv_sim fly [options]");
-      Put ("  urv_sim items  the table of items and their scaling, as CSV");
-      Put ("  urv_sim help   this text");
-      Put ("");
-      Put ("options of fly (--option VALUE or --option=VALUE)");
-      Put ("  --seconds S       length of the flight");
-      Put ("                    (60, or that of the sticks or the pilot)");
-      Put ("  --plant PLANT     bench or jsbsim (bench)");
-      Put ("  --sticks FILE     the pilot's sticks, CSV (neutral)");
-      Put ("  --pilot NAME      the simulated pilot flies, e.g. standard");
-      Put ("  --sensors FILE    words of the bench's sensors, CSV (neutral)");
-      Put ("  --faults FILE     what goes wrong (nothing)");
-      Put ("  --seed N          for random faults (1)");
-      Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
-      Put ("  --processors N    of the aircraft's node, 1 or 2 (1)");
-      Put ("  --record FILE     flight record, CSV");
-      Put ("  --summary FILE    result, JSON");
-      Put ("  --wire FILE       every byte on the serial link, CSV");
-      Put ("  --events FILE     the error logs of both nodes, JSON lines:");
-      Put ("                    node, kind, count, first_frame, last_frame,");
-      Put ("                    first_ms, last_ms, last_detail");
-      Put ("  --pace PACE       max or realtime (max)");
-      Put ("  --quiet           no progress, no summary");
-      Put ("");
-      Put ("exit status: 0 flown, 1 internal fault, 2 bad command line or");
-      Put ("bad input file (FILE:LINE: what is wrong)");
+      case Topic is
+         when All_Commands =>
+            Put_Commands;
+            Put_Fly;
+            Put ("");
+            Put_Items;
+            Put ("");
+            Put ("docs/urv_sim.md has it all, with examples");
+         when Of_Fly =>
+            Put_Fly;
+         when Of_Items =>
+            Put_Items;
+      end case;
    end Print;
 
 end Sim.Options.Usage;

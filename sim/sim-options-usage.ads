@@ -2,7 +2,8 @@
 
 private package Sim.Options.Usage is
 
-   --  Prints it on standard output.
-   procedure Print;
+   procedure Print
+     (To    : in out Text_Output.Writer;
+      Topic : Help_Topic);
 
 end Sim.Options.Usage;

@@ -2,6 +2,7 @@ with Ada.Command_Line; use Ada.Command_Line;
 
 with Sim.Complaints;   use Sim.Complaints;
 with Sim.Options.Usage;
+with Sim.Pilot;
 with Sim.Text_Numbers; use Sim.Text_Numbers;
 
 package body Sim.Options is
@@ -13,6 +14,9 @@ package body Sim.Options is
       Sensors_Option, Faults_Option, Seed_Option, Phase_Option,
       Processors_Option, Record_Option, Summary_Option, Wire_Option,
       Events_Option, Pace_Option, Quiet_Option);
+
+   Commands_With_Help : constant String := "fly, items";
+   All_Titles : constant String := Commands_With_Help & ", help, --version";
 
    type Option_Set is array (Option) of Boolean;
 
@@ -53,6 +57,9 @@ package body Sim.Options is
       Value : String;
       What  : String) with No_Return;
 
+   --  The options from that one on, in a list.
+   function Names_From (Which : Option) return String;
+
    --  Finds the option of that name, or refuses it.
    function Option_Of (Title : String) return Option;
 
@@ -67,7 +74,11 @@ package body Sim.Options is
      (Chosen : in out Choices;
       Given  : out Option_Set);
 
-   --  Refuses the second of two options that cannot both be given.
+   --  Takes what follows help.
+   procedure Read_Topic (Chosen : in out Choices);
+
+   --  Refuses options that do not go together, and a pilot without an
+   --  aircraft.
    procedure Check_Conflicts (Chosen : Choices; Given : Option_Set);
 
    procedure Refuse_Value
@@ -78,6 +89,11 @@ package body Sim.Options is
       Refuse (Name (Which) & ": " & Quoted (Value) & " " & What);
    end Refuse_Value;
 
+   function Names_From (Which : Option) return String is
+     (Name (Which)
+      & (if Which = Option'Last then ""
+         else ", " & Names_From (Option'Succ (Which))));
+
    function Option_Of (Title : String) return Option is
    begin
       for Which in Option loop
@@ -86,7 +102,9 @@ package body Sim.Options is
          end if;
       end loop;
       if Title'Length > 1 and then Title (Title'First) = '-' then
-         Refuse ("unknown option " & Quoted (Title));
+         Refuse
+           ("unknown option " & Quoted (Title) & "; there are "
+            & Names_From (Option'First));
       else
          Refuse ("unexpected argument " & Quoted (Title));
       end if;
@@ -201,6 +219,7 @@ package body Sim.Options is
          begin
             if Text = "--help" or else Text = "-h" then
                Chosen.Order := Help;
+               Chosen.Topic := Of_Fly;
                return;
             end if;
 
@@ -251,18 +270,38 @@ package body Sim.Options is
          Refuse
            (Name (Sensors_Option) & " and " & Name (Plant_Option)
             & " jsbsim do not go together");
+      elsif Given (Pilot_Option) then
+         if not Pilot.Exists (To_String (Chosen.Pilot)) then
+            Refuse_Value
+              (Pilot_Option, To_String (Chosen.Pilot),
+               "is not a flight the pilot knows; there are " & Pilot.Names);
+         elsif Chosen.Plant /= JSBSim_Plant then
+            Refuse
+              (Name (Pilot_Option) & " needs an aircraft to fly: add "
+               & Name (Plant_Option) & " jsbsim");
+         end if;
       end if;
    end Check_Conflicts;
 
-   function Parsed
-     (Knows_Pilot : not null access function (Flight : String) return Boolean)
-      return Choices
-   is
+   procedure Read_Topic (Chosen : in out Choices) is
+   begin
+      if Argument (2) = "fly" then
+         Chosen.Topic := Of_Fly;
+      elsif Argument (2) = "items" then
+         Chosen.Topic := Of_Items;
+      else
+         Refuse
+           ("unknown command " & Quoted (Argument (2)) & "; there are "
+            & Commands_With_Help);
+      end if;
+   end Read_Topic;
+
+   function Parsed return Choices is
       Chosen : Choices;
       Given  : Option_Set;
    begin
       if Argument_Count = 0 then
-         Refuse ("no command; ""urv_sim help"" lists them");
+         Refuse ("no command; there are " & All_Titles);
       end if;
 
       declare
@@ -272,18 +311,25 @@ package body Sim.Options is
             Chosen.Order := Help;
          elsif Title = "items" then
             Chosen.Order := Items;
+         elsif Title = "--version" then
+            Chosen.Order := Version;
          elsif Title = "fly" then
             Chosen.Order := Fly;
          else
             Refuse
-              ("unknown command " & Quoted (Title)
-               & "; ""urv_sim help"" lists them");
+              ("unknown command " & Quoted (Title) & "; there are "
+               & All_Titles);
          end if;
       end;
 
       if Chosen.Order /= Fly then
-         if Argument_Count > 1 then
-            Refuse ("unexpected argument " & Quoted (Argument (2)));
+         if Chosen.Order = Help and then Argument_Count = 2 then
+            Read_Topic (Chosen);
+         elsif Argument_Count > 1 then
+            Refuse
+              ("unexpected argument "
+               & Quoted
+                   (Argument (if Chosen.Order = Help then 3 else 2)));
          end if;
          return Chosen;
       end if;
@@ -291,13 +337,6 @@ package body Sim.Options is
       Read_Options (Chosen, Given);
       if Chosen.Order = Fly then
          Check_Conflicts (Chosen, Given);
-         if Given (Pilot_Option)
-           and then not Knows_Pilot (To_String (Chosen.Pilot))
-         then
-            Refuse_Value
-              (Pilot_Option, To_String (Chosen.Pilot),
-               "is not a flight the pilot knows");
-         end if;
       end if;
       return Chosen;
    end Parsed;
@@ -314,6 +353,8 @@ package body Sim.Options is
       return (Length + Major_Frame - 1) / Major_Frame * Major_Frame;
    end Flight_Length;
 
-   procedure Print_Usage renames Usage.Print;
+   procedure Print_Usage
+     (To    : in out Text_Output.Writer;
+      Topic : Help_Topic) renames Usage.Print;
 
 end Sim.Options;

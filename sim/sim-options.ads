@@ -6,10 +6,14 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Sim.Nodes;
 with Sim.Noise;
+with Sim.Text_Output;
 
 package Sim.Options is
 
-   type Command is (Help, Items, Fly);
+   type Command is (Help, Items, Version, Fly);
+
+   --  What help is about.
+   type Help_Topic is (All_Commands, Of_Fly, Of_Items);
 
    --  What is behind the boards.
    type Plant_Kind is (Bench_Plant, JSBSim_Plant);
@@ -35,6 +39,7 @@ package Sim.Options is
 
    type Choices is record
       Order   : Command := Help;
+      Topic   : Help_Topic := All_Commands;
       Plant   : Plant_Kind := Bench_Plant;
       Inputs  : Input_Names;
       Outputs : Output_Names;
@@ -54,9 +59,7 @@ package Sim.Options is
    end record;
 
    --  What the program was called with.
-   function Parsed
-     (Knows_Pilot : not null access function (Flight : String) return Boolean)
-      return Choices;
+   function Parsed return Choices;
 
    --  How long to fly, in whole frames: as --seconds says; else as long
    --  as the sticks or the pilot need, if that is not 0; else 60 s.
@@ -70,7 +73,10 @@ package Sim.Options is
    function Name (File : Input_File) return String;
    function Name (File : Output_File) return String;
 
-   --  Prints on standard output how the program is used.
-   procedure Print_Usage;
+   --  Prints how the program is used.
+   procedure Print_Usage
+     (To    : in out Text_Output.Writer;
+      Topic : Help_Topic)
+     with Pre => Text_Output.Is_Open (To);
 
 end Sim.Options;

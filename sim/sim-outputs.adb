@@ -34,8 +34,16 @@ package body Sim.Outputs is
      (Attempts : Attempt_List;
       Outputs  : Output_Names);
 
+   function Is_Standard_Output (Name : Unbounded_String) return Boolean is
+     (Name = Standard_Output);
+
+   function Use_Standard_Output (Outputs : Options.Output_Names)
+                                 return Boolean
+   is (for some Name of Outputs => Is_Standard_Output (Name));
+
    function Place (Name : Unbounded_String) return String is
-     (Normalize_Pathname (To_String (Name), Resolve_Links => True));
+     (if Is_Standard_Output (Name) then Standard_Output
+      else Normalize_Pathname (To_String (Name), Resolve_Links => True));
 
    function Same_File (Left, Right : Unbounded_String) return Boolean is
      (Left /= Null_Unbounded_String
@@ -57,7 +65,9 @@ package body Sim.Outputs is
    begin
       for Output in Output_File loop
          for Input in Input_File loop
-            if Same_File (Outputs (Output), Inputs (Input)) then
+            if not Is_Standard_Output (Outputs (Output))
+              and then Same_File (Outputs (Output), Inputs (Input))
+            then
                Refuse_Pair (Name (Output), Name (Input));
             end if;
          end loop;
@@ -73,6 +83,11 @@ package body Sim.Outputs is
 
    procedure Try (Name : String; Made : out Attempt) is
    begin
+      if Name = Standard_Output then
+         Made := (File => Text_Output.Screen, Existed => True);
+         return;
+      end if;
+
       --  Appending creates a file that is missing and leaves what a file
       --  holds untouched.
       Made.Existed := Ada.Directories.Exists (Name);
@@ -130,6 +145,7 @@ package body Sim.Outputs is
       --  pipes hold none, and a pipe's reader would see it close.
       for Output in Output_File loop
          if Attempts (Output).Existed
+           and then not Is_Standard_Output (Outputs (Output))
            and then Is_Regular_File (To_String (Outputs (Output)))
          then
             Close (Attempts (Output).File);
@@ -144,7 +160,9 @@ package body Sim.Outputs is
             Text_Output.Attach
               (Files (Output), Attempts (Output).File,
                Name (Output) & ": "
-               & Quoted (To_String (Outputs (Output))));
+               & (if Is_Standard_Output (Outputs (Output))
+                  then "standard output"
+                  else Quoted (To_String (Outputs (Output)))));
          end if;
       end loop;
    end Open;
@@ -155,5 +173,18 @@ package body Sim.Outputs is
          Text_Output.Close (File);
       end loop;
    end Close;
+
+   procedure Rescue (Files : in out File_Set) is
+   begin
+      for File of Files loop
+         begin
+            Text_Output.Close (File);
+         exception
+            when Bad_Input =>
+               --  The first thing that went wrong is what is told.
+               null;
+         end;
+      end loop;
+   end Rescue;
 
 end Sim.Outputs;

@@ -9,6 +9,13 @@ with Sim.Text_Output;
 
 package Sim.Outputs is
 
+   --  The name that means standard output.
+   Standard_Output : constant String := "-";
+
+   --  Whether one of the outputs is standard output.
+   function Use_Standard_Output (Outputs : Options.Output_Names)
+                                 return Boolean;
+
    --  Writers of outputs that nobody asked for stay closed.
    type File_Set is array (Options.Output_File) of Text_Output.Writer;
 
@@ -20,7 +27,11 @@ package Sim.Outputs is
       Inputs  : Options.Input_Names;
       Outputs : Options.Output_Names);
 
-   --  Raises Bad_Input when what is left to write cannot be written.
+   --  Gives up when what is left to write cannot be written.
    procedure Close (Files : in out File_Set);
+
+   --  Closes them after something has gone wrong: what was written so far
+   --  stays, as far as it can be.
+   procedure Rescue (Files : in out File_Set);
 
 end Sim.Outputs;

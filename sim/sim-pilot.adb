@@ -96,6 +96,8 @@ package body Sim.Pilot is
    function Named (Name : String) return Flight
      with Pre => Exists (Name);
 
+   function Names_From (First : Flight) return String;
+
    function Bounded (Value, Most : Long_Float) return Long_Float is
      (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
 
@@ -119,6 +121,13 @@ package body Sim.Pilot is
 
    function Exists (Name : String) return Boolean is
      (for some Known in Flight => Flights.Name (Known) = Name);
+
+   function Names_From (First : Flight) return String is
+     (Flights.Name (First)
+      & (if First = Flight'Last then ""
+         else ", " & Names_From (Flight'Succ (First))));
+
+   function Names return String is (Names_From (Flight'First));
 
    function Named (Name : String) return Flight is
    begin

@@ -25,6 +25,9 @@ package Sim.Pilot is
       Flaps_Down : Boolean    := False;   --  half flaps, by switch 8
    end record;
 
+   --  Of the flights, in a list for people.
+   function Names return String;
+
    function Exists (Name : String) return Boolean;
 
    function Length (Name : String) return Microseconds

@@ -17,7 +17,8 @@ package body Sim.Progress is
 
    Bar_Width : constant := 30;
 
-   Standard_Error : constant := 2;
+   Standard_Output : constant := 1;
+   Standard_Error  : constant := 2;
 
    Back_And_Clear : constant String :=
      ASCII.CR & ASCII.ESC & "[K";
@@ -45,11 +46,17 @@ package body Sim.Progress is
       pragma Unreferenced (Written);
    end Put;
 
-   procedure Start (Length : Microseconds; Wanted : Boolean) is
+   procedure Start
+     (Length : Microseconds;
+      Wanted : Boolean;
+      Beside : Boolean := False)
+   is
+      use Interfaces.C_Streams;
    begin
       Is_On :=
         Wanted and then Length > 0
-        and then Interfaces.C_Streams.isatty (Standard_Error) /= 0;
+        and then isatty (Standard_Error) /= 0
+        and then not (Beside and then isatty (Standard_Output) /= 0);
       Is_Drawn  := False;
       Calls     := 0;
       Whole     := Microseconds'Max (Length, 1);

@@ -4,8 +4,12 @@
 package Sim.Progress is
 
    --  Before a flight of that length. Without Wanted all calls that follow
-   --  do nothing.
-   procedure Start (Length : Microseconds; Wanted : Boolean);
+   --  do nothing. Beside: standard output has other things to show, and
+   --  there is no bar where both are a terminal.
+   procedure Start
+     (Length : Microseconds;
+      Wanted : Boolean;
+      Beside : Boolean := False);
 
    --  The flight has come so far. Costs next to nothing, so that it can be
    --  called each frame.

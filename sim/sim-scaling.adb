@@ -1,8 +1,8 @@
-with Ada.Long_Float_Text_IO; use Ada.Long_Float_Text_IO;
+with Ada.Long_Float_Text_IO;
 with Ada.Strings.Fixed;      use Ada.Strings, Ada.Strings.Fixed;
-with Ada.Text_IO;            use Ada.Text_IO;
 
-with Sim.Names; use Sim.Names;
+with Sim.Names;       use Sim.Names;
+with Sim.Text_Output; use Sim.Text_Output;
 
 package body Sim.Scaling is
 
@@ -40,7 +40,7 @@ package body Sim.Scaling is
       Text : String (1 .. 16);
       Last : Positive := Text'Last;
    begin
-      Put (Text, Value, Aft => 4, Exp => 0);
+      Ada.Long_Float_Text_IO.Put (Text, Value, Aft => 4, Exp => 0);
       while Text (Last) = '0' loop
          Last := Last - 1;
       end loop;
@@ -50,7 +50,7 @@ package body Sim.Scaling is
       return Trim (Text (1 .. Last), Left);
    end Image;
 
-   procedure Print (To : File_Type := Standard_Output) is
+   procedure Print (To : in out Text_Output.Writer) is
 
       procedure Put_Item
         (Name     : String;

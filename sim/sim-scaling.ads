@@ -6,7 +6,7 @@
 --  what rolls it right, pitches its nose up, turns its nose right or lowers
 --  a flap.
 
-with Ada.Text_IO;
+with Sim.Text_Output;
 
 package Sim.Scaling is
 
@@ -40,8 +40,8 @@ package Sim.Scaling is
    --  name,buffer,position,unit,at_0,at_4095. Positions count from 1 as in
    --  figures 4 and 13 of the report. Words without a scale (error/status,
    --  discretes) have empty last three columns.
-   procedure Print
-     (To : Ada.Text_IO.File_Type := Ada.Text_IO.Standard_Output);
+   procedure Print (To : in out Text_Output.Writer)
+     with Pre => Text_Output.Is_Open (To);
 
    --  A scale whose word 0800h is zero.
    function Centred (Measured_In : Unit; Per_Word : Long_Float)

@@ -34,6 +34,9 @@ package body Sim.Scripts is
       First  : out Positive;
       Last   : out Natural);
 
+   --  The names from that one on, a comma before each.
+   function Names_From (Which : Item) return String;
+
    --  Sets the kind of a column from its name in the header.
    procedure Find_Column
      (From  : Text_Input.Reader;
@@ -66,6 +69,10 @@ package body Sim.Scripts is
       Cursor.Next := Last + 2;
    end Next_Field;
 
+   function Names_From (Which : Item) return String is
+     (", " & Name (Which)
+      & (if Which = Item'Last then "" else Names_From (Item'Succ (Which))));
+
    procedure Find_Column
      (From  : Text_Input.Reader;
       Title : String;
@@ -85,7 +92,12 @@ package body Sim.Scripts is
             return;
          end if;
       end loop;
-      Text_Input.Refuse (From, "unknown column " & Quoted (Title));
+      Text_Input.Refuse
+        (From,
+         "unknown column " & Quoted (Title) & "; there are " & Time_Column
+         & Names_From (Item'First)
+         & (if Column_Without_Effect = "" then ""
+            else ", " & Column_Without_Effect));
    end Find_Column;
 
    procedure Read_Header

@@ -1,24 +1,16 @@
-with Ada.Long_Float_Text_IO;
-with Ada.Strings.Fixed;
-with Ada.Text_IO;
-
-with GNATCOLL.JSON; use GNATCOLL.JSON;
-
-with Sim.Names; use Sim.Names;
+with Sim.Names;        use Sim.Names;
+with Sim.Text_Numbers;
+with Sim.Text_Output;  use Sim.Text_Output;
 
 package body Sim.Summary is
 
-   procedure Put_Line (Line : String) renames Ada.Text_IO.Put_Line;
+   use type Text_Numbers.Number;
 
    --  Rounded to so many decimals.
    function Rounded
      (Value : Long_Float; Decimals : Natural) return Long_Float
    is (Long_Float'Rounding (Value * 10.0 ** Decimals)
        / 10.0 ** Decimals);
-
-   --  As decimal text, "12.5".
-   function Image (Value : Long_Float; Decimals : Positive) return String;
-   function Image (Value : Count) return String;
 
    --  Microseconds in other units, exactly or nearly so.
    function In_Milliseconds (Time : Microseconds) return Long_Float is
@@ -32,49 +24,123 @@ package body Sim.Summary is
       then In_Seconds (Flight.Flown) / Long_Float (Flight.Elapsed)
       else 0.0);
 
-   --  A whole number without decimals, any other one with them.
-   function To_JSON (Value : Long_Float) return JSON_Value;
-   function To_JSON (Value : Count) return JSON_Value is
-     (Create (Integer (Value)));
+   --  A JSON object is written field by field: its first character, then
+   --  fields, then its last. Names are plain and need no escapes.
+   type Depth_Range is range 1 .. 3;
+   type Object is record
+      Depth : Depth_Range;
+      Any   : Boolean := False;
+   end record;
 
-   function Link_Object (Link : Link_Counts) return JSON_Value;
-   function Latency_Object
-     (Measured : Latency.Statistics) return JSON_Value;
-   function Event_Object (Further : Result) return JSON_Value;
-   function Status_Object
-     (Further : Result; Where : Node) return JSON_Value;
-   function Quality_Object (Further : Result) return JSON_Value;
+   Indent : constant String := "  ";
 
-   function Image (Value : Long_Float; Decimals : Positive) return String is
-      Text : String (1 .. 40);
+   Unknown_Value : constant String := "null";
+
+   Usual_Remark  : constant String :=
+     "  (at every start, until the first message)";
+
+   procedure Begin_Field
+     (To : in out Writer; Within : in out Object; Name : String);
+
+   --  Closes the braces, and ends the line of the outermost.
+   procedure End_Object (To : in out Writer; Ended : Object);
+
+   --  A value as people write it: no exponent, no zeros at its end.
+   procedure Put_Value (To : in out Writer; Value : Long_Float);
+
+   procedure Put_Field
+     (To     : in out Writer;
+      Within : in out Object;
+      Name   : String;
+      Value  : Count);
+   procedure Put_Field
+     (To     : in out Writer;
+      Within : in out Object;
+      Name   : String;
+      Value  : Long_Float);
+
+   procedure Put_Link (To : in out Writer; Link : Link_Counts);
+   procedure Put_Latency
+     (To : in out Writer; Measured : Latency.Statistics);
+   procedure Put_Events (To : in out Writer; Further : Result);
+   procedure Put_Status
+     (To : in out Writer; Further : Result; Where : Node);
+   procedure Put_Quality (To : in out Writer; Further : Result);
+
+   procedure Begin_Field
+     (To : in out Writer; Within : in out Object; Name : String) is
    begin
-      Ada.Long_Float_Text_IO.Put
-        (Text, Rounded (Value, Decimals), Aft => Decimals, Exp => 0);
-      return Ada.Strings.Fixed.Trim (Text, Ada.Strings.Left);
-   end Image;
-
-   function Image (Value : Count) return String is
-     (Ada.Strings.Fixed.Trim (Value'Image, Ada.Strings.Left));
-
-   function To_JSON (Value : Long_Float) return JSON_Value is
-      Whole_Up_To : constant := 2.0 ** 52;
-   begin
-      if abs Value < Whole_Up_To
-        and then Value = Long_Float'Rounding (Value)
-      then
-         return Create (Long_Long_Integer (Value));
-      else
-         return Create (Value);
+      if Within.Any then
+         Put (To, ',');
       end if;
-   end To_JSON;
+      New_Line (To);
+      for Level in 1 .. Within.Depth loop
+         Put (To, Indent);
+      end loop;
+      Put (To, '"' & Name & """: ");
+      Within.Any := True;
+   end Begin_Field;
+
+   procedure End_Object (To : in out Writer; Ended : Object) is
+   begin
+      if Ended.Any then
+         New_Line (To);
+         for Level in 2 .. Ended.Depth loop
+            Put (To, Indent);
+         end loop;
+      end if;
+      Put (To, '}');
+   end End_Object;
+
+   procedure Put_Value (To : in out Writer; Value : Long_Float) is
+      use Text_Numbers;
+
+      Unit  : Number := 10 ** Most_Decimals;
+      Whole : constant Number := Number (abs Value * Long_Float (Unit));
+      Rest  : Number := Whole mod Unit;
+   begin
+      if Value < 0.0 and then Whole > 0 then
+         Put (To, '-');
+      end if;
+      Put (To, Whole / Unit);
+      if Rest /= 0 then
+         Put (To, '.');
+         while Rest /= 0 loop
+            Unit := Unit / 10;
+            Put (To, Rest / Unit);
+            Rest := Rest mod Unit;
+         end loop;
+      end if;
+   end Put_Value;
+
+   procedure Put_Field
+     (To     : in out Writer;
+      Within : in out Object;
+      Name   : String;
+      Value  : Count) is
+   begin
+      Begin_Field (To, Within, Name);
+      Put (To, Text_Numbers.Number (Value));
+   end Put_Field;
+
+   procedure Put_Field
+     (To     : in out Writer;
+      Within : in out Object;
+      Name   : String;
+      Value  : Long_Float) is
+   begin
+      Begin_Field (To, Within, Name);
+      Put_Value (To, Value);
+   end Put_Field;
 
    procedure Add_Event
      (To        : in out Result;
       Kind      : String;
-      How_Often : Count) is
+      How_Often : Count;
+      Is_Usual  : Boolean) is
    begin
       To.Events.Append
-        (Event'(Texts.To_Unbounded_String (Kind), How_Often));
+        (Event'(Texts.To_Unbounded_String (Kind), How_Often, Is_Usual));
    end Add_Event;
 
    procedure Add_Status
@@ -119,108 +185,151 @@ package body Sim.Summary is
           Fact   => Value));
    end Add_Quality;
 
-   function Link_Object (Link : Link_Counts) return JSON_Value is
-      Made : constant JSON_Value := Create_Object;
+   procedure Put_Link (To : in out Writer; Link : Link_Counts) is
+      Made : Object := (Depth => 2, others => <>);
    begin
+      Put (To, '{');
       for Item in Link_Item loop
-         Made.Set_Field (Name (Item), To_JSON (Link (Item)));
+         Put_Field (To, Made, Name (Item), Link (Item));
       end loop;
-      return Made;
-   end Link_Object;
+      End_Object (To, Made);
+   end Put_Link;
 
-   function Latency_Object
-     (Measured : Latency.Statistics) return JSON_Value
+   procedure Put_Latency
+     (To : in out Writer; Measured : Latency.Statistics)
    is
-      Made : constant JSON_Value := Create_Object;
+      Made : Object := (Depth => 2, others => <>);
 
       --  The names stay when there is nothing to say.
-      function Value (Time : Microseconds) return JSON_Value is
-        (if Measured.Measured > 0
-         then To_JSON (In_Milliseconds (Time))
-         else JSON_Null);
-   begin
-      Made.Set_Field ("min", Value (Measured.Minimum));
-      Made.Set_Field ("median", Value (Measured.Median));
-      Made.Set_Field ("p99", Value (Measured.P99));
-      Made.Set_Field ("max", Value (Measured.Maximum));
-      Made.Set_Field ("measured", To_JSON (Measured.Measured));
-      Made.Set_Field ("overtaken", To_JSON (Measured.Overtaken));
-      Made.Set_Field ("expired", To_JSON (Measured.Expired));
-      return Made;
-   end Latency_Object;
+      procedure Put_Time (Name : String; Time : Microseconds);
 
-   function Event_Object (Further : Result) return JSON_Value is
-      Made : constant JSON_Value := Create_Object;
+      procedure Put_Time (Name : String; Time : Microseconds) is
+      begin
+         Begin_Field (To, Made, Name);
+         if Measured.Measured > 0 then
+            Put_Value (To, In_Milliseconds (Time));
+         else
+            Put (To, Unknown_Value);
+         end if;
+      end Put_Time;
    begin
+      Put (To, '{');
+      Put_Time ("min", Measured.Minimum);
+      Put_Time ("median", Measured.Median);
+      Put_Time ("p99", Measured.P99);
+      Put_Time ("max", Measured.Maximum);
+      Put_Field (To, Made, "measured", Measured.Measured);
+      Put_Field (To, Made, "overtaken", Measured.Overtaken);
+      Put_Field (To, Made, "expired", Measured.Expired);
+      End_Object (To, Made);
+   end Put_Latency;
+
+   procedure Put_Events (To : in out Writer; Further : Result) is
+      Made : Object := (Depth => 2, others => <>);
+   begin
+      Put (To, '{');
       for Each of Further.Events loop
-         Made.Set_Field
-           (Texts.To_String (Each.Kind), To_JSON (Each.How_Often));
+         Put_Field (To, Made, Texts.To_String (Each.Kind), Each.How_Often);
       end loop;
-      return Made;
-   end Event_Object;
+      End_Object (To, Made);
+   end Put_Events;
 
-   function Status_Object
-     (Further : Result; Where : Node) return JSON_Value
+   procedure Put_Status
+     (To : in out Writer; Further : Result; Where : Node)
    is
-      Made : constant JSON_Value := Create_Object;
+      Made : Object := (Depth => 3, others => <>);
    begin
+      Put (To, '{');
       for Each of Further.Statuses loop
          if Each.Where = Where then
-            Made.Set_Field
-              (Texts.To_String (Each.Name), To_JSON (Count (Each.Value)));
+            Put_Field
+              (To, Made, Texts.To_String (Each.Name), Count (Each.Value));
          end if;
       end loop;
-      return Made;
-   end Status_Object;
+      End_Object (To, Made);
+   end Put_Status;
 
-   function Quality_Object (Further : Result) return JSON_Value is
-      Made : constant JSON_Value := Create_Object;
+   procedure Put_Quality (To : in out Writer; Further : Result) is
+      Made : Object := (Depth => 2, others => <>);
    begin
+      Put (To, '{');
       for Each of Further.Qualities loop
-         Made.Set_Field
-           (Texts.To_String (Each.Name),
-            (case Each.Kind is
-                when A_Number => To_JSON (Each.Number),
-                when A_Fact   => Create (Each.Fact),
-                when Unknown  => JSON_Null));
+         Begin_Field (To, Made, Texts.To_String (Each.Name));
+         case Each.Kind is
+            when A_Number => Put_Value (To, Each.Number);
+            when A_Fact   =>
+               Put (To, (if Each.Fact then "true" else "false"));
+            when Unknown  => Put (To, Unknown_Value);
+         end case;
       end loop;
-      return Made;
-   end Quality_Object;
+      End_Object (To, Made);
+   end Put_Quality;
 
    procedure Write
      (To      : in out Text_Output.Writer;
       Flight  : Figures;
       Further : Result)
    is
-      Made   : constant JSON_Value := Create_Object;
-      Status : constant JSON_Value := Create_Object;
+      Made   : Object := (Depth => 1, others => <>);
+      Status : Object := (Depth => 2, others => <>);
    begin
-      for Where in Node loop
-         Status.Set_Field (Name (Where), Status_Object (Further, Where));
-      end loop;
+      Put (To, '{');
+      Put_Field (To, Made, "seconds", In_Seconds (Flight.Flown));
+      Put_Field (To, Made, "frames", Flight.Frames);
+      Put_Field (To, Made, "speed", Rounded (Speed (Flight), 1));
+      Begin_Field (To, Made, "link");
+      Put_Link (To, Flight.Link);
+      Put_Field (To, Made, "overruns", Flight.Overruns);
+      Begin_Field (To, Made, "latency_ms");
+      Put_Latency (To, Flight.Latency);
+      Begin_Field (To, Made, "events");
+      Put_Events (To, Further);
 
-      Made.Set_Field ("seconds", To_JSON (In_Seconds (Flight.Flown)));
-      Made.Set_Field ("frames", To_JSON (Flight.Frames));
-      Made.Set_Field ("speed", To_JSON (Rounded (Speed (Flight), 1)));
-      Made.Set_Field ("link", Link_Object (Flight.Link));
-      Made.Set_Field ("overruns", To_JSON (Flight.Overruns));
-      Made.Set_Field ("latency_ms", Latency_Object (Flight.Latency));
-      Made.Set_Field ("events", Event_Object (Further));
-      Made.Set_Field ("core_status", Status);
+      Begin_Field (To, Made, "core_status");
+      Put (To, '{');
+      for Where in Node loop
+         Begin_Field (To, Status, Name (Where));
+         Put_Status (To, Further, Where);
+      end loop;
+      End_Object (To, Status);
+
       if not Further.Qualities.Is_Empty then
-         Made.Set_Field ("flight_quality", Quality_Object (Further));
+         Begin_Field (To, Made, "flight_quality");
+         Put_Quality (To, Further);
       end if;
-      Text_Output.Put (To, Write (Made, Compact => False));
-      Text_Output.New_Line (To);
+      End_Object (To, Made);
+      New_Line (To);
    end Write;
 
-   procedure Print (Flight : Figures; Further : Result) is
+   procedure Print
+     (To      : in out Text_Output.Writer;
+      Flight  : Figures;
+      Further : Result)
+   is
       Link    : Link_Counts renames Flight.Link;
       Latency : Sim.Latency.Statistics renames Flight.Latency;
+
+      procedure Put_Line (Line : String);
+
+      --  With so many decimals.
+      procedure Put (Value : Long_Float; Decimals : Positive);
 
       procedure Put_Way
         (Title                         : String;
          Sent, Received, Bad, Scrapped : Link_Item);
+
+      procedure Put_Line (Line : String) is
+      begin
+         Put_Line (To, Line);
+      end Put_Line;
+
+      procedure Put (Value : Long_Float; Decimals : Positive) is
+      begin
+         Put (To, Value, Decimals);
+      end Put;
+
+      function Image (Value : Count) return String is
+        (Text_Numbers.Image (Long_Long_Integer (Value)));
 
       procedure Put_Way
         (Title                         : String;
@@ -233,13 +342,12 @@ package body Sim.Summary is
             & Image (Link (Scrapped)) & " scrapped");
       end Put_Way;
 
-      function Shown (Time : Microseconds) return String is
-        (Image (In_Milliseconds (Time), 3));
    begin
-      Put_Line
-        ("flown     " & Image (In_Seconds (Flight.Flown), 2) & " s, "
-         & Image (Flight.Frames) & " frames, at "
-         & Image (Speed (Flight), 1) & " times real time");
+      Put (To, "flown     ");
+      Put (In_Seconds (Flight.Flown), 2);
+      Put (To, " s, " & Image (Flight.Frames) & " frames, at ");
+      Put (Speed (Flight), 1);
+      Put_Line (" times real time");
       Put_Way
         ("uplink    ", Uplink_Sent, Uplink_Received,
          Uplink_Bad, Uplink_Scrapped);
@@ -254,12 +362,16 @@ package body Sim.Summary is
       if Latency.Measured = 0 then
          Put_Line ("latency   not measured, no change reached the aircraft");
       else
+         Put (To, "latency   ");
+         Put (In_Milliseconds (Latency.Minimum), 3);
+         Put (To, " ms at least, ");
+         Put (In_Milliseconds (Latency.Median), 3);
+         Put (To, " median, ");
+         Put (In_Milliseconds (Latency.P99), 3);
+         Put (To, " p99, ");
+         Put (In_Milliseconds (Latency.Maximum), 3);
          Put_Line
-           ("latency   " & Shown (Latency.Minimum) & " ms at least, "
-            & Shown (Latency.Median) & " median, "
-            & Shown (Latency.P99) & " p99, "
-            & Shown (Latency.Maximum) & " at most, of "
-            & Image (Latency.Measured) & " changes");
+           (" at most, of " & Image (Latency.Measured) & " changes");
       end if;
 
       if not Further.Events.Is_Empty then
@@ -267,19 +379,24 @@ package body Sim.Summary is
          for Each of Further.Events loop
             Put_Line
               ("  " & Texts.To_String (Each.Kind) & " "
-               & Image (Each.How_Often));
+               & Image (Each.How_Often)
+               & (if Each.Is_Usual then Usual_Remark else ""));
          end loop;
       end if;
 
       if not Further.Qualities.Is_Empty then
          Put_Line ("quality of the flight");
          for Each of Further.Qualities loop
-            Put_Line
-              ("  " & Texts.To_String (Each.Name) & " "
-               & (case Each.Kind is
-                     when A_Number => Image (Each.Number, 3),
-                     when A_Fact   => (if Each.Fact then "yes" else "no"),
-                     when Unknown  => "unknown"));
+            Put (To, "  " & Texts.To_String (Each.Name) & " ");
+            case Each.Kind is
+               when A_Number =>
+                  Put (Each.Number, 3);
+                  New_Line (To);
+               when A_Fact   =>
+                  Put_Line (if Each.Fact then "yes" else "no");
+               when Unknown  =>
+                  Put_Line ("unknown");
+            end case;
          end loop;
       end if;
    end Print;

@@ -25,11 +25,13 @@ package Sim.Summary is
    type Result is limited private;
 
    --  What went on in the flight, by kind. Kinds appear in the order in
-   --  which they were added.
+   --  which they were added. Of one that every start gives people are told
+   --  that it is usual.
    procedure Add_Event
      (To        : in out Result;
       Kind      : String;
-      How_Often : Count);
+      How_Often : Count;
+      Is_Usual  : Boolean);
 
    --  A word of CORE's status at the end of the flight. The words of a node
    --  are added one after the other.
@@ -58,8 +60,12 @@ package Sim.Summary is
       Further : Result)
      with Pre => Text_Output.Is_Open (To);
 
-   --  Prints the short text on standard output.
-   procedure Print (Flight : Figures; Further : Result);
+   --  Prints the short text.
+   procedure Print
+     (To      : in out Text_Output.Writer;
+      Flight  : Figures;
+      Further : Result)
+     with Pre => Text_Output.Is_Open (To);
 
 private
 
@@ -68,6 +74,7 @@ private
    type Event is record
       Kind      : Texts.Unbounded_String;
       How_Often : Count;
+      Is_Usual  : Boolean;
    end record;
 
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);

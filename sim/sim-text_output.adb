@@ -17,7 +17,7 @@ package body Sim.Text_Output is
 
    procedure Refuse (To : Writer) is
    begin
-      Complaints.Refuse
+      Complaints.Give_Up
         (To_String (To.Title) & " cannot be written: "
          & GNAT.OS_Lib.Errno_Message);
    end Refuse;
@@ -49,6 +49,30 @@ package body Sim.Text_Output is
       To.Title := To_Unbounded_String (Title);
       To.Last  := 0;
    end Attach;
+
+   function Screen (Is_Error : Boolean := False)
+                    return GNAT.OS_Lib.File_Descriptor
+   is
+      use GNAT.OS_Lib;
+
+      function Duplicate (File : File_Descriptor) return File_Descriptor
+        with Import, Convention => C, External_Name => "dup";
+   begin
+      return Duplicate (if Is_Error then Standerr else Standout);
+   end Screen;
+
+   procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
+   is
+      Title : constant String :=
+        (if Is_Error then "standard error" else "standard output");
+      File  : constant GNAT.OS_Lib.File_Descriptor := Screen (Is_Error);
+   begin
+      if File = GNAT.OS_Lib.Invalid_FD then
+         To.Title := To_Unbounded_String (Title);
+         Refuse (To);
+      end if;
+      Attach (To, File, Title);
+   end Attach_Screen;
 
    procedure Put (To : in out Writer; Char : Character) is
    begin
@@ -104,6 +128,40 @@ package body Sim.Text_Output is
    begin
       Put (To, ASCII.LF);
    end New_Line;
+
+   procedure Put_Line (To : in out Writer; Text : String) is
+   begin
+      Put (To, Text);
+      New_Line (To);
+   end Put_Line;
+
+   procedure Put
+     (To       : in out Writer;
+      Value    : Long_Float;
+      Decimals : Positive)
+   is
+      Largest : constant := 1.0E12;
+      Units   : constant Text_Numbers.Number := 10 ** Decimals;
+      Rounded : Text_Numbers.Number;
+      Unit    : Text_Numbers.Number := Units;
+   begin
+      --  Written so that what is not a number is not inside either.
+      if not (abs Value <= Largest) then
+         Put (To, "nan");
+         return;
+      end if;
+
+      Rounded := Text_Numbers.Number (abs Value * Long_Float (Units));
+      if Value < 0.0 and then Rounded > 0 then
+         Put (To, '-');
+      end if;
+      Put (To, Rounded / Units);
+      Put (To, '.');
+      for Place in 1 .. Decimals loop
+         Unit := Unit / 10;
+         Put (To, Rounded / Unit mod 10);
+      end loop;
+   end Put;
 
    procedure Close (To : in out Writer) is
       File   : constant GNAT.OS_Lib.File_Descriptor := To.File;

@@ -14,6 +14,8 @@ package Sim.Text_Output is
 
    type Writer is limited private;
 
+   Most_Decimals : constant := 6;
+
    function Is_Open (To : Writer) return Boolean with Inline;
 
    --  Takes over a file that is open for writing. The title says in a
@@ -24,7 +26,15 @@ package Sim.Text_Output is
       Title : String)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Each raises Bad_Input when the file cannot be written.
+   --  Another descriptor of the program's standard output or standard
+   --  error, so that closing it leaves the program's.
+   function Screen (Is_Error : Boolean := False)
+                    return GNAT.OS_Lib.File_Descriptor;
+
+   procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
+     with Pre => not Is_Open (To), Post => Is_Open (To);
+
+   --  Each gives up (Sim.Complaints) when the file cannot be written.
    procedure Put (To : in out Writer; Char : Character)
      with Inline, Pre => Is_Open (To);
    procedure Put (To : in out Writer; Text : String)
@@ -33,6 +43,17 @@ package Sim.Text_Output is
      with Pre => Is_Open (To);
    procedure New_Line (To : in out Writer)
      with Inline, Pre => Is_Open (To);
+
+   --  The text, then the end of the line.
+   procedure Put_Line (To : in out Writer; Text : String)
+     with Pre => Is_Open (To);
+
+   --  A number with so many decimals, rounded; "nan" for what is none.
+   procedure Put
+     (To       : in out Writer;
+      Value    : Long_Float;
+      Decimals : Positive)
+     with Pre => Is_Open (To) and then Decimals <= Most_Decimals;
 
    --  Writes what is left and closes the file.
    procedure Close (To : in out Writer)

@@ -6,6 +6,9 @@ with URV.Buffers; use URV.Buffers;
 
 package Sim is
 
+   --  Of the program, as in alire.toml.
+   Version : constant String := "0.1.0-dev";
+
    --  Virtual time since the ground node was switched on.
    type Microseconds is range 0 .. 2 ** 62 - 1;
 

@@ -1,50 +1,97 @@
 --  The deterministic twin: both nodes, both telemetry boards, the serial
 --  link, boards and aircraft in one process in virtual time.
 --
---  Exit status: 0 flown, 1 an internal fault of the simulation, 2 a bad
---  command line or input file.
+--  Exit status: 0 flown, 1 an output cannot be written or an internal fault,
+--  2 a bad command line or input file, 130 interrupted.
 
-with Ada.Command_Line;
-with Ada.Exceptions;
+with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Exceptions;   use Ada.Exceptions;
 with Ada.Text_IO;
 
-with Sim;
+with Sim;             use Sim;
 with Sim.Complaints;
 with Sim.Flight;
+with Sim.JSBSim;
 with Sim.Nodes;
 with Sim.Options;
-with Sim.Pilot;
 with Sim.Scaling;
+with Sim.Signals;
+with Sim.Text_Numbers;
+with Sim.Text_Output;
 
 procedure Urv_Sim is
 
-   function Knows_Pilot (Flight : String) return Boolean is
-     (Sim.Pilot.Exists (Flight));
+   Failure     : constant := 1;
+   Interrupted : constant := 130;
+
+   procedure Complain (What : String);
+
+   --  Seconds with two decimals, as frames are long.
+   function Seconds (Time : Microseconds) return String;
+
+   procedure Fly (Chosen : Options.Choices);
+
+   procedure Complain (What : String) is
+   begin
+      Ada.Text_IO.Put_Line
+        (Ada.Text_IO.Standard_Error, "urv_sim: " & What);
+   end Complain;
+
+   function Seconds (Time : Microseconds) return String is
+      function Image (Value : Microseconds) return String is
+        (Text_Numbers.Image (Long_Long_Integer (Value)));
+
+      Hundredths : constant Microseconds := Time / 10_000;
+   begin
+      return
+        Image (Hundredths / 100) & '.' & Image (Hundredths / 10 mod 10)
+        & Image (Hundredths mod 10);
+   end Seconds;
+
+   procedure Fly (Chosen : Options.Choices) is
+      Flown : Microseconds;
+   begin
+      Flight.Fly (Chosen, Flown);
+      if Nodes.Has_Failed then
+         Set_Exit_Status (Failure);
+      elsif Signals.Interrupted then
+         Complain ("interrupted at " & Seconds (Flown) & " s");
+         Set_Exit_Status (Interrupted);
+      end if;
+   end Fly;
 
 begin
+   Signals.Ignore_Broken_Pipes;
    declare
-      Chosen : constant Sim.Options.Choices :=
-        Sim.Options.Parsed (Knows_Pilot'Access);
+      Chosen : constant Options.Choices := Options.Parsed;
+      Screen : Text_Output.Writer;
    begin
       case Chosen.Order is
-         when Sim.Options.Help  => Sim.Options.Print_Usage;
-         when Sim.Options.Items => Sim.Scaling.Print;
-         when Sim.Options.Fly   => Sim.Flight.Fly (Chosen);
-            if Sim.Nodes.Has_Failed then
-               Ada.Command_Line.Set_Exit_Status (1);
-            end if;
+         when Options.Fly     =>
+            Fly (Chosen);
+         when Options.Help    =>
+            Text_Output.Attach_Screen (Screen);
+            Options.Print_Usage (Screen, Chosen.Topic);
+         when Options.Items   =>
+            Text_Output.Attach_Screen (Screen);
+            Scaling.Print (Screen);
+         when Options.Version =>
+            Text_Output.Attach_Screen (Screen);
+            Text_Output.Put_Line (Screen, "urv_sim " & Sim.Version);
       end case;
+      Text_Output.Close (Screen);
    end;
 
 exception
-   when Error : Sim.Bad_Input =>
-      Sim.Complaints.Print (Error);
-      Ada.Command_Line.Set_Exit_Status (2);
+   when Error : Bad_Input =>
+      Complaints.Print (Error);
+      Set_Exit_Status (Exit_Status (Complaints.Exit_Status));
+
+   when Error : JSBSim.Plant_Failure =>
+      Complain ("--plant jsbsim: " & Exception_Message (Error));
+      Set_Exit_Status (Failure);
 
    when Error : others =>
-      Ada.Text_IO.Put_Line
-        (Ada.Text_IO.Standard_Error,
-         "urv_sim: internal fault: "
-         & Ada.Exceptions.Exception_Information (Error));
-      Ada.Command_Line.Set_Exit_Status (1);
+      Complain ("internal fault: " & Exception_Information (Error));
+      Set_Exit_Status (Failure);
 end Urv_Sim;

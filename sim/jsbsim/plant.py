@@ -319,9 +319,10 @@ def serve(link):
 
 
 def main():
-    # An interrupt from the keyboard is the other side's affair: this
-    # program ends when the connection does.
+    # An interrupt from the keyboard, or a request to end that goes to both,
+    # is the other side's affair: this program ends when the connection does.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
     # Standard output belongs to the simulation's own report.
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     with socket.socket(fileno=int(sys.argv[1])) as link:

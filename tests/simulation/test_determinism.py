@@ -19,7 +19,7 @@ COMMAND_LINES = {
                "--faults", "faults.txt"),
     "phase and seed": ("--phase", "8", "--seed", "99",
                        "--faults", "faults.txt"),
-    "pilot": ("--pilot", "standard"),
+    "processors": ("--sticks", "sticks.csv", "--processors", "2"),
 }
 
 

@@ -1,0 +1,64 @@
+with Interfaces.C; use Interfaces.C;
+with System;       use System;
+with System.Storage_Elements;
+
+package body Sim.Signals is
+
+   Keyboard_Interrupt : constant int := 2;
+   Broken_Pipe        : constant int := 13;
+   Request_To_End     : constant int := 15;
+
+   Default : constant Address := Null_Address;
+   Ignored : constant Address := Storage_Elements.To_Address (1);
+
+   type Times is range 0 .. 2;
+
+   Came : array (Keyboard_Interrupt .. Request_To_End) of Times :=
+     (others => 0) with Volatile_Components;
+
+   --  Gives back what was set before. A read or write that is under way
+   --  goes on after the signal.
+   function Set (Signal : int; To : Address) return Address
+     with Import, Convention => C, External_Name => "signal";
+
+   procedure Remember (Signal : int) with Convention => C;
+
+   procedure Watch (Signal : int);
+
+   function Interrupted return Boolean is
+     (Came (Keyboard_Interrupt) > 0 or else Came (Request_To_End) > 0);
+
+   procedure Remember (Signal : int) is
+      Before : Address;
+      pragma Unreferenced (Before);
+   begin
+      if Came (Signal) = 0 then
+         Came (Signal) := 1;
+      else
+         Came (Signal) := 2;
+         Before := Set (Signal, Default);
+      end if;
+   end Remember;
+
+   procedure Watch (Signal : int) is
+      Before : Address := Set (Signal, Remember'Address);
+   begin
+      if Before = Ignored then
+         Before := Set (Signal, Ignored);
+      end if;
+   end Watch;
+
+   procedure Watch is
+   begin
+      Watch (Keyboard_Interrupt);
+      Watch (Request_To_End);
+   end Watch;
+
+   procedure Ignore_Broken_Pipes is
+      Before : constant Address := Set (Broken_Pipe, Ignored);
+      pragma Unreferenced (Before);
+   begin
+      null;
+   end Ignore_Broken_Pipes;
+
+end Sim.Signals;

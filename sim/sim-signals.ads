@@ -1,0 +1,20 @@
+--  What the system tells the program in the middle of its work: that the
+--  user wants it to end, and that nobody reads what it writes.
+
+package Sim.Signals is
+
+   --  From now on a write to a pipe that nobody reads fails like any other,
+   --  instead of ending the program without a word.
+   procedure Ignore_Broken_Pipes;
+
+   --  From now on an interrupt from the keyboard, or a request to end
+   --  (SIGINT, SIGTERM), is only remembered. The third of a kind ends the
+   --  program at once, for a user who will not wait; not the second, for
+   --  some programs send each twice. One that the program was started to
+   --  ignore stays ignored.
+   procedure Watch;
+
+   --  Whether one has come.
+   function Interrupted return Boolean with Inline;
+
+end Sim.Signals;

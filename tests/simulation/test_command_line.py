@@ -1,0 +1,398 @@
+"""SIM-1: what urv_sim says, where its outputs go, and how it ends: flown,
+interrupted, or with nowhere left to write."""
+
+import json
+import os
+import pty
+import re
+import resource
+import select
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+
+import pytest
+from conftest import COMMANDS, PROGRAM, ROOT, TIME_LIMIT_S, fly_in, run_program
+from test_flight import has_jsbsim
+from test_input import ALL_OUTPUTS, OPTIONS
+
+OUTPUT_OPTIONS = ALL_OUTPUTS[::2]
+FILE_OF = dict(zip(ALL_OUTPUTS[::2], ALL_OUTPUTS[1::2], strict=True))
+
+NO_SPACE = "No space left on device"
+BROKEN_PIPE = "Broken pipe"
+
+needs_jsbsim = pytest.mark.skipif(
+    not has_jsbsim(), reason="JSBSim is not installed: make fly installs it")
+needs_full_device = pytest.mark.skipif(
+    not os.path.exists("/dev/full"), reason="no /dev/full")
+
+
+def without_speed(summary):
+    return {name: value for name, value in summary.items() if name != "speed"}
+
+
+# --- help and version ------------------------------------------------------
+
+def test_version_is_that_of_alire_toml(urv_sim):
+    crate = tomllib.loads((ROOT / "alire.toml").read_text(encoding="utf-8"))
+    result = urv_sim("--version")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout == f"urv_sim {crate['version']}\n"
+
+
+def test_help_is_given_whole_or_of_one_command(urv_sim):
+    said = {words: urv_sim(*words.split()) for words in (
+        "help", "--help", "-h", "help fly", "help items", "fly --help",
+        "fly --seconds 5 -h")}
+    for result in said.values():
+        assert (result.returncode, result.stderr) == (0, "")
+    text = {words: result.stdout for words, result in said.items()}
+    assert text["help"] == text["--help"] == text["-h"]
+    assert text["help fly"] == text["fly --help"] == text["fly --seconds 5 -h"]
+    for part in ("help fly", "help items"):
+        assert text[part] in text["help"] and text[part] != text["help"]
+    for option in OPTIONS:
+        assert re.search(rf"^  {option}\b", text["help fly"], re.M), option
+    assert "--seconds" not in text["help items"]
+
+
+# --- outputs to standard output --------------------------------------------
+
+@pytest.mark.parametrize("option", OUTPUT_OPTIONS)
+def test_an_output_to_standard_output_is_that_of_the_file(
+        tmp_path, urv_sim, option):
+    flight = fly_in(tmp_path, "--seconds", "1")
+    result = urv_sim("fly", "--seconds", "1", option, "-")
+    assert result.returncode == 0
+    if option == "--summary":
+        assert without_speed(json.loads(result.stdout)) == \
+            without_speed(flight.summary)
+    else:
+        assert result.stdout == flight.path(FILE_OF[option]).read_text()
+    # The summary for people goes elsewhere.
+    assert result.stderr.startswith("flown     1.00 s, 50 frames, ")
+    assert not (tmp_path / "-").exists()
+
+    quiet = urv_sim("fly", "--seconds", "1", option, "-", "--quiet")
+    assert (quiet.returncode, quiet.stderr) == (0, "")
+
+
+def test_only_one_output_goes_to_standard_output(urv_sim):
+    result = urv_sim("fly", "--record", "-", "--wire=-")
+    assert (result.returncode, result.stdout) == (2, "")
+    assert result.stderr == \
+        "urv_sim: --wire and --record name the same file\n"
+
+
+def test_a_file_may_have_the_name_of_standard_output(urv_sim, tmp_path):
+    result = urv_sim("fly", "--seconds", "1", "--record", "./-", "--wire", "-")
+    assert result.returncode == 0
+    assert (tmp_path / "-").read_text().startswith("frame,time_ms,")
+    assert result.stdout.startswith("time_us,direction,byte\n")
+
+
+def test_numbers_of_the_summary_are_as_people_write_them(fly, write):
+    write("sticks.csv", "time_ms,roll\n100.192,1\n300.2,2\n")
+    flight = fly("--sticks", "sticks.csv", "--seconds", "1")
+    text = flight.path("summary.json").read_text()
+    # The console is sampled 20 ms apart: latencies are not round.
+    assert '"min": 69.8,' in text and '"max": 69.808,' in text
+    assert '"seconds": 1,' in text
+    numbers = re.findall(r'": ([-+.\deE]+),?$', text, re.M)
+    assert len(numbers) > 40
+    for number in numbers:
+        assert re.fullmatch(r"-?(0|[1-9]\d*)(\.\d*[1-9])?", number), number
+
+
+# --- events of a clean start -----------------------------------------------
+
+USUAL = "  (at every start, until the first message)"
+
+
+def events_on_screen(result):
+    lines = result.stdout.splitlines()
+    assert "events" in lines
+    return [line for line in lines[lines.index("events") + 1:]
+            if line.startswith("  ")]
+
+
+@pytest.mark.parametrize("phase", range(10))
+def test_what_every_start_gives_is_explained(fly, phase):
+    flight = fly("--seconds", "2", "--phase", phase)
+    events = events_on_screen(flight)
+    assert len(events) == len(flight.summary["events"]) > 0
+    for event in events:
+        assert event.endswith(USUAL), event
+
+
+def test_what_a_fault_gives_is_not_explained_away(fly, write):
+    # The first messages do not come when every start has them.
+    write("faults.txt", "0 cut 100\n")
+    flight = fly("--seconds", "2", "--faults", "faults.txt")
+    counts = flight.summary["events"]
+    for node in ("gsc", "mcs"):
+        assert counts[f"{node}.no_input"] > 3
+        assert f"  {node}.no_input {counts[f'{node}.no_input']}" in \
+            events_on_screen(flight)
+    assert USUAL not in flight.stdout
+
+
+# --- progress --------------------------------------------------------------
+
+# A bar appears after a second.
+LONG_ENOUGH = ("fly", "--pace", "realtime", "--seconds", "1.6")
+BAR = "[#"
+
+
+def on_terminal(folder, *arguments, output_too=False):
+    """What the program shows on a terminal as its standard error."""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(
+            [PROGRAM, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+            stdout=theirs if output_too else subprocess.DEVNULL,
+            stderr=theirs) as process:
+        os.close(theirs)
+        shown = b""
+        end = time.monotonic() + TIME_LIMIT_S
+        while time.monotonic() < end:
+            if not select.select([ours], [], [], 1)[0]:
+                continue
+            try:
+                shown += os.read(ours, 4096)
+            except OSError:
+                # All of the other end is closed.
+                break
+        os.close(ours)
+        assert process.wait(TIME_LIMIT_S) == 0
+    return shown.decode()
+
+
+def test_a_long_flight_shows_a_bar_on_a_terminal_only(urv_sim, tmp_path):
+    assert BAR in on_terminal(tmp_path, *LONG_ENOUGH)
+    result = urv_sim(*LONG_ENOUGH)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith("flown     1.60 s, 80 frames, ")
+    assert BAR not in result.stdout
+
+
+def test_no_bar_for_who_wants_none(tmp_path):
+    assert on_terminal(tmp_path, *LONG_ENOUGH, "--quiet") == ""
+
+
+def test_no_bar_in_the_middle_of_an_output(tmp_path):
+    shown = on_terminal(tmp_path, *LONG_ENOUGH, "--events", "-",
+                        output_too=True)
+    assert BAR not in shown
+    assert shown.startswith('{"node":"gsc"')
+
+
+# --- nowhere to write ------------------------------------------------------
+
+def complaint(result):
+    """The one line that a program that cannot write leaves."""
+    assert result.returncode == 1, result
+    assert result.stderr.count("\n") == 1, result.stderr
+    return result.stderr.rstrip("\n")
+
+
+def run_into(folder, output, *arguments, **more):
+    """Run with this file as standard output."""
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)], cwd=folder, stdout=output,
+        stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True,
+        timeout=TIME_LIMIT_S, check=False, **more)
+
+
+PRINTING = (["help"], ["help", "fly"], ["items"], ["--version"],
+            ["fly", "--seconds", "0.1"])
+
+
+@needs_full_device
+@pytest.mark.parametrize("arguments", PRINTING, ids=" ".join)
+def test_standard_output_is_full(tmp_path, arguments):
+    with open("/dev/full", "w") as full:
+        result = run_into(tmp_path, full, *arguments)
+    assert complaint(result) == \
+        f"urv_sim: standard output cannot be written: {NO_SPACE}"
+
+
+@pytest.mark.parametrize("arguments", PRINTING, ids=" ".join)
+def test_nobody_reads_standard_output(tmp_path, arguments):
+    ours, theirs = os.pipe()
+    os.close(ours)
+    with open(theirs, "w") as closed:
+        result = run_into(tmp_path, closed, *arguments)
+    assert complaint(result) == \
+        f"urv_sim: standard output cannot be written: {BROKEN_PIPE}"
+
+
+def test_standard_output_is_closed(tmp_path):
+    result = run_into(tmp_path, None, "items",
+                      preexec_fn=lambda: os.close(1))
+    assert complaint(result) == \
+        "urv_sim: standard output cannot be written: Bad file descriptor"
+
+
+@needs_full_device
+@pytest.mark.parametrize("option", OUTPUT_OPTIONS)
+def test_the_disk_is_full(urv_sim, tmp_path, option):
+    other = "--wire" if option == "--record" else "--record"
+    result = urv_sim("fly", "--seconds", "30", option, "/dev/full",
+                     other, "other")
+    assert complaint(result) == \
+        f'urv_sim: {option}: "/dev/full" cannot be written: {NO_SPACE}'
+    # What could be written is there, up to the end of a line.
+    text = (tmp_path / "other").read_text()
+    assert text.count("\n") > 50 and text.endswith("\n")
+
+
+def test_who_reads_an_output_ends_early(tmp_path):
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--seconds", "1000", "--wire", "-"],
+            cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            text=True) as process:
+        assert process.stdout.readline() == "time_us,direction,byte\n"
+        process.stdout.close()
+        said = process.stderr.read()
+        assert process.wait(TIME_LIMIT_S) == 1
+    assert said == ("urv_sim: --wire: standard output cannot be written:"
+                    f" {BROKEN_PIPE}\n")
+
+
+# --- interrupted -----------------------------------------------------------
+
+def heed_signals():
+    """Whoever runs the tests may have them ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def interrupted(folder, which, *options, times=1):
+    """Fly, and send the signal to all that take part once the outputs are
+    open."""
+    outputs = [word for option, file in FILE_OF.items()
+               for word in (option, folder / file)]
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--seconds", "100000", *options, *outputs],
+            cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            text=True, start_new_session=True,
+            preexec_fn=heed_signals) as process:
+        end = time.monotonic() + TIME_LIMIT_S
+        while not (folder / "events.jsonl").exists():
+            assert process.poll() is None, process.stderr.read()
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        time.sleep(0.2)
+        for _ in range(times):
+            os.killpg(process.pid, which)
+        shown, said = process.communicate(timeout=TIME_LIMIT_S)
+        assert process.returncode == 130, said
+    found = re.fullmatch(r"urv_sim: interrupted at (\d+\.\d\d) s\n", said)
+    assert found, said
+    assert shown.startswith(f"flown     {found[1]} s, ")
+    return found[1]
+
+
+CUT_SHORT = [
+    pytest.param(signal.SIGINT, ["--pace", "realtime"], 1, id="SIGINT"),
+    pytest.param(signal.SIGTERM, ["--pace", "realtime"], 1, id="SIGTERM"),
+    pytest.param(signal.SIGINT, [], 2, id="fast"),
+    pytest.param(signal.SIGINT, ["--plant", "jsbsim"], 1, id="JSBSim",
+                 marks=needs_jsbsim),
+    pytest.param(signal.SIGTERM, ["--plant", "jsbsim", "--pilot", "level"], 2,
+                 id="pilot", marks=needs_jsbsim),
+]
+
+
+@pytest.mark.parametrize("which, options, times", CUT_SHORT)
+def test_an_interrupted_flight_is_one_of_that_length(
+        tmp_path, which, options, times):
+    """Every output is complete, to the last frame."""
+    (tmp_path / "cut").mkdir()
+    (tmp_path / "whole").mkdir()
+    seconds = interrupted(tmp_path / "cut", which, *options, times=times)
+    whole = fly_in(
+        tmp_path / "whole", "--seconds", seconds,
+        *(word for word in options if word not in ("--pace", "realtime")))
+    for file in ("record.csv", "wire.csv", "events.jsonl"):
+        assert (tmp_path / "cut" / file).read_bytes() == \
+            whole.path(file).read_bytes(), file
+    summary = json.loads((tmp_path / "cut" / "summary.json").read_text())
+    assert summary["frames"] == round(float(seconds) * 50)
+    assert without_speed(summary) == without_speed(whole.summary)
+
+
+def test_an_ignored_signal_stays_ignored(tmp_path):
+    """As after nohup, or in the background of a script."""
+    def ignore():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--seconds", "1", "--pace", "realtime",
+             "--record", "r.csv"], cwd=tmp_path, stdout=subprocess.DEVNULL,
+            preexec_fn=ignore) as process:
+        while not (tmp_path / "r.csv").exists():
+            assert process.poll() is None
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(TIME_LIMIT_S) == 0
+
+
+# --- faults of the program -------------------------------------------------
+
+DYING_PLANT = f"""\
+#!{sys.executable}
+import socket, struct, sys
+link = socket.socket(fileno=int(sys.argv[2]))
+counts = {{"servo": 0}}
+for line in link.makefile("r"):
+    if line == "\\n":
+        break
+    kind = line.split(",")[0]
+    counts[kind] = counts.get(kind, 0) + 1
+link.sendall(b"ready\\n")
+commands = 8 * counts.pop("servo")
+state = bytes(8 * sum(counts.values()))
+link.sendall(state)
+for frame in range(25):
+    if not link.recv(commands, socket.MSG_WAITALL):
+        break
+    link.sendall(state)
+"""
+
+
+def test_the_plant_dies_in_flight(tmp_path, monkeypatch):
+    plant = tmp_path / "plant"
+    plant.write_text(DYING_PLANT)
+    plant.chmod(0o755)
+    monkeypatch.setenv("URV_PYTHON", str(plant))
+    result = run_program(tmp_path, "fly", "--plant", "jsbsim",
+                         "--seconds", "10", "--record", "record.csv")
+    assert result.returncode == 1
+    assert re.fullmatch(
+        "urv_sim: --plant jsbsim: JSBSim's process"
+        " (has ended|is dead or mute)\n", result.stderr), result.stderr
+    # It is told only once: what was flown till then stays.
+    rows = (tmp_path / "record.csv").read_text().splitlines()
+    assert len(rows) == 1 + 26
+
+
+def test_an_internal_fault_ends_with_status_1(tmp_path):
+    """Here: there is no memory left for a script of 400,000 rows."""
+    (tmp_path / "sticks.csv").write_text(
+        f"time_ms,{','.join(COMMANDS)}\n" + "".join(
+            f"{row},{'1,' * 12}1\n" for row in range(400_000)))
+
+    def starve():
+        limit = 24 << 20
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+
+    result = run_into(tmp_path, subprocess.PIPE, "fly", "--sticks",
+                      "sticks.csv", preexec_fn=starve)
+    assert result.returncode == 1, result
+    assert result.stderr.startswith(
+        "urv_sim: internal fault: raised STORAGE_ERROR")
+    assert result.stdout == ""
