@@ -10,7 +10,7 @@ the simulation and of the real-time partitions; the links of the requirements,
 the static data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same. Before the last line stand the slowest tests, the
-failed ones, and each part with its result and time.
+failed ones, and each part with its result and time (EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what one target of the Makefile lacks, and nothing else.
+# Installs what one target of the Makefile lacks, and nothing else (EVI-11).
 #
 #   scripts/setup.sh fly|test|check|prove|size|bench|campaign|explore|fuzz|
 #                    trace|mutate|real_time|timing|coverage|independence

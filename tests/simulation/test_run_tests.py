@@ -1,0 +1,176 @@
+"""EVI-11: what scripts/run_tests.py makes of what ran."""
+
+import sys
+
+import pytest
+from conftest import ROOT
+
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import run_tests  # noqa: E402
+
+
+@pytest.fixture
+def place(tmp_path, monkeypatch):
+    """A folder of its own, where nothing has run and all builds."""
+    monkeypatch.setattr(run_tests, "ROOT", tmp_path)
+    monkeypatch.setattr(run_tests, "RESULTS", tmp_path / "results")
+    monkeypatch.setattr(run_tests, "tests", [])
+    monkeypatch.setattr(run_tests, "building", [])
+    monkeypatch.setattr(run_tests, "build", lambda *_: True)
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "results").mkdir()
+    return tmp_path
+
+
+def parts(monkeypatch, **results):
+    """Parts that give these results."""
+    monkeypatch.setattr(run_tests, "PARTS", {
+        name: lambda result=result: result for name, result in results.items()
+    })
+
+
+@pytest.mark.parametrize(("results", "last_line", "status"), [
+    ({"a": (3, 0, 0), "b": (2, 0, 1)}, "5 passed, 0 failed, 1 skipped", 0),
+    ({"a": (3, 0, 0), "b": (2, 1, 0)}, "5 passed, 1 failed, 0 skipped", 1),
+    ({"a": (0, 0, 2)}, "0 passed, 0 failed, 2 skipped", 1),
+])
+def test_the_last_line_is_the_sum(
+        place, monkeypatch, capsys, results, last_line, status):
+    parts(monkeypatch, **results)
+    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
+    assert run_tests.main() == status
+    assert capsys.readouterr().out.splitlines()[-1] == last_line
+    totals = (place / "results" / "totals").read_text(encoding="utf-8")
+    assert totals == f"{last_line}\n"
+
+
+def test_what_is_slow_and_what_failed_is_named_at_the_end(
+        place, monkeypatch, capsys):
+    def part():
+        run_tests.tests.extend(
+            run_tests.Test(seconds, seconds == 5, f"takes {seconds}")
+            for seconds in range(20))
+        return 19, 1, 0
+    monkeypatch.setattr(run_tests, "PARTS", {"only": part})
+    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
+    run_tests.main()
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "== 1 of 1: only"
+    slowest = lines[lines.index("== slowest tests") + 1:]
+    assert slowest[0] == "  19.0 s  takes 19"
+    assert slowest[9] == "  10.0 s  takes 10"
+    assert slowest[10] == ""
+    failed = lines[lines.index("== failed") + 1:]
+    assert failed[:2] == ["takes 5", ""]
+    assert "only: 19 passed, 1 failed, 0 skipped, in 0 s" in lines
+
+
+def test_only_the_parts_that_were_asked_for_run(place, monkeypatch, capsys):
+    parts(monkeypatch, one=(1, 0, 0), other=(0, 1, 0), third=(1, 0, 0))
+    monkeypatch.setattr(sys, "argv", ["run_tests.py", "on", "th"])
+    assert run_tests.main() == 0
+    assert "other" not in capsys.readouterr().out
+    with pytest.raises(SystemExit, match="no part begins with x: one, other"):
+        run_tests.chosen(["x"])
+
+
+def test_the_quick_parts_leave_out_only_what_is_slow():
+    quick = run_tests.chosen(["--quick"])
+    left_out = set(run_tests.PARTS) - set(quick)
+    assert left_out == {
+        "unit tests, contracts executed", "simulation", "real time",
+        "proof anew shows the recorded checks"}
+    for name in run_tests.SLOW:
+        assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
+
+
+PROGRAM = """\
+#!/bin/sh
+echo 'ok   MBX-1 one'
+echo 'FAIL MBX-2 other'
+echo '     somewhere.adb:12: wrong'
+"""
+
+
+def unit_tests(place, end):
+    program = place / "bin" / "urv_tests_host"
+    program.write_text(PROGRAM + end, encoding="utf-8")
+    program.chmod(0o755)
+    return run_tests.unit_tests("host")
+
+
+def test_unit_tests_are_counted_and_the_failed_one_is_named(place):
+    assert unit_tests(
+        place, "echo '1 passed, 1 failed, 0 skipped'\nexit 1") == (1, 1, 0)
+    assert [(test.failed, test.name) for test in run_tests.tests] == [
+        (False, "MBX-1 one"), (True, "MBX-2 other")]
+
+
+@pytest.mark.parametrize("end", ["", "echo '1 passed'", "kill -9 $$",
+                                 "echo '9 passed, 0 failed, 0 skipped'\n"
+                                 "echo 'raised PROGRAM_ERROR'"])
+def test_unit_tests_that_end_early_have_failed(place, end, capsys):
+    assert unit_tests(place, end) == run_tests.BROKEN
+    assert run_tests.tests[-1].failed
+    assert "ended early" in run_tests.tests[-1].name
+
+
+PYTHON_TESTS = """\
+import pytest
+def test_good(): pass
+def test_bad(): assert False
+@pytest.mark.skip
+def test_left_out(): pass
+@pytest.fixture
+def broken(): raise OSError
+def test_error(broken): pass
+"""
+
+
+def python_tests(place, text, without=()):
+    folder = place / "tests" / "some"
+    folder.mkdir(parents=True)
+    (folder / "test_one.py").write_text(text, encoding="utf-8")
+    (folder / "test_other.py").write_text("def test_it(): pass\n",
+                                          encoding="utf-8")
+    return run_tests.python_tests("some.gpr", "host", "some", without)
+
+
+def test_python_tests_are_counted_and_failed_ones_named(place):
+    assert python_tests(place, PYTHON_TESTS) == (2, 2, 1)
+    assert [test.name for test in run_tests.tests if test.failed] == [
+        "test_one.py::test_bad", "test_one.py::test_error"]
+
+
+def test_files_of_python_tests_may_be_left_out(place):
+    assert python_tests(place, PYTHON_TESTS, ["one"]) == (1, 0, 0)
+
+
+def test_python_tests_that_cannot_be_collected_have_failed(place):
+    assert python_tests(place, "import nothing_of_this_name\n") in (
+        run_tests.BROKEN, (1, 1, 0))
+    assert run_tests.tests[-1].failed
+
+
+def test_what_does_not_build_has_failed(place, monkeypatch):
+    monkeypatch.setattr(run_tests, "build", lambda *_: False)
+    assert run_tests.every_source() == run_tests.BROKEN
+    assert run_tests.unit_tests("host") == run_tests.BROKEN
+    assert run_tests.simulation_tests() == run_tests.BROKEN
+
+
+def test_a_build_that_fails_is_named(place, monkeypatch, capsys):
+    monkeypatch.undo()
+    monkeypatch.setattr(run_tests, "tests", [])
+    monkeypatch.setattr(run_tests, "building", [])
+    monkeypatch.setattr(run_tests, "GPRBUILD", ["false"])
+    assert not run_tests.build("some.gpr", "host")
+    assert run_tests.tests == [(0, True, "building some.gpr")]
+    assert capsys.readouterr().out == "building some.gpr\n"
+
+
+@pytest.mark.parametrize(("seconds", "text"), [
+    (0.4, "0 s"), (59.6, "1 min 0 s"), (59.4, "59 s"), (605, "10 min 5 s")])
+def test_times_are_in_minutes_and_seconds(seconds, text):
+    assert run_tests.duration(seconds) == text

@@ -1,0 +1,151 @@
+"""EVI-11: what set-up says to whom. apt-get, dpkg-query, id and pip are
+stand-ins here: nothing is installed."""
+
+import platform
+import shutil
+import subprocess
+
+import pytest
+from conftest import ROOT
+
+NO_NETWORK = "Err:1 http://deb.debian.org Could not resolve 'deb.debian.org'"
+
+
+def debian():
+    try:
+        release = platform.freedesktop_os_release()
+    except OSError:
+        return None
+    return release["ID"], release.get("VERSION_ID")
+
+
+@pytest.fixture
+def set_up(tmp_path):
+    """Runs a copy of the script with commands of the test's on the PATH."""
+    (tmp_path / "scripts").mkdir()
+    shutil.copy(ROOT / "scripts" / "setup.sh", tmp_path / "scripts")
+    for name in ("sim/jsbsim/requirements.txt", "tests/requirements.txt",
+                 "scripts/trace/requirements.txt"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    commands = tmp_path / "commands"
+    commands.mkdir()
+
+    def run(target, alire=False, path="/usr/bin:/bin", **scripts):
+        for name, script in scripts.items():
+            command = commands / name.replace("_", "-")
+            command.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
+            command.chmod(0o755)
+        return subprocess.run(
+            ["scripts/setup.sh", target], cwd=tmp_path, text=True,
+            capture_output=True, check=False, timeout=60,
+            env={"PATH": f"{commands}:{path}", "HOME": str(tmp_path),
+                 **({"ALIRE": "True"} if alire else {})})
+    return run
+
+
+on_debian = pytest.mark.skipif(
+    debian() not in (("debian", "12"), ("debian", "13")),
+    reason="packages are Debian's")
+
+MISSING = {"dpkg_query": "exit 1"}
+
+
+@on_debian
+def test_a_user_is_told_the_one_command(set_up):
+    result = set_up("test", **MISSING, id="echo 1000")
+    assert result.returncode == 1
+    commands = [line.strip() for line in result.stderr.splitlines()
+                if line.startswith("    ")]
+    assert len(commands) == 1
+    begin = ("apt-get update && apt-get install -y --no-install-recommends"
+             " gnat-")
+    assert commands[0].startswith(begin)
+    assert {"gprbuild", "afl++", "python3-venv"} <= set(commands[0].split())
+
+
+@on_debian
+def test_what_test_needs_is_enough_to_fly(set_up):
+    told = {target: set_up(target, **MISSING, id="echo 1000").stderr
+            for target in ("fly", "test", "check")}
+    needed = {target: set(text.split("recommends ")[1].split())
+              for target, text in told.items()}
+    assert needed["fly"] < needed["test"] == needed["check"]
+
+
+@on_debian
+@pytest.mark.parametrize("apt_get", [
+    # Debian's apt-get update ends well then.
+    f'echo "{NO_NETWORK}"; exit 0',
+    f'echo "{NO_NETWORK}"; exit 100',
+    # It had been reached, but not any more.
+    'if [ "$1" = update ]; then echo "Get:1 http://deb.debian.org";'
+    f' else echo "{NO_NETWORK}"; exit 100; fi',
+])
+def test_no_network_is_called_that(set_up, apt_get):
+    result = set_up("real_time", **MISSING, id="echo 0", apt_get=apt_get)
+    assert result.returncode == 1
+    assert result.stdout.startswith("real_time: installing gnat-")
+    assert len(result.stderr.splitlines()) == 1
+    assert result.stderr.startswith("setup: no network: apt-get ")
+
+
+@on_debian
+def test_another_failure_is_shown(set_up):
+    result = set_up(
+        "real_time", **MISSING, id="echo 0",
+        apt_get='echo "Get:1 http://deb.debian.org";'
+                ' [ "$1" = update ] || { echo "No space left"; exit 100; }')
+    assert result.returncode == 1
+    assert "No space left" in result.stderr
+    assert "setup: apt-get install failed" in result.stderr
+    assert "no network" not in result.stderr
+
+
+@on_debian
+def test_what_is_there_is_not_installed(set_up):
+    result = set_up("real_time", dpkg_query="echo install ok installed",
+                    apt_get="echo called; exit 1")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+
+
+def test_pip_without_a_network_is_called_that(set_up, tmp_path):
+    # An environment with a pip that reaches nothing.
+    python = tmp_path / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.write_text(
+        '#!/bin/sh\n[ "$1" = -c ] && exit 0\n'
+        'echo "WARNING: NewConnectionError: Name or service not known" >&2\n'
+        "exit 1\n", encoding="utf-8")
+    python.chmod(0o755)
+    result = set_up("fly", alire=True, gprbuild="", gcc="")
+    assert result.returncode == 1
+    assert result.stderr == (
+        "setup: no network: pip reached nothing. Needed are: the packages of"
+        " sim/jsbsim/requirements.txt\n")
+
+
+def test_where_gnatprove_comes_from(set_up):
+    result = set_up("prove", alire=True, gprbuild="", gcc="")
+    assert result.returncode == 1
+    assert "https://alire.ada.dev" in result.stderr
+    assert "alr exec -- make prove" in result.stderr
+    result = set_up("prove", alire=True, gprbuild="", gcc="", gnatprove="")
+    assert (result.returncode, result.stderr) == (0, "")
+
+
+def test_elsewhere_a_missing_command_is_named(set_up, tmp_path):
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    for name in ("dirname", "mktemp", "rm"):
+        (tools / name).symlink_to(shutil.which(name))
+    result = set_up("fly", alire=True, path=str(tools), gprbuild="")
+    assert result.returncode == 1
+    assert result.stderr.startswith("setup: gcc is missing.")
+    assert "alr exec -- make fly" in result.stderr
+
+
+def test_an_unknown_target_is_refused(set_up):
+    result = set_up("flie")
+    assert result.returncode == 2
+    assert result.stderr == "setup: no such target: flie\n"
