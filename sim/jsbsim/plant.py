@@ -130,6 +130,8 @@ def load_jsbsim():
             raise Refused(
                 f"jsbsim is {jsbsim.__version__}, must be {wanted}")
     fdm = jsbsim.FGFDMExec(str(here))
+    # Before the model is loaded: its servos' lags and rates are made then.
+    fdm.set_dt(STEP)
     if not fdm.load_model("lambda"):
         raise Refused("JSBSim does not load the aircraft")
     return fdm
@@ -141,7 +143,6 @@ class Aircraft:
     def __init__(self, servos, sensors, truth):
         self.fdm = fdm = load_jsbsim()
         self.tree = fdm.get_property_manager()
-        fdm.set_dt(STEP)
         for name, value in (
                 ("ic/terrain-elevation-ft", FIELD_FT),
                 ("ic/h-sl-ft", FIELD_FT + START_ALTITUDE_FT),
