@@ -48,8 +48,13 @@ MOMENTS += [
         (channel * CONVERSION + 1, channel),
         (7_654 + 321 * channel, channel),
         (19_999, channel),
+        *((1_357 * part + 29 * channel, channel) for part in range(3, 8)),
     )
 ]
+# One that comes twice would hide a percentile that is off by one; so would
+# fewer than 100, or an even number.
+MOMENTS = list(dict.fromkeys(MOMENTS))
+assert len(MOMENTS) > 100 and len(MOMENTS) % 2 == 1
 
 
 @pytest.fixture(scope="module")
@@ -99,3 +104,42 @@ def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase):
     scan = 24_000 + 2_000 * phase + (FRAME if phase < 4 else 0)
     assert (expected[0], expected[-1]) == (
         scan - 12 * CONVERSION, scan + FRAME - 1)
+
+
+# As many may wait (sim-latency.ads), and so long, in microseconds.
+ROOM, LONGEST = 2_048, 2_000_000
+
+
+@pytest.mark.parametrize("number, apart", [(3_000, 400), (900, 1_000)])
+def test_changes_that_never_arrive_are_counted_as_what_they_are(
+        tmp_path, number, apart):
+    """While the link is cut the roll stick moves on and on. The last change
+    arrives after it, and was made less than two seconds before."""
+    changes = [1_100_000 + apart * count for count in range(number)]
+    until = changes[-1] + 1_500_000
+    (tmp_path / "sticks.csv").write_text("time_ms,roll\n" + "".join(
+        f"{time / 1000:.3f},{count % 4_000 + 1}\n"
+        for count, time in enumerate(changes)))
+    (tmp_path / "faults.txt").write_text(
+        f"1000 cut {(until - 1_000_000) / 1000:.3f}\n")
+    latency = fly_in(
+        tmp_path, "--sticks", "sticks.csv", "--faults", "faults.txt",
+        "--seconds", round(until / 1e6 + 1, 3)).summary["latency_ms"]
+    assert latency["measured"] == 1
+    arrived = changes[-1] + round(latency["min"] * 1000)
+    assert until < arrived < until + 100_000
+    expired = sum(arrived - time > LONGEST for time in changes[-ROOM:])
+    assert 0 < expired < number - 100
+    assert (latency["expired"], latency["overtaken"]) == (
+        expired, number - expired - 1)
+
+
+def test_a_change_that_a_later_one_overtakes_is_counted(tmp_path):
+    # Three in each frame between two scans: the last of them arrives.
+    (tmp_path / "sticks.csv").write_text("time_ms,roll\n" + "".join(
+        f"{221 + 20 * frame + 5 * part},{100 * frame + part + 1}\n"
+        for frame in range(40) for part in range(3)))
+    latency = fly_in(tmp_path, "--sticks", "sticks.csv", "--seconds", "2"
+                     ).summary["latency_ms"]
+    assert (latency["measured"], latency["overtaken"], latency["expired"]) \
+        == (40, 80, 0)
