@@ -22,39 +22,36 @@ fi
 
 case $debian in
    12) build="gnat-12 gprbuild"
-       gnatcoll=libgnatcoll21-dev
        aunit=libaunit22-dev
        gcov=gcc-12 ;;
    13) build="gnat-14 gprbuild"
-       gnatcoll=libgnatcoll-dev
        aunit=libaunit-dev
        gcov=gcc ;;
-   *)  debian= build='' gnatcoll='' aunit='' gcov='' ;;
+   *)  debian= build='' aunit='' gcov='' ;;
 esac
 
-simulate="$build $gnatcoll"
 case $target in
-   fly)   packages="$simulate python3 python3-venv"
+   fly)   packages="$build python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt" ;;
    test | check)
-          packages="$simulate $aunit afl++ binutils gcc python3
+          packages="$build $aunit afl++ binutils gcc python3
                     python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt" ;;
    mutate)
-          packages="$simulate $aunit binutils python3 python3-venv"
+          packages="$build $aunit binutils python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    coverage)
-          packages="$simulate $aunit $gcov python3 python3-venv"
+          packages="$build $aunit $gcov python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/coverage-requirements.txt" ;;
    independence)
-          packages="$simulate $aunit python3 python3-venv"
+          packages="$build $aunit python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
-   bench) packages="$simulate gcc python3"
+   bench) packages="$build gcc python3"
           requirements="" ;;
    campaign)
-          packages="$simulate parallel python3"
+          packages="$build parallel python3"
           requirements="" ;;
    real_time)
           packages="$build"
