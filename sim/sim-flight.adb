@@ -45,6 +45,7 @@ package body Sim.Flight is
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
    Truth    : JSBSim.Flight_State;
+   Shown    : JSBSim.Shown_State := (others => 0.0);
    Delays   : Latency.Collector;
 
    procedure Load_Inputs (Chosen : Choices);
@@ -91,6 +92,13 @@ package body Sim.Flight is
         and then History.Last < First_Frames * Ticks_Per_Major_Frame;
    end Is_Usual;
 
+   --  From new commands for the servos to the next end of the ground's
+   --  frame, when a row is written.
+   function Steps_To_Row (Chosen : Choices) return JSBSim.Step_Count is
+     (JSBSim.Step_Count
+        ((Major_Frame - (Lag_Of (Chosen) + PWM_Offset) mod Major_Frame)
+         / Tick_Time));
+
    procedure Load_Inputs (Chosen : Choices) is
    begin
       if Given (Chosen.Inputs (Stick_File)) then
@@ -136,7 +144,7 @@ package body Sim.Flight is
             end loop;
 
          when JSBSim_Plant =>
-            Sim.JSBSim.Step (Servos, Measured, Truth);
+            Sim.JSBSim.Step (Servos, Measured, Truth, Shown);
       end case;
       Engine.Set_Sensors (Measured);
    end Step_Plant;
@@ -161,7 +169,9 @@ package body Sim.Flight is
                                (Nodes.CORE (MCS).Downlink),
              GSC_Downlink => URV.CORE_Layout.To_Buffer
                                (Nodes.CORE (GSC).Downlink),
-             Link         => Engine.Link));
+             Link         => Engine.Link,
+             Has_Truth    => Chosen.Plant = JSBSim_Plant,
+             Truth        => Shown));
       end if;
 
       if Given (Chosen.Pilot) then
@@ -317,7 +327,7 @@ package body Sim.Flight is
          Seed       => Chosen.Seed,
          Processors => Chosen.Processors);
       if Chosen.Plant = JSBSim_Plant then
-         JSBSim.Start (Measured, Truth);
+         JSBSim.Start (Steps_To_Row (Chosen), Measured, Truth, Shown);
          Engine.Set_Sensors (Measured);
       else
          Bench.Start;
@@ -330,7 +340,9 @@ package body Sim.Flight is
       Signals.Watch;
       Outputs.Open (Files, Chosen.Inputs, Chosen.Outputs);
       if Text_Output.Is_Open (Files (Record_File)) then
-         Flight_Record.Write_Header (Files (Record_File));
+         Flight_Record.Write_Header
+           (Files (Record_File),
+            Has_Truth => Chosen.Plant = JSBSim_Plant);
       end if;
       if Text_Output.Is_Open (Files (Wire_File)) then
          Wire_Log.Write_Header (Files (Wire_File));

@@ -1,3 +1,6 @@
+with Ada.Characters.Handling;
+
+with Sim.JSBSim;       use Sim.JSBSim;
 with Sim.Names;        use Sim.Names;
 with Sim.Text_Numbers; use Sim.Text_Numbers;
 with Sim.Text_Output;  use Sim.Text_Output;
@@ -45,6 +48,15 @@ package body Sim.Flight_Record is
    package Link_Columns is new Columns
      (Link_Item, Count, Link_Counts);
 
+   --  A hundredth of a foot or a knot, a thousandth of a degree.
+   function Decimals_Of (Item : Shown_Item) return Positive is
+     (case Item is
+         when Altitude_Ft | North_Ft | East_Ft | Airspeed_Kt => 2,
+         when Bank_Deg .. Beta_Deg                           => 3);
+
+   function Name (Item : Shown_Item) return String is
+     (Ada.Characters.Handling.To_Lower (Item'Image));
+
    --  Writes a time in milliseconds.
    procedure Put_Time (To : in out Writer; Time : Microseconds);
 
@@ -60,7 +72,9 @@ package body Sim.Flight_Record is
       end if;
    end Put_Time;
 
-   procedure Write_Header (To : in out Writer) is
+   procedure Write_Header
+     (To        : in out Writer;
+      Has_Truth : Boolean) is
    begin
       Put (To, "frame,time_ms");
       Console_Columns.Put_Names (To, "console");
@@ -70,6 +84,11 @@ package body Sim.Flight_Record is
       Downlink_Columns.Put_Names (To, "mcs.downlink");
       Downlink_Columns.Put_Names (To, "gsc.downlink");
       Link_Columns.Put_Names (To, "link");
+      if Has_Truth then
+         for Item in Shown_Item loop
+            Put (To, ",truth." & Name (Item));
+         end loop;
+      end if;
       New_Line (To);
    end Write_Header;
 
@@ -85,6 +104,12 @@ package body Sim.Flight_Record is
       Downlink_Columns.Put_Values (To, This.MCS_Downlink);
       Downlink_Columns.Put_Values (To, This.GSC_Downlink);
       Link_Columns.Put_Values (To, This.Link);
+      if This.Has_Truth then
+         for Item in Shown_Item loop
+            Put (To, ',');
+            Put (To, This.Truth (Item), Decimals_Of (Item));
+         end loop;
+      end if;
       New_Line (To);
    end Write_Row;
 

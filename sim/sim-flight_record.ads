@@ -1,6 +1,7 @@
 --  The flight record: one row for each major frame of the ground node,
 --  taken as that frame ends (--record).
 
+with Sim.JSBSim;
 with Sim.Text_Output;
 
 package Sim.Flight_Record is
@@ -17,10 +18,16 @@ package Sim.Flight_Record is
       MCS_Downlink : Downlink_Buffer;
       GSC_Downlink : Downlink_Buffer;
       Link         : Link_Counts;
+
+      --  Where an aircraft flies, what it really does.
+      Has_Truth    : Boolean;
+      Truth        : JSBSim.Shown_State;
    end record;
 
    --  Writes the line with the names of the columns.
-   procedure Write_Header (To : in out Text_Output.Writer)
+   procedure Write_Header
+     (To        : in out Text_Output.Writer;
+      Has_Truth : Boolean)
      with Pre => Text_Output.Is_Open (To);
 
    --  Writes one row. A time that is no whole number of milliseconds gets

@@ -7,6 +7,7 @@ with Interfaces;              use Interfaces;
 with Sim.JSBSim.Process;
 with Sim.Names;               use Sim.Names;
 with Sim.Scaling;             use Sim.Scaling;
+with Sim.Text_Numbers;        use Sim.Text_Numbers;
 
 package body Sim.JSBSim is
 
@@ -25,18 +26,31 @@ package body Sim.JSBSim is
      & "truth,climb,ft/s" & Line_Feed
      & "truth,crashed,yes" & Line_Feed;
 
+   Shown_Names : constant String :=
+     "shown,altitude,ft" & Line_Feed
+     & "shown,airspeed,kt" & Line_Feed
+     & "shown,bank,deg" & Line_Feed
+     & "shown,pitch,deg" & Line_Feed
+     & "shown,heading,deg" & Line_Feed
+     & "shown,alpha,deg" & Line_Feed
+     & "shown,beta,deg" & Line_Feed
+     & "shown,north,ft" & Line_Feed
+     & "shown,east,ft" & Line_Feed;
+
    --  A number on the connection is a big-endian IEEE double.
    Bytes_Per_Number : constant := 8;
 
    Servo_Count  : constant := Servo_Item'Pos (Servo_Item'Last) + 1;
    Sensor_Count : constant := Sensor_Item'Pos (Sensor_Item'Last) + 1;
    Truth_Count  : constant := Truth_Item'Pos (Truth_Item'Last) + 1;
+   Shown_Count  : constant := Shown_Item'Pos (Shown_Item'Last) + 1;
 
    subtype Command_Message is
      Stream_Element_Array (1 .. Servo_Count * Bytes_Per_Number);
    subtype State_Message is
      Stream_Element_Array
-       (1 .. (Sensor_Count + Truth_Count) * Bytes_Per_Number);
+       (1 .. (Sensor_Count + Truth_Count + Shown_Count)
+             * Bytes_Per_Number);
 
    function To_Bits is new Ada.Unchecked_Conversion (Long_Float, Unsigned_64);
    function To_Number is
@@ -54,10 +68,12 @@ package body Sim.JSBSim is
 
    procedure Receive_State
      (Sensors : out Sensor_Words;
-      Truth   : out Flight_State);
+      Truth   : out Flight_State;
+      Shown   : out Shown_State);
 
    --  The names and units of all numbers to be sent and received.
-   function Introduction return Stream_Element_Array;
+   function Introduction (Shown_After : Step_Count)
+                          return Stream_Element_Array;
 
    procedure Put
      (Message : in out Stream_Element_Array;
@@ -89,7 +105,8 @@ package body Sim.JSBSim is
 
    procedure Receive_State
      (Sensors : out Sensor_Words;
-      Truth   : out Flight_State)
+      Truth   : out Flight_State;
+      Shown   : out Shown_State)
    is
       Message : State_Message;
       Last    : Stream_Element_Offset := 0;
@@ -112,9 +129,14 @@ package body Sim.JSBSim is
          Heading  => Numbers (Heading),
          Climb    => Numbers (Climb),
          Crashed  => Numbers (Crashed) /= 0.0);
+      for Number of Shown loop
+         Get (Message, Last, Number);
+      end loop;
    end Receive_State;
 
-   function Introduction return Stream_Element_Array is
+   function Introduction (Shown_After : Step_Count)
+                          return Stream_Element_Array
+   is
       Text : Unbounded_String;
    begin
       for Item in Servo_Item loop
@@ -129,7 +151,11 @@ package body Sim.JSBSim is
             "sensor," & Name (Item) & ','
             & Symbol (Sensors (Item).Measured_In) & Line_Feed);
       end loop;
-      Append (Text, Truth_Names & Line_Feed);
+      Append
+        (Text,
+         Truth_Names & Shown_Names & "after,"
+         & Image (Long_Long_Integer (Shown_After)) & ",steps"
+         & Line_Feed & Line_Feed);
 
       return Bytes : Stream_Element_Array
         (1 .. Stream_Element_Offset (Length (Text)))
@@ -141,12 +167,17 @@ package body Sim.JSBSim is
       end return;
    end Introduction;
 
-   procedure Start (Sensors : out Sensor_Words; Truth : out Flight_State) is
+   procedure Start
+     (Shown_After : Step_Count;
+      Sensors     : out Sensor_Words;
+      Truth       : out Flight_State;
+      Shown       : out Shown_State)
+   is
       Ready : constant String := "ready";
    begin
       Stop;
       Process.Spawn;
-      Process.Send (Introduction);
+      Process.Send (Introduction (Shown_After));
       declare
          Answer : constant String := Process.Received_Line;
       begin
@@ -154,7 +185,7 @@ package body Sim.JSBSim is
             Process.Give_Up (Answer);
          end if;
       end;
-      Receive_State (Sensors, Truth);
+      Receive_State (Sensors, Truth, Shown);
    exception
       when Plant_Failure =>
          Process.Give_Up ("plant.py has failed");
@@ -163,7 +194,8 @@ package body Sim.JSBSim is
    procedure Step
      (Servos  : PWM_Buffer;
       Sensors : out Sensor_Words;
-      Truth   : out Flight_State)
+      Truth   : out Flight_State;
+      Shown   : out Shown_State)
    is
       Message : Command_Message;
       Last    : Stream_Element_Offset := 0;
@@ -173,7 +205,7 @@ package body Sim.JSBSim is
            (Message, Last, To_Unit (Servos (Item), Scaling.Servos (Item)));
       end loop;
       Process.Send (Message);
-      Receive_State (Sensors, Truth);
+      Receive_State (Sensors, Truth, Shown);
    end Step;
 
    procedure Stop is

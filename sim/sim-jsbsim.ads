@@ -25,21 +25,36 @@ package Sim.JSBSim is
       Crashed  : Boolean := False;
    end record;
 
+   --  What the flight record shows of it, in the units that its names end
+   --  with. North and east are counted from where the flight begins.
+   type Shown_Item is
+     (Altitude_Ft, Airspeed_Kt, Bank_Deg, Pitch_Deg, Heading_Deg,
+      Alpha_Deg, Beta_Deg, North_Ft, East_Ft);
+   type Shown_State is array (Shown_Item) of Long_Float;
+
+   --  Of 2 ms.
+   subtype Step_Count is Positive range 1 .. 10;
+
    --  The other process ended or does not answer.
    Plant_Failure : exception;
 
    --  The aircraft, trimmed in level flight at 70 kt, 1000 ft above the
    --  field, heading east, with neutral servos. Raises Bad_Input when the
    --  interpreter, the script or JSBSim is missing.
-   procedure Start (Sensors : out Sensor_Words; Truth : out Flight_State);
+   procedure Start
+     (Shown_After : Step_Count;
+      Sensors     : out Sensor_Words;
+      Truth       : out Flight_State;
+      Shown       : out Shown_State);
 
    --  One major frame: the servos' words are held for 20 ms. Sensors are
    --  those 16 ms after its beginning, when the aircraft's next scan
-   --  begins; Truth is at its end.
+   --  begins; Truth is at its end, Shown after the steps that were chosen.
    procedure Step
      (Servos  : PWM_Buffer;
       Sensors : out Sensor_Words;
-      Truth   : out Flight_State);
+      Truth   : out Flight_State;
+      Shown   : out Shown_State);
 
    --  Ends the other process. Does nothing when there is none.
    procedure Stop;

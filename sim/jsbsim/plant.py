@@ -6,13 +6,15 @@ Serves one flight over the socket that it inherits as file DESCRIPTOR. The
 other side is the Ada package Sim.JSBSim and the only one that knows converter
 words; here is nothing but engineering units.
 
-Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor
-or truth, and an empty line. They are the numbers it will send and wants to
-receive, in that order. The answer is one line: "ready", or what is wrong.
+Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor,
+truth or shown, and an empty line. They are the numbers it will send and wants
+to receive, in that order. A line after,N,steps says when in a frame those of
+kind shown are taken. The answer is one line: "ready", or what is wrong.
 
 Then for every major frame: the servos' commands come in, are held for 20 ms,
-and the sensors and the truth go out. The sensors are measured 16 ms after
-the frame's beginning, the truth at its end. A number is a big-endian double.
+and the sensors, the truth and what is shown go out. The sensors are measured
+16 ms after the frame's beginning, the truth at its end, what is shown after N
+steps of 2 ms. A number is a big-endian double.
 The very first message out comes unasked: the settled aircraft.
 
 The end of the connection ends the program.
@@ -28,8 +30,7 @@ from pathlib import Path
 
 STEP = 0.002
 STEPS_TO_SENSORS = 8
-STEPS_AFTER_SENSORS = 2
-STEPS = STEPS_TO_SENSORS + STEPS_AFTER_SENSORS
+STEPS = 10
 
 FIELD_FT = 800.0
 START_ALTITUDE_FT = 1000.0
@@ -111,6 +112,20 @@ TRUTH = {
     "crashed": ("yes", "plant/crashed", 1.0, 0.0),
 }
 
+# The same for the flight record. North and east are counted from the place
+# where the flight begins.
+SHOWN = {
+    "altitude": TRUTH["altitude"],
+    "airspeed": TRUTH["airspeed"],
+    "bank": TRUTH["bank"],
+    "pitch": TRUTH["pitch"],
+    "heading": TRUTH["heading"],
+    "alpha": ("deg", "aero/alpha-deg", 1.0, 0.0),
+    "beta": ("deg", "aero/beta-deg", 1.0, 0.0),
+    "north": ("ft", "plant/north-ft", 1.0, 0.0),
+    "east": ("ft", "plant/east-ft", 1.0, 0.0),
+}
+
 
 class Refused(Exception):
     """The flight cannot begin; the text goes to the other side."""
@@ -140,7 +155,7 @@ def load_jsbsim():
 class Aircraft:
     """A settled aircraft, its servos' inputs and its sensors' outputs."""
 
-    def __init__(self, servos, sensors, truth):
+    def __init__(self, servos, sensors, truth, shown, shown_after):
         self.fdm = fdm = load_jsbsim()
         self.tree = fdm.get_property_manager()
         for name, value in (
@@ -150,6 +165,8 @@ class Aircraft:
                 ("ic/psi-true-deg", START_HEADING_DEG),
                 ("fcs/mixture-cmd-norm", MIXTURE),
                 ("plant/crashed", 0.0),
+                ("plant/north-ft", 0.0),
+                ("plant/east-ft", 0.0),
                 ("radio/uplink-dbm", 0.0)):
             fdm[name] = value
         if not fdm.run_ic():
@@ -158,17 +175,22 @@ class Aircraft:
         self.servos = [self.node(SERVOS, *item)[0] for item in servos]
         self.sensors = [self.node(SENSORS, *item) for item in sensors]
         self.truth = [self.node(TRUTH, *item) for item in truth]
+        self.shown = [self.node(SHOWN, *item) for item in shown]
+        self.shown_after = shown_after
         self.bank = self.tree.get_node("attitude/phi-deg")
         self.altitude = self.tree.get_node("position/h-agl-ft")
         self.north = self.tree.get_node("position/from-start-neu-n-ft")
         self.east = self.tree.get_node("position/from-start-neu-e-ft")
         self.signal = self.tree.get_node("radio/uplink-dbm")
         self.crashed = self.tree.get_node("plant/crashed")
+        self.flown = (self.tree.get_node("plant/north-ft"),
+                      self.tree.get_node("plant/east-ft"))
         self.settle()
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
         self.measure_signal()
-        self.last = (self.read(self.sensors), self.read(self.truth))
+        self.last = (self.read(self.sensors), self.read(self.truth),
+                     self.read_shown())
 
     def node(self, table, name, unit):
         """Property node, factor and offset of an item the other side wants."""
@@ -186,6 +208,12 @@ class Aircraft:
     def read(items):
         return [node.get_double_value() * factor + offset
                 for node, factor, offset in items]
+
+    def read_shown(self):
+        for node, now, start in zip(
+                self.flown, (self.north, self.east), self.station):
+            node.set_double_value(now.get_double_value() - start)
+        return self.read(self.shown)
 
     def settle(self):
         """Starts the engine and flies level until nothing moves any more.
@@ -257,23 +285,25 @@ class Aircraft:
         return altitude < HALF_SPAN_FT * abs(math.sin(bank))
 
     def fly(self, commands):
-        """Holds the commands for one frame; sensors and truth of it."""
+        """Holds the commands for one frame; what goes out after it."""
         if self.crashed.get_double_value():
             return self.last
         run = self.fdm.run
         for node, command in zip(self.servos, commands):
             node.set_double_value(command)
-        for _ in range(STEPS_TO_SENSORS):
+        for step in range(1, STEPS + 1):
             run()
-        self.measure_signal()
-        sensors = self.read(self.sensors)
-        for _ in range(STEPS_AFTER_SENSORS):
-            run()
+            if step == STEPS_TO_SENSORS:
+                self.measure_signal()
+                sensors = self.read(self.sensors)
+            if step == self.shown_after:
+                shown = self.read_shown()
         if self.has_crashed():
             self.crashed.set_double_value(1.0)
-            self.last = (self.last[0], self.last[1][:-1] + [1.0])
+            sensors, truth, shown = self.last
+            self.last = (sensors, truth[:-1] + [1.0], shown)
         else:
-            self.last = (sensors, self.read(self.truth))
+            self.last = (sensors, self.read(self.truth), shown)
         return self.last
 
 
@@ -290,7 +320,7 @@ def receive(link, length):
 
 def read_items(link):
     """What the other side sends and wants: {kind: [(name, unit)]}."""
-    items = {"servo": [], "sensor": [], "truth": []}
+    items = {"servo": [], "sensor": [], "truth": [], "shown": [], "after": []}
     with link.makefile("r", encoding="ascii", newline="\n") as lines:
         for line in lines:
             if line == "\n":
@@ -303,20 +333,22 @@ def read_items(link):
 def serve(link):
     try:
         items = read_items(link)
-        aircraft = Aircraft(items["servo"], items["sensor"], items["truth"])
+        (shown_after, _), = items["after"]
+        aircraft = Aircraft(items["servo"], items["sensor"], items["truth"],
+                            items["shown"], int(shown_after))
     except Refused as refusal:
         link.sendall(f"{refusal}\n".encode())
         return
     link.sendall(b"ready\n")
 
     commands = struct.Struct(">%dd" % len(items["servo"]))
-    state = struct.Struct(">%dd" % (len(items["sensor"])
-                                    + len(items["truth"])))
-    sensors, truth = aircraft.last
-    link.sendall(state.pack(*sensors, *truth))
+    state = struct.Struct(">%dd" % sum(
+        len(items[kind]) for kind in ("sensor", "truth", "shown")))
+    sensors, truth, shown = aircraft.last
+    link.sendall(state.pack(*sensors, *truth, *shown))
     while (data := receive(link, commands.size)) is not None:
-        sensors, truth = aircraft.fly(commands.unpack(data))
-        link.sendall(state.pack(*sensors, *truth))
+        sensors, truth, shown = aircraft.fly(commands.unpack(data))
+        link.sendall(state.pack(*sensors, *truth, *shown))
 
 
 def main():

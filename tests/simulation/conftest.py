@@ -60,10 +60,12 @@ class Flight:
 
     @cached_property
     def rows(self):
-        """The flight record, a dictionary of numbers for each frame."""
+        """The flight record, a dictionary of numbers for each frame: whole
+        ones, and decimals of what the aircraft really does."""
         with self.path("record.csv").open(newline="", encoding="utf-8") as f:
             return [
-                {name: int(value) for name, value in row.items()}
+                {name: (float if name.startswith("truth.") else int)(value)
+                 for name, value in row.items()}
                 for row in csv.DictReader(f)
             ]
 

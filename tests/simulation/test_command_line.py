@@ -352,7 +352,8 @@ for line in link.makefile("r"):
     if line == "\\n":
         break
     kind = line.split(",")[0]
-    counts[kind] = counts.get(kind, 0) + 1
+    if kind != "after":
+        counts[kind] = counts.get(kind, 0) + 1
 link.sendall(b"ready\\n")
 commands = 8 * counts.pop("servo")
 state = bytes(8 * sum(counts.values()))

@@ -1,0 +1,135 @@
+"""SIM-3: the record of a flight of the aircraft shows what it really does, in
+the last columns: at the time of the row, in the units that their names say."""
+
+import math
+import re
+
+import pytest
+from conftest import fly_in
+from test_flight import has_jsbsim
+
+NAMES = [f"truth.{name}" for name in (
+    "altitude_ft", "airspeed_kt", "bank_deg", "pitch_deg", "heading_deg",
+    "alpha_deg", "beta_deg", "north_ft", "east_ft")]
+
+FRAME_S = 0.02
+FT_S_PER_KT = 1.68781
+
+# At 1800 ft above the sea the air is thinner than calibrated airspeed takes
+# it for: the standard atmosphere's density there is 0.948 of that below.
+TRUE_OF_CALIBRATED = 1 / math.sqrt(0.948)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _jsbsim_is_there():
+    if not has_jsbsim():
+        pytest.skip("JSBSim is not installed: make fly installs it")
+
+
+@pytest.fixture(scope="module")
+def flight(tmp_path_factory):
+    """Left by 90 degrees, and half the way back."""
+    return fly_in(tmp_path_factory.mktemp("flight"), "--plant", "jsbsim",
+                  "--pilot", "standard", "--seconds", "60")
+
+
+def test_the_columns_are_the_last_ones(flight):
+    assert list(flight.record)[-len(NAMES):] == NAMES
+    row = flight.path("record.csv").read_text().splitlines()[1000]
+    decimals = [2, 2, 3, 3, 3, 3, 3, 2, 2]
+    for value, count in zip(row.split(",")[-len(NAMES):], decimals,
+                            strict=True):
+        assert re.fullmatch(rf"-?\d+\.\d{{{count}}}", value), value
+
+
+def test_the_bench_has_no_such_columns(fly):
+    assert not any(name.startswith("truth.")
+                   for name in fly("--seconds", "0.1").record)
+
+
+# Word of the downlink, what it is worth (docs/items.md), column.
+SENSED = [
+    ("altitude", 0, 0.5, "altitude_ft"),
+    ("airspeed", 0, 0.03125, "airspeed_kt"),
+    ("roll_attitude", 2048, 180 / 2048, "bank_deg"),
+    ("pitch_attitude", 2048, 90 / 2048, "pitch_deg"),
+    ("alpha", 2048, 0.0125, "alpha_deg"),
+    ("beta", 2048, 0.0125, "beta_deg"),
+]
+
+
+@pytest.mark.parametrize("item, zero, unit, column", SENSED,
+                         ids=[row[0] for row in SENSED])
+def test_what_sensors_measure_is_the_truth(flight, item, zero, unit, column):
+    """Rounded to a word; 10 to 30 ms before the row that has it at phase 3."""
+    words = flight.record["mcs.downlink." + item]
+    truth = flight.record["truth." + column]
+    for row in range(10, len(words)):
+        then = truth[row - 2:row + 1]
+        measured = unit * (words[row] - zero)
+        rounding = 0.51 * unit + 0.005
+        assert min(then) - rounding <= measured <= max(then) + rounding, row
+    # Not of a standstill.
+    assert len({*truth}) > 50
+
+
+def travelled(record, first, last):
+    """North and east from one row to another, by heading and speed. The path
+    is below the nose by alpha, which a bank turns to the outside."""
+    north = east = 0.0
+    for row in range(first, last):
+        bank = math.radians(record["truth.bank_deg"][row])
+        heading = math.radians(
+            record["truth.heading_deg"][row]
+            + record["truth.beta_deg"][row] * math.cos(bank)
+            - record["truth.alpha_deg"][row] * math.sin(bank))
+        way = (record["truth.airspeed_kt"][row] * TRUE_OF_CALIBRATED
+               * FT_S_PER_KT * FRAME_S)
+        north += way * math.cos(heading)
+        east += way * math.sin(heading)
+    return north, east
+
+
+# Straight east; the turn to the north; north.
+@pytest.mark.parametrize("first, last", [(10, 750), (750, 1300),
+                                         (1300, 2200), (10, 2999)])
+def test_north_and_east_are_what_heading_and_speed_make(flight, first, last):
+    record = flight.record
+    north, east = travelled(record, first, last)
+    assert math.hypot(north, east) > 1000
+    error = 0.005 * FRAME_S * (last - first) * 70 * FT_S_PER_KT
+    assert record["truth.north_ft"][last] - record["truth.north_ft"][first] \
+        == pytest.approx(north, abs=error)
+    assert record["truth.east_ft"][last] - record["truth.east_ft"][first] \
+        == pytest.approx(east, abs=error)
+
+
+def test_it_begins_as_documented(flight):
+    first = flight.rows[0]
+    assert first["truth.altitude_ft"] == pytest.approx(1000, abs=0.1)
+    assert first["truth.airspeed_kt"] == pytest.approx(70, abs=0.05)
+    assert first["truth.heading_deg"] == pytest.approx(90, abs=0.05)
+    assert (first["truth.north_ft"], first["truth.east_ft"]) == (0, 0)
+
+
+def test_left_is_negative_and_down_the_heading(flight):
+    """In the middle of the left turn, 25 degrees of bank."""
+    turn = flight.rows[50 * 20]
+    assert -30 < turn["truth.bank_deg"] < -15
+    assert 20 < turn["truth.heading_deg"] < 80
+    assert flight.rows[50 * 50]["truth.bank_deg"] > 15
+
+
+@pytest.mark.parametrize("phase", range(10))
+def test_the_truth_is_that_of_the_row_s_time(tmp_path, phase):
+    """Whenever the servos have their commands within the ground's frame: at a
+    steady speed east the place tells the time."""
+    flight = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "2",
+                    "--phase", phase)
+    # The aircraft waits until the servos have had their first commands.
+    begins_ms = 2 * phase + 20 + 4
+    speed = 70 * TRUE_OF_CALIBRATED * FT_S_PER_KT
+    for row in flight.rows[10:]:
+        flown_ms = row["truth.east_ft"] / speed * 1000
+        assert flown_ms == pytest.approx(row["time_ms"] - begins_ms, abs=3), \
+            row["frame"]
