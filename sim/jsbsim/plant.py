@@ -155,7 +155,7 @@ def load_jsbsim():
 class Aircraft:
     """A settled aircraft, its servos' inputs and its sensors' outputs."""
 
-    def __init__(self, servos, sensors, truth, shown, shown_after):
+    def __init__(self, servos, sensors, truth, shown=(), shown_after=STEPS):
         self.fdm = fdm = load_jsbsim()
         self.tree = fdm.get_property_manager()
         for name, value in (
@@ -333,9 +333,9 @@ def read_items(link):
 def serve(link):
     try:
         items = read_items(link)
-        (shown_after, _), = items["after"]
+        after = [int(steps) for steps, _ in items["after"]]
         aircraft = Aircraft(items["servo"], items["sensor"], items["truth"],
-                            items["shown"], int(shown_after))
+                            items["shown"], *after)
     except Refused as refusal:
         link.sendall(f"{refusal}\n".encode())
         return

@@ -34,7 +34,7 @@ class Flown:
         self.take(self.aircraft.last)
 
     def take(self, said):
-        sensors, truth = said
+        sensors, truth, _ = said
         self.sensors = dict(zip(SENSORS, sensors, strict=True))
         self.truth = dict(zip(TRUTH, truth, strict=True))
 
