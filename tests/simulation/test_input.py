@@ -486,25 +486,46 @@ def test_sensors_may_have_every_name_of_the_downlink(fly, write, tmp_path):
         assert last["mcs.downlink." + name] == 100 + n, name
 
 
-def test_faults_that_are_there_are_taken(fly, write):
-    write("faults.txt",
-          "# what is supported\n\n"
-          "100 cut 50        # both ways\r\n"
-          "\t20.5\tup  flip 3 1ff\n"
-          "0 down drop 1\n"
-          "  # out of order is fine\n"
-          "10 down flip 2147483647 0x1\n"
-          "300 cut 0\n"
-          "40 up ber 0.001 1000\n"
-          "50 down ber 1e-6 10\n"
-          "60 up dup 3\n"
-          "70 down insert 3 a5\n"
-          "80 gsc stall telemetry 2.5\n"
-          "80 mcs stall adc 2.5\n"
-          "90 mcs reset warm\n"
-          "90 gsc reset processor\n"
-          "90 gsc reset telemetry\n"
-          "95 mcs bus_error\n"
-          "100 gsc rom ffff FF\n"
-          "100 mcs ram 0x1fff ffff\n")
-    assert fly("--faults", "faults.txt", "--seconds=1").status == 0
+# A fault in every way the format allows, the same written plainly, and whether
+# a flight of half a second is another one with it.
+FAULTS = [
+    ("100 cut 50        # both ways\r\n", "100 cut 50", True),
+    ("\t120.5\tup  flip 3 1ff\n", "120.5 up flip 3 1FF", True),
+    ("# first\n\n  # second\n100.000 down drop 0001", "100 down drop 1",
+     True),
+    ("100 down flip 4 0x1", "100 down flip 4 1", True),
+    ("100 down flip 2147483647 0x1", "# none", False),
+    ("300 cut 0", "# none", False),
+    ("140 up ber 0.010 200\n", "140 up ber 1e-2 200", True),
+    ("100 down ber 0 10", "# none", False),
+    ("160 up dup 3", "160.0 up dup 3", True),
+    ("170 down insert 3 A5", "170 down insert 3 a5", True),
+    ("184 gsc stall telemetry 2.5", "184 gsc stall telemetry 2.500", True),
+    ("185 mcs stall adc 42.5", "185.000 mcs stall adc 42.5 # long", True),
+    ("190 mcs reset warm", "  190 mcs   reset warm  ", True),
+    ("190 gsc reset processor", "190\tgsc\treset\tprocessor", True),
+    ("205 gsc reset telemetry", "205.0 gsc reset telemetry", True),
+    ("195 mcs bus_error", "195 mcs bus_error#", True),
+    ("200 gsc rom ffff FF\n250 gsc reset warm",
+     "250 gsc reset warm\n200 gsc rom 0xFFFF 0xff", True),
+    ("200 mcs ram 0x1fff ffff\n250 mcs reset warm",
+     "250 mcs reset warm\n200 mcs ram 1FFF ffff", True),
+]
+
+
+@pytest.mark.parametrize("odd, plain, is_another", FAULTS,
+                         ids=[each[0].strip() for each in FAULTS])
+def test_a_fault_is_taken_however_it_is_written(
+        fly, write, odd, plain, is_another):
+    def flown(name, faults):
+        write(f"{name}.txt", faults)
+        flight = fly("--faults", f"{name}.txt", "--seconds=0.5",
+                     "--sensors", "sensors.csv", name=name)
+        return [flight.path(file).read_bytes()
+                for file in ("record.csv", "wire.csv", "events.jsonl")]
+
+    # Words that change, so that it shows when they are late.
+    write("sensors.csv", "time_ms,roll_rate\n" + "".join(
+        f"{10 * row},{row}\n" for row in range(50)))
+    assert flown("odd", odd) == flown("plain", plain)
+    assert (flown("odd", odd) != flown("none", "# none")) == is_another

@@ -208,9 +208,141 @@ def test_noise_of_several_lines_adds_up(fly, write):
 # --- a telemetry board starts anew -------------------------------------------
 
 
-@pytest.mark.parametrize("node", ["gsc", "mcs"])
-def test_lnk9_a_board_that_starts_anew_flies_on(fly, write, node):
-    write("faults.txt", f"204.9 {node} reset telemetry\n")
-    link = fly("--seconds", "1", "--faults", "faults.txt").summary["link"]
-    assert 46 <= link["uplink_received"] <= 49, link
-    assert 45 <= link["downlink_received"] <= 48, link
+# When, who, and what is counted in the flight; the frames in which less than a
+# block each way comes.
+ANEW = [
+    # Before the exchange and after it nothing is lost.
+    (201.5, "gsc", CLEAN, []), (201.5, "mcs", CLEAN, []),
+    (213.0, "gsc", CLEAN, []), (213.0, "mcs", CLEAN, []),
+    # Within the uplink: it is broken off, or heard by a board that knows
+    # nothing of it. It comes again, and the downlink so late that it is a
+    # newer one.
+    (204.9, "gsc", (50, 49, 1, 47, 47, 0, 0, 1), [11]),
+    (204.9, "mcs", (50, 49, 0, 47, 47, 0, 1, 1), [11]),
+    # While the downlink comes: the ground hears none of it, and has nothing
+    # to send before its next frame.
+    (207.05, "gsc", (49, 49, 0, 48, 47, 0, 0, 1), [10]),
+    (209.9, "gsc", (49, 49, 0, 48, 47, 0, 0, 1), [10]),
+    # The aircraft breaks it off, and is asked once more.
+    (207.05, "mcs", CLEAN, []),
+    (209.9, "mcs", (49, 49, 0, 48, 47, 1, 1, 0), [11]),
+]
+
+
+@pytest.mark.parametrize("time, node, counts, missing", ANEW)
+def test_lnk9_a_board_that_starts_anew_flies_on(
+        fly, write, time, node, counts, missing):
+    write("faults.txt", f"{time} {node} reset telemetry\n")
+    flight = fly("--seconds", "1", "--faults", "faults.txt")
+    assert tuple(flight.summary["link"][name] for name in LINK) == counts
+    received = [flight.record[f"link.{way}_received"]
+                for way in ("uplink", "downlink")]
+    assert [frame for frame in range(9, 50) if any(
+        count[frame] != count[frame - 1] + 1 for count in received)
+            ] == missing
+
+
+# --- which character it is, to the microsecond ---------------------------------
+
+# The uplink of the frame that begins at 200 ms: when each character is sent.
+FIRST_US, CHARACTER_US = 204_000, 96
+
+
+def sent_at(place):
+    return FIRST_US + CHARACTER_US * (place - 1)
+
+
+def ms(time_us):
+    return f"{time_us / 1000:.3f}"
+
+
+@pytest.fixture
+def outputs(fly, write):
+    """What a flight with these faults leaves, to the byte."""
+
+    def of(*faults):
+        write("faults.txt", "\n".join(faults) + "\n")
+        flight = fly("--faults", "faults.txt", "--seconds=0.4", "--seed=5",
+                     name=str(abs(hash(faults))))
+        return [flight.path(file).read_bytes()
+                for file in ("record.csv", "wire.csv", "events.jsonl")]
+
+    return of
+
+
+@pytest.mark.parametrize("begin, length, lost", [
+    (0, 1, [9]), (95, 1, [9]), (96, 1, [10]), (-1, 1, [8]),
+    (95, 2, [9, 10]), (0, 96, [9]), (0, 97, [9, 10]), (1, 96, [9, 10]),
+    (-1, 97, [8, 9])])
+def test_a_cut_loses_each_character_of_which_a_part_is_in_it(
+        outputs, begin, length, lost):
+    # One character more makes up for a lost one, unless it is that one: the
+    # block comes bad, and not short. So it shows which ones are lost.
+    added = [[f"200 up dup {place}" for place in places]
+             for places in ((8,), (9,), (10,), (6, 7))]
+    cut = [f"{ms(sent_at(9) + begin)} cut {ms(length)}"]
+
+    def after(places):
+        return [outputs(*more, *(f"200 up drop {place}" for place in places))
+                for more in added]
+
+    assert [outputs(*more, *cut) for more in added] == after(lost)
+    for other in (lost[1:], [lost[0] - 1, *lost], [*lost, lost[-1] + 1]):
+        assert after(other) != after(lost)
+
+
+@pytest.mark.parametrize("begin, length, hit", [
+    (0, 1, [9]), (-1, 1, []), (1, 95, []), (1, 96, [10]), (-95, 96, [9]),
+    (0, 96, [9]), (0, 97, [9, 10])])
+def test_bit_errors_hit_each_character_that_begins_among_them(
+        outputs, begin, length, hit):
+    # Flipped twice is not flipped, so it shows which ones are hit.
+    noise = f"{ms(sent_at(9) + begin)} up ber 1 {ms(length)}"
+    clean = outputs("# none")
+    for places in ([], [8], [9], [10], [8, 9], [9, 10]):
+        flips = [f"200 up flip {place} 1ff" for place in places]
+        assert (outputs(noise, *flips) == clean) == (places == hit)
+
+
+def test_faults_of_a_character_come_in_the_order_of_their_lines(outputs):
+    # The command first, and it is obeyed; a byte that is none, and it waits.
+    command, other = "200 up insert 31 4b", "200 up insert 31 00"
+    assert outputs(command, other) != outputs(other, command)
+    # But by their times first: both are of the same character.
+    sooner = "199 up insert 31 00"
+    assert outputs(command, sooner) == outputs(other, command)
+
+
+def test_a_character_doubled_twice_comes_three_times(outputs):
+    # The last of a message: the receiver answers after the first.
+    for place in (5, 30):
+        once, twice = (outputs(*[f"200 up dup {place}"] * count)
+                       for count in (1, 2))
+        assert (once == twice) == (place == 30)
+
+
+@pytest.mark.parametrize("mask, is_told", [(3, False), (1, True), (100, True),
+                                           (101, False), ("1f", True)])
+def test_an_odd_number_of_flips_is_a_parity_error_and_an_even_one_is_none(
+        fly, write, mask, is_told):
+    """Of a command, of which nothing but the parity can tell that another
+    character is not what was sent: 4Bh is one away from being none."""
+    write("faults.txt", f"200 up flip 31 {mask}\n")
+    flight = fly("--faults", "faults.txt", "--seconds=0.4")
+    heard = 0x4B ^ (int(str(mask), 16) & 0xFF)
+    down = [row for row in flight.wire if row.direction == "down"
+            and 206_900 < row.time_us < 208_000]
+    assert bool(down) == (heard == 0x4B and not is_told)
+
+
+def test_a_character_that_nobody_read_spoils_the_next(outputs):
+    """The aircraft's board stands still as the command ends, and the DUART
+    says so with what comes next: the second command, which is not heard."""
+    stall = "207.070 mcs stall telemetry 0.010"
+    lost = "200 up drop 31"
+    spoilt = "200 up flip 32 100"
+    stalled, both, one = (outputs(*faults) for faults in (
+        [stall], [lost, spoilt], [lost]))
+    counts = [output[0].splitlines()[-1].split(b",")[-10:]
+              for output in (stalled, both, one)]
+    assert counts[0] == counts[1] != counts[2]

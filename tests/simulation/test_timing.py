@@ -1,16 +1,24 @@
 """EVI-9: whatever was late in a flight in real time is found, and whether the
 machine had paused then."""
 
+import os
+import re
 import sys
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
+import machine_pauses  # noqa: E402
 import timing  # noqa: E402
 from machine_pauses import Pauses  # noqa: E402
 
-COUNTS = ("overruns", *timing.LINK_ERRORS["mcs"], *timing.LINK_ERRORS["gsc"])
+COUNTS = ("overruns", *(
+    f"link.{way}_{count}" for way in ("uplink", "downlink")
+    for count in ("sent", "received", "bad", "scrapped")),
+    "link.mcs_resets", "link.gsc_resets")
 
 
 def flight(frames=10):
@@ -99,3 +107,136 @@ def test_a_change_that_never_comes_is_out_of_bounds():
         60, timing.CHANGE_US / 1_000, 60
     ]
     assert [timing.is_in_bounds(way) for way in ways] == [True, False, True]
+
+
+# --- which counts, whose bounds, and what comes of it ------------------------
+
+@pytest.mark.parametrize("node, column, kind", [
+    *[(node, "overruns", "overruns") for node in ("mcs", "gsc")],
+    *[(node, f"link.{name}", "link errors") for node, names in {
+        "mcs": ("uplink_bad", "downlink_scrapped", "mcs_resets"),
+        "gsc": ("downlink_bad", "uplink_scrapped", "gsc_resets"),
+    }.items() for name in names]])
+def test_every_count_of_either_node_is_looked_at(node, column, kind):
+    records = flight()
+    records[node][7][column] = 2
+    for row in records[node][8:]:
+        row[column] = 3
+    assert found_in(records) == {
+        kind: [(2, 100_000, 140_000), (1, 120_000, 160_000)]}
+
+
+def test_the_bounds_are_those_of_the_design():
+    design = (ROOT / "docs" / "design.md").read_text("utf-8")
+    scan_to_servo = int(re.search(
+        r"2p \+ (\d+) ms for p = 0 \.\. 3$", design, re.M)[1])
+    waits = re.search(r"waits for its scan from 0 to (\d+) ms more, and for\n"
+                      r"its channel ([\d.]+) ms", design)
+    least = 2 * timing.PHASE + scan_to_servo
+    assert timing.PHASE == 3
+    assert timing.LATENCY_MS[0] == least
+    assert timing.LATENCY_MS[1] == pytest.approx(
+        least + int(waits[1]) + float(waits[2]), abs=0.02)
+    assert timing.LENIENCY_MS == 1
+    assert timing.FRAME_US == 20_000
+
+
+@pytest.mark.parametrize("share, value", [
+    (0.5, 2), (0.51, 3), (0.9, 3), (0.99, 7), (1, 7)])
+def test_quantiles_of_a_histogram(share, value):
+    assert timing.quantile({7: 1, 1: 2, 3: 4, 2: 3}, share) == value
+
+
+def summary(node):
+    tasks = {"mcs": ("ad_task", "pwm_task"), "gsc": ("ad_task",)}[node]
+    four = {"min": 1, "median": 2, "p99": 3, "max": 4}
+    return {"frames": 10, "overruns": 0, "switched_on_us": 0,
+            "cost_us": {task: four for task in tasks},
+            "response_us": {task: four for task in tasks},
+            "release_jitter_us": four}
+
+
+@pytest.fixture
+def concluded(monkeypatch, capsys):
+    """The exit status and what is said of a flight with these pauses."""
+
+    def conclude(records, pauses, ways=()):
+        summaries = {node: summary(node) for node in records}
+        monkeypatch.setattr(timing, "fly", lambda *_: (
+            [], summaries, records, None, pauses))
+        monkeypatch.setattr(timing, "ways_of", lambda *_: list(ways))
+        monkeypatch.setattr(sys, "argv", ["timing.py", "--seconds", "5"])
+        return timing.main(), capsys.readouterr().out
+
+    return conclude
+
+
+def with_overrun(at=7):
+    records = flight()
+    for row in records["mcs"][at:]:
+        row["overruns"] = 1
+    return records
+
+
+@pytest.mark.parametrize("pauses, status", [
+    ([], 1), ([(110_000, 120_000)], 0), ([(90_000, 100_000)], 0),
+    # Too early, too late, or a second beside it.
+    ([(90_000, 99_999)], 1), ([(140_001, 150_000)], 1),
+    ([(1_110_000, 1_120_000)], 1), (None, 0)])
+def test_what_no_pause_explains_fails(concluded, pauses, status):
+    result, said = concluded(with_overrun(), pauses)
+    assert result == status
+    assert ("1 of these without a pause" in said) == (status == 1)
+    assert ("nobody watched for pauses" in said) == (pauses is None)
+
+
+def test_nothing_late_needs_no_pause(concluded):
+    assert concluded(flight(), [])[0] == 0
+
+
+def test_the_table_has_the_changes_percentiles(concluded):
+    ways = [(0, 50_000 + 100 * number) for number in range(200)]
+    _, said = concluded(flight(), [], ways)
+    assert "of 200 changes | 50.0 least, 60.0 median, 69.8 p99, 69.9 most" \
+        in said
+    # 70.2 and 1 more are allowed: all of them.
+    assert "within 50 to 70.2 ms, give or take 1 | 200 |" in said
+
+
+# --- who watches for pauses ----------------------------------------------------
+
+def test_a_late_wake_is_a_pause_and_a_punctual_one_is_none(monkeypatch):
+    # What each sleep takes longer than it should, in microseconds.
+    late = iter([0, 100, 499, 500, 20_000, 0, 0, 0, 0, 0, 0])
+    now = [0]
+
+    def sleep(seconds):
+        now[0] += round(seconds * 1e6) + next(late, 0)
+
+    monkeypatch.setattr(machine_pauses, "now_us", lambda: now[0])
+    monkeypatch.setattr(machine_pauses.time, "sleep", sleep)
+    for name in ("sched_setaffinity", "sched_setscheduler"):
+        monkeypatch.setattr(machine_pauses.os, name, lambda *_: None)
+    found = []
+    machine_pauses.watch(0, os.SCHED_OTHER, 0.02, found)
+    assert found == [(4_000, 4_500), (5_500, 25_500)]
+
+
+@pytest.mark.parametrize("codes, is_watched", [
+    ((0, 0), True), ((0, 1), False), ((1, 0), False), ((1, 1), False)])
+def test_a_watcher_that_could_not_watch_is_told(codes, is_watched):
+    class Watcher:
+        def __init__(self, exitcode):
+            self.exitcode = exitcode
+
+        def join(self):
+            pass
+
+    class Manager:
+        def shutdown(self):
+            pass
+
+    watchers = object.__new__(machine_pauses.Watchers)
+    watchers.manager, watchers.pauses = Manager(), [(5, 6), (1, 2)]
+    watchers.processes = [Watcher(code) for code in codes]
+    assert watchers.result() == ([(1, 2), (5, 6)] if is_watched else None)
