@@ -35,7 +35,7 @@ case $target in
           requirements="sim/jsbsim/requirements.txt" ;;
    test | check)
           packages="$build $aunit afl++ binutils gcc python3
-                    python3-venv"
+                    python3-venv socat"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt" ;;
    mutate)

@@ -108,12 +108,14 @@ class Outputs:
 class Run:
     """A partition that runs."""
 
-    def __init__(self, node, folder, link, *options):
+    def __init__(self, node, folder, link, *options, quiet=True):
         folder.mkdir(exist_ok=True)
+        self.node = node
         self.outputs = Outputs(folder)
         self.program = subprocess.Popen(
             [
-                PROGRAMS[node], "--link", link, "--quiet",
+                PROGRAMS[node], "--link", link,
+                *(["--quiet"] if quiet else []),
                 "--record", folder / "record.csv",
                 "--summary", folder / "summary.json",
                 "--events", folder / "events.jsonl",
@@ -131,6 +133,18 @@ class Run:
             assert self.program.poll() is None
             assert time.monotonic() < deadline
             time.sleep(0.01)
+
+    def say_line(self):
+        """The next line that it says on standard error."""
+        line = []
+        reader = threading.Thread(
+            target=lambda: line.append(self.program.stderr.readline()),
+            daemon=True,
+        )
+        reader.start()
+        reader.join(TIME_LIMIT_S)
+        assert line, "it says nothing"
+        return line[0].rstrip("\n")
 
     def send(self, which):
         self.program.send_signal(which)
@@ -158,8 +172,9 @@ def start(tmp_path):
     """Start a partition; whatever still runs at the end is killed."""
     runs = []
 
-    def begin(node, link, *options):
-        run = Run(node, tmp_path / f"{node}{len(runs)}", link, *options)
+    def begin(node, link, *options, quiet=True):
+        run = Run(node, tmp_path / f"{node}{len(runs)}", link, *options,
+                  quiet=quiet)
         runs.append(run)
         return run
 

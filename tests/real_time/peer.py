@@ -26,6 +26,9 @@ DEAD_SPACE_S = 20 * CHARACTER_S
 IDLE_S = 24 * CHARACTER_S
 FRAME_S = 0.020
 
+# A node that says nothing for so long is not there.
+PATIENCE_S = 60
+
 
 def checksum(data):
     """CRC-8/DARC: x^8 + x^5 + x^4 + x^3 + 1, low bit first, from 0."""
@@ -74,10 +77,18 @@ class Peer:
         self._thread.join()
         self._line.close()
 
-    def await_received(self, number, limit_s=60):
+    def await_received(self, number):
         """Wait until so many good data messages have come."""
-        deadline = time.monotonic() + limit_s
-        while len(self.received) < number:
+        self._await(lambda: len(self.received) >= number)
+
+    def await_answered(self, number):
+        """Wait until so many of its own were found good."""
+        self._await(lambda: self.answered >= number)
+
+    @staticmethod
+    def _await(condition):
+        deadline = time.monotonic() + PATIENCE_S
+        while not condition():
             assert time.monotonic() < deadline, "too few messages came"
             time.sleep(0.005)
 

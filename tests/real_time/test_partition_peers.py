@@ -1,10 +1,12 @@
 """LNK-2: the partitions beside another implementation of the other end."""
 
+import socket
+
 from conftest import (
-    COMMANDS, HOLDS_MS, SENSORS, SERVOS, assert_in_order, different_rows,
-    free_ports, in_turn, script, script_seconds, udp,
+    COMMANDS, HOLDS_MS, SENSORS, SERVOS, TIME_LIMIT_S, assert_in_order,
+    different_rows, free_ports, in_turn, script, script_seconds, udp,
 )
-from peer import AircraftPeer, GroundPeer
+from peer import UPLINK, AircraftPeer, GroundPeer
 
 
 def complete(found, expected):
@@ -74,13 +76,31 @@ def test_lnk2_the_ground_commands_another_aircraft(start, write):
 
 
 def test_lnk9_a_node_alone_waits_and_is_there_when_the_other_comes(start):
+    """The ground calls, and nobody answers: it calls on, gives nothing up
+    but blocks, and has the aircraft as soon as there is one."""
     own, other = free_ports(2)
-    run = start("gsc", udp(own, other))
     words = tuple(range(100, 127)) + (0,)
-    with AircraftPeer(other, own) as deaf:
-        # Nobody answers: it has no words to send and hears nothing.
-        deaf.words = [words]
-        while len(deaf.received) < 20:
-            deaf._ended.wait(0.01)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as deaf:
+        deaf.bind(("127.0.0.1", other))
+        deaf.settimeout(TIME_LIMIT_S)
+        run = start("gsc", udp(own, other))
+        heard = b""
+        while heard.count(UPLINK) < 40:
+            heard += deaf.recv(4096)
+    with AircraftPeer(other, own, [words]) as aircraft:
+        aircraft.await_received(20)
+        aircraft.await_answered(20)
     gsc = run.stop()
+
+    # While it was alone every block was given up, after two attempts.
+    rows = [row for row in gsc.rows if row["link.downlink_received"] == 0]
+    alone = rows[-1]
+    assert alone["link.uplink_sent"] >= 20
+    given_up = alone["link.uplink_scrapped"]
+    assert 0 <= alone["link.uplink_sent"] - 2 * given_up <= 2
+    assert alone["link.gsc_resets"] >= alone["link.uplink_sent"] - 1
+    assert words[:-1] not in gsc.words("gsc.downlink", SENSORS)[:len(rows)]
+
+    # And none thereafter.
+    assert gsc.rows[-1]["link.uplink_scrapped"] - given_up <= 1
     assert gsc.words("gsc.downlink", SENSORS)[-1] == words[:-1]

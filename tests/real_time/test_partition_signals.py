@@ -6,9 +6,14 @@ import time
 
 import pytest
 
-from conftest import COMMANDS, SERVOS, different_rows, in_turn, script
+from conftest import (
+    COMMANDS, SENSORS, SERVOS, TIME_LIMIT_S, different_rows, free_ports,
+    in_turn, script, udp,
+)
+from peer import AircraftPeer, GroundPeer
 
 FAR_LONGER_S = 1000
+FRAME_US = 20_000
 
 
 def await_rows(run, number):
@@ -20,17 +25,95 @@ def await_rows(run, number):
 
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_run_with_whole_outputs(start_both, which):
-    runs = start_both(mcs=("--seconds", FAR_LONGER_S))
-    await_rows(runs[0], 40)
+def test_a_signal_ends_a_run_with_whole_outputs(start, which):
+    """Record, summary and events tell of the same run, up to its end."""
+    up, down = free_ports(2)
+    runs = [
+        start("mcs", udp(up, down), "--seconds", FAR_LONGER_S, quiet=False),
+        start("gsc", udp(down, up), quiet=False),
+    ]
     for run in runs:
+        assert "listening" in run.say_line()
+    for run in runs:
+        assert "peer heard" in run.say_line()
+    time.sleep(0.5)
+    ended_at = []
+    for run in runs:
+        ended_at.append(time.monotonic() * 1e6)
         run.send(which)
-    for run in runs:
-        outputs = run.end()
-        assert outputs.summary["frames"] == outputs.rows[-1]["frame"] + 1
-        assert outputs.summary["frames"] >= 30
-        assert "events" in outputs.summary
-        assert isinstance(outputs.events, dict)
+    for run, told_at in zip(runs, ended_at):
+        run.program.communicate(timeout=TIME_LIMIT_S)
+        assert run.program.returncode == 0
+        node, outputs = run.node, run.outputs
+        summary, last = outputs.summary, outputs.rows[-1]
+        assert summary["frames"] == last["frame"] + 1
+        assert summary["seconds"] == pytest.approx(summary["frames"] / 50)
+
+        # Up to the signal, but for the frame that was not over yet; a row
+        # may be late, and then so is the signal's.
+        on_at = summary["switched_on_us"]
+        assert last["clock_us"] >= told_at - 2 * FRAME_US - latest(outputs)
+        assert last["clock_us"] - on_at >= summary["frames"] * FRAME_US / 2
+
+        # The link and the log of the whole run.
+        sent = "downlink_sent" if node == "mcs" else "uplink_sent"
+        assert 0 <= summary["link"][sent] - last[f"link.{sent}"] <= 2
+        assert summary["events"] == {
+            kind: event["count"] for kind, event in outputs.events.items()
+        }
+        for event in outputs.events.values():
+            assert event["first_ms"] <= event["last_ms"]
+            assert event["last_ms"] <= 20 * summary["frames"] + latest(outputs)
+        assert "warm_reset" not in outputs.events
+
+
+def latest(outputs):
+    """How late the latest row was, in microseconds."""
+    first = outputs.rows[0]
+    return max(
+        row["clock_us"] - first["clock_us"]
+        - FRAME_US * (row["frame"] - first["frame"])
+        for row in outputs.rows
+    )
+
+
+def fall_silent(start, node):
+    """A node whose peer has spoken with it, and speaks no more."""
+    own, other = free_ports(2)
+    run = start(node, udp(own, other))
+    width = len(COMMANDS if node == "mcs" else SENSORS) + 1
+    peer = GroundPeer if node == "mcs" else AircraftPeer
+    with peer(other, own, [(0x700,) * (width - 1) + (0,)]) as it:
+        it.await_received(20)
+    return run
+
+
+@pytest.mark.parametrize("node", ["mcs", "gsc"])
+@pytest.mark.parametrize("which, kind", [
+    (signal.SIGUSR1, "processor_restart"), (signal.SIGUSR2, "warm_reset"),
+])
+def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
+    start, node, which, kind
+):
+    """A board that has received nothing since its start gives its controller
+    no reason to complain of silence (LNK-10): in the frames after SIGUSR2
+    the log has no more of that, in those after SIGUSR1 it has."""
+    run = fall_silent(start, node)
+    time.sleep(0.3)
+    run.send(which)
+    time.sleep(0.8)
+    outputs = run.stop()
+    other = {"processor_restart": "warm_reset",
+             "warm_reset": "processor_restart"}[kind]
+    assert outputs.events[kind]["count"] == 1
+    assert other not in outputs.events
+    started_ms = outputs.events[kind]["last_ms"]
+    silent_ms = outputs.events["telin_no_block"]
+    assert silent_ms["first_ms"] < started_ms
+    if which == signal.SIGUSR2:
+        assert silent_ms["last_ms"] <= started_ms
+    else:
+        assert silent_ms["last_ms"] > started_ms + 100
 
 
 def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
