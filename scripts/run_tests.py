@@ -32,8 +32,8 @@ SLOWEST = 10
 
 # The files of tests of the simulation that `make check` leaves out: they take
 # longest.
-SLOW = ("campaign", "exploration", "faults", "flight", "fuzz", "link_theory",
-        "planted", "starts", "traceability")
+SLOW = ("aircraft", "campaign", "exploration", "faults", "flight", "fuzz",
+        "link_theory", "pilot", "planted", "starts", "traceability", "truth")
 
 BROKEN = (0, 1, 0)
 
