@@ -7,6 +7,7 @@ import pty
 import re
 import resource
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -397,3 +398,42 @@ def test_an_internal_fault_ends_with_status_1(tmp_path):
     assert result.stderr.startswith(
         "urv_sim: internal fault: raised STORAGE_ERROR")
     assert result.stdout == ""
+
+
+# Where an exception of a node's program comes out.
+INTERRUPT = "         when GSC => GSC_Time.Clock_Interrupt (Now);\n"
+EXCEPTION = ("         when GSC =>\n"
+             '            if Now'Image = " 500" then\n'
+             '               raise Constraint_Error with "a mistake";\n'
+             "            end if;\n"
+             "            GSC_Time.Clock_Interrupt (Now);\n")
+
+
+def test_a_node_that_fails_ends_with_status_1(tmp_path):
+    """The ground's program raises what no fault has ordered. It restarts and
+    flies on, and the program's user is told."""
+    for name in ("src", "sim", "proofs", "urv.gpr"):
+        where = ROOT / name
+        (shutil.copytree if where.is_dir() else shutil.copy2)(
+            where, tmp_path / name)
+    for name in ("host", "sim-host", "memory-host"):
+        if (ROOT / "obj" / name).exists():
+            shutil.copytree(ROOT / "obj" / name, tmp_path / "obj" / name)
+    nodes = tmp_path / "sim" / "sim-nodes.adb"
+    text = nodes.read_text(encoding="utf-8")
+    assert text.count(INTERRUPT) == 1
+    nodes.write_text(text.replace(INTERRUPT, EXCEPTION), encoding="utf-8")
+    subprocess.run(
+        ["gprbuild", "-q", "-p", "-P", "sim/urv_sim.gpr", "-XURV_Mode=host"],
+        cwd=tmp_path, check=True)
+    result = subprocess.run(
+        [tmp_path / "bin" / "urv_sim", "fly", "--seconds", "3", "--summary",
+         "summary.json"], cwd=tmp_path, capture_output=True, text=True,
+        timeout=TIME_LIMIT_S, check=False)
+    assert result.returncode == 1, result
+    assert result.stderr.count("internal fault") == 1
+    assert "GSC restarts its processor" in result.stderr
+    assert "a mistake" in result.stderr
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    assert summary["core_status"]["gsc"]["processor_restarts"] == 1
+    assert summary["frames"] == 150

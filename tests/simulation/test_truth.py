@@ -133,3 +133,25 @@ def test_the_truth_is_that_of_the_row_s_time(tmp_path, phase):
         flown_ms = row["truth.east_ft"] / speed * 1000
         assert flown_ms == pytest.approx(row["time_ms"] - begins_ms, abs=3), \
             row["frame"]
+
+
+def test_the_time_of_a_crash_is_that_of_the_last_change(tmp_path):
+    """The link is cut as the pilot rolls into a turn, and stays so."""
+    (tmp_path / "faults.txt").write_text("17000 cut 60000\n")
+    flight = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
+                    "--seconds", "60", "--faults", "faults.txt")
+    quality = flight.summary["flight_quality"]
+    assert (quality["crashed"], quality["ended_level"]) == (True, False)
+    truths = [tuple(row[name] for name in NAMES) for row in flight.rows]
+    still = len(truths) - 1
+    while truths[still - 1] == truths[-1]:
+        still -= 1
+    # Before it stands still an aircraft moves every frame.
+    assert 50 * 20 < still < 50 * 40
+    assert all(a != b for a, b in zip(
+        truths[50:still], truths[51:still + 1], strict=True))
+    # The frame after the one that is the same for ever is the crash's.
+    assert quality["crashed_at_s"] == \
+        flight.record["time_ms"][still + 1] / 1000
+    # A wing tip is 7 ft from the middle, and it fell fast.
+    assert -10 < flight.rows[-1]["truth.altitude_ft"] < 15
