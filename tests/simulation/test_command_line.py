@@ -402,11 +402,13 @@ def test_an_internal_fault_ends_with_status_1(tmp_path):
 
 # Where an exception of a node's program comes out.
 INTERRUPT = "         when GSC => GSC_Time.Clock_Interrupt (Now);\n"
-EXCEPTION = ("         when GSC =>\n"
-             '            if Now'Image = " 500" then\n'
-             '               raise Constraint_Error with "a mistake";\n'
-             "            end if;\n"
-             "            GSC_Time.Clock_Interrupt (Now);\n")
+EXCEPTION = """\
+         when GSC =>
+            if Now'Image = " 500" then
+               raise Constraint_Error with "a mistake";
+            end if;
+            GSC_Time.Clock_Interrupt (Now);
+"""
 
 
 def test_a_node_that_fails_ends_with_status_1(tmp_path):

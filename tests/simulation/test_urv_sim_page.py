@@ -1,0 +1,194 @@
+"""docs/urv_sim.md says what bin/urv_sim takes, leaves and answers (SIM-1,
+SIM-2), and its examples run."""
+
+import os
+import re
+import subprocess
+from itertools import pairwise
+
+import pytest
+from conftest import PROGRAM, ROOT, TIME_LIMIT_S, fly_in
+from test_flight import has_jsbsim
+
+PAGE = (ROOT / "docs" / "urv_sim.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"^```(sh|console)\n(.*?)^```$", PAGE, re.M | re.S)
+CODE = re.findall(r"`([^`\n]+)`", PAGE)
+CELL = re.compile(r"(?<!\\)\|")
+
+
+def rows(section):
+    """The rows of a section's tables, cells without marks of code."""
+    text = PAGE.partition(f"\n## {section}\n")[2].partition("\n## ")[0]
+    return [[cell.strip().replace("\\|", "|") for cell in
+             CELL.split(line)[1:-1]]
+            for line in text.splitlines()
+            if line.startswith("|") and not line.startswith("|---")]
+
+
+def names_in(section):
+    """Everything in code in the first column of its tables."""
+    return [name for row in rows(section)
+            for name in re.findall(r"`([^`]+)`", row[0])]
+
+
+@pytest.fixture
+def told(urv_sim):
+    return urv_sim("help").stdout
+
+
+# --- the page and the program ----------------------------------------------
+
+def test_the_page_has_every_option_and_no_other(told):
+    of_help = re.findall(r"^  (--[a-z]+(?: [A-Z]+)?)", told, re.M)
+    assert len(of_help) == 15
+    assert names_in("Options of `fly`") == of_help
+    on_page = {option for code in [*CODE, *(text for _, text in BLOCKS)]
+               for option in re.findall(r"(?<![\w-])--[a-z]+", code)}
+    assert on_page - {"--option"} == \
+        {option.split()[0] for option in of_help} | {"--version"}
+
+
+def test_the_page_has_every_fault_and_no_other(told):
+    of_help = re.findall(r"^  (TIME_MS .*)$", told, re.M)
+    assert len(of_help) == 11
+    assert [form.strip("`") for form, *_ in rows("Faults")[1:]] == of_help
+
+
+def test_the_page_has_every_column_and_field(tmp_path):
+    """Of every output, and of the input files."""
+    (tmp_path / "faults.txt").write_text("17000 cut 60000\n")
+    options = ["--faults", "faults.txt"]
+    if has_jsbsim():
+        options += ["--plant", "jsbsim", "--pilot", "standard"]
+    flight = fly_in(tmp_path, *options)
+
+    groups = [name for name in names_in("Record") if name.endswith(".*")]
+    for column in flight.record:
+        assert column in CODE or any(
+            column.startswith(group[:-1]) for group in groups), column
+    if has_jsbsim():
+        truth = [name for name in flight.record if name.startswith("truth.")]
+        assert [name for name in names_in("Record")
+                if name.startswith("truth.") and name != "truth.*"] == truth
+
+    summary = flight.summary
+    fields = [*summary, *summary["link"], *summary["latency_ms"],
+              *summary.get("flight_quality", ())]
+    for name in fields:
+        assert name in CODE, name
+    if has_jsbsim():
+        assert {*names_in("Summary")} == {
+            *summary, *summary["flight_quality"]}
+
+    assert names_in("Wire") == ["time_us", "direction", "byte"]
+    event = next(iter(flight.events.values()))
+    assert names_in("Events") == [*event]
+
+
+@pytest.mark.parametrize("option", ["--sticks", "--sensors"])
+def test_the_page_has_every_column_of_the_input(urv_sim, write, option):
+    write("in.csv", "time_ms,oops\n0,1\n")
+    said = urv_sim("fly", option, "in.csv").stderr
+    names = said.partition("there are ")[2].strip().split(", ")
+    assert len(names) in (14, 29)
+    for name in names:
+        assert name in CODE or re.fullmatch("switch[2-7]", name), name
+
+
+def test_the_page_has_every_exit_status(told):
+    statuses = {row[0] for row in rows("Exit status")[1:]}
+    assert statuses == {"0", "1", "2", "130"}
+    assert {*re.findall(r"\b\d+\b", told.partition("exit status:")[2]
+                        .partition("\n\n")[0])} == statuses
+
+
+# --- its examples ----------------------------------------------------------
+
+@pytest.fixture
+def shell(tmp_path):
+    """Run a script in a folder that has the program where the page says."""
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "urv_sim").symlink_to(PROGRAM)
+
+    def run(script, *options):
+        return subprocess.run(
+            ["bash", *options, "-c", script], cwd=tmp_path,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, timeout=TIME_LIMIT_S,
+            check=False)
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "script", [text for kind, text in BLOCKS if kind == "sh"])
+def test_each_example_runs(shell, script):
+    if "jsbsim" in script and not has_jsbsim():
+        pytest.skip("JSBSim is not installed: make fly installs it")
+    assert "bin/urv_sim" in script
+    result = shell(script, "-e", "-o", "pipefail")
+    assert result.returncode == 0, result.stdout
+    assert result.stdout
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+def test_each_answer_is_as_printed(shell):
+    texts = [text for kind, text in BLOCKS if kind == "console"]
+    assert texts
+    for text in texts:
+        lines = text.splitlines()
+        starts = [place for place, line in enumerate(lines)
+                  if line.startswith("$ ")]
+        for start, end in pairwise([*starts, len(lines)]):
+            result = shell(lines[start][2:])
+            assert result.stdout.splitlines() == lines[start + 1:end]
+
+
+def test_the_example_of_the_truth_cuts_out_time_and_truth(fly):
+    if not has_jsbsim():
+        pytest.skip("JSBSim is not installed: make fly installs it")
+    place = int(re.search(r"cut -d, -f2,(\d+)-", PAGE)[1])
+    record = fly("--plant", "jsbsim", "--seconds", "0.1").record
+    assert [*record][place - 1] == "truth.altitude_ft"
+
+
+# --- faults ----------------------------------------------------------------
+
+EXAMPLES = [row[1].strip("`") for row in rows("Faults")[1:]]
+
+# What is counted that would not be without the fault, in three seconds; the
+# harm to a memory is found in a start that follows.
+SEEN = {
+    "cut": {"gsc.telin_no_block": 25, "mcs.telin_no_block": 25},
+    # 270 bits a block, 100 blocks and a quarter of them once more.
+    "ber": {"mcs.link_block_bad": pytest.approx(28, abs=12)},
+    "flip": {"gsc.link_block_bad": 1},
+    "drop": {"gsc.link_block_bad": 1},
+    "dup": {"mcs.link_block_bad": 1},
+    "insert": {"gsc.link_block_bad": 1},
+    "stall": {"gsc.link_block_not_taken": 1},
+    "reset": {"mcs.processor_restart": 1},
+    "rom": {"mcs.self_test_failed": 1},
+    "ram": {"gsc.self_test_failed": 1},
+    "bus_error": {"mcs.processor_restart": 1},
+}
+START = {"rom": "2000 mcs reset warm\n", "ram": "2000 gsc reset warm\n"}
+
+
+def kind_of(example):
+    words = example.split()
+    return words[2] if words[1] in ("up", "down", "mcs", "gsc") else words[1]
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_each_fault_of_the_page_is_seen(fly, write, example):
+    kind = kind_of(example)
+    write("faults.txt", example + "\n" + START.get(kind, ""))
+    events = fly("--faults", "faults.txt",
+                 "--seconds", "4").summary["events"]
+    for name, count in SEEN[kind].items():
+        assert events.get(name, 0) == count, events
+
+
+def test_the_page_has_an_example_of_each_kind():
+    assert [*map(kind_of, EXAMPLES)] == [*SEEN]
