@@ -104,6 +104,8 @@ def python_tests(project, mode, name, without=()):
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
+    # Folders of tests that passed go; they are 400 MB.
+    pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
     status = run(*pytest, f"tests/{name}")
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or

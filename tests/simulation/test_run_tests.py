@@ -147,6 +147,19 @@ def test_files_of_python_tests_may_be_left_out(place):
     assert python_tests(place, PYTHON_TESTS, ["one"]) == (1, 0, 0)
 
 
+@pytest.mark.parametrize(("ends", "kept"), [("pass", 0), ("assert False", 1)])
+def test_only_a_failed_test_leaves_its_folder(place, monkeypatch, ends, kept):
+    temporary = place / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    python_tests(place, f"""\
+def test_that_writes(tmp_path):
+    (tmp_path / "written").write_text("x")
+    {ends}
+""")
+    assert len(list(temporary.rglob("written"))) == kept
+
+
 def test_python_tests_that_cannot_be_collected_have_failed(place):
     assert python_tests(place, "import nothing_of_this_name\n") in (
         run_tests.BROKEN, (1, 1, 0))
