@@ -110,19 +110,18 @@ package body Partitions.Reports is
       Put_Decimal (To, Value, Decimals);
    end Put_Field;
 
-   procedure Put_Field
-     (This     : in out Report;
-      To       : in out Writer;
-      Name     : String;
-      Value    : Statistics;
-      Decimals : Natural)
+   procedure Put_Times
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Value : Statistics)
    is
       procedure Put_Part (Title : String; Part : Measure);
 
       procedure Put_Part (Title : String; Part : Measure) is
       begin
          Put (To, '"' & Title & """: ");
-         Put_Decimal (To, Number (Part), Decimals);
+         Put_Decimal (To, Number (Part), Decimals => 1);
          Put (To, ", ");
       end Put_Part;
    begin
@@ -135,7 +134,7 @@ package body Partitions.Reports is
       Put (To, """measured"": ");
       Put (To, Number (Value.Number));
       Put (To, '}');
-   end Put_Field;
+   end Put_Times;
 
    procedure Put_Log
      (To   : in out Writer;

@@ -41,13 +41,13 @@ package Partitions.Reports is
       Value    : Number;
       Decimals : Positive);
 
-   --  "min", "median", "p99", "max" and how many.
-   procedure Put_Field
-     (This     : in out Report;
-      To       : in out Writer;
-      Name     : String;
-      Value    : Statistics;
-      Decimals : Natural);
+   --  "min", "median", "p99", "max" in microseconds, and how many. The value
+   --  is in tenths of them, as all times of Measurements.
+   procedure Put_Times
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Value : Statistics);
 
    --  "events": how often each kind of error happened, of those that did.
    procedure Put_Log

@@ -21,21 +21,21 @@ procedure Urv_GSC is
 
    procedure Put_Results (To : in out Writer; Result : in out Report) is
    begin
-      Put_Field
+      Put_Times
         (Result, To, "release_jitter_us",
-         Partitions.GSC_Node.Lateness.Summed_Up, 1);
+         Partitions.GSC_Node.Lateness.Summed_Up);
       Begin_Group (Result, To, "cost_us");
       for Which in GSC.Task_Name loop
-         Put_Field
+         Put_Times
            (Result, To, Name (Which),
-            Partitions.GSC_Node.Costs (Which).Summed_Up, 1);
+            Partitions.GSC_Node.Costs (Which).Summed_Up);
       end loop;
       End_Group (Result, To);
       Begin_Group (Result, To, "response_us");
       for Which in GSC.Task_Name loop
-         Put_Field
+         Put_Times
            (Result, To, Name (Which),
-            Partitions.GSC_Node.Responses (Which).Summed_Up, 1);
+            Partitions.GSC_Node.Responses (Which).Summed_Up);
       end loop;
       End_Group (Result, To);
       Put_Log (To, Result, Partitions.GSC_Node.Log);

@@ -1,10 +1,12 @@
 """RTP-1, D-9: both partitions fly together, and do what the simulation does."""
 
+import statistics
+
 import pytest
 
 from conftest import (
     COMMANDS, HOLDS_MS, SENSORS, SERVOS, assert_in_order, different_rows,
-    in_turn, script, script_seconds,
+    free_ports, in_turn, script, script_seconds, udp,
 )
 
 STICKS = different_rows(24, len(COMMANDS), 1)
@@ -102,3 +104,27 @@ def test_frm1_each_frame_has_its_row(start_both):
         assert node.summary["seconds"] == 1.5
         assert node.summary["rows_left_out"] == 0
         assert f"link.{name}_resets" in node.rows[0]
+
+
+def test_rtp2_the_times_of_the_summary_are_those_of_the_record(start):
+    """The record has when the servos were commanded: in each frame as long
+    after its beginning, but for what the summary calls the response. So from
+    the soonest to the median it is as far in both. A few late frames change
+    neither."""
+    own, other = free_ports(2)
+    mcs = start("mcs", udp(own, other), "--seconds", 5).end()
+    commanded = [(row["servos_us"], row["frame"]) for row in mcs.rows]
+    at = [
+        time - 20_000 * frame
+        for (time, frame), (before, _) in zip(commanded[1:], commanded)
+        if time != before
+    ]
+    response = mcs.summary["response_us"]["pwm_task"]
+    found = statistics.median(at) - min(at)
+    written = response["median"] - response["min"]
+    assert found / 1.5 - 10 <= written <= found * 1.5 + 10
+
+    cost = mcs.summary["cost_us"]["pwm_task"]
+    assert response["measured"] == cost["measured"] >= len(at)
+    for which in ("min", "median"):
+        assert 0 < cost[which] <= response[which]

@@ -173,7 +173,10 @@ def test_saf4_what_came_by_udp_before_power_up_is_thrown_away(start):
     pytest.fail("the command was never sent in time")
 
 
-@pytest.mark.parametrize("restart", [None, signal.SIGUSR1, signal.SIGUSR2])
+@pytest.mark.parametrize(
+    "restart", [None, signal.SIGUSR1, signal.SIGUSR2],
+    ids=["alone", "restart", "reset"],
+)
 def test_saf4_what_comes_while_the_aircraft_stands_still_is_thrown_away(
     start, end, restart
 ):

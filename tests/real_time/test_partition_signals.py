@@ -91,7 +91,7 @@ def fall_silent(start, node):
 @pytest.mark.parametrize("node", ["mcs", "gsc"])
 @pytest.mark.parametrize("which, kind", [
     (signal.SIGUSR1, "processor_restart"), (signal.SIGUSR2, "warm_reset"),
-])
+], ids=["restart", "reset"])
 def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
     start, node, which, kind
 ):

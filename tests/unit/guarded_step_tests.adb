@@ -1,4 +1,5 @@
 with Ada.Real_Time; use Ada.Real_Time;
+with GNAT.OS_Lib;
 
 with Checks;       use Checks;
 with Expectations; use Expectations;
@@ -7,6 +8,8 @@ with Partitions.Exceptions;
 with Partitions.Guarded_Call;
 with Partitions.Guarded_Step;
 with Partitions.Measurements;
+with Partitions.Reports;
+with Sim.Text_Output;
 with URVOS;
 
 package body Guarded_Step_Tests is
@@ -17,6 +20,7 @@ package body Guarded_Step_Tests is
    --  The tests, in order.
    procedure Whole_Steps;
    procedure Times_Taken;
+   procedure Times_Written;
    procedure Exceptions;
    procedure Pauses;
    procedure Interrupts;
@@ -189,6 +193,45 @@ package body Guarded_Step_Tests is
       end loop;
    end Times_Taken;
 
+   -------------------
+   -- Times_Written --
+   -------------------
+
+   procedure Times_Written is
+      use GNAT.OS_Lib;
+
+      File   : File_Descriptor;
+      Name   : String_Access;
+      To     : Sim.Text_Output.Writer;
+      Result : Partitions.Reports.Report;
+      Text   : String (1 .. 200);
+      Length : Integer;
+      Gone   : Boolean;
+   begin
+      Create_Temp_File (File, Name);
+      Sim.Text_Output.Attach (To, File, Name.all);
+      Partitions.Reports.Begin_Report (Result, To);
+      Partitions.Reports.Put_Times
+        (Result, To, "cost_us",
+         (Number => 7, Minimum => 9, Median => 30, P99 => 1_234,
+          Maximum => 50_001));
+      Partitions.Reports.End_Report (Result, To);
+      Sim.Text_Output.Close (To);
+
+      File := Open_Read (Name.all, Binary);
+      Length := Read (File, Text'Address, Text'Length);
+      Close (File);
+      Delete_File (Name.all, Gone);
+      Expect
+        ("the summary is right",
+         Gone and then Text (1 .. Length) =
+           "{" & ASCII.LF
+           & "  ""cost_us"": {""min"": 0.9, ""median"": 3, ""p99"": 123.4,"
+           & " ""max"": 5000.1, ""measured"": 7}" & ASCII.LF
+           & "}" & ASCII.LF,
+         True);
+   end Times_Written;
+
    ----------------
    -- Exceptions --
    ----------------
@@ -258,6 +301,9 @@ package body Guarded_Step_Tests is
       Add
         (Suite, "RTP-1 a step's times are those that it took",
          Times_Taken'Access);
+      Add
+        (Suite, "RTP-2 a summary's times are in microseconds",
+         Times_Written'Access);
       Add
         (Suite, "KRN-6 a step that raises an exception has failed",
          Exceptions'Access);
