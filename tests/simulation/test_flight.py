@@ -1,6 +1,7 @@
 """The standard flight: the simulated pilot flies the JSBSim aircraft through
 both nodes (SIM-3)."""
 
+import math
 import re
 import subprocess
 
@@ -81,6 +82,77 @@ def test_quality_is_that_of_the_page():
     table = page.partition("## What to expect")[2].partition("\n\nIt is")[0]
     numbers = [float(each) for each in re.findall(r"\b\d+(?:\.\d+)?", table)]
     assert numbers == [*DOCUMENTED.values()]
+
+
+def legs_of_the_page():
+    """When each leg of the standard flight begins, in seconds, and what."""
+    page = (ROOT / "docs" / "aircraft.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\d+) \| (\w+)(.*) \|$", page, re.M)
+    return [(int(second), "turn" if "turn" in words else word)
+            for second, word, words in rows]
+
+
+def deviations(values):
+    """Root mean square and most."""
+    return (math.sqrt(sum(value * value for value in values) / len(values)),
+            max(map(abs, values)))
+
+
+def test_quality_is_that_of_the_record(flight):
+    """Reckoned once more, from the true state and the legs of the page."""
+    legs = legs_of_the_page()
+    assert [word for _, word in legs].count("hold") == 7
+    quality, truth = flight.summary["flight_quality"], {
+        name: flight.record[f"truth.{name}"]
+        for name in ("altitude_ft", "airspeed_kt", "bank_deg", "heading_deg")}
+    wanted = {"airspeed_kt": 70, "bank_deg": 0}
+    held = {name: [] for name in ("altitude_ft", *wanted)}
+    turned = []
+    for frame, altitude in enumerate(truth["altitude_ft"]):
+        second = (frame + 1) / 50
+        begun = [leg for leg in legs if leg[0] <= second]
+        # Only the hold after the climb is at another height.
+        error = altitude - (1300 if len(begun) == 7 else 1000)
+        if begun[-1][1] == "hold":
+            held["altitude_ft"].append(error)
+            for name, value in wanted.items():
+                held[name].append(truth[name][frame] - value)
+        elif begun[-1][1] == "turn":
+            turned.append(error)
+    for name, errors in (*held.items(), ("turn_altitude_ft", turned)):
+        name, _, unit = name.rpartition("_")
+        rms, most = deviations(errors)
+        assert quality[f"{name}_rms_{unit}"] == pytest.approx(rms, rel=0.02)
+        assert quality[f"{name}_max_{unit}"] == pytest.approx(most, rel=0.02)
+
+    bank, altitude = truth["bank_deg"], truth["altitude_ft"]
+    heading = truth["heading_deg"]
+    for name, value in {
+        "bank_left_deg": -min(bank), "bank_right_deg": max(bank),
+        "climb_ft": max(altitude) - altitude[0],
+        "final_altitude_error_ft": altitude[-1] - 1000,
+        "final_airspeed_error_kt": truth["airspeed_kt"][-1] - 70,
+        "final_bank_error_deg": bank[-1],
+        "final_heading_error_deg": heading[-1] - heading[0],
+    }.items():
+        assert quality[name] == pytest.approx(value, abs=0.02), name
+
+
+@pytest.mark.parametrize("seconds, fault, is_level", [
+    # In a hold; in a turn; in a climb; with the altitude not yet back.
+    (10, "", True), (30, "", False), (90, "", False),
+    (44, "17000 cut 10000", False)])
+def test_it_is_level_only_in_a_hold_and_at_its_height(
+        tmp_path, seconds, fault, is_level):
+    (tmp_path / "faults.txt").write_text(f"{fault}\n")
+    flown = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
+                   "--seconds", seconds, "--faults", "faults.txt")
+    quality = flown.summary["flight_quality"]
+    assert quality["ended_level"] == is_level
+    if fault:
+        # Nothing else is wrong with it.
+        assert abs(quality["final_bank_error_deg"]) < 3
+        assert abs(quality["final_altitude_error_ft"]) > 30
 
 
 @pytest.mark.parametrize("how", ["warm", "processor"])
