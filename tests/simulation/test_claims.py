@@ -81,3 +81,21 @@ def test_a_claim_made_twice_is_two(tmp_path):
 def test_the_list_is_of_these_contracts():
     recorded = claims.CLAIMS.read_text(encoding="utf-8").splitlines()
     assert list(claims.differences(recorded, claims.claims(ROOT))) == []
+
+
+@pytest.mark.parametrize("change, status, said", [
+    (lambda lines: lines, 0, ""),
+    (lambda lines: lines[1:], 1, "claims: new: "),
+    (lambda lines: [*lines, "shop Sell Post: True"], 1,
+     "claims: gone: shop Sell Post: True"),
+    (lambda lines: [*lines, lines[0]], 1, "claims: gone: "),
+])
+def test_a_list_of_other_contracts_fails(
+        tmp_path, monkeypatch, capsys, change, status, said):
+    lines = claims.CLAIMS.read_text(encoding="utf-8").splitlines()
+    changed = tmp_path / "claims.txt"
+    changed.write_text("\n".join(change(lines)) + "\n", encoding="utf-8")
+    monkeypatch.setattr(claims, "CLAIMS", changed)
+    monkeypatch.setattr(sys, "argv", ["claims.py", "check"])
+    assert claims.main() == status
+    assert said in capsys.readouterr().out

@@ -1,6 +1,7 @@
 """EVI-7: each public subprogram has a complete contract, and one that has not
 is found."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -106,6 +107,28 @@ def test_a_procedure_without_its_theorem_is_found(tmp_path):
                        encoding="utf-8")
     assert list(contracts.theorem_gaps(tmp_path)) == [
         f"{contracts.THEOREM}: 1 procedures Move, 0 Of_Move"]
+
+
+def test_of_each_procedure_of_a_name_there_is_a_theorem(tmp_path):
+    (tmp_path / "src").symlink_to(ROOT / "src")
+    theorem = tmp_path / contracts.THEOREM
+    theorem.parent.mkdir()
+    text = (ROOT / contracts.THEOREM).read_text(encoding="utf-8")
+    one_less, number = re.subn(r"procedure Of_Take\b", "procedure Of_T", text)
+    assert number > 1
+    one_less = re.sub(r"procedure Of_T\b", "procedure Of_Take", one_less,
+                      count=number - 1)
+    theorem.write_text(one_less, encoding="utf-8")
+    assert list(contracts.theorem_gaps(tmp_path)) == [
+        f"{contracts.THEOREM}: {number} procedures Take,"
+        f" {number - 1} Of_Take"]
+
+
+@pytest.mark.parametrize("gaps", [[], ["shop.ads: Sell has no Global"]])
+def test_a_gap_fails(monkeypatch, capsys, gaps):
+    monkeypatch.setattr(contracts, "gaps", lambda _: iter(gaps))
+    assert contracts.main() == len(gaps)
+    assert capsys.readouterr().out == "".join(f"{gap}\n" for gap in gaps)
 
 
 def test_no_contract_has_a_gap():

@@ -434,6 +434,21 @@ def test_ad1_a_short_stall_of_the_converter_costs_nothing(courses, node,
     assert not disturbances(course, flight)
 
 
+@pytest.mark.parametrize("late_us, frame", [(0, 21), (1, 22)])
+@pytest.mark.parametrize("channel, name", enumerate(COMMANDS))
+def test_ad1_after_a_stall_the_conversion_is_made_anew(
+        fly, write, channel, name, late_us, frame):
+    """It was under way when the board stood still, and takes 16 us from the
+    end of the stall on; each channel is held as the one before it ends."""
+    held_us = 400_000 if channel == 0 else 400_500 + 16 * channel
+    write("faults.txt", "400.001 gsc stall adc 0.499\n")
+    write("sticks.csv", f"time_ms,{name}\n0,77\n"
+                        f"{(held_us + late_us) / 1000:.3f},99\n")
+    uplink = fly("--seconds", "0.5", "--sticks", "sticks.csv",
+                 "--faults", "faults.txt").record[f"gsc.uplink.{name}"]
+    assert uplink.index(99) == frame
+
+
 # --- two processors --------------------------------------------------------
 
 TROUBLE = [
