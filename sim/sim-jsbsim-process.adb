@@ -8,6 +8,7 @@ with GNAT.OS_Lib;           use GNAT, GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
 
 with Sim.Complaints;
+with Sim.Signals;
 
 package body Sim.JSBSim.Process is
 
@@ -96,7 +97,9 @@ package body Sim.JSBSim.Process is
            (new String'(Script),
             new String'(Trim (Image (Theirs), Left)));
       begin
+         Signals.Begin_Deafness;
          Running := Non_Blocking_Spawn (Python, Arguments);
+         Signals.End_Deafness;
          for Argument of Arguments loop
             Free (Argument);
          end loop;

@@ -28,6 +28,21 @@ package body Sim.Signals is
    function Interrupted return Boolean is
      (Came (Keyboard_Interrupt) > 0 or else Came (Request_To_End) > 0);
 
+   --  What was to happen before.
+   Set_Aside : Address := Default;
+
+   procedure Begin_Deafness is
+   begin
+      Set_Aside := Set (Keyboard_Interrupt, Ignored);
+   end Begin_Deafness;
+
+   procedure End_Deafness is
+      Before : constant Address := Set (Keyboard_Interrupt, Set_Aside);
+      pragma Unreferenced (Before);
+   begin
+      null;
+   end End_Deafness;
+
    procedure Remember (Signal : int) is
       Before : Address;
       pragma Unreferenced (Before);

@@ -7,6 +7,11 @@ package Sim.Signals is
    --  instead of ending the program without a word.
    procedure Ignore_Broken_Pipes;
 
+   --  A process that is started between the two calls does not heed an
+   --  interrupt from the keyboard, not even before it could say so itself.
+   procedure Begin_Deafness;
+   procedure End_Deafness;
+
    --  From now on an interrupt from the keyboard, or a request to end
    --  (SIGINT, SIGTERM), is only remembered. The third of a kind ends the
    --  program at once, for a user who will not wait; not the second, for

@@ -342,6 +342,24 @@ def test_an_ignored_signal_stays_ignored(tmp_path):
         assert process.wait(TIME_LIMIT_S) == 0
 
 
+@needs_jsbsim
+@pytest.mark.parametrize("after_s", [0.02, 0.05, 0.1, 0.2])
+def test_ctrl_c_before_the_flight_ends_it_without_a_word(tmp_path, after_s):
+    """While JSBSim's process starts up, too."""
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--plant", "jsbsim", "--seconds", "100000",
+             "--pace", "realtime"],
+            cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            text=True, start_new_session=True,
+            preexec_fn=heed_signals) as process:
+        time.sleep(after_s)
+        os.killpg(process.pid, signal.SIGINT)
+        # To the end of both processes.
+        _, said = process.communicate(timeout=TIME_LIMIT_S)
+    assert process.returncode in (-signal.SIGINT, 130)
+    assert "Traceback" not in said
+
+
 # --- faults of the program -------------------------------------------------
 
 DYING_PLANT = f"""\
