@@ -155,3 +155,14 @@ def test_the_time_of_a_crash_is_that_of_the_last_change(tmp_path):
         flight.record["time_ms"][still + 1] / 1000
     # A wing tip is 7 ft from the middle, and it fell fast.
     assert -10 < flight.rows[-1]["truth.altitude_ft"] < 15
+
+
+def test_left_alone_it_stays_where_the_page_says(tmp_path):
+    """docs/aircraft.md: with neutral sticks for 180 s, within 11 ft and 3
+    degrees of heading."""
+    record = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "180").record
+    off = max(abs(altitude - 1000)
+              for altitude in record["truth.altitude_ft"])
+    turned = max(abs(heading - 90) for heading in record["truth.heading_deg"])
+    assert 11 / 1.5 < off <= 11
+    assert 3 / 1.5 < turned <= 3
