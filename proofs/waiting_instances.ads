@@ -18,7 +18,7 @@ package Waiting_Instances with SPARK_Mode is
    package Resource is new URVOS.Shared_Semaphores;
 
    package Variable is
-     new URVOS.Shared_Mailboxes (URV.Mailboxes.For_Channels);
+     new URVOS.Shared_Mailboxes (URV.Mailboxes.For_Stick_Words);
 
    package Errors is new URV.Shared_Errors;
 

@@ -31,8 +31,8 @@ LINK = slice(113, 123)
 NOTHING_YET = -1
 NEVER_SENT = -2
 
-# What a block's error word may be: after a start the first words may be old,
-# and say so.
+# What a block's error word may be: words that did not come anew in a frame
+# say that they are old (SAF-5), as may the first ones after a start.
 NO_ERROR, STALE = 0, 1
 
 MESSAGE_LENGTHS = {"up": {0x1E: 30, 0x4B: 1, 0xD2: 1, 0xCC: 1},
@@ -63,22 +63,23 @@ class Flight:
     with the messages on the wire, or with the counts beside them, is in
     wire_errors."""
 
-    def __init__(self, record, wire, frames, error_words=(NO_ERROR,)):
+    def __init__(self, record, wire, frames):
         self.newest = {"up": [], "down": []}
         self.link = []
         self.wrong = []
         self.errors = []
         self.wire_errors = []
-        self._read_record(record, frames, error_words)
+        self._read_record(record, frames)
         self._read_wire(wire)
         self._check_counts()
 
-    def _read_record(self, path, frames, error_words):
+    def _read_record(self, path, frames):
         columns = {"up": MCS_UPLINK, "down": GSC_DOWNLINK}
         known = {}
         for way, count in (("up", 13), ("down", 27)):
             known[way] = {f"{data.text(n, count)},{word}": n
-                          for n in range(frames) for word in error_words}
+                          for n in range(frames)
+                          for word in (NO_ERROR, STALE)}
         last = dict.fromkeys(columns, NOTHING_YET)
         before = dict.fromkeys(columns, "")
         with open(path, encoding="ascii") as record:

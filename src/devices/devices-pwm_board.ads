@@ -12,10 +12,7 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
 
    type Data_Area is array (Channel_Number) of Word;
 
-   --  Commands a surface to zero degrees.
+   --  The middle of a channel's range: a surface at zero degrees.
    Neutral : constant Word := 16#800#;
-
-   --  What a cold start leaves, and nothing else does (INI-3).
-   Neutral_Area : constant Data_Area := (others => Neutral);
 
 end Devices.PWM_Board;

@@ -11,7 +11,7 @@ is
       function Contents return Data_Area;
 
    private
-      Words : Data_Area := Neutral_Area;
+      Words : Data_Area := Power_Up;
    end Guarded_Board;
 
    protected body Guarded_Board is

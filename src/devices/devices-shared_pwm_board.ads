@@ -4,6 +4,8 @@
 with Devices.PWM_Board; use Devices.PWM_Board;
 
 generic
+   --  What the board holds from power up until it is first written (SAF-1).
+   Power_Up : Data_Area;
 package Devices.Shared_PWM_Board
   with
     SPARK_Mode,

@@ -47,11 +47,25 @@ package body GSC with SPARK_Mode is
       end if;
    end Run_Step;
 
+   --  What the telemetry board received before the start is not acted on
+   --  (SAF-4).
+   procedure Discard_Received;
+
+   procedure Discard_Received is
+      Unused_Data          : Telemetry.Block_Data;
+      Unused_Fresh         : Boolean;
+      Unused_Ever_Received : Boolean;
+   begin
+      Telemetry_Board.Take
+        (Unused_Data, Unused_Fresh, Unused_Ever_Received);
+   end Discard_Received;
+
    procedure Cold_Start is
    begin
       --  Boards
       CORE_Memory.Clear;
       Telemetry_Board.Clear_Transmit_Half;
+      Discard_Received;
       AD_Board.Initialise;
 
       --  Variables
@@ -71,6 +85,7 @@ package body GSC with SPARK_Mode is
    begin
       --  Boards
       Telemetry_Board.Clear_Transmit_Half;
+      Discard_Received;
       AD_Board.Initialise;
 
       --  Variables
@@ -83,5 +98,10 @@ package body GSC with SPARK_Mode is
 
       Status.Write (No_Error);
    end Warm_Start;
+
+   procedure Refuse_Start is
+   begin
+      Telemetry_Board.Clear_Transmit_Half;
+   end Refuse_Start;
 
 end GSC;

@@ -25,6 +25,7 @@ with URV.GDCOUT_Task;
 with URV.GDCIN_Task;
 with URV.LOG_Task;
 with URV.Mailboxes;
+with URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Status;
@@ -52,10 +53,10 @@ package GSC with SPARK_Mode is
    --  Variables, each with one producer and one consumer
 
    package ADINT_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Channels);
+     (URV.Mailboxes.For_Stick_Words);
 
    package AD_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Images);
+     (URV.Mailboxes.For_Stick_Images);
 
    package TELIN_Variable is new URVOS.Shared_Mailboxes
      (URV.Mailboxes.For_Downlink);
@@ -90,6 +91,7 @@ package GSC with SPARK_Mode is
    package TELIN is new URV.TELIN_Task
      (Message    => Downlink_Buffer,
       Neutral    => Neutral_Downlink,
+      As_Old     => URV.Routing.As_Old,
       Decode     => URV.Codecs.Downlink.Decode,
       Take_Block => Telemetry_Board.Take,
       Send_TELIN => TELIN_Variable.Send,
@@ -227,9 +229,9 @@ package GSC with SPARK_Mode is
    --  and the last messages stay, all flags and counts start anew.
    procedure Warm_Start;
 
-   --  The node stays silent after a failed self-test. The aircraft is sent
-   --  nothing, CORE's status is on the ground (TST-4).
-   procedure Refuse_Start is null;
+   --  The node stays silent after a failed self-test: commands of before are
+   --  not sent any more (SAF-4). CORE's status is on the ground (TST-4).
+   procedure Refuse_Start;
 
    --  Self-test and the controller's routine; the task tree is empty after a
    --  failed self-test.

@@ -1,7 +1,5 @@
 with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;
 with URV.Errors; use URV.Errors;
-with URV.Routing;
 
 package body MCS with SPARK_Mode is
 
@@ -50,12 +48,26 @@ package body MCS with SPARK_Mode is
       end if;
    end Run_Step;
 
+   --  What the telemetry board received before the start is not acted on
+   --  (SAF-4).
+   procedure Discard_Received;
+
+   procedure Discard_Received is
+      Unused_Data          : Telemetry.Block_Data;
+      Unused_Fresh         : Boolean;
+      Unused_Ever_Received : Boolean;
+   begin
+      Telemetry_Board.Take
+        (Unused_Data, Unused_Fresh, Unused_Ever_Received);
+   end Discard_Received;
+
    procedure Cold_Start is
    begin
       --  Boards
-      PWM_Board.Write (Devices.PWM_Board.Neutral_Area);
+      PWM_Board.Write (URV.PWM_Layout.Safe_Area);
       CORE_Memory.Clear;
       Telemetry_Board.Clear_Transmit_Half;
+      Discard_Received;
       AD_Board.Initialise;
 
       --  Variables
@@ -76,6 +88,7 @@ package body MCS with SPARK_Mode is
    begin
       --  Boards
       Telemetry_Board.Clear_Transmit_Half;
+      Discard_Received;
       AD_Board.Initialise;
 
       --  Variables

@@ -27,7 +27,9 @@ with URV.LOG_Task;
 with URV.Mailboxes;
 with URV.MDCIN_Task;
 with URV.MDCOUT_Task;
+with URV.PWM_Layout;
 with URV.PWM_Task;
+with URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Status;
@@ -41,7 +43,8 @@ package MCS with SPARK_Mode is
 
    package AD_Board is new Devices.Shared_AD_Board;
 
-   package PWM_Board is new Devices.Shared_PWM_Board;
+   package PWM_Board is new Devices.Shared_PWM_Board
+     (Power_Up => URV.PWM_Layout.Safe_Area);
 
    package CORE_Memory is new Devices.Shared_CORE_Memory;
 
@@ -57,10 +60,10 @@ package MCS with SPARK_Mode is
    --  Variables, each with one producer and one consumer
 
    package ADINT_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Channels);
+     (URV.Mailboxes.For_Sensor_Words);
 
    package AD_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Images);
+     (URV.Mailboxes.For_Sensor_Images);
 
    package TELIN_Variable is new URVOS.Shared_Mailboxes
      (URV.Mailboxes.For_Uplink);
@@ -98,6 +101,7 @@ package MCS with SPARK_Mode is
    package TELIN is new URV.TELIN_Task
      (Message    => Uplink_Buffer,
       Neutral    => Neutral_Uplink,
+      As_Old     => URV.Routing.As_Old,
       Decode     => URV.Codecs.Uplink.Decode,
       Take_Block => Telemetry_Board.Take,
       Send_TELIN => TELIN_Variable.Send,

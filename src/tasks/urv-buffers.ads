@@ -15,9 +15,10 @@ package URV.Buffers with Pure, SPARK_Mode is
    --  zero degrees.
    Neutral_Value : constant Converter_Value := 16#800#;
 
-   --  The bits of the error/status word. The first is the converter's: the
-   --  words before it are those of an earlier frame (report, 4.1.3). The
-   --  others are the node's that sends them (TST-4).
+   --  The bits of the error/status word. The first says that the words
+   --  before it are those of an earlier frame (report, 4.1.3; SAF-5): set
+   --  where they were last scanned, or by whoever passes them on once more.
+   --  The others are the node's that sends them (TST-4).
    No_Error         : constant Word := 0;
    Stale_Data       : constant Word := 1;
    ROM_Differs      : constant Word := 2;
@@ -74,21 +75,46 @@ package URV.Buffers with Pure, SPARK_Mode is
 
    type PWM_Buffer is array (PWM_Item) of Word;
 
+   --  The safe words (SAF-1, D-13): what the outputs hold from power up
+   --  until the first commands of a scan arrive. Throttle idle, brake full
+   --  on, the rest at zero degrees, the switches off.
+   Safe_Outputs : constant PWM_Buffer :=
+     (Throttle  => Converter_Value'First,
+      Brake     => Converter_Value'Last,
+      Discretes => 0,
+      others    => Neutral_Value);
+
    --  Acceptable "previous values" for a consumer that has not received
-   --  anything yet (INI-8): sticks centred, switches off, sensors at the
-   --  middle of their range, and the error word set because nothing of it
-   --  was ever measured.
-   Neutral_Words : constant Channel_Words := (others => Neutral_Value);
-
-   Neutral_Image : constant AD_Image :=
-     (Words => (others => Neutral_Value), Error_Status => Stale_Data);
-
+   --  anything yet (INI-8, D-13), with the error word set because nothing
+   --  of it was ever measured: commands that mean the safe outputs, sensors
+   --  at the middle of their range.
    Neutral_Uplink : constant Uplink_Buffer :=
-     (Switch_Item  => 0,
+     (Throttle     => Converter_Value'First,
+      Brake        => Converter_Value'Last,
+      Switch_Item  => 0,
       Error_Status => Stale_Data,
       others       => Neutral_Value);
 
    Neutral_Downlink : constant Downlink_Buffer :=
      (Error_Status => Stale_Data, others => Neutral_Value);
+
+   --  The same, as the channels of each node's converter have them: the
+   --  ground's carry the commands, the aircraft's the sensors.
+   Neutral_Stick_Words : constant Channel_Words :=
+     (3       => Converter_Value'First,
+      4       => Converter_Value'Last,
+      5 .. 12 => 0,
+      others  => Neutral_Value);
+
+   Neutral_Sensor_Words : constant Channel_Words :=
+     (others => Neutral_Value);
+
+   function Neutral_Stick_Image return AD_Image is
+     (Words => Neutral_Stick_Words, Error_Status => Stale_Data)
+   with Global => null;
+
+   function Neutral_Sensor_Image return AD_Image is
+     (Words => Neutral_Sensor_Words, Error_Status => Stale_Data)
+   with Global => null;
 
 end URV.Buffers;

@@ -9,6 +9,7 @@ package body URV.GDCIN_Task with SPARK_Mode is
    begin
       Receive_TELIN (Item, Fresh);
       if not Fresh then
+         Item := Routing.As_Old (Item);
          Report (No_Input, 0);
       elsif Routing.Any_Out_Of_Range (Item) then
          Report

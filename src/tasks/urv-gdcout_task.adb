@@ -10,11 +10,12 @@ package body URV.GDCOUT_Task with SPARK_Mode is
       Item    : Uplink_Buffer;
    begin
       Receive_AD (Image, Fresh);
-      if not Fresh then
-         Report (No_Image, 0);
-      end if;
       Read_Status (Status);
       Item := Routing.Marked (Routing.To_Uplink (Image), Status);
+      if not Fresh then
+         Item := Routing.As_Old (Item);
+         Report (No_Image, 0);
+      end if;
 
       Send_Uplink (Item, Success);
       if not Success then

@@ -7,9 +7,19 @@ with URVOS.Mailboxes;
 
 package URV.Mailboxes with SPARK_Mode is
 
-   package For_Channels is new URVOS.Mailboxes (Channel_Words, Neutral_Words);
+   --  The ground's converter has the sticks, the aircraft's the sensors.
 
-   package For_Images is new URVOS.Mailboxes (AD_Image, Neutral_Image);
+   package For_Stick_Words is
+     new URVOS.Mailboxes (Channel_Words, Neutral_Stick_Words);
+
+   package For_Stick_Images is
+     new URVOS.Mailboxes (AD_Image, Neutral_Stick_Image);
+
+   package For_Sensor_Words is
+     new URVOS.Mailboxes (Channel_Words, Neutral_Sensor_Words);
+
+   package For_Sensor_Images is
+     new URVOS.Mailboxes (AD_Image, Neutral_Sensor_Image);
 
    package For_Uplink is new URVOS.Mailboxes (Uplink_Buffer, Neutral_Uplink);
 

@@ -1,7 +1,7 @@
 package body URV.PWM_Layout with SPARK_Mode is
 
    function To_Data_Area (Source : PWM_Buffer) return Data_Area is
-      Result : Data_Area := Neutral_Area;
+      Result : Data_Area := (others => Neutral);
    begin
       for Item in PWM_Item loop
          Result (Channel_Of (Item)) := Source (Item);

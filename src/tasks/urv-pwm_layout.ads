@@ -23,6 +23,11 @@ package URV.PWM_Layout with Pure, SPARK_Mode is
             (if Unused > Channel_Of (PWM_Item'Last)
              then To_Data_Area'Result (Unused) = Neutral));
 
+   --  What the board holds from power up until the first commands (INI-3,
+   --  SAF-1).
+   function Safe_Area return Data_Area is (To_Data_Area (Safe_Outputs))
+   with Global => null;
+
    function To_Outputs (Area : Data_Area) return PWM_Buffer
    with
      Global => null,

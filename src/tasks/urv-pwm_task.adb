@@ -1,5 +1,6 @@
 with URV.PWM_Layout;
 with URV.PWM_Transform;
+with URV.Routing;
 
 package body URV.PWM_Task with SPARK_Mode is
 
@@ -9,11 +10,11 @@ package body URV.PWM_Task with SPARK_Mode is
    begin
       Receive_PWM (Item, Fresh);
 
-      if Fresh then
+      if not Fresh then
+         Report (No_Commands, 0);
+      elsif not Routing.Is_Old (Item) then
          Write_Board
            (PWM_Layout.To_Data_Area (PWM_Transform.Transform (Item)));
-      else
-         Report (No_Commands, 0);
       end if;
    end Run_Transaction;
 

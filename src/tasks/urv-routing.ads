@@ -49,6 +49,24 @@ package URV.Routing with Pure, SPARK_Mode is
      ((Source with delta Error_Status => Source (Error_Status) or Status))
    with Global => null;
 
+   --  A buffer marked as of an earlier frame, and whether one is (SAF-5).
+
+   function As_Old (Source : Uplink_Buffer) return Uplink_Buffer is
+     (Marked (Source, Stale_Data))
+   with Global => null;
+
+   function As_Old (Source : Downlink_Buffer) return Downlink_Buffer is
+     (Marked (Source, Stale_Data))
+   with Global => null;
+
+   function Is_Old (Source : Uplink_Buffer) return Boolean is
+     ((Source (Error_Status) and Stale_Data) /= 0)
+   with Global => null;
+
+   function Is_Old (Source : Downlink_Buffer) return Boolean is
+     ((Source (Error_Status) and Stale_Data) /= 0)
+   with Global => null;
+
    --  The image of a scan, stamped with whether it is of this frame (AD-1).
    function Stamped
      (Words : Channel_Words;

@@ -24,8 +24,11 @@ is
       if Fresh then
          TELIN_Buffer := Decode (Data);
          Has_Message := True;
-      elsif Ever_Received then
-         Report (TELIN_No_Block, 0);
+      else
+         TELIN_Buffer := As_Old (TELIN_Buffer);
+         if Ever_Received then
+            Report (TELIN_No_Block, 0);
+         end if;
       end if;
 
       if Has_Message then

@@ -133,15 +133,6 @@ def test_a_start_that_takes_too_long_is_seen(monkeypatch):
     assert all("recovered after" in failure for failure in failures)
 
 
-def test_old_words_are_allowed_after_a_start_only(monkeypatch):
-    # This one ends just before a frame of the aircraft begins.
-    name = "start/3/mcs/processor/15900"
-    assert run.run_shard(name)["failures"] == []
-    monkeypatch.setattr(checker, "STALE", checker.NO_ERROR)
-    assert any("wrong data" in failure
-               for failure in run.run_shard(name)["failures"])
-
-
 @pytest.mark.parametrize("cut_ms, frames", [(0, 0), (30, 2), (400, None)])
 def test_recovery_is_counted_from_the_last_fault(flown, cut_ms, frames):
     # The case says 0 ms; the cut is longer, so recovery comes later.

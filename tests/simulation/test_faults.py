@@ -46,6 +46,11 @@ GROUPS = {
 }
 
 
+# The error/status word: words that have just come, and words of before
+# (SAF-5).
+FRESH, OLD = 0, 1
+
+
 class Course:
     """Scripts of so many frames, and the flight of them without faults."""
 
@@ -60,9 +65,11 @@ class Course:
             script(SENSORS, sensors, 10 + 2 * phase)
         )
         self.origin = {
-            "mcs.uplink": {(*row, 0): n for n, row in enumerate(sticks)},
+            "mcs.uplink": {(*row, mark): n for n, row in enumerate(sticks)
+                           for mark in (FRESH, OLD)},
             "pwm": {transformed(row): n for n, row in enumerate(sticks)},
-            "gsc.downlink": {(*row, 0): n for n, row in enumerate(sensors)},
+            "gsc.downlink": {(*row, mark): n for n, row in enumerate(sensors)
+                             for mark in (FRESH, OLD)},
         }
         self.perfect = self.ages(self.fly("perfect"))
 
@@ -114,7 +121,21 @@ def complaints(course, flight, faulty_frames):
                 found.append(f"{group}, frame {frame}: words of {age}"
                              f" came fresh, but {perfect[frame]} were due")
             newest = age if age is not None else newest
-    return found + miscounts(flight)
+    return found + wrongly_marked(flight, ages) + miscounts(flight)
+
+
+def wrongly_marked(flight, ages):
+    """Where the error word does not say whether words are old (SAF-5)."""
+    wrong = []
+    for group in ("mcs.uplink", "gsc.downlink"):
+        marks = flight.record[f"{group}.error"]
+        for frame in range(START_FRAMES, len(marks)):
+            came = ages[group][frame] != ages[group][frame - 1]
+            if marks[frame] != (FRESH if came else OLD):
+                wrong.append(f"{group}, frame {frame}: error word"
+                             f" {marks[frame]}, words {ages[group][frame]}"
+                             f" after {ages[group][frame - 1]}")
+    return wrong
 
 
 def miscounts(flight):
@@ -327,8 +348,11 @@ def test_commands_are_held_while_the_link_is_cut(tmp_path, phase):
         # What came last before the cut, or, on its way when it began, then.
         assert len(set(held)) == 1, (group, held)
         assert held[0] in range(perfect[20] - 1, perfect[22] + 1), group
-    # The error words do not change: the words are held as they came.
-    assert set(columns(flight, "mcs.uplink", ("error",))[5:]) == {(0,)}
+    # While they are held, the error words say so (SAF-5).
+    for group in ("mcs.uplink", "gsc.downlink"):
+        errors = flight.record[f"{group}.error"]
+        assert set(errors[5:20] + errors[46:]) == {FRESH}, group
+        assert set(errors[23:45]) == {OLD}, group
     # What was given up is counted.
     link = flight.summary["link"]
     assert link["uplink_received"] + link["uplink_bad"] < \

@@ -39,8 +39,8 @@ GROUPS = {
 RECOVERY_FRAMES = {
     ("gsc", "warm"): {"commands": 3, "sensors": 3},
     ("gsc", "processor"): {"commands": 3, "sensors": 3},
-    ("mcs", "warm"): {"commands": 2, "sensors": 4},
-    ("mcs", "processor"): {"commands": 2, "sensors": 4},
+    ("mcs", "warm"): {"commands": 3, "sensors": 4},
+    ("mcs", "processor"): {"commands": 3, "sensors": 4},
 }
 PROMISED_FRAMES = 5
 SHOWN_BY = {"pwm": "commands", "gsc.downlink": "sensors"}
@@ -254,6 +254,24 @@ def test_ini1_before_power_up_a_reset_does_nothing(courses):
             plain.path(name).read_bytes(), name
 
 
+# Throttle idle, brake full on, switches off, all else in the middle (SAF-1).
+SAFE = [0x800] * 7 + [0, 0xFFF] + [0x800] * 4 + [0]
+
+
+def test_saf1_a_late_first_scan_turns_nothing_on(courses):
+    # The first scan comes a frame late; before it there are no words of the
+    # sticks, and nothing at the servos may look as if there were.
+    course = courses(3, 60)
+    flight = course.fly("late", ["0 gsc stall adc 21"])
+    ages = course.ages(flight)["pwm"]
+    for row, age in zip(flight.rows, ages, strict=True):
+        servos = [row[f"pwm.{name}"] for name in SERVOS]
+        assert age is not None or servos == SAFE, row["time_ms"]
+        if age is None:
+            assert {row[f"mcs.uplink.switch{n}"] for n in range(1, 9)} == {0}
+    assert None in ages and ages[-1] is not None
+
+
 @pytest.mark.parametrize("node", ["gsc", "mcs"])
 def test_ini1_ini3_power_up_is_a_cold_start(courses, node):
     # Servos neutral, CORE cleared, until something has come; then commands.
@@ -262,7 +280,7 @@ def test_ini1_ini3_power_up_is_a_cold_start(courses, node):
     assert status_of(node, flight)["start_condition"] == 1
     assert status_of(node, flight)["cold_starts"] == 1
     first = flight.rows[0]
-    assert [first[f"pwm.{name}"] for name in SERVOS] == [0x800] * 14
+    assert [first[f"pwm.{name}"] for name in SERVOS] == SAFE
     assert {first[f"{group}.{name}"] for group in
             ("gsc.uplink", "gsc.downlink", "mcs.uplink", "mcs.downlink")
             for name in GROUPS[group]} == {0}

@@ -95,7 +95,7 @@ package body Buffers_Tests is
 
    procedure Image_Layout is
    begin
-      Expect_Number ("channels", Neutral_Image.Words'Length, 32);
+      Expect_Number ("channels", Channel_Words'Length, 32);
       Expect_Number ("first channel", Integer (Channel'First), 0);
       Expect_Number ("last channel", Integer (Channel'Last), 31);
       Expect_Number ("bits of an image", AD_Image'Size, 33 * 16);
@@ -124,9 +124,11 @@ package body Buffers_Tests is
          Expect
            ("neutral uplink, " & Item'Image, Neutral_Uplink (Item),
             (case Item is
-                when Roll .. Brake => 16#800#,
-                when Switch_Item   => 0,
-                when Error_Status  => Stale_Data));
+                when Roll | Pitch | Yaw => 16#800#,
+                when Throttle           => 0,
+                when Brake              => 16#FFF#,
+                when Switch_Item        => 0,
+                when Error_Status       => Stale_Data));
       end loop;
       for Item in Sensor_Item loop
          Expect
@@ -138,10 +140,22 @@ package body Buffers_Tests is
          Stale_Data);
       for Number in Channel loop
          Expect
-           ("neutral image, channel" & Number'Image,
-            Neutral_Image.Words (Number), 16#800#);
+           ("neutral sensors, channel" & Number'Image,
+            Neutral_Sensor_Image.Words (Number), 16#800#);
+         Expect
+           ("neutral sticks, channel" & Number'Image,
+            Neutral_Stick_Image.Words (Number),
+            (case Number is
+                when 3 | 5 .. 12 => 0,
+                when 4           => 16#FFF#,
+                when others      => 16#800#));
       end loop;
-      Expect ("neutral image, error", Neutral_Image.Error_Status, Stale_Data);
+      Expect
+        ("neutral sensors, error", Neutral_Sensor_Image.Error_Status,
+         Stale_Data);
+      Expect
+        ("neutral sticks, error", Neutral_Stick_Image.Error_Status,
+         Stale_Data);
    end Neutral_Values;
 
    ----------------

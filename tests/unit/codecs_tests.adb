@@ -29,7 +29,7 @@ package body Codecs_Tests is
    --------------------
 
    function Numbered_Image (Error : Word) return AD_Image is
-      Result : AD_Image := Neutral_Image;
+      Result : AD_Image := Neutral_Stick_Image;
    begin
       for Number in Channel loop
          Result.Words (Number) := 16#100# + Word (Number);
@@ -261,7 +261,7 @@ package body Codecs_Tests is
    ---------------------
 
    procedure Passed_On_Whole is
-      Image : AD_Image := Neutral_Image;
+      Image : AD_Image := Neutral_Stick_Image;
    begin
       Image.Words (0) := 16#FFFF#;
       Image.Words (1) := 16#1000#;

@@ -8,6 +8,7 @@ with URV.GDCIN_Task;
 with URV.GDCOUT_Task;
 with URV.MDCIN_Task;
 with URV.MDCOUT_Task;
+with URV.Routing;      use URV.Routing;
 
 package body Exchange_Tests is
 
@@ -61,8 +62,8 @@ package body Exchange_Tests is
       Input_Up.Given    := Uplink_Of (16#100#);
       Input_Up.Is_Fresh := False;
       MDCIN.Run_Transaction;
-      Expect_Buffer ("to CORE", Uplink.Kept, Uplink_Of (16#100#));
-      Expect_Buffer ("to PWM", Commands.Kept, Uplink_Of (16#100#));
+      Expect_Buffer ("to CORE", Uplink.Kept, As_Old (Uplink_Of (16#100#)));
+      Expect_Buffer ("to PWM", Commands.Kept, As_Old (Uplink_Of (16#100#)));
       Expect_Number ("sent to CORE", Uplink.Sent, 1);
       Expect_Number ("sent to PWM", Commands.Sent, 1);
       Expect_Errors ("old input", (1 => No_Input));
@@ -146,6 +147,8 @@ package body Exchange_Tests is
       MDCOUT.Run_Transaction;
       Expect ("to CORE", Downlink.Kept (Altitude), 16#119#);
       Expect ("to TELOUT", Output_Down.Kept (Altitude), 16#119#);
+      Expect ("the mark", Downlink.Kept (Error_Status), Stale_Data);
+      Expect ("the mark, down", Output_Down.Kept (Error_Status), Stale_Data);
       Expect_Errors ("old image", (1 => No_Image));
 
       Image.Is_Fresh       := True;
@@ -171,7 +174,8 @@ package body Exchange_Tests is
 
       Input_Down.Is_Fresh := False;
       GDCIN.Run_Transaction;
-      Expect_Buffer ("old, to CORE", Downlink.Kept, Downlink_Of (16#200#));
+      Expect_Buffer
+        ("old, to CORE", Downlink.Kept, As_Old (Downlink_Of (16#200#)));
       Expect_Number ("sent again", Downlink.Sent, 2);
       Expect_Errors ("old input", (1 => No_Input));
 
@@ -216,11 +220,14 @@ package body Exchange_Tests is
       Expect_Number ("sent to TELOUT", Output_Up.Sent, 1);
       Expect_Errors ("fresh image", None);
 
+      Image.Given        := Image_Of (16#300#, Error => 0);
       Image.Is_Fresh     := False;
       Uplink.Succeeds    := False;
       Output_Up.Succeeds := False;
       GDCOUT.Run_Transaction;
       Expect ("old, to TELOUT", Output_Up.Kept (Roll), 16#300#);
+      Expect ("the mark", Uplink.Kept (Error_Status), Stale_Data);
+      Expect ("the mark, up", Output_Up.Kept (Error_Status), Stale_Data);
       Expect_Errors
         ("old image, nobody took",
          (No_Image, Uplink_Not_Consumed, Output_Not_Consumed));
@@ -234,7 +241,7 @@ package body Exchange_Tests is
    begin
       Add (Suite, "MDI-1 commands go to CORE and to PWM", Aircraft_In'Access);
       Add
-        (Suite, "MDI-1 without new commands the ones before go out",
+        (Suite, "MDI-1 SAF-5 without new commands old ones go out, marked",
          Aircraft_In_Old'Access);
       Add
         (Suite, "MDI-1 who did not take the commands is reported",
@@ -246,16 +253,16 @@ package body Exchange_Tests is
         (Suite, "MDO-1 27 sensors and the error word go to CORE and down",
          Aircraft_Out'Access);
       Add
-        (Suite, "MDO-1 without a new image the one before goes out",
+        (Suite, "MDO-1 SAF-5 without a new image an old one goes out, marked",
          Aircraft_Out_Old'Access);
       Add
-        (Suite, "GDI-1 sensors go to CORE, the old ones if none are new",
+        (Suite, "GDI-1 SAF-5 sensors go to CORE, marked if none are new",
          Ground_In'Access);
       Add
         (Suite, "D-11 sensors above 0FFFh go to CORE and are an error",
          Ground_In_Too_Large'Access);
       Add
-        (Suite, "GDO-1 13 commands and the error word go to CORE and up",
+        (Suite, "GDO-1 SAF-5 13 commands and error word go to CORE and up",
          Ground_Out'Access);
    end Add_To;
 

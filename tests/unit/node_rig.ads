@@ -46,6 +46,11 @@ package Node_Rig is
    function Log_Of (Node : Station) return Error_Log;
    function Servos return Data_Area;
 
+   --  What the servos hold at power up (SAF-1): throttle idle, brake full
+   --  on, switches off, all else in the middle.
+   Safe_Words : constant Data_Area :=
+     (8 => 0, 9 => 16#FFF#, 14 => 0, others => 16#800#);
+
    --  A number for each channel: the first word and on.
    function Numbered (First : Word) return Channel_Words;
 

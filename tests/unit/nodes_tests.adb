@@ -191,7 +191,8 @@ package body Nodes_Tests is
 
       Switch_On;
       for Number in Channel_Number loop
-         Expect ("servo" & Number'Image, Servos (Number), 16#800#);
+         Expect
+           ("servo" & Number'Image, Servos (Number), Safe_Words (Number));
       end loop;
       for Ground in Boolean loop
          After := (if Ground then CORE_Of_GSC else CORE_Of_MCS);
@@ -329,8 +330,9 @@ package body Nodes_Tests is
            ("MCS CORE " & Item'Image, CORE.Uplink (Place (Item)),
             Neutral_Uplink (Item));
       end loop;
-      for Servo in Channel_Number range 1 .. 13 loop
-         Expect ("servo" & Servo'Image, Servos (Servo), 16#800#);
+      for Servo in Channel_Number loop
+         Expect
+           ("servo" & Servo'Image, Servos (Servo), Safe_Words (Servo));
       end loop;
       CORE := CORE_Of_GSC;
       for Item in Downlink_Item loop

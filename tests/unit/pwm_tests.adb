@@ -20,6 +20,7 @@ package body PWM_Tests is
    procedure Error_Word;
    procedure Read_Back;
    procedure The_Task;
+   procedure Marked_Commands;
 
    --  Every command different, switches off.
    Commands : constant Uplink_Buffer :=
@@ -43,7 +44,7 @@ package body PWM_Tests is
    subtype Flap is PWM_Item range Left_Flap_1 .. Right_Flap_2;
 
    --  The board under the task.
-   Board  : Data_Area := Neutral_Area;
+   Board  : Data_Area := URV.PWM_Layout.Safe_Area;
    Writes : Natural   := 0;
 
    procedure Write_Board (Area : Data_Area);
@@ -100,11 +101,26 @@ package body PWM_Tests is
    procedure Neutral_All is
       Output : constant PWM_Buffer := Transform (Neutral_Uplink);
    begin
-      for Servo in Servo_Item loop
-         Expect ("neutral " & Servo'Image, Output (Servo), 16#800#);
+      for Item in PWM_Item loop
+         Expect
+           ("safe " & Item'Image, Safe_Outputs (Item),
+            (case Item is
+                when URV.Buffers.Throttle => 0,
+                when URV.Buffers.Brake    => 16#FFF#,
+                when Discretes            => 0,
+                when others               => 16#800#));
+         Expect ("neutral " & Item'Image, Output (Item), Safe_Outputs (Item));
+         Expect
+           ("on the board, " & Item'Image,
+            URV.PWM_Layout.Safe_Area (URV.PWM_Layout.Channel_Of (Item)),
+            Safe_Outputs (Item));
       end loop;
-      Expect ("neutral discretes", Output (Discretes), 0);
-      Expect_Number ("channels of the board", Neutral_Area'Length, 16);
+      Expect_Number ("channels of the board", Data_Area'Length, 16);
+      for Unused in Channel_Number range 15 .. 16 loop
+         Expect
+           ("unused channel" & Unused'Image,
+            URV.PWM_Layout.Safe_Area (Unused), 16#800#);
+      end loop;
    end Neutral_All;
 
    ------------------
@@ -256,6 +272,28 @@ package body PWM_Tests is
       Expect_Errors ("without new commands", (1 => No_Commands));
    end The_Task;
 
+   procedure Marked_Commands is
+      Before : Data_Area;
+   begin
+      The_Task;
+      Before := Board;
+
+      --  Everything else than what stands there, switches on.
+      for Error in Word range 0 .. 16#1F# loop
+         Clear;
+         Board := Before;
+         Task_Doubles.Commands.Given := (others => 16#FFF#);
+         Task_Doubles.Commands.Given (Error_Status) := Error;
+         PWM.Run_Transaction;
+         if Error mod 2 = 1 then
+            Expect ("old ones move nothing", Board = Before, True);
+         else
+            Expect ("fresh ones do", Board = Before, False);
+         end if;
+         Expect_Errors ("new commands, marked or not", None);
+      end loop;
+   end Marked_Commands;
+
    ------------
    -- Add_To --
    ------------
@@ -266,7 +304,10 @@ package body PWM_Tests is
         (Suite, "PWM-1 without new commands the board is left alone",
          The_Task'Access);
       Add
-        (Suite, "PWM-2 neutral commands are neutral servos",
+        (Suite, "SAF-3 commands that are marked as old move nothing",
+         Marked_Commands'Access);
+      Add
+        (Suite, "SAF-1 neutral commands are the safe outputs",
          Neutral_All'Access);
       Add
         (Suite, "PWM-2 D-2 each servo follows its command and no other",

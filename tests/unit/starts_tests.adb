@@ -9,6 +9,9 @@ with MCS.Virtual_Time;
 with Memory_Hardware;
 with Node_Rig;            use Node_Rig;
 with Telemetry;           use Telemetry;
+with Telemetry.Checksum;
+with Telemetry.Headers;
+with Telemetry.Receivers;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Self_Tests;    use URVOS.Self_Tests;
@@ -34,6 +37,7 @@ package body Starts_Tests is
    procedure Variables_Of_Aircraft;
    procedure Variables_Of_Ground;
    procedure Transmit_Half;
+   procedure Receive_Half;
    procedure Converters;
    procedure Codes_Again;
    procedure Servos_Held;
@@ -324,7 +328,7 @@ package body Starts_Tests is
          for Number in Channel_Number loop
             Expect
               (Condition'Image & ", servo" & Number'Image, Servos (Number),
-               (if Condition = Starts.Cold_Start then 16#800#
+               (if Condition = Starts.Cold_Start then Safe_Words (Number)
                 else Held_Servos (Number)));
          end loop;
 
@@ -444,6 +448,60 @@ package body Starts_Tests is
          end loop;
       end loop;
    end Transmit_Half;
+
+   --  A whole message arrives at a node's telemetry board.
+   procedure Receive_Message (Node : Station; Data : Block_Data);
+
+   procedure Receive_Message (Node : Station; Data : Block_Data) is
+      Length : constant Telemetry.Headers.Block_Length :=
+        (if Node = Ground then URV.Codecs.Downlink.Block_Length
+         else URV.Codecs.Uplink.Block_Length);
+
+      Unused : Boolean;
+
+      procedure Hear (Value : Byte);
+
+      procedure Hear (Value : Byte) is
+      begin
+         if Node = Ground then
+            GSC.Telemetry_Board.Accept_Character (1, Value, False, Unused);
+         else
+            MCS.Telemetry_Board.Accept_Character (1, Value, False, Unused);
+         end if;
+      end Hear;
+
+   begin
+      Hear (Telemetry.Receivers.Data_Header (Length));
+      for I in 1 .. Length loop
+         Hear (Data (I));
+      end loop;
+      Hear
+        (Telemetry.Checksum.Of_Message
+           (Telemetry.Receivers.Data_Header (Length), Data, Length));
+   end Receive_Message;
+
+   procedure Receive_Half is
+      On    : constant Uplink_Buffer :=
+        (Error_Status => No_Error, others => 16#FFF#);
+      Data  : Block_Data;
+      Fresh : Boolean;
+      Ever  : Boolean;
+   begin
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.Telemetry_Board.Start;
+         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         MCS.Telemetry_Board.Take (Data, Fresh, Ever);
+         Expect ("a message comes in", Fresh and Ever, True);
+
+         MCS.Telemetry_Board.Start;
+         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         Begin_Again (Aircraft, Condition);
+         MCS.Telemetry_Board.Take (Data, Fresh, Ever);
+         Expect
+           (Condition'Image & ", what came before the start", Fresh, False);
+      end loop;
+   end Receive_Half;
 
    ----------------
    -- Converters --
@@ -812,6 +870,9 @@ package body Starts_Tests is
       Add
         (Suite, "INI-4 each start empties the transmit half",
          Transmit_Half'Access);
+      Add
+        (Suite, "SAF-4 each start forgets what came in before it",
+         Receive_Half'Access);
       Add
         (Suite, "INI-5 each start prepares the converter",
          Converters'Access);

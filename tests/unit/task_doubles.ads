@@ -15,7 +15,7 @@ package Task_Doubles is
    package Words is
      new Recorded_Variables (Channel_Words, (others => Neutral_Value));
    package Image is
-     new Recorded_Variables (AD_Image, Neutral_Image);
+     new Recorded_Variables (AD_Image, Neutral_Stick_Image);
    package Input_Up is
      new Recorded_Variables (Uplink_Buffer, Neutral_Uplink);
    package Input_Down is
@@ -54,7 +54,8 @@ package Task_Doubles is
       Expected : Error_List;
       Detail   : Word := 0);
 
-   --  Buffers to recognise: word n of a buffer with mark m is m + n.
+   --  Buffers to recognise: word n of a buffer with mark m is m + n, and its
+   --  error/status word is m.
    function Uplink_Of (Mark : Word) return Uplink_Buffer;
    function Downlink_Of (Mark : Word) return Downlink_Buffer;
    function Image_Of (Mark : Word; Error : Word) return AD_Image;

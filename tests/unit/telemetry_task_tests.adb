@@ -5,6 +5,7 @@ with Telemetry;    use Telemetry;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;
 with URV.Errors;   use URV.Errors;
+with URV.Routing;  use URV.Routing;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 
@@ -39,6 +40,7 @@ package body Telemetry_Task_Tests is
    package TELIN is new URV.TELIN_Task
      (Message    => Uplink_Buffer,
       Neutral    => Neutral_Uplink,
+      As_Old     => URV.Routing.As_Old,
       Decode     => URV.Codecs.Uplink.Decode,
       Take_Block => Take_Block,
       Send_TELIN => Input_Up.Send,
@@ -123,7 +125,8 @@ package body Telemetry_Task_Tests is
       for Frame in 1 .. 3 loop
          TELIN.Run_Transaction;
          Expect_Number ("sent", Input_Up.Sent, 1 + Frame);
-         Expect_Buffer ("previous", Input_Up.Kept, Uplink_Of (16#100#));
+         Expect_Buffer
+           ("previous", Input_Up.Kept, As_Old (Uplink_Of (16#100#)));
          Expect_Errors ("nothing new", (1 => TELIN_No_Block));
       end loop;
 
