@@ -1,5 +1,5 @@
 --  The history of a mailbox: what comes out of any sequence of sends, looks
---  and receives (MBX-2 to MBX-4).
+--  and receives (MBX-2 to MBX-4, D-21).
 --
 --  Whoever share a mailbox, its protected object puts their calls in a
 --  sequence: so what holds for any sequence holds for any interleaving.

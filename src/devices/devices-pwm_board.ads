@@ -1,4 +1,4 @@
---  The pulse width modulation board (report, 2.3.1, 4.8).
+--  The pulse width modulation board (report, 2.3.1, 4.8, INI-3).
 --
 --  The board reads its data area all the time, on its own: one word a servo
 --  channel, then the discretes.

@@ -1,5 +1,5 @@
---  A pulse width modulation board between the controller and the
---  servos (report, 4.8; PWM-1).
+--  A pulse width modulation board between the controller and the servos
+--  (report, 4.8; PWM-1, D-13).
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 

@@ -1,4 +1,5 @@
---  A processor board's working memory, word by word, for its test (TST-1).
+--  A processor board's working memory, word by word, for its test (TST-1,
+--  D-17).
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS;              use URVOS;

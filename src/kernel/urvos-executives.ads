@@ -1,5 +1,5 @@
---  Runs the tasks of one processor in virtual time (report, sections 2.2
---  and 3.3; FRM-2 to FRM-4, KRN-1 to KRN-4).
+--  Runs the tasks of one processor in virtual time (report, sections 2.2 and
+--  3.3; FRM-2 to FRM-4, KRN-1 to KRN-4, D-25).
 --
 --  A task is run in steps, each up to its next kernel call. The scheduler
 --  says which task is next; here its step is run to the end. Between two

@@ -1,5 +1,5 @@
---  The calls with which a task gives the processor away (report, section
---  3.3; KRN-2 to KRN-4).
+--  The calls with which a task gives the processor away (report, section 3.3;
+--  KRN-2 to KRN-4, D-25).
 
 with URVOS.Frames; use URVOS.Frames;
 

@@ -1,5 +1,5 @@
---  A mailbox: one message that one producer leaves for one consumer
---  (report, section 3.4; MBX-1 to MBX-4).
+--  A mailbox: one message that one producer leaves for one consumer (report,
+--  section 3.4; MBX-1 to MBX-4, D-21).
 --
 --     Send    (Box, Command, Success);
 --     Receive (Box, Command, Fresh);

@@ -1,5 +1,5 @@
 --  A test of RAM that finds stuck cells, cells that cannot change, cells that
---  disturb each other, and wrong address decoding (report, 2.4; TST-1).
+--  disturb each other, and wrong address decoding (report, 2.4; TST-1, D-17).
 --
 --  The test is March LR (14 accesses a word) over all zeros, which treats
 --  each bit of the memory as a cell of its own; and before it, for bits of

@@ -1,4 +1,4 @@
---  The first two phases of a start (report, section 3.1; INI-2).
+--  The first two phases of a start (report, section 3.1; INI-2, D-16, D-22).
 --
 --  Phase one is the operating system's self-test. Phase two is one of the
 --  controller's routines, one for each start condition. Then the controller

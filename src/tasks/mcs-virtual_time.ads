@@ -1,5 +1,5 @@
 --  The aircraft's node in virtual time: whoever drives it tells it when the
---  clock ticks (KRN-1 to KRN-6, EXT-4).
+--  clock ticks (KRN-1 to KRN-6, EXT-4, D-23).
 
 package MCS.Virtual_Time with SPARK_Mode is
 

@@ -264,8 +264,8 @@ package MCS with SPARK_Mode is
 
    --  The controller's routine of each start condition.
 
-   --  Power up: servos neutral, CORE and the error log cleared, nothing has
-   --  been sent or received.
+   --  Power up: servos safe (D-13), CORE and the error log cleared, nothing
+   --  has been sent or received.
    procedure Cold_Start;
 
    --  The reset switch, or an unexpected exception: servos, CORE, error log

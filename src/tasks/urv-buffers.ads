@@ -1,5 +1,5 @@
 --  The messages that tasks pass on: converter images, uplink and downlink
---  buffers, servo commands (report, section 2.5, figures 4 and 13).
+--  buffers, servo commands (report, section 2.5, figures 4 and 13, D-15).
 --
 --  A buffer is an array over the names of its words, so that the order of
 --  the names is the order on the wire (BUF-1, BUF-2).

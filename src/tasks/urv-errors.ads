@@ -46,7 +46,6 @@ package URV.Errors with Pure, SPARK_Mode is
 
       --  Kernel. Detail: the identification of the task.
       Task_Overrun,            --  released late, or still running
-      Task_Left_Out,           --  the task tree is longer than the TCBs
       Semaphore_Not_Claimed,   --  P went on without it after two ticks
       Semaphore_Not_Owned,     --  V of what someone else has claimed
 

@@ -1,5 +1,5 @@
---  GDCIN task: the ground's input exchange (report, 5.5, table 9; GDI-1).
---  Released at minor frame 1.
+--  GDCIN task: the ground's input exchange (report, 5.5, table 9; GDI-1,
+--  D-14). Released at minor frame 1.
 --
 --  Consumes TELIN_variable, produces downlink_variable. A frame with
 --  nothing new passes on the sensor data before.

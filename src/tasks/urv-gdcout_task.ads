@@ -1,5 +1,5 @@
---  GDCOUT task: the ground's output exchange (report, 5.6, table 10;
---  GDO-1, D-3). Released at minor frame 1.
+--  GDCOUT task: the ground's output exchange (report, 5.6, table 10; GDO-1,
+--  D-3, D-14). Released at minor frame 1.
 --
 --  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A
 --  frame with nothing new passes on the stick data before.

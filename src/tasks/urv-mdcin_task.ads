@@ -1,5 +1,5 @@
 --  MDCIN task: the aircraft's input exchange (report, 4.6, table 6; MDI-1,
---  D-11). Released at minor frame 1.
+--  D-11, D-14). Released at minor frame 1.
 --
 --  Consumes TELIN_variable, produces uplink_variable and PWM_variable. A
 --  frame with nothing new passes on the commands before.

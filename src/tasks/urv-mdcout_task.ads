@@ -1,5 +1,5 @@
---  MDCOUT task: the aircraft's output exchange (report, 4.7, table 7;
---  MDO-1, D-1). Released at minor frame 1.
+--  MDCOUT task: the aircraft's output exchange (report, 4.7, table 7; MDO-1,
+--  D-1, D-14). Released at minor frame 1.
 --
 --  Consumes AD_variable, produces downlink_variable and TELOUT_variable. A
 --  frame with nothing new passes on the sensor data before.

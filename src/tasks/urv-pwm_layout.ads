@@ -1,5 +1,5 @@
 --  Where the outputs stand in the data area of the PWM board (report, 4.8,
---  figure 13b; PWM-2): the servos in their order, then the discretes.
+--  figure 13b; PWM-2, D-13): the servos in their order, then the discretes.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URVOS;             use URVOS;

@@ -1,4 +1,5 @@
---  Which part of the converter image each node passes on (report, 4.7, 5.6).
+--  Which part of the converter image each node passes on (report, 4.7, 5.6,
+--  D-14, D-15).
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;

@@ -1,5 +1,5 @@
---  TELIN task: takes what the telemetry board received (report, 4.4, table
---  4; TIN-1). Released at minor frame 0.
+--  TELIN task: takes what the telemetry board received (report, 4.4, table 4;
+--  TIN-1, D-14). Released at minor frame 0.
 --
 --  Consumes the board's receive buffers, produces TELIN_variable. A frame
 --  with nothing new passes on the message before, marked as old (SAF-5).

@@ -1,5 +1,5 @@
---  A telemetry board: its memory, its two halves, and whose turn it is on
---  the link (report, appendix A; LNK-1 to LNK-10).
+--  A telemetry board: its memory, its two halves, and whose turn it is on the
+--  link (report, appendix A; LNK-1 to LNK-10, D-18, D-20, D-22).
 --
 --  The board's interrupt handler calls Accept_Character, its main program
 --  Next_Character whenever the transmitter is empty, and its timer Elapse.

@@ -1,5 +1,5 @@
 --  A telemetry board whose operations exclude each other: what
---  Telemetry.Shared_Boards consists of (report, appendix A; LNK-1).
+--  Telemetry.Shared_Boards consists of (report, appendix A; LNK-1, D-24).
 --
 --  It is a type so that it is proved once, not for each node.
 

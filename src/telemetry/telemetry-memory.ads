@@ -1,5 +1,5 @@
 --  The board's dual-ported memory, which it shares with the controller
---  (report, appendix A.2, A.3, figure A-5; LNK-4, LNK-7).
+--  (report, appendix A.2, A.3, figure A-5; LNK-4, LNK-7, D-18, D-20).
 --
 --  There are two receive and two transmit buffers, each with a full flag
 --  and a busy semaphore. A pair remembers which of its buffers was filled

@@ -1,5 +1,5 @@
---  A telemetry board between its controller, its interrupt handler, its
---  main program and its timer (report, appendix A; LNK-1).
+--  A telemetry board between its controller, its interrupt handler, its main
+--  program and its timer (report, appendix A; LNK-1, D-24).
 --
 --  Each operation of Telemetry.Boards is one protected action here. The
 --  board's own side tells how much time has passed since it last did.

@@ -348,7 +348,7 @@ package body AD_Tests is
         (Suite, "ADI-1 a scan stores its channels in order",
          Scan_Itself'Access);
       Add
-        (Suite, "ADI-1 past the last channel nothing is stored",
+        (Suite, "ADI-1 D-19 past the last channel nothing is stored",
          Past_The_Last'Access);
       Add
         (Suite, "ADI-1 32 interrupts are a scan, sent after channel 31",

@@ -189,7 +189,7 @@ package body Buffers_Tests is
         (Suite, "BUF-3 a converter value has 12 bits",
          Converter_Values'Access);
       Add
-        (Suite, "INI-8 neutral buffers hold 0800h and say they are stale",
+        (Suite, "INI-8 D-13 neutral buffers are safe and say they are stale",
          Neutral_Values'Access);
       Add
         (Suite, "PWM-2 the PWM board gets 13 servo words and discretes",

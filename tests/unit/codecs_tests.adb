@@ -300,7 +300,7 @@ package body Codecs_Tests is
         (Suite, "MDO-1 D-1 27 channels and the error word make a downlink",
          Image_Downlink'Access);
       Add
-        (Suite, "AD-1 the error word says whether the scan is fresh",
+        (Suite, "AD-1 D-15 the error word says whether the scan is fresh",
          Stamps'Access);
       Add
         (Suite, "D-11 words above 0FFFh are told from good ones",

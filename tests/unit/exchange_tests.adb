@@ -241,7 +241,7 @@ package body Exchange_Tests is
    begin
       Add (Suite, "MDI-1 commands go to CORE and to PWM", Aircraft_In'Access);
       Add
-        (Suite, "MDI-1 SAF-5 without new commands old ones go out, marked",
+        (Suite, "MDI-1 SAF-5 D-14 without new commands old ones go out",
          Aircraft_In_Old'Access);
       Add
         (Suite, "MDI-1 who did not take the commands is reported",
@@ -253,7 +253,7 @@ package body Exchange_Tests is
         (Suite, "MDO-1 27 sensors and the error word go to CORE and down",
          Aircraft_Out'Access);
       Add
-        (Suite, "MDO-1 SAF-5 without a new image an old one goes out, marked",
+        (Suite, "MDO-1 SAF-5 D-14 without a new image an old one goes out",
          Aircraft_Out_Old'Access);
       Add
         (Suite, "GDI-1 SAF-5 sensors go to CORE, marked if none are new",

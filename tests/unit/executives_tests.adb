@@ -316,7 +316,7 @@ package body Executives_Tests is
         (Suite, "FRM-2 SET-1 both nodes release their tasks at the offsets",
          Offsets'Access);
       Add
-        (Suite, "KRN-1 KRN-5 each task is in one processor's tree, once",
+        (Suite, "KRN-1 KRN-5 D-23 each task is in one processor's tree, once",
          Trees'Access);
       Add
         (Suite, "FRM-3 KRN-3 each task runs once a major frame, at its offset",
@@ -331,7 +331,7 @@ package body Executives_Tests is
         (Suite, "FRM-4 a task released late is counted and comes back",
          Overruns'Access);
       Add
-        (Suite, "KRN-2 a task that calls EXIT gives way to higher ones only",
+        (Suite, "KRN-2 D-25 a task that calls EXIT gives way to higher ones",
          Gives_Way'Access);
       Add
         (Suite, "KRN-4 a task that ends never runs again",

@@ -16,6 +16,7 @@ package body Link_Tests is
    procedure At_Once;
    procedure Good_Status;
    procedure Retry;
+   procedure No_Answer;
    procedure Scrap;
    procedure Scrap_Downlink;
    procedure Ask_Twice;
@@ -371,6 +372,25 @@ package body Link_Tests is
       Expect ("bad", Item.Aircraft_Board.Tally.Bad, 1);
       Expect ("received", Item.Aircraft_Board.Tally.Received, 1);
    end Retry;
+
+   procedure No_Answer is
+      Item : Link;
+   begin
+      --  The aircraft's first answer is lost: dead space, then the ground's
+      --  idle time, then the same block.
+      Spoilt_Sender := Aircraft;
+      First_Spoilt  := 1;
+      Last_Spoilt   := 1;
+      Spoilt_How    := Lost;
+      Give (Item, Ground, 1);
+      Run (Item, Frame, Spoil'Access);
+      Expect_Turns
+        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+      Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
+      Expect ("reset", Item.Ground_Board.Tally.Resets, 1);
+      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
+      Expect ("received", Item.Aircraft_Board.Tally.Received, 2);
+   end No_Answer;
 
    -----------
    -- Scrap --
@@ -883,6 +903,9 @@ package body Link_Tests is
       Add
         (Suite, "LNK-6 a block that came bad is sent once more", Retry'Access);
       Add
+        (Suite, "LNK-6 D-20 D-22 a block without an answer is sent again",
+         No_Answer'Access);
+      Add
         (Suite, "LNK-6 a block that came bad twice is scrapped", Scrap'Access);
       Add
         (Suite, "LNK-6 a downlink is repeated and scrapped just so",
@@ -897,7 +920,7 @@ package body Link_Tests is
         (Suite, "LNK-4 EXT-1 a block that nobody took in time is counted",
          Not_Taken'Access);
       Add
-        (Suite, "LNK-7 a buffer is busy and whole while it is sent",
+        (Suite, "LNK-7 D-18 D-24 a buffer is busy and whole while it is sent",
          Busy_Meanwhile'Access);
       Add
         (Suite, "LNK-8 the aircraft waits for permission", Permission'Access);

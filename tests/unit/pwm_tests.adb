@@ -304,10 +304,10 @@ package body PWM_Tests is
         (Suite, "PWM-1 without new commands the board is left alone",
          The_Task'Access);
       Add
-        (Suite, "SAF-3 commands that are marked as old move nothing",
+        (Suite, "SAF-3 D-14 commands that are marked as old move nothing",
          Marked_Commands'Access);
       Add
-        (Suite, "SAF-1 neutral commands are the safe outputs",
+        (Suite, "SAF-1 D-13 neutral commands are the safe outputs",
          Neutral_All'Access);
       Add
         (Suite, "PWM-2 D-2 each servo follows its command and no other",

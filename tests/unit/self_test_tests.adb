@@ -688,7 +688,7 @@ package body Self_Test_Tests is
         (Suite, "TST-1 faults anywhere in 16 KiB are found, with the word",
          Faults_In_All_The_RAM'Access);
       Add
-        (Suite, "TST-1 the RAM is left all zeros, after 34 accesses a word",
+        (Suite, "TST-1 D-17 the RAM is left zeros, after 34 accesses a word",
          Zeros_After'Access);
       Add
         (Suite, "TST-1 1000 starts raise no false alarm",

@@ -853,8 +853,8 @@ package body Starts_Tests is
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
-        (Suite, "INI-2 the test, then the condition's routine; none after "
-         & "a failed test", Phases'Access);
+        (Suite, "INI-2 D-16 D-22 the test, then the condition's routine; none "
+         & "after a failed test", Phases'Access);
       Add
         (Suite, "INI-1 INI-6 CORE and log count each warm start",
          Counted'Access);
