@@ -40,9 +40,10 @@ def test_no_contract_is_violated(file):
 
 @pytest.mark.skipif(not shutil.which("afl-fuzz"), reason="no afl-fuzz here")
 def test_a_short_run_finds_nothing():
+    # By the number of inputs: how long that takes is the machine's affair.
     result = subprocess.run(
-        [ROOT / "scripts" / "fuzz.sh", "15"],
-        capture_output=True, text=True, timeout=300, check=False,
+        [ROOT / "scripts" / "fuzz.sh", "500", "5000"],
+        capture_output=True, text=True, timeout=600, check=False,
     )
     assert result.returncode == 0, result.stdout + result.stderr
-    assert int(result.stdout.split()[1]) > 1_000, result.stdout
+    assert int(result.stdout.split()[1]) >= 5_000, result.stdout
