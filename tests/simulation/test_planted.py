@@ -147,7 +147,12 @@ def test_results_of_unit_tests_are_read():
             "MBX-1 it is so": "passed", "LNK-2 it is not": "failed"}
 
 
-def test_a_unit_test_is_found_by_its_name():
-    name = "MBX-2 an unconsumed message is overwritten and counted once"
-    assert planted.test_exists(ROOT, name)
-    assert not planted.test_exists(ROOT, name[:-1])
+def test_a_unit_test_is_found_by_its_name(tmp_path):
+    name = "MBX-2 a message is overwritten"
+    file = tmp_path / planted.UNIT / "boxes_tests.adb"
+    file.parent.mkdir(parents=True)
+    for text, is_there in ((f'Add (Suite, "{name}",', True),
+                           ('"MBX-2 a message"\n   & " is overwritten"', True),
+                           (f'"{name} twice"', False)):
+        file.write_text(text)
+        assert planted.test_exists(tmp_path, name) == is_there

@@ -453,7 +453,7 @@ def test_ad1_a_short_stall_of_the_converter_costs_nothing(courses, node,
 
 
 @pytest.mark.parametrize("late_us, frame", [(0, 21), (1, 22)])
-@pytest.mark.parametrize("channel, name", enumerate(COMMANDS))
+@pytest.mark.parametrize("channel, name", [*enumerate(COMMANDS)])
 def test_ad1_after_a_stall_the_conversion_is_made_anew(
         fly, write, channel, name, late_us, frame):
     """It was under way when the board stood still, and takes 16 us from the
