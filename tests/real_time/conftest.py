@@ -4,9 +4,10 @@
         flight = partitions.fly(seconds=2, sticks=write("s.csv", text))
         assert flight.gsc.summary["frames"] == 100
 
-Judged is what the nodes did, not when: the machine may be slow. The programs
-are those in bin, or in the folder that URV_PARTITIONS names; the simulation
-they are compared with is bin/urv_sim, or what URV_SIM names.
+Judged is what the nodes did, not when: the machine may be slow. At the end of
+each test the records of its flight go through the safety monitor (SAF-9). The
+programs are those in bin, or in the folder that URV_PARTITIONS names; the
+simulation they are compared with is bin/urv_sim, or what URV_SIM names.
 """
 
 import csv
@@ -17,6 +18,7 @@ import select
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import time
 import tty
@@ -29,6 +31,12 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = Path(os.environ.get("URV_PARTITIONS", ROOT / "bin")).resolve()
 PROGRAMS = {name: FOLDER / f"urv_{name}" for name in ("mcs", "gsc")}
 SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
+
+sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+
+import monitor  # noqa: E402
+
+from peer import be_prompt  # noqa: E402
 
 # Far longer than any run of the tests; a hung program is a failure.
 TIME_LIMIT_S = 60
@@ -112,6 +120,9 @@ class Run:
         folder.mkdir(exist_ok=True)
         self.node = node
         self.outputs = Outputs(folder)
+
+        # When it was told to do something, in us of the monotonic clock.
+        self.told = []
         self.program = subprocess.Popen(
             [
                 PROGRAMS[node], "--link", link,
@@ -147,6 +158,7 @@ class Run:
         return line[0].rstrip("\n")
 
     def send(self, which):
+        self.told.append((which, time.monotonic_ns() // 1000))
         self.program.send_signal(which)
 
     def end(self):
@@ -167,6 +179,60 @@ def _programs_are_built():
             pytest.exit(f"{program} is not built: make test builds it", 2)
 
 
+RESTARTS = ("processor_restart", "warm_reset")
+
+# The link's counts that tell of something that went wrong on it.
+TROUBLES = ("_bad", "_scrapped", "_resets")
+
+
+def starts_of(run):
+    """The warm starts of a node: those that it was told to make, and those
+    that its log has."""
+    on_us = run.outputs.summary["switched_on_us"]
+    ordered = [
+        at for which, at in run.told
+        if which in (signal.SIGUSR1, signal.SIGUSR2, signal.SIGCONT)
+    ]
+    logged = [
+        on_us + 1000 * run.outputs.events[kind][when]
+        for kind in RESTARTS if kind in run.outputs.events
+        for when in ("first_ms", "last_ms")
+    ]
+    return [(run.node, at) for at in ordered + logged]
+
+
+def disturbed_of(run):
+    """The times in which a node's board met with trouble on the link."""
+    rows = run.outputs.rows
+    counts = [name for name in (rows[0] if rows else ())
+              if name.startswith("link.") and name.endswith(TROUBLES)]
+    return [
+        (before["clock_us"] - 20_000, row["clock_us"] + 20_000)
+        for before, row in zip(rows, rows[1:])
+        if any(row[name] != before[name] for name in counts)
+    ]
+
+
+def assert_safe(runs):
+    """What the safety monitor says of the flight. A program that a test has
+    killed left no whole record."""
+    ended = [run for run in runs if run.program.returncode == 0]
+    by_node = {
+        node: [run for run in ended if run.node == node] for node in PROGRAMS
+    }
+    flights = (
+        [ended] if all(len(each) == 1 for each in by_node.values())
+        else [[run] for run in ended]
+    )
+    for flight in flights:
+        findings = monitor.check_partitions(
+            **{run.node: run.outputs.folder / "record.csv" for run in flight},
+            starts=[start for run in flight for start in starts_of(run)],
+            disturbed=[span for run in flight for span in disturbed_of(run)],
+        )
+        assert findings.violations == []
+
+
 @pytest.fixture
 def start(tmp_path):
     """Start a partition; whatever still runs at the end is killed."""
@@ -183,6 +249,7 @@ def start(tmp_path):
         if run.program.poll() is None:
             run.program.kill()
             run.program.wait()
+    assert_safe(runs)
 
 
 @pytest.fixture
@@ -246,6 +313,7 @@ class TerminalPair:
         self._thread.start()
 
     def _carry(self):
+        be_prompt()
         one, other = self._masters
         to = {one: other, other: one}
         while not self._ended.is_set():

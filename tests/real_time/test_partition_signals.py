@@ -98,11 +98,19 @@ def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
     """A board that has received nothing since its start gives its controller
     no reason to complain of silence (LNK-10): in the frames after SIGUSR2
     the log has no more of that, in those after SIGUSR1 it has."""
-    run = fall_silent(start, node)
-    time.sleep(0.3)
-    run.send(which)
-    time.sleep(0.8)
-    outputs = run.stop()
+    for _ in range(10):
+        run = fall_silent(start, node)
+        time.sleep(0.3)
+        run.send(which)
+        time.sleep(0.8)
+        outputs = run.stop()
+
+        # On a machine that stands still for longer than a frame the board
+        # starts anew unasked, and that shows nothing.
+        if outputs.summary["link"]["board_restarts"] == 0:
+            break
+    else:
+        pytest.fail("the machine never ran for a second")
     other = {"processor_restart": "warm_reset",
              "warm_reset": "processor_restart"}[kind]
     assert outputs.events[kind]["count"] == 1
@@ -133,7 +141,8 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
 
     # The servos were never anywhere but where some command put them, each
     # in its turn.
-    expected = [(0x800,) * 9]
+    safe, neutral = (*(0x800,) * 7, 0, 0xFFF), (0x800,) * 9
+    expected = [safe, neutral]
     expected += [
         (r[0], r[0], r[1], r[1], r[2], r[2], r[2], r[3], r[4]) for r in rows
     ]
