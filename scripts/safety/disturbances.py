@@ -15,6 +15,7 @@ ENDLESS = 1 << 60
 # has the frame's words after so much of it (docs/starts.md).
 START_US = 10_000
 CORE_US = 8_000
+ROM_READ_US = FRAME_US + 12_000
 
 # The aircraft is switched on so much later at most (--phase).
 LARGEST_LAG_US = 18_000
@@ -55,6 +56,17 @@ class Spans:
                 first, self.first[place])
             place += 1
         return total
+
+    def skipping(self, time, length):
+        """When so long has gone by since a time, the spans left out."""
+        for first, last in self:
+            if last > time:
+                gone = max(0, first - time)
+                if gone >= length:
+                    break
+                length -= gone
+                time = last
+        return time + length
 
 
 def orders(text):
@@ -121,13 +133,9 @@ class Disturbances:
         idle = Spans([*self.stalls, *line["up"], *line["down"],
                       *self.silent["gsc"], *self.silent["mcs"]])
         for at, way, count in counted:
-            last = at + FRAME_US * (2 + math.ceil(count / CHARACTERS[way]))
-            reached = 0
-            while reached != last:
-                reached = last
-                last = (at + idle.within(at, reached) + FRAME_US
-                        * (2 + math.ceil(count / CHARACTERS[way])))
-            line[way].append((at, last + MESSAGE_US))
+            line[way].append((at, idle.skipping(
+                at, FRAME_US * (2 + math.ceil(count / CHARACTERS[way])))
+                + MESSAGE_US))
         self.line = {way: Spans(line[way]) for way in WAYS}
         for spans in (line["up"], line["down"], stalls,
                       *self.starts.values()):
@@ -147,22 +155,24 @@ class Disturbances:
         self-test stays down."""
         spans = [[0, 0 if node == "gsc" else LARGEST_LAG_US]]
         harmed = ENDLESS
+        armed = 0
         for at, kind, first in events:
             if kind in ("rom", "ram"):
                 harmed = min(harmed, at)
-            elif kind == "bus_error":
-                # At the next read of the ROM: within a frame, or when the
-                # start that is under way tests itself.
-                last = spans[-1][1]
-                if at <= last:
-                    spans[-1][1] = last + START_US
-                else:
-                    spans.append([at, at + FRAME_US + START_US])
-            elif first != "telemetry":
-                if at <= spans[-1][1]:
-                    spans[-1][1] = max(spans[-1][1], at + START_US)
-                else:
-                    spans.append([at, at + START_US])
+                continue
+            if kind == "reset" and first == "telemetry":
+                continue
+            if at > spans[-1][1]:
+                spans.append([at, at])
+                armed = 0
+            if kind == "bus_error":
+                # At the next read of the ROM: when the next start tests
+                # itself, or the task does, so long after a start at most.
+                armed += 1
+                spans[-1][1] += ROM_READ_US + START_US
+            else:
+                spans[-1][1] = max(spans[-1][1],
+                                   at + (armed + 1) * START_US)
         for number, span in enumerate(spans):
             if span[1] >= harmed:
                 span[1] = ENDLESS
@@ -173,4 +183,4 @@ class Disturbances:
 
 def of_file(path):
     return Disturbances(
-        Path(path).read_text(encoding="utf-8") if path else "")
+        Path(path).read_text(encoding="utf-8-sig") if path else "")

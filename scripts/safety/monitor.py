@@ -52,7 +52,7 @@ from safe_words import (  # noqa: E402
     orders_of,
     transformed,
 )
-from timelines import FRAME_US, SCAN_US, Timeline  # noqa: E402
+from timelines import FRAME_US, SCAN_US, TICK_US, Scan, Timeline  # noqa: E402
 
 # How old a scan may be when its commands reach the servos: 50 ms, and 20 ms
 # until the row (docs/design.md). When anything disturbs link or nodes, a
@@ -127,6 +127,10 @@ BUFFERS = (("console", "console", COMMANDS),
            ("gsc_downlink", "gsc.downlink", (*SENSORS, "error")))
 
 
+def ms(time):
+    return f"{time / 1000:.3f}".rstrip("0").rstrip(".")
+
+
 def is_stale(message):
     return bool(message[-1] & STALE)
 
@@ -172,38 +176,45 @@ class Checker:
         self.wrong_blocks = []
 
     def say(self, time, what):
-        self.violations.append(f"{time / 1000:g} ms: {what}")
+        self.violations.append(f"{ms(time)} ms: {what}")
 
     def say_wrong(self, time, what):
         self.wrong_blocks.append(
-            f"{time / 1000:g} ms: wrong block passed: {what}")
+            f"{ms(time)} ms: wrong block passed: {what}")
 
     def check_link(self, times, values, sent, window, excuse, name, names):
-        """What a node's CORE has newly, and as fresh, of the other node's is
-        what the other had, and not older than what it replaces. The rows in
-        which it is a wrong block."""
+        """What a node's CORE has as fresh of the other node's is what the
+        other had, and not older than what it replaces. The rows in which it
+        is a wrong block."""
         wrong = set()
         floor = -ENDLESS
-        for place, before, words in changes(values, (0,) * len(values[0])
-                                            if values else ()):
+        before = (0,) * len(values[0])
+        for place, (time, words) in enumerate(
+                zip(times, values, strict=True)):
+            old, before = before, words
             if is_stale(words):
                 continue
-            time = times[place]
             first, last = window(time)
             found = sent.earliest(words, max(first, floor), last)
             if found is not None:
                 floor = found
                 continue
-            what = f"{name}: {differing(names, before, words)}"
-            reason = excuse(time, first, words)
+            reason = excuse(time, first, words, words != old)
+            if words == old and place - 1 not in wrong and reason == "wrong":
+                reason = None
+            if words == old:
+                what = f"{name} is shown as fresh, unchanged"
+            else:
+                what = f"{name}: {differing(names, old, words)}"
             if reason == "wrong":
                 wrong.add(place)
-                self.say_wrong(time, what)
+                if words != old:
+                    self.say_wrong(time, what)
             elif reason is None:
                 older = sent.earliest(words, -ENDLESS, last)
                 self.say(time, what + (
                     ": the other node never had this" if older is None else
-                    f": the other node had this at {older / 1000:g} ms,"
+                    f": the other node had this at {ms(older)} ms,"
                     " which is too old"))
         return wrong
 
@@ -245,7 +256,7 @@ class Flight(Checker):
             for time, words in zip(times, console, strict=True):
                 if line.at(time) != words:
                     raise ValueError(
-                        f"{sticks}: at {time / 1000:g} ms the record has"
+                        f"{sticks}: at {ms(time)} ms the record has"
                         f" another console: {words}, not {line.at(time)}")
             return line
         begins, words = [0], [NEUTRAL_STICKS]
@@ -260,7 +271,7 @@ class Flight(Checker):
         moves the others."""
         if not path:
             return None
-        with open(path, encoding="utf-8") as file:
+        with open(path, encoding="utf-8-sig") as file:
             titles = [title.strip() for title in file.readline().split(",")]
         line = timelines.of_script(path, SENSORS, NEUTRAL_SENSORS)
         known = [name in titles for name in SENSORS]
@@ -313,9 +324,15 @@ class Flight(Checker):
         return (self.window(time, SENSORS_CALM_US, SENSORS_DISTURBED_US,
                             "mcs"), time)
 
-    def scan_lasts(self, node, first, last):
-        return (FRAME_US if self.faults.scans[node].touch(first, last)
-                else SCAN_US)
+    def scan(self, node, first, last):
+        """How a node's converter scans: with each of its frames. When the
+        aircraft's begin the record does not say, but at a tick."""
+        is_slow = self.faults.scans[node].touch(first, last)
+        return Scan(
+            FRAME_US if is_slow else SCAN_US,
+            FRAME_US if node == "gsc" else TICK_US,
+            self.faults.silent[node].touch(first, last)
+            or node == "mcs" and is_slow)
 
     def check_own(self, node, values, line):
         """What CORE has of its own node as fresh is of the node's scan
@@ -332,29 +349,34 @@ class Flight(Checker):
                 continue
             if line.earliest_scan(
                     words[:-1], time - early, time - late,
-                    self.scan_lasts(node, time - early, time)) is None:
+                    self.scan(node, time - early, time)) is None:
                 if changed or not self.faults.silent[node].touch(time, time):
-                    older = line.earliest_scan(words[:-1], 0, time, FRAME_US)
+                    until = line.until(words[:-1], time)
                     self.say(time, f"{name}, shown as fresh: "
                              + text(names, words[:-1]) + (
-                                 ": no scan saw this" if older is None else
-                                 f": of a scan at {older / 1000:g} ms"))
+                                 ": this never stood there"
+                                 if until is None else
+                                 f": stood there until {ms(until)} ms"))
 
-    def excuse_uplink(self, time, first, words):
+    def excuse_uplink(self, time, first, words, is_new):
+        if not is_new and self.faults.silent["mcs"].touch(time, time):
+            return "stands"
         scan = self.commands_from(time)
         # The ground may be down before its CORE has what it sent.
         if self.faults.starts["gsc"].touch(scan, time):
             if self.console.earliest_scan(
                     words[:-1], scan, time,
-                    self.scan_lasts("gsc", scan, time)) is not None:
+                    self.scan("gsc", scan, time)) is not None:
                 return "sent"
         return "wrong" if self.faults.line["up"].touch(first, time) else None
 
-    def excuse_downlink(self, time, first, words):
+    def excuse_downlink(self, time, first, words, is_new):
+        if not is_new and self.faults.silent["gsc"].touch(time, time):
+            return "stands"
         if self.faults.starts["mcs"].touch(first - 2 * FRAME_US, time):
             if self.sensors is None or self.sensors.earliest_scan(
                     words[:-1], first - 2 * FRAME_US, time,
-                    self.scan_lasts("mcs", first, time)) is not None:
+                    self.scan("mcs", first, time)) is not None:
                 return "sent"
         return "wrong" if self.faults.line["down"].touch(first, time) else None
 
@@ -369,7 +391,7 @@ class Flight(Checker):
             orders = orders_behind(words)
             found = None if orders is None else self.orders.earliest_scan(
                 orders, max(first, floor), time,
-                self.scan_lasts("gsc", first, time))
+                self.scan("gsc", first, time))
             if found is not None:
                 floor = found
                 continue
@@ -389,11 +411,11 @@ class Flight(Checker):
         """What is wrong with these outputs, as text."""
         if orders is None:
             return "no commands give these outputs"
-        older = self.orders.earliest_scan(orders, 0, time, FRAME_US)
-        if older is not None:
-            return (f"the console said so at {older / 1000:g} ms, before the"
-                    f" last {(time - first) / 1000:g} ms or what the servos"
-                    " did before")
+        until = self.orders.until(orders, time)
+        if until is not None:
+            return (f"the console said so until {ms(until)} ms, before"
+                    f" the last {ms(time - first)} ms or what the"
+                    " servos did before")
         held = [row for at, row in zip(self.orders.times, self.orders.words,
                                        strict=True) if at <= time]
         unsaid = [name for channel, name in enumerate(COMMANDS)
@@ -456,21 +478,27 @@ class Partitions(Checker):
                 mcs.times, mcs.mcs_uplink, Sent(gsc.times, gsc.gsc_uplink),
                 lambda time: (self.window(time, PARTITION_UP_US),
                               time + self.late_before(time)),
-                lambda time, first, words: self.excuse(
-                    "gsc", time, first), "mcs.uplink", (*COMMANDS, "error"))
+                lambda time, first, words, is_new: self.excuse(
+                    "gsc", time, first, is_new),
+                "mcs.uplink", (*COMMANDS, "error"))
             self.check_link(
                 gsc.times, gsc.gsc_downlink,
                 Sent(mcs.times, mcs.mcs_downlink),
                 lambda time: (self.window(time, PARTITION_DOWN_US),
                               time + self.late_before(time)),
-                lambda time, first, words: self.excuse(
-                    "mcs", time, first), "gsc.downlink", (*SENSORS, "error"))
+                lambda time, first, words, is_new: self.excuse(
+                    "mcs", time, first, is_new),
+                "gsc.downlink", (*SENSORS, "error"))
         return Findings(self.violations, self.wrong_blocks,
                         sum(len(record.times) for record in (gsc, mcs)
                             if record))
 
-    def excuse(self, sender, time, first):
-        """A node that starts may have sent what its CORE never had."""
+    def excuse(self, sender, time, first, is_new):
+        """What stands while its node starts; what a node sent that started
+        before its CORE had it."""
+        listener = "mcs" if sender == "gsc" else "gsc"
+        if not is_new and self.starts[listener].touch(time, time):
+            return "stands"
         if self.starts[sender].touch(first, time):
             return "sent"
         return "wrong" if self.disturbed.touch(first, time) else None

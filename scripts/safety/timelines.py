@@ -3,10 +3,21 @@ it."""
 
 import bisect
 import csv
+from typing import NamedTuple
 
 # Channels are held one after another, 16 us apart; the board converts all 32.
 SCAN_US = 512
+TICK_US = 2_000
 FRAME_US = 20_000
+
+
+class Scan(NamedTuple):
+    """How long a scan takes at the most, and when it may begin: at whole
+    multiples of a time, or, about a start, at any."""
+
+    lasts_us: int
+    grid_us: int
+    is_free: bool = False
 
 
 def to_us(text):
@@ -34,10 +45,22 @@ class Timeline:
     def map(self, change):
         return Timeline(self.times, [change(row) for row in self.words])
 
-    def earliest_scan(self, seen, first, last, lasts_us):
-        """When the earliest scan that sees these words may begin; None if
-        there is none. It lies within first and last, takes its channels in
-        their order, and takes so long at most."""
+    def until(self, seen, time):
+        """Until when these words stood, of a time before this one; None if
+        they never did."""
+        last = time
+        for begins, words in zip(reversed(self.times), reversed(self.words),
+                                 strict=True):
+            if begins < time and all(
+                    one in (other, None)
+                    for one, other in zip(words, seen, strict=True)):
+                return min(last, time)
+            last = begins
+        return None
+
+    def earliest_scan(self, seen, first, last, scan):
+        """When the earliest scan that sees these words may begin, between
+        two times; None if there is none."""
         times, words = self.times, self.words
         begin = max(0, bisect.bisect_right(times, first) - 1)
         for place in range(begin, len(times)):
@@ -45,34 +68,41 @@ class Timeline:
                 break
             if words[place] == seen:
                 return max(first, times[place])
-            ends = self._mixed(seen, place, last, lasts_us)
-            if ends is not None:
-                return max(first, times[place], ends - lasts_us)
+            if self._straddles(seen, place, first, last, scan):
+                return max(first, times[place])
         return None
 
-    def _mixed(self, seen, place, last, lasts_us):
-        """When the last change comes that a scan sees which begins with the
-        words of this place; None if it does not see the words sought."""
+    def _straddles(self, seen, place, first, last, scan):
+        """A scan takes the first channels from this place's words, and others
+        after the changes that follow."""
         times, words = self.times, self.words
-        crossed = None
+        earliest = max(first, times[place])
+        crossed = begins = None
         for channel, word in enumerate(seen):
             while words[place][channel] not in (word, None):
                 place += 1
-                if place == len(times) or times[place] > last:
-                    return None
+                if (channel == 0 or place == len(times)
+                        or times[place] > last):
+                    return False
+                time = times[place]
+                # The last one before the change; one that begins with it
+                # sees only what is new.
+                grid = (time - 1) // scan.grid_us * scan.grid_us
                 if crossed is None:
-                    if channel == 0:
-                        return None
-                    crossed = times[place]
-                if times[place] - crossed > lasts_us:
-                    return None
-        return times[place] if crossed is not None else 0
+                    crossed, begins = time, grid
+                if scan.is_free:
+                    if time - crossed >= scan.lasts_us:
+                        return False
+                elif (begins != grid or begins < earliest
+                        or time - begins >= scan.lasts_us):
+                    return False
+        return True
 
 
 def of_script(path, names, neutral):
     """A script of sticks or sensors; columns that it has not hold the
     neutral words."""
-    with open(path, newline="", encoding="utf-8") as file:
+    with open(path, newline="", encoding="utf-8-sig") as file:
         rows = [row for row in csv.reader(file) if any(map(str.strip, row))]
     titles = [title.strip() for title in rows[0]]
     time = titles.index("time_ms")

@@ -21,6 +21,8 @@ import json
 import os
 import random
 import subprocess
+import sys
+import tempfile
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
@@ -28,6 +30,10 @@ from typing import NamedTuple
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+
+import monitor  # noqa: E402
+
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 # Far longer than any flight of the tests takes; a hung program is a failure.
@@ -97,15 +103,51 @@ class Flight:
 
 
 def run_program(folder, *arguments):
-    return subprocess.run(
-        [PROGRAM, *map(str, arguments)],
-        cwd=folder,
-        capture_output=True,
-        stdin=subprocess.DEVNULL,
-        text=True,
-        timeout=TIME_LIMIT_S,
-        check=False,
-    )
+    """Run the program; a flight goes through the safety monitor (SAF-9), with
+    a record of its own when none is asked for."""
+    arguments = list(map(str, arguments))
+    options = options_of(arguments)
+    record = options.get("--record")
+    with tempfile.TemporaryDirectory() as aside:
+        if arguments[:1] == ["fly"] and "--record" not in options:
+            record = Path(aside) / "record.csv"
+            arguments[1:1] = ["--record", str(record)]
+        result = subprocess.run(
+            [PROGRAM, *arguments],
+            cwd=folder,
+            capture_output=True,
+            stdin=subprocess.DEVNULL,
+            text=True,
+            timeout=TIME_LIMIT_S,
+            check=False,
+        )
+        if record and result.returncode == 0:
+            must_be_safe(folder, record, options)
+    return result
+
+
+def options_of(arguments):
+    """The options of a flight, by name: --option VALUE or --option=VALUE."""
+    found = {}
+    for place, argument in enumerate(arguments):
+        if argument.startswith("--"):
+            name, is_joined, value = argument.partition("=")
+            found[name] = value if is_joined else (
+                arguments[place + 1:place + 2] or [None])[0]
+    return found
+
+
+def must_be_safe(folder, record, options):
+    """The safety monitor has nothing to say of the flight. Its wrong blocks
+    are the link's, and the business of its tests."""
+    path = folder / record
+    if not path.is_file():
+        return
+    findings = monitor.check(path, **{
+        name: folder / options[f"--{name}"]
+        for name in ("sticks", "sensors", "faults")
+        if options.get(f"--{name}")})
+    assert findings.violations == [], "\n".join(findings.violations)
 
 
 @pytest.fixture(scope="session", autouse=True)
