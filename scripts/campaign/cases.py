@@ -13,6 +13,8 @@ fit into one flight; its name is all that is needed to make it again:
                                    processor restarted (processor), likewise
     soak/PHASE/SEED/RATE/FRAMES    spells of bit errors
     calm/PHASE/FRAMES              no fault at all
+    mix/FIRST/STOP                 random mixes of everything (mixes.py),
+                                   each a flight of its own
 """
 
 import random
@@ -167,18 +169,22 @@ RATES = ("1e-6", "1e-5", "1e-4", "1e-3", "1e-2")
 
 # For each size: phases with single faults, of which every STEPth; pairs and
 # triples; every which cut; stalls' lengths and distance; frames of all soaks,
-# and without a fault at each phase.
+# and without a fault at each phase; random mixes.
 SIZES = {
     "tiny": {"phases": (3,), "step": 37, "many": 400, "cuts": 15,
              "stalls_ms": (1, 25), "stall_step_us": 1_000, "soak": 5_000,
-             "calm": 200},
+             "calm": 200, "mixes": 500},
     "short": {"phases": (3,), "step": 1, "many": 4_000, "cuts": 2,
               "stalls_ms": (0.2, 2, 5, 25), "stall_step_us": 96,
-              "soak": 50_000, "calm": 5_000},
+              "soak": 50_000, "calm": 5_000, "mixes": 2_000},
     "full": {"phases": (0, 3, 7), "step": 1, "many": 20_000, "cuts": 1,
              "stalls_ms": (0.1, 0.5, 2, 3, 5, 10, 25, 60),
-             "stall_step_us": 48, "soak": 1_000_000, "calm": 100_000},
+             "stall_step_us": 48, "soak": 1_000_000, "calm": 100_000,
+             "mixes": 20_000},
 }
+
+
+MIXES_A_SHARD = 100
 
 
 def plan(size):
@@ -207,3 +213,5 @@ def plan(size):
     for seed in range(chosen["soak"] // frames):
         phase = chosen["phases"][seed % len(chosen["phases"])]
         yield f"soak/{phase}/{seed}/{RATES[seed % len(RATES)]}/{frames}"
+    for first in range(0, chosen["mixes"], MIXES_A_SHARD):
+        yield f"mix/{first}/{first + MIXES_A_SHARD}"

@@ -20,7 +20,8 @@ def _same_program(monkeypatch):
     monkeypatch.setattr(run, "PROGRAM", PROGRAM)
 
 
-@pytest.mark.parametrize("name", list(cases.plan("tiny")))
+@pytest.mark.parametrize("name", [
+    name for name in cases.plan("tiny") if not name.startswith("mix")])
 def test_link_recovers(name):
     result = run.run_shard(name)
     assert result["failures"] == []
@@ -38,7 +39,7 @@ def test_every_single_fault_is_in_the_full_campaign():
 
 def test_full_campaign_is_as_large_as_promised():
     made = [cases.of_shard(name)[2] for name in cases.plan("full")
-            if not name.startswith("soak")]
+            if not name.startswith(("soak", "mix"))]
     assert sum(len(case.faults) for shard in made for case in shard) > 200_000
     soaked = [name.split("/")[-1] for name in cases.plan("full")
               if name.startswith("soak")]

@@ -250,6 +250,8 @@ def shard(monkeypatch):
         monkeypatch.setattr(run, "fly", lambda *_:
                             subprocess.CompletedProcess([], 0, "", ""))
         monkeypatch.setattr(run.checker, "Flight", flight)
+        monkeypatch.setattr(run, "findings_in", lambda _:
+                            run.monitor.Findings([], [], 0))
         return run.run_shard(name)
 
     return fly

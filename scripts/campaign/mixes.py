@@ -1,0 +1,113 @@
+"""Random mixes of all kinds of faults, each a short flight of its own.
+
+A mix's number is all that is needed to make it again. Sticks and sensors
+stand for 40 ms at least, so that a word tells when it stood at the console.
+What must never happen is the safety monitor's to know.
+"""
+
+import random
+from typing import NamedTuple
+
+import data
+
+SHORTEST_S, LONGEST_S = 2, 4
+HELD_MS = 40
+NODES = ("gsc", "mcs")
+WAYS = ("up", "down")
+
+
+class Mix(NamedTuple):
+    options: tuple
+    files: dict
+
+
+def at_ms(time):
+    return f"{max(time, 0):.3f}"
+
+
+def spread(chance, least, most):
+    """From least to most, each power of ten as likely as the next."""
+    return least * (most / least) ** chance.random()
+
+
+def script(chance, names, length_ms, switches):
+    """Rows of random words; switches are often well off or well on."""
+    lines = [f"time_ms,{','.join(names)}"]
+    words = [0x800] * (len(names) - switches) + [0] * switches
+    time = chance.uniform(0, 300) * chance.randrange(2)
+    while time < length_ms:
+        for place in range(len(names)):
+            if chance.random() < 0.7:
+                words[place] = chance.randrange(0x1000)
+                if place >= len(names) - switches and chance.random() < 0.8:
+                    words[place] = chance.choice((0, 0x7FF, 0x800, 0xFFF))
+        lines.append(f"{at_ms(time)},{','.join(map(str, words))}")
+        time += HELD_MS + chance.choice((0, 0.5, 20, chance.uniform(0, 200)))
+    return "\n".join(lines) + "\n"
+
+
+def fault(chance, time, node):
+    """The lines of one fault, or of a few that belong together."""
+    way = chance.choice(WAYS)
+    kind = chance.choice((
+        "cut", "ber", "character", "character", "adc", "adc", "telemetry",
+        "start", "start", "starts", "both", "bus_error", "rom", "ram"))
+    if kind == "cut":
+        return [f"{at_ms(time)} cut {at_ms(spread(chance, 0.1, 500))}"]
+    if kind == "ber":
+        return [f"{at_ms(time)} {way} ber {spread(chance, 1e-5, 2e-2):.7f}"
+                f" {at_ms(spread(chance, 1, 2_000))}"]
+    if kind == "character":
+        count = chance.randrange(1, 60)
+        harm = chance.choice((
+            "drop {n}", "dup {n}", f"insert {{n}} {chance.randrange(256):x}",
+            f"flip {{n}} {chance.randrange(1, 512):x}",
+            f"flip {{n}} {chance.choice((3, 6, 0x11, 0xF0)):x}"))
+        return [f"{at_ms(time)} {way} {harm.format(n=count + more)}"
+                for more in range(chance.randrange(1, 4))]
+    if kind in ("adc", "telemetry"):
+        return [f"{at_ms(time)} {node} stall {kind}"
+                f" {at_ms(spread(chance, 0.1, 300))}"]
+    if kind == "start":
+        how = chance.choice(("warm", "processor", "telemetry"))
+        return [f"{at_ms(time)} {node} reset {how}"]
+    if kind == "starts":
+        lines = []
+        for _ in range(chance.randrange(2, 12)):
+            how = chance.choice(("reset warm", "reset processor",
+                                 "bus_error"))
+            lines.append(f"{at_ms(time)} {node} {how}")
+            time += chance.uniform(0, 13)
+        return lines
+    if kind == "both":
+        return [f"{at_ms(time)} {each} reset"
+                f" {chance.choice(('warm', 'processor', 'telemetry'))}"
+                for each in NODES]
+    if kind == "bus_error":
+        return [f"{at_ms(time)} {node} bus_error"]
+    if kind == "rom":
+        return [f"{at_ms(time)} {node} rom {chance.randrange(0x10000):x}"
+                f" {chance.randrange(1, 256):x}"]
+    return [f"{at_ms(time)} {node} ram {chance.randrange(0x2000):x}"
+            f" {chance.randrange(1, 0x10000):x}"]
+
+
+def of_number(number):
+    """The mix of that number: the options of its flight, and its files."""
+    chance = random.Random(f"mix {number}")
+    frames = chance.randrange(SHORTEST_S * 50, LONGEST_S * 50 + 1)
+    length_ms = frames * 20
+    lines = []
+    centre = chance.choice((0, chance.uniform(0, length_ms)))
+    for _ in range(chance.randrange(1, 9)):
+        # Some together, often as the nodes are switched on.
+        time = (centre + chance.expovariate(1 / 40)
+                if chance.random() < 0.5 else chance.uniform(0, length_ms))
+        lines += fault(chance, time, chance.choice(NODES))
+    options = ("--seconds", f"{frames / 50:.2f}",
+               "--phase", str(chance.randrange(10)), "--seed", str(number),
+               "--processors", chance.choice(("1", "1", "1", "2")))
+    return Mix(options, {
+        "sticks": script(chance, data.STICKS, length_ms, 8),
+        "sensors": script(chance, data.SENSORS, length_ms, 0),
+        "faults": "".join(f"{line}\n" for line in lines)})

@@ -1,0 +1,117 @@
+"""SAF-9: random mixes of all kinds of faults, with nothing unasked at a servo
+and nothing old shown as fresh."""
+
+import sys
+
+import pytest
+from conftest import PROGRAM, ROOT
+
+sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+
+import cases  # noqa: E402
+import mixes  # noqa: E402
+import monitor  # noqa: E402
+import run  # noqa: E402
+
+MIXES = [name for name in cases.plan("tiny") if name.startswith("mix")]
+
+
+@pytest.fixture(autouse=True)
+def _same_program(monkeypatch):
+    monkeypatch.setattr(run, "PROGRAM", PROGRAM)
+
+
+@pytest.mark.parametrize("name", MIXES)
+def test_saf9_nothing_unasked_happens_in_a_random_mix(name):
+    result = run.run_shard(name)
+    assert result["failures"] == []
+    assert result["frames"] >= 100 * result["cases"] == 100 * 100
+
+
+@pytest.mark.parametrize("size, fewest", [("tiny", 500), ("full", 20_000)])
+def test_there_are_as_many_mixes_as_promised(size, fewest):
+    shards = [name.split("/")[1:] for name in cases.plan(size)
+              if name.startswith("mix")]
+    numbers = [number for first, stop in shards
+               for number in range(int(first), int(stop))]
+    assert numbers == list(range(len(numbers))) and len(numbers) >= fewest
+
+
+def test_each_kind_of_fault_of_the_program_is_in_the_mixes(urv_sim):
+    made = "".join(mixes.of_number(number).files["faults"]
+                   for number in range(500))
+    for words in ("cut", "up ber", "down ber", "up flip", "down flip",
+                  "up drop", "down drop", "up dup", "down dup", "up insert",
+                  "down insert",
+                  *(f"{node} {kind}" for node in ("gsc", "mcs")
+                    for kind in ("stall adc", "stall telemetry",
+                                 "reset warm", "reset processor",
+                                 "reset telemetry", "bus_error", "rom",
+                                 "ram"))):
+        assert f" {words}" in made, words
+    phases = {mixes.of_number(number).options[3] for number in range(100)}
+    assert phases == set("0123456789")
+
+
+def test_a_mix_stands_at_the_console_for_two_frames():
+    for number in range(50):
+        rows = mixes.of_number(number).files["sticks"].splitlines()[1:]
+        times = [float(row.split(",")[0]) for row in rows]
+        assert all(after - before > 39.998 for before, after in zip(
+            times, times[1:], strict=False))
+
+
+def test_a_mix_can_be_flown_again_alone(tmp_path, capsys):
+    assert run.show_mix(7, tmp_path / "seven") == 0
+    said = capsys.readouterr().out
+    assert "--sticks sticks.csv" in said
+    assert "mix 7: 0 violations" in said
+    first = (tmp_path / "seven" / "record.csv").read_text()
+    assert run.show_mix(7, tmp_path / "again") == 0
+    assert (tmp_path / "again" / "record.csv").read_text() == first
+
+
+@pytest.mark.parametrize("number", [149, 271, 314, 319, 381])
+def test_saf9_a_stalled_converter_makes_a_scan_straddle_a_change(
+        number, monkeypatch, tmp_path):
+    """These five of the first 400 look wrong to one who takes a scan for
+    half a millisecond, though the ground's converter stood still."""
+    run.fly_mix(number, tmp_path)
+    assert run.findings_in(tmp_path).violations == []
+    scan = monitor.Flight.scan
+    monkeypatch.setattr(monitor.Flight, "scan", lambda *given: scan(
+        *given)._replace(lasts_us=monitor.SCAN_US))
+    flagged = run.findings_in(tmp_path).violations
+    assert any("gsc.uplink, shown as fresh" in what for what in flagged)
+
+
+@pytest.fixture
+def found(monkeypatch):
+    """The monitor finds this in every flight."""
+
+    def set_to(violations=(), wrong=()):
+        monkeypatch.setattr(monitor, "check", lambda *_: monitor.Findings(
+            list(violations), list(wrong), 100))
+
+    return set_to
+
+
+def test_what_the_monitor_finds_fails_the_mix(found, tmp_path, capsys):
+    found(["20 ms: pwm: unasked"], ["40 ms: wrong block passed"])
+    result = run.run_shard("mix/3/5")
+    assert result["failures"] == ["mix 3: 20 ms: pwm: unasked",
+                                  "mix 4: 20 ms: pwm: unasked"]
+    assert result["wrong"] == 2
+    assert run.show_mix(3, tmp_path) == 1
+    assert "20 ms: pwm: unasked\n40 ms: wrong block" in capsys.readouterr().out
+
+
+def test_what_the_monitor_finds_fails_a_case_of_the_campaign(found):
+    found(["20 ms: pwm: unasked"])
+    name = "calm/3/10"
+    assert run.run_shard(name)["failures"] == [f"{name}: 20 ms: pwm: unasked"]
+
+
+def test_a_mix_that_cannot_fly_fails(monkeypatch):
+    monkeypatch.setattr(run, "PROGRAM", "false")
+    assert run.run_shard("mix/3/4")["failures"] == ["mix 3: status 1: "]
