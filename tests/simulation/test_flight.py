@@ -138,6 +138,20 @@ def test_quality_is_that_of_the_record(flight):
         assert quality[name] == pytest.approx(value, abs=0.02), name
 
 
+def test_the_worst_moment_of_a_cut_link_is_that_of_the_page(tmp_path):
+    page = (ROOT / "docs" / "aircraft.md").read_text(encoding="utf-8")
+    second, bank, feet = map(int, re.search(
+        r"Cut at (\d+) s, the\s+bank reaches (\d+) degrees and the altitude"
+        r" is (\d+) ft off", page).groups())
+    (tmp_path / "faults.txt").write_text(f"{second}000 cut 10000\n")
+    flown = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
+                   "--faults", "faults.txt")
+    quality = flown.summary["flight_quality"]
+    assert quality["bank_left_deg"] == pytest.approx(bank, rel=0.05)
+    assert quality["turn_altitude_max_ft"] == pytest.approx(feet, rel=0.05)
+    assert (quality["ended_level"], quality["crashed"]) == (True, False)
+
+
 @pytest.mark.parametrize("seconds, fault, is_level", [
     # In a hold; in a turn; in a climb; with the altitude not yet back.
     (10, "", True), (30, "", False), (90, "", False),
