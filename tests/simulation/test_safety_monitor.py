@@ -9,6 +9,7 @@ import monitor
 import pytest
 import timelines
 from conftest import COMMANDS, ROOT, SENSORS, SERVOS, script
+from safe_words import SAFE_ROW
 
 MONITOR = ROOT / "scripts" / "safety" / "monitor.py"
 
@@ -114,6 +115,11 @@ def test_saf9_servos_that_go_back_to_the_safe_words_are_seen(flown):
         cells.copy("pwm", SERVOS, 20, 800, 840)
 
     assert "back to the safe words" in said(flown(alter))
+
+
+def test_saf1_the_monitors_safe_words_are_the_programs(fly):
+    record = fly("--seconds", "0.02").record
+    assert tuple(record[f"pwm.{name}"][0] for name in SERVOS) == SAFE_ROW
 
 
 def test_saf1_outputs_that_are_not_safe_at_power_up_are_seen(flown):
