@@ -17,7 +17,7 @@ def complete(found, expected):
 
 
 def commands_with_a_ground(start, write, hold_ms):
-    sent = different_rows(20, len(COMMANDS), 3)
+    sent = different_rows(16, len(COMMANDS), 3)
     measured = different_rows(16, len(SENSORS), 4)
     sensors = write("sensors.csv", script(SENSORS, measured, hold_ms))
     own, other = free_ports(2)
@@ -31,9 +31,9 @@ def commands_with_a_ground(start, write, hold_ms):
 
     # The node may have been switched off in the midst of a message.
     assert ground.bad <= 1
-    neutral = (0x800,) * 5 + (0,) * 8
+    safe = (0x800,) * 3 + (0, 0xFFF) + (0,) * 8
     up = complete(mcs.words("mcs.uplink", COMMANDS),
-                  [(0,) * 13, neutral, *sent])
+                  [(0,) * 13, safe, *sent])
     down = complete([words[:-1] for words in ground.received],
                     [(0x800,) * 27, *measured])
     if not (up and down):
@@ -50,7 +50,7 @@ def test_lnk2_the_aircraft_answers_another_ground(start, write):
 
 def downlinks_of_an_aircraft(start, write, hold_ms):
     moved = different_rows(16, len(COMMANDS), 5)
-    measured = different_rows(20, len(SENSORS), 6)
+    measured = different_rows(16, len(SENSORS), 6)
     sticks = write("sticks.csv", script(COMMANDS, moved, hold_ms))
     own, other = free_ports(2)
     blocks = [(*row, 0) for row in measured]
