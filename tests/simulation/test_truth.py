@@ -166,3 +166,23 @@ def test_left_alone_it_stays_where_the_page_says(tmp_path):
     turned = max(abs(heading - 90) for heading in record["truth.heading_deg"])
     assert 11 / 1.5 < off <= 11
     assert 3 / 1.5 < turned <= 3
+
+
+@pytest.mark.parametrize("phase", range(10))
+def test_saf1_before_the_first_commands_it_flies_on_the_safe_words(
+        tmp_path, phase):
+    """docs/aircraft.md: idle, for a frame at phases 0 to 3 and no longer; the
+    aircraft does not notice."""
+    flight = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "1",
+                    "--phase", phase)
+    # A row shows what the board holds as the ground's frame ends.
+    flies_from_ms = 20 + 4 + 2 * phase
+    commands_from_ms = flies_from_ms + (20 if phase < 4 else 0)
+    for row in flight.rows:
+        time_ms = row["time_ms"]
+        safe = (row["pwm.throttle"], row["pwm.brake"]) == (0, 0xFFF)
+        assert safe == (time_ms <= commands_from_ms), time_ms
+        assert (row["truth.east_ft"] > 0) == (time_ms > flies_from_ms), \
+            time_ms
+    slowest = min(row["truth.airspeed_kt"] for row in flight.rows)
+    assert slowest == pytest.approx(69.9, abs=0.1)
