@@ -47,6 +47,23 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
 
    subtype Status_Words is Status_Array (Status_Item);
 
+   --  The error logs: a row for each kind of error, in the order of the
+   --  kinds (EXT-1, SAF-7). All of it is 0 where there was none. Rows have
+   --  no type codes: their place says what they are.
+
+   type Log_Field is
+     (Occurrences_High, Occurrences_Low,
+      First_Frame_High, First_Frame_Low,
+      Last_Frame_High, Last_Frame_Low,
+      Last_Detail);
+
+   type Log_Row is array (Log_Field) of Word;
+
+   No_Errors : constant Log_Row := (others => 0);
+
+   type Log_Row_Number is range 1 .. 32;
+   type Log_Rows is array (Log_Row_Number) of Log_Row;
+
    type Memory is record
       Uplink_Codes   : Uplink_Words   := (others => 0);
       Uplink         : Uplink_Words   := (others => 0);
@@ -54,6 +71,10 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
       Downlink       : Downlink_Words := (others => 0);
       Status_Codes   : Status_Words   := (others => 0);
       Status         : Status_Words   := (others => 0);
+
+      --  The node's own log; on the ground, what is known of the aircraft's.
+      Log            : Log_Rows       := (others => No_Errors);
+      Aircraft_Log   : Log_Rows       := (others => No_Errors);
    end record;
 
    --  What a cold start leaves (INI-6).

@@ -19,6 +19,10 @@ is
 
       procedure Write_Status (Words : Status_Array);
 
+      procedure Write_Log (Which : Log_Row_Number; Row : Log_Row);
+
+      procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row);
+
       function Snapshot return Memory;
 
    private
@@ -58,6 +62,16 @@ is
          Contents.Status (Words'Range) := Words;
       end Write_Status;
 
+      procedure Write_Log (Which : Log_Row_Number; Row : Log_Row) is
+      begin
+         Contents.Log (Which) := Row;
+      end Write_Log;
+
+      procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row) is
+      begin
+         Contents.Aircraft_Log (Which) := Row;
+      end Write_Aircraft_Log;
+
       function Snapshot return Memory is (Contents);
 
    end Guarded_Memory;
@@ -91,6 +105,16 @@ is
    begin
       Guarded_Memory.Write_Status (Words);
    end Write_Status;
+
+   procedure Write_Log (Which : Log_Row_Number; Row : Log_Row) is
+   begin
+      Guarded_Memory.Write_Log (Which, Row);
+   end Write_Log;
+
+   procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row) is
+   begin
+      Guarded_Memory.Write_Aircraft_Log (Which, Row);
+   end Write_Aircraft_Log;
 
    procedure Inspect (Snapshot : out Memory) is
    begin

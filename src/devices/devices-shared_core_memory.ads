@@ -44,6 +44,18 @@ is
      Global  => (In_Out => CORE),
      Depends => (CORE => (CORE, Words));
 
+   --  A row of the node's own log, or of the aircraft's.
+
+   procedure Write_Log (Which : Log_Row_Number; Row : Log_Row)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Which, Row));
+
+   procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row)
+   with
+     Global  => (In_Out => CORE),
+     Depends => (CORE => (CORE, Which, Row));
+
    --  The readers' side: all of it, at one instant.
    procedure Inspect (Snapshot : out Memory)
    with

@@ -129,4 +129,23 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
          Last_Error_Frame_Low  => Low_Word (Last_Frame (Log))))
    with Global => null;
 
+   --  The log's rows (SAF-7).
+
+   function Row_Of (Kind : Error_Kind) return Log_Row_Number is
+     (Error_Kind'Pos (Kind) + 1)
+   with Global => null;
+
+   function To_Row (History : Logs.History) return Log_Row is
+     (if History.Occurrences = 0
+      then No_Errors
+      else
+        (Occurrences_High => High_Word (Long_Count (History.Occurrences)),
+         Occurrences_Low  => Low_Word (Long_Count (History.Occurrences)),
+         First_Frame_High => High_Word (Frame_Of (History.First)),
+         First_Frame_Low  => Low_Word (Frame_Of (History.First)),
+         Last_Frame_High  => High_Word (Frame_Of (History.Last)),
+         Last_Frame_Low   => Low_Word (Frame_Of (History.Last)),
+         Last_Detail      => History.Last_Detail))
+   with Global => null;
+
 end URV.CORE_Layout;

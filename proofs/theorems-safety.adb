@@ -1,0 +1,636 @@
+package body Theorems.Safety with SPARK_Mode is
+
+   --  What is of a scan has the outputs of the scan.
+   procedure Same_Outputs
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Of (Item, Scans, Scan),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (Transform (Item)) =
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
+
+   --  The same outputs are the same data area.
+   procedure Same_Area (One, Other : PWM_Buffer)
+   with
+     Global => null,
+     Pre    => (for all Name in PWM_Item => One (Name) = Other (Name)),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (One) =
+         URV.PWM_Layout.To_Data_Area (Other);
+
+   --  Marking commands does not change them.
+   procedure Marked_Is_Of
+     (Item  : Uplink_Buffer;
+      Bits  : Word;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Of (Item, Scans, Scan),
+     Post   =>
+       Is_Of (Marked (Item, Bits), Scans, Scan)
+       and then Is_Of (As_Old (Item), Scans, Scan)
+       and then Is_Old (As_Old (Item))
+       and then Is_Of (As_Old (Marked (Item, Bits)), Scans, Scan)
+       and then Is_Old (As_Old (Marked (Item, Bits)));
+
+   procedure Same_Area (One, Other : PWM_Buffer) is
+      One_Area   : constant Data_Area := URV.PWM_Layout.To_Data_Area (One);
+      Other_Area : constant Data_Area := URV.PWM_Layout.To_Data_Area (Other);
+   begin
+      for Number in Channel_Number loop
+         pragma Assert
+           (if Number <= URV.PWM_Layout.Channel_Of (PWM_Item'Last)
+            then Number = URV.PWM_Layout.Channel_Of
+                   (PWM_Item'Val (Integer (Number) - 1)));
+         pragma Assert (One_Area (Number) = Other_Area (Number));
+         pragma Loop_Invariant
+           (for all Earlier in 1 .. Number =>
+              One_Area (Earlier) = Other_Area (Earlier));
+      end loop;
+   end Same_Area;
+
+   procedure Same_Outputs
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   is
+      Other : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+   begin
+      pragma Assert
+        (for all Name in Command_Item => Item (Name) = Other (Name));
+      pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
+      pragma Assert (Flap_Command (Item) = Flap_Command (Other));
+      Same_Area (Transform (Item), Outputs_Of (Scans, Scan));
+   end Same_Outputs;
+
+   procedure Marked_Is_Of
+     (Item  : Uplink_Buffer;
+      Bits  : Word;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   is null;
+
+   --  What was true with fewer scans is true with more.
+   procedure More_Scans
+     (Line     : Line_Way;
+      Aircraft : Aircraft_Way;
+      Scans    : Scan_History;
+      Done     : Scan_Count;
+      More     : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Line, Scans, Done)
+       and then Is_Sound (Aircraft, Scans, Done)
+       and then Done <= More,
+     Post   =>
+       Is_Sound (Line, Scans, More)
+       and then Is_Sound (Aircraft, Scans, More);
+
+   procedure More_Scans
+     (Line     : Line_Way;
+      Aircraft : Aircraft_Way;
+      Scans    : Scan_History;
+      Done     : Scan_Count;
+      More     : Scan_Count)
+   is null;
+
+   --  The events. Each has the text of a task's body.
+
+   procedure End_Scan (Item : in out Ground_Way; Scans : Scan_History)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans),
+     Post   => Is_Sound (Item, Scans) and then Item.Done >= Item'Old.Done;
+
+   procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans),
+     Post   =>
+       Is_Sound (Item, Scans)
+       and then Item.Done = Item'Old.Done
+       and then
+         (if not Is_Fresh (Item'Old.ADINT)
+          then Contents (Item.AD).Error_Status = Stale_Data);
+
+   procedure Run_GDCOUT
+     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans),
+     Post   =>
+       Is_Sound (Item, Scans)
+       and then Item.Done = Item'Old.Done
+       and then
+         (if not Is_Fresh (Item'Old.AD)
+          then Is_Old (Contents (Item.TELOUT)));
+
+   procedure Run_TELOUT
+     (Item  : in out Ground_Way;
+      Line  : in out Line_Way;
+      Scans : Scan_History)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans) and then Is_Sound (Line, Scans, Item.Done),
+     Post   =>
+       Is_Sound (Item, Scans)
+       and then Item.Done = Item'Old.Done
+       and then Is_Sound (Line, Scans, Item.Done);
+
+   procedure Start_Ground
+     (Item : in out Ground_Way; Scans : Scan_History; Cold : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans),
+     Post   => Is_Sound (Item, Scans) and then Item.Done = Item'Old.Done;
+
+   procedure Run_TELIN
+     (Item  : in out Aircraft_Way;
+      Line  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Which : Block_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done) and then Is_Sound (Line, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if Which = 0 and then Item'Old.Has_Message
+          then Is_Old (Contents (Item.TELIN)));
+
+   procedure Run_MDCIN
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if not Is_Fresh (Item'Old.TELIN)
+          then Is_Old (Contents (Item.Uplink))
+            and then Is_Old (Contents (Item.PWM)));
+
+   procedure Run_PWM
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then
+         (if not Is_Fresh (Item'Old.PWM)
+            or else Is_Old (Contents (Item'Old.PWM))
+          then Item.Board = Item'Old.Board);
+
+   procedure Run_CORE
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done) and then Item.Board = Item'Old.Board;
+
+   procedure Start_Aircraft
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Cold  : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board =
+         (if Cold then URV.PWM_Layout.Safe_Area else Item'Old.Board);
+
+   procedure End_Scan (Item : in out Ground_Way; Scans : Scan_History) is
+      Unused_Success : Boolean;
+   begin
+      if Item.Done < Scan_Count'Last then
+         Item.Done := Item.Done + 1;
+         Send (Item.ADINT, Scans (Item.Done), Unused_Success);
+         Item.ADINT_From := Item.Done;
+      end if;
+   end End_Scan;
+
+   procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History) is
+      Words          : Channel_Words;
+      Fresh          : Boolean;
+      Unused_Success : Boolean;
+   begin
+      Receive (Item.ADINT, Words, Fresh);
+      pragma Assert (Words = Held (Scans, Item.ADINT_From));
+      Send (Item.AD, Stamped (Words, Fresh), Unused_Success);
+      Item.AD_From := Item.ADINT_From;
+   end Run_AD;
+
+   procedure Run_GDCOUT
+     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+   is
+      Image          : AD_Image;
+      Fresh          : Boolean;
+      Unused_Success : Boolean;
+      Message        : Uplink_Buffer;
+   begin
+      Receive (Item.AD, Image, Fresh);
+      pragma Assert (Is_Of (To_Uplink (Image), Scans, Item.AD_From));
+      Marked_Is_Of (To_Uplink (Image), Bits, Scans, Item.AD_From);
+      Message := Marked (To_Uplink (Image), Bits);
+      if not Fresh then
+         Message := As_Old (Message);
+      end if;
+      Send (Item.TELOUT, Message, Unused_Success);
+      Item.TELOUT_From := Item.AD_From;
+   end Run_GDCOUT;
+
+   procedure Run_TELOUT
+     (Item  : in out Ground_Way;
+      Line  : in out Line_Way;
+      Scans : Scan_History)
+   is
+      Message        : Uplink_Buffer;
+      Fresh          : Boolean;
+   begin
+      Receive (Item.TELOUT, Message, Fresh);
+      pragma Assert (Is_Of (Message, Scans, Item.TELOUT_From));
+      if Fresh and then Line.Given < Block_Count'Last then
+         URV.Codecs.Uplink.Round_Trip (Message);
+         Line.Given := Line.Given + 1;
+         Line.Blocks (Line.Given) :=
+           (Data => URV.Codecs.Uplink.Encode (Message),
+            From => Item.TELOUT_From);
+      end if;
+   end Run_TELOUT;
+
+   procedure Start_Ground
+     (Item : in out Ground_Way; Scans : Scan_History; Cold : Boolean)
+   is
+   begin
+      if Cold then
+         Item.ADINT := Empty_Mailbox;
+         Item.ADINT_From := 0;
+         Item.AD := Empty_Mailbox;
+         Item.AD_From := 0;
+         Item.TELOUT := Empty_Mailbox;
+         Item.TELOUT_From := 0;
+         pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
+      else
+         Item.ADINT := Restarted (Item.ADINT);
+         Item.AD := Restarted (Item.AD);
+         Item.TELOUT := Restarted (Item.TELOUT);
+      end if;
+   end Start_Ground;
+
+   procedure Run_TELIN
+     (Item  : in out Aircraft_Way;
+      Line  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Which : Block_Count)
+   is
+      Unused_Success : Boolean;
+   begin
+      if Which in 1 .. Line.Given then
+         Item.Kept := URV.Codecs.Uplink.Decode (Line.Blocks (Which).Data);
+         Item.Kept_From := Line.Blocks (Which).From;
+         pragma Assert (Item.Kept_From <= Done);
+         Item.Has_Message := True;
+      else
+         Marked_Is_Of (Item.Kept, 0, Scans, Item.Kept_From);
+         Item.Kept := As_Old (Item.Kept);
+      end if;
+
+      if Item.Has_Message then
+         Send (Item.TELIN, Item.Kept, Unused_Success);
+         Item.TELIN_From := Item.Kept_From;
+      end if;
+   end Run_TELIN;
+
+   procedure Run_MDCIN
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+      Message        : Uplink_Buffer;
+      Fresh          : Boolean;
+      Unused_Success : Boolean;
+   begin
+      Receive (Item.TELIN, Message, Fresh);
+      pragma Assert (Item.TELIN_From <= Done);
+      if not Fresh then
+         Marked_Is_Of (Message, 0, Scans, Item.TELIN_From);
+         Message := As_Old (Message);
+      end if;
+      pragma Assert (Is_Of (Message, Scans, Item.TELIN_From));
+      Send (Item.Uplink, Message, Unused_Success);
+      Item.Uplink_From := Item.TELIN_From;
+      pragma Assert
+        (Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From));
+      Send (Item.PWM, Message, Unused_Success);
+      Item.PWM_From := Item.TELIN_From;
+      pragma Assert (Is_Of (Contents (Item.PWM), Scans, Item.PWM_From));
+   end Run_MDCIN;
+
+   procedure Run_PWM
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+      Message        : Uplink_Buffer;
+      Fresh          : Boolean;
+   begin
+      Receive (Item.PWM, Message, Fresh);
+      pragma Assert (Item.PWM_From <= Done);
+      if Fresh and then not Is_Old (Message) then
+         Same_Outputs (Message, Scans, Item.PWM_From);
+         Item.Board := URV.PWM_Layout.To_Data_Area (Transform (Message));
+         Item.Board_From := Item.PWM_From;
+      end if;
+   end Run_PWM;
+
+   procedure Run_CORE
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+      Message        : Uplink_Buffer;
+      Fresh          : Boolean;
+   begin
+      Receive (Item.Uplink, Message, Fresh);
+      pragma Assert (Item.Uplink_From <= Done);
+      pragma Assert (Is_Of (Message, Scans, Item.Uplink_From));
+      if Fresh then
+         Item.CORE := URV.CORE_Layout.To_Words (Message);
+         Item.CORE_From := Item.Uplink_From;
+         Item.Is_Cleared := False;
+         pragma Assert
+           (for all Name in Uplink_Item =>
+              URV.CORE_Layout.To_Buffer (Item.CORE) (Name) = Message (Name));
+      end if;
+   end Run_CORE;
+
+   procedure Start_Aircraft
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Cold  : Boolean)
+   is
+   begin
+      pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
+      pragma Assert (Item.Board_From <= Done);
+      if Cold then
+         Item.TELIN := Empty_Mailbox;
+         Item.TELIN_From := 0;
+         Item.Uplink := Empty_Mailbox;
+         Item.Uplink_From := 0;
+         Item.PWM := Empty_Mailbox;
+         Item.PWM_From := 0;
+         Item.CORE := (others => 0);
+         Item.CORE_From := 0;
+         Item.Is_Cleared := True;
+         Neutral_Is_Safe (Scans);
+         Item.Board := URV.PWM_Layout.Safe_Area;
+         Item.Board_From := 0;
+      else
+         Item.TELIN := Restarted (Item.TELIN);
+         Item.Uplink := Restarted (Item.Uplink);
+         Item.PWM := Restarted (Item.PWM);
+      end if;
+
+      --  The TELIN task's initialisation.
+      Item.Kept := Neutral_Uplink;
+      Item.Kept_From := 0;
+      Item.Has_Message := False;
+   end Start_Aircraft;
+
+   procedure Happen
+     (Ground   : in out Ground_Way;
+      Line     : in out Line_Way;
+      Aircraft : in out Aircraft_Way;
+      Scans    : Scan_History;
+      Now      : Event)
+   is
+      Before : constant Scan_Count := Ground.Done;
+   begin
+      case Now.Kind is
+         when Scan_Ends =>
+            End_Scan (Ground, Scans);
+            More_Scans (Line, Aircraft, Scans, Before, Ground.Done);
+         when AD_Runs =>
+            Run_AD (Ground, Scans);
+         when GDCOUT_Runs =>
+            Run_GDCOUT (Ground, Scans, Now.Bits);
+         when TELOUT_Runs =>
+            Run_TELOUT (Ground, Line, Scans);
+         when Ground_Cold_Start =>
+            Start_Ground (Ground, Scans, Cold => True);
+         when Ground_Warm_Start =>
+            Start_Ground (Ground, Scans, Cold => False);
+         when TELIN_Runs =>
+            Run_TELIN (Aircraft, Line, Scans, Before, Now.Which);
+         when MDCIN_Runs =>
+            Run_MDCIN (Aircraft, Scans, Before);
+         when PWM_Runs =>
+            Run_PWM (Aircraft, Scans, Before);
+         when CORE_Runs =>
+            Run_CORE (Aircraft, Scans, Before);
+         when Aircraft_Cold_Start =>
+            Start_Aircraft (Aircraft, Scans, Before, Cold => True);
+         when Aircraft_Warm_Start =>
+            Start_Aircraft (Aircraft, Scans, Before, Cold => False);
+      end case;
+   end Happen;
+
+   procedure Any_History
+     (Scans    : Scan_History;
+      Events   : Event_History;
+      Upto     : Event_Number;
+      Ground   : out Ground_Way;
+      Line     : out Line_Way;
+      Aircraft : out Aircraft_Way)
+   is
+   begin
+      --  Power up of both nodes.
+      Neutral_Is_Safe (Scans);
+      Ground :=
+        (Done        => 0,
+         ADINT       => Empty_Mailbox,
+         ADINT_From  => 0,
+         AD          => Empty_Mailbox,
+         AD_From     => 0,
+         TELOUT      => Empty_Mailbox,
+         TELOUT_From => 0);
+      Line :=
+        (Given  => 0,
+         Blocks => (others => (Data => (others => 0), From => 0)));
+      Aircraft :=
+        (Kept        => Neutral_Uplink,
+         Kept_From   => 0,
+         Has_Message => False,
+         TELIN       => Empty_Mailbox,
+         TELIN_From  => 0,
+         Uplink      => Empty_Mailbox,
+         Uplink_From => 0,
+         PWM         => Empty_Mailbox,
+         PWM_From    => 0,
+         CORE        => (others => 0),
+         CORE_From   => 0,
+         Is_Cleared  => True,
+         Board       => URV.PWM_Layout.Safe_Area,
+         Board_From  => 0);
+      pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
+
+      for Step in Event_Number range 1 .. Upto loop
+         pragma Loop_Invariant (Is_Sound (Ground, Scans));
+         pragma Loop_Invariant (Is_Sound (Line, Scans, Ground.Done));
+         pragma Loop_Invariant (Is_Sound (Aircraft, Scans, Ground.Done));
+         Happen (Ground, Line, Aircraft, Scans, Events (Step));
+         pragma Assert (Is_Sound (Line, Scans, Ground.Done));
+      end loop;
+   end Any_History;
+
+   procedure Neutral_Is_Safe (Scans : Scan_History) is
+      Commands : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, 0), Fresh => True));
+   begin
+      pragma Assert
+        (for all Name in Command_Item =>
+           Commands (Name) = Neutral_Uplink (Name));
+      pragma Assert (Packed_Switches (Commands) = 0);
+      pragma Assert (Packed_Switches (Neutral_Uplink) = 0);
+      Same_Area (Outputs_Of (Scans, 0), Safe_Outputs);
+   end Neutral_Is_Safe;
+
+   procedure Servos_Were_Asked_For
+     (Item  : Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+   begin
+      Neutral_Is_Safe (Scans);
+      pragma Assert (Item.Board_From <= Done);
+   end Servos_Were_Asked_For;
+
+   procedure Switches_Are_Off_Until_A_Scan_Says_On
+     (Item   : Aircraft_Way;
+      Scans  : Scan_History;
+      Done   : Scan_Count;
+      Switch : Switch_Item)
+   is
+      Commands : constant Uplink_Buffer :=
+        To_Uplink
+          (Stamped (Held (Scans, Item.Board_From), Fresh => True));
+   begin
+      pragma Assert (Item.Board_From <= Done);
+      pragma Assert (not Is_On (Commands (Switch)));
+      pragma Assert
+        ((Packed_Switches (Commands) / Switch_Bit (Switch)) mod 2 = 0);
+      pragma Assert
+        (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
+           Packed_Switches (Commands));
+      if Switch = Switch_8 then
+         pragma Assert (Flap_Command (Commands) = Flaps_Up);
+         for Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 loop
+            pragma Assert (Transform (Commands) (Flap) = Flaps_Up);
+            pragma Assert
+              (Item.Board (URV.PWM_Layout.Channel_Of (Flap)) =
+                 Outputs_Of (Scans, Item.Board_From) (Flap));
+            pragma Loop_Invariant
+              (for all Earlier in Left_Flap_1 .. Flap =>
+                 Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
+                   Flaps_Up);
+         end loop;
+      end if;
+   end Switches_Are_Off_Until_A_Scan_Says_On;
+
+   procedure Old_Commands_Move_Nothing
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+   begin
+      Run_PWM (Item, Scans, Done);
+   end Old_Commands_Move_Nothing;
+
+   procedure A_Warm_Start_Moves_Nothing
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+   begin
+      Start_Aircraft (Item, Scans, Done, Cold => False);
+   end A_Warm_Start_Moves_Nothing;
+
+   procedure A_Repeated_Scan_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History)
+   is
+   begin
+      Run_AD (Item, Scans);
+   end A_Repeated_Scan_Is_Marked;
+
+   procedure A_Repeated_Image_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+   is
+   begin
+      Run_GDCOUT (Item, Scans, Bits);
+   end A_Repeated_Image_Is_Marked;
+
+   procedure A_Repeated_Block_Is_Marked
+     (Item  : in out Aircraft_Way;
+      Line  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+   begin
+      Run_TELIN (Item, Line, Scans, Done, Which => 0);
+   end A_Repeated_Block_Is_Marked;
+
+   procedure A_Repeated_Message_Is_Marked
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   is
+   begin
+      Run_MDCIN (Item, Scans, Done);
+   end A_Repeated_Message_Is_Marked;
+
+   procedure A_Scan_Is_What_Was_Converted
+     (Before : Scan;
+      Values : Channel_Words)
+   is
+      Item : Scan := Restarted (Before);
+      Next : Next_Step;
+   begin
+      for Place in Channel loop
+         pragma Loop_Invariant
+           (Item.Current = Channel_Count (Place)
+            and then
+              (for all Earlier in Channel =>
+                 (if Earlier < Place
+                  then Item.Words (Earlier) = Values (Earlier))));
+         Store (Item, Values (Place), Next);
+         pragma Assert
+           (Next = (if Place = Channel'Last then Send_Words
+                    else Start_Channel));
+      end loop;
+      pragma Assert (Item.Words = Values);
+   end A_Scan_Is_What_Was_Converted;
+
+end Theorems.Safety;

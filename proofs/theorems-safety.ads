@@ -1,0 +1,351 @@
+--  Nothing moves that was not asked for (SAF-1 to SAF-3, SAF-5, SAF-6, D-13,
+--  D-14): the way of the commands from the ground's converter to the servos
+--  and the aircraft's CORE memory, over any sequence of what may happen on
+--  it.
+--
+--  The way is made of the code's own mailboxes, routing, codec, transform
+--  and layouts. Beside each place stands the scan that its words are of, 0
+--  for the neutral words. What is proved is that they are, always.
+--
+--  A block may be lost, late, or come again and again, in any order; one
+--  that was altered and has the right checksum is not in it (D-7).
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.PWM_Board;   use Devices.PWM_Board;
+with Telemetry;           use Telemetry;
+with URVOS;               use URVOS;
+with URV.AD_Scans;        use URV.AD_Scans;
+with URV.Buffers;         use URV.Buffers;
+with URV.Codecs;
+with URV.CORE_Layout;
+with URV.Mailboxes;       use URV.Mailboxes;
+with URV.PWM_Layout;
+with URV.PWM_Transform;   use URV.PWM_Transform;
+with URV.Routing;         use URV.Routing;
+
+package Theorems.Safety with SPARK_Mode, Ghost is
+
+   use For_Stick_Images;
+   use For_Stick_Words;
+   use For_Uplink;
+
+   Longest : constant := 1_000_000;
+
+   --  All that the ground's converter held, scan after scan: whatever it
+   --  was, in range or not.
+   type Scan_Count is range 0 .. Longest;
+   subtype Scan_Number is Scan_Count range 1 .. Longest;
+   type Scan_History is array (Scan_Number) of Channel_Words;
+
+   --  The words of a scan; before the first one the neutral ones.
+   function Held (Scans : Scan_History; Scan : Scan_Count)
+                  return Channel_Words
+   is (if Scan = 0 then Neutral_Stick_Words else Scans (Scan))
+   with Global => null;
+
+   --  The commands are those of the scan. Where there was none, they are
+   --  marked as old.
+   function Is_Of
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count) return Boolean
+   is
+     ((for all Name in Command_Item =>
+         Item (Name) = Held (Scans, Scan) (Channel_Of (Name)))
+      and then (if Scan = 0 then Is_Old (Item)))
+   with Global => null;
+
+   --  What the servos make of a scan (figure 13).
+   function Outputs_Of
+     (Scans : Scan_History; Scan : Scan_Count) return PWM_Buffer
+   is (Transform (To_Uplink (Stamped (Held (Scans, Scan), Fresh => True))))
+   with Global => null;
+
+   --  The blocks that the ground gave its telemetry board.
+   type Block_Count is range 0 .. Longest;
+   subtype Block_Number is Block_Count range 1 .. Longest;
+
+   type Block is record
+      Data : Block_Data;
+      From : Scan_Count;
+   end record;
+
+   type Block_History is array (Block_Number) of Block;
+
+   --  The ground's part: how many scans were completed, its variables, and
+   --  the scan that each is of.
+   type Ground_Way is record
+      Done        : Scan_Count;
+      ADINT       : For_Stick_Words.Mailbox;
+      ADINT_From  : Scan_Count;
+      AD          : For_Stick_Images.Mailbox;
+      AD_From     : Scan_Count;
+      TELOUT      : For_Uplink.Mailbox;
+      TELOUT_From : Scan_Count;
+   end record;
+
+   function Is_Sound (Item : Ground_Way; Scans : Scan_History)
+                      return Boolean
+   is
+     (Item.ADINT_From <= Item.Done
+      and then Item.AD_From <= Item.Done
+      and then Item.TELOUT_From <= Item.Done
+      and then Contents (Item.ADINT) = Held (Scans, Item.ADINT_From)
+      and then (if Item.ADINT_From = 0 then not Is_Fresh (Item.ADINT))
+      and then Contents (Item.AD).Words = Held (Scans, Item.AD_From)
+      and then (if Item.AD_From = 0
+                then Contents (Item.AD).Error_Status = Stale_Data)
+      and then Is_Of (Contents (Item.TELOUT), Scans, Item.TELOUT_From))
+   with Global => null;
+
+   --  The line: what was ever given to it.
+   type Line_Way is record
+      Given  : Block_Count;
+      Blocks : Block_History;
+   end record;
+
+   --  Done is how many scans there have been.
+   function Is_Sound
+     (Item  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count) return Boolean
+   is
+     ((for all Which in Block_Number =>
+         (if Which <= Item.Given then Item.Blocks (Which).From <= Done))
+      and then
+        (for all Which in Block_Number =>
+           (if Which <= Item.Given
+            then Is_Of
+              (URV.Codecs.Uplink.Decode (Item.Blocks (Which).Data), Scans,
+               Item.Blocks (Which).From))))
+   with Global => null;
+
+   --  The aircraft's part: the message that TELIN keeps, the variables, and
+   --  where the commands end: CORE memory, unless it is still cleared, and
+   --  the servos.
+   type Aircraft_Way is record
+      Kept        : Uplink_Buffer;
+      Kept_From   : Scan_Count;
+      Has_Message : Boolean;
+      TELIN       : For_Uplink.Mailbox;
+      TELIN_From  : Scan_Count;
+      Uplink      : For_Uplink.Mailbox;
+      Uplink_From : Scan_Count;
+      PWM         : For_Uplink.Mailbox;
+      PWM_From    : Scan_Count;
+      CORE        : Uplink_Words;
+      CORE_From   : Scan_Count;
+      Is_Cleared  : Boolean;
+      Board       : Data_Area;
+      Board_From  : Scan_Count;
+   end record;
+
+   function Is_Sound
+     (Item  : Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count) return Boolean
+   is
+     (Item.Kept_From <= Done
+      and then Item.TELIN_From <= Done
+      and then Item.Uplink_From <= Done
+      and then Item.PWM_From <= Done
+      and then Item.CORE_From <= Done
+      and then Item.Board_From <= Done
+      and then Is_Of (Item.Kept, Scans, Item.Kept_From)
+      and then Is_Of (Contents (Item.TELIN), Scans, Item.TELIN_From)
+      and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
+      and then Is_Of (Contents (Item.PWM), Scans, Item.PWM_From)
+      and then
+        (if not Item.Is_Cleared
+         then Is_Of
+           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
+      and then Item.Board =
+        URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Item.Board_From)))
+   with Global => null;
+
+   --  What may happen, in any order: a scan is complete, a task has its
+   --  transaction, a node starts, or has to stay silent.
+   type Event_Kind is
+     (Scan_Ends,
+      AD_Runs, GDCOUT_Runs, TELOUT_Runs,
+      Ground_Cold_Start, Ground_Warm_Start,
+      TELIN_Runs, MDCIN_Runs, PWM_Runs, CORE_Runs,
+      Aircraft_Cold_Start, Aircraft_Warm_Start);
+
+   --  Which is the block that TELIN finds, 0 for none; Bits are the node's
+   --  own of the error/status word.
+   type Event is record
+      Kind  : Event_Kind;
+      Which : Block_Count;
+      Bits  : Word;
+   end record;
+
+   type Event_Number is range 1 .. Longest;
+   type Event_History is array (Event_Number) of Event;
+
+   --  An event, as the tasks' bodies and the starts have it: wherever
+   --  commands stand, they are those of the scan that is said.
+   procedure Happen
+     (Ground   : in out Ground_Way;
+      Line     : in out Line_Way;
+      Aircraft : in out Aircraft_Way;
+      Scans    : Scan_History;
+      Now      : Event)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Ground, Scans)
+       and then Is_Sound (Line, Scans, Ground.Done)
+       and then Is_Sound (Aircraft, Scans, Ground.Done),
+     Post   =>
+       Is_Sound (Ground, Scans)
+       and then Is_Sound (Line, Scans, Ground.Done)
+       and then Is_Sound (Aircraft, Scans, Ground.Done)
+
+       --  The servos move only with commands that are not marked as old,
+       --  when the PWM task runs; or to the safe words at power up.
+       and then
+         (if Now.Kind = Aircraft_Cold_Start
+          then Aircraft.Board = URV.PWM_Layout.Safe_Area
+          elsif Now.Kind /= PWM_Runs
+            or else not Is_Fresh (Aircraft'Old.PWM)
+            or else Is_Old (Contents (Aircraft'Old.PWM))
+          then Aircraft.Board = Aircraft'Old.Board);
+
+   --  From power up on all stands as said, over any sequence of events.
+   procedure Any_History
+     (Scans    : Scan_History;
+      Events   : Event_History;
+      Upto     : Event_Number;
+      Ground   : out Ground_Way;
+      Line     : out Line_Way;
+      Aircraft : out Aircraft_Way)
+   with
+     Global => null,
+     Post   =>
+       Is_Sound (Ground, Scans)
+       and then Is_Sound (Line, Scans, Ground.Done)
+       and then Is_Sound (Aircraft, Scans, Ground.Done);
+
+   --  The neutral words are the safe outputs (SAF-1).
+   procedure Neutral_Is_Safe (Scans : Scan_History)
+   with
+     Global => null,
+     Post   =>
+       Outputs_Of (Scans, 0) = Safe_Outputs
+       and then Transform (Neutral_Uplink) = Safe_Outputs
+       and then URV.PWM_Layout.Safe_Area =
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, 0));
+
+   --  Each servo word is what figure 13 makes of the words of one scan that
+   --  the ground's converter held, or the safe word (SAF-2).
+   procedure Servos_Were_Asked_For
+     (Item  : Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       (if Item.Board_From = 0
+        then Item.Board = URV.PWM_Layout.Safe_Area
+        else Item.Board_From <= Done
+          and then Item.Board =
+            URV.PWM_Layout.To_Data_Area
+              (Outputs_Of (Scans, Item.Board_From)));
+
+   --  A switch is off, at its discrete and at the flaps, until a scan says
+   --  that it is on (SAF-3).
+   procedure Switches_Are_Off_Until_A_Scan_Says_On
+     (Item   : Aircraft_Way;
+      Scans  : Scan_History;
+      Done   : Scan_Count;
+      Switch : Switch_Item)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then
+         (for all Scan in Scan_Number =>
+            (if Scan <= Done
+             then not Is_On (Scans (Scan) (Channel_Of (Switch))))),
+     Post   =>
+       (Item.Board (URV.PWM_Layout.Channel_Of (Discretes))
+          / Switch_Bit (Switch)) mod 2 = 0
+       and then
+         (if Switch = Switch_8
+          then
+            (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+               Item.Board (URV.PWM_Layout.Channel_Of (Flap)) = Flaps_Up));
+
+   --  Commands that are marked as old move nothing (SAF-3).
+   procedure Old_Commands_Move_Nothing
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done) and then Is_Old (Contents (Item.PWM)),
+     Post   => Item.Board = Item'Old.Board;
+
+   --  A warm start moves nothing (SAF-6).
+   procedure A_Warm_Start_Moves_Nothing
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   => Item.Board = Item'Old.Board;
+
+   --  What is passed on a second time is marked as old (SAF-5): without a
+   --  scan, an image, a block, or a message in TELIN_variable.
+
+   procedure A_Repeated_Scan_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.ADINT),
+     Post   => Contents (Item.AD).Error_Status = Stale_Data;
+
+   procedure A_Repeated_Image_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.AD),
+     Post   => Is_Old (Contents (Item.TELOUT));
+
+   procedure A_Repeated_Block_Is_Marked
+     (Item  : in out Aircraft_Way;
+      Line  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then Is_Sound (Line, Scans, Done)
+       and then Item.Has_Message,
+     Post   => Is_Old (Contents (Item.TELIN));
+
+   procedure A_Repeated_Message_Is_Marked
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done) and then not Is_Fresh (Item.TELIN),
+     Post   =>
+       Is_Old (Contents (Item.Uplink))
+       and then Is_Old (Contents (Item.PWM));
+
+   --  A scan is whole: the words that are sent are those that were
+   --  converted since it began, one a channel.
+   procedure A_Scan_Is_What_Was_Converted
+     (Before : Scan;
+      Values : Channel_Words)
+   with Global => null;
+
+end Theorems.Safety;
