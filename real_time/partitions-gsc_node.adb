@@ -7,6 +7,7 @@ with Partitions.Console;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
 with Partitions.Guarded_Call;
+with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
 with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
@@ -115,6 +116,10 @@ package body Partitions.GSC_Node is
 
    procedure Observe_Tick (Late : Time_Span);
 
+   procedure Begin_Start is new Guarded_Start
+     (Begin_Again   => GSC.Begin_Again,
+      Request_Start => GSC.Turns.Scheduler.Request_Start);
+
    package Tasks is new GSC.Real_Time
      (AD_Step        => AD_Step,
       TELIN_Step     => TELIN_Step,
@@ -124,7 +129,8 @@ package body Partitions.GSC_Node is
       CORE_Step      => CORE_Step,
       LOG_Step       => LOG_Step,
       SELF_TEST_Step => SELF_TEST_Step,
-      Observe_Tick   => Observe_Tick);
+      Observe_Tick   => Observe_Tick,
+      Begin_Start    => Begin_Start);
 
    procedure Press_Reset_Switch;
 

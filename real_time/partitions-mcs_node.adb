@@ -7,6 +7,7 @@ with Partitions.Aircraft;
 with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
 with Partitions.Guarded_Call;
+with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
 with Partitions.Rows;      use Partitions.Rows;
 with Partitions.Signals;
@@ -129,6 +130,10 @@ package body Partitions.MCS_Node is
 
    procedure Observe_Tick (Late : Time_Span);
 
+   procedure Begin_Start is new Guarded_Start
+     (Begin_Again   => MCS.Begin_Again,
+      Request_Start => MCS.Turns.Scheduler.Request_Start);
+
    package Tasks is new MCS.Real_Time
      (AD_Step        => AD_Step,
       TELIN_Step     => TELIN_Step,
@@ -139,7 +144,8 @@ package body Partitions.MCS_Node is
       CORE_Step      => CORE_Step,
       LOG_Step       => LOG_Step,
       SELF_TEST_Step => SELF_TEST_Step,
-      Observe_Tick   => Observe_Tick);
+      Observe_Tick   => Observe_Tick,
+      Begin_Start    => Begin_Start);
 
    procedure Press_Reset_Switch;
 

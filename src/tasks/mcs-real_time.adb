@@ -27,7 +27,7 @@ is
       Wake           => Turns.Scheduler.Wake,
       Request_Start  => Turns.Scheduler.Request_Start,
       End_Task_Step  => Turns.Scheduler.End_Step,
-      Begin_Again    => Begin_Again,
+      Begin_Again    => Begin_Start,
       Task_Tree_Of   => Whole_Tree,
       Tell_Time      => Errors.Set_Time,
       Report_Overrun => Turns.Report_Overrun,

@@ -1,8 +1,9 @@
 --  The aircraft's node in real time: each task of the node an Ada task, one
 --  kernel that says whose turn it is.
 --
---  The steps of the tasks are formal, so that the partition can put round
---  each what turns an unexpected exception into Failed (KRN-6).
+--  The steps of the tasks are formal, and so are the first phases of a start,
+--  so that the partition can put round each what catches an unexpected
+--  exception (KRN-6).
 
 with Ada.Real_Time; use Ada.Real_Time;
 with MCS.Turns;
@@ -28,6 +29,12 @@ generic
      (First_Run : Boolean; Failed : out Boolean);
 
    with procedure Observe_Tick (Late : Time_Span);
+
+   --  Phases 1 and 2 of a start: see URVOS.Real_Time_Kernels.
+   with procedure Begin_Start
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean) is Begin_Again;
 package MCS.Real_Time
   with
     SPARK_Mode,

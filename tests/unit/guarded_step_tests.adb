@@ -3,14 +3,20 @@ with GNAT.OS_Lib;
 
 with Checks;       use Checks;
 with Expectations; use Expectations;
+with MCS;
+with Memory_Hardware;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Guarded_Call;
+with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
 with Partitions.Measurements;
 with Partitions.Reports;
 with Sim.Text_Output;
 with URVOS;
+with URVOS.Frames;             use URVOS.Frames;
+with URVOS.Guarded_Schedulers; use URVOS.Guarded_Schedulers;
+with URVOS.Starts;             use URVOS.Starts;
 
 package body Guarded_Step_Tests is
 
@@ -24,6 +30,7 @@ package body Guarded_Step_Tests is
    procedure Exceptions;
    procedure Pauses;
    procedure Interrupts;
+   procedure Broken_Starts;
 
    --  A task that counts what it does, and fails when it is told to.
    procedure Initialise;
@@ -55,6 +62,17 @@ package body Guarded_Step_Tests is
 
    procedure Busy_Step is new Partitions.Guarded_Step
      (Busy_Cost, Busy_Response, Has_Stood_Still, Nothing, Be_Busy, Nothing);
+
+   --  The first phases of a start.
+   procedure Begin_Again
+     (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean);
+
+   procedure Request_Start (Condition : Start_Condition);
+
+   Wished : Wish;
+
+   procedure Start is new Partitions.Guarded_Start
+     (Begin_Again, Request_Start);
 
    --  An interrupt of the processor.
    procedure Raise_Processor_Exception;
@@ -102,6 +120,28 @@ package body Guarded_Step_Tests is
          null;
       end loop;
    end Be_Busy;
+
+   -----------------
+   -- Begin_Again --
+   -----------------
+
+   procedure Begin_Again
+     (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean)
+   is
+   begin
+      Expect_Number ("the tick", Integer (Now), 77);
+      Wished.Is_There := False;
+      MCS.Begin_Again (Condition, Now, Passed);
+   end Begin_Again;
+
+   -------------------
+   -- Request_Start --
+   -------------------
+
+   procedure Request_Start (Condition : Start_Condition) is
+   begin
+      Wished := (True, Condition);
+   end Request_Start;
 
    -------------------------------
    -- Raise_Processor_Exception --
@@ -289,6 +329,36 @@ package body Guarded_Step_Tests is
       Expect_Number ("handled again", Run, Before + 2);
    end Interrupts;
 
+   -------------------
+   -- Broken_Starts --
+   -------------------
+
+   --  Nothing answers a read of the self-test.
+   procedure Broken_Starts is
+      Told   : constant URVOS.Count := Partitions.Exceptions.Number;
+      Passed : Boolean;
+   begin
+      Memory_Hardware.Repair (2);
+      for Condition in Start_Condition loop
+         Memory_Hardware.Fail_Next_Read (2);
+         Start (Condition, 77, Passed);
+         Expect (Condition'Image & " passed", Passed, False);
+         Expect
+           (Condition'Image & " begins anew",
+            Wished =
+              (True,
+               (if Condition = Cold_Start then Cold_Start
+                else Processor_Restart)),
+            True);
+         Start (Wished.Condition, 77, Passed);
+         Expect (Condition'Image & " passed then", Passed, True);
+         Expect (Condition'Image & " is over", Wished.Is_There, False);
+      end loop;
+      Expect
+        ("a planted fault is not told", Partitions.Exceptions.Number = Told,
+         True);
+   end Broken_Starts;
+
    ------------
    -- Add_To --
    ------------
@@ -313,6 +383,9 @@ package body Guarded_Step_Tests is
       Add
         (Suite, "KRN-6 an interrupt that raises one restarts the processor",
          Interrupts'Access);
+      Add
+        (Suite, "KRN-6 a start that raises an exception begins anew",
+         Broken_Starts'Access);
    end Add_To;
 
 end Guarded_Step_Tests;
