@@ -23,6 +23,7 @@ with URV.Codecs;
 with URV.CORE_Task;
 with URV.GDCOUT_Task;
 with URV.GDCIN_Task;
+with URV.Log_Receivers;
 with URV.LOG_Task;
 with URV.Mailboxes;
 with URV.Routing;
@@ -97,9 +98,13 @@ package GSC with SPARK_Mode is
       Send_TELIN => TELIN_Variable.Send,
       Report     => Errors.Report);
 
+   package Log_Receiver is new URV.Log_Receivers
+     (Write_Row => CORE_Memory.Write_Aircraft_Log);
+
    package GDCIN is new URV.GDCIN_Task
      (Receive_TELIN => TELIN_Variable.Receive,
       Send_Downlink => Downlink_Variable.Send,
+      Take_Piece    => Log_Receiver.Take_Piece,
       Report        => Errors.Report);
 
    package GDCOUT is new URV.GDCOUT_Task
@@ -128,7 +133,8 @@ package GSC with SPARK_Mode is
      (Inspect_Link   => Telemetry_Board.Inspect,
       Report_Several => Errors.Report_Several,
       Inspect_Log    => Errors.Inspect,
-      Write_Status   => CORE_Memory.Write_Status);
+      Write_Status   => CORE_Memory.Write_Status,
+      Write_Log      => CORE_Memory.Write_Log);
 
    --  What the check of the program memory has found (TST-3, TST-4).
 

@@ -23,6 +23,7 @@ with URV.ADINT_Handler;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Task;
+with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Mailboxes;
 with URV.MDCIN_Task;
@@ -113,11 +114,15 @@ package MCS with SPARK_Mode is
       Send_PWM      => PWM_Variable.Send,
       Report        => Errors.Report);
 
+   package Log_Sender is new URV.Log_Senders
+     (Inspect_Log => Errors.Inspect);
+
    package MDCOUT is new URV.MDCOUT_Task
      (Receive_AD    => AD_Variable.Receive,
       Send_Downlink => Downlink_Variable.Send,
       Send_TELOUT   => TELOUT_Variable.Send,
       Read_Status   => Status.Read,
+      Next_Piece    => Log_Sender.Next,
       Report        => Errors.Report);
 
    package PWM is new URV.PWM_Task
@@ -144,7 +149,8 @@ package MCS with SPARK_Mode is
      (Inspect_Link   => Telemetry_Board.Inspect,
       Report_Several => Errors.Report_Several,
       Inspect_Log    => Errors.Inspect,
-      Write_Status   => CORE_Memory.Write_Status);
+      Write_Status   => CORE_Memory.Write_Status,
+      Write_Log      => CORE_Memory.Write_Log);
 
    --  What the check of the program memory has found (TST-3, TST-4).
 
@@ -268,8 +274,8 @@ package MCS with SPARK_Mode is
    --  has been sent or received.
    procedure Cold_Start;
 
-   --  The reset switch, or an unexpected exception: servos, CORE, error log
-   --  and the last messages stay, all flags and counts start anew.
+   --  The reset switch, or an unexpected exception: servos (SAF-6), CORE,
+   --  error log and the last messages stay, all flags and counts start anew.
    procedure Warm_Start;
 
    --  The node stays silent after a failed self-test: one last downlink

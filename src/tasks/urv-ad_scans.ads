@@ -1,4 +1,4 @@
---  One scan of the 32 channels (report, 4.2, figure 6; ADI-1, D-19).
+--  One scan of the 32 channels (report, 4.2, figure 6; ADI-1, D-19, SAF-2).
 --
 --  The interrupt handler stores a word and learns what to do next. Between
 --  scans no interrupt is expected; one that comes stores nothing.

@@ -16,6 +16,12 @@ package body URV.GDCIN_Task with SPARK_Mode is
            (Input_Out_Of_Range, Word (Routing.First_Out_Of_Range (Item)));
       end if;
 
+      --  The piece of the aircraft's log goes its own way (SAF-7).
+      if not Routing.Is_Old (Item) then
+         Take_Piece (Piece_Of (Item (Error_Status)));
+      end if;
+      Item (Error_Status) := Without_Piece (Item (Error_Status));
+
       Send_Downlink (Item, Success);
       if not Success then
          Report (Downlink_Not_Consumed, 0);

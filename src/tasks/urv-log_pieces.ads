@@ -18,13 +18,20 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
    type Place_Count is range 0 .. 15;
    subtype Place is Place_Count range 1 .. 15;
 
-   --  Where pieces stand in the error/status word: above its four flags.
+   --  On the way down a piece stands in the error/status word, above its
+   --  four flags. CORE has the flags alone.
+
    Piece_Unit : constant Word := 16;
 
-   function In_Status (Item : Piece) return Word is (Item * Piece_Unit)
+   function With_Piece (Status : Word; Item : Piece) return Word is
+     (Status mod Piece_Unit + Item * Piece_Unit)
    with Global => null;
 
    function Piece_Of (Status : Word) return Piece is (Status / Piece_Unit)
+   with Global => null;
+
+   function Without_Piece (Status : Word) return Word is
+     (Status mod Piece_Unit)
    with Global => null;
 
    --  The field that a place after the first is of, and whether it is the

@@ -4,14 +4,18 @@ with URV.Link_Errors; use URV.Link_Errors;
 package body URV.LOG_Task
   with
     SPARK_Mode,
-    Refined_State => (Seen => Seen_Tally)
+    Refined_State => (Seen => (Seen_Tally, Kind_In_Turn))
 is
 
    Seen_Tally : Statistics := (others => 0);
 
+   --  The kind whose row is written next.
+   Kind_In_Turn : Error_Kind := Error_Kind'First;
+
    procedure Initialise is
       Log : Error_Log;
    begin
+      Kind_In_Turn := Error_Kind'First;
       Inspect_Log (Log);
       if Logs.History_Of (Log, Warm_Reset).Occurrences = 0
         and then Logs.History_Of (Log, Processor_Restart).Occurrences = 0
@@ -37,6 +41,12 @@ is
 
       Inspect_Log (Log);
       Write_Status (CORE_Layout.To_Status (Log));
+      Write_Log
+        (CORE_Layout.Row_Of (Kind_In_Turn),
+         CORE_Layout.To_Row (Logs.History_Of (Log, Kind_In_Turn)));
+      Kind_In_Turn :=
+        (if Kind_In_Turn = Error_Kind'Last then Error_Kind'First
+         else Error_Kind'Succ (Kind_In_Turn));
    end Run_Transaction;
 
 end URV.LOG_Task;

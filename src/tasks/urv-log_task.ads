@@ -4,7 +4,8 @@
 --
 --  Everyone else reports to the log as it happens. The telemetry board can
 --  not: this task reads its statistics and logs what is new in them, in the
---  frame in which it finds it. Produces the log's words of CORE's status.
+--  frame in which it finds it. Produces the log's words of CORE's status, and
+--  a row a frame of the log in CORE, all rows in turn (SAF-7).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -19,6 +20,7 @@ generic
       Detail    : Word);
    with procedure Inspect_Log (Snapshot : out Error_Log);
    with procedure Write_Status (Words : Status_Array);
+   with procedure Write_Log (Which : Log_Row_Number; Row : Log_Row);
 package URV.LOG_Task
   with
     SPARK_Mode,

@@ -3,11 +3,12 @@ with URV.Routing;
 package body URV.MDCOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction is
-      Image   : AD_Image;
-      Fresh   : Boolean;
-      Success : Boolean;
-      Status  : Word;
-      Item    : Downlink_Buffer;
+      Image     : AD_Image;
+      Fresh     : Boolean;
+      Success   : Boolean;
+      Status    : Word;
+      Log_Piece : Piece;
+      Item      : Downlink_Buffer;
    begin
       Receive_AD (Image, Fresh);
       Read_Status (Status);
@@ -22,6 +23,8 @@ package body URV.MDCOUT_Task with SPARK_Mode is
          Report (Downlink_Not_Consumed, 0);
       end if;
 
+      Next_Piece (Log_Piece);
+      Item (Error_Status) := With_Piece (Item (Error_Status), Log_Piece);
       Send_TELOUT (Item, Success);
       if not Success then
          Report (Output_Not_Consumed, 0);

@@ -3,7 +3,7 @@
 --
 --  Consumes PWM_variable, produces the data area of the PWM board. When
 --  nothing new has come, or commands that are marked as old, it leaves the
---  board alone (SAF-3, D-14). Whoever marked them has reported why.
+--  board alone (SAF-2, SAF-3, D-14). Whoever marked them has reported why.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URVOS;             use URVOS;

@@ -88,7 +88,7 @@ def test_saf9_a_word_that_does_not_fit_the_others_is_seen(flown):
     assert "no commands give these outputs" in said(findings)
 
 
-def test_saf9_words_of_two_scans_are_seen(flown):
+def test_saf9_saf2_words_of_two_scans_are_seen(flown):
     """The throttle as before the change, the rest as after it."""
     findings = flown(lambda cells: cells.copy(
         "pwm", ("throttle",), 500, 540, 700))
@@ -110,7 +110,7 @@ def test_saf4_an_old_command_is_seen(flown):
     assert "the console said so until 500 ms" in said(flown(alter))
 
 
-def test_saf9_servos_that_go_back_to_the_safe_words_are_seen(flown):
+def test_saf9_saf6_servos_that_go_back_to_the_safe_words_are_seen(flown):
     def alter(cells):
         cells.copy("pwm", SERVOS, 20, 800, 840)
 

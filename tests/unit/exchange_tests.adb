@@ -4,6 +4,7 @@ with Task_Doubles; use Task_Doubles;
 with URVOS;        use URVOS;
 with URV.Buffers;  use URV.Buffers;
 with URV.Errors;   use URV.Errors;
+with URV.Log_Pieces;  use URV.Log_Pieces;
 with URV.GDCIN_Task;
 with URV.GDCOUT_Task;
 with URV.MDCIN_Task;
@@ -23,17 +24,34 @@ package body Exchange_Tests is
    procedure Ground_In_Too_Large;
    procedure Ground_Out;
 
+   --  The pieces of the log that go down, and the last that came.
+   Down, Came : Piece := No_Piece;
+
+   procedure Next_Piece (Item : out Piece);
+   procedure Take_Piece (Item : Piece);
+
    package MDCIN is new URV.MDCIN_Task
      (Input_Up.Receive, Uplink.Send, Commands.Send, Report);
 
    package MDCOUT is new URV.MDCOUT_Task
-     (Image.Receive, Downlink.Send, Output_Down.Send, Read_Status, Report);
+     (Image.Receive, Downlink.Send, Output_Down.Send, Read_Status,
+      Next_Piece, Report);
 
    package GDCIN is new URV.GDCIN_Task
-     (Input_Down.Receive, Downlink.Send, Report);
+     (Input_Down.Receive, Downlink.Send, Take_Piece, Report);
 
    package GDCOUT is new URV.GDCOUT_Task
      (Image.Receive, Uplink.Send, Output_Up.Send, Read_Status, Report);
+
+   procedure Next_Piece (Item : out Piece) is
+   begin
+      Item := Down;
+   end Next_Piece;
+
+   procedure Take_Piece (Item : Piece) is
+   begin
+      Came := Item;
+   end Take_Piece;
 
    -----------------
    -- Aircraft_In --
@@ -117,13 +135,13 @@ package body Exchange_Tests is
    procedure Aircraft_Out is
    begin
       Clear;
-      Image.Given := Image_Of (16#100#, Error => 16#77#);
+      Image.Given := Image_Of (16#100#, Error => 16#7#);
       MDCOUT.Run_Transaction;
       for Item in Sensor_Item loop
          Expect
            (Item'Image, Downlink.Kept (Item), Downlink_Of (16#100#) (Item));
       end loop;
-      Expect ("error word", Downlink.Kept (Error_Status), 16#77#);
+      Expect ("error word", Downlink.Kept (Error_Status), 16#7#);
       Expect_Buffer ("to TELOUT", Output_Down.Kept, Downlink.Kept);
       Expect_Number ("received", Image.Received, 1);
       Expect_Number ("sent to CORE", Downlink.Sent, 1);
@@ -132,7 +150,14 @@ package body Exchange_Tests is
 
       Status := 16#8#;
       MDCOUT.Run_Transaction;
-      Expect ("with the node's own", Downlink.Kept (Error_Status), 16#7F#);
+      Expect ("with the node's own", Downlink.Kept (Error_Status), 16#F#);
+
+      --  The log's piece goes down, and not to CORE.
+      Down := 16#ABC#;
+      MDCOUT.Run_Transaction;
+      Expect ("CORE has no piece", Downlink.Kept (Error_Status), 16#F#);
+      Expect ("down it goes", Output_Down.Kept (Error_Status), 16#ABCF#);
+      Down := No_Piece;
    end Aircraft_Out;
 
    ----------------------
@@ -172,11 +197,23 @@ package body Exchange_Tests is
       Expect_Number ("sent", Downlink.Sent, 1);
       Expect_Errors ("fresh input", None);
 
+      --  A piece of the log is taken out, unless it came before.
+      Input_Down.Given (Error_Status) := 16#ABC4#;
+      GDCIN.Run_Transaction;
+      Expect ("the piece", Came, 16#ABC#);
+      Expect ("CORE's flags", Downlink.Kept (Error_Status), 4);
+      Input_Down.Given (Error_Status) := 16#1235#;
+      GDCIN.Run_Transaction;
+      Expect ("no piece of an old one", Came, 16#ABC#);
+      Expect ("CORE's flags, old", Downlink.Kept (Error_Status), 5);
+      Input_Down.Given := Downlink_Of (16#200#);
+      Downlink.Clear;
+
       Input_Down.Is_Fresh := False;
       GDCIN.Run_Transaction;
       Expect_Buffer
         ("old, to CORE", Downlink.Kept, As_Old (Downlink_Of (16#200#)));
-      Expect_Number ("sent again", Downlink.Sent, 2);
+      Expect_Number ("sent again", Downlink.Sent, 1);
       Expect_Errors ("old input", (1 => No_Input));
 
       Input_Down.Is_Fresh := True;

@@ -6,6 +6,9 @@ with Telemetry.Boards;     use Telemetry.Boards;
 with URVOS;                use URVOS;
 with URVOS.Frames;         use URVOS.Frames;
 with URV.Errors;           use URV.Errors;
+with URV.Log_Pieces;       use URV.Log_Pieces;
+with URV.Log_Receivers;
+with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Shared_Errors;
 
@@ -20,6 +23,8 @@ package body LOG_Task_Tests is
    procedure Sums;
    procedure Long_Flight;
    procedure Status_Kept;
+   procedure Whole_Log;
+   procedure Pieces_Lost;
 
    --  The board under the task.
    Tally : Statistics;
@@ -29,11 +34,25 @@ package body LOG_Task_Tests is
    package Errors is new URV.Shared_Errors;
    package CORE is new Devices.Shared_CORE_Memory;
 
+   --  Both ends of the log's way.
+
+   package Log_Sender is new URV.Log_Senders (Inspect_Log => Errors.Inspect);
+
+   package Log_Receiver is new URV.Log_Receivers
+     (Write_Row => CORE.Write_Aircraft_Log);
+
+   --  What comes down in a frame: a piece, or nothing new.
+   Piece_Sent : Piece   := No_Piece;
+   Is_Lost    : Boolean := False;
+
+   procedure Fly_Frame;
+
    package Under_Test is new URV.LOG_Task
      (Inspect_Link   => Inspect_Link,
       Report_Several => Errors.Report_Several,
       Inspect_Log    => Errors.Inspect,
-      Write_Status   => CORE.Write_Status);
+      Write_Status   => CORE.Write_Status,
+      Write_Log      => CORE.Write_Log);
 
    --  All as after a cold start.
    procedure Begin_Test;
@@ -44,6 +63,15 @@ package body LOG_Task_Tests is
    ------------------
    -- Inspect_Link --
    ------------------
+
+   procedure Fly_Frame is
+   begin
+      Under_Test.Run_Transaction;
+      Log_Sender.Next (Piece_Sent);
+      if not Is_Lost then
+         Log_Receiver.Take_Piece (Piece_Sent);
+      end if;
+   end Fly_Frame;
 
    procedure Inspect_Link (Now : out Statistics) is
    begin
@@ -60,6 +88,7 @@ package body LOG_Task_Tests is
       CORE.Clear;
       Errors.Set_Time (0);
       Errors.Clear;
+      Is_Lost := False;
       Under_Test.Initialise;
    end Begin_Test;
 
@@ -270,6 +299,84 @@ package body LOG_Task_Tests is
       end loop;
    end Status_Kept;
 
+   procedure Whole_Log is
+      Snapshot : Memory;
+      Row      : Log_Row;
+   begin
+      Begin_Test;
+
+      --  Nothing has happened, nothing is sent.
+      Fly_Frame;
+      Expect ("no piece", Piece_Sent, 0);
+
+      --  Each kind, another number of times, at other times.
+      for Kind in Error_Kind loop
+         Errors.Set_Time (Clock_Tick (1 + Error_Kind'Pos (Kind)) * 700_000);
+         Errors.Report (Kind, 1);
+         Errors.Set_Time
+           (Clock_Tick (1 + Error_Kind'Pos (Kind)) * 1_400_000);
+         Errors.Report_Several
+           (Kind, 66_000 + Error_Kind'Pos (Kind),
+            16#ABC0# + Error_Kind'Pos (Kind));
+      end loop;
+
+      --  15 pieces a kind, and those of the round that had begun.
+      for Frame in 1 .. 16 * (Error_Kind'Pos (Error_Kind'Last) + 2) loop
+         Fly_Frame;
+      end loop;
+
+      CORE.Inspect (Snapshot);
+      for Kind in Error_Kind loop
+         Row := Snapshot.Log (Error_Kind'Pos (Kind) + 1);
+         Expect
+           (Kind'Image & " came down as it is",
+            Snapshot.Aircraft_Log (Error_Kind'Pos (Kind) + 1) = Row, True);
+         Expect
+           ("times, high", Row (Occurrences_High), 1);
+         Expect
+           ("times, low", Row (Occurrences_Low),
+            465 + Error_Kind'Pos (Kind));
+         Expect
+           ("first frame",
+            Count (Row (First_Frame_High)) * 65_536
+            + Count (Row (First_Frame_Low)),
+            70_000 * (1 + Error_Kind'Pos (Kind)));
+         Expect
+           ("last frame",
+            Count (Row (Last_Frame_High)) * 65_536
+            + Count (Row (Last_Frame_Low)),
+            140_000 * (1 + Error_Kind'Pos (Kind)));
+         Expect
+           ("detail", Row (Last_Detail), 16#ABC0# + Error_Kind'Pos (Kind));
+      end loop;
+   end Whole_Log;
+
+   procedure Pieces_Lost is
+      Snapshot : Memory;
+   begin
+      --  Every fourth downlink is lost until the row has been sent some
+      --  times: never is a row taken that has a hole. Then it comes whole.
+      Begin_Test;
+      Errors.Report (No_Input, 16#1234#);
+      for Frame in 1 .. 100 loop
+         Is_Lost := Frame mod 4 = 0;
+         Fly_Frame;
+      end loop;
+      CORE.Inspect (Snapshot);
+      Expect
+        ("a row with a hole", (for all Row of Snapshot.Aircraft_Log =>
+                                 Row = No_Errors), True);
+      Is_Lost := False;
+      for Frame in 1 .. 31 loop
+         Fly_Frame;
+      end loop;
+      CORE.Inspect (Snapshot);
+      Expect
+        ("the row",
+         Snapshot.Aircraft_Log (Error_Kind'Pos (No_Input) + 1) (Last_Detail),
+         16#1234#);
+   end Pieces_Lost;
+
    ------------
    -- Add_To --
    ------------
@@ -300,6 +407,12 @@ package body LOG_Task_Tests is
       Add
         (Suite, "INI-6 a status word stays until it is written or cleared",
          Status_Kept'Access);
+      Add
+        (Suite, "SAF-7 the whole log is in CORE and comes to the ground",
+         Whole_Log'Access);
+      Add
+        (Suite, "SAF-7 a row of the log comes whole or not at all",
+         Pieces_Lost'Access);
    end Add_To;
 
 end LOG_Task_Tests;

@@ -78,7 +78,7 @@ package body Task_Doubles is
          for Item in Result'Range loop
             Result (Item) := Mark + Word (Uplink_Item'Pos (Item));
          end loop;
-         Result (Error_Status) := Mark;
+         Result (Error_Status) := 0;
       end return;
    end Uplink_Of;
 
@@ -92,7 +92,7 @@ package body Task_Doubles is
          for Item in Result'Range loop
             Result (Item) := Mark + Word (Downlink_Item'Pos (Item));
          end loop;
-         Result (Error_Status) := Mark;
+         Result (Error_Status) := 0;
       end return;
    end Downlink_Of;
 

@@ -55,7 +55,7 @@ package Task_Doubles is
       Detail   : Word := 0);
 
    --  Buffers to recognise: word n of a buffer with mark m is m + n, and its
-   --  error/status word is m.
+   --  error/status word is 0.
    function Uplink_Of (Mark : Word) return Uplink_Buffer;
    function Downlink_Of (Mark : Word) return Downlink_Buffer;
    function Image_Of (Mark : Word; Error : Word) return AD_Image;

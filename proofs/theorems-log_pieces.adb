@@ -1,0 +1,47 @@
+package body Theorems.Log_Pieces with SPARK_Mode is
+
+   --  A high byte and a low one are the word.
+   procedure Bytes_Make_The_Word (Value : Word)
+   with
+     Global => null,
+     Post   =>
+       ((Value / 256 * 256 and 16#FF00#) or Value mod 256) = Value;
+
+   procedure Bytes_Make_The_Word (Value : Word) is null;
+
+   procedure A_Row_Arrives
+     (Item  : in out Receiver;
+      Which : Log_Row_Number;
+      Row   : Log_Row;
+      Whole : out Boolean)
+   is
+      Unused_Whole : Boolean;
+   begin
+      Take (Item, Piece_At (Which, Row, 1), Unused_Whole);
+      for Where in Place range 2 .. Place'Last loop
+         pragma Loop_Invariant
+           (Item.Got = Where - 1
+            and then Item.Which = Which);
+         pragma Loop_Invariant
+           (for all Field in Log_Field =>
+              (if 2 * Log_Field'Pos (Field) + 3 < Integer (Where)
+               then Item.Row (Field) = Row (Field)));
+         pragma Loop_Invariant
+           (if not Is_High (Where)
+            then Item.Row (Field_At (Where)) =
+              Row (Field_At (Where)) / 256 * 256);
+
+         pragma Assert
+           (Piece_At (Which, Row, Where) mod 256 =
+              Byte_At (Which, Row, Where));
+         Take (Item, Piece_At (Which, Row, Where), Whole);
+         Bytes_Make_The_Word (Row (Field_At (Where)));
+         pragma Assert
+           (if not Is_High (Where)
+            then Item.Row (Field_At (Where)) = Row (Field_At (Where)));
+      end loop;
+   end A_Row_Arrives;
+
+   procedure A_Piece_Beside_The_Flags (Status : Word; Item : Piece) is null;
+
+end Theorems.Log_Pieces;
