@@ -279,6 +279,26 @@ package body Sim.Flight is
                  (Further, Node, Names.Name (Item), CORE (Item));
             end loop;
 
+            --  What the ground knows of both (SAF-7).
+            for Kind in Error_Kind loop
+               declare
+                  Ground : constant Memory := Nodes.CORE (GSC);
+                  Which  : constant Log_Row_Number :=
+                    URV.CORE_Layout.Row_Of (Kind);
+                  Row    : constant Log_Row :=
+                    (case Node is
+                        when GSC => Ground.Log (Which),
+                        when MCS => Ground.Aircraft_Log (Which));
+               begin
+                  if Row /= No_Errors then
+                     Summary.Add_Known_Error
+                       (Further, Node, Names.Name (Kind),
+                        URVOS.Count (Row (Occurrences_High)) * 2 ** 16
+                        + URVOS.Count (Row (Occurrences_Low)));
+                  end if;
+               end;
+            end loop;
+
             if Text_Output.Is_Open (Files (Event_File)) then
                Event_Log.Write
                  (Files (Event_File), Name, Log,

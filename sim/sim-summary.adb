@@ -65,6 +65,9 @@ package body Sim.Summary is
    procedure Put_Events (To : in out Writer; Further : Result);
    procedure Put_Status
      (To : in out Writer; Further : Result; Where : Node);
+   procedure Put_Known
+     (To : in out Writer; Further : Result; Where : Node);
+
    procedure Put_Quality (To : in out Writer; Further : Result);
 
    procedure Begin_Field
@@ -152,6 +155,16 @@ package body Sim.Summary is
       To.Statuses.Append
         (Status'(Where, Texts.To_Unbounded_String (Name), Value));
    end Add_Status;
+
+   procedure Add_Known_Error
+     (To        : in out Result;
+      Where     : Node;
+      Kind      : String;
+      How_Often : Count) is
+   begin
+      To.Known.Append
+        (Known_Error'(Where, Texts.To_Unbounded_String (Kind), How_Often));
+   end Add_Known_Error;
 
    procedure Add_Quality
      (To    : in out Result;
@@ -249,6 +262,20 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Status;
 
+   procedure Put_Known
+     (To : in out Writer; Further : Result; Where : Node)
+   is
+      Made : Object := (Depth => 3, others => <>);
+   begin
+      Put (To, '{');
+      for Each of Further.Known loop
+         if Each.Where = Where then
+            Put_Field (To, Made, Texts.To_String (Each.Kind), Each.How_Often);
+         end if;
+      end loop;
+      End_Object (To, Made);
+   end Put_Known;
+
    procedure Put_Quality (To : in out Writer; Further : Result) is
       Made : Object := (Depth => 2, others => <>);
    begin
@@ -272,6 +299,7 @@ package body Sim.Summary is
    is
       Made   : Object := (Depth => 1, others => <>);
       Status : Object := (Depth => 2, others => <>);
+      Known  : Object := (Depth => 2, others => <>);
    begin
       Put (To, '{');
       Put_Field (To, Made, "seconds", In_Seconds (Flight.Flown));
@@ -292,6 +320,14 @@ package body Sim.Summary is
          Put_Status (To, Further, Where);
       end loop;
       End_Object (To, Status);
+
+      Begin_Field (To, Made, "ground_logs");
+      Put (To, '{');
+      for Where in Node loop
+         Begin_Field (To, Known, Name (Where));
+         Put_Known (To, Further, Where);
+      end loop;
+      End_Object (To, Known);
 
       if not Further.Qualities.Is_Empty then
          Begin_Field (To, Made, "flight_quality");

@@ -41,6 +41,14 @@ package Sim.Summary is
       Name  : String;
       Value : Word);
 
+   --  What the ground's CORE has of a node's error log at the end of the
+   --  flight: the errors of a kind that happened (SAF-7).
+   procedure Add_Known_Error
+     (To        : in out Result;
+      Where     : Node;
+      Kind      : String;
+      How_Often : Count);
+
    --  How well the pilot flew. A name ends with its unit, as in
    --  "altitude_rms_ft". Values are given to three decimals; one that is
    --  no number is given as null.
@@ -87,6 +95,15 @@ private
 
    package Status_Vectors is new Ada.Containers.Vectors (Positive, Status);
 
+   type Known_Error is record
+      Where     : Node;
+      Kind      : Texts.Unbounded_String;
+      How_Often : Count;
+   end record;
+
+   package Known_Error_Vectors is new Ada.Containers.Vectors
+     (Positive, Known_Error);
+
    type Value_Kind is (A_Number, A_Fact, Unknown);
 
    type Quality is record
@@ -102,6 +119,7 @@ private
    type Result is limited record
       Events    : Event_Vectors.Vector;
       Statuses  : Status_Vectors.Vector;
+      Known     : Known_Error_Vectors.Vector;
       Qualities : Quality_Vectors.Vector;
    end record;
 

@@ -1,6 +1,7 @@
 --  Claims about safety that are false of a few histories (SAF-1 to SAF-7).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.PWM_Board;   use Devices.PWM_Board;
 with Theorems.Safety;     use Theorems.Safety;
 with URVOS;               use URVOS;
 with URV.Buffers;         use URV.Buffers;
@@ -17,10 +18,9 @@ package Canaries.Safety with SPARK_Mode, Ghost is
    with
      Global => null,
      Post   =>
-       Transform
-         (To_Uplink
-            (Stamped (Neutral_Sensor_Words, Fresh => False))) =
-         Safe_Outputs;  --  VC_POSTCONDITION
+       Safe_Outputs =  --  VC_POSTCONDITION
+         Transform
+           (To_Uplink (Stamped (Neutral_Sensor_Words, Fresh => False)));
 
    --  Not with commands that are not marked.
    procedure The_Servos_Never_Move
@@ -48,8 +48,8 @@ package Canaries.Safety with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
      Post   =>
-       Item.Board = URV.PWM_Layout.To_Data_Area
-         (Outputs_Of (Scans, Done));  --  VC_POSTCONDITION
+       Item.Board =  --  VC_POSTCONDITION
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Done));
 
    --  Not when a scan said on before.
    procedure Switches_Are_Off
@@ -60,8 +60,8 @@ package Canaries.Safety with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
      Post   =>
-       Item.Board (URV.PWM_Layout.Channel_Of (Discretes))
-         = 0;  --  VC_POSTCONDITION
+       0 =  --  VC_POSTCONDITION
+         Item.Board (URV.PWM_Layout.Channel_Of (Discretes));
 
    --  Not one of whose pieces the first was missed.
    procedure Any_Last_Piece_Makes_A_Row

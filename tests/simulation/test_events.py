@@ -61,6 +61,20 @@ def test_ext1_summary_counts_the_same_events(fly, write):
     }
 
 
+def test_saf7_the_ground_has_both_logs(fly, write):
+    # Errors of both nodes, and then 8 s in which the aircraft's come down.
+    write("faults.txt", "1000 cut 200\n1500 mcs stall adc 50\n"
+                        "2000 gsc stall adc 50\n2500 mcs reset processor\n")
+    flight = fly("--seconds", "12", "--faults", "faults.txt")
+    logs = flight.summary["ground_logs"]
+    for node in ("gsc", "mcs"):
+        known = {f"{node}.{kind}": count for kind, count in logs[node].items()}
+        assert known == {kind: count
+                         for kind, count in flight.summary["events"].items()
+                         if kind.startswith(node)}, node
+    assert logs["mcs"]["processor_restart"] == 1
+
+
 def test_ext1_a_good_flight_logs_the_start_only(fly):
     flight = fly("--seconds", "2")
     assert set(flight.events) == {("gsc", "no_input"), ("mcs", "no_input")}
