@@ -513,4 +513,21 @@ package body Theorems.Results with SPARK_Mode is
         and then Next = Its_Like;
    end Of_Store;
 
+   procedure Of_Take
+     (Item : URV.Log_Pieces.Receiver;
+      What : URV.Log_Pieces.Piece;
+      Same : out Boolean)
+   is
+      use type URV.Log_Pieces.Receiver;
+
+      One, Other        : URV.Log_Pieces.Receiver := Item;
+      Complete, As_Well : Boolean;
+   begin
+      URV.Log_Pieces.Take (One, What, Complete);
+      URV.Log_Pieces.Take (Other, What, As_Well);
+      Same :=
+        One = Other
+        and then Complete = As_Well;
+   end Of_Take;
+
 end Theorems.Results;

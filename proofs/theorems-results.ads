@@ -24,6 +24,7 @@ with URVOS.Task_Trees;
 with URVOS.Waits;
 with URV.AD_Scans;
 with URV.Buffers;
+with URV.Log_Pieces;
 with URV.Mailboxes;
 
 package Theorems.Results with SPARK_Mode, Ghost is
@@ -332,6 +333,14 @@ package Theorems.Results with SPARK_Mode, Ghost is
      (Item  : Scan;
       Value : Word;
       Same  : out Boolean)
+   with
+     Global => null,
+     Post   => Same;
+
+   procedure Of_Take
+     (Item : URV.Log_Pieces.Receiver;
+      What : URV.Log_Pieces.Piece;
+      Same : out Boolean)
    with
      Global => null,
      Post   => Same;
