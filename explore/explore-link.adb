@@ -40,10 +40,6 @@ package body Explore.Link is
 
    procedure Find_Calm (Result : in out Findings);
 
-   ---------------
-   -- Find_Calm --
-   ---------------
-
    procedure Find_Calm (Result : in out Findings) is
       Next           : Natural := 0;
       G, H, A, B     : Natural;
@@ -91,10 +87,6 @@ package body Explore.Link is
          end loop;
       end loop;
    end Find_Calm;
-
-   ----------------
-   -- Find_Quiet --
-   ----------------
 
    procedure Find_Quiet
      (Result : out Findings; After_Put : out Natural)
@@ -198,10 +190,6 @@ package body Explore.Link is
    end Find_Quiet;
 
    function Calm_Pairs return Natural is (Natural (Calm.Length));
-
-   -------------------
-   -- Find_Delivery --
-   -------------------
 
    procedure Find_Delivery (Way : Direction; Result : out Findings) is
 
@@ -352,10 +340,6 @@ package body Explore.Link is
       end loop Search;
       Free (Known);
    end Find_Delivery;
-
-   ---------------
-   -- Print_Way --
-   ---------------
 
    procedure Print_Way is
       use Ada.Text_IO;

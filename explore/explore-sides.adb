@@ -83,10 +83,6 @@ package body Explore.Sides is
    function Is_On_Its_Way (Item : Own_Board) return Boolean is
      (Item.State in Sending | Awaiting_Status);
 
-   ------------
-   -- Normal --
-   ------------
-
    function Normal (Item : Own_Board) return Own_Board is
       Result : Own_Board := Item;
       Source : constant Slot :=
@@ -238,10 +234,6 @@ package body Explore.Sides is
       return Side (Key_Maps.Element (Position));
    end Side_Of;
 
-   ----------------
-   -- With_Block --
-   ----------------
-
    function With_Block (Item : Own_Board; Fresh : Boolean) return Own_Board
    is
       Result    : Own_Board := Item;
@@ -286,10 +278,6 @@ package body Explore.Sides is
          raise Program_Error with "a character sent is not in the list";
       end if;
    end Poll;
-
-   -------------------
-   -- Explore_Alone --
-   -------------------
 
    procedure Explore_Alone is
       Next   : Natural := 0;
@@ -398,10 +386,6 @@ package body Explore.Sides is
            or else Here.Transmit_Pair.Slots (Here.Sender.Source).Data
                      (Mark_Place) = Mark);
    end Ends_Block;
-
-   ----------
-   -- Step --
-   ----------
 
    --  What happens in a character time: a unit of the board's timer, a
    --  character heard, a block put. In any order, and the board polls
@@ -553,10 +537,6 @@ package body Explore.Sides is
            then " turns" & Here.Downlink_Turns'Image else "")
         & Blocks;
    end Image;
-
-   ------------------
-   -- Check_Normal --
-   ------------------
 
    procedure Check_Normal (States : out Natural; Is_Exact : out Boolean) is
       Seen : Board_Vectors.Vector;

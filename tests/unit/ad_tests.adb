@@ -59,18 +59,10 @@ package body AD_Tests is
       Begin_Scan    => Begin_Scan,
       Report        => Report);
 
-   ----------------
-   -- Read_Board --
-   ----------------
-
    procedure Read_Board (Data : out Word) is
    begin
       Data := Board_Data;
    end Read_Board;
-
-   -------------------
-   -- Start_Channel --
-   -------------------
 
    procedure Start_Channel (Which : Channel_Number) is
    begin
@@ -78,19 +70,11 @@ package body AD_Tests is
       Last_Start := Which;
    end Start_Channel;
 
-   ----------------
-   -- Begin_Scan --
-   ----------------
-
    procedure Begin_Scan (Reached : out Channel_Count) is
    begin
       Scans_Begun := Scans_Begun + 1;
       Reached     := Scan_Reached;
    end Begin_Scan;
-
-   -----------------
-   -- Scan_Itself --
-   -----------------
 
    procedure Scan_Itself is
       Item : Scan;
@@ -116,10 +100,6 @@ package body AD_Tests is
       Expect ("complete", Is_Complete (Item), True);
    end Scan_Itself;
 
-   -------------------
-   -- Past_The_Last --
-   -------------------
-
    procedure Past_The_Last is
       Item : Scan;
       Next : Next_Step;
@@ -130,10 +110,6 @@ package body AD_Tests is
          Expect ("word" & Number'Image, Item.Words (Number), 16#800#);
       end loop;
    end Past_The_Last;
-
-   ----------------
-   -- Whole_Scan --
-   ----------------
 
    procedure Whole_Scan (Reached : Channel_Count) is
       Before : Channel_Count;
@@ -167,10 +143,6 @@ package body AD_Tests is
       Whole_Scan (Reached => 32);
    end Whole_Scan;
 
-   ---------------------
-   -- Stray_Interrupt --
-   ---------------------
-
    procedure Stray_Interrupt is
    begin
       Whole_Scan;
@@ -182,10 +154,6 @@ package body AD_Tests is
         ("after the scan", (1 => AD_Unexpected_Interrupt),
          Detail => 16#ABC#);
    end Stray_Interrupt;
-
-   ---------------------
-   -- Broken_Off_Scan --
-   ---------------------
 
    procedure Broken_Off_Scan is
       Reached : Channel_Count;
@@ -204,10 +172,6 @@ package body AD_Tests is
       end loop;
    end Broken_Off_Scan;
 
-   ------------------
-   -- Not_Consumed --
-   ------------------
-
    procedure Not_Consumed is
       Unused_Reached : Channel_Count;
    begin
@@ -219,10 +183,6 @@ package body AD_Tests is
       end loop;
       Expect_Errors ("overwritten", (1 => Scan_Not_Consumed));
    end Not_Consumed;
-
-   ----------------
-   -- Fresh_Scan --
-   ----------------
 
    procedure Fresh_Scan is
    begin
@@ -244,10 +204,6 @@ package body AD_Tests is
       Expect_Errors ("a fresh scan", None);
    end Fresh_Scan;
 
-   --------------
-   -- Old_Scan --
-   --------------
-
    procedure Old_Scan is
    begin
       Clear;
@@ -268,10 +224,6 @@ package body AD_Tests is
       Expect ("error word cleared", Image.Kept.Error_Status, No_Error);
    end Old_Scan;
 
-   ------------------
-   -- Image_Unread --
-   ------------------
-
    procedure Image_Unread is
    begin
       Clear;
@@ -279,10 +231,6 @@ package body AD_Tests is
       AD.Run_Transaction;
       Expect_Errors ("overwritten", (1 => Image_Not_Consumed));
    end Image_Unread;
-
-   ---------------
-   -- The_Board --
-   ---------------
 
    procedure The_Board is
       Board : Registers;
@@ -311,10 +259,6 @@ package body AD_Tests is
       Expect_Number ("channel", Integer (Board.Channel), 4);
    end The_Board;
 
-   ---------------------
-   -- Each_Start_Once --
-   ---------------------
-
    package Hardware is new Devices.Shared_AD_Board;
 
    procedure Each_Start_Once is
@@ -337,10 +281,6 @@ package body AD_Tests is
       Hardware.Read (Data);
       Expect ("data", Data, 16#DEF#);
    end Each_Start_Once;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

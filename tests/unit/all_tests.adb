@@ -30,10 +30,6 @@ with Waiting_Tasks_Tests;
 
 package body All_Tests is
 
-   -----------
-   -- Suite --
-   -----------
-
    function Suite return AUnit.Test_Suites.Access_Test_Suite is
       Result : constant AUnit.Test_Suites.Access_Test_Suite :=
         AUnit.Test_Suites.New_Suite;

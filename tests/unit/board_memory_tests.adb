@@ -39,10 +39,6 @@ package body Board_Memory_Tests is
       & " " & Item.Slots (Second).Busy'Image
       & ", newest " & Item.Newest'Image);
 
-   -----------------
-   -- Empty_State --
-   -----------------
-
    procedure Empty_State is
    begin
       for Which in Slot loop
@@ -55,10 +51,6 @@ package body Board_Memory_Tests is
             "data of an empty buffer is not zero, expected zero");
       end loop;
    end Empty_State;
-
-   -------------------
-   -- Where_To_Fill --
-   -------------------
 
    procedure Where_To_Fill is
       type Row is record
@@ -104,10 +96,6 @@ package body Board_Memory_Tests is
       end loop;
    end Where_To_Fill;
 
-   -----------
-   -- Takes --
-   -----------
-
    procedure Takes is
       Data  : Block_Data;
       Fresh : Boolean;
@@ -139,10 +127,6 @@ package body Board_Memory_Tests is
       end loop;
    end Takes;
 
-   ------------------
-   -- Newest_First --
-   ------------------
-
    procedure Newest_First is
       Item      : Buffer_Pair := Empty_Pair;
       Data      : Block_Data;
@@ -164,10 +148,6 @@ package body Board_Memory_Tests is
       end loop;
    end Newest_First;
 
-   ------------------
-   -- Busy_Is_Safe --
-   ------------------
-
    procedure Busy_Is_Safe is
       Item : Buffer_Pair := Pair (True, False, True, False, First);
       Flag : Boolean;
@@ -181,10 +161,6 @@ package body Board_Memory_Tests is
          Expect ("the one that waits", Item.Slots (Second).Data (1), Mark);
       end loop;
    end Busy_Is_Safe;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -36,10 +36,6 @@ package body Buffers_Tests is
       type Item is (<>);
    function Names return String;
 
-   -----------
-   -- Names --
-   -----------
-
    function Names return String is
 
       function Names_From (First : Item) return String is
@@ -53,10 +49,6 @@ package body Buffers_Tests is
 
    function Uplink_Item_Names is new Names (Uplink_Item);
    function Downlink_Item_Names is new Names (Downlink_Item);
-
-   -------------------
-   -- Uplink_Layout --
-   -------------------
 
    procedure Uplink_Layout is
       Buffer : constant Uplink_Buffer := Neutral_Uplink;
@@ -72,10 +64,6 @@ package body Buffers_Tests is
       Expect_Number ("position of switch 8", Uplink_Item'Pos (Switch_8), 12);
    end Uplink_Layout;
 
-   ---------------------
-   -- Downlink_Layout --
-   ---------------------
-
    procedure Downlink_Layout is
       Buffer : constant Downlink_Buffer := Neutral_Downlink;
    begin
@@ -89,10 +77,6 @@ package body Buffers_Tests is
          28 - 1);
    end Downlink_Layout;
 
-   ------------------
-   -- Image_Layout --
-   ------------------
-
    procedure Image_Layout is
    begin
       Expect_Number ("channels", Channel_Words'Length, 32);
@@ -100,10 +84,6 @@ package body Buffers_Tests is
       Expect_Number ("last channel", Integer (Channel'Last), 31);
       Expect_Number ("bits of an image", AD_Image'Size, 33 * 16);
    end Image_Layout;
-
-   ----------------------
-   -- Converter_Values --
-   ----------------------
 
    procedure Converter_Values is
    begin
@@ -113,10 +93,6 @@ package body Buffers_Tests is
       Expect ("0FFFh is one", 16#FFF# in Converter_Value, True);
       Expect ("1000h is one", Word'(16#1000#) in Converter_Value, False);
    end Converter_Values;
-
-   --------------------
-   -- Neutral_Values --
-   --------------------
 
    procedure Neutral_Values is
    begin
@@ -158,10 +134,6 @@ package body Buffers_Tests is
          Stale_Data);
    end Neutral_Values;
 
-   ----------------
-   -- PWM_Layout --
-   ----------------
-
    procedure PWM_Layout is
    begin
       Expect_Number ("words for the PWM board", PWM_Buffer'Length, 14);
@@ -169,10 +141,6 @@ package body Buffers_Tests is
       Expect_Number
         ("position of the discretes", PWM_Item'Pos (Discretes), 13);
    end PWM_Layout;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -15,18 +15,10 @@ package body Checks is
 
    overriding procedure Run_Test (Test : in out Check);
 
-   --------------
-   -- Run_Test --
-   --------------
-
    overriding procedure Run_Test (Test : in out Check) is
    begin
       Test.Run.all;
    end Run_Test;
-
-   ---------
-   -- Add --
-   ---------
 
    procedure Add
      (Suite : not null AUnit.Test_Suites.Access_Test_Suite;

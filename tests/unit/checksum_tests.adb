@@ -23,10 +23,6 @@ package body Checksum_Tests is
 
    Sample : Message;
 
-   -----------------
-   -- By_Division --
-   -----------------
-
    function By_Division (Data : Byte_Array) return Byte is
       Sum : Byte := 0;
    begin
@@ -39,10 +35,6 @@ package body Checksum_Tests is
       return Sum;
    end By_Division;
 
-   --------------
-   -- By_Board --
-   --------------
-
    function By_Board (Data : Byte_Array) return Byte is
       Sum : Byte := First_Value;
    begin
@@ -51,10 +43,6 @@ package body Checksum_Tests is
       end loop;
       return Sum;
    end By_Board;
-
-   ------------------
-   -- Known_Answer --
-   ------------------
 
    procedure Known_Answer is
       --  The check value of this CRC in the catalogues: that of the digits
@@ -65,10 +53,6 @@ package body Checksum_Tests is
    begin
       Expect ("check value", By_Board (Digits_1_To_9), 16#15#);
    end Known_Answer;
-
-   ----------------
-   -- Every_Step --
-   ----------------
 
    procedure Every_Step is
    begin
@@ -81,10 +65,6 @@ package body Checksum_Tests is
       end loop;
    end Every_Step;
 
-   -----------------
-   -- Every_Burst --
-   -----------------
-
    procedure Every_Burst is
       Right : constant Byte := By_Board (Sample);
 
@@ -92,10 +72,6 @@ package body Checksum_Tests is
       --  mask's low byte is the first on the line, its low bit before all.
       --  The line takes the low bit of a byte first.
       procedure Try (First : Byte_Index; Mask : Word);
-
-      ---------
-      -- Try --
-      ---------
 
       procedure Try (First : Byte_Index; Mask : Word) is
          Wrong : Message := Sample;
@@ -122,10 +98,6 @@ package body Checksum_Tests is
          end loop;
       end loop;
    end Every_Burst;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -24,10 +24,6 @@ package body Codecs_Tests is
    --  An image whose words all differ: channel n holds 100h + n.
    function Numbered_Image (Error : Word) return AD_Image;
 
-   --------------------
-   -- Numbered_Image --
-   --------------------
-
    function Numbered_Image (Error : Word) return AD_Image is
       Result : AD_Image := Neutral_Stick_Image;
    begin
@@ -38,19 +34,11 @@ package body Codecs_Tests is
       return Result;
    end Numbered_Image;
 
-   ------------------
-   -- Wire_Lengths --
-   ------------------
-
    procedure Wire_Lengths is
    begin
       Expect_Number ("bytes up", Integer (Uplink.Block_Length), 28);
       Expect_Number ("bytes down", Integer (Downlink.Block_Length), 56);
    end Wire_Lengths;
-
-   ------------------
-   -- Uplink_Bytes --
-   ------------------
 
    procedure Uplink_Bytes is
       Buffer : Uplink_Buffer;
@@ -74,10 +62,6 @@ package body Codecs_Tests is
       end loop;
    end Uplink_Bytes;
 
-   --------------------
-   -- Downlink_Bytes --
-   --------------------
-
    procedure Downlink_Bytes is
       Buffer : Downlink_Buffer;
       Block  : Block_Data;
@@ -96,10 +80,6 @@ package body Codecs_Tests is
       end loop;
    end Downlink_Bytes;
 
-   --------------------
-   -- Part_Of_A_List --
-   --------------------
-
    subtype Switch_Part is Uplink_Item range Switch_1 .. Switch_3;
    type Switch_Words is array (Switch_Part) of Word;
    package Switch_Codec is new URV.Word_Codecs (Switch_Part, Switch_Words);
@@ -114,10 +94,6 @@ package body Codecs_Tests is
       end loop;
       Expect ("byte behind", Block (7), 0);
    end Part_Of_A_List;
-
-   -----------------
-   -- Round_Trips --
-   -----------------
 
    procedure Round_Trips is
       Up        : Uplink_Buffer   := (others => 0);
@@ -145,10 +121,6 @@ package body Codecs_Tests is
       end loop;
    end Round_Trips;
 
-   ------------------
-   -- Image_Uplink --
-   ------------------
-
    procedure Image_Uplink is
       Buffer : constant Uplink_Buffer :=
         To_Uplink (Numbered_Image (Error => 16#ABCD#));
@@ -161,10 +133,6 @@ package body Codecs_Tests is
       Expect ("14th word", Buffer (Uplink_Item'Val (13)), 16#ABCD#);
    end Image_Uplink;
 
-   --------------------
-   -- Image_Downlink --
-   --------------------
-
    procedure Image_Downlink is
       Buffer : constant Downlink_Buffer :=
         To_Downlink (Numbered_Image (Error => 16#ABCD#));
@@ -176,10 +144,6 @@ package body Codecs_Tests is
       end loop;
       Expect ("28th word", Buffer (Downlink_Item'Val (27)), 16#ABCD#);
    end Image_Downlink;
-
-   ------------
-   -- Stamps --
-   ------------
 
    procedure Stamps is
       Image : AD_Image;
@@ -196,10 +160,6 @@ package body Codecs_Tests is
          end loop;
       end loop;
    end Stamps;
-
-   ------------------
-   -- Out_Of_Range --
-   ------------------
 
    procedure Out_Of_Range is
       Up   : Uplink_Buffer;
@@ -256,10 +216,6 @@ package body Codecs_Tests is
       end loop;
    end Out_Of_Range;
 
-   ---------------------
-   -- Passed_On_Whole --
-   ---------------------
-
    procedure Passed_On_Whole is
       Image : AD_Image := Neutral_Stick_Image;
    begin
@@ -273,10 +229,6 @@ package body Codecs_Tests is
          Downlink.Decode (Downlink.Encode (To_Downlink (Image))) (Left_Flap_1),
          16#1000#);
    end Passed_On_Whole;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

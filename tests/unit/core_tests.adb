@@ -39,10 +39,6 @@ package body CORE_Tests is
       Write_Downlink   => Write_Downlink,
       Report           => Report);
 
-   -----------------
-   -- Write_Codes --
-   -----------------
-
    procedure Write_Codes
      (Uplink_Codes   : Uplink_Words;
       Downlink_Codes : Downlink_Words;
@@ -54,29 +50,17 @@ package body CORE_Tests is
       Codes_Writes        := Codes_Writes + 1;
    end Write_Codes;
 
-   ------------------
-   -- Write_Uplink --
-   ------------------
-
    procedure Write_Uplink (Words : Uplink_Words) is
    begin
       CORE.Uplink   := Words;
       Uplink_Writes := Uplink_Writes + 1;
    end Write_Uplink;
 
-   --------------------
-   -- Write_Downlink --
-   --------------------
-
    procedure Write_Downlink (Words : Downlink_Words) is
    begin
       CORE.Downlink   := Words;
       Downlink_Writes := Downlink_Writes + 1;
    end Write_Downlink;
-
-   ----------------
-   -- Begin_Test --
-   ----------------
 
    procedure Begin_Test is
    begin
@@ -87,10 +71,6 @@ package body CORE_Tests is
       Downlink_Writes := 0;
       Under_Test.Initialise;
    end Begin_Test;
-
-   ------------------
-   -- Both_Are_New --
-   ------------------
 
    procedure Both_Are_New is
    begin
@@ -114,10 +94,6 @@ package body CORE_Tests is
         ("read back", To_Buffer (CORE.Downlink), Downlink_Of (16#200#));
       Expect_Errors ("both new", None);
    end Both_Are_New;
-
-   ----------------
-   -- One_Is_New --
-   ----------------
 
    procedure One_Is_New is
    begin
@@ -150,10 +126,6 @@ package body CORE_Tests is
          end loop;
       end loop;
    end One_Is_New;
-
-   -----------
-   -- Codes --
-   -----------
 
    procedure Codes is
       type Seen_Codes is array (Word) of Boolean;
@@ -189,10 +161,6 @@ package body CORE_Tests is
       Expect_Number ("writes after a start", Codes_Writes, 2);
    end Codes;
 
-   ---------------
-   -- No_Memory --
-   ---------------
-
    procedure Cold_Memory is
    begin
       for Value of Cleared.Uplink loop
@@ -214,10 +182,6 @@ package body CORE_Tests is
          Expect ("code", Value, 0);
       end loop;
    end Cold_Memory;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

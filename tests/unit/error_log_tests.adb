@@ -46,10 +46,6 @@ package body Error_Log_Tests is
       First, Last : Clock_Tick;
       Detail      : Word);
 
-   --------------------
-   -- Expect_History --
-   --------------------
-
    procedure Expect_History
      (What        : String;
       Actual      : History;
@@ -63,10 +59,6 @@ package body Error_Log_Tests is
       Expect (What & ", detail", Actual.Last_Detail, Detail);
    end Expect_History;
 
-   --------------
-   -- Of_Shell --
-   --------------
-
    function Of_Shell
      (Kind : URV.Errors.Error_Kind) return URV.Errors.Logs.History
    is
@@ -75,10 +67,6 @@ package body Error_Log_Tests is
       Shell.Inspect (Log);
       return URV.Errors.Logs.History_Of (Log, Kind);
    end Of_Shell;
-
-   ---------------------
-   -- Expect_In_Shell --
-   ---------------------
 
    procedure Expect_In_Shell
      (What        : String;
@@ -95,10 +83,6 @@ package body Error_Log_Tests is
       Expect (What & ", detail", Actual.Last_Detail, Detail);
    end Expect_In_Shell;
 
-   -----------
-   -- Empty --
-   -----------
-
    procedure Empty is
    begin
       for Kind in Colour loop
@@ -107,10 +91,6 @@ package body Error_Log_Tests is
       end loop;
       Expect ("total", Total (Empty_Log), 0);
    end Empty;
-
-   --------------------
-   -- First_And_Last --
-   --------------------
 
    procedure First_And_Last is
       Log : Error_Log := Empty_Log;
@@ -129,10 +109,6 @@ package body Error_Log_Tests is
       Expect ("latest", Latest (Log), Green);
    end First_And_Last;
 
-   ---------------------
-   -- Several_At_Once --
-   ---------------------
-
    procedure Several_At_Once is
       Log : Error_Log := Empty_Log;
    begin
@@ -141,10 +117,6 @@ package body Error_Log_Tests is
       Expect_History ("blue", History_Of (Log, Blue), 8, 10, 20, 3);
       Expect ("total", Total (Log), 8);
    end Several_At_Once;
-
-   -----------
-   -- Flood --
-   -----------
 
    procedure Flood is
       Log : Error_Log := Empty_Log;
@@ -164,10 +136,6 @@ package body Error_Log_Tests is
         ("after the flood", History_Of (Log, Blue), 1, 100_051, 100_051, 13);
       Expect ("total", Total (Log), 100_002);
    end Flood;
-
-   ----------------
-   -- Saturation --
-   ----------------
 
    procedure Saturation is
       Log : Error_Log := Empty_Log;
@@ -193,10 +161,6 @@ package body Error_Log_Tests is
         ("blue", History_Of (Log, Blue), 1, Last_Tick, Last_Tick, Word'Last);
    end Saturation;
 
-   --------------------
-   -- Clock_Set_Back --
-   --------------------
-
    procedure Clock_Set_Back is
       Log : Error_Log := Empty_Log;
    begin
@@ -205,10 +169,6 @@ package body Error_Log_Tests is
       Add (Log, Red, 3, 0);
       Expect_History ("red", History_Of (Log, Red), 2, 1_000, 3, 0);
    end Clock_Set_Back;
-
-   ------------------
-   -- Shell_Stamps --
-   ------------------
 
    procedure Shell_Stamps is
       use URV.Errors;
@@ -226,10 +186,6 @@ package body Error_Log_Tests is
       Expect_In_Shell ("bad blocks", Link_Block_Bad, 4, 51, 51, 4);
       Expect_In_Shell ("resets", Link_Reset, 0, 0, 0, 0);
    end Shell_Stamps;
-
-   -----------------
-   -- Shell_Keeps --
-   -----------------
 
    procedure Shell_Keeps is
       use URV.Errors;
@@ -257,10 +213,6 @@ package body Error_Log_Tests is
         ("after", Warm_Reset, 1, 100 + Error_Kind'Pos (Error_Kind'Last),
          100 + Error_Kind'Pos (Error_Kind'Last), 0);
    end Shell_Keeps;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

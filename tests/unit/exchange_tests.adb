@@ -53,10 +53,6 @@ package body Exchange_Tests is
       Came := Item;
    end Take_Piece;
 
-   -----------------
-   -- Aircraft_In --
-   -----------------
-
    procedure Aircraft_In is
    begin
       Clear;
@@ -69,10 +65,6 @@ package body Exchange_Tests is
       Expect_Buffer ("to PWM", Commands.Kept, Uplink_Of (16#100#));
       Expect_Errors ("fresh input", None);
    end Aircraft_In;
-
-   ---------------------
-   -- Aircraft_In_Old --
-   ---------------------
 
    procedure Aircraft_In_Old is
    begin
@@ -87,10 +79,6 @@ package body Exchange_Tests is
       Expect_Errors ("old input", (1 => No_Input));
    end Aircraft_In_Old;
 
-   ------------------------
-   -- Aircraft_In_Unread --
-   ------------------------
-
    procedure Aircraft_In_Unread is
    begin
       Clear;
@@ -104,10 +92,6 @@ package body Exchange_Tests is
       MDCIN.Run_Transaction;
       Expect_Errors ("PWM did not take", (1 => Commands_Not_Consumed));
    end Aircraft_In_Unread;
-
-   ---------------------------
-   -- Aircraft_In_Too_Large --
-   ---------------------------
 
    procedure Aircraft_In_Too_Large is
    begin
@@ -127,10 +111,6 @@ package body Exchange_Tests is
       MDCIN.Run_Transaction;
       Expect_Errors ("error word", None);
    end Aircraft_In_Too_Large;
-
-   ------------------
-   -- Aircraft_Out --
-   ------------------
 
    procedure Aircraft_Out is
    begin
@@ -160,10 +140,6 @@ package body Exchange_Tests is
       Down := No_Piece;
    end Aircraft_Out;
 
-   ----------------------
-   -- Aircraft_Out_Old --
-   ----------------------
-
    procedure Aircraft_Out_Old is
    begin
       Clear;
@@ -183,10 +159,6 @@ package body Exchange_Tests is
       Expect_Errors
         ("nobody took", (Downlink_Not_Consumed, Output_Not_Consumed));
    end Aircraft_Out_Old;
-
-   ---------------
-   -- Ground_In --
-   ---------------
 
    procedure Ground_In is
    begin
@@ -222,10 +194,6 @@ package body Exchange_Tests is
       Expect_Errors ("CORE did not take", (1 => Downlink_Not_Consumed));
    end Ground_In;
 
-   -------------------------
-   -- Ground_In_Too_Large --
-   -------------------------
-
    procedure Ground_In_Too_Large is
    begin
       for Item in Sensor_Item loop
@@ -238,10 +206,6 @@ package body Exchange_Tests is
             Detail => Sensor_Item'Pos (Item) + 1);
       end loop;
    end Ground_In_Too_Large;
-
-   ----------------
-   -- Ground_Out --
-   ----------------
 
    procedure Ground_Out is
    begin
@@ -269,10 +233,6 @@ package body Exchange_Tests is
         ("old image, nobody took",
          (No_Image, Uplink_Not_Consumed, Output_Not_Consumed));
    end Ground_Out;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -87,10 +87,6 @@ package body Executives_Tests is
           others => Null_Header), Now);
    end Start;
 
-   -------------
-   -- Offsets --
-   -------------
-
    procedure Offsets is
    begin
       --  The table of FRM-2, in its order.
@@ -121,10 +117,6 @@ package body Executives_Tests is
       Expect_Number ("tasks of MCS", MCS.Offsets'Length, 9);
       Expect_Number ("tasks of GSC", GSC.Offsets'Length, 8);
    end Offsets;
-
-   -----------
-   -- Trees --
-   -----------
 
    procedure Trees is
       use MCS;
@@ -159,10 +151,6 @@ package body Executives_Tests is
       Expect ("end", GSC.Task_Tree_Of (0) (TCB_Number (9)).Id, No_Task);
    end Trees;
 
-   ----------------
-   -- Each_Frame --
-   ----------------
-
    procedure Each_Frame is
    begin
       Ran := 0;
@@ -185,10 +173,6 @@ package body Executives_Tests is
          end if;
       end loop;
    end Each_Frame;
-
-   --------------
-   -- Overruns --
-   --------------
 
    procedure Overruns is
       Before : constant Natural := Natural (Executive.Overruns);
@@ -226,10 +210,6 @@ package body Executives_Tests is
       Expect_Overruns (7);
    end Overruns;
 
-   ---------------------
-   -- Same_Tick_Twice --
-   ---------------------
-
    procedure Same_Tick_Twice is
    begin
       Start (0);
@@ -244,10 +224,6 @@ package body Executives_Tests is
       Expect_Number ("runs", Ran, 1);
    end Same_Tick_Twice;
 
-   -----------------
-   -- End_Of_Time --
-   -----------------
-
    procedure End_Of_Time is
    begin
       Start (Last_Tick - 10);
@@ -260,10 +236,6 @@ package body Executives_Tests is
       Executive.Clock_Interrupt (Last_Tick);
       Expect_Number ("at the last tick", Ran, 0);
    end End_Of_Time;
-
-   ---------------
-   -- Gives_Way --
-   ---------------
 
    procedure Gives_Way is
    begin
@@ -289,10 +261,6 @@ package body Executives_Tests is
       Expect ("and again", History (3), Polite);
    end Gives_Way;
 
-   ----------
-   -- Ends --
-   ----------
-
    procedure Ends is
    begin
       Executive.Start
@@ -305,10 +273,6 @@ package body Executives_Tests is
       Expect ("second", History (2), Early);
       Expect ("third", History (3), Early);
    end Ends;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -8,10 +8,6 @@ procedure Expect_Value
 is
    function Numeral (Item : Value) return String;
 
-   -------------
-   -- Numeral --
-   -------------
-
    function Numeral (Item : Value) return String is
       Image : constant String := Value'Image (Item);
    begin

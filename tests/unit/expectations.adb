@@ -2,10 +2,6 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 package body Expectations is
 
-   --------------------
-   -- Expect_Refusal --
-   --------------------
-
    procedure Expect_Refusal
      (What   : String;
       Action : not null access procedure;

@@ -12,10 +12,6 @@ package body Frames_Tests is
    procedure Releases;
    procedure One_Frame;
 
-   ----------------
-   -- Time_Units --
-   ----------------
-
    procedure Time_Units is
    begin
       Expect_Number ("microseconds a tick", Microseconds_Per_Tick, 2_000);
@@ -27,10 +23,6 @@ package body Frames_Tests is
       Expect_Number ("last minor frame", Integer (Minor_Frame'Last), 9);
    end Time_Units;
 
-   -------------
-   -- Advance --
-   -------------
-
    procedure Advance is
       Now : Clock_Tick := 0;
    begin
@@ -41,10 +33,6 @@ package body Frames_Tests is
            ("minor frame", Integer (Minor_Frame_Of (Now)), Minor mod 10);
       end loop;
    end Advance;
-
-   --------------------
-   -- Clock_At_Limit --
-   --------------------
 
    procedure Clock_At_Limit is
       Seven_Days : constant := 7 * 24 * 3_600 * 500;
@@ -62,10 +50,6 @@ package body Frames_Tests is
         ("and no overflow with the greatest offset",
          Next_Release (Now, Minor_Frame'Last), Tick'Last);
    end Clock_At_Limit;
-
-   -----------------
-   -- Next_Frames --
-   -----------------
 
    procedure Next_Frames is
       type Row is record
@@ -90,10 +74,6 @@ package body Frames_Tests is
       end loop;
    end Next_Frames;
 
-   --------------
-   -- Releases --
-   --------------
-
    procedure Releases is
    begin
       for Now in Tick range 0 .. 100 loop
@@ -106,10 +86,6 @@ package body Frames_Tests is
       end loop;
    end Releases;
 
-   ---------------
-   -- One_Frame --
-   ---------------
-
    procedure One_Frame is
       Release : Tick := 4;
    begin
@@ -120,10 +96,6 @@ package body Frames_Tests is
          Release := Next_Release (Release + Delay_Ticks, 4);
       end loop;
    end One_Frame;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -123,10 +123,6 @@ package body Guarded_Schedulers_Tests is
       Sleep (Tasks, 4, Next => No_Task);
    end Begin_Pair;
 
-   -----------
-   -- Turns --
-   -----------
-
    procedure Turns is
       Tasks : Guarded_Scheduler;
    begin
@@ -145,10 +141,6 @@ package body Guarded_Schedulers_Tests is
       Expect ("overruns", Tasks.Overruns, 0);
       Expect ("clock", Tasks.Now, 24);
    end Turns;
-
-   -----------
-   -- Steps --
-   -----------
 
    procedure Steps is
       Tasks     : Guarded_Scheduler;
@@ -175,10 +167,6 @@ package body Guarded_Schedulers_Tests is
       Expect ("initialises", First_Run, True);
    end Steps;
 
-   ------------------
-   -- Late_Release --
-   ------------------
-
    procedure Late_Release is
       Tasks : Guarded_Scheduler;
    begin
@@ -192,10 +180,6 @@ package body Guarded_Schedulers_Tests is
       Expect ("overruns", Tasks.Overruns, 2);
    end Late_Release;
 
-   ---------------
-   -- Long_Step --
-   ---------------
-
    procedure Long_Step is
       Tasks : Guarded_Scheduler;
    begin
@@ -207,10 +191,6 @@ package body Guarded_Schedulers_Tests is
         (Tasks, 0, Next => Second, Late => First, Late_Next => True);
       Expect ("overruns", Tasks.Overruns, 2);
    end Long_Step;
-
-   -----------------
-   -- Counts_Stay --
-   -----------------
 
    procedure Counts_Stay is
       Tasks : Guarded_Scheduler;
@@ -228,10 +208,6 @@ package body Guarded_Schedulers_Tests is
       Expect ("overruns", Tasks.Overruns, 2);
    end Counts_Stay;
 
-   ---------------------
-   -- Clock_Runs_Back --
-   ---------------------
-
    procedure Clock_Runs_Back is
       Tasks : Guarded_Scheduler;
    begin
@@ -243,10 +219,6 @@ package body Guarded_Schedulers_Tests is
       Wake (Tasks, 10, Next => No_Task);
       Wake (Tasks, 14, Next => Second);
    end Clock_Runs_Back;
-
-   ----------
-   -- Idle --
-   ----------
 
    procedure Idle is
       Tasks     : Guarded_Scheduler;
@@ -261,10 +233,6 @@ package body Guarded_Schedulers_Tests is
       Expect_Orders (Todo, No_Task);
       Wake (Tasks, 10, Next => No_Task);
    end Idle;
-
-   ------------------------
-   -- Request_While_Idle --
-   ------------------------
 
    procedure Request_While_Idle is
       Tasks : Guarded_Scheduler;
@@ -282,10 +250,6 @@ package body Guarded_Schedulers_Tests is
       Wake (Tasks, 10, Next => First);
    end Request_While_Idle;
 
-   -------------------------
-   -- Request_During_Step --
-   -------------------------
-
    procedure Request_During_Step is
       Tasks : Guarded_Scheduler;
       Todo  : Orders;
@@ -298,10 +262,6 @@ package body Guarded_Schedulers_Tests is
       Expect_Start (Tasks, 2, Warm_Reset);
       Wake (Tasks, 2, Next => Second, Late_Next => True);
    end Request_During_Step;
-
-   -----------------
-   -- Failed_Step --
-   -----------------
 
    procedure Failed_Step is
       Todo : Orders;
@@ -352,10 +312,6 @@ package body Guarded_Schedulers_Tests is
          Expect ("clock", Now, 14);
       end;
    end Failed_Step;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -85,10 +85,6 @@ package body Guarded_Step_Tests is
    procedure Expect_Step
      (What : String; First_Run : Boolean; Failed : Boolean);
 
-   ----------------
-   -- Initialise --
-   ----------------
-
    procedure Initialise is
    begin
       if Is_Broken then
@@ -96,10 +92,6 @@ package body Guarded_Step_Tests is
       end if;
       Begun := Begun + 1;
    end Initialise;
-
-   ---------------------
-   -- Run_Transaction --
-   ---------------------
 
    procedure Run_Transaction is
    begin
@@ -109,10 +101,6 @@ package body Guarded_Step_Tests is
       Run := Run + 1;
    end Run_Transaction;
 
-   -------------
-   -- Be_Busy --
-   -------------
-
    procedure Be_Busy is
       Ends : constant Time := Clock + Busy_Time;
    begin
@@ -120,10 +108,6 @@ package body Guarded_Step_Tests is
          null;
       end loop;
    end Be_Busy;
-
-   -----------------
-   -- Begin_Again --
-   -----------------
 
    procedure Begin_Again
      (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean)
@@ -134,36 +118,20 @@ package body Guarded_Step_Tests is
       MCS.Begin_Again (Condition, Now, Passed);
    end Begin_Again;
 
-   -------------------
-   -- Request_Start --
-   -------------------
-
    procedure Request_Start (Condition : Start_Condition) is
    begin
       Wished := (True, Condition);
    end Request_Start;
-
-   -------------------------------
-   -- Raise_Processor_Exception --
-   -------------------------------
 
    procedure Raise_Processor_Exception is
    begin
       Raised := Raised + 1;
    end Raise_Processor_Exception;
 
-   -------------
-   -- Observe --
-   -------------
-
    procedure Observe is
    begin
       Observed := Observed + 1;
    end Observe;
-
-   -----------------
-   -- Expect_Step --
-   -----------------
 
    procedure Expect_Step
      (What : String; First_Run : Boolean; Failed : Boolean)
@@ -174,10 +142,6 @@ package body Guarded_Step_Tests is
       Step (First_Run, Outcome);
       Expect (What & " has failed", Outcome, Failed);
    end Expect_Step;
-
-   -----------------
-   -- Whole_Steps --
-   -----------------
 
    procedure Whole_Steps is
    begin
@@ -197,10 +161,6 @@ package body Guarded_Step_Tests is
       Expect ("measured", Cost.Summed_Up.Number = 3, True);
       Expect ("response measured", Response.Summed_Up.Number = 3, True);
    end Whole_Steps;
-
-   -----------------
-   -- Times_Taken --
-   -----------------
 
    --  Not less than the transaction takes, not more than who calls it sees:
    --  on a machine of any speed.
@@ -232,10 +192,6 @@ package body Guarded_Step_Tests is
          end if;
       end loop;
    end Times_Taken;
-
-   -------------------
-   -- Times_Written --
-   -------------------
 
    procedure Times_Written is
       use GNAT.OS_Lib;
@@ -272,10 +228,6 @@ package body Guarded_Step_Tests is
          True);
    end Times_Written;
 
-   ----------------
-   -- Exceptions --
-   ----------------
-
    procedure Exceptions is
       Before : constant Natural := Observed;
       Told   : constant URVOS.Count := Partitions.Exceptions.Number;
@@ -288,10 +240,6 @@ package body Guarded_Step_Tests is
       Expect_Step ("the next step", First_Run => False, Failed => False);
       Expect ("both are told", Partitions.Exceptions.Number = Told + 2, True);
    end Exceptions;
-
-   ------------
-   -- Pauses --
-   ------------
 
    procedure Pauses is
       Before_Run   : constant Natural := Run;
@@ -309,10 +257,6 @@ package body Guarded_Step_Tests is
       Expect_Step ("the next step", First_Run => False, Failed => False);
    end Pauses;
 
-   ----------------
-   -- Interrupts --
-   ----------------
-
    procedure Interrupts is
       Before : constant Natural := Run;
    begin
@@ -328,10 +272,6 @@ package body Guarded_Step_Tests is
       Interrupt;
       Expect_Number ("handled again", Run, Before + 2);
    end Interrupts;
-
-   -------------------
-   -- Broken_Starts --
-   -------------------
 
    --  Nothing answers a read of the self-test.
    procedure Broken_Starts is
@@ -358,10 +298,6 @@ package body Guarded_Step_Tests is
         ("a planted fault is not told", Partitions.Exceptions.Number = Told,
          True);
    end Broken_Starts;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

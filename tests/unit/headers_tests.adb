@@ -37,17 +37,9 @@ package body Headers_Tests is
 
    procedure Expect is new Expect_Value (Header_Kind);
 
-   ----------
-   -- Ones --
-   ----------
-
    function Ones (Value : Byte) return Natural is
      (if Value = 0 then 0
       else Natural (Value mod 2) + Ones (Value / 2));
-
-   -----------------
-   -- Round_Trips --
-   -----------------
 
    procedure Round_Trips is
    begin
@@ -62,10 +54,6 @@ package body Headers_Tests is
       end loop;
    end Round_Trips;
 
-   -----------------
-   -- Valid_Bytes --
-   -----------------
-
    procedure Valid_Bytes is
       Valid : Natural := 0;
    begin
@@ -78,10 +66,6 @@ package body Headers_Tests is
       end loop;
       Expect_Number ("valid headers", Valid, Table'Length);
    end Valid_Bytes;
-
-   ---------------
-   -- Distances --
-   ---------------
 
    procedure Distances is
    begin
@@ -98,19 +82,11 @@ package body Headers_Tests is
       end loop;
    end Distances;
 
-   -----------
-   -- Noise --
-   -----------
-
    procedure Noise is
    begin
       Expect ("a line held low is a header", Is_Valid (16#00#), False);
       Expect ("a line held high is a header", Is_Valid (16#FF#), False);
    end Noise;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

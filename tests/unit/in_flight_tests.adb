@@ -43,10 +43,6 @@ package body In_Flight_Tests is
       Good, Bad    : Word;
       Bits         : Word);
 
-   ---------------
-   -- Run_Tasks --
-   ---------------
-
    procedure Run_Tasks (Frames : Positive) is
    begin
       for Ticks in 1 .. Frames * Ticks_Per_Major_Frame loop
@@ -58,10 +54,6 @@ package body In_Flight_Tests is
       end loop;
    end Run_Tasks;
 
-   ---------------
-   -- Status_Of --
-   ---------------
-
    function Status_Of (Node : Station) return Word is
    begin
       return Result : Word do
@@ -71,10 +63,6 @@ package body In_Flight_Tests is
          end case;
       end return;
    end Status_Of;
-
-   -----------------------
-   -- Expect_ROM_Result --
-   -----------------------
 
    procedure Expect_ROM_Result
      (What         : String;
@@ -90,10 +78,6 @@ package body In_Flight_Tests is
         (Where & ": failures", CORE_Of (Node).Status (ROM_Failures), Bad);
       Expect (Where & ": status", Status_Of (Node), Bits);
    end Expect_ROM_Result;
-
-   ---------------
-   -- Sound_ROM --
-   ---------------
 
    procedure Sound_ROM is
    begin
@@ -111,10 +95,6 @@ package body In_Flight_Tests is
             0);
       end loop;
    end Sound_ROM;
-
-   ----------------
-   -- Spoilt_ROM --
-   ----------------
 
    procedure Spoilt_ROM is
    begin
@@ -152,10 +132,6 @@ package body In_Flight_Tests is
       end loop;
    end Spoilt_ROM;
 
-   ----------------
-   -- New_Status --
-   ----------------
-
    package Status_Under_Test is new URV.Shared_Status;
 
    procedure New_Status is
@@ -167,10 +143,6 @@ package body In_Flight_Tests is
       Status_Under_Test.Read (Bits);
       Expect ("written", Bits, ROM_Bit);
    end New_Status;
-
-   ---------------------
-   -- Results_In_CORE --
-   ---------------------
 
    procedure Results_In_CORE is
       procedure Expect_Written
@@ -196,10 +168,6 @@ package body In_Flight_Tests is
       Expect_Written (65_536, 65_537, 65_535, 65_535, ROM_Bit);
       Expect_Written (Count'Last, Count'Last, 65_535, 65_535, ROM_Bit);
    end Results_In_CORE;
-
-   ----------------
-   -- Late_Tasks --
-   ----------------
 
    procedure Late_Tasks is
       Before, Late : Count;
@@ -239,10 +207,6 @@ package body In_Flight_Tests is
          end if;
       end loop;
    end Late_Tasks;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -18,10 +18,6 @@ package body Link_Rig is
       Data   : Byte;
       Fault  : Fault_Procedure);
 
-   -----------
-   -- Block --
-   -----------
-
    function Block (Mark : Byte) return Block_Data is
    begin
       return Result : Block_Data do
@@ -30,10 +26,6 @@ package body Link_Rig is
          end loop;
       end return;
    end Block;
-
-   ----------
-   -- Note --
-   ----------
 
    procedure Note (Item : in out Link; Sender : Station) is
    begin
@@ -46,10 +38,6 @@ package body Link_Rig is
       end if;
    end Note;
 
-   -------------
-   -- Deliver --
-   -------------
-
    procedure Deliver
      (Item   : in out Link;
       Sender : Station;
@@ -57,10 +45,6 @@ package body Link_Rig is
       Fault  : Fault_Procedure)
    is
       procedure Hear (Heard : Byte; Parity_Error : Boolean := False);
-
-      ----------
-      -- Hear --
-      ----------
 
       procedure Hear (Heard : Byte; Parity_Error : Boolean := False) is
       begin
@@ -88,10 +72,6 @@ package body Link_Rig is
       end case;
    end Deliver;
 
-   ---------
-   -- Run --
-   ---------
-
    procedure Run
      (Item  : in out Link;
       Times : Natural;
@@ -118,10 +98,6 @@ package body Link_Rig is
       end loop;
    end Run;
 
-   ----------
-   -- Give --
-   ----------
-
    procedure Give (Item : in out Link; From : Station; Mark : Byte) is
       Unused_Overwrote : Boolean;
    begin
@@ -131,10 +107,6 @@ package body Link_Rig is
          Put (Item.Aircraft_Board, Block (Mark), Unused_Overwrote);
       end if;
    end Give;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte)
    is

@@ -98,10 +98,6 @@ package body Link_Tests is
    --  So many characters stay as they are before the next drop.
    Dry : Natural := 0;
 
-   ------------------
-   -- Expect_Turns --
-   ------------------
-
    procedure Expect_Turns (Item : Link; Expected : Turns) is
    begin
       for I in Expected'Range loop
@@ -115,10 +111,6 @@ package body Link_Tests is
       Expect_Number ("turns", Item.Turns, Expected'Length);
    end Expect_Turns;
 
-   ------------------
-   -- Expect_Block --
-   ------------------
-
    procedure Expect_Block
      (Item       : in out Link;
       At_Station : Station;
@@ -129,10 +121,6 @@ package body Link_Tests is
       Take (Item, At_Station, Mark);
       Expect ("block at the " & At_Station'Image, Mark, Expected);
    end Expect_Block;
-
-   ---------
-   -- Fly --
-   ---------
 
    procedure Fly
      (Item   : in out Link;
@@ -153,10 +141,6 @@ package body Link_Tests is
       end loop;
    end Fly;
 
-   -----------
-   -- Spoil --
-   -----------
-
    procedure Spoil
      (Sender : Station;
       Number : Positive;
@@ -170,10 +154,6 @@ package body Link_Tests is
       Mask := Spoilt_Mask;
    end Spoil;
 
-   ---------
-   -- Cut --
-   ---------
-
    procedure Cut
      (Sender : Station;
       Number : Positive;
@@ -185,10 +165,6 @@ package body Link_Tests is
       What := Lost;
       Mask := 0;
    end Cut;
-
-   ----------
-   -- Rain --
-   ----------
 
    procedure Rain
      (Sender : Station;
@@ -209,10 +185,6 @@ package body Link_Tests is
          What  := Arrival'Val (1 + Drops / 2 ** 16 mod 3);
       end if;
    end Rain;
-
-   ----------------------
-   -- Expect_Recovered --
-   ----------------------
 
    procedure Expect_Recovered (What : String; Item : in out Link) is
       Up, Down : Count;
@@ -237,10 +209,6 @@ package body Link_Tests is
       Expect (What & ": resets", Resets (Item), Before);
    end Expect_Recovered;
 
-   --------------
-   -- Sequence --
-   --------------
-
    procedure Sequence is
       Item : Link;
    begin
@@ -257,10 +225,6 @@ package body Link_Tests is
       Expect_Block (Item, Aircraft, 1);
       Expect_Block (Item, Ground, 2);
    end Sequence;
-
-   ---------------
-   -- Bandwidth --
-   ---------------
 
    procedure Bandwidth is
       Ticks  : constant := 10;
@@ -285,10 +249,6 @@ package body Link_Tests is
       end loop;
    end Bandwidth;
 
-   ---------------
-   -- Any_Phase --
-   ---------------
-
    procedure Any_Phase is
       Frames : constant := 8;
    begin
@@ -310,10 +270,6 @@ package body Link_Tests is
       end loop;
    end Any_Phase;
 
-   -------------
-   -- At_Once --
-   -------------
-
    procedure At_Once is
       Item : Link;
    begin
@@ -324,10 +280,6 @@ package body Link_Tests is
       Run (Item, 1);
       Expect_Number ("with the status", Item.Sent (Aircraft), 1);
    end At_Once;
-
-   -----------------
-   -- Good_Status --
-   -----------------
 
    procedure Good_Status is
       Item : Link;
@@ -348,10 +300,6 @@ package body Link_Tests is
             Item.Ground_Board.Transmit_Pair.Slots (Which).Busy, False);
       end loop;
    end Good_Status;
-
-   -----------
-   -- Retry --
-   -----------
 
    procedure Retry is
       Item : Link;
@@ -392,10 +340,6 @@ package body Link_Tests is
       Expect ("received", Item.Aircraft_Board.Tally.Received, 2);
    end No_Answer;
 
-   -----------
-   -- Scrap --
-   -----------
-
    procedure Scrap is
       Item : Link;
    begin
@@ -421,10 +365,6 @@ package body Link_Tests is
       Expect_Block (Item, Aircraft, 2);
       Expect ("sent", Item.Ground_Board.Tally.Sent, 3);
    end Scrap;
-
-   --------------------
-   -- Scrap_Downlink --
-   --------------------
 
    procedure Scrap_Downlink is
       Item : Link;
@@ -461,10 +401,6 @@ package body Link_Tests is
       Expect_Block (Item, Ground, 11);
    end Scrap_Downlink;
 
-   ---------------
-   -- Ask_Twice --
-   ---------------
-
    procedure Ask_Twice is
       Item : Link;
    begin
@@ -490,10 +426,6 @@ package body Link_Tests is
       Expect ("resets", Resets (Item), 0);
    end Ask_Twice;
 
-   --------------
-   -- Two_Full --
-   --------------
-
    procedure Two_Full is
       Item : Link;
    begin
@@ -507,10 +439,6 @@ package body Link_Tests is
       Expect ("cleared", Item.Ground_Board.Tally.Cleared, 1);
       Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
    end Two_Full;
-
-   ---------------
-   -- Not_Taken --
-   ---------------
 
    procedure Not_Taken is
       Item : Link;
@@ -536,10 +464,6 @@ package body Link_Tests is
       Expect_Block (Item, Aircraft, 4);
    end Not_Taken;
 
-   --------------------
-   -- Busy_Meanwhile --
-   --------------------
-
    procedure Busy_Meanwhile is
       Item : Link;
       Busy : Natural;
@@ -561,10 +485,6 @@ package body Link_Tests is
       Expect_Block (Item, Aircraft, 2);
    end Busy_Meanwhile;
 
-   ----------------
-   -- Permission --
-   ----------------
-
    procedure Permission is
       Item : Link;
    begin
@@ -578,10 +498,6 @@ package body Link_Tests is
       Run (Item, Frame);
       Expect_Block (Item, Ground, 1);
    end Permission;
-
-   --------------
-   -- Priority --
-   --------------
 
    procedure Priority is
       Item : Link;
@@ -599,10 +515,6 @@ package body Link_Tests is
       Expect_Block (Item, Aircraft, 2);
       Expect_Block (Item, Ground, 7);
    end Priority;
-
-   --------------------
-   -- Retry_Priority --
-   --------------------
 
    procedure Retry_Priority is
       Item : Link;
@@ -622,10 +534,6 @@ package body Link_Tests is
           (Ground, 1), (Aircraft, 58), (Ground, 1)));
    end Retry_Priority;
 
-   ---------------------
-   -- Nothing_To_Send --
-   ---------------------
-
    procedure Nothing_To_Send is
       Item : Link;
    begin
@@ -637,10 +545,6 @@ package body Link_Tests is
       Expect_Recovered ("after silence", Item);
    end Nothing_To_Send;
 
-   -----------------
-   -- Told_Before --
-   -----------------
-
    procedure Told_Before is
       --  The longest waits announced.
       type Longest_Waits is array (Station) of Character_Times;
@@ -649,10 +553,6 @@ package body Link_Tests is
 
       --  What a board announces is what it does.
       procedure Expect_Kept (What : String; Now : Board);
-
-      -----------------
-      -- Expect_Kept --
-      -----------------
 
       procedure Expect_Kept (What : String; Now : Board) is
          Left      : constant Character_Times := Time_Left (Now);
@@ -694,10 +594,6 @@ package body Link_Tests is
       Expect ("the ground idles", Idle, 24);
    end Told_Before;
 
-   --------------
-   -- Messages --
-   --------------
-
    procedure Messages is
       Item  : Link;
       Data  : Block_Data;
@@ -718,10 +614,6 @@ package body Link_Tests is
       Expect ("fresh twice", Fresh, False);
       Expect ("ever, later", Ever, True);
    end Messages;
-
-   -----------------
-   -- Every_Fault --
-   -----------------
 
    procedure Every_Fault is
       type Mask_List is array (Positive range <>) of Byte;
@@ -754,10 +646,6 @@ package body Link_Tests is
       end loop;
    end Every_Fault;
 
-   ----------
-   -- Cuts --
-   ----------
-
    procedure Cuts is
       type Length_List is array (Positive range <>) of Positive;
       Lengths : constant Length_List :=
@@ -781,10 +669,6 @@ package body Link_Tests is
       end loop;
    end Cuts;
 
-   -----------
-   -- Storm --
-   -----------
-
    procedure Storm is
    begin
       Drops := 1;
@@ -798,10 +682,6 @@ package body Link_Tests is
          end;
       end loop;
    end Storm;
-
-   --------------
-   -- Restarts --
-   --------------
 
    procedure Restarts is
    begin
@@ -829,10 +709,6 @@ package body Link_Tests is
          end loop;
       end loop;
    end Restarts;
-
-   ---------------
-   -- Clearings --
-   ---------------
 
    procedure Clearings is
       procedure Clear (What : String; Item : in out Board);
@@ -880,10 +756,6 @@ package body Link_Tests is
       end loop;
       Expect ("boards broken off", Broken_Off > 80, True);
    end Clearings;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

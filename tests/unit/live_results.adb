@@ -8,29 +8,17 @@ package body Live_Results is
    --  The number as a numeral without a leading blank.
    function Image (Number : Natural) return String;
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (Number : Natural) return String is
       Text : constant String := Number'Image;
    begin
       return Text (Text'First + 1 .. Text'Last);
    end Image;
 
-   ----------------
-   -- Put_Result --
-   ----------------
-
    procedure Put_Result (Outcome : String; Test_Name : Message_String) is
    begin
       Put_Line (Outcome & " " & Test_Name.all);
       Flush;
    end Put_Result;
-
-   -----------------
-   -- Add_Success --
-   -----------------
 
    overriding procedure Add_Success
      (R            : in out Live_Result;
@@ -42,10 +30,6 @@ package body Live_Results is
       Put_Result ("ok  ", Test_Name);
       Result (R).Add_Success (Test_Name, Routine_Name, Elapsed);
    end Add_Success;
-
-   -----------------
-   -- Add_Failure --
-   -----------------
 
    overriding procedure Add_Failure
      (R            : in out Live_Result;
@@ -62,10 +46,6 @@ package body Live_Results is
       Result (R).Add_Failure (Test_Name, Routine_Name, Failure, Elapsed);
    end Add_Failure;
 
-   ---------------
-   -- Add_Error --
-   ---------------
-
    overriding procedure Add_Error
      (R            : in out Live_Result;
       Test_Name    : Message_String;
@@ -81,10 +61,6 @@ package body Live_Results is
       end if;
       Result (R).Add_Error (Test_Name, Routine_Name, Error, Elapsed);
    end Add_Error;
-
-   ------------
-   -- Report --
-   ------------
 
    overriding procedure Report
      (Engine  : Totals_Reporter;

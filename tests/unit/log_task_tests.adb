@@ -60,10 +60,6 @@ package body LOG_Task_Tests is
    function Status (Item : Status_Item) return Word;
    function History (Kind : Error_Kind) return Logs.History;
 
-   ------------------
-   -- Inspect_Link --
-   ------------------
-
    procedure Fly_Frame is
    begin
       Under_Test.Run_Transaction;
@@ -78,10 +74,6 @@ package body LOG_Task_Tests is
       Now := Tally;
    end Inspect_Link;
 
-   ----------------
-   -- Begin_Test --
-   ----------------
-
    procedure Begin_Test is
    begin
       Tally := (others => 0);
@@ -92,10 +84,6 @@ package body LOG_Task_Tests is
       Under_Test.Initialise;
    end Begin_Test;
 
-   ------------
-   -- Status --
-   ------------
-
    function Status (Item : Status_Item) return Word is
       Snapshot : Memory;
    begin
@@ -103,20 +91,12 @@ package body LOG_Task_Tests is
       return Snapshot.Status (Item);
    end Status;
 
-   -------------
-   -- History --
-   -------------
-
    function History (Kind : Error_Kind) return Logs.History is
       Log : Error_Log;
    begin
       Errors.Inspect (Log);
       return Logs.History_Of (Log, Kind);
    end History;
-
-   ----------------------
-   -- Nothing_Happened --
-   ----------------------
 
    procedure Nothing_Happened is
    begin
@@ -130,10 +110,6 @@ package body LOG_Task_Tests is
          Expect (Kind'Image, History (Kind).Occurrences, 0);
       end loop;
    end Nothing_Happened;
-
-   ----------------
-   -- Link_Kinds --
-   ----------------
 
    procedure Link_Kinds is
    begin
@@ -153,10 +129,6 @@ package body LOG_Task_Tests is
       Expect ("all of them", Status (Error_Total_Low), 20);
    end Link_Kinds;
 
-   ------------------
-   -- Only_The_New --
-   ------------------
-
    procedure Only_The_New is
    begin
       Link_Kinds;
@@ -173,10 +145,6 @@ package body LOG_Task_Tests is
       Expect ("no other", History (Link_Block_Bad).Last, 25);
    end Only_The_New;
 
-   ----------------------
-   -- Board_Off_And_On --
-   ----------------------
-
    procedure Board_Off_And_On is
    begin
       Link_Kinds;
@@ -185,10 +153,6 @@ package body LOG_Task_Tests is
       Expect ("bad", History (Link_Block_Bad).Occurrences, 3);
       Expect ("resets", History (Link_Reset).Occurrences, 6);
    end Board_Off_And_On;
-
-   ---------------
-   -- Cold_Only --
-   ---------------
 
    procedure Cold_Only is
    begin
@@ -216,10 +180,6 @@ package body LOG_Task_Tests is
       Expect ("bad with a reset", History (Link_Block_Bad).Occurrences, 3);
    end Cold_Only;
 
-   ----------
-   -- Sums --
-   ----------
-
    procedure Sums is
    begin
       Begin_Test;
@@ -240,10 +200,6 @@ package body LOG_Task_Tests is
         ("the last kind", Status (Last_Error),
          Error_Kind'Pos (Error_Kind'Last) + 1);
    end Sums;
-
-   -----------------
-   -- Long_Flight --
-   -----------------
 
    procedure Long_Flight is
    begin
@@ -268,10 +224,6 @@ package body LOG_Task_Tests is
       Errors.Set_Time (Last_Tick);
       Under_Test.Run_Transaction;
    end Long_Flight;
-
-   -----------------
-   -- Status_Kept --
-   -----------------
 
    procedure Status_Kept is
    begin
@@ -376,10 +328,6 @@ package body LOG_Task_Tests is
          Snapshot.Aircraft_Log (Error_Kind'Pos (No_Input) + 1) (Last_Detail),
          16#1234#);
    end Pieces_Lost;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

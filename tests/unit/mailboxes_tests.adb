@@ -57,10 +57,6 @@ package body Mailboxes_Tests is
 
    package Shared is new URVOS.Shared_Mailboxes (Long_Boxes);
 
-   ------------------
-   -- Expect_State --
-   ------------------
-
    procedure Expect_State
      (When_It_Was        : String;
       Box                : Mailbox;
@@ -77,10 +73,6 @@ package body Mailboxes_Tests is
         (When_It_Was & ", is fresh", Is_Fresh (Box), Producer /= Consumer);
    end Expect_State;
 
-   --------------------
-   -- Expect_Receive --
-   --------------------
-
    procedure Expect_Receive
      (When_It_Was : String;
       Box         : in out Mailbox;
@@ -95,10 +87,6 @@ package body Mailboxes_Tests is
       Expect (When_It_Was & ", received fresh", Is_Fresh, Fresh);
    end Expect_Receive;
 
-   -----------------
-   -- Expect_Send --
-   -----------------
-
    procedure Expect_Send
      (When_It_Was : String;
       Box         : in out Mailbox;
@@ -111,10 +99,6 @@ package body Mailboxes_Tests is
       Expect (When_It_Was & ", sent with success", Succeeded, Success);
    end Expect_Send;
 
-   -----------------
-   -- First_State --
-   -----------------
-
    procedure First_State is
       Box : constant Mailbox := Empty_Mailbox;
 
@@ -126,20 +110,12 @@ package body Mailboxes_Tests is
       Expect_State ("default box", Default, Neutral, 0, 0, 0);
    end First_State;
 
-   --------------------
-   -- Receive_Unsent --
-   --------------------
-
    procedure Receive_Unsent is
       Box : Mailbox := Empty_Mailbox;
    begin
       Expect_Receive ("nothing sent", Box, Neutral, Fresh => False);
       Expect_State ("after that", Box, Neutral, 0, 0, 1);
    end Receive_Unsent;
-
-   ------------------
-   -- Send_Receive --
-   ------------------
 
    procedure Send_Receive is
       Box : Mailbox := Empty_Mailbox;
@@ -154,10 +130,6 @@ package body Mailboxes_Tests is
       end loop;
    end Send_Receive;
 
-   ---------------
-   -- Overwrite --
-   ---------------
-
    procedure Overwrite is
       Box : Mailbox := Empty_Mailbox;
    begin
@@ -170,10 +142,6 @@ package body Mailboxes_Tests is
       Expect_Send ("fourth", Box, 4, Success => True);
       Expect_State ("fourth", Box, 4, 2, 1, 1);
    end Overwrite;
-
-   -------------------
-   -- Receive_Twice --
-   -------------------
 
    procedure Receive_Twice is
       Box : Mailbox := Empty_Mailbox;
@@ -189,10 +157,6 @@ package body Mailboxes_Tests is
       Expect_State ("misses stay counted", Box, 8, 2, 2, 10);
    end Receive_Twice;
 
-   ----------------
-   -- Same_Again --
-   ----------------
-
    procedure Same_Again is
       Box : Mailbox := Empty_Mailbox;
    begin
@@ -202,10 +166,6 @@ package body Mailboxes_Tests is
       Expect_Send ("the same", Box, Neutral, Success => True);
       Expect_Receive ("the same", Box, Neutral, Fresh => True);
    end Same_Again;
-
-   -----------
-   -- Model --
-   -----------
 
    procedure Model is
       Box : Mailbox := Empty_Mailbox;
@@ -235,10 +195,6 @@ package body Mailboxes_Tests is
          Expect_State ("step" & Step'Image, Box, Last, Sent, Came, Missed);
       end loop;
    end Model;
-
-   ---------------
-   -- Two_Tasks --
-   ---------------
 
    procedure Two_Tasks is
       Sends : constant Count := 100_000;
@@ -288,10 +244,6 @@ package body Mailboxes_Tests is
          Count (Long_Boxes.Consumed (Box)));
    end Two_Tasks;
 
-   -----------
-   -- Reset --
-   -----------
-
    procedure Reset is
       Box     : Long_Boxes.Mailbox;
       Item    : Long_Message;
@@ -312,20 +264,12 @@ package body Mailboxes_Tests is
       Expect ("data after reset", Item (1), 0);
    end Reset;
 
-   ----------------
-   -- Full_Count --
-   ----------------
-
    procedure Full_Count is
    begin
       Expect ("one more", Incremented (Count'(41)), 42);
       Expect ("the last one", Incremented (Count'Last - 1), Count'Last);
       Expect ("no more", Incremented (Count'Last), Count'Last);
    end Full_Count;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -33,10 +33,6 @@ package body Naive_Schedulers is
       Which : TCB_Number;
       Queue : Queue_Name);
 
-   --------------
-   -- First_Of --
-   --------------
-
    function First_Of
      (Model : Naive_Scheduler; Queue : Queue_Name) return TCB_Number is
    begin
@@ -54,10 +50,6 @@ package body Naive_Schedulers is
       raise Program_Error with "an empty queue has no first";
    end First_Of;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put
      (Model : in out Naive_Scheduler;
       Which : TCB_Number;
@@ -67,10 +59,6 @@ package body Naive_Schedulers is
       Model.Tasks (Which).Arrival := Model.Arrivals;
       Model.Tasks (Which).Queue := Queue;
    end Put;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Model : out Naive_Scheduler;
@@ -88,10 +76,6 @@ package body Naive_Schedulers is
       Dispatch (Model);
    end Start;
 
-   ----------
-   -- Load --
-   ----------
-
    procedure Load (Model : in out Naive_Scheduler; Header : Task_Header) is
       TCB : constant TCB_Number := First_Of (Model, Free);
    begin
@@ -101,10 +85,6 @@ package body Naive_Schedulers is
       Put
         (Model, TCB, (if Header.Start_Time > Model.Now then Timer else Ready));
    end Load;
-
-   --------------
-   -- Dispatch --
-   --------------
 
    procedure Dispatch (Model : in out Naive_Scheduler) is
       Chosen : TCB_Number;
@@ -122,10 +102,6 @@ package body Naive_Schedulers is
       Put (Model, Chosen, Running);
    end Dispatch;
 
-   ----------
-   -- Wake --
-   ----------
-
    procedure Wake (Model : in out Naive_Scheduler; Now : Clock_Tick) is
       First : TCB_Number;
    begin
@@ -136,10 +112,6 @@ package body Naive_Schedulers is
          Put (Model, First, Ready);
       end loop;
    end Wake;
-
-   ---------------
-   -- Exit_Call --
-   ---------------
 
    procedure Exit_Call (Model : in out Naive_Scheduler) is
       Caller : constant TCB_Number := First_Of (Model, Running);
@@ -154,10 +126,6 @@ package body Naive_Schedulers is
       end if;
    end Exit_Call;
 
-   -----------
-   -- Sleep --
-   -----------
-
    procedure Sleep (Model : in out Naive_Scheduler; Until_Tick : Tick) is
       Caller : constant TCB_Number := First_Of (Model, Running);
       Slept  : Naive_Task renames Model.Tasks (Caller);
@@ -171,18 +139,10 @@ package body Naive_Schedulers is
       Put (Model, Caller, Timer);
    end Sleep;
 
-   ----------------------
-   -- Terminate_Caller --
-   ----------------------
-
    procedure Terminate_Caller (Model : in out Naive_Scheduler) is
    begin
       Put (Model, First_Of (Model, Running), Free);
    end Terminate_Caller;
-
-   -----------------
-   -- Expect_Same --
-   -----------------
 
    procedure Expect_Same
      (When_It_Was : String;

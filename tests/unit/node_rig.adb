@@ -16,10 +16,6 @@ package body Node_Rig is
    --  A character time of the line.
    procedure Exchange_Character;
 
-   --------------
-   -- Numbered --
-   --------------
-
    function Numbered (First : Word) return Channel_Words is
    begin
       return Result : Channel_Words do
@@ -28,10 +24,6 @@ package body Node_Rig is
          end loop;
       end return;
    end Numbered;
-
-   -------------
-   -- CORE_Of --
-   -------------
 
    function CORE_Of (Node : Station) return Memory is
    begin
@@ -43,10 +35,6 @@ package body Node_Rig is
       end return;
    end CORE_Of;
 
-   ------------
-   -- Log_Of --
-   ------------
-
    function Log_Of (Node : Station) return Error_Log is
    begin
       return Result : Error_Log do
@@ -57,20 +45,12 @@ package body Node_Rig is
       end return;
    end Log_Of;
 
-   ------------
-   -- Servos --
-   ------------
-
    function Servos return Data_Area is
    begin
       return Result : Data_Area do
          MCS.PWM_Board.Read (Result);
       end return;
    end Servos;
-
-   ---------------
-   -- Switch_On --
-   ---------------
 
    procedure Switch_On (Processors : MCS.Processor_Number := 1) is
    begin
@@ -90,18 +70,10 @@ package body Node_Rig is
       MCS.Telemetry_Board.Start;
    end Switch_On;
 
-   --------------
-   -- Clock_Of --
-   --------------
-
    function Clock_Of (Node : Station) return Clock_Tick is
      (case Node is
          when Ground   => Now,
          when Aircraft => Tick'Max (Now, Lag) - Lag);
-
-   -----------------
-   -- Start_Again --
-   -----------------
 
    procedure Start_Again
      (Node : Station; Condition : Starts.Start_Condition)
@@ -121,10 +93,6 @@ package body Node_Rig is
             MCS.Virtual_Time.Start (Condition, Clock_Of (Aircraft));
       end case;
    end Start_Again;
-
-   -------------
-   -- Convert --
-   -------------
 
    procedure Convert is
       Wanted    : Boolean;
@@ -149,10 +117,6 @@ package body Node_Rig is
       end loop;
    end Convert;
 
-   ------------------------
-   -- Exchange_Character --
-   ------------------------
-
    procedure Exchange_Character is
       Up, Down           : Byte;
       Up_Sent, Down_Sent : Boolean;
@@ -169,10 +133,6 @@ package body Node_Rig is
       end if;
    end Exchange_Character;
 
-   ------------------------
-   -- Clock_Tick_Of_Both --
-   ------------------------
-
    procedure Clock_Tick_Of_Both is
       Characters : constant := 20;
    begin
@@ -187,20 +147,12 @@ package body Node_Rig is
       end loop;
    end Clock_Tick_Of_Both;
 
-   ---------
-   -- Fly --
-   ---------
-
    procedure Fly (Frames : Positive) is
    begin
       for Ticks in 1 .. 10 * Frames loop
          Clock_Tick_Of_Both;
       end loop;
    end Fly;
-
-   ---------------------
-   -- Expect_Commands --
-   ---------------------
 
    procedure Expect_Commands (What : String; First, Error : Word) is
       Ground   : constant Memory := CORE_Of_GSC;
@@ -219,10 +171,6 @@ package body Node_Rig is
             Expected);
       end loop;
    end Expect_Commands;
-
-   --------------------
-   -- Expect_Sensors --
-   --------------------
 
    procedure Expect_Sensors (What : String; First, Error : Word) is
       Ground   : constant Memory := CORE_Of_GSC;

@@ -30,10 +30,6 @@ package body Nodes_Tests is
    procedure Logged_Flight;
    procedure Logged_Range;
 
-   ------------------
-   -- Data_Through --
-   ------------------
-
    procedure Data_Through is
    begin
       Switch_On;
@@ -63,10 +59,6 @@ package body Nodes_Tests is
       Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, 0);
    end Data_Through;
 
-   ----------------
-   -- Each_Frame --
-   ----------------
-
    procedure Each_Frame is
       Tally : Telemetry.Boards.Statistics;
    begin
@@ -91,10 +83,6 @@ package body Nodes_Tests is
       Expect_Sensors ("the last frame", 16#400# + 200, No_Error);
    end Each_Frame;
 
-   --------------
-   -- Switch_8 --
-   --------------
-
    procedure Flaps_And_Discretes is
    begin
       Switch_On;
@@ -107,10 +95,6 @@ package body Nodes_Tests is
       Expect ("switches 1 and 8", Servos (14), 16#81#);
    end Flaps_And_Discretes;
 
-   ---------------
-   -- Too_Large --
-   ---------------
-
    procedure Too_Large is
    begin
       Switch_On;
@@ -122,10 +106,6 @@ package body Nodes_Tests is
       Expect ("throttle servo", Servos (8), 16#FFF#);
       Expect ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (10), 16#FFFF#);
    end Too_Large;
-
-   --------------
-   -- Cut_Link --
-   --------------
 
    procedure Cut_Link is
       Seen : Data_Area;
@@ -155,10 +135,6 @@ package body Nodes_Tests is
       Expect_Sensors ("after the cut", 16#600#, No_Error);
    end Cut_Link;
 
-   --------------------
-   -- Dead_Converter --
-   --------------------
-
    procedure Dead_Converter is
    begin
       Switch_On;
@@ -173,10 +149,6 @@ package body Nodes_Tests is
       Fly (6);
       Expect_Sensors ("again", 16#600#, No_Error);
    end Dead_Converter;
-
-   ----------------
-   -- Cold_Start --
-   ----------------
 
    procedure Cold_Start is
       Before, After : Memory;
@@ -207,20 +179,12 @@ package body Nodes_Tests is
       end loop;
    end Cold_Start;
 
-   -------------------
-   -- New_Variables --
-   -------------------
-
    procedure New_Variables is
 
       --  Nothing produced, consumed or missed.
       generic
          with package Variable is new URVOS.Shared_Mailboxes (<>);
       procedure Expect_New (What : String);
-
-      ----------------
-      -- Expect_New --
-      ----------------
 
       procedure Expect_New (What : String) is
          Box : Variable.Boxes.Mailbox;
@@ -284,10 +248,6 @@ package body Nodes_Tests is
       GSC_TELOUT_Is_New ("GSC TELOUT_variable");
    end New_Variables;
 
-   ----------------------
-   -- Controller_Alone --
-   ----------------------
-
    procedure Controller_Alone is
    begin
       --  Only the controllers start anew: their boards have received
@@ -310,10 +270,6 @@ package body Nodes_Tests is
             Neutral_Downlink (Item));
       end loop;
    end Controller_Alone;
-
-   -----------------
-   -- First_Frame --
-   -----------------
 
    procedure First_Frames is
       CORE : Memory;
@@ -341,10 +297,6 @@ package body Nodes_Tests is
             Neutral_Downlink (Item));
       end loop;
    end First_Frames;
-
-   ----------------
-   -- Type_Codes --
-   ----------------
 
    procedure Type_Codes is
    begin
@@ -375,10 +327,6 @@ package body Nodes_Tests is
             CORE_Of_GSC.Status_Codes (Item), Type_Code (Item));
       end loop;
    end Type_Codes;
-
-   -------------------
-   -- Logged_Flight --
-   -------------------
 
    procedure Logged_Flight is
       Log    : Error_Log;
@@ -428,10 +376,6 @@ package body Nodes_Tests is
          Logs.History_Of (Log, Link_Reset).Occurrences, 0);
    end Logged_Flight;
 
-   ------------------
-   -- Logged_Range --
-   ------------------
-
    procedure Logged_Range is
       Log : Error_Log;
    begin
@@ -448,10 +392,6 @@ package body Nodes_Tests is
         ("in CORE", CORE_Of_GSC.Status (Last_Error),
          Error_Kind'Pos (Input_Out_Of_Range) + 1);
    end Logged_Range;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -61,10 +61,6 @@ package body PWM_Tests is
       Flaps : Word;
       Bits  : Word);
 
-   --------------------
-   -- Expect_Outputs --
-   --------------------
-
    procedure Expect_Outputs
      (What  : String;
       Input : Uplink_Buffer;
@@ -84,19 +80,11 @@ package body PWM_Tests is
       Expect (What & ", discretes", Output (Discretes), Bits);
    end Expect_Outputs;
 
-   -----------------
-   -- Write_Board --
-   -----------------
-
    procedure Write_Board (Area : Data_Area) is
    begin
       Board  := Area;
       Writes := Writes + 1;
    end Write_Board;
-
-   -----------------
-   -- Neutral_All --
-   -----------------
 
    procedure Neutral_All is
       Output : constant PWM_Buffer := Transform (Neutral_Uplink);
@@ -123,10 +111,6 @@ package body PWM_Tests is
       end loop;
    end Neutral_All;
 
-   ------------------
-   -- Each_Command --
-   ------------------
-
    procedure Each_Command is
       Input : Uplink_Buffer;
    begin
@@ -140,10 +124,6 @@ package body PWM_Tests is
          end loop;
       end loop;
    end Each_Command;
-
-   ------------------
-   -- Every_Switch --
-   ------------------
 
    procedure Every_Switch is
       Input : Uplink_Buffer := Commands;
@@ -161,10 +141,6 @@ package body PWM_Tests is
             (if Bits >= 128 then 16#FFF# else 16#800#), Bits);
       end loop;
    end Every_Switch;
-
-   ---------------
-   -- Threshold --
-   ---------------
 
    procedure Threshold is
       type Row is record
@@ -193,10 +169,6 @@ package body PWM_Tests is
       end loop;
    end Threshold;
 
-   ---------------
-   -- Too_Large --
-   ---------------
-
    procedure Too_Large is
       type Values is array (Positive range <>) of Word;
       Table : constant Values :=
@@ -213,20 +185,12 @@ package body PWM_Tests is
       end loop;
    end Too_Large;
 
-   ----------------
-   -- Error_Word --
-   ----------------
-
    procedure Error_Word is
       Input : Uplink_Buffer := Commands;
    begin
       Input (Error_Status) := 16#FFFF#;
       Expect_Outputs ("error word set", Input, 16#800#, 0);
    end Error_Word;
-
-   ---------------
-   -- Read_Back --
-   ---------------
 
    procedure Read_Back is
       Area    : Data_Area;
@@ -242,10 +206,6 @@ package body PWM_Tests is
             Word (PWM_Item'Pos (Item) + 1) * 16#101#);
       end loop;
    end Read_Back;
-
-   --------------
-   -- The_Task --
-   --------------
 
    procedure The_Task is
    begin
@@ -293,10 +253,6 @@ package body PWM_Tests is
          Expect_Errors ("new commands, marked or not", None);
       end loop;
    end Marked_Commands;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

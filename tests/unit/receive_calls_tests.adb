@@ -63,19 +63,11 @@ package body Receive_Calls_Tests is
    procedure Producer_Sends;
    procedure Clock_Runs_Back;
 
-   ------------------
-   -- Counted_Look --
-   ------------------
-
    procedure Counted_Look (Item : out Word; Fresh : out Boolean) is
    begin
       Looked := Looked + 1;
       Variable.Look (Item, Fresh);
    end Counted_Look;
-
-   ---------------------
-   -- Counted_Receive --
-   ---------------------
 
    procedure Counted_Receive (Item : out Word; Fresh : out Boolean) is
    begin
@@ -83,20 +75,12 @@ package body Receive_Calls_Tests is
       Variable.Receive (Item, Fresh);
    end Counted_Receive;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send (Item : Word) is
       Success : Boolean;
    begin
       Variable.Send (Item, Success);
       Expect ("sent into an empty box", Success, True);
    end Send;
-
-   ----------------
-   -- Begin_With --
-   ----------------
 
    procedure Begin_With (Old : Word) is
       Item  : Word;
@@ -109,10 +93,6 @@ package body Receive_Calls_Tests is
       Expect ("fresh to begin with", Fresh, True);
       Looked := 0;
    end Begin_With;
-
-   --------------------
-   -- Expect_Receive --
-   --------------------
 
    procedure Expect_Receive
      (When_It_Was : String;
@@ -128,10 +108,6 @@ package body Receive_Calls_Tests is
       Expect (When_It_Was & ", received", Item, Data);
    end Expect_Receive;
 
-   -------------------
-   -- Expect_Misses --
-   -------------------
-
    procedure Expect_Misses (When_It_Was : String; Expected : Count) is
       Box : Boxes.Mailbox;
    begin
@@ -142,10 +118,6 @@ package body Receive_Calls_Tests is
         (When_It_Was & ", left fresh", Boxes.Is_Fresh (Box), False);
    end Expect_Misses;
 
-   --------------------
-   -- Producer_Sends --
-   --------------------
-
    procedure Producer_Sends is
    begin
       if Exits = Send_At_Exit then
@@ -153,20 +125,12 @@ package body Receive_Calls_Tests is
       end if;
    end Producer_Sends;
 
-   ---------------------
-   -- Clock_Runs_Back --
-   ---------------------
-
    procedure Clock_Runs_Back is
    begin
       if Exits mod 5 = 4 then
          Now := 90;
       end if;
    end Clock_Runs_Back;
-
-   -----------------
-   -- Quiet_Looks --
-   -----------------
 
    procedure Quiet_Looks is
       Item  : Word;
@@ -190,10 +154,6 @@ package body Receive_Calls_Tests is
       Expect_Misses ("then a receive", 1);
    end Quiet_Looks;
 
-   -------------
-   -- No_Wait --
-   -------------
-
    procedure No_Wait is
    begin
       Begin_With (5);
@@ -207,10 +167,6 @@ package body Receive_Calls_Tests is
       Expect ("looks", Looked, 2);
    end No_Wait;
 
-   -------------
-   -- At_Once --
-   -------------
-
    procedure At_Once is
    begin
       Begin_With (5);
@@ -221,10 +177,6 @@ package body Receive_Calls_Tests is
       Expect_Number ("EXITs", Exits, 0);
       Expect ("looks", Looked, 1);
    end At_Once;
-
-   -------------
-   -- In_Vain --
-   -------------
 
    procedure In_Vain is
    begin
@@ -240,10 +192,6 @@ package body Receive_Calls_Tests is
          end loop;
       end loop;
    end In_Vain;
-
-   -----------------
-   -- At_Any_Exit --
-   -----------------
 
    procedure At_Any_Exit is
    begin
@@ -268,10 +216,6 @@ package body Receive_Calls_Tests is
       Expect_Misses ("the next time", 1);
    end At_Any_Exit;
 
-   -----------------
-   -- Many_Misses --
-   -----------------
-
    procedure Many_Misses is
    begin
       Begin_With (5);
@@ -282,10 +226,6 @@ package body Receive_Calls_Tests is
          Expect ("looks", Looked, 7 * Times);
       end loop;
    end Many_Misses;
-
-   --------------
-   -- In_Steps --
-   --------------
 
    procedure In_Steps is
       Patience : Wait := Begun (100, 3);
@@ -315,10 +255,6 @@ package body Receive_Calls_Tests is
       Expect ("again after the second", Again, False);
    end In_Steps;
 
-   -------------------
-   -- Stopped_Clock --
-   -------------------
-
    procedure Stopped_Clock is
    begin
       Begin_With (5);
@@ -329,10 +265,6 @@ package body Receive_Calls_Tests is
       Expect_Receive ("and no wait", 0, 5, Fresh => False);
       Expect ("looks", Looked, 100_002);
    end Stopped_Clock;
-
-   -----------------
-   -- End_Of_Time --
-   -----------------
 
    procedure End_Of_Time is
    begin
@@ -349,10 +281,6 @@ package body Receive_Calls_Tests is
       Expect_Misses ("near the last tick", 1);
    end End_Of_Time;
 
-   ------------------
-   -- Back_In_Time --
-   ------------------
-
    procedure Back_In_Time is
    begin
       --  The clock shows 100 to 103, then 90 to 94 again and again. From
@@ -363,10 +291,6 @@ package body Receive_Calls_Tests is
       Expect_Misses ("back in time", 1);
       Expect ("looks", Looked, 3 + 100_001);
    end Back_In_Time;
-
-   ---------------
-   -- Any_Clock --
-   ---------------
 
    procedure Any_Clock is
       Random   : Look_Count := 1;
@@ -400,10 +324,6 @@ package body Receive_Calls_Tests is
          end loop;
       end loop;
    end Any_Clock;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -51,10 +51,6 @@ package body Receivers_Tests is
       Wrong      : Byte    := 0;
       Bad_Parity : Natural := 0);
 
-   ----------
-   -- Hear --
-   ----------
-
    procedure Hear
      (Item         : in out Half;
       Data         : Byte;
@@ -65,10 +61,6 @@ package body Receivers_Tests is
         (Item.Receiver, Item.Pair, Length, Wants_Data, Data, Parity_Error,
          Item.Outcome);
    end Hear;
-
-   ------------------
-   -- Hear_Message --
-   ------------------
 
    procedure Hear_Message
      (Item       : in out Half;
@@ -85,10 +77,6 @@ package body Receivers_Tests is
       end loop;
       Hear (Item, Sum + Wrong, Bad_Parity = Natural (Length) + 2);
    end Hear_Message;
-
-   ------------------
-   -- Good_Message --
-   ------------------
 
    procedure Good_Message is
       Item : Half;
@@ -118,10 +106,6 @@ package body Receivers_Tests is
       end loop;
    end Good_Message;
 
-   --------------------
-   -- Wrong_Checksum --
-   --------------------
-
    procedure Wrong_Checksum is
       Item : Half;
    begin
@@ -134,10 +118,6 @@ package body Receivers_Tests is
       Hear_Message (Item, 8);
       Expect ("the next", Item.Outcome.Kind, Block_Good);
    end Wrong_Checksum;
-
-   --------------
-   -- Parities --
-   --------------
 
    procedure Parities is
       Item : Half;
@@ -155,10 +135,6 @@ package body Receivers_Tests is
       Hear (Item, Header_Byte, Parity_Error => True);
       Expect ("header", Item.Outcome.Kind, Lost_Step);
    end Parities;
-
-   ------------------
-   -- Single_Bytes --
-   ------------------
 
    procedure Single_Bytes is
       Item     : Half;
@@ -186,10 +162,6 @@ package body Receivers_Tests is
       end loop;
    end Single_Bytes;
 
-   -----------------
-   -- Out_Of_Step --
-   -----------------
-
    procedure Deaf_Out_Of_Step is
       Item   : Half;
       Before : Half;
@@ -208,10 +180,6 @@ package body Receivers_Tests is
       Hear_Message (Item, 9);
       Expect ("after a restart", Item.Outcome.Kind, Block_Good);
    end Deaf_Out_Of_Step;
-
-   -----------------
-   -- Interrupted --
-   -----------------
 
    procedure Interrupted is
       Item : Half;
@@ -237,10 +205,6 @@ package body Receivers_Tests is
       end loop;
    end Interrupted;
 
-   ---------------
-   -- Untouched --
-   ---------------
-
    procedure Untouched is
       Item   : Half;
       Data   : Block_Data;
@@ -261,10 +225,6 @@ package body Receivers_Tests is
       Expect ("fresh", Fresh, True);
       Expect ("the newest", Data (1), 20);
    end Untouched;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

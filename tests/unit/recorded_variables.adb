@@ -1,9 +1,5 @@
 package body Recorded_Variables is
 
-   -------------
-   -- Receive --
-   -------------
-
    procedure Receive (Item : out Message; Fresh : out Boolean) is
    begin
       Received := Received + 1;
@@ -11,20 +7,12 @@ package body Recorded_Variables is
       Fresh    := Is_Fresh;
    end Receive;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send (Item : Message; Success : out Boolean) is
    begin
       Sent    := Sent + 1;
       Kept    := Item;
       Success := Succeeds;
    end Send;
-
-   -----------
-   -- Clear --
-   -----------
 
    procedure Clear is
    begin

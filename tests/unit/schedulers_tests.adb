@@ -52,20 +52,12 @@ package body Schedulers_Tests is
    --  Sleeps, then the next one runs.
    procedure Sleep_And_Dispatch (S : in out Scheduler; Until_Tick : Tick);
 
-   --------------------
-   -- Expect_Running --
-   --------------------
-
    procedure Expect_Running
      (When_It_Was : String; S : Scheduler; Id : Task_Id) is
    begin
       Expect (When_It_Was & ": nobody runs", Is_Idle (S), False);
       Expect (When_It_Was & ": runs", Id_Of (S, Running_TCB (S)), Id);
    end Expect_Running;
-
-   -------------
-   -- Tree_Of --
-   -------------
 
    function Tree_Of (First : Headers) return Task_Tree is
       Tree : Task_Tree := Empty_Tree;
@@ -76,10 +68,6 @@ package body Schedulers_Tests is
       return Tree;
    end Tree_Of;
 
-   -------------
-   -- Started --
-   -------------
-
    function Started (First : Headers; Now : Clock_Tick) return Scheduler is
       S : Scheduler;
    begin
@@ -87,19 +75,11 @@ package body Schedulers_Tests is
       return S;
    end Started;
 
-   ------------------------
-   -- Sleep_And_Dispatch --
-   ------------------------
-
    procedure Sleep_And_Dispatch (S : in out Scheduler; Until_Tick : Tick) is
    begin
       Sleep (S, Until_Tick);
       Dispatch (S);
    end Sleep_And_Dispatch;
-
-   ---------------------
-   -- Headers_To_TCBs --
-   ---------------------
 
    procedure Headers_To_TCBs is
       S : constant Scheduler :=
@@ -124,10 +104,6 @@ package body Schedulers_Tests is
       Expect ("its start time", Release_Of (S, 2), 101);
    end Headers_To_TCBs;
 
-   -----------
-   -- Empty --
-   -----------
-
    procedure Empty is
       S : Scheduler := Started ((1 .. 0 => Null_Header), Now => 20);
    begin
@@ -141,10 +117,6 @@ package body Schedulers_Tests is
          Dispatch (S);
       end loop;
    end Empty;
-
-   ----------
-   -- Full --
-   ----------
 
    procedure Full is
       Tree : Task_Tree;
@@ -166,10 +138,6 @@ package body Schedulers_Tests is
       Expect ("idle at the end", Is_Idle (S), True);
    end Full;
 
-   ----------------------
-   -- Null_Header_Ends --
-   ----------------------
-
    procedure Null_Header_Ends is
       S : constant Scheduler :=
         Started
@@ -182,10 +150,6 @@ package body Schedulers_Tests is
       Expect ("second TCB", Queue_Of (S, 2), Free);
       Expect ("third TCB", Queue_Of (S, 3), Free);
    end Null_Header_Ends;
-
-   ---------------------------
-   -- Same_Order_As_Headers --
-   ---------------------------
 
    procedure Same_Order_As_Headers is
       S : Scheduler :=
@@ -204,10 +168,6 @@ package body Schedulers_Tests is
          Sleep_And_Dispatch (S, 10);
       end loop;
    end Same_Order_As_Headers;
-
-   ----------------------------------
-   -- Sleepers_In_Order_Of_Headers --
-   ----------------------------------
 
    procedure Sleepers_In_Order_Of_Headers is
       S : constant Scheduler :=
@@ -237,10 +197,6 @@ package body Schedulers_Tests is
       end loop;
    end Sleepers_In_Order_Of_Headers;
 
-   ---------------
-   -- First_Run --
-   ---------------
-
    procedure First_Run is
       S : Scheduler :=
         Started
@@ -259,10 +215,6 @@ package body Schedulers_Tests is
       Expect ("slept too", Is_First_Run (S, 1), False);
    end First_Run;
 
-   ------------------------------
-   -- Exit_With_Nothing_Higher --
-   ------------------------------
-
    procedure Exit_With_Nothing_Higher is
       S : Scheduler :=
         Started
@@ -277,10 +229,6 @@ package body Schedulers_Tests is
       Expect ("the same state", S = Before, True);
       Expect_Running ("after EXIT", S, 1);
    end Exit_With_Nothing_Higher;
-
-   ----------------------
-   -- Exit_To_A_Higher --
-   ----------------------
 
    procedure Exit_To_A_Higher is
       S : Scheduler :=
@@ -310,10 +258,6 @@ package body Schedulers_Tests is
       end loop;
    end Exit_To_A_Higher;
 
-   ---------------------
-   -- Turns_Of_Equals --
-   ---------------------
-
    procedure Turns_Of_Equals is
       S : Scheduler :=
         Started
@@ -331,10 +275,6 @@ package body Schedulers_Tests is
       end loop;
    end Turns_Of_Equals;
 
-   -------------------------
-   -- Sleeper_At_Its_Tick --
-   -------------------------
-
    procedure Sleeper_At_Its_Tick is
       S : Scheduler := Started ((1 => (Id => 1, others => <>)), Now => 0);
    begin
@@ -349,10 +289,6 @@ package body Schedulers_Tests is
       Dispatch (S);
       Expect_Running ("at 14", S, 1);
    end Sleeper_At_Its_Tick;
-
-   --------------------
-   -- Woken_In_Order --
-   --------------------
 
    procedure Woken_In_Order is
       --  Four tasks of one priority, and when they are to wake.
@@ -381,10 +317,6 @@ package body Schedulers_Tests is
       end loop;
    end Woken_In_Order;
 
-   ------------------------
-   -- Woken_Behind_Ready --
-   ------------------------
-
    procedure Woken_Behind_Ready is
       S : Scheduler :=
         Started
@@ -406,10 +338,6 @@ package body Schedulers_Tests is
       end loop;
    end Woken_Behind_Ready;
 
-   --------------------------
-   -- Sleep_Until_The_Past --
-   --------------------------
-
    procedure Sleep_Until_The_Past is
    begin
       for Until_Tick in Tick range 0 .. 20 loop
@@ -428,10 +356,6 @@ package body Schedulers_Tests is
       end loop;
    end Sleep_Until_The_Past;
 
-   --------------------
-   -- Sleep_For_Ever --
-   --------------------
-
    procedure Sleep_For_Ever is
       S : Scheduler :=
         Started
@@ -446,10 +370,6 @@ package body Schedulers_Tests is
          Expect ("nobody is released", Is_Idle (S), True);
       end loop;
    end Sleep_For_Ever;
-
-   ---------------------
-   -- Terminate_Frees --
-   ---------------------
 
    procedure Terminate_Frees is
       S : Scheduler :=
@@ -472,10 +392,6 @@ package body Schedulers_Tests is
       end loop;
    end Terminate_Frees;
 
-   ---------------------------
-   -- TCBs_Are_Used_In_Turn --
-   ---------------------------
-
    procedure TCBs_Are_Used_In_Turn is
       S : Scheduler :=
         Started ((1 => (Id => 200, Initial_Priority => 1, others => <>)), 0);
@@ -493,10 +409,6 @@ package body Schedulers_Tests is
       end loop;
       Expect ("who slept", Queue_Of (S, 1), Timer);
    end TCBs_Are_Used_In_Turn;
-
-   ----------------
-   -- Late_Start --
-   ----------------
 
    procedure Late_Start is
       S : Scheduler :=
@@ -532,10 +444,6 @@ package body Schedulers_Tests is
       Expect ("counted once", Overruns (S), 1);
    end Late_Start;
 
-   -----------------------
-   -- Late_At_The_Start --
-   -----------------------
-
    procedure Late_At_The_Start is
       First : constant Headers :=
         ((Id => 1, Start_Time => 4, Initial_Priority => 1),
@@ -560,10 +468,6 @@ package body Schedulers_Tests is
       end loop;
    end Late_At_The_Start;
 
-   ---------------------------
-   -- Run_Into_Next_Release --
-   ---------------------------
-
    procedure Run_Into_Next_Release is
    begin
       for Length in Clock_Tick range 0 .. 25 loop
@@ -582,10 +486,6 @@ package body Schedulers_Tests is
          end;
       end loop;
    end Run_Into_Next_Release;
-
-   ------------------
-   -- Random_Calls --
-   ------------------
 
    procedure Random_Calls is
       package Naive renames Naive_Schedulers;
@@ -685,10 +585,6 @@ package body Schedulers_Tests is
       Expect ("enough TERMINATEs", Ends > 50, True);
       Expect ("enough tasks loaded in flight", Loads > 50, True);
    end Random_Calls;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

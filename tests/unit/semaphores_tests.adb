@@ -77,10 +77,6 @@ package body Semaphores_Tests is
    Release_At_Exit : Natural := 0;
    procedure Other_Releases;
 
-   -----------------
-   -- Counted_Try --
-   -----------------
-
    procedure Counted_Try
      (Who     : Claimant;
       Claimed : out Boolean;
@@ -91,10 +87,6 @@ package body Semaphores_Tests is
       Resource.Try_Claim (Who, Claimed, Holder);
    end Counted_Try;
 
-   ------------------------
-   -- Report_Not_Claimed --
-   ------------------------
-
    procedure Report_Not_Claimed (Who, Holder : Claimant) is
    begin
       Not_Claimed := Not_Claimed + 1;
@@ -102,20 +94,12 @@ package body Semaphores_Tests is
       Last_Holder := Holder;
    end Report_Not_Claimed;
 
-   ----------------------
-   -- Report_Not_Owned --
-   ----------------------
-
    procedure Report_Not_Owned (Who : Claimant; Holder : Task_Id) is
    begin
       Not_Owned   := Not_Owned + 1;
       Last_Caller := Who;
       Last_Holder := Holder;
    end Report_Not_Owned;
-
-   ----------------
-   -- Begin_With --
-   ----------------
 
    procedure Begin_With (Owner : Task_Id) is
       Claimed : Boolean;
@@ -132,20 +116,12 @@ package body Semaphores_Tests is
       Not_Owned   := 0;
    end Begin_With;
 
-   ------------------
-   -- Expect_Owner --
-   ------------------
-
    procedure Expect_Owner (When_It_Was : String; Expected : Task_Id) is
       Snapshot : Semaphore;
    begin
       Resource.Inspect (Snapshot);
       Expect (When_It_Was & ", owner", Owner (Snapshot), Expected);
    end Expect_Owner;
-
-   ------------------
-   -- Expect_Claim --
-   ------------------
 
    procedure Expect_Claim (When_It_Was : String; Expected : Boolean) is
       Claimed : Boolean;
@@ -158,10 +134,6 @@ package body Semaphores_Tests is
          Expect (When_It_Was & ", reported caller", Last_Caller, Caller);
       end if;
    end Expect_Claim;
-
-   --------------------
-   -- Expect_Release --
-   --------------------
 
    procedure Expect_Release
      (When_It_Was : String;
@@ -181,20 +153,12 @@ package body Semaphores_Tests is
       end if;
    end Expect_Release;
 
-   --------------------
-   -- Other_Releases --
-   --------------------
-
    procedure Other_Releases is
    begin
       if Exits = Release_At_Exit then
          Expect_Release ("the other task", Other, True);
       end if;
    end Other_Releases;
-
-   -----------------
-   -- Every_Claim --
-   -----------------
 
    procedure Every_Claim is
       Item    : Semaphore;
@@ -216,10 +180,6 @@ package body Semaphores_Tests is
          end loop;
       end loop;
    end Every_Claim;
-
-   -------------------
-   -- Every_Release --
-   -------------------
 
    procedure Every_Release is
       Item     : Semaphore;
@@ -252,10 +212,6 @@ package body Semaphores_Tests is
       end loop;
    end Every_Release;
 
-   -------------
-   -- At_Once --
-   -------------
-
    procedure At_Once is
    begin
       Begin_With (No_Task);
@@ -267,10 +223,6 @@ package body Semaphores_Tests is
       Expect_Release ("after it", Caller, True);
       Expect_Owner ("after it", No_Task);
    end At_Once;
-
-   ---------------
-   -- Two_Ticks --
-   ---------------
 
    procedure Two_Ticks is
    begin
@@ -285,10 +237,6 @@ package body Semaphores_Tests is
          Expect ("tries", Tries, Count (2 * Per_Tick + 1));
       end loop;
    end Two_Ticks;
-
-   ------------------
-   -- Late_Release --
-   ------------------
 
    procedure Late_Release is
    begin
@@ -309,10 +257,6 @@ package body Semaphores_Tests is
       Expect_Number ("EXITs", Exits, 8);
    end Late_Release;
 
-   -------------------
-   -- Stopped_Clock --
-   -------------------
-
    procedure Stopped_Clock is
    begin
       Begin_With (Other);
@@ -328,10 +272,6 @@ package body Semaphores_Tests is
       Expect ("the clock", Now, 102);
       Expect ("tries", Tries, 140_001);
    end Stopped_Clock;
-
-   -----------------
-   -- End_Of_Time --
-   -----------------
 
    procedure End_Of_Time is
    begin
@@ -350,10 +290,6 @@ package body Semaphores_Tests is
       Expect_Claim ("available at the last tick", True);
    end End_Of_Time;
 
-   ---------------
-   -- Own_Claim --
-   ---------------
-
    procedure Own_Claim is
    begin
       Begin_With (Caller);
@@ -365,10 +301,6 @@ package body Semaphores_Tests is
       Expect_Release ("the second V", Caller, False);
       Expect ("reported holder", Last_Holder, No_Task);
    end Own_Claim;
-
-   --------------
-   -- In_Steps --
-   --------------
 
    procedure In_Steps is
       Patience  : Wait := Begun (100, Calls.Claim_Wait);
@@ -395,10 +327,6 @@ package body Semaphores_Tests is
       Expect ("again when claimed", Try_Again, False);
    end In_Steps;
 
-   ----------------
-   -- Without_It --
-   ----------------
-
    procedure Without_It is
    begin
       Begin_With (Other);
@@ -410,10 +338,6 @@ package body Semaphores_Tests is
       Expect_Release ("the owner's V", Other, True);
       Expect_Owner ("the owner's V", No_Task);
    end Without_It;
-
-   --------------------
-   -- Another_Claims --
-   --------------------
 
    procedure Another_Claims is
       Claimed : Boolean;
@@ -432,10 +356,6 @@ package body Semaphores_Tests is
       Expect_Owner ("its V", Third);
       Expect ("reported holder", Last_Holder, Third);
    end Another_Claims;
-
-   ---------------
-   -- Two_Tasks --
-   ---------------
 
    procedure Two_Tasks is
       Rounds : constant := 50_000;
@@ -485,10 +405,6 @@ package body Semaphores_Tests is
       Expect ("both at once", Broken, 0);
    end Two_Tasks;
 
-   -----------
-   -- Reset --
-   -----------
-
    procedure Reset is
    begin
       Begin_With (Third);
@@ -496,10 +412,6 @@ package body Semaphores_Tests is
       Expect_Owner ("after a reset", No_Task);
       Expect_Release ("of whom had it", Third, False);
    end Reset;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

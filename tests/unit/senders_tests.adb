@@ -14,10 +14,6 @@ package body Senders_Tests is
 
    Lengths : constant array (1 .. 5) of Block_Length := (1, 2, 4, 28, 56);
 
-   --------------
-   -- Messages --
-   --------------
-
    procedure Messages is
       Data   : Block_Data;
       Item   : Sender;
@@ -45,19 +41,11 @@ package body Senders_Tests is
       end loop;
    end Messages;
 
-   -------------
-   -- Lengths --
-   -------------
-
    procedure Wire_Lengths is
    begin
       Expect_Number ("of an uplink", Integer (Message_Length (28)), 30);
       Expect_Number ("of a downlink", Integer (Message_Length (56)), 58);
    end Wire_Lengths;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

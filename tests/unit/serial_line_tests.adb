@@ -15,10 +15,6 @@ package body Serial_Line_Tests is
    --  well received or was not.
    procedure Give (Data : Byte; Completes : Boolean; Wrong : Boolean);
 
-   ----------
-   -- Give --
-   ----------
-
    procedure Give (Data : Byte; Completes : Boolean; Wrong : Boolean) is
       Found        : Boolean;
       Parity_Error : Boolean;
@@ -29,10 +25,6 @@ package body Serial_Line_Tests is
          Expect ("parity error of" & Data'Image, Parity_Error, Wrong);
       end if;
    end Give;
-
-   -------------------
-   -- Well_Received --
-   -------------------
 
    procedure Well_Received is
    begin
@@ -46,10 +38,6 @@ package body Serial_Line_Tests is
       Give (16#00#, Completes => True, Wrong => False);
    end Well_Received;
 
-   ------------
-   -- Marked --
-   ------------
-
    procedure Marked is
    begin
       for Data in Byte loop
@@ -59,10 +47,6 @@ package body Serial_Line_Tests is
          Give (16#4B#, Completes => True, Wrong => False);
       end loop;
    end Marked;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -62,10 +62,6 @@ package body Starts_Tests is
       with package Variable is new URVOS.Shared_Mailboxes (<>);
    procedure Expect_Variable (What : String; Node : Station);
 
-   ----------------
-   -- Fly_Before --
-   ----------------
-
    procedure Fly_Before is
    begin
       Switch_On;
@@ -76,10 +72,6 @@ package body Starts_Tests is
       Fly (2);
       Clock_Tick_Of_Both;
    end Fly_Before;
-
-   -----------------
-   -- Begin_Again --
-   -----------------
 
    procedure Begin_Again (Node : Station; Condition : Condition_Name) is
       Passed : Boolean;
@@ -92,10 +84,6 @@ package body Starts_Tests is
       end case;
       Expect ("self-test passed", Passed, True);
    end Begin_Again;
-
-   ---------------------
-   -- Expect_Variable --
-   ---------------------
 
    procedure Expect_Variable (What : String; Node : Station) is
       use type Variable.Message;
@@ -133,10 +121,6 @@ package body Starts_Tests is
          end;
       end loop;
    end Expect_Variable;
-
-   ------------
-   -- Phases --
-   ------------
 
    procedure Phases is
 
@@ -241,10 +225,6 @@ package body Starts_Tests is
       end loop;
    end Phases;
 
-   -------------
-   -- Counted --
-   -------------
-
    procedure Counted is
 
       --  Starts of each condition after the first cold start.
@@ -303,10 +283,6 @@ package body Starts_Tests is
            (Node'Image & ", log again", Logs.Total (Log_Of (Node)), 0);
       end loop;
    end Counted;
-
-   ------------------------
-   -- Boards_Of_Aircraft --
-   ------------------------
 
    procedure Boards_Of_Aircraft is
       Held_Servos : Data_Area;
@@ -367,10 +343,6 @@ package body Starts_Tests is
       end loop;
    end Boards_Of_Aircraft;
 
-   ---------------------------
-   -- Variables_Of_Aircraft --
-   ---------------------------
-
    procedure Variables_Of_Aircraft is
       procedure ADINT    is new Expect_Variable (MCS.ADINT_Variable);
       procedure AD       is new Expect_Variable (MCS.AD_Variable);
@@ -389,10 +361,6 @@ package body Starts_Tests is
       PWM ("PWM_variable", Aircraft);
    end Variables_Of_Aircraft;
 
-   -------------------------
-   -- Variables_Of_Ground --
-   -------------------------
-
    procedure Variables_Of_Ground is
       procedure ADINT    is new Expect_Variable (GSC.ADINT_Variable);
       procedure AD       is new Expect_Variable (GSC.AD_Variable);
@@ -408,10 +376,6 @@ package body Starts_Tests is
       Downlink ("downlink_variable", Ground);
       TELOUT ("TELOUT_variable", Ground);
    end Variables_Of_Ground;
-
-   -------------------
-   -- Transmit_Half --
-   -------------------
 
    procedure Transmit_Half is
       Overwrote : Boolean;
@@ -503,10 +467,6 @@ package body Starts_Tests is
       end loop;
    end Receive_Half;
 
-   ----------------
-   -- Converters --
-   ----------------
-
    procedure Converters is
       Wanted, Interrupt : Boolean;
       Channel           : Devices.AD_Board.Channel_Number;
@@ -537,10 +497,6 @@ package body Starts_Tests is
          end loop;
       end loop;
    end Converters;
-
-   -----------------
-   -- Codes_Again --
-   -----------------
 
    procedure Codes_Again is
       CORE : Memory;
@@ -580,10 +536,6 @@ package body Starts_Tests is
       end loop;
    end Codes_Again;
 
-   -----------------
-   -- Servos_Held --
-   -----------------
-
    procedure Servos_Held is
       Held : Data_Area;
    begin
@@ -611,10 +563,6 @@ package body Starts_Tests is
          Expect (Condition'Image & ", new command", Servos (1), 16#300#);
       end loop;
    end Servos_Held;
-
-   --------------------
-   -- Flight_Goes_On --
-   --------------------
 
    procedure Flight_Goes_On is
       GSC_Before : constant Count := GSC.Virtual_Time.Overruns;
@@ -651,10 +599,6 @@ package body Starts_Tests is
       Expect ("overruns of GSC", GSC.Virtual_Time.Overruns, GSC_Before);
       Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, MCS_Before);
    end Flight_Goes_On;
-
-   ---------------------
-   -- Silent_Aircraft --
-   ---------------------
 
    procedure Silent_Aircraft is
       Held     : Data_Area;
@@ -728,10 +672,6 @@ package body Starts_Tests is
       end loop;
    end Silent_Aircraft;
 
-   -------------------
-   -- Silent_Ground --
-   -------------------
-
    procedure Silent_Ground is
       Held   : Data_Area;
       Status : Status_Words;
@@ -769,10 +709,6 @@ package body Starts_Tests is
       end loop;
    end Silent_Ground;
 
-   ----------------
-   -- Broken_Off --
-   ----------------
-
    procedure Broken_Off is
       Raised : Boolean;
    begin
@@ -805,10 +741,6 @@ package body Starts_Tests is
             CORE_Of (Node).Status (Processor_Restarts), 1);
       end loop;
    end Broken_Off;
-
-   --------------------
-   -- Two_Processors --
-   --------------------
 
    procedure Two_Processors is
       Before : constant Count := MCS.Virtual_Time.Overruns;
@@ -845,10 +777,6 @@ package body Starts_Tests is
       Expect
         ("the servos have moved", Servos_Of (2) (Frames) (1) > 16#200#, True);
    end Two_Processors;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -2,10 +2,6 @@ with Expectations; use Expectations;
 
 package body Task_Doubles is
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear is
    begin
       Status := 0;
@@ -22,18 +18,10 @@ package body Task_Doubles is
       Last_Detail := 0;
    end Clear;
 
-   -----------------
-   -- Read_Status --
-   -----------------
-
    procedure Read_Status (Bits : out Word) is
    begin
       Bits := Status;
    end Read_Status;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report (Error : Error_Kind; Detail : Word) is
    begin
@@ -44,10 +32,6 @@ package body Task_Doubles is
          Expect ("detail of " & Error'Image, Detail, 0);
       end if;
    end Report;
-
-   -------------------
-   -- Expect_Errors --
-   -------------------
 
    procedure Expect_Errors
      (What     : String;
@@ -68,10 +52,6 @@ package body Task_Doubles is
       Last_Detail := 0;
    end Expect_Errors;
 
-   ---------------
-   -- Uplink_Of --
-   ---------------
-
    function Uplink_Of (Mark : Word) return Uplink_Buffer is
    begin
       return Result : Uplink_Buffer do
@@ -81,10 +61,6 @@ package body Task_Doubles is
          Result (Error_Status) := 0;
       end return;
    end Uplink_Of;
-
-   -----------------
-   -- Downlink_Of --
-   -----------------
 
    function Downlink_Of (Mark : Word) return Downlink_Buffer is
    begin
@@ -96,10 +72,6 @@ package body Task_Doubles is
       end return;
    end Downlink_Of;
 
-   --------------
-   -- Image_Of --
-   --------------
-
    function Image_Of (Mark : Word; Error : Word) return AD_Image is
    begin
       return Result : AD_Image do
@@ -109,10 +81,6 @@ package body Task_Doubles is
          Result.Error_Status := Error;
       end return;
    end Image_Of;
-
-   -------------------
-   -- Expect_Buffer --
-   -------------------
 
    procedure Expect_Buffer
      (What : String; Actual, Expected : Uplink_Buffer) is

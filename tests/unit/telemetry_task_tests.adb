@@ -53,10 +53,6 @@ package body Telemetry_Task_Tests is
       Put_Block      => Put_Block,
       Report         => Report);
 
-   ----------------
-   -- Take_Block --
-   ----------------
-
    procedure Take_Block
      (Data          : out Block_Data;
       Fresh         : out Boolean;
@@ -68,20 +64,12 @@ package body Telemetry_Task_Tests is
       Ever_Received := Ever;
    end Take_Block;
 
-   ---------------
-   -- Put_Block --
-   ---------------
-
    procedure Put_Block (Data : Block_Data; Overwrote : out Boolean) is
    begin
       Put_Count := Put_Count + 1;
       Put_Data  := Data;
       Overwrote := Put_Overwrote;
    end Put_Block;
-
-   ----------------------
-   -- Before_The_First --
-   ----------------------
 
    procedure Before_The_First is
    begin
@@ -98,10 +86,6 @@ package body Telemetry_Task_Tests is
       Expect_Errors ("before the first message", None);
    end Before_The_First;
 
-   ---------------
-   -- New_Block --
-   ---------------
-
    procedure New_Block is
    begin
       Before_The_First;
@@ -113,10 +97,6 @@ package body Telemetry_Task_Tests is
       Expect_Buffer ("message", Input_Up.Kept, Uplink_Of (16#100#));
       Expect_Errors ("a new block", None);
    end New_Block;
-
-   -----------------
-   -- Block_Again --
-   -----------------
 
    procedure Block_Again is
    begin
@@ -136,10 +116,6 @@ package body Telemetry_Task_Tests is
       Expect_Buffer ("the next", Input_Up.Kept, Uplink_Of (16#200#));
    end Block_Again;
 
-   ------------------
-   -- Not_Consumed --
-   ------------------
-
    procedure Not_Consumed is
    begin
       New_Block;
@@ -147,10 +123,6 @@ package body Telemetry_Task_Tests is
       TELIN.Run_Transaction;
       Expect_Errors ("nobody took", (1 => Input_Not_Consumed));
    end Not_Consumed;
-
-   ----------------
-   -- Cold_Again --
-   ----------------
 
    procedure Cold_Again is
    begin
@@ -167,10 +139,6 @@ package body Telemetry_Task_Tests is
       Expect_Number ("sent when one has come", Input_Up.Sent, 1);
    end Cold_Again;
 
-   ----------------
-   -- New_Output --
-   ----------------
-
    procedure New_Output is
    begin
       Clear;
@@ -185,10 +153,6 @@ package body Telemetry_Task_Tests is
       Expect_Errors ("new output", None);
    end New_Output;
 
-   -------------------
-   -- No_Output_Now --
-   -------------------
-
    procedure No_Output_Now is
    begin
       New_Output;
@@ -198,10 +162,6 @@ package body Telemetry_Task_Tests is
       Expect_Errors ("nothing new", (1 => No_Output));
    end No_Output_Now;
 
-   ---------------
-   -- No_Buffer --
-   ---------------
-
    procedure No_Buffer is
    begin
       New_Output;
@@ -210,10 +170,6 @@ package body Telemetry_Task_Tests is
       Expect_Number ("put", Put_Count, 2);
       Expect_Errors ("no buffer", (1 => TELOUT_Overwrote_Block));
    end No_Buffer;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

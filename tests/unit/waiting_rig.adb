@@ -3,10 +3,6 @@ package body Waiting_Rig is
    Per_Tick : Natural := 0;
    Run      : Action  := null;
 
-   --------------
-   -- Begin_At --
-   --------------
-
    procedure Begin_At
      (Start          : Clock_Tick;
       Exits_Per_Tick : Natural;
@@ -19,18 +15,10 @@ package body Waiting_Rig is
       Run      := Others_Run;
    end Begin_At;
 
-   ----------------
-   -- Read_Clock --
-   ----------------
-
    procedure Read_Clock (Shown : out Clock_Tick) is
    begin
       Shown := Now;
    end Read_Clock;
-
-   --------------------
-   -- Exit_Processor --
-   --------------------
 
    procedure Exit_Processor is
    begin

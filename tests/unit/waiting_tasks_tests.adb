@@ -71,10 +71,6 @@ package body Waiting_Tasks_Tests is
    procedure Expect_Waiter_Runs (When_It_Was : String);
    procedure Expect_Owner (When_It_Was : String; Expected : Task_Id);
 
-   ------------------------
-   -- Report_Not_Claimed --
-   ------------------------
-
    procedure Report_Not_Claimed (Caller, Holder : Claimant) is
    begin
       Expect ("whose P was in vain", Caller, Waiter);
@@ -82,20 +78,12 @@ package body Waiting_Tasks_Tests is
       Resource_Reports := Resource_Reports + 1;
    end Report_Not_Claimed;
 
-   ----------------------
-   -- Report_Not_Owned --
-   ----------------------
-
    procedure Report_Not_Owned (Caller : Claimant; Holder : Task_Id) is
    begin
       Expect ("whose V was in vain", Caller, Waiter);
       Expect ("who has the semaphore", Holder, Other);
       Resource_Reports := Resource_Reports + 1;
    end Report_Not_Owned;
-
-   -----------------
-   -- Begin_Tasks --
-   -----------------
 
    procedure Begin_Tasks (Wake_Up : Clock_Tick; Its_Priority : Priority) is
       Claimed : Boolean;
@@ -116,10 +104,6 @@ package body Waiting_Tasks_Tests is
       Resource_Reports := 0;
    end Begin_Tasks;
 
-   --------------
-   -- Schedule --
-   --------------
-
    procedure Schedule is
       Done : Boolean;
    begin
@@ -136,10 +120,6 @@ package body Waiting_Tasks_Tests is
       Expect_Waiter_Runs ("after EXIT");
    end Schedule;
 
-   ------------------------
-   -- Expect_Waiter_Runs --
-   ------------------------
-
    procedure Expect_Waiter_Runs (When_It_Was : String) is
    begin
       Expect
@@ -147,20 +127,12 @@ package body Waiting_Tasks_Tests is
          Id_Of (Processor, Running_TCB (Processor)), Waiter);
    end Expect_Waiter_Runs;
 
-   ------------------
-   -- Expect_Owner --
-   ------------------
-
    procedure Expect_Owner (When_It_Was : String; Expected : Task_Id) is
       Snapshot : Semaphore;
    begin
       Resource.Inspect (Snapshot);
       Expect (When_It_Was & ", owner", Owner (Snapshot), Expected);
    end Expect_Owner;
-
-   ------------------
-   -- Holder_Wakes --
-   ------------------
 
    procedure Holder_Wakes is
       Claimed : Boolean;
@@ -175,10 +147,6 @@ package body Waiting_Tasks_Tests is
          Expect_Waiter_Runs ("after its P");
       end loop;
    end Holder_Wakes;
-
-   ----------------------
-   -- Holder_Sleeps_On --
-   ----------------------
 
    procedure Holder_Sleeps_On is
       Claimed  : Boolean;
@@ -197,10 +165,6 @@ package body Waiting_Tasks_Tests is
       Expect_Owner ("when it has run", No_Task);
    end Holder_Sleeps_On;
 
-   ------------------
-   -- Lower_Holder --
-   ------------------
-
    procedure Lower_Holder is
       Claimed : Boolean;
    begin
@@ -216,10 +180,6 @@ package body Waiting_Tasks_Tests is
       end loop;
    end Lower_Holder;
 
-   --------------------
-   -- Producer_Wakes --
-   --------------------
-
    procedure Producer_Wakes is
       Item  : Word;
       Fresh : Boolean;
@@ -234,10 +194,6 @@ package body Waiting_Tasks_Tests is
       end loop;
    end Producer_Wakes;
 
-   ------------------------
-   -- Producer_Sleeps_On --
-   ------------------------
-
    procedure Producer_Sleeps_On is
       Item  : Word;
       Fresh : Boolean;
@@ -251,10 +207,6 @@ package body Waiting_Tasks_Tests is
       Variable.Inspect (Box);
       Expect ("misses", Boxes.Misses (Box), 1);
    end Producer_Sleeps_On;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
