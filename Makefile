@@ -6,14 +6,14 @@
 GPRBUILD := gprbuild -q -p -j0
 
 help:
-	@echo "To fly and to work:"
+	@echo "Product: fly it and work on it."
 	@echo "  make fly        fly the standard flight, leave it in flight/"
 	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
 	@echo "  make clean      remove what was built"
-	@echo "Evidence; RENEW=--renew writes the result into docs:"
+	@echo "Evidence: measure it. RENEW=--renew writes the result into docs."
 	@echo "  make explore    explore both telemetry boards exhaustively"
 	@echo "  make campaign   spoil the link in every way, see it recover;"
 	@echo "                  CAMPAIGN=tiny|short|full JOBS=N"
