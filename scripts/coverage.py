@@ -14,11 +14,11 @@ A generic's text is merged over its instances: a line is reached when it is in
 any of them, and so is a branch.
 
 Each line that is not reached and each decision that goes one way only stands
-in docs/coverage.md with its reason; a text that ends in "..." is that of all
+in docs/evidence/coverage.md with its reason; a text that ends in "..." is that of all
 lines that begin so. One that is not there fails, and so does one that is there
 without need, but for those that the machine's load decides: their reason begins
 with "Sometimes". The report as HTML is in coverage/; with --renew the result is
-written into docs/coverage.md.
+written into docs/evidence/coverage.md.
 """
 
 import json
@@ -34,7 +34,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-EXPLAINED = ROOT / "docs" / "coverage.md"
+EXPLAINED = ROOT / "docs" / "evidence" / "coverage.md"
 HTML = ROOT / "coverage"
 COUNTED = ROOT / "obj" / "coverage.json"
 
@@ -262,7 +262,7 @@ ROW = re.compile(r"^\| `([^`]+)` \| (entry|line|decision) \| `([^`]+)` \|"
 
 
 def explained():
-    """The rows of docs/coverage.md: file, kind, text, and what is not None
+    """The rows of docs/evidence/coverage.md: file, kind, text, and what is not None
     for what is missed sometimes."""
     page = EXPLAINED.read_text(encoding="utf-8")
     return [row.groups() for row in ROW.finditer(page)]
@@ -303,7 +303,7 @@ def judge(sources):
             used.add(row)
         else:
             wrong.append(f"{name}:{number}: {MISSED[kind]}: {text}")
-    wrong += [f"docs/coverage.md: covered, or not there: {name}: {text}"
+    wrong += [f"docs/evidence/coverage.md: covered, or not there: {name}: {text}"
               for name, kind, text, sometimes in rows
               if not sometimes and (name, kind, text, None) not in used]
     wrong += [f"{name}: in no program"

@@ -12,7 +12,7 @@
         12/root, 12/user, 13/root, 13/user; all of them unless named. Needs
         root and debootstrap.
 
---renew writes the result into docs/independence.md. All warnings are errors,
+--renew writes the result into docs/evidence/independence.md. All warnings are errors,
 so what builds has none. Exit status 1 when a test fails or bytes differ.
 """
 
@@ -30,7 +30,7 @@ from pathlib import Path
 import coverage
 
 ROOT = Path(__file__).resolve().parent.parent
-DOCUMENT = ROOT / "docs" / "independence.md"
+DOCUMENT = ROOT / "docs" / "evidence" / "independence.md"
 
 SUITES = {"12": "bookworm", "13": "trixie"}
 NEWCOMERS = [f"{debian}/{who}" for debian in SUITES for who in ("root", "user")]

@@ -4,7 +4,7 @@ cyclictest, and says how timely they were (EVI-9).
 
     scripts/timing.py --seconds 600 [--renew]
 
-Prints, and with --renew writes into docs/timing.md: what each transaction
+Prints, and with --renew writes into docs/evidence/timing.md: what each transaction
 costs, the response time of each minor frame computed from that and measured,
 how late the nodes' clocks ticked beside what cyclictest measured meanwhile,
 frames lost, overruns, the latency from the console to the servos, and whether
@@ -31,7 +31,7 @@ from pathlib import Path
 from machine_pauses import Pauses, Watchers, SHORTEST_US
 
 ROOT = Path(__file__).resolve().parent.parent
-DOCUMENT = ROOT / "docs" / "timing.md"
+DOCUMENT = ROOT / "docs" / "evidence" / "timing.md"
 BEGIN, END = "<!-- make timing -->\n", "<!-- end -->\n"
 
 NOBODY = 65534
@@ -45,7 +45,7 @@ LATENCY_MS = (2 * PHASE + 44, 2 * PHASE + 64 + 0.2)
 # A scan or a PWM task that is a little late is no pause yet.
 LENIENCY_MS = 1
 
-# After a disturbance the commands follow again within so much (docs/link.md).
+# After a disturbance the commands follow again within so much (docs/evidence/link.md).
 RECOVERY_US = 3 * FRAME_US
 
 LINK_ERRORS = {

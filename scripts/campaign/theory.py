@@ -2,8 +2,8 @@
 """The link under bit errors: what theory says and what the simulation does.
 
   theory.py [--frames N] [--renew]
-      measures, prints the table; --renew writes it into docs/link.md, and the
-      plot docs/link-errors.svg
+      measures, prints the table; --renew writes it into docs/evidence/link.md, and the
+      plot docs/evidence/link-errors.svg
 
 Theory is a closed form from the protocol as docs/link.md has it. What is
 measured comes from the wire alone: who sent what, and how it was answered.
@@ -25,7 +25,7 @@ import cases  # noqa: E402
 import checker  # noqa: E402
 import run  # noqa: E402
 
-DOCS = run.ROOT / "docs"
+EVIDENCE = run.ROOT / "docs" / "evidence"
 
 UP, DOWN = 30, 58          # characters of a data message
 DEAD_SPACE, IDLE = 20, 24
@@ -246,12 +246,12 @@ def main():
 
 
 def renew(made, points):
-    (DOCS / "link-errors.svg").write_text(svg(points), encoding="ascii")
-    page = (DOCS / "link.md").read_text(encoding="utf-8")
+    (EVIDENCE / "link-errors.svg").write_text(svg(points), encoding="ascii")
+    page = (EVIDENCE / "link.md").read_text(encoding="utf-8")
     begin, end = "<!-- make theory -->\n", "<!-- end -->\n"
     before, rest = page.split(begin)
     after = rest.split(end)[1]
-    (DOCS / "link.md").write_text(before + begin + made + end + after,
+    (EVIDENCE / "link.md").write_text(before + begin + made + end + after,
                                   encoding="utf-8")
 
 

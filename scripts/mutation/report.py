@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What the mutants show: the table of docs/mutation.md, and its check.
+"""What the mutants show: the table of docs/evidence/mutation.md, and its check.
 
-  table   writes the table into docs/mutation.md
+  table   writes the table into docs/evidence/mutation.md
   check   the same table must be there; every survivor is judged, and nothing
           else is
 
@@ -21,7 +21,7 @@ import run
 
 ROOT = run.ROOT
 JUDGED = ROOT / "tests" / "mutation" / "equivalent.toml"
-DOCUMENT = ROOT / "docs" / "mutation.md"
+DOCUMENT = ROOT / "docs" / "evidence" / "mutation.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
 GOAL = 95.0
 
@@ -125,7 +125,7 @@ def main():
         DOCUMENT.write_text(head + BEGIN + text + END + tail,
                             encoding="utf-8")
     elif there != text:
-        found.append("docs/mutation.md: not the table of these results")
+        found.append("docs/evidence/mutation.md: not the table of these results")
     for problem in found:
         print(f"mutation: {problem}")
     print(f"mutation: {sum(total.values())} mutants, "

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Looks at the record of a flight for what must never happen (SAF-1 to SAF-6,
 SAF-9). It knows the hazards and the record, and nothing of the software:
-docs/safety-monitor.md says what it checks, and from what its times come.
+docs/evidence/safety-monitor.md says what it checks, and from what its times come.
 
     python3 scripts/safety/monitor.py RECORD [--sticks FILE] [--sensors FILE]
             [--faults FILE]

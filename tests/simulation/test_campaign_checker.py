@@ -148,7 +148,7 @@ def test_a_fault_of_a_character_ends_with_it(harm, characters):
 
 
 def test_the_bounds_are_those_of_the_page():
-    page = (ROOT / "docs" / "link.md").read_text("utf-8")
+    page = (ROOT / "docs" / "evidence" / "link.md").read_text("utf-8")
     assert checker.LINK_BOUND == 3
     assert checker.BOUNDS == {"calm": 0, "start": 5}
     assert "within 3 major frames (5 for start)" in page

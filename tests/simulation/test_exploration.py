@@ -1,5 +1,5 @@
 """LNK-9: the exhaustive exploration of both boards finds nothing, and finds
-bugs that were planted (docs/exploration.md)."""
+bugs that were planted (docs/evidence/exploration.md)."""
 
 import re
 import shutil

@@ -55,7 +55,7 @@ def test_a_flight_that_fails_is_no_result(tmp_path):
 def test_the_page_gets_the_table_and_keeps_the_rest():
     page = independence.renewed(PAGE, "switches", "new\n")
     assert page == PAGE.replace("old\n", "new\n")
-    page = (ROOT / "docs" / "independence.md").read_text(encoding="utf-8")
+    page = independence.DOCUMENT.read_text(encoding="utf-8")
     for part in ("switches", "chroot"):
         assert "other\n" in independence.renewed(page, part, "other\n")
 
