@@ -31,8 +31,7 @@ sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
 
 from mutants import PARSER, child_of_type, descendants, has_aspect, specification_of, subprogram_name, text_of  # noqa: E402, E501
 
-FOLDERS = ("kernel", "telemetry", "tasks")
-NODES = ("mcs", "gsc")
+FOLDERS = ("kernel", "telemetry", "formats", "tasks")
 THEOREM = "proofs/theorems-results.ads"
 DECLARATIONS = {"subprogram_declaration", "expression_function_declaration"}
 
@@ -147,8 +146,7 @@ def pure_procedures(root):
 
 def specifications(root):
     return [path for folder in FOLDERS
-            for path in sorted((root / "src" / folder).glob("*.ads"))
-            if not path.stem.startswith(NODES)]
+            for path in sorted((root / "src" / folder).rglob("*.ads"))]
 
 
 def theorem_gaps(root):

@@ -285,7 +285,7 @@ MISSED = {"entry": "never entered", "line": "never reached",
 def bodies():
     """What is sure to have code: bodies with a subprogram in them."""
     return {path.relative_to(ROOT).as_posix()
-            for path in ROOT.glob("src/*/*.adb")
+            for path in (ROOT / "src").rglob("*.adb")
             if re.search(r"^ *(procedure|function|entry|task) ",
                          path.read_text(encoding="utf-8"), re.M)}
 

@@ -91,7 +91,7 @@ def read_units(root, folders):
     """The library units in these folders, by their name in lower case."""
     units = {}
     files = [file for folder in folders
-             for file in sorted((root / folder).glob("*.ad[sb]"))]
+             for file in sorted(root.glob(f"{folder}/*.ad[sb]"))]
     for path in sorted(files, key=lambda path: path.suffix, reverse=True):
         text = path.read_text(encoding="utf-8")
         code = without_comments(text)

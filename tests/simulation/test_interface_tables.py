@@ -9,6 +9,7 @@ beside the table has its reason there, a task beyond the tables too.
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
@@ -16,7 +17,7 @@ from conftest import ROOT
 DATA = json.loads(
     (ROOT / "tests/data/interface_tables.json").read_text(encoding="utf-8"))
 TABLES = {table["unit"]: table for table in DATA["tables"]}
-TASKS = ROOT / "src" / "tasks"
+SOURCES = {path.name: path for path in (ROOT / "src").rglob("*.ad?")}
 NODES = ("MCS", "GSC")
 
 CONSUMED = "global variables consumed"
@@ -28,7 +29,7 @@ BESIDE = "formals beside the table"
 
 def code_of(unit):
     name = unit.lower().replace(".", "-") + ".ads"
-    text = (TASKS / name).read_text(encoding="utf-8")
+    text = SOURCES[name].read_text(encoding="utf-8")
     return re.sub(r"--.*", "", text)
 
 
@@ -98,8 +99,8 @@ def test_set1_a_node_has_the_tasks_of_the_tables_and_no_others(node):
 
 def test_each_task_has_a_table_or_a_reason():
     units = {"URV." + path.stem.removeprefix("urv-").lower()
-             for path in TASKS.glob("urv-*_*.ads")
-             if re.search(r"_(task|handler)$", path.stem)}
+             for path in map(Path, SOURCES) if path.suffix == ".ads"
+             and re.search(r"^urv-.*_(task|handler)$", path.stem)}
     named = {*TABLES, *DATA["tasks beyond the tables"]}
     assert units == {"URV." + unit[4:].lower() for unit in named}
     assert all(DATA["tasks beyond the tables"].values())
@@ -120,11 +121,11 @@ def test_mbx1_each_variable_has_one_producer_and_one_consumer(node):
 @pytest.mark.parametrize("unit", TABLES)
 def test_a_task_sees_no_state_but_through_its_formals(unit):
     name = unit.lower().replace(".", "-")
-    text = "".join((TASKS / (name + ending)).read_text(encoding="utf-8")
+    text = "".join(SOURCES[name + ending].read_text(encoding="utf-8")
                    for ending in (".ads", ".adb"))
     units = re.findall(r"^with ([\w.]+);", text, re.M)
     assert "URV.Errors" in units
     for seen in units:
-        [spec] = ROOT.glob(f"src/*/{seen.lower().replace('.', '-')}.ads")
+        spec = SOURCES[f"{seen.lower().replace('.', '-')}.ads"]
         declared = rf"^package {re.escape(seen)}\s+with\s[^;]*?\bPure\b"
         assert re.search(declared, spec.read_text("utf-8"), re.M), seen
