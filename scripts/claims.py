@@ -13,11 +13,10 @@ import argparse
 import sys
 from pathlib import Path
 
+from ada_source import (
+    code_of, descendants, parsed, sources, subprogram_name, text_of)
+
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
-
-from mutants import PARSER, descendants, squeezed, subprogram_name, text_of  # noqa: E402, E501
-
 CLAIMS = ROOT / "proofs" / "claims.txt"
 FOLDERS = ("src", "proofs")
 
@@ -25,12 +24,6 @@ FOLDERS = ("src", "proofs")
 FORMULAS = {"Post", "Refined_Post", "Predicate", "Static_Predicate"}
 WHOLE = {"Global", "Refined_Global", "Depends", "Initializes",
          "Subprogram_Variant"}
-
-
-def without_comments(text):
-    return squeezed("\n".join(
-        line.split("--")[0] for line in text.splitlines()
-    ))
 
 
 def conjuncts(node):
@@ -42,7 +35,7 @@ def conjuncts(node):
         yield from conjuncts(parts[0])
         return
     if not any(part.type == "and" for part in parts):
-        yield without_comments(text_of(node))
+        yield code_of(text_of(node))
         return
     group = []
     for part in [*parts, None]:
@@ -54,7 +47,7 @@ def conjuncts(node):
             else:
                 text = node.text[group[0].start_byte - node.start_byte:
                                  group[-1].end_byte - node.start_byte]
-                yield without_comments(text.decode())
+                yield code_of(text.decode())
             group = []
 
 
@@ -70,14 +63,14 @@ def claims_of(association):
     elif mark == "Contract_Cases":
         yield from cases(value)
     elif mark in WHOLE:
-        yield mark, without_comments(text_of(value))
+        yield mark, code_of(text_of(value))
 
 
 def cases(value):
     """Of each case, its guard with each conjunct of its consequence."""
     for part in descendants(value):
         if part.type == "array_component_association":
-            guard = without_comments(text_of(part.children[0]))
+            guard = code_of(text_of(part.children[0]))
             for claim in conjuncts(part.children[-1]):
                 yield "Contract_Cases", f"{guard} => {claim}"
 
@@ -95,16 +88,12 @@ def owner(node):
 def claims(root):
     """Every claim: unit, what it is of, aspect, text."""
     found = []
-    for folder in FOLDERS:
-        for path in sorted((root / folder).rglob("*.ad[sb]")):
-            if "canaries" in path.parts:
-                continue
-            tree = PARSER.parse(path.read_bytes()).root_node
-            for node in descendants(tree):
-                if node.type == "aspect_association":
-                    of = owner(node.parent.parent)
-                    found += [f"{path.stem} {of} {mark}: {claim}"
-                              for mark, claim in claims_of(node)]
+    for path in sources(root, *FOLDERS):
+        for node in descendants(parsed(path.read_bytes())):
+            if node.type == "aspect_association":
+                of = owner(node.parent.parent)
+                found += [f"{path.stem} {of} {mark}: {claim}"
+                          for mark, claim in claims_of(node)]
     return found
 
 

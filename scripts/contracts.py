@@ -26,29 +26,14 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from ada_source import (
+    aspects, child_of_type, descendants, has_aspect, parsed, sources,
+    specification_of, subprogram_name, text_of, without_comments)
+
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
-
-from mutants import PARSER, child_of_type, descendants, has_aspect, specification_of, subprogram_name, text_of  # noqa: E402, E501
-
 FOLDERS = ("kernel", "telemetry", "formats", "tasks")
 THEOREM = "proofs/theorems-results.ads"
 DECLARATIONS = {"subprogram_declaration", "expression_function_declaration"}
-
-
-def without_comments(text):
-    return "\n".join(line.split("--")[0] for line in text.splitlines())
-
-
-def aspects(node):
-    """The aspects of a declaration: name and text."""
-    specification = child_of_type(node, "aspect_specification")
-    found = {}
-    for part in descendants(specification) if specification else ():
-        if part.type == "aspect_association":
-            name, _, value = text_of(part).partition("=>")
-            found.setdefault(name.strip(), without_comments(value))
-    return found
 
 
 def changed_parameters(node):
@@ -125,7 +110,7 @@ def package_of(root):
 
 def unit_gaps(source):
     """What is missing in a specification."""
-    package = package_of(PARSER.parse(source).root_node)
+    package = package_of(parsed(source))
     if package is not None:
         yield from package_gaps(package)
 
@@ -133,7 +118,7 @@ def unit_gaps(source):
 def pure_procedures(root):
     """Those whose results Theorems.Results is about, as Package.Name."""
     for path in specifications(root):
-        package = package_of(PARSER.parse(path.read_bytes()).root_node)
+        package = package_of(parsed(path.read_bytes()))
         if package is None or "Pure" not in text_of(
                 child_of_type(package, "aspect_specification")):
             continue
@@ -146,7 +131,8 @@ def pure_procedures(root):
 
 def specifications(root):
     return [path for folder in FOLDERS
-            for path in sorted((root / "src" / folder).rglob("*.ads"))]
+            for path in sources(root, f"src/{folder}")
+            if path.suffix == ".ads"]
 
 
 def theorem_gaps(root):

@@ -23,6 +23,7 @@ import tempfile
 from collections import Counter, defaultdict
 from pathlib import Path
 
+import ada_source
 import proof_canaries
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -50,9 +51,8 @@ def sha256(data):
 
 def sources(root):
     """Every Ada source of the proof, by its path in the repository."""
-    paths = {p for f in FOLDERS for p in (root / f).rglob("*.ad[sb]")}
-    paths -= {*proof_canaries.sources(root)}
-    return {p.relative_to(root).as_posix(): p for p in sorted(paths)}
+    paths = sorted(ada_source.sources(root, *FOLDERS))
+    return {p.relative_to(root).as_posix(): p for p in paths}
 
 
 def hashes(root):
@@ -94,18 +94,6 @@ def tool_versions():
         r"^(?:.*/)?(Why3|[\w-]+(?=:)).*? (?i:version) (\S+)", text, re.M
     )
     return {"gnatprove": text.splitlines()[0].strip(), **dict(called)}
-
-
-def is_whole_declaration(lines, imported):
-    """A subprogram is declared here that is null or, if that may be, imported."""
-    words, depth = "", 0
-    for character in " ".join(line.split("--")[0] for line in lines):
-        depth += (character == "(") - (character == ")")
-        if character == ";" and depth == 0:
-            break
-        words += character if depth == 0 else ""
-    return (re.search(r"\bis\s+null\b", words) is not None
-            or imported and re.search(r"\bImport\b", words) is not None)
 
 
 class Proof:
@@ -176,8 +164,8 @@ class Proof:
         boards' bus, which is imported."""
         path = self.root / self.path_by_file[place["file"]]
         text = path.read_text(encoding="utf-8").splitlines()
-        return is_whole_declaration(
-            text[place["line"] - 1:], imported=path.name == BUS)
+        return ada_source.is_whole_declaration(
+            "\n".join(text[place["line"] - 1:]), imported=path.name == BUS)
 
     def read_check(self, check, how):
         place = "{file}:{line}:{col}: {rule}".format(**check)

@@ -5,19 +5,23 @@ code calls. Contracts, pragmas, ghosts, and functions that only contracts call
 are evidence; they are left alone. Sources are parsed with tree-sitter-ada.
 
 A mutant keeps its name as long as the statement or declaration that it changes
-stays the same but for its contract, wherever the line moves to.
+stays the same but for its contract, wherever the line or the file moves to.
 """
 
 import hashlib
+import sys
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-import tree_sitter
-import tree_sitter_ada
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from ada_source import (  # noqa: E402
+    SUBPROGRAMS, child_of_type, descendants, has_aspect, parsed, sources,
+    squeezed, subprogram_name, text_of)
 
 # In the order in which they are tried.
-FOLDERS = ("telemetry", "tasks", "devices", "kernel")
+FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel")
 
 # Tie the rest to Ada's tasks and clock. They are tried in real time only, by
 # tests too slow to give each mutant to.
@@ -25,10 +29,6 @@ REAL_TIME_UNITS = {
     "gsc-real_time", "gsc-turns", "mcs-real_time", "mcs-turns",
     "urvos-real_time_kernels", "urvos-real_time_tasks",
 }
-
-PARSER = tree_sitter.Parser(
-    tree_sitter.Language(tree_sitter_ada.language())
-)
 
 # No code of theirs is changed: contracts, proof aids, names of things.
 NOT_CODE = {
@@ -77,65 +77,15 @@ class Mutant:
         return f"{squeezed(self.old)} -> {squeezed(self.new)}"
 
 
-def squeezed(text):
-    return " ".join(text.split())
-
-
-def text_of(node):
-    return node.text.decode()
-
-
-def descendants(node):
-    yield node
-    for child in node.children:
-        yield from descendants(child)
-
-
-def child_of_type(node, *types):
-    return next((c for c in node.children if c.type in types), None)
-
-
-def has_aspect(node, name):
-    """Whether a declaration has an aspect, a Ghost for example."""
-    aspects = child_of_type(node, "aspect_specification")
-    return aspects is not None and any(
-        mark.type == "aspect_association"
-        and text_of(mark).split("=>")[0].strip() == name
-        for mark in descendants(aspects)
-    )
-
-
-def specification_of(node):
-    return child_of_type(
-        node, "function_specification", "procedure_specification"
-    )
-
-
-def subprogram_name(node):
-    """The name a subprogram's declaration or body begins with."""
-    part = specification_of(node) or node
-    name = part.child_by_field_name("name")
-    return text_of(name) if name else None
-
-
-SUBPROGRAMS = {
-    "subprogram_declaration", "subprogram_body",
-    "expression_function_declaration", "null_procedure_declaration",
-}
-
-
 class Code:
     """All sources of some folders, parsed, and what of them is only proof."""
 
     def __init__(self, root):
         self.root = root
         self.trees = {}
-        for path in sorted(
-            path for folder in ("src", "sim")
-            for path in (root / folder).rglob("*.ad[sb]")
-        ):
-            tree = PARSER.parse(path.read_bytes())
-            self.trees[path.relative_to(root).as_posix()] = tree.root_node
+        for path in sorted(sources(root, "src", "sim")):
+            name = path.relative_to(root).as_posix()
+            self.trees[name] = parsed(path.read_bytes())
         self.ghosts = {
             subprogram_name(node)
             for tree in self.trees.values() for node in descendants(tree)
@@ -222,7 +172,7 @@ class Finder:
         row = node.start_point[0]
         subprogram = ".".join(where)
         context = squeezed(without_aspects(statement_of(node)))
-        key = (self.path, subprogram, operator, context, old, new)
+        key = (Path(self.path).name, subprogram, operator, context, old, new)
         number = self.seen[key]
         self.seen[key] += 1
         digest = hashlib.sha256(repr((*key, number)).encode()).hexdigest()

@@ -16,16 +16,16 @@ import tomllib
 from collections import Counter
 from pathlib import Path
 
+import fates
 import mutants
-import run
 
-ROOT = run.ROOT
+ROOT = fates.ROOT
 JUDGED = ROOT / "tests" / "mutation" / "equivalent.toml"
 DOCUMENT = ROOT / "docs" / "evidence" / "mutation.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
 GOAL = 95.0
 
-COLUMNS = ("mutants", *run.KILLED, "survived", "equivalent", "score")
+COLUMNS = ("mutants", *fates.KILLED, "survived", "equivalent", "score")
 
 
 def judged():
@@ -39,16 +39,16 @@ def judged():
 def column_of(result, equivalent):
     """Where the table counts a result; nowhere if it does not build."""
     fate = result["fate"]
-    if fate == run.EQUIVALENT or result["name"] in equivalent:
+    if fate == fates.EQUIVALENT or result["name"] in equivalent:
         return "equivalent"
-    if fate == run.PASSED:
+    if fate == fates.PASSED:
         # The proof, which may notice it, has yet to come.
-        return run.SURVIVED
-    return None if fate == run.INVALID else fate
+        return fates.SURVIVED
+    return None if fate == fates.INVALID else fate
 
 
 def score(counts):
-    killed = sum(counts[how] for how in run.KILLED)
+    killed = sum(counts[how] for how in fates.KILLED)
     total = killed + counts["survived"]
     return 100.0 * killed / total if total else 100.0
 
@@ -68,10 +68,10 @@ def table(results, equivalent):
         column = column_of(result, equivalent)
         if column:
             path = Path(result["path"])
-            of_package = packages.setdefault((path.parent, path.stem),
-                                             Counter())
+            folder = "/".join(path.parts[:2])
+            of_package = packages.setdefault((folder, path.stem), Counter())
             of_package[column] += 1
-            folders.setdefault(path.parent, Counter())[column] += 1
+            folders.setdefault(folder, Counter())[column] += 1
     lines = ["| " + " | ".join(("package", *COLUMNS)) + " |",
              "|---|" + "--:|" * len(COLUMNS)]
     for folder in sorted(folders):
@@ -86,7 +86,7 @@ def table(results, equivalent):
 def problems(results, equivalent, total):
     """Survivors nobody judged, judgements of none, a score too low."""
     survivors = {r["name"]: r for r in results
-                 if r["fate"] in (run.SURVIVED, run.PASSED)}
+                 if r["fate"] in (fates.SURVIVED, fates.PASSED)}
     for name, one in equivalent.items():
         if name not in survivors:
             yield f"{name}: judged, but is no survivor"
@@ -114,7 +114,7 @@ def main():
     parser.add_argument("command", choices=("table", "check"))
     command = parser.parse_args().command
 
-    results = current(run.read_results())
+    results = current(fates.read())
     equivalent = judged()
     text, total = table(results, equivalent)
     document = DOCUMENT.read_text(encoding="utf-8")

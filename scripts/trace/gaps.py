@@ -10,7 +10,7 @@ from functools import cached_property
 import requirements_file
 import source_names
 
-SRC = ("src/**",)
+SRC = ("src",)
 PROOFS = ("proofs",)
 PROGRAMS = ("sim", "real_time")
 UNIT_TESTS = "tests/unit"

@@ -3,7 +3,14 @@ requirements that comments and tests' names speak of."""
 
 import ast
 import re
+import sys
 from dataclasses import dataclass, field
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from ada_source import (  # noqa: E402
+    UNIT, declarations, end_of, sources, without_comments)
 
 # A family of requirements, and so what looks like one of their names.
 FAMILIES = ("FRM INI TST BUF KRN MBX SEM ADI AD COR TIN TOU MDI MDO GDI GDO"
@@ -29,48 +36,6 @@ def requirements_in(text):
 
 # --- Ada -------------------------------------------------------------------
 
-DECLARATION = re.compile(
-    r"^ *(?:overriding )?(?:"
-    r"(?:with )?(?:procedure|function|package(?: body)?|type|subtype"
-    r"|protected(?: type| body)?|task(?: type| body)?|entry) +"
-    r"(?P<name>[\w.]+|\"[^\"]+\")"
-    r"|(?P<object>\w+) *:(?!=) *(?!in\b|out\b|not\b|aliased\b)[\w(])", re.M | re.I)
-UNIT = re.compile(r"^(?:private )?package +(?:body +)?([\w.]+)", re.M | re.I)
-
-
-def without_comments(text):
-    """Lines stay where they are."""
-    return re.sub(r"--.*", "", text)
-
-
-def end_of(text, start):
-    """Where the declaration or body that begins at `start` ends: at its
-    semicolon, for a body at the `end` of its indentation."""
-    line_start = text.rfind("\n", 0, start) + 1
-    indent = re.match(r" *", text[line_start:])[0]
-    depth = 0
-    place = start
-    is_body = False
-    for token in re.finditer(r"[();]|\bis\b(?!\s*(?:new|null|\(|abstract"
-                             r"|separate|private|range|record|mod|limited"
-                             r"|array|access|tagged|digits|delta))",
-                             text[start:]):
-        place = start + token.end()
-        if token[0] == "(":
-            depth += 1
-        elif token[0] == ")":
-            depth -= 1
-        elif depth == 0 and token[0] == ";":
-            break
-        elif depth == 0:
-            is_body = True
-            break
-    if is_body:
-        ending = re.compile(rf"^{indent}end\b.*$", re.M).search(text, place)
-        place = ending.end() if ending else place
-    return place
-
-
 @dataclass(eq=False)
 class Unit:
     """A library unit: its files, the names it declares with their places,
@@ -90,8 +55,7 @@ class Unit:
 def read_units(root, folders):
     """The library units in these folders, by their name in lower case."""
     units = {}
-    files = [file for folder in folders
-             for file in sorted(root.glob(f"{folder}/*.ad[sb]"))]
+    files = sources(root, *folders)
     for path in sorted(files, key=lambda path: path.suffix, reverse=True):
         text = path.read_text(encoding="utf-8")
         code = without_comments(text)
@@ -104,12 +68,8 @@ def read_units(root, folders):
         unit.requirements |= requirements_in(text)
         unit.places.setdefault("", []).append(
             (file, 1, text.count("\n")))
-        for match in DECLARATION.finditer(code, heading.end()):
+        for name, first, last in declarations(code):
             unit.is_empty = False
-            start = match.start("name" if match["name"] else "object")
-            name = (match["name"] or match["object"]).lower()
-            first = code.count("\n", 0, start) + 1
-            last = code.count("\n", 0, end_of(code, start)) + 1
             unit.places.setdefault(name, []).append((file, first, last))
     return units
 

@@ -15,6 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
+import ada_source  # noqa: E402
 import proof_record  # noqa: E402
 
 NULL = "procedure Refuse (Why : Word; How : Kind)\n  is null;\nprocedure Other;"
@@ -31,8 +32,7 @@ IMPORTED = "procedure Read (Data : out Byte)\nwith\n  Import,\n  Pre => True;"
 ])
 def test_only_what_is_null_or_on_the_bus_needs_no_body(
         text, imported, whole):
-    lines = text.splitlines()
-    assert proof_record.is_whole_declaration(lines, imported) is whole
+    assert ada_source.is_whole_declaration(text, imported) is whole
 
 
 # --- what is proved, and what is not ----------------------------------------
