@@ -1,11 +1,11 @@
 with Devices.CORE_Memory;
 with Devices.PWM_Board;
+with Host;                use Host;
+with Host.Bench;
+with Host.Sensor_Scripts; use Host.Sensor_Scripts;
 with MCS;
 with Partitions.Clocks;
-with Partitions.Columns; use Partitions.Columns;
-with Sim;                use Sim;
-with Sim.Bench;
-with Sim.Sensor_Scripts; use Sim.Sensor_Scripts;
+with Partitions.Columns;  use Partitions.Columns;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.PWM_Layout;

@@ -1,6 +1,6 @@
 package body Partitions.Clocks is
 
-   use type Sim.Microseconds;
+   use type Host.Microseconds;
 
    Beginning : Time := Clock;
 
@@ -33,8 +33,8 @@ package body Partitions.Clocks is
 
    end Last_Tick;
 
-   function In_Microseconds (Span : Time_Span) return Sim.Microseconds is
-     (Sim.Microseconds (To_Duration (Span) * 1_000_000));
+   function In_Microseconds (Span : Time_Span) return Host.Microseconds is
+     (Host.Microseconds (To_Duration (Span) * 1_000_000));
 
    procedure Switch_On is
    begin
@@ -43,16 +43,16 @@ package body Partitions.Clocks is
 
    procedure Await_Phase (Ticks : Natural) is
       Now  : constant Time := Clock;
-      Past : constant Sim.Microseconds :=
-        Machine_Time (Now) mod Sim.Major_Frame;
+      Past : constant Host.Microseconds :=
+        Machine_Time (Now) mod Host.Major_Frame;
    begin
       delay until Now
-        + Microseconds (Integer (2 * Sim.Major_Frame - Past) + Ticks * 2_000);
+        + Microseconds (Integer (2 * Host.Major_Frame - Past) + Ticks * 2_000);
    end Await_Phase;
 
    function Switched_On_At return Time is (Beginning);
 
-   function Elapsed return Sim.Microseconds is
+   function Elapsed return Host.Microseconds is
      (In_Microseconds (Clock - Beginning));
 
    procedure Set_Tick (At_Time : Time) is
@@ -75,12 +75,12 @@ package body Partitions.Clocks is
 
    function Is_Running return Boolean is (Last_Tick.Seen /= Time_First);
 
-   function Machine_Time (At_Time : Time) return Sim.Microseconds is
+   function Machine_Time (At_Time : Time) return Host.Microseconds is
       Seconds : Seconds_Count;
       Rest    : Time_Span;
    begin
       Split (At_Time, Seconds, Rest);
-      return Sim.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
+      return Host.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
    end Machine_Time;
 
    function Tenths_Of_Microseconds

@@ -3,8 +3,8 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 
+with Host;
 with Partitions.Measurements;
-with Sim;
 
 package Partitions.Clocks is
 
@@ -18,7 +18,7 @@ package Partitions.Clocks is
    function Switched_On_At return Time;
 
    --  Since the node was switched on.
-   function Elapsed return Sim.Microseconds;
+   function Elapsed return Host.Microseconds;
 
    --  When the node's clock should have ticked last.
    procedure Set_Tick (At_Time : Time);
@@ -38,7 +38,7 @@ package Partitions.Clocks is
    function Is_Running return Boolean;
 
    --  Since the machine was: what two partitions of one machine share.
-   function Machine_Time (At_Time : Time) return Sim.Microseconds;
+   function Machine_Time (At_Time : Time) return Host.Microseconds;
 
    --  For distributions; 0 when negative.
    function Tenths_Of_Microseconds

@@ -1,4 +1,4 @@
-with Sim.Names; use Sim.Names;
+with Host.Names; use Host.Names;
 
 package body Partitions.Columns is
 

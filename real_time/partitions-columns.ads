@@ -1,7 +1,7 @@
 --  The groups of columns of the flight record.
 
+with Host;            use Host;
 with Partitions.Rows; use Partitions.Rows;
-with Sim;             use Sim;
 with URV.Buffers;     use URV.Buffers;
 with URVOS;
 

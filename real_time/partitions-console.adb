@@ -1,9 +1,9 @@
 with Devices.CORE_Memory;
 with GSC;
+with Host;               use Host;
+with Host.Stick_Scripts; use Host.Stick_Scripts;
 with Partitions.Clocks;
 with Partitions.Columns; use Partitions.Columns;
-with Sim;                use Sim;
-with Sim.Stick_Scripts;  use Sim.Stick_Scripts;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.Routing;

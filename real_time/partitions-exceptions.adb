@@ -1,4 +1,4 @@
-with Memory_Hardware;
+with Host.Memory_Hardware;
 
 package body Partitions.Exceptions is
 
@@ -34,7 +34,9 @@ package body Partitions.Exceptions is
 
    procedure Tell (Error : Exception_Occurrence) is
    begin
-      if Exception_Identity (Error) /= Memory_Hardware.Bus_Error'Identity then
+      if Exception_Identity (Error)
+        /= Host.Memory_Hardware.Bus_Error'Identity
+      then
          Latest.Add
            (Exception_Name (Error) & ": " & Exception_Message (Error));
       end if;

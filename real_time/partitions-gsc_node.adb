@@ -1,19 +1,19 @@
-with Ada.Real_Time;        use Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 
 with GSC.Real_Time;
 with GSC.Turns;
-with Memory_Hardware;
+with Host.Memory_Hardware;
+with Partitions.Clocks; use Partitions.Clocks;
 with Partitions.Console;
-with Partitions.Clocks;    use Partitions.Clocks;
 with Partitions.Converter;
 with Partitions.Guarded_Call;
 with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
-with Partitions.Rows;      use Partitions.Rows;
+with Partitions.Rows;   use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
-with URVOS.Frames;         use URVOS.Frames;
-with URVOS.Starts;         use URVOS.Starts;
+with URVOS.Frames;      use URVOS.Frames;
+with URVOS.Starts;      use URVOS.Starts;
 
 package body Partitions.GSC_Node is
 
@@ -200,7 +200,7 @@ package body Partitions.GSC_Node is
    procedure Switch_On is
    begin
       Signals.Listen;
-      Memory_Hardware.Repair (1);
+      Host.Memory_Hardware.Repair (1);
       Telemetry_Hardware.Switch_On;
       Tasks.Switch_On;
       Converter_Hardware.Switch_On;

@@ -1,13 +1,13 @@
 with GNAT.OS_Lib;
-with Interfaces.C; use Interfaces.C;
 with Interfaces;
+with Interfaces.C; use Interfaces.C;
 with System;
 
+with Host.Complaints;         use Host.Complaints;
 with Partitions.Error_Marks;
 with Partitions.Serial_Lines;
 with Partitions.Sockets;
 with Partitions.System_Calls; use Partitions.System_Calls;
-with Sim.Complaints;          use Sim.Complaints;
 
 package body Partitions.Links is
 

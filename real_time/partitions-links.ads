@@ -32,7 +32,7 @@ package Partitions.Links is
    type Character_Array is array (Character_Index range <>) of Byte;
 
    --  Refuses what is wrong with the argument or the link: raises
-   --  Sim.Bad_Input.
+   --  Host.Bad_Input.
    procedure Open (Argument : String);
 
    --  Returns when a character has arrived or Nudge was called, at the

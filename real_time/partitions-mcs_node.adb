@@ -1,20 +1,20 @@
-with Ada.Real_Time;        use Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 
+with Host;
+with Host.Memory_Hardware;
 with MCS.Real_Time;
 with MCS.Turns;
-with Memory_Hardware;
 with Partitions.Aircraft;
-with Partitions.Clocks;    use Partitions.Clocks;
+with Partitions.Clocks; use Partitions.Clocks;
 with Partitions.Converter;
 with Partitions.Guarded_Call;
 with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
-with Partitions.Rows;      use Partitions.Rows;
+with Partitions.Rows;   use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
-with Sim;
-with URVOS.Frames;         use URVOS.Frames;
-with URVOS.Starts;         use URVOS.Starts;
+with URVOS.Frames;      use URVOS.Frames;
+with URVOS.Starts;      use URVOS.Starts;
 
 package body Partitions.MCS_Node is
 
@@ -41,7 +41,7 @@ package body Partitions.MCS_Node is
    --  Steps of the tasks
 
    --  When the servos were commanded last. Only one task runs at a time.
-   Servos_At : Sim.Microseconds := 0;
+   Servos_At : Host.Microseconds := 0;
 
    Stood_Still : Count := 0 with Atomic;
 
@@ -221,7 +221,7 @@ package body Partitions.MCS_Node is
    procedure Switch_On is
    begin
       Signals.Listen;
-      Memory_Hardware.Repair (2);
+      Host.Memory_Hardware.Repair (2);
       Telemetry_Hardware.Switch_On;
       Tasks.Switch_On;
       Converter_Hardware.Switch_On;

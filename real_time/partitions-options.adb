@@ -1,8 +1,8 @@
 with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Text_IO;      use Ada.Text_IO;
 
-with Sim.Complaints;   use Sim.Complaints;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
+with Host.Complaints;   use Host.Complaints;
+with Host.Text_Numbers; use Host.Text_Numbers;
 
 package body Partitions.Options is
 
@@ -22,7 +22,7 @@ package body Partitions.Options is
          when Link_Option    => "--link",
          when Seconds_Option => "--seconds",
          when Phase_Option   => "--phase",
-         when Script_Option  => (if This = GSC then "--sticks"
+         when Script_Option  => (if This = Ground then "--sticks"
                                  else "--sensors"),
          when Record_Option  => "--record",
          when Summary_Option => "--summary",
@@ -31,9 +31,9 @@ package body Partitions.Options is
 
    function Name (File : Output_File) return String is
      (case File is
-         when Record_File  => Name (GSC, Record_Option),
-         when Summary_File => Name (GSC, Summary_Option),
-         when Events_File  => Name (GSC, Events_Option));
+         when Record_File  => Name (Ground, Record_Option),
+         when Summary_File => Name (Ground, Summary_Option),
+         when Events_File  => Name (Ground, Events_Option));
 
    procedure Choose
      (Chosen : in out Choices;
@@ -166,13 +166,13 @@ package body Partitions.Options is
 
    procedure Print_Usage (This : Node) is
       Program : constant String :=
-        (if This = GSC then "urv_gsc" else "urv_mcs");
+        (if This = Ground then "urv_gsc" else "urv_mcs");
    begin
       Put_Line
         ("usage: " & Program & " --link LINK [options]");
       New_Line;
       Put_Line
-        ("Runs the " & (if This = GSC then "ground station core"
+        ("Runs the " & (if This = Ground then "ground station core"
                         else "aircraft's control system")
          & " in real time, until SIGINT or SIGTERM.");
       Put_Line
@@ -191,7 +191,7 @@ package body Partitions.Options is
       Put_Line
         ("                         20 ms of the machine's clock; else at"
          & " once");
-      if This = GSC then
+      if This = Ground then
          Put_Line
            ("  --sticks FILE          the pilot's console input");
       else

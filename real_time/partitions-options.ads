@@ -1,13 +1,12 @@
 --  The command line of a partition (RTP-2). Whatever is wrong with it
---  raises Sim.Bad_Input.
+--  raises Host.Bad_Input.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Host;  use Host;
 with URVOS;
 
 package Partitions.Options is
-
-   type Node is (GSC, MCS);
 
    --  What a partition writes.
    type Output_File is (Record_File, Summary_File, Events_File);

@@ -1,7 +1,7 @@
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;           use GNAT.OS_Lib;
 
-with Sim.Complaints;        use Sim.Complaints;
+with Host.Complaints; use Host.Complaints;
 
 package body Partitions.Outputs is
 
@@ -100,7 +100,7 @@ package body Partitions.Outputs is
                   Refuse_Output (Output);
                end if;
             end if;
-            Sim.Text_Output.Attach
+            Host.Text_Output.Attach
               (Files (Output), Attempts (Output).File,
                Name (Output) & ": " & Quoted (To_String (Names (Output))));
          end if;
@@ -110,7 +110,7 @@ package body Partitions.Outputs is
    procedure Close (Files : in out File_Set) is
    begin
       for File of Files loop
-         Sim.Text_Output.Close (File);
+         Host.Text_Output.Close (File);
       end loop;
    end Close;
 

@@ -1,4 +1,4 @@
-with Sim.Names;
+with Host.Names;
 with URVOS;
 
 package body Partitions.Reports is
@@ -149,7 +149,7 @@ package body Partitions.Reports is
          Item := Logs.History_Of (Log, Kind);
          if Item.Occurrences > 0 then
             Put_Field
-              (This, To, Sim.Names.Name (Kind), Number (Item.Occurrences));
+              (This, To, Host.Names.Name (Kind), Number (Item.Occurrences));
          end if;
       end loop;
       End_Group (This, To);

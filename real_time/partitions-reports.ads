@@ -1,14 +1,14 @@
 --  The result of a run as a JSON object (--summary), and as a few lines for
 --  people.
 
+with Host.Text_Numbers;
+with Host.Text_Output;        use Host.Text_Output;
 with Partitions.Measurements; use Partitions.Measurements;
-with Sim.Text_Numbers;
-with Sim.Text_Output;         use Sim.Text_Output;
 with URV.Errors;
 
 package Partitions.Reports is
 
-   subtype Number is Sim.Text_Numbers.Number;
+   subtype Number is Host.Text_Numbers.Number;
 
    --  A JSON object, field by field, with an object of names in it where
    --  Begin_Group says so.

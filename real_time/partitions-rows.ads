@@ -1,12 +1,12 @@
 --  The rows of the flight record on their way from the controller to the
 --  file: the controller never waits for a disk.
 
-with Sim.Text_Numbers;
+with Host.Text_Numbers;
 with URVOS; use URVOS;
 
 package Partitions.Rows is
 
-   subtype Number is Sim.Text_Numbers.Number;
+   subtype Number is Host.Text_Numbers.Number;
 
    Most_Columns : constant := 80;
    type Column is range 0 .. Most_Columns;

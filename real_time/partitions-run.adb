@@ -3,20 +3,21 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with GNAT.OS_Lib;
 
+with Host;                  use Host;
+with Host.Complaints;
+with Host.Text_Numbers;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
 with Partitions.Notes;
+with Partitions.Options;    use Partitions.Options;
 with Partitions.Outputs;    use Partitions.Outputs;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Rows;       use Partitions.Rows;
-with Sim;
-with Sim.Complaints;
-with Sim.Text_Numbers;
 
 procedure Partitions.Run is
 
-   use Sim.Text_Output;
+   use Host.Text_Output;
    use type Number;
    use type URVOS.Count;
 
@@ -27,9 +28,9 @@ procedure Partitions.Run is
 
    --  What this node sends and what it receives.
    Sent     : constant String :=
-     (if This = GSC then "uplink" else "downlink");
+     (if This = Ground then "uplink" else "downlink");
    Received : constant String :=
-     (if This = GSC then "downlink" else "uplink");
+     (if This = Ground then "downlink" else "uplink");
 
    --  For who sits at the terminal.
    procedure Note (What : String);
@@ -58,7 +59,7 @@ procedure Partitions.Run is
    end Note;
 
    function Seconds (Of_Frames : Number) return String is
-      use Sim.Text_Numbers;
+      use Host.Text_Numbers;
       Rest : constant Rows.Number := Of_Frames mod 50 * 2;
    begin
       return
@@ -162,7 +163,7 @@ procedure Partitions.Run is
 
    procedure Print_Summary is
       use Ada.Text_IO;
-      use Sim.Text_Numbers;
+      use Host.Text_Numbers;
 
       Tally : constant Telemetry.Boards.Statistics := Link_Tally;
 
@@ -229,8 +230,8 @@ begin
    Leave (0);
 
 exception
-   when Error : Sim.Bad_Input =>
-      Sim.Complaints.Print (Error);
+   when Error : Host.Bad_Input =>
+      Host.Complaints.Print (Error);
       Leave (2);
 
    when Error : others =>

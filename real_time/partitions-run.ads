@@ -6,14 +6,13 @@
 --  Exit status: 0 run, 1 an internal fault, 2 a bad command line, input file
 --  or link.
 
-with Partitions.Options; use Partitions.Options;
+with Host.Text_Output;
 with Partitions.Reports;
-with Sim.Text_Output;
 with Telemetry.Boards;
 with URVOS;
 
 generic
-   This : Node;
+   This : Host.Node;
    with procedure Load_Script (File : String);
    with function Column_Names return String;
 
@@ -22,11 +21,11 @@ generic
 
    --  What the node has to say for the summary.
    with procedure Put_Results
-     (To     : in out Sim.Text_Output.Writer;
+     (To     : in out Host.Text_Output.Writer;
       Report : in out Reports.Report);
 
    --  The node's event log as JSON lines.
-   with procedure Put_Events (To : in out Sim.Text_Output.Writer);
+   with procedure Put_Events (To : in out Host.Text_Output.Writer);
 
    with function Overruns return URVOS.Count;
 

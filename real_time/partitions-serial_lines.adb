@@ -1,8 +1,8 @@
 with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 
+with Host.Complaints;         use Host.Complaints;
 with Partitions.System_Calls; use Partitions.System_Calls;
-with Sim.Complaints;          use Sim.Complaints;
 
 package body Partitions.Serial_Lines is
 

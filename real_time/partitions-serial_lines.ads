@@ -6,7 +6,7 @@ with Partitions.System_Calls;
 package Partitions.Serial_Lines is
 
    --  The device, set, empty and locked for this process. Raises
-   --  Sim.Bad_Input.
+   --  Host.Bad_Input.
    function Opened (Device : String) return System_Calls.File;
 
 end Partitions.Serial_Lines;

@@ -3,9 +3,9 @@ with Interfaces.C; use Interfaces.C;
 with System;       use System;
 with System.Address_To_Access_Conversions;
 
+with Host.Complaints;         use Host.Complaints;
+with Host.Text_Numbers;
 with Partitions.System_Calls; use Partitions.System_Calls;
-with Sim.Complaints;          use Sim.Complaints;
-with Sim.Text_Numbers;
 
 package body Partitions.Sockets is
 
@@ -67,10 +67,10 @@ package body Partitions.Sockets is
    end Take_Part;
 
    function Is_Port (Text : String) return Boolean is
-      Value    : Sim.Text_Numbers.Number;
+      Value    : Host.Text_Numbers.Number;
       Is_Valid : Boolean;
    begin
-      Sim.Text_Numbers.Read_Whole (Text, Value, Is_Valid);
+      Host.Text_Numbers.Read_Whole (Text, Value, Is_Valid);
       return Is_Valid and then Value in 1 .. 65_535;
    end Is_Port;
 

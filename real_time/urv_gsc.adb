@@ -2,13 +2,12 @@
 
 with Ada.Characters.Handling;
 with GSC;
+with Host.Event_Log;
+with Host.Text_Output;   use Host.Text_Output;
 with Partitions.Console;
 with Partitions.GSC_Node;
-with Partitions.Options;
-with Partitions.Reports;     use Partitions.Reports;
+with Partitions.Reports; use Partitions.Reports;
 with Partitions.Run;
-with Sim.Event_Log;
-with Sim.Text_Output;        use Sim.Text_Output;
 
 procedure Urv_GSC is
 
@@ -43,11 +42,11 @@ procedure Urv_GSC is
 
    procedure Put_Events (To : in out Writer) is
    begin
-      Sim.Event_Log.Write (To, "gsc", Partitions.GSC_Node.Log, 0);
+      Host.Event_Log.Write (To, "gsc", Partitions.GSC_Node.Log, 0);
    end Put_Events;
 
    procedure Run is new Partitions.Run
-     (This         => Partitions.Options.GSC,
+     (This         => Host.Ground,
       Load_Script  => Partitions.Console.Load,
       Column_Names => Partitions.Console.Column_Names,
       Switch_On    => Partitions.GSC_Node.Switch_On,

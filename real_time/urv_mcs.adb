@@ -1,14 +1,13 @@
 --  The aircraft's control system in real time.
 
 with Ada.Characters.Handling;
+with Host.Event_Log;
+with Host.Text_Output;   use Host.Text_Output;
 with MCS;
 with Partitions.Aircraft;
 with Partitions.MCS_Node;
-with Partitions.Options;
-with Partitions.Reports;     use Partitions.Reports;
+with Partitions.Reports; use Partitions.Reports;
 with Partitions.Run;
-with Sim.Event_Log;
-with Sim.Text_Output;        use Sim.Text_Output;
 
 procedure Urv_MCS is
 
@@ -43,11 +42,11 @@ procedure Urv_MCS is
 
    procedure Put_Events (To : in out Writer) is
    begin
-      Sim.Event_Log.Write (To, "mcs", Partitions.MCS_Node.Log, 0);
+      Host.Event_Log.Write (To, "mcs", Partitions.MCS_Node.Log, 0);
    end Put_Events;
 
    procedure Run is new Partitions.Run
-     (This         => Partitions.Options.MCS,
+     (This         => Host.Aircraft,
       Load_Script  => Partitions.Aircraft.Load,
       Column_Names => Partitions.Aircraft.Column_Names,
       Switch_On    => Partitions.MCS_Node.Switch_On,

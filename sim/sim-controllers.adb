@@ -9,11 +9,11 @@ package body Sim.Controllers is
      Devices.AD_Board.Microseconds_Per_Conversion;
 
    Converted : constant array (Node) of Event :=
-     (GSC => GSC_Converted, MCS => MCS_Converted);
+     (Ground => GSC_Converted, Aircraft => MCS_Converted);
    Clock     : constant array (Node) of Event :=
-     (GSC => GSC_Clock, MCS => MCS_Clock);
+     (Ground => GSC_Clock, Aircraft => MCS_Clock);
    Started   : constant array (Node) of Event :=
-     (GSC => GSC_Started, MCS => MCS_Started);
+     (Ground => GSC_Started, Aircraft => MCS_Started);
 
    type Controller is record
       Is_On       : Boolean         := False;

@@ -7,6 +7,8 @@
 
 with Sim.Faults;
 with Sim.Nodes;    use Sim.Nodes;
+with URV.Buffers;  use URV.Buffers;
+with URVOS;        use URVOS;
 with URVOS.Starts; use URVOS.Starts;
 
 package Sim.Controllers is
@@ -28,7 +30,7 @@ package Sim.Controllers is
    --  What an A/D channel sees from now on.
    procedure Set_Input
      (Which : Node;
-      Where : URV.Buffers.Channel;
+      Where : Channel;
       Value : Word);
 
    --  A minor frame begins, the node's first one with power up.

@@ -1,23 +1,25 @@
-with Memory_Hardware;     use Memory_Hardware;
-with Sim.Agenda;          use Sim.Agenda;
+with Host.Memory_Hardware; use Host.Memory_Hardware;
+with Sim.Agenda;           use Sim.Agenda;
 with Sim.Controllers;
-with Sim.Faulty_Line;     use Sim.Faulty_Line;
-with Sim.Hardware_Faults; use Sim.Hardware_Faults;
-with Sim.Windows;         use Sim.Windows;
+with Sim.Faulty_Line;      use Sim.Faulty_Line;
+with Sim.Hardware_Faults;  use Sim.Hardware_Faults;
+with Sim.Windows;          use Sim.Windows;
 with Sim.Wire_Log;
-with Telemetry;           use Telemetry;
+with Telemetry;            use Telemetry;
 with Telemetry.Boards;
+with URV.Buffers;          use URV.Buffers;
 with URV.Routing;
-with URVOS.Starts;        use URVOS.Starts;
+with URVOS;                use URVOS;
+with URVOS.Starts;         use URVOS.Starts;
 
 package body Sim.Engine is
 
    Time_Out : constant array (Node) of Event :=
-     (GSC => GSC_Time_Out, MCS => MCS_Time_Out);
+     (Ground => GSC_Time_Out, Aircraft => MCS_Time_Out);
    Sent     : constant array (Node) of Event :=
-     (GSC => Character_Up, MCS => Character_Down);
+     (Ground => Character_Up, Aircraft => Character_Down);
    Extra    : constant array (Node) of Event :=
-     (GSC => Extra_Up, MCS => Extra_Down);
+     (Ground => Extra_Up, Aircraft => Extra_Down);
 
    --  What a telemetry board's hardware knows.
    type Hardware is record
@@ -144,7 +146,7 @@ package body Sim.Engine is
       Item : Faults.Fault;
    begin
       Take_Next (Item);
-      if Next_Time = Microseconds'Last then
+      if Next_Time = Host.Never then
          Cancel (Hardware_Fault);
       else
          Schedule (Hardware_Fault, Next_Time);
@@ -359,8 +361,8 @@ package body Sim.Engine is
       Processors : Processor_Count := 1) is
    begin
       Boards :=
-        (GSC => (others => <>),
-         MCS => (Timer => Lag, others => <>));
+        (Ground   => (others => <>),
+         Aircraft => (Timer => Lag, others => <>));
       for Which in Node loop
          Repair (Memory_Of (Which));
       end loop;
@@ -370,7 +372,7 @@ package body Sim.Engine is
       Prepare (Link_Line, Script, Seed);
       Prepare_Boards (Script);
       Hardware_Faults.Prepare (Script);
-      if Next_Time < Microseconds'Last then
+      if Next_Time < Host.Never then
          Schedule (Hardware_Fault, Next_Time);
       end if;
 
@@ -390,19 +392,19 @@ package body Sim.Engine is
          exit when Time >= Stop;
 
          case Next is
-            when Extra_Up       => Hear_Extra (GSC, Time, Wire);
-            when Extra_Down     => Hear_Extra (MCS, Time, Wire);
-            when Character_Up   => End_Character (GSC, Time, Wire);
-            when Character_Down => End_Character (MCS, Time, Wire);
+            when Extra_Up       => Hear_Extra (Ground, Time, Wire);
+            when Extra_Down     => Hear_Extra (Aircraft, Time, Wire);
+            when Character_Up   => End_Character (Ground, Time, Wire);
+            when Character_Down => End_Character (Aircraft, Time, Wire);
             when Hardware_Fault => Do_Harm (Time, Wire);
-            when GSC_Converted  => Controllers.End_Conversion (GSC, Time);
-            when MCS_Converted  => Controllers.End_Conversion (MCS, Time);
-            when GSC_Time_Out   => Serve_Telemetry (GSC, Time, Wire);
-            when MCS_Time_Out   => Serve_Telemetry (MCS, Time, Wire);
-            when GSC_Clock      => Tick (GSC, Time, Wire);
-            when MCS_Clock      => Tick (MCS, Time, Wire);
-            when GSC_Started    => End_Start (GSC, Time, Wire);
-            when MCS_Started    => End_Start (MCS, Time, Wire);
+            when GSC_Converted  => Controllers.End_Conversion (Ground, Time);
+            when MCS_Converted  => Controllers.End_Conversion (Aircraft, Time);
+            when GSC_Time_Out   => Serve_Telemetry (Ground, Time, Wire);
+            when MCS_Time_Out   => Serve_Telemetry (Aircraft, Time, Wire);
+            when GSC_Clock      => Tick (Ground, Time, Wire);
+            when MCS_Clock      => Tick (Aircraft, Time, Wire);
+            when GSC_Started    => End_Start (Ground, Time, Wire);
+            when MCS_Started    => End_Start (Aircraft, Time, Wire);
          end case;
       end loop;
    end Run;
@@ -411,7 +413,7 @@ package body Sim.Engine is
    begin
       for Item in Command_Item loop
          Controllers.Set_Input
-           (GSC, URV.Routing.Channel_Of (Item), Words (Item));
+           (Ground, URV.Routing.Channel_Of (Item), Words (Item));
       end loop;
    end Set_Console;
 
@@ -419,25 +421,25 @@ package body Sim.Engine is
    begin
       for Item in Sensor_Item loop
          Controllers.Set_Input
-           (MCS, URV.Routing.Channel_Of (Item), Words (Item));
+           (Aircraft, URV.Routing.Channel_Of (Item), Words (Item));
       end loop;
    end Set_Sensors;
 
    function Link return Link_Counts is
-      Ground   : constant Telemetry.Boards.Statistics := Tally (GSC);
-      Aircraft : constant Telemetry.Boards.Statistics := Tally (MCS);
+      GSC : constant Telemetry.Boards.Statistics := Tally (Ground);
+      MCS : constant Telemetry.Boards.Statistics := Tally (Aircraft);
    begin
       return
-        (Uplink_Sent       => Ground.Sent,
-         Uplink_Received   => Aircraft.Received,
-         Uplink_Bad        => Aircraft.Bad,
-         Uplink_Scrapped   => Ground.Scrapped,
-         Downlink_Sent     => Aircraft.Sent,
-         Downlink_Received => Ground.Received,
-         Downlink_Bad      => Ground.Bad,
-         Downlink_Scrapped => Aircraft.Scrapped,
-         GSC_Resets        => Ground.Resets,
-         MCS_Resets        => Aircraft.Resets);
+        (Uplink_Sent       => GSC.Sent,
+         Uplink_Received   => MCS.Received,
+         Uplink_Bad        => MCS.Bad,
+         Uplink_Scrapped   => GSC.Scrapped,
+         Downlink_Sent     => MCS.Sent,
+         Downlink_Received => GSC.Received,
+         Downlink_Bad      => GSC.Bad,
+         Downlink_Scrapped => MCS.Scrapped,
+         GSC_Resets        => GSC.Resets,
+         MCS_Resets        => MCS.Resets);
    end Link;
 
 end Sim.Engine;

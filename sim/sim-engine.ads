@@ -8,10 +8,10 @@
 --  Events at the same instant happen in a fixed order, so that the same
 --  flight is the same every time. There is one engine.
 
+with Host.Text_Output;
 with Sim.Faults;
 with Sim.Nodes; use Sim.Nodes;
 with Sim.Noise;
-with Sim.Text_Output;
 
 package Sim.Engine is
 

@@ -1,7 +1,7 @@
-with Sim.Complaints;     use Sim.Complaints;
+with Host.Complaints;    use Host.Complaints;
+with Host.Text_Input;    use Host.Text_Input;
+with Host.Text_Numbers;  use Host.Text_Numbers;
 with Sim.Faults.Grammar; use Sim.Faults.Grammar;
-with Sim.Text_Input;     use Sim.Text_Input;
-with Sim.Text_Numbers;   use Sim.Text_Numbers;
 
 package body Sim.Faults is
 
@@ -298,7 +298,7 @@ package body Sim.Faults is
          Next     := 3;
       elsif Word (2) = "mcs" or else Word (2) = "gsc" then
          Before     := A_Node;
-         Made.Where := (if Word (2) = "mcs" then MCS else GSC);
+         Made.Where := (if Word (2) = "mcs" then Aircraft else Ground);
          Next       := 3;
       end if;
 

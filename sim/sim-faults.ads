@@ -1,7 +1,8 @@
 --  A script of what goes wrong in a flight, read from a file (--faults)
 --  and checked before the flight begins (SIM-2).
 
-with Memory_Hardware; use Memory_Hardware;
+with Host.Memory_Hardware; use Host.Memory_Hardware;
+with URVOS;                use URVOS;
 
 private with Ada.Containers.Vectors;
 
@@ -43,7 +44,7 @@ package Sim.Faults is
       Line     : Positive;
       Time     : Microseconds;
       Way      : Direction    := Up;
-      Where    : Node         := MCS;
+      Where    : Node         := Aircraft;
       Duration : Microseconds := 0;
       Ordinal  : Byte_Ordinal := 1;
       Mask     : Flip_Mask    := 1;

@@ -17,6 +17,7 @@
 
 with Sim.Faults;
 with Sim.Noise;
+with URVOS; use URVOS;
 
 private with Ada.Containers.Ordered_Maps;
 private with Ada.Containers.Vectors;
@@ -101,8 +102,6 @@ private
 
    package Noise_Vectors is new Ada.Containers.Vectors
      (Positive, Noise_Spell);
-
-   Never : constant Microseconds := Microseconds'Last;
 
    type One_Way is record
       Sent : Character_Number := 0;

@@ -1,29 +1,31 @@
-with Ada.Calendar;    use Ada.Calendar;
+with Ada.Calendar; use Ada.Calendar;
 with Ada.Strings.Unbounded;
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Sim.Bench;
+with Host.Bench;
+with Host.Event_Log;
+with Host.Names;
+with Host.Sensor_Scripts;
+with Host.Stick_Scripts;
+with Host.Text_Output;
 with Sim.Engine;
-with Sim.Event_Log;
 with Sim.Faults;
 with Sim.Flight_Quality;
 with Sim.Flight_Record;
 with Sim.JSBSim;
 with Sim.Latency;
-with Sim.Names;
 with Sim.Nodes;
-with Sim.Outputs;     use Sim.Outputs;
+with Sim.Outputs;         use Sim.Outputs;
 with Sim.Pilot;
 with Sim.Progress;
-with Sim.Sensor_Scripts;
 with Sim.Signals;
-with Sim.Stick_Scripts;
 with Sim.Summary;
-with Sim.Text_Output;
 with Sim.Wire_Log;
+with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;
-with URV.Errors;      use URV.Errors;
+with URV.Errors;          use URV.Errors;
 with URV.PWM_Transform;
+with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 
 package body Sim.Flight is
@@ -136,7 +138,7 @@ package body Sim.Flight is
 
       case Chosen.Plant is
          when Bench_Plant =>
-            Sim.Bench.Step (Servos, Moved);
+            Host.Bench.Step (Servos, Moved);
             for Item in Sensor_Item loop
                if not Sensor_Scripts.Is_Given (Sensors, Item) then
                   Measured (Item) := Moved (Item);
@@ -161,14 +163,14 @@ package body Sim.Flight is
              Time         => Time,
              Console      => Console,
              GSC_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (GSC).Uplink),
+                               (Nodes.CORE (Ground).Uplink),
              MCS_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (MCS).Uplink),
+                               (Nodes.CORE (Aircraft).Uplink),
              PWM          => Nodes.Servos,
              MCS_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (MCS).Downlink),
+                               (Nodes.CORE (Aircraft).Downlink),
              GSC_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (GSC).Downlink),
+                               (Nodes.CORE (Ground).Downlink),
              Link         => Engine.Link,
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown));
@@ -177,7 +179,7 @@ package body Sim.Flight is
       if Given (Chosen.Pilot) then
          Pilot.Move
            (Time,
-            URV.CORE_Layout.To_Buffer (Nodes.CORE (GSC).Downlink),
+            URV.CORE_Layout.To_Buffer (Nodes.CORE (Ground).Downlink),
             Words);
          Move_Console (Words, Time);
          if Chosen.Plant = JSBSim_Plant then
@@ -253,12 +255,12 @@ package body Sim.Flight is
          Frames   => URVOS.Count (Flown / Major_Frame),
          Elapsed  => Elapsed,
          Link     => Engine.Link,
-         Overruns => Nodes.Overruns (GSC) + Nodes.Overruns (MCS),
+         Overruns => Nodes.Overruns (Ground) + Nodes.Overruns (Aircraft),
          Latency  => Latency.Result (Delays));
       Further : Summary.Result;
       Screen  : Text_Output.Writer;
    begin
-      for Node in Sim.Node loop
+      for Node in Host.Node loop
          declare
             Log  : constant Error_Log    := Nodes.Errors (Node);
             CORE : constant Status_Words := Nodes.CORE (Node).Status;
@@ -282,13 +284,13 @@ package body Sim.Flight is
             --  What the ground knows of both (SAF-7).
             for Kind in Error_Kind loop
                declare
-                  Ground : constant Memory := Nodes.CORE (GSC);
+                  CORE : constant Memory := Nodes.CORE (Ground);
                   Which  : constant Log_Row_Number :=
                     URV.CORE_Layout.Row_Of (Kind);
                   Row    : constant Log_Row :=
                     (case Node is
-                        when GSC => Ground.Log (Which),
-                        when MCS => Ground.Aircraft_Log (Which));
+                        when Ground   => CORE.Log (Which),
+                        when Aircraft => CORE.Aircraft_Log (Which));
                begin
                   if Row /= No_Errors then
                      Summary.Add_Known_Error
@@ -304,8 +306,8 @@ package body Sim.Flight is
                  (Files (Event_File), Name, Log,
                   Switched_On =>
                     (case Node is
-                        when GSC => 0,
-                        when MCS => Lag_Of (Chosen)));
+                        when Ground   => 0,
+                        when Aircraft => Lag_Of (Chosen)));
             end if;
          end;
       end loop;

@@ -1,9 +1,9 @@
 with Ada.Characters.Handling;
 
-with Sim.JSBSim;       use Sim.JSBSim;
-with Sim.Names;        use Sim.Names;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
-with Sim.Text_Output;  use Sim.Text_Output;
+with Host.Names;        use Host.Names;
+with Host.Text_Numbers; use Host.Text_Numbers;
+with Host.Text_Output;  use Host.Text_Output;
+with Sim.JSBSim;        use Sim.JSBSim;
 
 package body Sim.Flight_Record is
 

@@ -1,8 +1,10 @@
 --  The flight record: one row for each major frame of the ground node,
 --  taken as that frame ends (--record).
 
+with Host.Text_Output;
 with Sim.JSBSim;
-with Sim.Text_Output;
+with URV.Buffers; use URV.Buffers;
+with URVOS;       use URVOS;
 
 package Sim.Flight_Record is
 

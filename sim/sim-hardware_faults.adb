@@ -30,7 +30,7 @@ package body Sim.Hardware_Faults is
 
    function Next_Time return Microseconds is
      (if Place <= Waiting.Last_Index then Waiting (Place).Time
-      else Microseconds'Last);
+      else Never);
 
    procedure Take_Next (Item : out Fault) is
    begin

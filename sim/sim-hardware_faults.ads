@@ -8,11 +8,11 @@ package Sim.Hardware_Faults is
    --  Begins with the first of the script.
    procedure Prepare (From : Script);
 
-   --  When the next one happens; the last instant when there is none.
+   --  When the next one happens; Never when there is none.
    function Next_Time return Microseconds;
 
    --  Those of the same instant come in the order of their lines.
    procedure Take_Next (Item : out Fault)
-   with Pre => Next_Time < Microseconds'Last;
+   with Pre => Next_Time < Never;
 
 end Sim.Hardware_Faults;

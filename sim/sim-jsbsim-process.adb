@@ -7,7 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;           use GNAT, GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
 
-with Sim.Complaints;
+with Host.Complaints;
 with Sim.Signals;
 
 package body Sim.JSBSim.Process is

@@ -1,13 +1,13 @@
 with Ada.Characters.Latin_1;
-with Ada.Streams;             use Ada.Streams;
-with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
+with Ada.Streams;           use Ada.Streams;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Unchecked_Conversion;
-with Interfaces;              use Interfaces;
+with Interfaces;            use Interfaces;
 
+with Host.Names;        use Host.Names;
+with Host.Scaling;      use Host.Scaling;
+with Host.Text_Numbers; use Host.Text_Numbers;
 with Sim.JSBSim.Process;
-with Sim.Names;               use Sim.Names;
-with Sim.Scaling;             use Sim.Scaling;
-with Sim.Text_Numbers;        use Sim.Text_Numbers;
 
 package body Sim.JSBSim is
 

@@ -9,6 +9,8 @@
 --  The interpreter is .venv/bin/python beside the directory of the running
 --  program, or what the environment variable URV_PYTHON names.
 
+with URV.Buffers; use URV.Buffers;
+
 package Sim.JSBSim is
 
    --  What the aircraft really does.

@@ -8,6 +8,9 @@
 --  within two seconds. Times are exact to the microsecond, and so are the
 --  percentiles: every latency is counted by its value.
 
+with URV.Buffers; use URV.Buffers;
+with URVOS;       use URVOS;
+
 package Sim.Latency is
 
    --  No change waits longer.

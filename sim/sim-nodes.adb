@@ -1,18 +1,18 @@
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Exceptions;
 with Ada.Text_IO;
 
 with Devices.PWM_Board;
 with GSC.Virtual_Time;
+with Host.Memory_Hardware;
+with Host.Names;
 with MCS.Virtual_Time;
-with Memory_Hardware;
 with URV.PWM_Layout;
 
 package body Sim.Nodes is
 
-   package Ground renames Standard.GSC;
-   package Aircraft renames Standard.MCS;
-   package GSC_Time renames Ground.Virtual_Time;
-   package MCS_Time renames Aircraft.Virtual_Time;
+   package GSC_Time renames GSC.Virtual_Time;
+   package MCS_Time renames MCS.Virtual_Time;
 
    Failed : Boolean := False;
 
@@ -22,8 +22,8 @@ package body Sim.Nodes is
 
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number is
      (case Which is
-         when GSC => 1,
-         when MCS => 2);
+         when Ground   => 1,
+         when Aircraft => 2);
 
    function Has_Failed return Boolean is (Failed);
 
@@ -34,7 +34,8 @@ package body Sim.Nodes is
          Failed := True;
          Ada.Text_IO.Put_Line
            (Ada.Text_IO.Standard_Error,
-            "urv_sim: internal fault: " & Which'Image
+            "urv_sim: internal fault: "
+            & To_Upper (Host.Names.Name (Which))
             & " restarts its processor: "
             & Ada.Exceptions.Exception_Information (Error));
       end if;
@@ -52,14 +53,14 @@ package body Sim.Nodes is
          Restart_Telemetry (Which);
       end if;
       case Which is
-         when GSC =>
+         when Ground =>
             GSC_Time.Start (Condition, Now);
-         when MCS =>
+         when Aircraft =>
             MCS_Time.Start
-              (Condition, Now, Aircraft.Processor_Number (Processors));
+              (Condition, Now, MCS.Processor_Number (Processors));
       end case;
    exception
-      when Memory_Hardware.Bus_Error =>
+      when Host.Memory_Hardware.Bus_Error =>
          Raised := True;
       when Error : others =>
          Raised := True;
@@ -69,8 +70,8 @@ package body Sim.Nodes is
    procedure Restart_Telemetry (Which : Node) is
    begin
       case Which is
-         when GSC => Ground.Telemetry_Board.Start;
-         when MCS => Aircraft.Telemetry_Board.Start;
+         when Ground   => GSC.Telemetry_Board.Start;
+         when Aircraft => MCS.Telemetry_Board.Start;
       end case;
    end Restart_Telemetry;
 
@@ -81,11 +82,11 @@ package body Sim.Nodes is
    begin
       Raised := False;
       case Which is
-         when GSC => GSC_Time.Clock_Interrupt (Now);
-         when MCS => MCS_Time.Clock_Interrupt (Now);
+         when Ground   => GSC_Time.Clock_Interrupt (Now);
+         when Aircraft => MCS_Time.Clock_Interrupt (Now);
       end case;
    exception
-      when Memory_Hardware.Bus_Error =>
+      when Host.Memory_Hardware.Bus_Error =>
          Raised := True;
       when Error : others =>
          Raised := True;
@@ -99,8 +100,8 @@ package body Sim.Nodes is
    is
    begin
       case Which is
-         when GSC => Ground.AD_Board.Take_Start (Wanted, Channel);
-         when MCS => Aircraft.AD_Board.Take_Start (Wanted, Channel);
+         when Ground   => GSC.AD_Board.Take_Start (Wanted, Channel);
+         when Aircraft => MCS.AD_Board.Take_Start (Wanted, Channel);
       end case;
    end Take_Start;
 
@@ -114,15 +115,15 @@ package body Sim.Nodes is
    begin
       Raised := False;
       case Which is
-         when GSC =>
-            Ground.AD_Board.Finish (Value, Interrupt);
+         when Ground =>
+            GSC.AD_Board.Finish (Value, Interrupt);
             if Interrupt and then Is_Up then
-               Ground.AD_Interrupt;
+               GSC.AD_Interrupt;
             end if;
-         when MCS =>
-            Aircraft.AD_Board.Finish (Value, Interrupt);
+         when Aircraft =>
+            MCS.AD_Board.Finish (Value, Interrupt);
             if Interrupt and then Is_Up then
-               Aircraft.AD_Interrupt;
+               MCS.AD_Interrupt;
             end if;
       end case;
    exception
@@ -140,11 +141,11 @@ package body Sim.Nodes is
    is
    begin
       case Which is
-         when GSC =>
-            Ground.Telemetry_Board.Accept_Character
+         when Ground =>
+            GSC.Telemetry_Board.Accept_Character
               (Elapsed, Data, Parity_Error, May_Speak);
-         when MCS =>
-            Aircraft.Telemetry_Board.Accept_Character
+         when Aircraft =>
+            MCS.Telemetry_Board.Accept_Character
               (Elapsed, Data, Parity_Error, May_Speak);
       end case;
    end Accept_Character;
@@ -158,11 +159,11 @@ package body Sim.Nodes is
    is
    begin
       case Which is
-         when GSC =>
-            Ground.Telemetry_Board.Next_Character
+         when Ground =>
+            GSC.Telemetry_Board.Next_Character
               (Elapsed, Send, Data, Time_Left);
-         when MCS =>
-            Aircraft.Telemetry_Board.Next_Character
+         when Aircraft =>
+            MCS.Telemetry_Board.Next_Character
               (Elapsed, Send, Data, Time_Left);
       end case;
    end Next_Character;
@@ -170,7 +171,7 @@ package body Sim.Nodes is
    function Servos return PWM_Buffer is
       Area : Devices.PWM_Board.Data_Area;
    begin
-      Aircraft.PWM_Board.Read (Area);
+      MCS.PWM_Board.Read (Area);
       return URV.PWM_Layout.To_Outputs (Area);
    end Servos;
 
@@ -178,8 +179,8 @@ package body Sim.Nodes is
       Snapshot : Devices.CORE_Memory.Memory;
    begin
       case Which is
-         when GSC => Ground.CORE_Memory.Inspect (Snapshot);
-         when MCS => Aircraft.CORE_Memory.Inspect (Snapshot);
+         when Ground   => GSC.CORE_Memory.Inspect (Snapshot);
+         when Aircraft => MCS.CORE_Memory.Inspect (Snapshot);
       end case;
       return Snapshot;
    end CORE;
@@ -188,8 +189,8 @@ package body Sim.Nodes is
       Snapshot : Telemetry.Boards.Statistics;
    begin
       case Which is
-         when GSC => Ground.Telemetry_Board.Inspect (Snapshot);
-         when MCS => Aircraft.Telemetry_Board.Inspect (Snapshot);
+         when Ground   => GSC.Telemetry_Board.Inspect (Snapshot);
+         when Aircraft => MCS.Telemetry_Board.Inspect (Snapshot);
       end case;
       return Snapshot;
    end Tally;
@@ -198,15 +199,15 @@ package body Sim.Nodes is
       Snapshot : URV.Errors.Error_Log;
    begin
       case Which is
-         when GSC => Ground.Errors.Inspect (Snapshot);
-         when MCS => Aircraft.Errors.Inspect (Snapshot);
+         when Ground   => GSC.Errors.Inspect (Snapshot);
+         when Aircraft => MCS.Errors.Inspect (Snapshot);
       end case;
       return Snapshot;
    end Errors;
 
    function Overruns (Which : Node) return Count is
      (case Which is
-         when GSC => GSC_Time.Overruns,
-         when MCS => MCS_Time.Overruns);
+         when Ground   => GSC_Time.Overruns,
+         when Aircraft => MCS_Time.Overruns);
 
 end Sim.Nodes;

@@ -6,7 +6,9 @@ with Devices.CORE_Memory;
 with Devices.Memory_Bus;
 with Telemetry;
 with Telemetry.Boards;
+with URV.Buffers;  use URV.Buffers;
 with URV.Errors;
+with URVOS;        use URVOS;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
 
@@ -14,13 +16,6 @@ package Sim.Nodes is
 
    --  Of the aircraft's node.
    subtype Processor_Count is Positive range 1 .. 2;
-
-   --  The way of what a node sends.
-   function Way_From (Sender : Node) return Direction is
-     (if Sender = GSC then Up else Down);
-
-   function Other (Than : Node) return Node is
-     (if Than = GSC then MCS else GSC);
 
    --  The controller starts, at power up the telemetry board too. Raised:
    --  here and below, the controller's program has raised an exception that

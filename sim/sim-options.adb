@@ -1,9 +1,9 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
-with Sim.Complaints;   use Sim.Complaints;
+with Host.Complaints;   use Host.Complaints;
+with Host.Text_Numbers; use Host.Text_Numbers;
 with Sim.Options.Usage;
 with Sim.Pilot;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
 
 package body Sim.Options is
 

@@ -4,9 +4,9 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Host.Text_Output;
 with Sim.Nodes;
 with Sim.Noise;
-with Sim.Text_Output;
 
 package Sim.Options is
 

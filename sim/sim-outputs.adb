@@ -2,8 +2,8 @@ with Ada.Directories;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;           use GNAT.OS_Lib;
 
-with Sim.Complaints; use Sim.Complaints;
-with Sim.Options;    use Sim.Options;
+with Host.Complaints; use Host.Complaints;
+with Sim.Options;     use Sim.Options;
 
 package body Sim.Outputs is
 

@@ -4,8 +4,8 @@
 --  behind the boards included. If one of them cannot be written, those
 --  that existed keep what they held and none is left that did not exist.
 
+with Host.Text_Output;
 with Sim.Options;
-with Sim.Text_Output;
 
 package Sim.Outputs is
 

@@ -1,4 +1,4 @@
-with Sim.Scaling; use Sim.Scaling;
+with Host.Scaling; use Host.Scaling;
 
 package body Sim.Pilot.Readings is
 

@@ -1,6 +1,7 @@
+with Host.Scaling;       use Host.Scaling;
 with Sim.Pilot.Flights;  use Sim.Pilot.Flights;
 with Sim.Pilot.Readings; use Sim.Pilot.Readings;
-with Sim.Scaling;        use Sim.Scaling;
+with URVOS;              use URVOS;
 
 package body Sim.Pilot is
 

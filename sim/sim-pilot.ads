@@ -8,6 +8,8 @@
 --  rudders, pitch by elevators, speed by throttle. The arithmetic is plain,
 --  so that the same words always give the same sticks.
 
+with URV.Buffers; use URV.Buffers;
+
 package Sim.Pilot is
 
    --  What a part of a flight is for. Only a hold asks that everything

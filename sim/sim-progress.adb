@@ -2,7 +2,7 @@ with Ada.Calendar; use Ada.Calendar;
 with GNAT.OS_Lib;
 with Interfaces.C_Streams;
 
-with Sim.Text_Numbers;
+with Host.Text_Numbers;
 
 package body Sim.Progress is
 

@@ -1,6 +1,6 @@
-with Sim.Names;        use Sim.Names;
-with Sim.Text_Numbers;
-with Sim.Text_Output;  use Sim.Text_Output;
+with Host.Names;       use Host.Names;
+with Host.Text_Numbers;
+with Host.Text_Output; use Host.Text_Output;
 
 package body Sim.Summary is
 

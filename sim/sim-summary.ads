@@ -4,8 +4,9 @@
 --  Two runs of one flight give the same summary but for "speed", which is
 --  measured by the clock on the wall.
 
+with Host.Text_Output;
 with Sim.Latency;
-with Sim.Text_Output;
+with URVOS; use URVOS;
 
 private with Ada.Containers.Vectors;
 private with Ada.Strings.Unbounded;

@@ -1,5 +1,5 @@
-with Sim.Text_Numbers;
-with Sim.Text_Output; use Sim.Text_Output;
+with Host.Text_Numbers;
+with Host.Text_Output; use Host.Text_Output;
 
 package body Sim.Wire_Log is
 

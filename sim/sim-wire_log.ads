@@ -1,7 +1,8 @@
 --  The wire log: every byte on the serial link as it leaves the sender's
 --  DUART, before any fault on the line (--wire).
 
-with Sim.Text_Output;
+with Host.Text_Output;
+with URVOS; use URVOS;
 
 package Sim.Wire_Log is
 

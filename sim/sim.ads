@@ -1,49 +1,18 @@
 --  The host simulation: everything round the flight software, in virtual
 --  time.
 
-with URVOS;       use URVOS;
-with URV.Buffers; use URV.Buffers;
+with Host; use Host;
 
 package Sim is
-
-   --  Of the program, as in alire.toml.
-   Version : constant String := "0.1.0-dev";
-
-   --  Virtual time since the ground node was switched on.
-   type Microseconds is range 0 .. 2 ** 62 - 1;
-
-   Microseconds_Per_Millisecond : constant := 1_000;
-   Major_Frame                  : constant Microseconds := 20_000;
-   Tick_Time                    : constant Microseconds := 2_000;
-
-   --  The ground's and the aircraft's.
-   type Node is (GSC, MCS);
-
-   --  What the pilot's console gives the ground's A/D board.
-   type Console_Words is array (Command_Item) of Word;
-
-   --  What the aircraft's sensors give the aircraft's A/D board.
-   type Sensor_Words is array (Sensor_Item) of Word;
 
    --  Ground to aircraft, aircraft to ground.
    type Direction is (Up, Down);
 
-   --  Cumulative counts of the serial link, in the order of the flight
-   --  record.
-   type Link_Item is
-     (Uplink_Sent, Uplink_Received, Uplink_Bad, Uplink_Scrapped,
-      Downlink_Sent, Downlink_Received, Downlink_Bad, Downlink_Scrapped,
-      GSC_Resets, MCS_Resets);
+   --  The way of what a node sends.
+   function Way_From (Sender : Node) return Direction is
+     (if Sender = Ground then Up else Down);
 
-   type Link_Counts is array (Link_Item) of Count;
-
-   Neutral_Console : constant Console_Words :=
-     (Switch_Item => 0, others => Neutral_Value);
-
-   Neutral_Sensors : constant Sensor_Words := (others => Neutral_Value);
-
-   --  A bad command line or a bad input file, with a message that says
-   --  where and what. The program ends with exit status 2.
-   Bad_Input : exception;
+   function Other (Than : Node) return Node is
+     (if Than = Ground then Aircraft else Ground);
 
 end Sim;

@@ -8,16 +8,17 @@ with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Exceptions;   use Ada.Exceptions;
 with Ada.Text_IO;
 
-with Sim;             use Sim;
-with Sim.Complaints;
+with Host;             use Host;
+with Host.Complaints;
+with Host.Scaling;
+with Host.Text_Numbers;
+with Host.Text_Output;
+with Sim;              use Sim;
 with Sim.Flight;
 with Sim.JSBSim;
 with Sim.Nodes;
 with Sim.Options;
-with Sim.Scaling;
 with Sim.Signals;
-with Sim.Text_Numbers;
-with Sim.Text_Output;
 
 procedure Urv_Sim is
 
@@ -77,7 +78,7 @@ begin
             Scaling.Print (Screen);
          when Options.Version =>
             Text_Output.Attach_Screen (Screen);
-            Text_Output.Put_Line (Screen, "urv_sim " & Sim.Version);
+            Text_Output.Put_Line (Screen, "urv_sim " & Host.Version);
       end case;
       Text_Output.Close (Screen);
    end;

@@ -10,7 +10,7 @@ import subprocess
 from fates import ROOT
 
 WORKPLACE = ROOT / "obj" / "mutation"
-COPIED = ("src", "proofs", "sim", "tests", "real_time", "scripts",
+COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "scripts",
           "urv.gpr", "ravenscar.adc")
 
 # Of one program under test; without a change none needs half of it.

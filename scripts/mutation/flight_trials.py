@@ -19,7 +19,7 @@ UNIT_TESTS = ["gprbuild", "-q", "-p", "-j1", "-P", "tests/urv_tests.gpr",
               "-XURV_Mode=test"]
 SIMULATOR = ["gprbuild", "-q", "-p", "-j1", "-P", "sim/urv_sim.gpr",
              "-XURV_Mode=host"]
-SIMULATOR_OBJECTS = ("obj/host", "obj/sim-host")
+SIMULATOR_OBJECTS = ("obj/host", "obj/host-host", "obj/sim-host")
 TEST_OBJECTS = ("obj/test", "obj/test/unit")
 PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
 

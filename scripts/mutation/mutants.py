@@ -83,7 +83,7 @@ class Code:
     def __init__(self, root):
         self.root = root
         self.trees = {}
-        for path in sorted(sources(root, "src", "sim")):
+        for path in sorted(sources(root, "src", "host", "sim")):
             name = path.relative_to(root).as_posix()
             self.trees[name] = parsed(path.read_bytes())
         self.ghosts = {

@@ -12,7 +12,7 @@ import source_names
 
 SRC = ("src",)
 PROOFS = ("proofs",)
-PROGRAMS = ("sim", "real_time")
+PROGRAMS = ("host", "sim", "real_time")
 UNIT_TESTS = "tests/unit"
 PYTHON_TESTS = ("tests/simulation", "tests/real_time")
 

@@ -2,9 +2,9 @@
 --  (TST-1).
 --
 --  The memories are outside the flight software: what is imported here is
---  the bus. The simulation's memories (sim/memory) are behind it on a host;
---  on a target, a read or write of the address. One program on a host may
---  hold several processor boards, each with its memories.
+--  the bus. Simulated memories (Host.Memory_Hardware) are behind it on a
+--  host; on a target, a read or write of the address. One program on a host
+--  may hold several processor boards, each with its memories.
 --
 --  This is a boundary of the proof: of what is read nothing is known, and
 --  that each cycle ends is taken for granted.

@@ -419,9 +419,9 @@ def test_an_internal_fault_ends_with_status_1(tmp_path):
 
 
 # Where an exception of a node's program comes out.
-INTERRUPT = "         when GSC => GSC_Time.Clock_Interrupt (Now);\n"
+INTERRUPT = "         when Ground   => GSC_Time.Clock_Interrupt (Now);\n"
 EXCEPTION = """\
-         when GSC =>
+         when Ground   =>
             if Now'Image = " 500" then
                raise Constraint_Error with "a mistake";
             end if;
@@ -432,11 +432,11 @@ EXCEPTION = """\
 def test_a_node_that_fails_ends_with_status_1(tmp_path):
     """The ground's program raises what no fault has ordered. It restarts and
     flies on, and the program's user is told."""
-    for name in ("src", "sim", "proofs", "urv.gpr"):
+    for name in ("src", "host", "sim", "proofs", "urv.gpr"):
         where = ROOT / name
         (shutil.copytree if where.is_dir() else shutil.copy2)(
             where, tmp_path / name)
-    for name in ("host", "sim-host", "memory-host"):
+    for name in ("host", "host-host", "sim-host"):
         if (ROOT / "obj" / name).exists():
             shutil.copytree(ROOT / "obj" / name, tmp_path / "obj" / name)
     nodes = tmp_path / "sim" / "sim-nodes.adb"

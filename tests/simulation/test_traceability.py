@@ -92,8 +92,8 @@ PLANTED = {
 def copied(tmp_path_factory):
     """A copy of what is looked at."""
     folder = tmp_path_factory.mktemp("trace")
-    for name in ("src", "proofs", "sim", "real_time", "tests", "docs",
-                 "scripts"):
+    for name in ("src", "proofs", "host", "sim", "real_time", "tests",
+                 "docs", "scripts"):
         if (ROOT / name).exists():
             shutil.copytree(
                 ROOT / name, folder / name,

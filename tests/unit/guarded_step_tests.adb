@@ -1,10 +1,11 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with GNAT.OS_Lib;
 
-with Checks;       use Checks;
-with Expectations; use Expectations;
+with Checks;                   use Checks;
+with Expectations;             use Expectations;
+with Host.Memory_Hardware;
+with Host.Text_Output;
 with MCS;
-with Memory_Hardware;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Guarded_Call;
@@ -12,7 +13,6 @@ with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
 with Partitions.Measurements;
 with Partitions.Reports;
-with Sim.Text_Output;
 with URVOS;
 with URVOS.Frames;             use URVOS.Frames;
 with URVOS.Guarded_Schedulers; use URVOS.Guarded_Schedulers;
@@ -198,21 +198,21 @@ package body Guarded_Step_Tests is
 
       File   : File_Descriptor;
       Name   : String_Access;
-      To     : Sim.Text_Output.Writer;
+      To     : Host.Text_Output.Writer;
       Result : Partitions.Reports.Report;
       Text   : String (1 .. 200);
       Length : Integer;
       Gone   : Boolean;
    begin
       Create_Temp_File (File, Name);
-      Sim.Text_Output.Attach (To, File, Name.all);
+      Host.Text_Output.Attach (To, File, Name.all);
       Partitions.Reports.Begin_Report (Result, To);
       Partitions.Reports.Put_Times
         (Result, To, "cost_us",
          (Number => 7, Minimum => 9, Median => 30, P99 => 1_234,
           Maximum => 50_001));
       Partitions.Reports.End_Report (Result, To);
-      Sim.Text_Output.Close (To);
+      Host.Text_Output.Close (To);
 
       File := Open_Read (Name.all, Binary);
       Length := Read (File, Text'Address, Text'Length);
@@ -278,9 +278,9 @@ package body Guarded_Step_Tests is
       Told   : constant URVOS.Count := Partitions.Exceptions.Number;
       Passed : Boolean;
    begin
-      Memory_Hardware.Repair (2);
+      Host.Memory_Hardware.Repair (2);
       for Condition in Start_Condition loop
-         Memory_Hardware.Fail_Next_Read (2);
+         Host.Memory_Hardware.Fail_Next_Read (2);
          Start (Condition, 77, Passed);
          Expect (Condition'Image & " passed", Passed, False);
          Expect

@@ -2,15 +2,15 @@ with Checks;              use Checks;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Expectations;        use Expectations;
 with GSC.Virtual_Time;
+with Host.Memory_Hardware;
 with MCS.Virtual_Time;
-with Memory_Hardware;
 with Node_Rig;            use Node_Rig;
 with Telemetry;           use Telemetry;
+with URV.Errors;          use URV.Errors;
+with URV.Shared_Status;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Starts;
-with URV.Errors;          use URV.Errors;
-with URV.Shared_Status;
 
 package body In_Flight_Tests is
 
@@ -99,8 +99,8 @@ package body In_Flight_Tests is
    procedure Spoilt_ROM is
    begin
       Switch_On;
-      Memory_Hardware.Spoil_ROM (1, 16#4321#, 16#10#);
-      Memory_Hardware.Spoil_ROM (2, 16#FEDC#, 16#01#);
+      Host.Memory_Hardware.Spoil_ROM (1, 16#4321#, 16#10#);
+      Host.Memory_Hardware.Spoil_ROM (2, 16#FEDC#, 16#01#);
       Run_Tasks (Frames_A_Pass + 1);
       for Node in Station loop
          Expect_ROM_Result ("spoilt", Node, 0, 1, ROM_Bit);
@@ -124,8 +124,8 @@ package body In_Flight_Tests is
          CORE_Of_GSC.Downlink (28), ROM_Bit);
 
       --  A start forgets it until the next pass.
-      Memory_Hardware.Repair (1);
-      Memory_Hardware.Repair (2);
+      Host.Memory_Hardware.Repair (1);
+      Host.Memory_Hardware.Repair (2);
       for Node in Station loop
          Start_Again (Node, Starts.Warm_Reset);
          Expect ("after a start", Status_Of (Node), 0);

@@ -1,8 +1,8 @@
 with Devices.AD_Board;
 with Expectations;    use Expectations;
 with GSC.Virtual_Time;
+with Host.Memory_Hardware;
 with MCS.Virtual_Time;
-with Memory_Hardware;
 with URV.CORE_Layout; use URV.CORE_Layout;
 
 package body Node_Rig is
@@ -54,8 +54,8 @@ package body Node_Rig is
 
    procedure Switch_On (Processors : MCS.Processor_Number := 1) is
    begin
-      Memory_Hardware.Repair (1);
-      Memory_Hardware.Repair (2);
+      Host.Memory_Hardware.Repair (1);
+      Host.Memory_Hardware.Repair (2);
       Now         := 0;
       Link_Is_Cut := False;
       MCS_Stalls  := False;

@@ -3,7 +3,8 @@ with Devices.Memory_Bus;    use Devices.Memory_Bus;
 with Devices.Shared_RAM;
 with Devices.Shared_ROM;
 with Expectations;          use Expectations;
-with Memory_Hardware;       use Memory_Hardware;
+with Host.Memory_Hardware;  use Host.Memory_Hardware;
+with URV.Self_Test_Task;
 with URVOS;                 use URVOS;
 with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Memories;        use URVOS.Memories;
@@ -12,7 +13,6 @@ with URVOS.RAM_Tests;
 with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
-with URV.Self_Test_Task;
 
 package body Self_Test_Tests is
 

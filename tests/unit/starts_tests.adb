@@ -5,23 +5,23 @@ with Devices.PWM_Board;   use Devices.PWM_Board;
 with Expect_Value;
 with Expectations;        use Expectations;
 with GSC.Virtual_Time;
+with Host.Memory_Hardware;
 with MCS.Virtual_Time;
-with Memory_Hardware;
 with Node_Rig;            use Node_Rig;
 with Telemetry;           use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
 with Telemetry.Receivers;
+with URV.Buffers;         use URV.Buffers;
+with URV.Codecs;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Errors;          use URV.Errors;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Self_Tests;    use URVOS.Self_Tests;
 with URVOS.Shared_Mailboxes;
 with URVOS.Start_Phases;
 with URVOS.Starts;
-with URV.Buffers;         use URV.Buffers;
-with URV.Codecs;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Errors;          use URV.Errors;
 
 package body Starts_Tests is
 
@@ -625,9 +625,9 @@ package body Starts_Tests is
             Held := Servos;
             CORE := CORE_Of_MCS;
             if Fault then
-               Memory_Hardware.Spoil_ROM (2, 16#8000#, 1);
+               Host.Memory_Hardware.Spoil_ROM (2, 16#8000#, 1);
             else
-               Memory_Hardware.Stick_RAM (2, 16#1234#, 16#0400#);
+               Host.Memory_Hardware.Stick_RAM (2, 16#1234#, 16#0400#);
             end if;
             Start_Again (Aircraft, Condition);
             Console := Numbered (16#200#);
@@ -681,7 +681,7 @@ package body Starts_Tests is
          Console := Numbered (16#100#);
          Fly (6);
          Held := Servos;
-         Memory_Hardware.Spoil_ROM (1, 0, 16#80#);
+         Host.Memory_Hardware.Spoil_ROM (1, 0, 16#80#);
          Start_Again (Ground, Condition);
          Console := Numbered (16#200#);
          Fly (10);
@@ -699,7 +699,7 @@ package body Starts_Tests is
          end loop;
 
          --  Repaired, it starts.
-         Memory_Hardware.Repair (1);
+         Host.Memory_Hardware.Repair (1);
          Start_Again (Ground, Condition);
          Fly (5);
          Expect
@@ -719,13 +719,13 @@ package body Starts_Tests is
 
       --  The self-test task is broken off in the midst of its turn.
       for Node in Station loop
-         Memory_Hardware.Fail_Next_Read (if Node = Ground then 1 else 2);
+         Host.Memory_Hardware.Fail_Next_Read (if Node = Ground then 1 else 2);
          Raised := False;
          for Tick in 1 .. 10 loop
             begin
                Clock_Tick_Of_Both;
             exception
-               when Memory_Hardware.Bus_Error =>
+               when Host.Memory_Hardware.Bus_Error =>
                   Raised := True;
                   Start_Again (Node, Starts.Processor_Restart);
             end;

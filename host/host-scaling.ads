@@ -6,9 +6,9 @@
 --  what rolls it right, pitches its nose up, turns its nose right or lowers
 --  a flap.
 
-with Sim.Text_Output;
+with Host.Text_Output;
 
-package Sim.Scaling is
+package Host.Scaling is
 
    type Unit is
      (Degrees, Degrees_Per_Second, Feet, Knots, Standard_Gravity,
@@ -115,4 +115,4 @@ package Sim.Scaling is
       Brake              => Pedal,
       Switch_Item        => Switch);
 
-end Sim.Scaling;
+end Host.Scaling;

@@ -1,4 +1,4 @@
-package body Sim.Bench is
+package body Host.Bench is
 
    subtype Surface is Sensor_Item range Right_Flap_1 .. Left_Rudder;
 
@@ -60,4 +60,4 @@ package body Sim.Bench is
       end loop;
    end Step;
 
-end Sim.Bench;
+end Host.Bench;

@@ -14,7 +14,7 @@ generic
 
    --  A column that may be there but says nothing to the script.
    Column_Without_Effect : String := "";
-package Sim.Scripts is
+package Host.Scripts is
 
    type Script is limited private;
 
@@ -28,10 +28,7 @@ package Sim.Scripts is
    --  0 when nothing was loaded.
    function Length (From : Script) return Microseconds;
 
-   --  The time of the rows after the last.
-   Never : constant Microseconds := Microseconds'Last;
-
-   --  When the next row begins to hold, or Never.
+   --  When the next row begins to hold, Never after the last.
    function Next_Time (From : Script) return Microseconds with Inline;
 
    --  Takes the next row.
@@ -84,4 +81,4 @@ private
    function Is_Given (From : Script; Which : Item) return Boolean is
      (From.Given (Which));
 
-end Sim.Scripts;
+end Host.Scripts;

@@ -3,7 +3,7 @@
 
 with Interfaces;
 
-package Sim.Text_Numbers is
+package Host.Text_Numbers is
 
    subtype Number is Interfaces.Unsigned_64;
 
@@ -39,4 +39,4 @@ package Sim.Text_Numbers is
    --  In hexadecimal digits, without a mark.
    function Hexadecimal_Image (Value : Number) return String;
 
-end Sim.Text_Numbers;
+end Host.Text_Numbers;

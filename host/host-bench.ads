@@ -3,7 +3,7 @@
 --
 --  The lag is computed in whole numbers, so that it is the same everywhere.
 
-package Sim.Bench is
+package Host.Bench is
 
    --  The surfaces are where neutral servos hold them, and come to be
    --  measured there.
@@ -14,4 +14,4 @@ package Sim.Bench is
    --  aircraft's next scan begins; its other words are left alone.
    procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words);
 
-end Sim.Bench;
+end Host.Bench;

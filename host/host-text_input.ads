@@ -6,7 +6,7 @@ private with Ada.Finalization;
 private with Ada.Strings.Unbounded;
 private with GNAT.OS_Lib;
 
-package Sim.Text_Input is
+package Host.Text_Input is
 
    --  No line that makes sense comes near this length.
    Longest_Line : constant := 4_096;
@@ -65,4 +65,4 @@ private
    function Line (From : Reader) return String is
      (From.Text (1 .. From.Text_Length));
 
-end Sim.Text_Input;
+end Host.Text_Input;

@@ -1,6 +1,6 @@
-with Sim.Complaints;
+with Host.Complaints;
 
-package body Sim.Text_Output is
+package body Host.Text_Output is
 
    use type Text_Numbers.Number;
 
@@ -184,4 +184,4 @@ begin
       Tens (Pair) := Ten_Digits (Integer (Pair) / 10 + 1);
       Ones (Pair) := Ten_Digits (Integer (Pair) mod 10 + 1);
    end loop;
-end Sim.Text_Output;
+end Host.Text_Output;

@@ -6,7 +6,7 @@
 
 with Ada.Exceptions;
 
-package Sim.Complaints is
+package Host.Complaints is
 
    --  Refuses the command line. The line is "urv_sim: What", with
    --  the name of the program that runs.
@@ -37,4 +37,4 @@ package Sim.Complaints is
    --  are replaced and the rest of a long text is cut off.
    function Quoted (Text : String) return String;
 
-end Sim.Complaints;
+end Host.Complaints;

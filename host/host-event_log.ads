@@ -2,10 +2,10 @@
 --  error that happened (--events; EXT-1). docs/error-log.md explains the
 --  fields.
 
-with Sim.Text_Output;
+with Host.Text_Output;
 with URV.Errors; use URV.Errors;
 
-package Sim.Event_Log is
+package Host.Event_Log is
 
    --  Writes a node's log in the order of the kinds. A node counts its own
    --  frames; Switched_On is when its first one began.
@@ -16,4 +16,4 @@ package Sim.Event_Log is
       Switched_On : Microseconds)
      with Pre => Text_Output.Is_Open (To);
 
-end Sim.Event_Log;
+end Host.Event_Log;

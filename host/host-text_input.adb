@@ -1,6 +1,6 @@
-with Sim.Complaints;
+with Host.Complaints;
 
-package body Sim.Text_Input is
+package body Host.Text_Input is
 
    Byte_Order_Mark : constant String :=
      Character'Val (16#EF#) & Character'Val (16#BB#)
@@ -121,4 +121,4 @@ package body Sim.Text_Input is
       return Text (First .. Last);
    end Trimmed;
 
-end Sim.Text_Input;
+end Host.Text_Input;

@@ -8,9 +8,9 @@
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 
-with Sim.Text_Numbers;
+with Host.Text_Numbers;
 
-package Sim.Text_Output is
+package Host.Text_Output is
 
    type Writer is limited private;
 
@@ -34,7 +34,7 @@ package Sim.Text_Output is
    procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Each gives up (Sim.Complaints) when the file cannot be written.
+   --  Each gives up (Host.Complaints) when the file cannot be written.
    procedure Put (To : in out Writer; Char : Character)
      with Inline, Pre => Is_Open (To);
    procedure Put (To : in out Writer; Text : String)
@@ -75,4 +75,4 @@ private
    function Is_Open (To : Writer) return Boolean is
      (To.File /= GNAT.OS_Lib.Invalid_FD);
 
-end Sim.Text_Output;
+end Host.Text_Output;

@@ -1,4 +1,4 @@
-package body Sim.Text_Numbers is
+package body Host.Text_Numbers is
 
    use type Number;
 
@@ -140,4 +140,4 @@ package body Sim.Text_Numbers is
       return Text (First .. Text'Last);
    end Hexadecimal_Image;
 
-end Sim.Text_Numbers;
+end Host.Text_Numbers;

@@ -2,7 +2,7 @@ with Ada.Command_Line;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 
-package body Sim.Complaints is
+package body Host.Complaints is
 
    --  A path without its folders.
    function Last_Name (Path : String) return String;
@@ -100,4 +100,4 @@ package body Sim.Complaints is
       return '"' & Shown & '"';
    end Quoted;
 
-end Sim.Complaints;
+end Host.Complaints;

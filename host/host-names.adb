@@ -1,6 +1,6 @@
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 
-package body Sim.Names is
+package body Host.Names is
 
    --  Files have one short word for the error/status word.
    Error_Word : constant String := "error";
@@ -28,9 +28,6 @@ package body Sim.Names is
    function Name (Item : Link_Item) return String is
      (To_Lower (Item'Image));
 
-   function Name (Way : Direction) return String is
-     (To_Lower (Way'Image));
-
    function Name (Kind : Error_Kind) return String is
      (To_Lower (Kind'Image));
 
@@ -38,6 +35,8 @@ package body Sim.Names is
      (To_Lower (Item'Image));
 
    function Name (Which : Node) return String is
-     (To_Lower (Which'Image));
+     (case Which is
+         when Ground   => "gsc",
+         when Aircraft => "mcs");
 
-end Sim.Names;
+end Host.Names;

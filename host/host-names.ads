@@ -4,15 +4,14 @@
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Errors;          use URV.Errors;
 
-package Sim.Names is
+package Host.Names is
 
    function Name (Item : Uplink_Item) return String;
    function Name (Item : Downlink_Item) return String;
    function Name (Item : PWM_Item) return String;
    function Name (Item : Link_Item) return String;
-   function Name (Way : Direction) return String;
    function Name (Kind : Error_Kind) return String;
    function Name (Item : Status_Item) return String;
    function Name (Which : Node) return String;
 
-end Sim.Names;
+end Host.Names;

@@ -1,10 +1,10 @@
 with Ada.Long_Float_Text_IO;
-with Ada.Strings.Fixed;      use Ada.Strings, Ada.Strings.Fixed;
+with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 
-with Sim.Names;       use Sim.Names;
-with Sim.Text_Output; use Sim.Text_Output;
+with Host.Names;       use Host.Names;
+with Host.Text_Output; use Host.Text_Output;
 
-package body Sim.Scaling is
+package body Host.Scaling is
 
    --  Four decimals, zeros at the end left out. The finest word is 0.001.
    function Image (Value : Long_Float) return String;
@@ -99,4 +99,4 @@ package body Sim.Scaling is
       end loop;
    end Print;
 
-end Sim.Scaling;
+end Host.Scaling;

@@ -6,10 +6,9 @@
 --  fault is planted.
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
-with URVOS;              use URVOS;
 with URVOS.Memories;     use URVOS.Memories;
 
-package Memory_Hardware is
+package Host.Memory_Hardware is
 
    subtype ROM_Address is Byte_Address range 0 .. Last_ROM_Byte;
    subtype RAM_Address is Word_Address range 0 .. Last_RAM_Word;
@@ -101,4 +100,4 @@ private
       Data  : Word)
    with Export, Convention => Ada, External_Name => "urv_write_ram";
 
-end Memory_Hardware;
+end Host.Memory_Hardware;

@@ -4,12 +4,12 @@
 --  them. No sensor gives that word, the aircraft itself does: its column
 --  is checked and has no effect.
 
-with Sim.Names;
-with Sim.Scripts;
+with Host.Names;
+with Host.Scripts;
 
-package Sim.Sensor_Scripts is new Sim.Scripts
+package Host.Sensor_Scripts is new Host.Scripts
   (Item                  => Sensor_Item,
    Words                 => Sensor_Words,
    Neutral               => Neutral_Sensors,
-   Name                  => Sim.Names.Name,
+   Name                  => Host.Names.Name,
    Column_Without_Effect => "error");

@@ -1,10 +1,10 @@
 --  What the pilot's sticks and switches do, from a file (--sticks).
 
-with Sim.Names;
-with Sim.Scripts;
+with Host.Names;
+with Host.Scripts;
 
-package Sim.Stick_Scripts is new Sim.Scripts
+package Host.Stick_Scripts is new Host.Scripts
   (Item    => Command_Item,
    Words   => Console_Words,
    Neutral => Neutral_Console,
-   Name    => Sim.Names.Name);
+   Name    => Host.Names.Name);

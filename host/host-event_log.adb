@@ -1,11 +1,11 @@
-with Interfaces;       use Interfaces;
+with Interfaces; use Interfaces;
 
-with Sim.Names;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
-with Sim.Text_Output;  use Sim.Text_Output;
-with URVOS.Frames;     use URVOS.Frames;
+with Host.Names;
+with Host.Text_Numbers; use Host.Text_Numbers;
+with Host.Text_Output;  use Host.Text_Output;
+with URVOS.Frames;      use URVOS.Frames;
 
-package body Sim.Event_Log is
+package body Host.Event_Log is
 
    procedure Write
      (To          : in out Text_Output.Writer;
@@ -51,4 +51,4 @@ package body Sim.Event_Log is
       end loop;
    end Write;
 
-end Sim.Event_Log;
+end Host.Event_Log;

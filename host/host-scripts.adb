@@ -1,8 +1,8 @@
-with Sim.Complaints;   use Sim.Complaints;
-with Sim.Text_Input;
-with Sim.Text_Numbers; use Sim.Text_Numbers;
+with Host.Complaints;   use Host.Complaints;
+with Host.Text_Input;
+with Host.Text_Numbers; use Host.Text_Numbers;
 
-package body Sim.Scripts is
+package body Host.Scripts is
 
    use type Number;
 
@@ -305,4 +305,4 @@ package body Sim.Scripts is
       From.Next := From.Present.Rows (From.Index).Time;
    end Advance;
 
-end Sim.Scripts;
+end Host.Scripts;

@@ -1,6 +1,6 @@
 with URVOS.Image_Sums; use URVOS.Image_Sums;
 
-package body Memory_Hardware is
+package body Host.Memory_Hardware is
 
    type ROM_Image is array (ROM_Address) of Byte;
    type RAM_Cells is array (RAM_Address) of Word;
@@ -240,4 +240,4 @@ package body Memory_Hardware is
       end if;
    end Write_RAM;
 
-end Memory_Hardware;
+end Host.Memory_Hardware;

@@ -1,0 +1,50 @@
+--  What the programs on a host share, whatever moves their time: the
+--  simulation, the real-time partitions and the tests. Text in and out,
+--  scripts, scales, the bench and the memories behind the boards.
+
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
+
+package Host is
+
+   --  Of the program, as in alire.toml.
+   Version : constant String := "0.1.0-dev";
+
+   --  Since the ground node was switched on; in real time, since the node was.
+   type Microseconds is range 0 .. 2 ** 62 - 1;
+
+   --  When nothing more happens.
+   Never : constant Microseconds := Microseconds'Last;
+
+   Microseconds_Per_Millisecond : constant := 1_000;
+   Major_Frame                  : constant Microseconds := 20_000;
+   Tick_Time                    : constant Microseconds := 2_000;
+
+   --  Their flight software is GSC and MCS.
+   type Node is (Ground, Aircraft);
+
+   --  What the pilot's console gives the ground's A/D board.
+   type Console_Words is array (Command_Item) of Word;
+
+   --  What the aircraft's sensors give the aircraft's A/D board.
+   type Sensor_Words is array (Sensor_Item) of Word;
+
+   --  Cumulative counts of the serial link, in the order of the flight
+   --  record.
+   type Link_Item is
+     (Uplink_Sent, Uplink_Received, Uplink_Bad, Uplink_Scrapped,
+      Downlink_Sent, Downlink_Received, Downlink_Bad, Downlink_Scrapped,
+      GSC_Resets, MCS_Resets);
+
+   type Link_Counts is array (Link_Item) of Count;
+
+   Neutral_Console : constant Console_Words :=
+     (Switch_Item => 0, others => Neutral_Value);
+
+   Neutral_Sensors : constant Sensor_Words := (others => Neutral_Value);
+
+   --  A bad command line or a bad input file, with a message that says
+   --  where and what. The program ends with exit status 2.
+   Bad_Input : exception;
+
+end Host;
