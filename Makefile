@@ -18,7 +18,7 @@ help:
 	@echo "  make campaign   spoil the link in every way, see it recover;"
 	@echo "                  CAMPAIGN=tiny|short|full JOBS=N"
 	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
-	@echo "  make mutate     change the code, see who notices, JOBS=N"
+	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
 	@echo "  make independence  other switches, other compilers [RENEW]"

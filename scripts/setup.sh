@@ -39,7 +39,7 @@ case $target in
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt" ;;
    mutate)
-          packages="$build $aunit binutils python3 python3-venv"
+          packages="$build $aunit binutils git python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    coverage)
           packages="$build $aunit $gcov python3 python3-venv"

@@ -13,6 +13,13 @@ WORKPLACE = ROOT / "obj" / "mutation"
 COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "scripts",
           "urv.gpr", "ravenscar.adc")
 
+# A mutant may have a condition that is always true. What only helps to debug
+# would cost building time.
+RELAXED = [
+    (r'Strict_Switches := \(.*?\);', 'Strict_Switches := ("-gnatws");'),
+    (r'Debug_Switches  := \("-g"\);', 'Debug_Switches  := ("-g0");'),
+]
+
 # Of one program under test; without a change none needs half of it.
 CPU_LIMIT_S = 240
 MEMORY_LIMIT = 4 * 2 ** 30
@@ -31,12 +38,14 @@ def same(one, other):
 class Copy:
     """Runs commands in it, one at a time."""
 
+    place = "worker"
+    copied = COPIED
     # The folders that mutants change.
     changing = ("src", "proofs")
 
     def __init__(self, number):
-        self.root = WORKPLACE / f"worker-{number}"
-        self.original = WORKPLACE / f"original-{number}"
+        self.root = WORKPLACE / f"{self.place}-{number}"
+        self.original = WORKPLACE / f"{self.place}-{number}-original"
         self.changed = None
         self.process = None
 
@@ -70,7 +79,7 @@ class Copy:
 
     def renew(self):
         """Make it what the repository is now."""
-        for name in COPIED:
+        for name in self.copied:
             source, target = ROOT / name, self.root / name
             if source.is_dir():
                 self.synchronise(source, target)
@@ -105,6 +114,10 @@ class Copy:
             (target / name).parent.mkdir(parents=True, exist_ok=True)
             if not same(source / name, target / name):
                 shutil.copy(source / name, target / name)
+
+    def seen(self, mutant):
+        """A mutant with its change, if that was not made up yet."""
+        return mutant
 
     def put(self, mutant):
         """Undo the last change, make this one."""

@@ -16,7 +16,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import ada_source  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-RESULTS = ROOT / "tests" / "mutation" / "results.jsonl"
 
 # What became of a mutant.
 INVALID = "does not build"
@@ -28,11 +27,13 @@ KILLED = ("tests", "simulation", "proof")
 
 def digest(path):
     """Of a source's code."""
-    code = ada_source.code_of((ROOT / path).read_text(encoding="utf-8"))
+    code = (ROOT / path).read_text(encoding="utf-8")
+    if not path.endswith(".py"):
+        code = ada_source.code_of(code)
     return hashlib.sha256(code.encode()).hexdigest()[:16]
 
 
-def read(file=RESULTS):
+def read(file):
     """By name, the last result of each mutant."""
     if not file.exists():
         return {}

@@ -10,7 +10,7 @@ import sys
 import threading
 from pathlib import Path
 
-from copies import Copy, set_limits
+from copies import RELAXED, Copy, set_limits
 from fates import EQUIVALENT, INVALID, PASSED, ROOT, SURVIVED
 
 from ada_source import WITHED, sources
@@ -51,28 +51,24 @@ class FlightTrial(Copy):
         self.objects = None
         self.proved = {}
 
-    def prepare(self, tests, every):
+    def prepare(self, stage, wanted):
         """Why the software without a change does not do, or nothing. If it is
-        for tests it is built, and passes them, every one if wanted."""
+        for tests it is built, and passes those that are wanted."""
         self.renew()
-        # A mutant may have a condition that is always true. What only helps
-        # to debug, and the tests' own speed, would cost building time.
-        self.edit("urv.gpr", [
-            (r'Strict_Switches := \(.*?\);', 'Strict_Switches := ("-gnatws");'),
-            (r'Debug_Switches  := \("-g"\);', 'Debug_Switches  := ("-g0");'),
-        ])
+        self.edit("urv.gpr", RELAXED)
         self.edit("tests/urv_tests.gpr", [
             (r'use URV.Ada_Switches;', 'use URV.Ada_Switches & ("-O0");'),
         ])
-        if not tests:
+        if stage is not FlightTrial.test:
             return None
+        every = any(map(needs_every_test, wanted))
         for command in (UNIT_TESTS, SIMULATOR):
             status, output = self.run(command, BUILD_LIMIT_S)
             if status != 0:
                 return output
         self.in_simulator = self.units_in_simulator()
-        self.objects = {every: self.object_code(every)
-                        for every in (False, True)}
+        self.objects = {tests_too: self.object_code(tests_too)
+                        for tests_too in (False, True)}
         return self.unit_tests(every) or self.simulation(every)
 
     def units_in_simulator(self):

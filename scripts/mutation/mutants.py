@@ -20,6 +20,10 @@ from ada_source import (  # noqa: E402
     SUBPROGRAMS, child_of_type, descendants, has_aspect, parsed, sources,
     squeezed, subprogram_name, text_of)
 
+# The flight software, and what judges it.
+FLIGHT = ("src",)
+JUDGES = ("sim", "host", "real_time")
+
 # In the order in which they are tried.
 FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel")
 
@@ -83,7 +87,7 @@ class Code:
     def __init__(self, root):
         self.root = root
         self.trees = {}
-        for path in sorted(sources(root, "src", "host", "sim")):
+        for path in sorted(sources(root, *FLIGHT, *JUDGES)):
             name = path.relative_to(root).as_posix()
             self.trees[name] = parsed(path.read_bytes())
         self.ghosts = {
@@ -130,11 +134,11 @@ class Code:
             "function_specification", "component_choice_list",
         ) and parent.child_by_field_name("name") in (identifier, None)
 
-    def enumerations(self):
-        """For each literal of an enumeration type of src, another one."""
+    def enumerations(self, folders):
+        """For each literal of an enumeration type, another one."""
         other = {}
         for path, tree in self.trees.items():
-            if not path.startswith("src/"):
+            if path.split("/")[0] not in folders:
                 continue
             for node in descendants(tree):
                 if node.type == "enumeration_type_definition":
@@ -144,12 +148,12 @@ class Code:
                         other.setdefault(name, following)
         return other
 
-    def mutants(self):
+    def mutants(self, folders=FLIGHT):
         """Every mutant of every package, in the order of the sources."""
-        literals = self.enumerations()
+        literals = self.enumerations({*FLIGHT, *folders})
         found = []
         for path, tree in self.trees.items():
-            if path.startswith("src/") and (
+            if path.split("/")[0] in folders and (
                 package_of(path) not in REAL_TIME_UNITS
             ):
                 found += Finder(path, tree, self, literals).found

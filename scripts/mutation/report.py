@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""What the mutants show: the table of docs/evidence/mutation.md, and its check.
+"""What the mutants show: the tables of docs/evidence/mutation.md, their check.
 
-  table   writes the table into docs/evidence/mutation.md
-  check   the same table must be there; every survivor is judged, and nothing
+  table   writes the tables into docs/evidence/mutation.md
+  check   the same tables must be there; every survivor is judged, and nothing
           else is
 
-A survivor is judged in tests/mutation/equivalent.toml: by its name and
-change, with the reason why the changed software does the same.
+A survivor is judged in tests/mutation, equivalent.toml or judges.toml: by its
+name and change, with the reason why the changed software does the same. Of
+what judges it may have `equivalent = false`: nobody notices it, for a reason.
 Exit status: 0 all well; 1 not, each reason on a line of its own.
 """
 
@@ -17,23 +18,26 @@ from collections import Counter
 from pathlib import Path
 
 import fates
-import mutants
+from kinds import KINDS
 
 ROOT = fates.ROOT
-JUDGED = ROOT / "tests" / "mutation" / "equivalent.toml"
 DOCUMENT = ROOT / "docs" / "evidence" / "mutation.md"
-BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
-GOAL = 95.0
+END = "<!-- end of table -->\n"
 
 COLUMNS = ("mutants", *fates.KILLED, "survived", "equivalent", "score")
 
 
-def judged():
-    """The survivors that are judged equivalent, by name."""
-    if not JUDGED.exists():
+def judged(file):
+    """The judgements of survivors, by name."""
+    if not file.exists():
         return {}
-    text = JUDGED.read_text(encoding="utf-8")
+    text = file.read_text(encoding="utf-8")
     return {one["name"]: one for one in tomllib.loads(text).get("mutant", [])}
+
+
+def equivalent_of(judgements):
+    return {name for name, one in judgements.items()
+            if one.get("equivalent", True)}
 
 
 def column_of(result, equivalent):
@@ -62,32 +66,58 @@ def cells(name, counts):
     return "| " + " | ".join(columns) + " |"
 
 
-def table(results, equivalent):
-    packages, folders = {}, {}
+def counted(results, equivalent):
+    """By folder and package, how many met which fate."""
+    packages = {}
     for result in results:
         column = column_of(result, equivalent)
         if column:
             path = Path(result["path"])
-            folder = "/".join(path.parts[:2])
+            folder = "/".join(path.parts[:-1][:2])
             of_package = packages.setdefault((folder, path.stem), Counter())
             of_package[column] += 1
-            folders.setdefault(folder, Counter())[column] += 1
+    return packages
+
+
+def table(results, equivalent, by_package):
+    """By folder; if wanted each package, too."""
+    packages = counted(results, equivalent)
     lines = ["| " + " | ".join(("package", *COLUMNS)) + " |",
              "|---|" + "--:|" * len(COLUMNS)]
-    for folder in sorted(folders):
-        lines += [cells(f"`{name}`", packages[at, name])
-                  for at, name in sorted(packages) if at == folder]
-        lines.append(cells(f"**{folder}**", folders[folder]))
-    total = sum(folders.values(), Counter())
+    for folder in sorted({folder for folder, _ in packages}):
+        of_folder = {name: counts for (at, name), counts in
+                     sorted(packages.items()) if at == folder}
+        if by_package:
+            lines += [cells(f"`{name}`", counts)
+                      for name, counts in of_folder.items()]
+        lines.append(cells(f"**{folder}**",
+                           sum(of_folder.values(), Counter())))
+    total = sum(packages.values(), Counter())
     lines.append(cells("**all**", total))
     return "\n".join(lines) + "\n", total
 
 
-def problems(results, equivalent, total):
+def list_of(judgements, results):
+    """The judged survivors, each with its reason."""
+    if not judgements:
+        return ""
+    lines = ["", "| survivor | change | same? | why |", "|---|---|---|---|"]
+    for result in sorted(results, key=lambda r: (r["path"], r["line"])):
+        one = judgements.get(result["name"])
+        if one:
+            change = one["change"].replace("|", "\\|")
+            same = "yes" if one.get("equivalent", True) else "no"
+            reason = " ".join(one["reason"].split())
+            lines.append(f"| {one['place']} | `{change}` | {same} |"
+                         f" {reason} |")
+    return "\n".join(lines) + "\n"
+
+
+def problems(results, judgements, total, goal):
     """Survivors nobody judged, judgements of none, a score too low."""
     survivors = {r["name"]: r for r in results
                  if r["fate"] in (fates.SURVIVED, fates.PASSED)}
-    for name, one in equivalent.items():
+    for name, one in judgements.items():
         if name not in survivors:
             yield f"{name}: judged, but is no survivor"
         elif one["change"] != survivors[name]["change"]:
@@ -95,42 +125,50 @@ def problems(results, equivalent, total):
         elif not one.get("reason", "").strip():
             yield f"{name}: judged without a reason"
     for name, result in survivors.items():
-        if name not in equivalent:
+        if name not in judgements:
             yield ("{path}:{line}: {name} survives, not judged: {change}"
                    .format(**result))
-    if score(total) < GOAL:
-        yield f"the score is {score(total):.1f}%, less than {GOAL}%"
+    if score(total) < goal:
+        yield f"the score is {score(total):.1f}%, less than {goal}%"
 
 
-def current(results):
+def current(results, kind):
     """The results of the mutants that the sources of today have."""
-    every = mutants.Code(ROOT).mutants()
-    names = {mutant.name for mutant in every}
+    names = {mutant.name for mutant in kind.every()}
     return [r for name, r in results.items() if name in names]
+
+
+def show(kind, command):
+    """Write or check the part of a kind; what is wrong."""
+    results = current(fates.read(kind.results), kind)
+    judgements = judged(kind.judged)
+    flight = kind is KINDS["flight"]
+    text, total = table(results, equivalent_of(judgements), flight)
+    if not flight:
+        text += list_of(judgements, results)
+    begin = f"<!-- {kind.part} -->\n"
+    head, _, rest = DOCUMENT.read_text(encoding="utf-8").partition(begin)
+    there, _, tail = rest.partition(END)
+    found = list(problems(results, judgements, total, kind.goal))
+    if command == "table":
+        DOCUMENT.write_text(head + begin + text + END + tail,
+                            encoding="utf-8")
+    elif there != text:
+        found.append(f"docs/evidence/mutation.md: {kind.part}: not what these"
+                     " results give")
+    for problem in found:
+        print(f"mutation: {problem}")
+    print(f"mutation: {sum(total.values())} mutants, "
+          f"score {int(score(total) * 10) / 10}%")
+    return found
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("command", choices=("table", "check"))
     command = parser.parse_args().command
-
-    results = current(fates.read())
-    equivalent = judged()
-    text, total = table(results, equivalent)
-    document = DOCUMENT.read_text(encoding="utf-8")
-    head, _, rest = document.partition(BEGIN)
-    there, _, tail = rest.partition(END)
-    found = list(problems(results, equivalent, total))
-    if command == "table":
-        DOCUMENT.write_text(head + BEGIN + text + END + tail,
-                            encoding="utf-8")
-    elif there != text:
-        found.append("docs/evidence/mutation.md: not the table of these results")
-    for problem in found:
-        print(f"mutation: {problem}")
-    print(f"mutation: {sum(total.values())} mutants, "
-          f"score {int(score(total) * 10) / 10}%")
-    return 1 if found else 0
+    found = [show(kind, command) for kind in KINDS.values()]
+    return 1 if any(found) else 0
 
 
 if __name__ == "__main__":

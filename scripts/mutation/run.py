@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Change the flight software in small ways; see who notices.
+"""Change the code in small ways; see who notices.
 
-Each mutant is built, then given to the unit tests with contracts executed.
+Of the flight software each mutant is built, then given to the unit tests with contracts executed.
 One that passes and has the same object code as the original is the original
 in other words, and is set aside. The others go to the simulation's tests.
 When all mutants have been there, those that are left go to the proof of the
 units that the change can concern: of a body its own, of a specification all
 that depend on it. The first to notice is recorded.
+
+What judges the flight software is changed likewise: the simulation, the
+partitions, the plant, the scripts. A mutant of those goes to the tests that
+look at its file.
 
 Results are appended to a file as they come. A run goes on where the last one
 stopped; a mutant is tried again when the file it changes has changed.
@@ -22,23 +26,30 @@ import signal
 import sys
 import threading
 import time
-from pathlib import Path
 
 import fates
 import mutants
-from fates import PASSED, RESULTS, ROOT
-from flight_trials import FlightTrial, needs_every_test
+from fates import PASSED
+from kinds import KINDS
 
 SEED = 1991
-SHARE, LEAST, MOST = 0.15, 4, 10
 
 
-def turn(path):
-    """Folder by folder of src."""
-    return mutants.FOLDERS.index(Path(path).parts[1]), path
+def try_one(worker, stage, mutant, source):
+    """The line of the results about a mutant."""
+    begun = time.monotonic()
+    mutant = worker.seen(mutant)
+    fate, by = stage(worker, mutant)
+    return {
+        "name": mutant.name, "path": mutant.path,
+        "line": mutant.line, "subprogram": mutant.subprogram,
+        "operator": mutant.operator, "change": mutant.change[:300],
+        "fate": fate, "by": by,
+        "seconds": round(time.monotonic() - begun, 1), "source": source,
+    }
 
 
-def work(worker, stage, tasks, digests, progress, lock):
+def work(worker, stage, tasks, kind, digests, progress):
     while True:
         try:
             group = tasks.get_nowait()
@@ -46,33 +57,24 @@ def work(worker, stage, tasks, digests, progress, lock):
             worker.put(None)
             return
         for mutant in group:
-            begun = time.monotonic()
-            fate, by = stage(worker, mutant)
-            result = {
-                "name": mutant.name, "path": mutant.path,
-                "line": mutant.line, "subprogram": mutant.subprogram,
-                "operator": mutant.operator, "change": mutant.change[:300],
-                "fate": fate, "by": by,
-                "seconds": round(time.monotonic() - begun, 1),
-                "source": digests[mutant.path],
-            }
-            with lock, RESULTS.open("a", encoding="utf-8") as file:
+            result = try_one(worker, stage, mutant, digests[mutant.path])
+            with progress.lock, kind.results.open(
+                    "a", encoding="utf-8") as file:
                 file.write(json.dumps(result) + "\n")
-            progress.step(mutant, fate)
+            progress.step(mutant, result["fate"])
 
 
-def run_stage(stage, wanted, digests, jobs):
+def run_stage(kind, stage, wanted, digests, jobs):
     """Take some mutants through one stage. Exit status."""
     if not wanted:
         return 0
-    RESULTS.parent.mkdir(parents=True, exist_ok=True)
     groups = {}
     for mutant in wanted:
         groups.setdefault(mutant.path, []).append(mutant)
     tasks = queue.Queue()
-    for path in sorted(groups, key=turn):
+    for path in sorted(groups, key=kind.turn):
         tasks.put(groups[path])
-    workers = [FlightTrial(n) for n in range(min(jobs, len(groups)))]
+    workers = [kind.trial(n) for n in range(min(jobs, len(groups)))]
 
     def leave(*_):
         for worker in workers:
@@ -83,16 +85,15 @@ def run_stage(stage, wanted, digests, jobs):
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, leave)
     for worker in workers:
-        problem = worker.prepare(
-            stage is FlightTrial.test, any(map(needs_every_test, wanted)))
+        problem = worker.prepare(stage, wanted)
         if problem:
             print(f"mutation: without any change: {problem}")
             return 1
-    progress, lock = fates.Progress(len(wanted)), threading.Lock()
+    progress = fates.Progress(len(wanted))
     threads = [
         threading.Thread(
             target=work,
-            args=(worker, stage, tasks, digests, progress, lock),
+            args=(worker, stage, tasks, kind, digests, progress),
         )
         for worker in workers
     ]
@@ -106,6 +107,9 @@ def run_stage(stage, wanted, digests, jobs):
 
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--of", choices=KINDS, action="append",
+                        help="of the flight software, or of what judges it;"
+                        " both unless said")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="", metavar="TEXT",
                         help="only files whose path contains this")
@@ -118,17 +122,17 @@ def read_arguments():
     return parser.parse_args()
 
 
-def main():
-    arguments = read_arguments()
-    every = mutants.Code(ROOT).mutants()
+def mutate(kind, arguments):
+    """Try the mutants of a kind. Exit status."""
+    every = kind.every()
     digests = {path: fates.digest(path)
                for path in {mutant.path for mutant in every}}
-    before = fates.read()
-    picked = mutants.chosen(every, SEED, SHARE, LEAST, MOST, before)
+    before = fates.read(kind.results)
+    picked = mutants.chosen(every, SEED, *kind.sample, before)
     picked = [m for m in picked if arguments.only in m.path]
     if arguments.list:
         for m in picked:
-            print(f"{m.name} {m.path}:{m.line} {m.operator}: {m.change}")
+            print(f"{m.name} {m.path}:{m.line} {m.operator}")
         return 0
     untested = [
         m for m in picked if m.name not in before
@@ -136,13 +140,22 @@ def main():
         or before[m.name]["fate"] == arguments.again]
     print(f"mutation: {len(every)} mutants, {len(picked)} chosen, "
           f"{len(picked) - len(untested)} tested before")
-    status = run_stage(FlightTrial.test, untested, digests, arguments.jobs)
+    status = run_stage(kind, kind.trial.test, untested, digests,
+                       arguments.jobs)
     if status != 0 or arguments.no_proof:
         return status
-    now = fates.read()
+    now = fates.read(kind.results)
     unproved = [m for m in picked if now[m.name]["fate"] == PASSED]
-    print(f"mutation: {len(unproved)} pass the tests and go to the proof")
-    return run_stage(FlightTrial.prove, unproved, digests, arguments.jobs)
+    if unproved:
+        print(f"mutation: {len(unproved)} pass the tests, go to the proof")
+    return run_stage(kind, kind.trial.prove, unproved, digests,
+                     arguments.jobs)
+
+
+def main():
+    arguments = read_arguments()
+    return max(mutate(KINDS[name], arguments)
+               for name in arguments.of or KINDS)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""EVI-3: what scripts/mutation/mutants.py changes, and what it leaves alone."""
+"""EVI-3: what the mutation changes, of Ada and of Python, and what it leaves
+alone."""
 
 import sys
 from pathlib import Path
@@ -8,7 +9,9 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
 
+import judge_trials  # noqa: E402
 import mutants  # noqa: E402
+import python_mutants  # noqa: E402
 
 SPEC = """
 package Shop with Pure, SPARK_Mode is
@@ -134,3 +137,70 @@ def test_the_same_are_chosen_again(found):
     assert chosen == mutants.chosen(list(reversed(found)), 1, 0.5, 3, 99)
     assert len(chosen) == round(0.5 * len(found))
     assert {m.operator for m in chosen} == {m.operator for m in found}
+
+
+# --- Python, and what judges -----------------------------------------------
+
+PYTHON = """\
+def late(times, limit=3):
+    found = []
+    for time in times:
+        if time > limit and not time == 9:
+            found.append(time - limit)
+    return found
+"""
+
+
+@pytest.fixture
+def python_found():
+    return [(place, python_mutants.mutant_at(place, PYTHON))
+            for place in python_mutants.places("scripts/late.py", PYTHON)]
+
+
+def test_python_is_changed_where_it_says(python_found):
+    changes = {m.change for _, m in python_found}
+    for change in (
+            "def late(times, limit=3): -> def late(times, limit= 4):",
+            "for time in times: -> for time in []:",
+            "if time > limit and not time == 9: -> "
+            "if time > limit or not time == 9:",
+            "if time > limit and not time == 9: -> "
+            "if time >= limit and not time == 9:",
+            "found.append(time - limit) -> found.append(time + limit)"):
+        assert change in changes
+    for place, mutant in python_found:
+        assert (mutant.name, mutant.path) == (place.name, "scripts/late.py")
+        assert mutant.subprogram == "late"
+        assert mutant.applied(PYTHON.encode()) != PYTHON.encode()
+        assert judge_trials.compiled(mutant.applied(PYTHON.encode()))
+
+
+def test_python_s_names_are_unique_and_stay(python_found):
+    names = {place.name for place, _ in python_found}
+    assert len(names) == len(python_found)
+    moved = python_mutants.places("tools/late.py", "# A line.\n" + PYTHON)
+    assert {place.name for place in moved} == names
+
+
+@pytest.mark.parametrize("source, is_code", [
+    (b"a = 1", True), (b"a = = 1", False)])
+def test_what_is_no_python_is_not_tried(source, is_code):
+    assert (judge_trials.compiled(source) is not None) is is_code
+
+
+def test_a_remark_changes_nothing():
+    assert judge_trials.compiled(b"a = 1  # one") == judge_trials.compiled(
+        b"a = 1")
+    assert judge_trials.compiled(b"a = 2") != judge_trials.compiled(b"a = 1")
+
+
+def test_each_judge_has_tests():
+    """Those that its table names are there."""
+    paths = {mutant.path for mutant in judge_trials.every_mutant()}
+    assert {path.split("/")[0] for path in paths} >= {
+        "real_time", "scripts", "sim"}
+    for path in paths:
+        tests = judge_trials.tests_for(path)
+        assert tests
+        for test in tests:
+            assert (ROOT / test).exists(), (path, test)

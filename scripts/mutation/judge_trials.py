@@ -1,0 +1,211 @@
+"""How a mutant of what judges the flight software is tried: by the tests that
+look at the changed file, the quick ones first."""
+
+import hashlib
+import marshal
+import os
+import re
+import subprocess
+import sys
+from fnmatch import fnmatch
+from pathlib import Path
+
+import mutants
+import python_mutants
+from copies import RELAXED, Copy, set_limits
+from fates import EQUIVALENT, INVALID, ROOT, SURVIVED
+
+PROGRAMS = {
+    "sim/": [("sim/urv_sim.gpr", "host")],
+    "real_time/": [("real_time/urv_real_time.gpr", "flight")],
+    "host/": [("sim/urv_sim.gpr", "host"),
+              ("real_time/urv_real_time.gpr", "flight")],
+    "": [],
+}
+
+FLYING = ["data_path", "items", "wire", "events", "latency", "determinism",
+          "line_faults", "input", "command_line", "urv_sim_page", "starts",
+          "faults"]
+AIRCRAFT = ["aircraft", "truth", "pilot", "flight"]
+IN_REAL_TIME = ["partition_arguments", "partition_peers", "partition_safety",
+                "partition_signals", "partition_reports", "partition_flights",
+                "partition_input"]
+
+# The tests for a changed file: those of the first pattern that it matches.
+TESTS = {
+    "sim/jsbsim/*": AIRCRAFT,
+    "sim/sim-pilot*": AIRCRAFT[::-1] + FLYING,
+    "sim/sim-jsbsim*": AIRCRAFT + FLYING,
+    "sim/sim-flight_quality*": AIRCRAFT[::-1] + FLYING,
+    "sim/*": FLYING + AIRCRAFT,
+    "host/*": FLYING + ["truth", "aircraft"] + IN_REAL_TIME,
+    "real_time/*": IN_REAL_TIME,
+    "scripts/ada_source.py": ["claims", "contracts", "mutants",
+                              "proof_record", "traceability"],
+    "scripts/campaign/*": ["campaign_checker", "campaign", "link_theory",
+                           "safety_mixes"],
+    "scripts/machine_pauses.py": ["timing"],
+    "scripts/mutation/*": ["mutants"],
+    "scripts/proof_canaries.py": ["canaries", "proof_record"],
+    "scripts/safety/*": ["safety_monitor", "safety_mixes"],
+    "scripts/trace/*": ["traceability"],
+    # The others have a file of tests of their name.
+    "scripts/*": ["{}"],
+}
+
+# They try mutants. No test does that with them, it would take too long.
+TRY_MUTANTS = {f"scripts/mutation/{name}.py" for name in (
+    "copies", "flight_trials", "judge_trials", "run")}
+
+PYTEST = [sys.executable, "-B", "-m", "pytest", "-x", "-q", "--tb=no",
+          "-p", "no:cacheprovider", "-k", "not thousand"]
+FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
+
+BUILD_LIMIT_S = 900
+TEST_LIMIT_S = 1500
+
+
+def is_python(path):
+    return path.endswith(".py")
+
+
+def of(table, path):
+    return next(value for pattern, value in table.items()
+                if fnmatch(path, pattern))
+
+
+def tests_for(path):
+    names = (name.format(Path(path).stem) for name in of(TESTS, path))
+    return [f"tests/{folder}/test_{name}.py" for name in names
+            for folder in [
+                "real_time" if name in IN_REAL_TIME else "simulation"]]
+
+
+def programs_for(path):
+    return next(programs for folder, programs in PROGRAMS.items()
+                if path.startswith(folder))
+
+
+def every_mutant():
+    """Of what judges, in Ada; and every place for one in Python."""
+    found = mutants.Code(ROOT).mutants(mutants.JUDGES)
+    for path in [*sorted((ROOT / "scripts").rglob("*.py")),
+                 *sorted((ROOT / "sim").rglob("*.py"))]:
+        name = path.relative_to(ROOT).as_posix()
+        if name not in TRY_MUTANTS:
+            found += python_mutants.places(
+                name, path.read_text(encoding="utf-8"))
+    return found
+
+
+class JudgeTrial(Copy):
+    """Tries mutants in a copy of the whole repository."""
+
+    place = "judge"
+
+    def __init__(self, number):
+        names = subprocess.run(
+            ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True,
+            check=True).stdout.splitlines()
+        self.copied = sorted({name.split("/")[0] for name in names})
+        self.changing = [name for name in self.copied
+                         if name in ("scripts", "sim", "host", "real_time")]
+        super().__init__(number)
+        self.objects = {}
+        self.unfit = set()
+
+    def prepare(self, _stage, wanted):
+        """Why what judges does not build, or nothing. A test that fails
+        without any change tells nothing, and is left out."""
+        self.renew()
+        self.edit("urv.gpr", RELAXED)
+        for programs in PROGRAMS.values():
+            for program in programs:
+                status, output = self.build(program)
+                if status != 0:
+                    return output
+        self.objects = self.object_code()
+        files = dict.fromkeys(
+            file for mutant in wanted for file in tests_for(mutant.path))
+        for file in files:
+            status, output = self.pytest([file], "--maxfail=1000")
+            self.unfit |= set(FAILED.findall(output))
+            if status not in (0, 1):
+                self.unfit.add(file)
+        for test in sorted(self.unfit):
+            print(f"mutation: fails without any change, left out: {test}")
+        return None
+
+    def build(self, program):
+        project, mode = program
+        return self.run(["gprbuild", "-q", "-p", "-j1", "-P", project,
+                         f"-XURV_Mode={mode}"], BUILD_LIMIT_S)
+
+    def object_code(self):
+        """Of all that is built, without debugging aids."""
+        found = {}
+        for path in sorted((self.root / "obj").rglob("*.o")):
+            built = path.stat().st_mtime_ns
+            if self.objects.get(path, (0,))[0] == built:
+                found[path] = self.objects[path]
+                continue
+            copy = self.root / "obj" / "stripped"
+            subprocess.run(["objcopy", "--strip-debug", path, copy],
+                           check=True)
+            found[path] = (built, hashlib.sha256(
+                copy.read_bytes()).hexdigest())
+        return found
+
+    def same_object_code(self):
+        now = self.object_code()
+        return all(now[path][1] == self.objects[path][1]
+                   for path in now if path in self.objects)
+
+    def pytest(self, tests, *more):
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith("URV_")}
+        return self.run([*PYTEST, *more, *tests], TEST_LIMIT_S,
+                        preexec_fn=set_limits, env=environment)
+
+    def seen(self, mutant):
+        if isinstance(mutant, python_mutants.Place):
+            source = self.source(mutant.path).decode()
+            return python_mutants.mutant_at(mutant, source)
+        return mutant
+
+    def test(self, mutant):
+        """What becomes of a mutant, and who said so."""
+        source = self.source(mutant.path)
+        self.put(mutant)
+        changed = (self.root / mutant.path).read_bytes()
+        if is_python(mutant.path):
+            if compiled(changed) is None:
+                return INVALID, ""
+            if compiled(changed) == compiled(source):
+                return EQUIVALENT, ""
+        for program in programs_for(mutant.path):
+            status, _ = self.build(program)
+            if status != 0:
+                return INVALID, ""
+        if not is_python(mutant.path) and self.same_object_code():
+            return EQUIVALENT, ""
+        for file in tests_for(mutant.path):
+            if file in self.unfit:
+                continue
+            left_out = [f"--deselect={test}" for test in self.unfit
+                        if test.startswith(f"{file}::")]
+            status, output = self.pytest([file], *left_out)
+            # 5: every test of the file is left out.
+            if status not in (0, 5):
+                failed = FAILED.search(output)
+                return "tests", (failed[1] if failed else
+                                 f"{file}: pytest ended with {status}")
+        return SURVIVED, ""
+
+
+def compiled(source):
+    """Its code; nothing if it is no Python."""
+    try:
+        return marshal.dumps(compile(source, "judge", "exec"))
+    except (SyntaxError, ValueError):
+        return None
