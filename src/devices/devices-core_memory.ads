@@ -5,15 +5,18 @@
 --  area is for what the node has to say of itself; only a cold start clears
 --  it, so that it tells of the warm ones (INI-6).
 
-with URVOS; use URVOS;
+with URVOS;       use URVOS;
+with URV.Buffers; use URV.Buffers;
 
 package Devices.CORE_Memory with Pure, SPARK_Mode is
 
-   type Item_Number is range 1 .. 28;
+   --  Items are numbered from 1, in the order of their buffer.
+   type Item_Number is range 1 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
    type Word_Array is array (Item_Number range <>) of Word;
 
-   subtype Uplink_Words is Word_Array (1 .. 14);
-   subtype Downlink_Words is Word_Array (1 .. 28);
+   subtype Uplink_Words is
+     Word_Array (1 .. Uplink_Item'Pos (Uplink_Item'Last) + 1);
+   subtype Downlink_Words is Word_Array (Item_Number);
 
    --  The words of the status area. A count of one word stays at its last
    --  value; of a pair the high word stands first.

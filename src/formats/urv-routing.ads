@@ -91,7 +91,8 @@ package URV.Routing with Pure, SPARK_Mode is
    with Global => null;
 
    --  A word's place in its buffer, from 1; 0 is none.
-   type Place_Count is range 0 .. 28;
+   type Place_Count is
+     range 0 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
 
    --  Where the first word that is out of range stands.
 

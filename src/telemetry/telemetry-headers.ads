@@ -13,7 +13,9 @@ package Telemetry.Headers with Pure, SPARK_Mode is
    --  The block lengths that have a header: the byte count of a data
    --  message is its header.
    subtype Block_Length is Byte_Count
-   with Static_Predicate => Block_Length in 1 | 2 | 4 | 28 | 56;
+   with
+     Static_Predicate =>
+       Block_Length in 1 | 2 | 4 | Uplink_Length | Downlink_Length;
 
    type Header (Kind : Header_Kind := Command_To_Downlink) is record
       case Kind is
@@ -48,11 +50,11 @@ package Telemetry.Headers with Pure, SPARK_Mode is
             else (if Item.Wants_Downlink then 16#33# else 16#CC#)),
          when Data                =>
            (case Item.Length is
-               when 28 => 16#1E#,
-               when 56 => 16#87#,
-               when 1  => 16#55#,
-               when 2  => 16#99#,
-               when 4  => 16#B4#))
+               when Uplink_Length   => 16#1E#,
+               when Downlink_Length => 16#87#,
+               when 1               => 16#55#,
+               when 2               => 16#99#,
+               when 4               => 16#B4#))
    with
      Global => null,
      Post   => Is_Valid (Encode'Result);
@@ -64,8 +66,8 @@ package Telemetry.Headers with Pure, SPARK_Mode is
          when 16#D2# => (Status, Good => True,  Wants_Downlink => False),
          when 16#33# => (Status, Good => False, Wants_Downlink => True),
          when 16#CC# => (Status, Good => False, Wants_Downlink => False),
-         when 16#1E# => (Data, Length => 28),
-         when 16#87# => (Data, Length => 56),
+         when 16#1E# => (Data, Length => Uplink_Length),
+         when 16#87# => (Data, Length => Downlink_Length),
          when 16#55# => (Data, Length => 1),
          when 16#99# => (Data, Length => 2),
          when others => (Data, Length => 4))

@@ -10,8 +10,12 @@ package Telemetry with Pure, SPARK_Mode is
    --  The ground's board is bus master; the aircraft's answers (LNK-2).
    type Station is (Ground, Aircraft);
 
-   --  A block's data, without the header before and the checksum behind it.
-   Longest_Block : constant := 56;
+   --  The bytes of a block's data, without the header before and the checksum
+   --  behind it: two for each word of the buffer (D-3, D-5). URV.Codecs does
+   --  not compile if they are not.
+   Uplink_Length   : constant := 28;
+   Downlink_Length : constant := 56;
+   Longest_Block   : constant := Downlink_Length;
 
    type Byte_Count is range 0 .. Longest_Block;
    subtype Byte_Index is Byte_Count range 1 .. Longest_Block;

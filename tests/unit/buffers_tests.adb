@@ -5,6 +5,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Checks;       use Checks;
 with Expectations; use Expectations;
 with URVOS;        use URVOS;
+with Telemetry;
 with URV.Buffers;  use URV.Buffers;
 
 package body Buffers_Tests is
@@ -56,6 +57,7 @@ package body Buffers_Tests is
       Assert (Uplink_Item_Names, Uplink_Names, "names of the uplink words");
       Expect_Number ("words of an uplink buffer", Buffer'Length, 14);
       Expect_Number ("bits of an uplink buffer", Uplink_Buffer'Size, 14 * 16);
+      Expect_Number ("bytes on the wire", Telemetry.Uplink_Length, 28);
       Expect_Number
         ("position of the error word", Uplink_Item'Pos (Error_Status), 14 - 1);
       Expect_Number
@@ -72,6 +74,7 @@ package body Buffers_Tests is
       Expect_Number ("words of a downlink buffer", Buffer'Length, 28);
       Expect_Number
         ("bits of a downlink buffer", Downlink_Buffer'Size, 28 * 16);
+      Expect_Number ("bytes on the wire", Telemetry.Downlink_Length, 56);
       Expect_Number
         ("position of the error word (D-1)", Downlink_Item'Pos (Error_Status),
          28 - 1);

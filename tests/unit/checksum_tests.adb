@@ -19,7 +19,7 @@ package body Checksum_Tests is
    function By_Board (Data : Byte_Array) return Byte;
 
    --  A message of the longest kind: header, data, and then its checksum.
-   subtype Message is Byte_Array (1 .. 56);
+   subtype Message is Byte_Array (Byte_Index);
 
    Sample : Message;
 

@@ -36,8 +36,10 @@ package body Codecs_Tests is
 
    procedure Wire_Lengths is
    begin
-      Expect_Number ("bytes up", Integer (Uplink.Block_Length), 28);
-      Expect_Number ("bytes down", Integer (Downlink.Block_Length), 56);
+      Expect_Number
+        ("bytes up", Integer (Uplink.Block_Length), Uplink_Length);
+      Expect_Number
+        ("bytes down", Integer (Downlink.Block_Length), Downlink_Length);
    end Wire_Lengths;
 
    procedure Uplink_Bytes is
@@ -50,14 +52,14 @@ package body Codecs_Tests is
            16#1020# + 16#101# * Word (Uplink_Item'Pos (Item));
       end loop;
       Block := Uplink.Encode (Buffer);
-      for I in Byte range 0 .. 13 loop
+      for I in Byte range 0 .. Uplink_Length / 2 - 1 loop
          Expect
            ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
             16#10# + I);
          Expect
            ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
       end loop;
-      for I in Byte_Index range 29 .. 56 loop
+      for I in Uplink.Block_Length + 1 .. Byte_Index'Last loop
          Expect ("unused byte", Block (I), 0);
       end loop;
    end Uplink_Bytes;
@@ -71,7 +73,7 @@ package body Codecs_Tests is
            16#1020# + 16#101# * Word (Downlink_Item'Pos (Item));
       end loop;
       Block := Downlink.Encode (Buffer);
-      for I in Byte range 0 .. 27 loop
+      for I in Byte range 0 .. Downlink_Length / 2 - 1 loop
          Expect
            ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
             16#10# + I);
@@ -106,14 +108,14 @@ package body Codecs_Tests is
       for Value in Word loop
          Filler := 25_173 * Filler + 13_849;
          Up := (others => Filler);
-         Up (Uplink_Item'Val (Value mod 14)) := Value;
+         Up (Uplink_Item'Val (Value mod Uplink_Buffer'Length)) := Value;
          Up_Back := Uplink.Decode (Uplink.Encode (Up));
          for Item in Uplink_Item loop
             Expect ("uplink " & Item'Image, Up_Back (Item), Up (Item));
          end loop;
 
          Down := (others => Filler);
-         Down (Downlink_Item'Val (Value mod 28)) := Value;
+         Down (Downlink_Item'Val (Value mod Downlink_Buffer'Length)) := Value;
          Down_Back := Downlink.Decode (Downlink.Encode (Down));
          for Item in Downlink_Item loop
             Expect ("downlink " & Item'Image, Down_Back (Item), Down (Item));
@@ -130,7 +132,7 @@ package body Codecs_Tests is
            (Item'Image, Buffer (Item),
             16#100# + Word (Command_Item'Pos (Item)));
       end loop;
-      Expect ("14th word", Buffer (Uplink_Item'Val (13)), 16#ABCD#);
+      Expect ("last word", Buffer (Uplink_Item'Last), 16#ABCD#);
    end Image_Uplink;
 
    procedure Image_Downlink is
@@ -142,7 +144,7 @@ package body Codecs_Tests is
            (Item'Image, Buffer (Item),
             16#100# + Word (Sensor_Item'Pos (Item)));
       end loop;
-      Expect ("28th word", Buffer (Downlink_Item'Val (27)), 16#ABCD#);
+      Expect ("last word", Buffer (Downlink_Item'Last), 16#ABCD#);
    end Image_Downlink;
 
    procedure Stamps is
@@ -232,7 +234,9 @@ package body Codecs_Tests is
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
-      Add (Suite, "D-3 28 bytes go up, 56 come down", Wire_Lengths'Access);
+      Add
+        (Suite, "D-3 two bytes a word go up and come down",
+         Wire_Lengths'Access);
       Add
         (Suite, "BUF-1 on the wire: in order, high byte first",
          Uplink_Bytes'Access);
@@ -249,7 +253,7 @@ package body Codecs_Tests is
         (Suite, "GDO-1 13 channels and the error word make an uplink",
          Image_Uplink'Access);
       Add
-        (Suite, "MDO-1 D-1 27 channels and the error word make a downlink",
+        (Suite, "MDO-1 D-1 sensors and the error word make a downlink",
          Image_Downlink'Access);
       Add
         (Suite, "AD-1 D-15 the error word says whether the scan is fresh",

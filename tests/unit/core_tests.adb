@@ -81,12 +81,12 @@ package body CORE_Tests is
       for I in CORE.Uplink'Range loop
          Expect
            ("uplink word" & I'Image, CORE.Uplink (I),
-            (if I = 14 then 0 else 16#100# + Word (I) - 1));
+            (if I = CORE.Uplink'Last then 0 else 16#100# + Word (I) - 1));
       end loop;
       for I in CORE.Downlink'Range loop
          Expect
            ("downlink word" & I'Image, CORE.Downlink (I),
-            (if I = 28 then 0 else 16#200# + Word (I) - 1));
+            (if I = CORE.Downlink'Last then 0 else 16#200# + Word (I) - 1));
       end loop;
       Expect_Buffer
         ("read back", To_Buffer (CORE.Uplink), Uplink_Of (16#100#));

@@ -4,6 +4,7 @@ with Checks;            use Checks;
 with Expect_Value;
 with Expectations;      use Expectations;
 with URVOS;             use URVOS;
+with Telemetry;         use Telemetry;
 with Telemetry.Headers; use Telemetry.Headers;
 
 package body Headers_Tests is
@@ -29,8 +30,8 @@ package body Headers_Tests is
       ((Data, Length => 1),                   "data 1          "),
       ((Data, Length => 2),                   "data 2          "),
       ((Data, Length => 4),                   "data 4          "),
-      ((Data, Length => 28),                  "data 28         "),
-      ((Data, Length => 56),                  "data 56         "));
+      ((Data, Length => Uplink_Length),       "data of uplink  "),
+      ((Data, Length => Downlink_Length),     "data of downlink"));
 
    --  How many bits of a byte are ones.
    function Ones (Value : Byte) return Natural;

@@ -118,10 +118,10 @@ package body In_Flight_Tests is
       Fly (4);
       Expect
         ("the ground's, in the air",
-         CORE_Of_MCS.Uplink (14), ROM_Bit);
+         CORE_Of_MCS.Uplink (Uplink_Words'Last), ROM_Bit);
       Expect
         ("the aircraft's, on the ground",
-         CORE_Of_GSC.Downlink (28), ROM_Bit);
+         CORE_Of_GSC.Downlink (Downlink_Words'Last), ROM_Bit);
 
       --  A start forgets it until the next pass.
       Host.Memory_Hardware.Repair (1);

@@ -115,7 +115,7 @@ package body Link_Rig is
       Ever     : Boolean;
       Expected : Block_Data;
       Length   : constant Byte_Index :=
-        (if At_Station = Ground then 56 else 28);
+        (if At_Station = Ground then Downlink_Length else Uplink_Length);
    begin
       if At_Station = Ground then
          Take (Item.Ground_Board, Data, Fresh, Ever);

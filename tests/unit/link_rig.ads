@@ -35,12 +35,16 @@ package Link_Rig is
       Length : Natural;
    end record;
 
+   --  The characters of a data message: header, data, checksum.
+   Up_Data   : constant := Uplink_Length + 2;
+   Down_Data : constant := Downlink_Length + 2;
+
    Longest_Trace : constant := 32;
    type Trace_List is array (1 .. Longest_Trace) of Transmission;
 
    type Link is record
-      Ground_Board   : Board (Ground, 28, 56);
-      Aircraft_Board : Board (Aircraft, 56, 28);
+      Ground_Board   : Board (Ground, Uplink_Length, Downlink_Length);
+      Aircraft_Board : Board (Aircraft, Downlink_Length, Uplink_Length);
       Sent           : Character_Counts := (others => 0);
       Came_Out       : Last_Marks := (others => 0);
 

@@ -217,10 +217,10 @@ package body Link_Tests is
       Run (Item, Frame);
       Expect_Turns
         (Item,
-         ((Ground, 30),      --  data
+         ((Ground, Up_Data),       --  data
           (Aircraft, 1),     --  status
           (Ground, 1),       --  command to downlink
-          (Aircraft, 58),    --  data
+          (Aircraft, Down_Data),   --  data
           (Ground, 1)));     --  status
       Expect_Block (Item, Aircraft, 1);
       Expect_Block (Item, Ground, 2);
@@ -240,10 +240,10 @@ package body Link_Tests is
                Fly (Item, 1, Number, Phase * Frame / Ticks);
                Expect_Number
                  ("phase" & Phase'Image & ", characters up",
-                  Item.Sent (Ground) - Before (Ground), 32);
+                  Item.Sent (Ground) - Before (Ground), Up_Data + 2);
                Expect_Number
                  ("phase" & Phase'Image & ", characters down",
-                  Item.Sent (Aircraft) - Before (Aircraft), 59);
+                  Item.Sent (Aircraft) - Before (Aircraft), Down_Data + 1);
             end loop;
          end;
       end loop;
@@ -274,7 +274,7 @@ package body Link_Tests is
       Item : Link;
    begin
       Give (Item, Ground, 1);
-      Run (Item, 30);
+      Run (Item, Up_Data);
       Expect_Number ("before the status", Item.Sent (Aircraft), 0);
       Expect ("block received", Item.Aircraft_Board.Messages, 1);
       Run (Item, 1);
@@ -286,7 +286,7 @@ package body Link_Tests is
    begin
       Give (Item, Ground, 1);
       Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), True);
-      Run (Item, 30);
+      Run (Item, Up_Data);
       Expect
         ("full before the status", Any_Full (Item.Ground_Board.Transmit_Pair),
          True);
@@ -313,7 +313,8 @@ package body Link_Tests is
       Give (Item, Ground, 1);
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
-        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+        (Item,
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
       Expect_Block (Item, Aircraft, 1);
       Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
       Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
@@ -333,7 +334,8 @@ package body Link_Tests is
       Give (Item, Ground, 1);
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
-        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+        (Item,
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
       Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
       Expect ("reset", Item.Ground_Board.Tally.Resets, 1);
       Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
@@ -350,11 +352,12 @@ package body Link_Tests is
       Spoilt_How    := Odd_Parity;
       Spoilt_Mask   := 1;
       Give (Item, Ground, 1);
-      Run (Item, 30, Spoil'Access);
-      First_Spoilt := 32;
+      Run (Item, Up_Data, Spoil'Access);
+      First_Spoilt := Up_Data + 2;
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
-        (Item, ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1)));
+        (Item,
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
       Expect_Block (Item, Aircraft, 0);
       Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 1);
       Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
@@ -369,7 +372,7 @@ package body Link_Tests is
    procedure Scrap_Downlink is
       Item : Link;
    begin
-      --  Character 1 of the aircraft is its status, 2 to 59 its data.
+      --  Character 1 of the aircraft is its status, those after it its data.
       Spoilt_Sender := Aircraft;
       First_Spoilt  := 10;
       Last_Spoilt   := 10;
@@ -380,9 +383,9 @@ package body Link_Tests is
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
         (Item,
-         ((Ground, 30), (Aircraft, 1), (Ground, 1), (Aircraft, 58),
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, 1), (Aircraft, Down_Data),
           (Ground, 2),       --  bad status, command again
-          (Aircraft, 58), (Ground, 1)));
+          (Aircraft, Down_Data), (Ground, 1)));
       Expect_Block (Item, Ground, 9);
       Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 0);
 
@@ -390,7 +393,7 @@ package body Link_Tests is
       Give (Item, Ground, 2);
       Give (Item, Aircraft, 10);
       First_Spoilt := Item.Sent (Aircraft) + 10;
-      Last_Spoilt  := First_Spoilt + 58;
+      Last_Spoilt  := First_Spoilt + Down_Data;
       Run (Item, Frame, Spoil'Access);
       Expect_Block (Item, Ground, 0);
       Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
@@ -419,8 +422,8 @@ package body Link_Tests is
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
         (Item,
-         ((Ground, 30), (Aircraft, 1), (Ground, 1), (Aircraft, 58),
-          (Ground, 2), (Aircraft, 58),
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, 1), (Aircraft, Down_Data),
+          (Ground, 2), (Aircraft, Down_Data),
           (Ground, 1)));     --  bad status, and no command
       Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
       Expect ("resets", Resets (Item), 0);
@@ -433,7 +436,7 @@ package body Link_Tests is
       Give (Item, Ground, 2);
       Expect ("both full", Both_Full (Item.Ground_Board.Transmit_Pair), True);
       Run (Item, Frame);
-      Expect_Number ("characters", Item.Sent (Ground), 30);
+      Expect_Number ("characters", Item.Sent (Ground), Up_Data);
       Expect_Block (Item, Aircraft, 2);
       Expect ("sent", Item.Ground_Board.Tally.Sent, 1);
       Expect ("cleared", Item.Ground_Board.Tally.Cleared, 1);
@@ -469,7 +472,7 @@ package body Link_Tests is
       Busy : Natural;
    begin
       Give (Item, Ground, 1);
-      for Time in 1 .. 30 loop
+      for Time in 1 .. Up_Data loop
          Run (Item, 1);
          Busy := 0;
          for Each of Item.Ground_Board.Transmit_Pair.Slots loop
@@ -505,13 +508,13 @@ package body Link_Tests is
       --  New data at the ground comes while the aircraft asks to downlink.
       Give (Item, Aircraft, 7);
       Give (Item, Ground, 1);
-      Run (Item, 29);
+      Run (Item, Up_Data - 1);
       Give (Item, Ground, 2);
       Run (Item, Frame);
       Expect_Turns
         (Item,
-         ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1),
-          (Ground, 1), (Aircraft, 58), (Ground, 1)));
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1),
+          (Ground, 1), (Aircraft, Down_Data), (Ground, 1)));
       Expect_Block (Item, Aircraft, 2);
       Expect_Block (Item, Ground, 7);
    end Priority;
@@ -530,8 +533,8 @@ package body Link_Tests is
       Run (Item, Frame, Spoil'Access);
       Expect_Turns
         (Item,
-         ((Ground, 30), (Aircraft, 1), (Ground, 30), (Aircraft, 1),
-          (Ground, 1), (Aircraft, 58), (Ground, 1)));
+         ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1),
+          (Ground, 1), (Aircraft, Down_Data), (Ground, 1)));
    end Retry_Priority;
 
    procedure Nothing_To_Send is
@@ -622,7 +625,9 @@ package body Link_Tests is
       --  Each character of a frame in turn, spoilt in each way. The third
       --  frame is spoilt, when the exchange is regular.
       for Sender in Station loop
-         for Number in 1 .. (if Sender = Ground then 32 else 59) loop
+         for Number in
+           1 .. (if Sender = Ground then Up_Data + 2 else Down_Data + 1)
+         loop
             for How in Changed .. Doubled loop
                for Mask of Masks loop
                   declare
@@ -763,7 +768,7 @@ package body Link_Tests is
         (Suite, "LNK-2 data, status, command, data, status: in that order",
          Sequence'Access);
       Add
-        (Suite, "D-5 32 characters up and 59 down a frame, at whole ticks",
+        (Suite, "D-5 two characters more than data go up and one down",
          Bandwidth'Access);
       Add
         (Suite, "D-12 in any phase blocks go up and down, without a reset",

@@ -21,7 +21,7 @@ package body Receivers_Tests is
    procedure Interrupted;
    procedure Untouched;
 
-   Length : constant Block_Length := 28;
+   Length : constant Block_Length := Uplink_Length;
 
    Header_Byte : constant Byte := Data_Header (Length);
 

@@ -12,7 +12,8 @@ package body Senders_Tests is
    procedure Messages;
    procedure Wire_Lengths;
 
-   Lengths : constant array (1 .. 5) of Block_Length := (1, 2, 4, 28, 56);
+   Lengths : constant array (1 .. 5) of Block_Length :=
+     (1, 2, 4, Uplink_Length, Downlink_Length);
 
    procedure Messages is
       Data   : Block_Data;
@@ -43,8 +44,12 @@ package body Senders_Tests is
 
    procedure Wire_Lengths is
    begin
-      Expect_Number ("of an uplink", Integer (Message_Length (28)), 30);
-      Expect_Number ("of a downlink", Integer (Message_Length (56)), 58);
+      Expect_Number
+        ("of an uplink", Integer (Message_Length (Uplink_Length)),
+         Uplink_Length + 2);
+      Expect_Number
+        ("of a downlink", Integer (Message_Length (Downlink_Length)),
+         Downlink_Length + 2);
    end Wire_Lengths;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
