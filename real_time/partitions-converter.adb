@@ -12,25 +12,65 @@ package body Partitions.Converter is
 
    Power : Suspension_Object;
 
+   protected Interrupts is
+      entry Hold;
+      procedure Release;
+   private
+      Is_Free : Boolean := True;
+   end Interrupts;
+
+   protected body Interrupts is
+
+      entry Hold when Is_Free is
+      begin
+         Is_Free := False;
+      end Hold;
+
+      procedure Release is
+      begin
+         Is_Free := True;
+      end Release;
+
+   end Interrupts;
+
+   procedure Hold_Interrupts is
+   begin
+      Interrupts.Hold;
+   end Hold_Interrupts;
+
+   procedure Release_Interrupts is
+   begin
+      Interrupts.Release;
+   end Release_Interrupts;
+
    --  The channel has been started: converts it, and those that the
-   --  controller starts thereafter.
+   --  controller starts thereafter. One that is not behind the last begins
+   --  another scan: the controller has given up the one before.
    procedure Convert (First : Channel_Number);
 
    procedure Convert (First : Channel_Number) is
       Words     : Channel_Words;
       Present   : Channel_Number := First;
+      Next      : Channel_Number;
       Interrupt : Boolean;
       Wanted    : Boolean;
    begin
       Sample (Words);
       delay until Clock + Scan_Time;
       loop
+         Hold_Interrupts;
          Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
          if Interrupt then
             Interrupt_Controller;
          end if;
-         Take_Start (Wanted, Present);
+         Take_Start (Wanted, Next);
+         Release_Interrupts;
          exit when not Wanted;
+         if Next <= Present then
+            Sample (Words);
+            delay until Clock + Scan_Time;
+         end if;
+         Present := Next;
       end loop;
    end Convert;
 

@@ -5,6 +5,13 @@
 --  are made together when the last of them is due, 512 us after the first
 --  was started, from values held at the start: the controller takes them at
 --  its next major frame.
+--
+--  On the target the controller's processor takes the interrupt between two
+--  of its instructions, and as soon as the conversion is over. Here another
+--  thread takes it, which the machine may stop in between. So a conversion's
+--  end and its interrupt are one, and what starts conversions is uninterrupted
+--  by them: else a word of a scan that was given up would come into the next
+--  scan, as the word of another channel (SAF-2).
 
 with Devices.AD_Board; use Devices.AD_Board;
 with URV.Buffers;      use URV.Buffers;
@@ -21,5 +28,10 @@ generic
 package Partitions.Converter is
 
    procedure Switch_On;
+
+   --  In between no conversion ends. The task and the start that begin scans
+   --  are never there at the same time.
+   procedure Hold_Interrupts;
+   procedure Release_Interrupts;
 
 end Partitions.Converter;

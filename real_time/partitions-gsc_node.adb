@@ -12,6 +12,7 @@ with Partitions.Guarded_Step;
 with Partitions.Rows;   use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
+with Partitions.Uninterrupted_Call;
 with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Starts;      use URVOS.Starts;
 
@@ -37,6 +38,16 @@ package body Partitions.GSC_Node is
       Finish               => GSC.AD_Board.Finish,
       Interrupt_Controller => AD_Interrupt);
 
+   procedure AD_Initialise is new Uninterrupted_Call
+     (Call               => GSC.AD.Initialise,
+      Hold_Interrupts    => Converter_Hardware.Hold_Interrupts,
+      Release_Interrupts => Converter_Hardware.Release_Interrupts);
+
+   procedure AD_Transaction is new Uninterrupted_Call
+     (Call               => GSC.AD.Run_Transaction,
+      Hold_Interrupts    => Converter_Hardware.Hold_Interrupts,
+      Release_Interrupts => Converter_Hardware.Release_Interrupts);
+
    --  Steps of the tasks
 
    Stood_Still : Count := 0 with Atomic;
@@ -52,8 +63,8 @@ package body Partitions.GSC_Node is
      (Cost            => Costs (GSC.AD_Task),
       Response        => Responses (GSC.AD_Task),
       Has_Stood_Still => Has_Stood_Still,
-      Initialise      => GSC.AD.Initialise,
-      Run_Transaction => GSC.AD.Run_Transaction,
+      Initialise      => AD_Initialise,
+      Run_Transaction => AD_Transaction,
       Observe         => Observe_Nothing);
 
    procedure TELIN_Step is new Guarded_Step
@@ -116,8 +127,14 @@ package body Partitions.GSC_Node is
 
    procedure Observe_Tick (Late : Time_Span);
 
+   --  Uninterrupted, whatever becomes of it.
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean);
+
    procedure Begin_Start is new Guarded_Start
-     (Begin_Again   => GSC.Begin_Again,
+     (Begin_Again   => Begin_Again,
       Request_Start => GSC.Turns.Scheduler.Request_Start);
 
    package Tasks is new GSC.Real_Time
@@ -138,6 +155,20 @@ package body Partitions.GSC_Node is
      (Switch_Off                => Queue.Finish,
       Raise_Processor_Exception => Raise_Processor_Exception,
       Press_Reset_Switch        => Press_Reset_Switch);
+
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean) is
+   begin
+      Converter_Hardware.Hold_Interrupts;
+      GSC.Begin_Again (Condition, Now, Passed);
+      Converter_Hardware.Release_Interrupts;
+   exception
+      when others =>
+         Converter_Hardware.Release_Interrupts;
+         raise;
+   end Begin_Again;
 
    procedure Observe_Frame is
       use type Number;

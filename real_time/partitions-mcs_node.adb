@@ -13,6 +13,7 @@ with Partitions.Guarded_Step;
 with Partitions.Rows;   use Partitions.Rows;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
+with Partitions.Uninterrupted_Call;
 with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Starts;      use URVOS.Starts;
 
@@ -38,6 +39,16 @@ package body Partitions.MCS_Node is
       Finish               => MCS.AD_Board.Finish,
       Interrupt_Controller => AD_Interrupt);
 
+   procedure AD_Initialise is new Uninterrupted_Call
+     (Call               => MCS.AD.Initialise,
+      Hold_Interrupts    => Converter_Hardware.Hold_Interrupts,
+      Release_Interrupts => Converter_Hardware.Release_Interrupts);
+
+   procedure AD_Transaction is new Uninterrupted_Call
+     (Call               => MCS.AD.Run_Transaction,
+      Hold_Interrupts    => Converter_Hardware.Hold_Interrupts,
+      Release_Interrupts => Converter_Hardware.Release_Interrupts);
+
    --  Steps of the tasks
 
    --  When the servos were commanded last. Only one task runs at a time.
@@ -58,8 +69,8 @@ package body Partitions.MCS_Node is
      (Cost            => Costs (MCS.AD_Task),
       Response        => Responses (MCS.AD_Task),
       Has_Stood_Still => Has_Stood_Still,
-      Initialise      => MCS.AD.Initialise,
-      Run_Transaction => MCS.AD.Run_Transaction,
+      Initialise      => AD_Initialise,
+      Run_Transaction => AD_Transaction,
       Observe         => Observe_Nothing);
 
    procedure TELIN_Step is new Guarded_Step
@@ -130,8 +141,14 @@ package body Partitions.MCS_Node is
 
    procedure Observe_Tick (Late : Time_Span);
 
+   --  Uninterrupted, whatever becomes of it.
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean);
+
    procedure Begin_Start is new Guarded_Start
-     (Begin_Again   => MCS.Begin_Again,
+     (Begin_Again   => Begin_Again,
       Request_Start => MCS.Turns.Scheduler.Request_Start);
 
    package Tasks is new MCS.Real_Time
@@ -158,6 +175,20 @@ package body Partitions.MCS_Node is
    begin
       Servos_At := Machine_Time (Clock);
    end Observe_Servos;
+
+   procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean) is
+   begin
+      Converter_Hardware.Hold_Interrupts;
+      MCS.Begin_Again (Condition, Now, Passed);
+      Converter_Hardware.Release_Interrupts;
+   exception
+      when others =>
+         Converter_Hardware.Release_Interrupts;
+         raise;
+   end Begin_Again;
 
    procedure Observe_Frame is
       use type Number;

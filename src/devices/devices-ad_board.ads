@@ -48,8 +48,11 @@ package Devices.AD_Board with Pure, SPARK_Mode is
          Doing => (if Board.Doing = Start_Wanted
                    then Converting else Board.Doing)));
 
-   --  The hardware has converted the channel.
+   --  The hardware has converted the channel that it saw, unless that was
+   --  abandoned meanwhile.
    function Finished (Board : Registers; Value : Word) return Registers is
-     ((Board with delta Data => Value, Doing => Idle));
+     (if Board.Doing = Converting
+      then (Board with delta Data => Value, Doing => Idle)
+      else Board);
 
 end Devices.AD_Board;

@@ -46,8 +46,9 @@ is
 
       procedure Finish (Value : Word; Interrupt : out Boolean) is
       begin
+         Interrupt :=
+           Contents.Doing = Converting and then Contents.Interrupt_Enabled;
          Contents := Finished (Contents, Value);
-         Interrupt := Contents.Interrupt_Enabled;
       end Finish;
 
       function Snapshot return Registers is (Contents);

@@ -39,7 +39,8 @@ is
      Depends => ((Board, Wanted, Channel) => Board);
 
    --  The conversion is done; Interrupt tells whether the controller is
-   --  interrupted.
+   --  interrupted. It is not, and the value is nobody's, when the controller
+   --  has abandoned that conversion, of which the hardware may not know yet.
    procedure Finish (Value : Word; Interrupt : out Boolean)
    with Global => (In_Out => Board);
 

@@ -25,6 +25,7 @@ package body AD_Tests is
    procedure Image_Unread;
    procedure The_Board;
    procedure Each_Start_Once;
+   procedure Abandoned;
 
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
@@ -257,6 +258,13 @@ package body AD_Tests is
       Board := Devices.AD_Board.Started (Board, 4);
       Expect ("started anew", Board.Doing, Start_Wanted);
       Expect_Number ("channel", Integer (Board.Channel), 4);
+
+      --  Whose value comes when the hardware has not seen that yet.
+      Board := Finished (Board, 16#123#);
+      Expect ("still wanted", Board.Doing, Start_Wanted);
+      Expect ("no data of the abandoned", Board.Data, 16#ABC#);
+      Board := Finished (Begun (Board), 16#456#);
+      Expect ("data of the other", Board.Data, 16#456#);
    end The_Board;
 
    package Hardware is new Devices.Shared_AD_Board;
@@ -281,6 +289,35 @@ package body AD_Tests is
       Hardware.Read (Data);
       Expect ("data", Data, 16#DEF#);
    end Each_Start_Once;
+
+   procedure Abandoned is
+      Wanted    : Boolean;
+      Interrupt : Boolean;
+      Number    : Channel_Number;
+      Data      : Word;
+   begin
+      Hardware.Initialise;
+      Hardware.Start (31);
+      Hardware.Take_Start (Wanted, Number);
+      Hardware.Finish (16#111#, Interrupt);
+      Expect ("interrupt of channel 31", Interrupt, True);
+
+      --  The next scan begins while the hardware is still at channel 31.
+      Hardware.Start (31);
+      Hardware.Take_Start (Wanted, Number);
+      Hardware.Start (0);
+      Hardware.Finish (16#800#, Interrupt);
+      Expect ("interrupt", Interrupt, False);
+      Hardware.Read (Data);
+      Expect ("data", Data, 16#111#);
+      Hardware.Take_Start (Wanted, Number);
+      Expect ("channel 0 wanted", Wanted, True);
+      Expect_Number ("channel", Integer (Number), 0);
+      Hardware.Finish (16#222#, Interrupt);
+      Expect ("interrupt of channel 0", Interrupt, True);
+      Hardware.Read (Data);
+      Expect ("data of channel 0", Data, 16#222#);
+   end Abandoned;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
@@ -316,6 +353,9 @@ package body AD_Tests is
       Add
         (Suite, "ADI-1 the board's hardware sees each start once",
          Each_Start_Once'Access);
+      Add
+        (Suite, "ADI-1 SAF-2 an abandoned conversion gives no channel a word",
+         Abandoned'Access);
    end Add_To;
 
 end AD_Tests;
