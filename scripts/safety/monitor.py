@@ -75,7 +75,7 @@ OWN_SCAN_US = {"gsc": (40_000, 20_000), "mcs": (48_000, 8_000)}
 # the rows that show a message at both ends, and at the console and in CORE.
 PARTITION_UP_US = {"calm": 50_000, "disturbed": 90_000}
 PARTITION_DOWN_US = {"calm": 60_000, "disturbed": 100_000}
-PARTITION_SCAN_US = 30_000
+PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
 
 
 class Findings(NamedTuple):
@@ -96,6 +96,9 @@ class Record:
         self.times = ([timelines.to_us(row[place]) for row in rows]
                       if time == "time_ms"
                       else [int(row[place]) for row in rows])
+        self.counts = {
+            name: [int(row[titles.index(name)]) for row in rows]
+            for name in ("frame", "overruns") if name in titles}
         for name, group, items in BUFFERS:
             wanted = [f"{group}.{item}" for item in items]
             if wanted[0] not in titles:
@@ -106,6 +109,15 @@ class Record:
                 raise ValueError(f"{path}: the columns of {group} are not"
                                  " those of docs/items.md")
             setattr(self, name, self._words(rows, cells))
+
+    def is_blurred(self, place):
+        """Rows are missing before this one, or the node's tasks ran late in
+        its frame: CORE may have missed a message and have its repetition."""
+        def more(name):
+            counts = self.counts.get(name)
+            return counts[place] - counts[place - 1] if counts and place else 0
+
+        return more("frame") > 1 or more("overruns") > 0
 
     @staticmethod
     def _words(rows, cells):
@@ -154,16 +166,19 @@ def differing(names, before, words):
 
 class Sent:
     """The messages that a node's CORE had, to find where those of the other
-    node came from."""
+    node came from. In a blurred row the mark is not judged."""
 
-    def __init__(self, times, messages):
+    def __init__(self, times, messages, is_blurred=lambda place: False):
         self.times, self.messages = times, messages
+        self.is_blurred = is_blurred
 
     def earliest(self, wanted, first, last):
         """The earliest time of a row that has the message."""
         for place in range(bisect.bisect_left(self.times, first),
                            bisect.bisect_right(self.times, last)):
-            if self.messages[place] == wanted:
+            message = self.messages[place]
+            if message == wanted or (
+                    message[:-1] == wanted[:-1] and self.is_blurred(place)):
                 return self.times[place]
         return None
 
@@ -218,15 +233,17 @@ class Checker:
                     " which is too old"))
         return wrong
 
-    def check_marks(self, times, pwm, uplink, after, near_start):
+    def check_marks(self, record, after, near_start,
+                    is_blurred=lambda place: False):
         """A message that says that it is old moves nothing: what the servos
         do newly is what a message said that does not. CORE may have it
         `after` so many rows."""
-        for place, before, words in changes(pwm, SAFE_ROW):
-            near = uplink[place:place + after + 1]
+        times = record.times
+        for place, before, words in changes(record.pwm, SAFE_ROW):
+            near = record.mcs_uplink[place:place + after + 1]
             if len(near) < after + 1 or near_start(times[place]):
                 continue
-            if not any(not is_stale(message)
+            if not any((not is_stale(message) or is_blurred(place))
                        and transformed(message[:13]) == words
                        for message in near):
                 self.say(times[place],
@@ -289,8 +306,7 @@ class Flight(Checker):
                 "mcs.uplink", (*COMMANDS, "error"))
             self.check_servos(wrong)
             self.check_marks(
-                self.record.times, self.record.pwm, self.record.mcs_uplink,
-                1, lambda time: self.faults.starts["mcs"].touch(
+                self.record, 1, lambda time: self.faults.starts["mcs"].touch(
                     time - FRAME_US, time + FRAME_US))
             self.check_link(
                 self.record.times, self.record.gsc_downlink,
@@ -471,11 +487,13 @@ class Partitions(Checker):
         if gsc and gsc.times:
             self.check_ground()
         if mcs and mcs.times:
-            self.check_marks(mcs.times, mcs.pwm, mcs.mcs_uplink, 0,
-                             lambda time: self.starts["mcs"].touch(time, time))
+            self.check_marks(
+                mcs, 0, lambda time: self.starts["mcs"].touch(time, time),
+                mcs.is_blurred)
         if gsc and mcs and gsc.times and mcs.times:
             self.check_link(
-                mcs.times, mcs.mcs_uplink, Sent(gsc.times, gsc.gsc_uplink),
+                mcs.times, mcs.mcs_uplink,
+                Sent(gsc.times, gsc.gsc_uplink, gsc.is_blurred),
                 lambda time: (self.window(time, PARTITION_UP_US),
                               time + self.late_before(time)),
                 lambda time, first, words, is_new: self.excuse(
@@ -483,7 +501,7 @@ class Partitions(Checker):
                 "mcs.uplink", (*COMMANDS, "error"))
             self.check_link(
                 gsc.times, gsc.gsc_downlink,
-                Sent(mcs.times, mcs.mcs_downlink),
+                Sent(mcs.times, mcs.mcs_downlink, mcs.is_blurred),
                 lambda time: (self.window(time, PARTITION_DOWN_US),
                               time + self.late_before(time)),
                 lambda time, first, words, is_new: self.excuse(
@@ -512,8 +530,7 @@ class Partitions(Checker):
             changed, before = words != before, words
             if is_stale(words):
                 continue
-            first = (time - PARTITION_SCAN_US
-                     - self.late.within(time - PARTITION_SCAN_US, time))
+            first = self.window(time, PARTITION_SCAN_US)
             near = place
             while near >= 0 and times[near] >= first:
                 if self.gsc.console[near] == words[:-1]:

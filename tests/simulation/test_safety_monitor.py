@@ -51,7 +51,7 @@ class Cells:
     """A record's cells, by time and column."""
 
     def __init__(self, rows):
-        self.titles = rows[0]
+        self.titles, self.table = rows[0], rows
         self.rows = {float(row[1]): row for row in rows[1:]}
 
     def put(self, first_ms, last_ms, column, word):
@@ -403,6 +403,39 @@ def test_partitions_servos_that_follow_a_marked_message_are_seen(partitions):
             cells.put(500, 600, "mcs.uplink.error", 1)
 
     assert "not marked as old" in said(partitions(alter))
+
+
+class Blurred:
+    """In the row in which the servos first move the aircraft's machine was
+    late, and CORE has a marked message."""
+
+    def __init__(self, word=0, overruns=1, missing=0):
+        self.word, self.overruns, self.missing = word, overruns, missing
+
+    def __call__(self, node, cells):
+        if node != "mcs":
+            return
+        column = cells.titles.index("pwm.throttle")
+        at = next(place for place in range(2, len(cells.table))
+                  if float(cells.table[place][1]) > 500
+                  and cells.table[place][column]
+                  != cells.table[place - 1][column])
+        time = float(cells.table[at][1])
+        cells.put(time, time, "mcs.uplink.error", 1)
+        if self.word:
+            cells.put(time, time, "mcs.uplink.roll", self.word)
+        cells.titles.append("overruns")
+        for place, row in enumerate(cells.table[1:], 1):
+            row.append(str(self.overruns if place >= at else 0))
+        del cells.table[at - self.missing:at]
+
+
+@pytest.mark.parametrize("late, seen", [
+    (Blurred(overruns=0), True), (Blurred(overruns=1), False),
+    (Blurred(overruns=0, missing=1), False), (Blurred(7, overruns=1), True)])
+def test_partitions_a_message_that_core_missed_on_a_late_machine_is_none(
+        partitions, late, seen):
+    assert ("not marked as old" in said(partitions(late))) == seen
 
 
 def test_saf5_a_ground_that_shows_an_old_scan_as_fresh_is_seen(partitions):
