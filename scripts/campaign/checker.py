@@ -58,13 +58,14 @@ class Wrong(NamedTuple):
 
 
 class Flight:
-    """What a flight left: for each frame the age of what CORE holds and
-    what the link counted in it; when each character was sent. What is wrong
-    with the messages on the wire, or with the counts beside them, is in
-    wire_errors."""
+    """What a flight left: for each frame the age of what CORE holds, whether
+    it says of itself that it is old, and what the link counted in it; when
+    each character was sent. What is wrong with the messages on the wire, or
+    with the counts beside them, is in wire_errors."""
 
     def __init__(self, record, wire, frames):
         self.newest = {"up": [], "down": []}
+        self.stale = {"up": set(), "down": set()}
         self.link = []
         self.wrong = []
         self.errors = []
@@ -77,7 +78,7 @@ class Flight:
         columns = {"up": MCS_UPLINK, "down": GSC_DOWNLINK}
         known = {}
         for way, count in (("up", 13), ("down", 27)):
-            known[way] = {f"{data.text(n, count)},{word}": n
+            known[way] = {f"{data.text(n, count)},{word}": (n, word)
                           for n in range(frames)
                           for word in (NO_ERROR, STALE)}
         last = dict.fromkeys(columns, NOTHING_YET)
@@ -88,7 +89,10 @@ class Flight:
                 row = line.rstrip("\n").split(",")
                 for way, column in columns.items():
                     block = ",".join(row[column])
-                    number = known[way].get(block, NEVER_SENT)
+                    number, mark = known[way].get(
+                        block, (NEVER_SENT, NO_ERROR))
+                    if mark == STALE:
+                        self.stale[way].add(frame)
                     if number != NEVER_SENT:
                         if number < last[way]:
                             self.errors.append(
@@ -171,7 +175,14 @@ class Flight:
             self.link[frame], self.link[frame - 1], strict=True))
         return counted == CALM_FRAME and all(
             self.newest[way][frame] == frame - lag
+            and not self.is_new_and_marked(way, frame)
             for way, lag in self.lags.items())
+
+    def is_new_and_marked(self, way, frame):
+        """Words that came in this frame say that they are old. Those that
+        came sooner than usual say so rightly in the frame after."""
+        return frame in self.stale[way] and (
+            self.newest[way][frame] != self.newest[way][frame - 1])
 
     def end_of(self, fault, start_us):
         """When the fault is over."""

@@ -25,6 +25,7 @@ class ByHand(checker.Flight):
     def __init__(self, frames=FRAMES):
         self.newest = {way: [frame - lag for frame in range(frames)]
                        for way, lag in LAG.items()}
+        self.stale = {way: set() for way in LAG}
         self.lags = dict(LAG)
         self.link = [tuple(each * (frame + 1) for each in checker.CALM_FRAME)
                      for frame in range(frames)]
@@ -115,6 +116,16 @@ def test_a_frame_with_older_or_newer_words_is_not_calm(way, change):
             if not flight.is_calm(frame)] == [20]
 
 
+@pytest.mark.parametrize("way", LAG)
+def test_a_frame_whose_words_say_that_they_are_old_is_not_calm(way):
+    flight = ByHand()
+    flight.stale[way].update((20, 40))
+    # Those of frame 40 came the frame before, and are as old as ever.
+    flight.newest[way][39] += 1
+    assert [frame for frame in range(1, FRAMES)
+            if not flight.is_calm(frame)] == [20, 39]
+
+
 # --- recovery ----------------------------------------------------------------
 
 @pytest.mark.parametrize("disturbed, took", [
@@ -200,6 +211,8 @@ def test_old_words_may_say_so_and_no_other_mark_is_known(
     flight = read(tmp_path, record_of(FRAMES, change))
     assert [each.frame for each in flight.wrong] == ([] if is_known else [30])
     assert flight.newest["up"][30] == (27 if is_known else checker.NEVER_SENT)
+    assert flight.stale == {"up": {30} if mark == 1 else set(), "down": set()}
+    assert flight.is_calm(30) == (mark == 0)
 
 
 @pytest.mark.parametrize("frames", [FRAMES - 1, FRAMES + 1])
