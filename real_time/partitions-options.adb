@@ -1,5 +1,4 @@
 with Ada.Command_Line; use Ada.Command_Line;
-with Ada.Text_IO;      use Ada.Text_IO;
 
 with Host.Complaints;   use Host.Complaints;
 with Host.Text_Numbers; use Host.Text_Numbers;
@@ -164,9 +163,24 @@ package body Partitions.Options is
       return Chosen;
    end Parsed;
 
-   procedure Print_Usage (This : Node) is
+   procedure Print_Usage
+     (To : in out Host.Text_Output.Writer; This : Node)
+   is
       Program : constant String :=
         (if This = Ground then "urv_gsc" else "urv_mcs");
+
+      procedure Put_Line (Line : String);
+      procedure New_Line;
+
+      procedure Put_Line (Line : String) is
+      begin
+         Host.Text_Output.Put_Line (To, Line);
+      end Put_Line;
+
+      procedure New_Line is
+      begin
+         Host.Text_Output.New_Line (To);
+      end New_Line;
    begin
       Put_Line
         ("usage: " & Program & " --link LINK [options]");
@@ -210,8 +224,9 @@ package body Partitions.Options is
          & " node");
       New_Line;
       Put_Line
-        ("Exit status: 0 run; 1 an internal fault; 2 a bad command line,"
-         & " input file or link.");
+        ("Exit status: 0 run; 1 an output cannot be written, or an internal"
+         & " fault;");
+      Put_Line ("2 a bad command line, input file or link.");
    end Print_Usage;
 
 end Partitions.Options;

@@ -4,6 +4,7 @@
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Host;  use Host;
+with Host.Text_Output;
 with URVOS;
 
 package Partitions.Options is
@@ -34,6 +35,7 @@ package Partitions.Options is
    --  How an output is asked for, for complaints.
    function Name (File : Output_File) return String;
 
-   procedure Print_Usage (This : Node);
+   procedure Print_Usage
+     (To : in out Host.Text_Output.Writer; This : Node);
 
 end Partitions.Options;

@@ -114,4 +114,17 @@ package body Partitions.Outputs is
       end loop;
    end Close;
 
+   procedure Rescue (Files : in out File_Set) is
+   begin
+      for File of Files loop
+         begin
+            Host.Text_Output.Close (File);
+         exception
+            when Host.Bad_Input =>
+               --  The first thing that went wrong is what is told.
+               null;
+         end;
+      end loop;
+   end Rescue;
+
 end Partitions.Outputs;

@@ -14,4 +14,7 @@ package Partitions.Outputs is
    --  Raises Host.Bad_Input when what is left to write cannot be written.
    procedure Close (Files : in out File_Set);
 
+   --  Writes what can still be written, once one of them could not be.
+   procedure Rescue (Files : in out File_Set);
+
 end Partitions.Outputs;

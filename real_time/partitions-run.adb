@@ -25,6 +25,7 @@ procedure Partitions.Run is
    Frames : Number := 0;
    Chosen : Choices;
    Peer   : Watch;
+   Screen : Writer;
 
    --  What this node sends and what it receives.
    Sent     : constant String :=
@@ -162,7 +163,6 @@ procedure Partitions.Run is
    end Write_Summary;
 
    procedure Print_Summary is
-      use Ada.Text_IO;
       use Host.Text_Numbers;
 
       Tally : constant Telemetry.Boards.Statistics := Link_Tally;
@@ -171,25 +171,29 @@ procedure Partitions.Run is
         (Image (Long_Long_Integer (Total)) & " " & What
          & (if Total = 1 then "" else "s"));
    begin
+      Attach_Screen (Screen);
       Put_Line
-        ("run       " & Seconds (Frames) & " s, "
+        (Screen,
+         "run       " & Seconds (Frames) & " s, "
          & Image (Long_Long_Integer (Frames)) & " frames, "
          & Image (Long_Long_Integer (Overruns)) & " overruns");
       Put_Line
-        ("link      peer " & State (Peer) & ", "
+        (Screen,
+         "link      peer " & State (Peer) & ", "
          & Number_Of (Tally.Sent, Sent) & " sent, "
          & Image (Long_Long_Integer (Tally.Scrapped)) & " scrapped, "
          & Number_Of (Tally.Received, Received) & " received, "
          & Image (Long_Long_Integer (Tally.Bad)) & " bad, "
          & Number_Of (Tally.Resets, "reset"));
-      Flush;
+      Close (Screen);
    end Print_Summary;
 
 begin
    Chosen := Parsed (This);
    if Chosen.Help then
-      Print_Usage (This);
-      Ada.Text_IO.Flush;
+      Attach_Screen (Screen);
+      Print_Usage (Screen, This);
+      Close (Screen);
       Leave (0);
    end if;
 
@@ -231,8 +235,9 @@ begin
 
 exception
    when Error : Host.Bad_Input =>
+      Outputs.Rescue (Files);
       Host.Complaints.Print (Error);
-      Leave (2);
+      Leave (Host.Complaints.Exit_Status);
 
    when Error : others =>
       Ada.Text_IO.Put_Line

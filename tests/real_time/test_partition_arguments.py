@@ -2,6 +2,7 @@
 runs.
 """
 
+import os
 import socket
 import subprocess
 
@@ -127,3 +128,42 @@ def test_a_summary_is_printed_unless_quiet(node):
                      *quiet)
         assert result.returncode == 0
         assert (result.stdout == "") == bool(quiet)
+
+
+needs_full_device = pytest.mark.skipif(
+    not os.path.exists("/dev/full"), reason="no /dev/full")
+NO_SPACE = "cannot be written: No space left on device"
+
+
+@needs_full_device
+@pytest.mark.parametrize("option", ["--record", "--summary", "--events"])
+@pytest.mark.parametrize("node", NODES)
+def test_a_full_disk_is_not_the_command_line_s_fault(node, option, tmp_path):
+    """Exit status 1; what can be written elsewhere is there."""
+    own, other = free_ports(2)
+    another = "--summary" if option == "--record" else "--record"
+    result = run(node, "--link", udp(own, other), "--seconds", "0.2",
+                 "--quiet", option, "/dev/full", another, tmp_path / "other")
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr == (
+        f'urv_{node}: {option}: "/dev/full" {NO_SPACE}\n')
+    if another == "--record":
+        rows = (tmp_path / "other").read_text("utf-8").splitlines()
+        assert int(rows[-1].partition(",")[0]) >= 9
+
+
+@needs_full_device
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("arguments", [("help",), ("--seconds", "0.1")])
+def test_a_full_standard_output_is_said_in_a_line(node, arguments):
+    own, other = free_ports(2)
+    if arguments != ("help",):
+        arguments = ("--link", udp(own, other), *arguments)
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        result = subprocess.run(
+            [PROGRAMS[node], *arguments], stdout=full,
+            stderr=subprocess.PIPE, text=True, timeout=20, check=False)
+    assert result.returncode == 1
+    assert result.stderr.splitlines()[-1] == (
+        f"urv_{node}: standard output {NO_SPACE}")
+    assert len(result.stderr.splitlines()) <= 2
