@@ -95,6 +95,46 @@ def test_a_file_may_have_the_name_of_standard_output(urv_sim, tmp_path):
     assert result.stdout.startswith("time_us,direction,byte\n")
 
 
+def test_what_is_printed_is_what_the_summary_says(fly, write):
+    """Each number has its own value, so that none stands for another."""
+    write("sticks.csv", "time_ms,roll\n" + "".join(
+        f"{100 + 61.3 * n:.3f},{n + 1}\n" for n in range(120)))
+    write("faults.txt", "1000 cut 95\n2000 up ber 0.004 3000\n"
+          "2500 down ber 0.002 4000\n")
+    flight = fly("--sticks", "sticks.csv", "--faults", "faults.txt",
+                 "--seconds", "8")
+    summary, link = flight.summary, flight.summary["link"]
+    for names in (("uplink_bad", "uplink_scrapped", "downlink_bad",
+                   "downlink_scrapped", "uplink_sent", "downlink_sent",
+                   "uplink_received", "downlink_received"),
+                  ("gsc_resets", "mcs_resets")):
+        assert len({link[name] for name in names}) == len(names), link
+    times = summary["latency_ms"]
+    shown = [times[name] for name in ("min", "median", "p99", "max")]
+    assert shown == sorted(set(shown))
+    lines = flight.stdout.splitlines()
+    for way in ("uplink", "downlink"):
+        assert f"{way:10}" + ", ".join(
+            f"{link[f'{way}_{what}']} {what}"
+            for what in ("sent", "received", "bad", "scrapped")) in lines
+    assert (f"resets    {link['gsc_resets']} of the ground's link,"
+            f" {link['mcs_resets']} of the aircraft's") in lines
+    assert ("latency   {:.3f} ms at least, {:.3f} median, {:.3f} p99,"
+            " {:.3f} at most, of {} changes").format(
+                *shown, times["measured"]) in lines
+    assert (f"flown     8.00 s, 400 frames, at {summary['speed']:.1f}"
+            " times real time") in lines
+
+
+def test_the_speed_is_that_of_the_flight(fly):
+    """What is flown in so much time, as a clock beside it has it: the
+    program took a little more than the flight."""
+    began = time.monotonic()
+    flight = fly("--seconds", "2", "--pace", "realtime")
+    took = time.monotonic() - began
+    assert 2 / took <= flight.summary["speed"] <= 1.1
+
+
 def test_numbers_of_the_summary_are_as_people_write_them(fly, write):
     write("sticks.csv", "time_ms,roll\n100.192,1\n300.2,2\n")
     flight = fly("--sticks", "sticks.csv", "--seconds", "1")
