@@ -22,6 +22,9 @@ BAD, BAD_WANTS = 0xCC, 0x33
 UPLINK, DOWNLINK = 0x1E, 0x87
 WORDS = {UPLINK: 14, DOWNLINK: 28}
 
+# In the last word: the others are those of an earlier scan.
+STALE = 1
+
 CHARACTER_S = 96e-6
 DEAD_SPACE_S = 20 * CHARACTER_S
 IDLE_S = 24 * CHARACTER_S
@@ -101,6 +104,12 @@ class Peer:
     def await_answered(self, number):
         """Wait until so many of its own were found good."""
         self._await(lambda: self.answered >= number)
+
+    def await_fresh(self, first, number):
+        """Wait until so many of those received from that one on say that
+        they are not old."""
+        self._await(lambda: number <= sum(
+            not words[-1] & STALE for words in self.received[first:]))
 
     @staticmethod
     def _await(condition):

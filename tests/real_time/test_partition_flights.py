@@ -2,11 +2,9 @@
 
 import statistics
 
-import pytest
-
 from conftest import (
     COMMANDS, HOLDS_MS, SENSORS, SERVOS, assert_in_order, different_rows,
-    free_ports, in_turn, script, script_seconds, udp,
+    flies_again, free_ports, in_turn, need, script, script_seconds, udp,
 )
 
 STICKS = different_rows(24, len(COMMANDS), 1)
@@ -55,15 +53,18 @@ def assert_same_contents(start_both, write, simulate, links=None):
         mcs, gsc, options = fly_scripts(start_both, write, hold_ms, links)
         if have_same_contents(mcs, gsc, simulate(*options)):
             return
-    pytest.fail("contents were left out, however long they were there")
+    # Contents were left out, however long they were there.
+    need(False, mcs, gsc)
 
 
+@flies_again
 def test_lnk1_d9_a_flight_over_udp_has_the_contents_of_the_simulations(
     start_both, write, simulate
 ):
     assert_same_contents(start_both, write, simulate)
 
 
+@flies_again
 def test_lnk1_a_flight_over_a_serial_line_has_them_too(
     start_both, write, simulate, terminals
 ):
@@ -71,6 +72,7 @@ def test_lnk1_a_flight_over_a_serial_line_has_them_too(
     assert_same_contents(start_both, write, simulate, links)
 
 
+@flies_again
 def test_rtp1_a_node_without_a_script_moves_its_surfaces(start_both, write):
     """The bench: surfaces follow the servos."""
     sticks = write("sticks.csv", "time_ms,roll\n300,4000\n")
@@ -82,11 +84,12 @@ def test_rtp1_a_node_without_a_script_moves_its_surfaces(start_both, write):
     )
     ailerons = [words for words, in gsc.words("gsc.downlink",
                                               ("left_aileron",))]
-    assert ailerons[-1] > 3900
+    need(0x800 in ailerons and ailerons[-1] > 3900, mcs, gsc)
     after = ailerons[ailerons.index(0x800):]
     assert sorted(after) == after
 
 
+@flies_again
 def test_frm1_each_frame_has_its_row(start_both):
     mcs, gsc = (
         run.end() for run in start_both(
@@ -96,16 +99,17 @@ def test_frm1_each_frame_has_its_row(start_both):
     for node, name in ((mcs, "mcs"), (gsc, "gsc")):
         frames = [row["frame"] for row in node.rows]
         assert frames == sorted(set(frames))
-        assert frames[-1] == 74
         assert all(
             row["time_ms"] == 20 * (row["frame"] + 1) for row in node.rows
         )
-        assert node.summary["frames"] == 75
-        assert node.summary["seconds"] == 1.5
         assert node.summary["rows_left_out"] == 0
         assert f"link.{name}_resets" in node.rows[0]
+        assert node.summary["frames"] == frames[-1] + 1 >= 75
+        need(node.summary["frames"] == 75 and node.summary["seconds"] == 1.5,
+             node)
 
 
+@flies_again
 def test_rtp2_the_times_of_the_summary_are_those_of_the_record(start):
     """The record has when the servos were commanded: in each frame as long
     after its beginning, but for what the summary calls the response. So from
@@ -122,9 +126,9 @@ def test_rtp2_the_times_of_the_summary_are_those_of_the_record(start):
     response = mcs.summary["response_us"]["pwm_task"]
     found = statistics.median(at) - min(at)
     written = response["median"] - response["min"]
-    assert found / 1.5 - 10 <= written <= found * 1.5 + 10
+    need(found / 1.5 - 10 <= written <= found * 1.5 + 10, mcs)
 
     cost = mcs.summary["cost_us"]["pwm_task"]
-    assert response["measured"] == cost["measured"] >= len(at)
+    need(response["measured"] == cost["measured"] >= len(at), mcs)
     for which in ("min", "median"):
         assert 0 < cost[which] <= response[which]

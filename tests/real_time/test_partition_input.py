@@ -3,6 +3,8 @@ still, is acted upon by it, and what it sends is young. SAF-8: a node hears its
 peer only. Seen from the other end of its link.
 """
 
+import contextlib
+import itertools
 import os
 import select
 import signal
@@ -13,10 +15,12 @@ import tty
 import pytest
 
 from conftest import (
-    COMMANDS, SENSORS, TIME_LIMIT_S, different_rows, free_ports, script, udp,
+    COMMANDS, SENSORS, TIME_LIMIT_S, different_rows, flies_again, free_ports,
+    need, udp,
 )
 from peer import (
-    BAD, DOWNLINK, GOOD, GOOD_WANTS, UPLINK, AircraftPeer, data_message,
+    BAD, DOWNLINK, GOOD, GOOD_WANTS, STALE, UPLINK, AircraftPeer,
+    data_message,
 )
 
 BEFORE, OLD, YOUNG = different_rows(3, len(COMMANDS), 11)
@@ -75,13 +79,6 @@ class SerialEnd:
         os.close(self._device)
 
 
-@pytest.fixture(params=[UDPEnd, SerialEnd], ids=["udp", "serial"])
-def end(request):
-    line = request.param()
-    yield line
-    line.close()
-
-
 def answer(line, limit_s):
     """All that comes until the line is silent for so long."""
     heard = b""
@@ -122,11 +119,11 @@ def acted_upon(outputs, commands):
 
 
 @pytest.mark.parametrize("copies", [1, 400])
+@flies_again
 def test_saf4_what_stands_on_a_serial_line_at_power_up_is_thrown_away(
     start, copies
 ):
-    line = SerialEnd()
-    try:
+    with contextlib.closing(SerialEnd()) as line:
         for _ in range(copies):
             line.write(uplink(OLD))
         mcs = start("mcs", line.link)
@@ -134,10 +131,8 @@ def test_saf4_what_stands_on_a_serial_line_at_power_up_is_thrown_away(
         # It answers what is sent to it now, so it has had the rest.
         command(line, YOUNG)
         mcs = mcs.stop()
-    finally:
-        line.close()
-    assert acted_upon(mcs, YOUNG)
     assert not acted_upon(mcs, OLD)
+    need(acted_upon(mcs, YOUNG), mcs)
 
 
 def await_port(port):
@@ -151,56 +146,65 @@ def await_port(port):
         time.sleep(0.001)
 
 
+@flies_again
 def test_saf4_what_came_by_udp_before_power_up_is_thrown_away(start):
     """A node that waits for its phase opens its port 38 ms before it is
     switched on, or more. A command that comes too late to show anything is
     sent to another node."""
     for _ in range(20):
-        line = UDPEnd()
-        try:
+        with contextlib.closing(UDPEnd()) as line:
             run = start("mcs", line.link, "--phase", 9)
             await_port(line.node_port)
             line.write(uplink(OLD))
             sent_at = time.monotonic()
             command(line, YOUNG)
             mcs = run.stop()
-        finally:
-            line.close()
         if sent_at < mcs.summary["switched_on_us"] / 1e6:
             assert not acted_upon(mcs, OLD)
-            assert acted_upon(mcs, YOUNG)
+            need(acted_upon(mcs, YOUNG), mcs)
             return
     pytest.fail("the command was never sent in time")
+
+
+def pauses_of(outputs):
+    """How often the node may have stood still for five frames."""
+    at = [outputs.summary["switched_on_us"],
+          *(row["clock_us"] for row in outputs.rows)]
+    return sum(
+        after - before > 100_000 for before, after in itertools.pairwise(at))
 
 
 @pytest.mark.parametrize(
     "restart", [None, signal.SIGUSR1, signal.SIGUSR2],
     ids=["alone", "restart", "reset"],
 )
+@pytest.mark.parametrize("end", [UDPEnd, SerialEnd], ids=["udp", "serial"])
+@flies_again
 def test_saf4_what_comes_while_the_aircraft_stands_still_is_thrown_away(
     start, end, restart
 ):
-    run = start("mcs", end.link)
-    command(end, BEFORE)
-    run.send(signal.SIGSTOP)
-    await_state(run, "T")
-    for _ in range(10):
-        end.write(uplink(OLD))
-        time.sleep(0.02)
-    time.sleep(0.5)
-    if restart:
-        run.send(restart)
-    run.send(signal.SIGCONT)
+    with contextlib.closing(end()) as line:
+        run = start("mcs", line.link)
+        command(line, BEFORE)
+        run.send(signal.SIGSTOP)
+        await_state(run, "T")
+        for _ in range(10):
+            line.write(uplink(OLD))
+            time.sleep(0.02)
+        time.sleep(0.5)
+        if restart:
+            run.send(restart)
+        run.send(signal.SIGCONT)
 
-    # Silence, in which it may do what it likes with what it has.
-    time.sleep(0.5)
-    answer(end, 0.05)
-    command(end, YOUNG)
-    mcs = run.stop()
-    assert acted_upon(mcs, YOUNG)
+        # Silence, in which it may do what it likes with what it has.
+        time.sleep(0.5)
+        answer(line, 0.05)
+        command(line, YOUNG)
+        mcs = run.stop()
     assert not acted_upon(mcs, OLD)
-    assert mcs.summary["stood_still"] == 1
+    assert 1 <= mcs.summary["stood_still"] <= pauses_of(mcs)
     assert mcs.summary["link"]["board_restarts"] >= 1
+    need(acted_upon(mcs, YOUNG), mcs)
 
 
 def test_saf4_a_ground_that_stood_still_sends_nothing_old(start, write):
@@ -222,14 +226,19 @@ def test_saf4_a_ground_that_stood_still_sends_nothing_old(start, write):
         time.sleep(stopped_s)
         before = len(aircraft.received)
         run.send(signal.SIGCONT)
-        aircraft.await_received(before + 20)
+        aircraft.await_fresh(before, 20)
         after = list(zip(aircraft.received, aircraft.received_at))[before:]
     gsc = run.stop()
     on_at = gsc.summary["switched_on_us"] / 1e6
-    for words, came_at in after:
+    # Words that say of themselves that they are old move nothing (SAF-5). The
+    # last row is held for ever.
+    fresh = [(words, came_at) for words, came_at in after
+             if not words[-1] & STALE]
+    assert fresh
+    for words, came_at in fresh:
         place = rows.index(words[:-1])
         held_until = on_at + first_s + hold_s * (place + 1)
-        assert came_at - held_until < stopped_s / 2
+        assert place == len(rows) - 1 or came_at - held_until < stopped_s / 2
     assert gsc.summary["stood_still"] >= 1
 
 
@@ -240,6 +249,7 @@ STRANGERS = {
 
 
 @pytest.mark.parametrize("who", STRANGERS)
+@flies_again
 def test_saf8_a_stranger_is_not_heard_over_udp(start, who):
     host, port = STRANGERS[who]
     line = UDPEnd()
@@ -262,10 +272,11 @@ def test_saf8_a_stranger_is_not_heard_over_udp(start, who):
         line.close()
         stranger.close()
     assert answered == 0
-    assert acted_upon(mcs, BEFORE) and acted_upon(mcs, YOUNG)
     assert not acted_upon(mcs, OLD)
+    need(acted_upon(mcs, BEFORE) and acted_upon(mcs, YOUNG), mcs)
 
 
+@flies_again
 def test_saf8_a_stranger_does_not_disturb_the_ground(start):
     """Whatever a stranger sends, the ground sees its aircraft."""
     own, other = free_ports(2)
@@ -273,16 +284,18 @@ def test_saf8_a_stranger_does_not_disturb_the_ground(start):
     strange = tuple(range(700, 727)) + (0,)
     said = [data_message(DOWNLINK, strange), bytes([DOWNLINK, 0, BAD])]
     sent = 0
+    deadline = time.monotonic() + TIME_LIMIT_S
     run = start("gsc", udp(own, other))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger, \
             AircraftPeer(other, own, [words]) as aircraft:
-        while len(aircraft.received) < 50:
+        while len(aircraft.received) < 50 or aircraft.answered < 5:
+            assert time.monotonic() < deadline, (
+                "the ground does not hear its aircraft")
             stranger.sendto(said[sent % len(said)], ("127.0.0.1", own))
             sent += 1
-            assert sent < 100_000, "the ground does not hear its aircraft"
             time.sleep(0.001)
     gsc = run.stop()
     shown = gsc.words("gsc.downlink", SENSORS)
-    assert words[:-1] in shown
     assert strange[:-1] not in shown
-    assert gsc.summary["link"]["downlink_bad"] == 0
+    need(words[:-1] in shown and gsc.summary["link"]["downlink_bad"] == 0,
+         gsc)

@@ -10,7 +10,10 @@ import subprocess
 
 import pytest
 
-from conftest import FOLDER, ROOT, TIME_LIMIT_S, free_ports, udp
+from conftest import (
+    FOLDER, OF_THE_MACHINE, ROOT, TIME_LIMIT_S, RanLate, flies_again,
+    free_ports, need, of_the_link, udp,
+)
 
 DOCUMENT = ROOT / "docs" / "real-time.md"
 
@@ -24,11 +27,12 @@ LINK = re.compile(
 
 
 def seconds_of(line, what):
+    """When it says that this was, if the line does."""
     found = re.fullmatch(rf"urv_...: {what} at (\d+(?:\.\d+)?) s.*", line)
-    assert found, line
-    return float(found[1])
+    return float(found[1]) if found else None
 
 
+@flies_again
 def test_a_partition_says_when_the_other_is_heard_and_when_it_is_lost(start):
     ground_port, port = free_ports(2)
     gsc = start("gsc", udp(ground_port, port), "--phase", 0, quiet=False)
@@ -41,17 +45,20 @@ def test_a_partition_says_when_the_other_is_heard_and_when_it_is_lost(start):
         lines += [seconds_of(gsc.say_line(), "peer heard")]
         mcs.stop()
         lines += [seconds_of(gsc.say_line(), "peer lost")]
+    gsc.send(signal.SIGINT)
+    out, err = gsc.program.communicate(timeout=TIME_LIMIT_S)
+    assert gsc.program.returncode == 0
+
+    # On a late machine the other node is lost and heard in between, too.
+    need(None not in lines and of_the_link(err) == [], gsc.outputs)
     assert lines == sorted(lines)
 
     # A second after the last good message, as its record has it: 50 frames.
-    gsc.send(signal.SIGINT)
-    out, err = gsc.program.communicate(timeout=TIME_LIMIT_S)
-    assert (gsc.program.returncode, err) == (0, "")
     rows = gsc.outputs.rows
     received = [row["link.downlink_received"] for row in rows]
     last = rows[received.index(received[-1])]
-    assert lines[3] == pytest.approx((last["frame"] + 1) * 0.02 + 1.02,
-                                     abs=0.041)
+    need(lines[3] == pytest.approx((last["frame"] + 1) * 0.02 + 1.02,
+                                   abs=0.041), gsc.outputs)
     summary = gsc.outputs.summary
     assert summary["link"]["state"] == "lost"
 
@@ -68,31 +75,34 @@ def test_a_partition_says_when_the_other_is_heard_and_when_it_is_lost(start):
                       ("scrapped", "uplink_scrapped"),
                       ("received", "downlink_received"),
                       ("bad", "downlink_bad")):
-        assert abs(int(said[name]) - summary["link"][key]) <= 1, name
+        need(abs(int(said[name]) - summary["link"][key]) <= 1, gsc.outputs)
 
 
+@flies_again
 def test_the_summary_has_what_the_record_has_of_the_link(start_both):
     runs = start_both(mcs=("--seconds", 1.5), gsc=("--seconds", 1.54))
     mcs, gsc = (run.end() for run in runs)
     for node, out, into in ((mcs, "downlink", "uplink"),
                             (gsc, "uplink", "downlink")):
         link, row = node.summary["link"], node.rows[-1]
-        assert link["state"] == "heard"
-        assert link[f"{into}_received"] > 0
+        need(link["state"] == "heard" and link[f"{into}_received"] > 0, node)
         for name in (f"{out}_sent", f"{out}_scrapped", f"{into}_received",
                      f"{into}_bad"):
-            assert 0 <= link[name] - row[f"link.{name}"] <= 2, name
-    assert mcs.summary["seconds"] == 1.5
-    assert gsc.summary["seconds"] == 1.54
-    assert gsc.summary["frames"] == 77
+            more = link[name] - row[f"link.{name}"]
+            assert more >= 0, name
+            need(more <= 2, node)
+    need(mcs.summary["seconds"] == 1.5, mcs)
+    need((gsc.summary["seconds"], gsc.summary["frames"]) == (1.54, 77), gsc)
 
 
+@flies_again
 def test_a_partition_alone_says_that_it_heard_nobody(start):
     own, other = free_ports(2)
     run = start("mcs", udp(own, other), "--seconds", 0.3, quiet=False)
     out, err = run.program.communicate(timeout=TIME_LIMIT_S)
     assert run.program.returncode == 0
-    assert err == f"urv_mcs: listening at {udp(own, other)}\n"
+    assert of_the_link(err) == [f"urv_mcs: listening at {udp(own, other)}"]
+    need(run.outputs.summary["frames"] == 15, run.outputs)
     assert out.splitlines() == [
         f"run       0.3 s, 15 frames, {run.outputs.summary['overruns']}"
         " overruns",
@@ -112,6 +122,7 @@ def commands_of_the_page():
 
 
 @pytest.mark.parametrize("kind", ["udp", "serial"])
+@flies_again
 def test_the_commands_of_the_page_do_what_it_says(kind, tmp_path):
     """As they stand there, but for the numbers of the ports: others may run
     the same commands."""
@@ -120,7 +131,8 @@ def test_the_commands_of_the_page_do_what_it_says(kind, tmp_path):
     commands = commands_of_the_page()[kind]
     for named, port in zip(("6001", "6002"), free_ports(2)):
         commands = commands.replace(named, str(port))
-    (tmp_path / "bin").symlink_to(FOLDER)
+    if not (tmp_path / "bin").exists():
+        (tmp_path / "bin").symlink_to(FOLDER)
     group = subprocess.Popen(
         ["sh", "-eu", "-c", commands], cwd=tmp_path, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -135,10 +147,14 @@ def test_the_commands_of_the_page_do_what_it_says(kind, tmp_path):
     assert group.returncode == 0, err
     for node in ("gsc", "mcs"):
         assert f"urv_{node}: peer heard at " in err
-    assert out.count("run       5 s, 250 frames, ") == 2
-    assert out.count("link      peer heard, ") == 2
+    well = (out.count("run       5 s, 250 frames, ") == 2
+            and out.count("link      peer heard, ") == 2)
     if kind == "udp":
         rows = (tmp_path / "record.csv").read_text("utf-8").splitlines()
         assert len(rows) > 100
         place = rows[0].split(",").index("mcs.uplink.roll")
-        assert rows[-1].split(",")[place] == "3000"
+        well = well and rows[-1].split(",")[place] == "3000"
+    if not well and (OF_THE_MACHINE in err
+                     or out.count(" frames, 0 overruns\n") < 2):
+        raise RanLate
+    assert well, out

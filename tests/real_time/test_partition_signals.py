@@ -7,8 +7,8 @@ import time
 import pytest
 
 from conftest import (
-    COMMANDS, SENSORS, SERVOS, TIME_LIMIT_S, different_rows, free_ports,
-    in_turn, script, udp,
+    COMMANDS, SENSORS, SERVOS, TIME_LIMIT_S, different_rows, flies_again,
+    free_ports, in_turn, need, script, udp,
 )
 from peer import AircraftPeer, GroundPeer
 
@@ -25,6 +25,7 @@ def await_rows(run, number):
 
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+@flies_again
 def test_a_signal_ends_a_run_with_whole_outputs(start, which):
     """Record, summary and events tell of the same run, up to its end."""
     up, down = free_ports(2)
@@ -57,7 +58,9 @@ def test_a_signal_ends_a_run_with_whole_outputs(start, which):
 
         # The link and the log of the whole run.
         sent = "downlink_sent" if node == "mcs" else "uplink_sent"
-        assert 0 <= summary["link"][sent] - last[f"link.{sent}"] <= 2
+        more = summary["link"][sent] - last[f"link.{sent}"]
+        assert more >= 0
+        need(more <= 2, outputs)
         assert summary["events"] == {
             kind: event["count"] for kind, event in outputs.events.items()
         }
@@ -85,6 +88,7 @@ def fall_silent(start, node):
     peer = GroundPeer if node == "mcs" else AircraftPeer
     with peer(other, own, [(0x700,) * (width - 1) + (0,)]) as it:
         it.await_received(20)
+        it.await_answered(3)
     return run
 
 
@@ -92,38 +96,39 @@ def fall_silent(start, node):
 @pytest.mark.parametrize("which, kind", [
     (signal.SIGUSR1, "processor_restart"), (signal.SIGUSR2, "warm_reset"),
 ], ids=["restart", "reset"])
+@flies_again
 def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
     start, node, which, kind
 ):
     """A board that has received nothing since its start gives its controller
     no reason to complain of silence (LNK-10): in the frames after SIGUSR2
     the log has no more of that, in those after SIGUSR1 it has."""
-    for _ in range(10):
-        run = fall_silent(start, node)
-        time.sleep(0.3)
-        run.send(which)
-        time.sleep(0.8)
-        outputs = run.stop()
-
-        # On a machine that stands still for longer than a frame the board
-        # starts anew unasked, and that shows nothing.
-        if outputs.summary["link"]["board_restarts"] == 0:
-            break
+    run = fall_silent(start, node)
+    time.sleep(0.3)
+    run.send(which)
+    time.sleep(0.5)
+    outputs = run.stop()
+    if kind == "processor_restart":
+        assert "warm_reset" not in outputs.events
     else:
-        pytest.fail("the machine never ran for a second")
-    other = {"processor_restart": "warm_reset",
-             "warm_reset": "processor_restart"}[kind]
-    assert outputs.events[kind]["count"] == 1
-    assert other not in outputs.events
+        need("processor_restart" not in outputs.events, outputs)
+    assert kind in outputs.events
+    need(outputs.events[kind]["count"] == 1, outputs)
     started_ms = outputs.events[kind]["last_ms"]
+
+    # A board that the machine ran late starts anew unasked, and then is
+    # silent of itself.
+    need("telin_no_block" in outputs.events, outputs)
     silent_ms = outputs.events["telin_no_block"]
-    assert silent_ms["first_ms"] < started_ms
+    need(silent_ms["first_ms"] < started_ms
+         and silent_ms["last_ms"] >= started_ms - 60, outputs)
     if which == signal.SIGUSR2:
-        assert silent_ms["last_ms"] <= started_ms
+        need(silent_ms["last_ms"] <= started_ms, outputs)
     else:
-        assert silent_ms["last_ms"] > started_ms + 100
+        need(silent_ms["last_ms"] > started_ms + 100, outputs)
 
 
+@flies_again
 def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     start_both, write
 ):
@@ -136,8 +141,6 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     mcs, gsc = mcs.stop(), gsc.stop()
 
     restart = mcs.events["processor_restart"]
-    assert restart["count"] == 1
-    assert "processor_restart" not in gsc.events
 
     # The servos were never anywhere but where some command put them, each
     # in its turn.
@@ -152,10 +155,14 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     places = [expected.index(words) for words in commanded]
     assert places == sorted(places)
 
-    # Commands follow again: the last frames have the late rows.
-    assert places[-1] > (restart["last_ms"] - 250) / 120 + 3
+    # Nobody starts unasked, but on a machine that stands still. Commands
+    # follow again: the last frames have the late rows.
+    need(restart["count"] == 1, mcs)
+    need("processor_restart" not in gsc.events, gsc)
+    need(places[-1] > (restart["last_ms"] - 250) / 120 + 3, mcs, gsc)
 
 
+@flies_again
 def test_krn6_the_ground_restarts_and_flies_on(start_both, write):
     rows = different_rows(40, len(COMMANDS), 8)
     sticks = write("sticks.csv", script(COMMANDS, rows))
@@ -165,7 +172,7 @@ def test_krn6_the_ground_restarts_and_flies_on(start_both, write):
         gsc.send(signal.SIGUSR1)
     await_rows(gsc, 50)
     mcs, gsc = mcs.stop(), gsc.stop()
-    assert gsc.events["processor_restart"]["count"] == 3
-    late = rows[int((gsc.events["processor_restart"]["last_ms"] - 250) / 120)
-                + 3]
-    assert late in mcs.words("mcs.uplink", COMMANDS)
+    restart = gsc.events["processor_restart"]
+    need(restart["count"] == 3, gsc)
+    late = rows[int((restart["last_ms"] - 250) / 120) + 3]
+    need(late in mcs.words("mcs.uplink", COMMANDS), mcs, gsc)
