@@ -21,7 +21,7 @@ help:
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
-	@echo "  make independence  other switches, other compilers [RENEW]"
+	@echo "  make independence  other switches, compilers, provers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
 	@echo "  make bench      compare the simulation's speed with C's"
@@ -114,11 +114,14 @@ coverage:
 	@scripts/setup.sh coverage
 	@.venv/bin/python scripts/coverage.py run $(RENEW)
 
+# Each prover alone takes longest. PROVERS= leaves that out.
 # CHROOT: a folder for fresh Debians, to fly and test there, too. Needs root.
-CHROOT :=
+PROVERS := yes
+CHROOT  :=
 independence:
 	@scripts/setup.sh independence
 	@.venv/bin/python scripts/independence.py $(RENEW) switches
+	@$(if $(PROVERS),python3 scripts/provers.py $(RENEW))
 	@$(if $(CHROOT),.venv/bin/python scripts/independence.py $(RENEW) \
 	   chroot $(CHROOT))
 

@@ -1,0 +1,74 @@
+"""EVI-6: what each prover proves alone, told from what GNATprove says."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import provers  # noqa: E402
+
+UNITS = {"shop.adb": "src/shop"}
+WELL = [("VC_RANGE_CHECK", "info")] * 2 + [("VC_POSTCONDITION", "info")] * 998
+
+
+def result(*checks):
+    return provers.result_of([{"proof": [
+        {"file": "shop.adb", "line": line, "col": 7, "rule": rule,
+         "severity": severity, "entity": {"name": "Shop.Sell"}}
+        for line, (rule, severity) in enumerate(checks, 1)]}], UNITS)
+
+
+def test_one_prover_and_no_sessions():
+    text = (ROOT / "urv.gpr").read_text(encoding="utf-8")
+    changed = provers.project_for("cvc4", text)
+    assert '"--prover=cvc4", "--timeout=10"' in changed
+    assert "Proof_Dir" in text and "Proof_Dir" not in changed
+    assert "z3" not in changed.partition("package Prove")[2].lower()
+    assert changed.partition("package Prove")[0] == text.partition(
+        "package Prove")[0]
+
+
+def test_without_its_place_the_project_is_refused():
+    with pytest.raises(SystemExit):
+        provers.project_for("z3", "project URV is end URV;")
+
+
+@pytest.mark.parametrize("checks, well", [
+    (WELL, True),
+    ([*WELL, ("VC_POSTCONDITION", "medium")], True),
+    ([*WELL, *[("VC_POSTCONDITION", "medium")] * 4], False),
+    ([*WELL, ("VC_RANGE_CHECK", "medium")], False),
+    ([*WELL, ("VC_OVERFLOW_CHECK", "low")], False)])
+def test_each_run_time_check_and_99_7_percent_are_wanted(checks, well):
+    assert provers.is_well(result(*checks)) is well
+
+
+def test_what_only_one_proves_is_told():
+    one = result(("VC_ASSERT", "info"), ("VC_RANGE_CHECK", "medium"))
+    other = result(("VC_ASSERT", "medium"), ("VC_RANGE_CHECK", "info"))
+    text = provers.tables({"CVC4": one, "Z3": other})
+    assert "| CVC4 | 2 | 1 | 50.0 % | 1 | 0 |" in text
+    assert "| Z3 | 2 | 1 | 50.0 % | 1 | 1 |" in text
+    assert ("| `src/shop` | 1 | `Shop.Sell` | assert | proved | not |\n"
+            "| `src/shop` | 2 | `Shop.Sell` | range check | not | proved |\n"
+            ) in text
+
+
+def test_instances_count_each():
+    twice = result(("VC_ASSERT", "medium"))
+    twice.left.update(result(("VC_ASSERT", "medium")).left)
+    assert twice.left.total() == 2 and len(twice.left) == 1
+
+
+def test_the_page_gets_the_tables_and_keeps_the_rest(tmp_path, monkeypatch):
+    page = tmp_path / "provers.md"
+    page.write_text(provers.PAGE.read_text(encoding="utf-8"))
+    monkeypatch.setattr(provers, "PAGE", page)
+    provers.renew("new\n")
+    provers.renew("newer\n")
+    text = page.read_text(encoding="utf-8")
+    assert "newer\n" in text and "new\n" not in text
+    assert text.startswith("# Each prover alone")
