@@ -267,6 +267,14 @@ def disturbed_of(run):
     ]
 
 
+def known_of(runs):
+    """What the safety monitor is told of a flight's nodes."""
+    return {
+        "starts": [start for run in runs for start in starts_of(run)],
+        "disturbed": [span for run in runs for span in disturbed_of(run)],
+    }
+
+
 def assert_safe(runs):
     """What the safety monitor says of the flight. A program that a test has
     killed left no whole record."""
@@ -281,8 +289,7 @@ def assert_safe(runs):
     for flight in flights:
         findings = monitor.check_partitions(
             **{run.node: run.outputs.folder / "record.csv" for run in flight},
-            starts=[start for run in flight for start in starts_of(run)],
-            disturbed=[span for run in flight for span in disturbed_of(run)],
+            **known_of(flight),
         )
         assert findings.violations == []
 

