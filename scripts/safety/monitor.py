@@ -115,8 +115,10 @@ class Record:
         its frame: CORE may have missed a message and have its repetition."""
         def more(name):
             counts = self.counts.get(name)
-            return counts[place] - counts[place - 1] if counts and place else 0
+            return counts[place] - counts[place - 1] if counts else 0
 
+        if place == 0:
+            return self.counts.get("overruns", [0])[0] > 0
         return more("frame") > 1 or more("overruns") > 0
 
     @staticmethod
