@@ -110,16 +110,20 @@ class Record:
                                  " those of docs/items.md")
             setattr(self, name, self._words(rows, cells))
 
+    def lacks_rows(self, place):
+        """The row before this one is not that of the frame before."""
+        return self._more("frame", place) > 1
+
     def is_blurred(self, place):
         """Rows are missing before this one, or the node's tasks ran late in
         its frame: CORE may have missed a message and have its repetition."""
-        def more(name):
-            counts = self.counts.get(name)
-            return counts[place] - counts[place - 1] if counts else 0
-
         if place == 0:
             return self.counts.get("overruns", [0])[0] > 0
-        return more("frame") > 1 or more("overruns") > 0
+        return self.lacks_rows(place) or self._more("overruns", place) > 0
+
+    def _more(self, name, place):
+        counts = self.counts.get(name)
+        return counts[place] - counts[place - 1] if counts and place else 0
 
     @staticmethod
     def _words(rows, cells):
@@ -535,7 +539,9 @@ class Partitions(Checker):
             first = self.window(time, PARTITION_SCAN_US)
             near = place
             while near >= 0 and times[near] >= first:
-                if self.gsc.console[near] == words[:-1]:
+                # What the console held in a row that is missing, who knows.
+                if (self.gsc.console[near] == words[:-1]
+                        or self.gsc.lacks_rows(near)):
                     break
                 near -= 1
             else:

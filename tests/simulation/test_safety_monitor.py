@@ -446,6 +446,20 @@ def test_saf5_a_ground_that_shows_an_old_scan_as_fresh_is_seen(partitions):
     assert "gsc.uplink, shown as fresh" in said(partitions(alter))
 
 
+@pytest.mark.parametrize("missing, seen", [(0, True), (2, False)])
+def test_partitions_what_stood_in_a_missing_row_is_not_judged(
+        partitions, missing, seen):
+    def alter(node, cells):
+        if node == "gsc":
+            cells.copy("gsc.uplink", COMMANDS, 300, 620, 620)
+            at = next(place for place, row in enumerate(cells.table)
+                      if place and float(row[1]) == 620)
+            del cells.table[at - missing:at]
+
+    findings = said(partitions(alter))
+    assert ("gsc.uplink, shown as fresh" in findings) == seen
+
+
 def test_partitions_what_a_test_disturbs_is_no_violation(partitions):
     def alter(node, cells):
         if node == "mcs":
