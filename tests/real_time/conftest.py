@@ -47,6 +47,10 @@ TIME_LIMIT_S = 60
 
 SWITCHES = tuple(f"switch{n}" for n in range(1, 9))
 COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake", *SWITCHES)
+
+# Until a scan says otherwise: neutral, throttle idle, brake on, switches off.
+SAFE_COMMANDS = (0x800,) * 3 + (0, 0xFFF) + (0,) * 8
+
 SENSORS = tuple(
     """
     right_flap_1 left_flap_1 right_flap_2 left_flap_2

@@ -3,11 +3,10 @@
 import statistics
 
 from conftest import (
-    COMMANDS, HOLDS_MS, SENSORS, SERVOS, assert_in_order, different_rows,
-    flies_again, free_ports, in_turn, need, script, script_seconds, udp,
+    COMMANDS, HOLDS_MS, SAFE_COMMANDS, SENSORS, SERVOS, assert_in_order,
+    different_rows, flies_again, free_ports, in_turn, need, script,
+    script_seconds, udp,
 )
-
-SAFE_COMMANDS = (0x800,) * 3 + (0, 0xFFF) + (0,) * 8
 
 STICKS = different_rows(24, len(COMMANDS), 1)
 MEASURED = different_rows(24, len(SENSORS), 2)

@@ -4,9 +4,9 @@ import socket
 import time
 
 from conftest import (
-    COMMANDS, HOLDS_MS, SENSORS, SERVOS, TIME_LIMIT_S, assert_in_order,
-    different_rows, flies_again, free_ports, in_turn, need, script,
-    script_seconds, udp,
+    COMMANDS, HOLDS_MS, SAFE_COMMANDS, SENSORS, SERVOS, TIME_LIMIT_S,
+    assert_in_order, different_rows, flies_again, free_ports, in_turn, need,
+    script, script_seconds, udp,
 )
 from peer import UPLINK, AircraftPeer, GroundPeer
 
@@ -33,9 +33,8 @@ def commands_with_a_ground(start, write, hold_ms):
 
     # The node may have been switched off in the midst of a message.
     need(ground.bad <= 1, mcs)
-    safe = (0x800,) * 3 + (0, 0xFFF) + (0,) * 8
     up = complete(mcs.words("mcs.uplink", COMMANDS),
-                  [(0,) * 13, safe, *sent])
+                  [(0,) * 13, SAFE_COMMANDS, *sent])
     down = complete([words[:-1] for words in ground.received],
                     [(0x800,) * 27, *measured])
     if not (up and down):
@@ -75,7 +74,7 @@ def downlinks_of_an_aircraft(start, write, hold_ms):
     down = complete(gsc.words("gsc.downlink", SENSORS),
                     [(0,) * 27, (0x800,) * 27, *measured])
     up = complete([words[:-1] for words in aircraft.received],
-                  [neutral, *moved])
+                  [SAFE_COMMANDS, neutral, *moved])
     return down and up, gsc
 
 
