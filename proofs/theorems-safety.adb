@@ -2,9 +2,7 @@ package body Theorems.Safety with SPARK_Mode is
 
    --  What is of a scan has the outputs of the scan.
    procedure Same_Outputs
-     (Item  : Uplink_Buffer;
-      Scans : Scan_History;
-      Scan  : Scan_Count)
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    with
      Global => null,
      Pre    => Is_Of (Item, Scans, Scan),
@@ -54,9 +52,7 @@ package body Theorems.Safety with SPARK_Mode is
    end Same_Area;
 
    procedure Same_Outputs
-     (Item  : Uplink_Buffer;
-      Scans : Scan_History;
-      Scan  : Scan_Count)
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    is
       Other : constant Uplink_Buffer :=
         To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
@@ -169,9 +165,7 @@ package body Theorems.Safety with SPARK_Mode is
           then Is_Old (Contents (Item.TELIN)));
 
    procedure Run_MDCIN
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -184,9 +178,7 @@ package body Theorems.Safety with SPARK_Mode is
             and then Is_Old (Contents (Item.PWM)));
 
    procedure Run_PWM
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -198,9 +190,7 @@ package body Theorems.Safety with SPARK_Mode is
           then Item.Board = Item'Old.Board);
 
    procedure Run_CORE
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -324,9 +314,7 @@ package body Theorems.Safety with SPARK_Mode is
    end Run_TELIN;
 
    procedure Run_MDCIN
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
       Message        : Uplink_Buffer;
       Fresh          : Boolean;
@@ -349,9 +337,7 @@ package body Theorems.Safety with SPARK_Mode is
    end Run_MDCIN;
 
    procedure Run_PWM
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
       Message        : Uplink_Buffer;
       Fresh          : Boolean;
@@ -366,9 +352,7 @@ package body Theorems.Safety with SPARK_Mode is
    end Run_PWM;
 
    procedure Run_CORE
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
       Message        : Uplink_Buffer;
       Fresh          : Boolean;
@@ -519,9 +503,7 @@ package body Theorems.Safety with SPARK_Mode is
    end Neutral_Is_Safe;
 
    procedure Servos_Were_Asked_For
-     (Item  : Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
    begin
       Neutral_Is_Safe (Scans);
@@ -561,18 +543,14 @@ package body Theorems.Safety with SPARK_Mode is
    end Switches_Are_Off_Until_A_Scan_Says_On;
 
    procedure Old_Commands_Move_Nothing
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
    begin
       Run_PWM (Item, Scans, Done);
    end Old_Commands_Move_Nothing;
 
    procedure A_Warm_Start_Moves_Nothing
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
    begin
       Start_Aircraft (Item, Scans, Done, Cold => False);
@@ -603,17 +581,14 @@ package body Theorems.Safety with SPARK_Mode is
    end A_Repeated_Block_Is_Marked;
 
    procedure A_Repeated_Message_Is_Marked
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
    begin
       Run_MDCIN (Item, Scans, Done);
    end A_Repeated_Message_Is_Marked;
 
    procedure A_Scan_Is_What_Was_Converted
-     (Before : Scan;
-      Values : Channel_Words)
+     (Before : Scan; Values : Channel_Words)
    is
       Item : Scan := Restarted (Before);
       Next : Next_Step;

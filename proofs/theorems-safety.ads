@@ -240,9 +240,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  Each servo word is what figure 13 makes of the words of one scan that
    --  the ground's converter held, or the safe word (SAF-2).
    procedure Servos_Were_Asked_For
-     (Item  : Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -280,9 +278,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    --  Commands that are marked as old move nothing (SAF-3).
    procedure Old_Commands_Move_Nothing
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    =>
@@ -291,9 +287,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    --  A warm start moves nothing (SAF-6).
    procedure A_Warm_Start_Moves_Nothing
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -330,9 +324,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   => Is_Old (Contents (Item.TELIN));
 
    procedure A_Repeated_Message_Is_Marked
-     (Item  : in out Aircraft_Way;
-      Scans : Scan_History;
-      Done  : Scan_Count)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    =>
@@ -344,8 +336,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  A scan is whole: the words that are sent are those that were
    --  converted since it began, one a channel.
    procedure A_Scan_Is_What_Was_Converted
-     (Before : Scan;
-      Values : Channel_Words)
+     (Before : Scan; Values : Channel_Words)
    with Global => null;
 
 end Theorems.Safety;
