@@ -21,14 +21,14 @@ package Theorems.Order with SPARK_Mode, Ghost is
       Now      : Clock_Tick) return Boolean
    is
      (for all Who in MCS.Task_Name =>
-        Schedule (Who) = Next_Release (Now, MCS.Offsets (Who)));
+        Schedule (Who) = MCS.Tasks.Next_Release_Of (Who, Now));
 
    function Is_Legal
      (Schedule : GSC_Schedule;
       Now      : Clock_Tick) return Boolean
    is
      (for all Who in GSC.Task_Name =>
-        Schedule (Who) = Next_Release (Now, GSC.Offsets (Who)));
+        Schedule (Who) = GSC.Tasks.Next_Release_Of (Who, Now));
 
    --  The variables between the tasks that pass within a frame: figure 2.
    --  ADINT_variable is not one of them, it passes from frame to frame.

@@ -45,7 +45,7 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use URVOS.Waits;
    use URV.AD_Scans;
    use URV.Buffers;
-   use URV.Mailboxes.For_Stick_Words;
+   use URV.Mailboxes.For_Stick_Words.Boxes;
 
    --  The kernel
 

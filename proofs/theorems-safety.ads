@@ -25,9 +25,9 @@ with URV.Routing;         use URV.Routing;
 
 package Theorems.Safety with SPARK_Mode, Ghost is
 
-   use For_Stick_Images;
-   use For_Stick_Words;
-   use For_Uplink;
+   use For_Stick_Images.Boxes;
+   use For_Stick_Words.Boxes;
+   use For_Uplink.Boxes;
 
    Longest : constant := 1_000_000;
 
@@ -76,11 +76,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  the scan that each is of.
    type Ground_Way is record
       Done        : Scan_Count;
-      ADINT       : For_Stick_Words.Mailbox;
+      ADINT       : For_Stick_Words.Boxes.Mailbox;
       ADINT_From  : Scan_Count;
-      AD          : For_Stick_Images.Mailbox;
+      AD          : For_Stick_Images.Boxes.Mailbox;
       AD_From     : Scan_Count;
-      TELOUT      : For_Uplink.Mailbox;
+      TELOUT      : For_Uplink.Boxes.Mailbox;
       TELOUT_From : Scan_Count;
    end record;
 
@@ -127,11 +127,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Kept        : Uplink_Buffer;
       Kept_From   : Scan_Count;
       Has_Message : Boolean;
-      TELIN       : For_Uplink.Mailbox;
+      TELIN       : For_Uplink.Boxes.Mailbox;
       TELIN_From  : Scan_Count;
-      Uplink      : For_Uplink.Mailbox;
+      Uplink      : For_Uplink.Boxes.Mailbox;
       Uplink_From : Scan_Count;
-      PWM         : For_Uplink.Mailbox;
+      PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
       CORE        : Uplink_Words;
       CORE_From   : Scan_Count;

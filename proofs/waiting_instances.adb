@@ -2,16 +2,6 @@ with URV.Errors; use URV.Errors;
 
 package body Waiting_Instances with SPARK_Mode is
 
-   procedure Read_Clock (Now : out Clock_Tick) is
-   begin
-      Now := Shown;
-   end Read_Clock;
-
-   procedure Exit_Processor is
-   begin
-      Exits := Incremented (Exits);
-   end Exit_Processor;
-
    procedure Report_Not_Claimed (Caller, Holder : Claimant) is
       pragma Unreferenced (Holder);
    begin
@@ -23,5 +13,37 @@ package body Waiting_Instances with SPARK_Mode is
    begin
       Errors.Report (Semaphore_Not_Owned, Word (Caller));
    end Report_Not_Owned;
+
+   procedure Claim (Caller : Claimant; Claimed : out Boolean) is
+      Now       : Clock_Tick := Shown;
+      Patience  : Wait       := Begun (Now, Resource_Calls.Claim_Wait);
+      Try_Again : Boolean;
+   begin
+      loop
+         Resource_Calls.Claim_Step
+           (Caller, Now, Patience, Claimed, Try_Again);
+         exit when not Try_Again;
+         Now := Shown;
+         pragma Loop_Variant (Decreases => Looks_Left (Patience));
+      end loop;
+   end Claim;
+
+   procedure Receive_Within
+     (Ticks : Wait_Ticks;
+      Item  : out Channel_Words;
+      Fresh : out Boolean)
+   is
+      Now        : Clock_Tick := Shown;
+      Patience   : Wait       := Begun (Now, Ticks);
+      Look_Again : Boolean;
+   begin
+      loop
+         Variable_Calls.Receive_Step
+           (Now, Patience, Item, Fresh, Look_Again);
+         exit when not Look_Again;
+         Now := Shown;
+         pragma Loop_Variant (Decreases => Looks_Left (Patience));
+      end loop;
+   end Receive_Within;
 
 end Waiting_Instances;

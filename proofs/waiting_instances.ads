@@ -1,65 +1,55 @@
 --  P, V and RECV with a wait, as a task has them, for the proof (SEM-1,
---  SEM-2, MBX-3, MBX-5). Nothing runs.
+--  SEM-2, MBX-3, MBX-5): step after step, with EXIT between, each of them
+--  ends, whatever a clock shows. Nothing runs.
 
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Receive_Calls;
 with URVOS.Semaphore_Calls;
 with URVOS.Semaphores; use URVOS.Semaphores;
-with URVOS.Shared_Mailboxes;
 with URVOS.Shared_Semaphores;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
+with URVOS.Waits;      use URVOS.Waits;
 with URV.Buffers;      use URV.Buffers;
-with URV.Mailboxes;
+with URV.Mailboxes;    use URV.Mailboxes;
 with URV.Shared_Errors;
 
 package Waiting_Instances with SPARK_Mode is
 
-   package Resource is new URVOS.Shared_Semaphores;
+   Resource : URVOS.Shared_Semaphores.Flag;
 
-   package Variable is
-     new URVOS.Shared_Mailboxes (URV.Mailboxes.For_Stick_Words);
+   Variable : For_Stick_Words.Variable;
 
-   package Errors is new URV.Shared_Errors;
+   Errors : URV.Shared_Errors.Shared_Log;
 
    --  Whatever a clock shows: nothing is known of it, not even that it runs.
    Shown : Clock_Tick := 0 with Volatile, Async_Writers;
 
-   --  How often the processor was given away.
-   Exits : Count := 0;
-
-   procedure Read_Clock (Now : out Clock_Tick)
-   with
-     Global  => (Input => Shown),
-     Depends => (Now => Shown);
-
-   procedure Exit_Processor
-   with
-     Global => (In_Out => Exits),
-     Post   => Exits = Incremented (Exits'Old);
-
    procedure Report_Not_Claimed (Caller, Holder : Claimant)
-   with Global => (In_Out => Errors.Shared_Log);
+   with Global => (In_Out => Errors);
 
    procedure Report_Not_Owned (Caller : Claimant; Holder : Task_Id)
-   with Global => (In_Out => Errors.Shared_Log);
+   with Global => (In_Out => Errors);
 
    package Resource_Calls is new URVOS.Semaphore_Calls
-     (Try_Claim          => Resource.Try_Claim,
-      Try_Release        => Resource.Release,
-      Read_Clock         => Read_Clock,
-      Report_Not_Claimed => Report_Not_Claimed,
-      Report_Not_Owned   => Report_Not_Owned);
+     (Resource, Report_Not_Claimed, Report_Not_Owned);
 
-   procedure Claim is new Resource_Calls.Claim (Exit_Processor);
+   package Variable_Calls is
+     new URVOS.Receive_Calls (For_Stick_Words, Variable);
 
-   package Variable_Calls is new URVOS.Receive_Calls
-     (Message    => Channel_Words,
-      Look       => Variable.Look,
-      Receive    => Variable.Receive,
-      Read_Clock => Read_Clock);
+   --  All steps of a P.
+   procedure Claim (Caller : Claimant; Claimed : out Boolean)
+   with
+     Global   => (Input => Shown, In_Out => (Resource, Errors)),
+     Annotate => (GNATprove, Terminating);
 
-   procedure Receive_Within is
-     new Variable_Calls.Receive_Within (Exit_Processor);
+   --  All steps of a RECV.
+   procedure Receive_Within
+     (Ticks : Wait_Ticks;
+      Item  : out Channel_Words;
+      Fresh : out Boolean)
+   with
+     Global   => (Input => Shown, In_Out => Variable),
+     Annotate => (GNATprove, Terminating);
 
 end Waiting_Instances;

@@ -1,9 +1,9 @@
+with Ada.Real_Time;
+
 with Devices.CORE_Memory;
-with Devices.PWM_Board;
 with Host;                use Host;
 with Host.Bench;
 with Host.Sensor_Scripts; use Host.Sensor_Scripts;
-with MCS;
 with Partitions.Clocks;
 with Partitions.Columns;  use Partitions.Columns;
 with Telemetry.Boards;
@@ -16,14 +16,12 @@ package body Partitions.Aircraft is
    Sensors  : Script;
    Measured : Sensor_Words := Neutral_Sensors;
 
-   function Servos return PWM_Buffer;
+   --  When the servos were commanded last: set by one processor, read by the
+   --  other.
+   Servos_At : Microseconds := 0 with Atomic;
 
    function Servos return PWM_Buffer is
-      Area : Devices.PWM_Board.Data_Area;
-   begin
-      MCS.PWM_Board.Read (Area);
-      return URV.PWM_Layout.To_Outputs (Area);
-   end Servos;
+     (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
    procedure Load (File : String) is
    begin
@@ -54,11 +52,11 @@ package body Partitions.Aircraft is
       & ",link.downlink_scrapped,link.mcs_resets,servos_us");
 
    procedure Append_Values (To : in out Row) is
-      CORE  : Devices.CORE_Memory.Memory;
-      Tally : Telemetry.Boards.Statistics;
+      CORE  : constant Devices.CORE_Memory.Memory  :=
+        MCS.CORE_Memory.Contents;
+      Tally : constant Telemetry.Boards.Statistics :=
+        MCS.Telemetry_Board.Tally;
    begin
-      MCS.CORE_Memory.Inspect (CORE);
-      MCS.Telemetry_Board.Inspect (Tally);
       Append_Uplink (To, URV.CORE_Layout.To_Buffer (CORE.Uplink));
       Append_PWM (To, Servos);
       Append_Downlink (To, URV.CORE_Layout.To_Buffer (CORE.Downlink));
@@ -66,7 +64,16 @@ package body Partitions.Aircraft is
         (To,
          (Tally.Received, Tally.Bad, Tally.Sent, Tally.Scrapped,
           Tally.Resets));
+      Append (To, Number (Servos_At));
    end Append_Values;
+
+   procedure Observe (Who : MCS.Task_Name) is
+      use type MCS.Task_Name;
+   begin
+      if Who = MCS.PWM_Task then
+         Servos_At := Clocks.Machine_Time (Ada.Real_Time.Clock);
+      end if;
+   end Observe;
 
 begin
    Bench.Start;

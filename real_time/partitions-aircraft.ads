@@ -2,6 +2,7 @@
 --  with a lag, other sensors held, or any of them as a file says
 --  (--sensors).
 
+with MCS;
 with Partitions.Rows; use Partitions.Rows;
 with URV.Buffers;     use URV.Buffers;
 
@@ -16,5 +17,8 @@ package Partitions.Aircraft is
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
+
+   --  A task's transaction is over.
+   procedure Observe (Who : MCS.Task_Name);
 
 end Partitions.Aircraft;

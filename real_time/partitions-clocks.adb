@@ -1,28 +1,22 @@
 package body Partitions.Clocks is
 
+   Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
+
+   Ticks_Per_Second : constant := 1_000_000 / Microseconds_Per_Tick;
+
    use type Host.Microseconds;
 
    Beginning : Time := Clock;
 
    --  Set by the kernel's clock, read by the tasks.
    protected Last_Tick is
-      procedure Set (At_Time : Time);
-      function Get return Time;
       procedure See (At_Time : Time);
       function Seen return Time;
    private
-      Present : Time := Time_First;
       Seen_At : Time := Time_First;
    end Last_Tick;
 
    protected body Last_Tick is
-
-      procedure Set (At_Time : Time) is
-      begin
-         Present := At_Time;
-      end Set;
-
-      function Get return Time is (Present);
 
       procedure See (At_Time : Time) is
       begin
@@ -55,12 +49,10 @@ package body Partitions.Clocks is
    function Elapsed return Host.Microseconds is
      (In_Microseconds (Clock - Beginning));
 
-   procedure Set_Tick (At_Time : Time) is
-   begin
-      Last_Tick.Set (At_Time);
-   end Set_Tick;
-
-   function Tick return Time is (Last_Tick.Get);
+   function Time_Of (Now : Clock_Tick) return Time is
+     (Beginning
+      + Seconds (Integer (Now / Ticks_Per_Second))
+      + Integer (Now mod Ticks_Per_Second) * Tick_Time);
 
    procedure See_Tick is
    begin

@@ -5,6 +5,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 
 with Host;
 with Partitions.Measurements;
+with URVOS.Frames; use URVOS.Frames;
 
 package Partitions.Clocks is
 
@@ -20,9 +21,8 @@ package Partitions.Clocks is
    --  Since the node was switched on.
    function Elapsed return Host.Microseconds;
 
-   --  When the node's clock should have ticked last.
-   procedure Set_Tick (At_Time : Time);
-   function Tick return Time;
+   --  When the node's clock should have shown this tick.
+   function Time_Of (Now : Clock_Tick) return Time;
 
    --  A node whose clock has not been seen to tick for longer than this has
    --  stood still: what it was about to do is of another time.

@@ -57,11 +57,11 @@ package body Partitions.Console is
       & ",link.downlink_bad,link.gsc_resets");
 
    procedure Append_Values (To : in out Row) is
-      CORE  : Devices.CORE_Memory.Memory;
-      Tally : Telemetry.Boards.Statistics;
+      CORE  : constant Devices.CORE_Memory.Memory  :=
+        GSC.CORE_Memory.Contents;
+      Tally : constant Telemetry.Boards.Statistics :=
+        GSC.Telemetry_Board.Tally;
    begin
-      GSC.CORE_Memory.Inspect (CORE);
-      GSC.Telemetry_Board.Inspect (Tally);
       Append_Console (To, Present.Get);
       Append_Uplink (To, URV.CORE_Layout.To_Buffer (CORE.Uplink));
       Append_Downlink (To, URV.CORE_Layout.To_Buffer (CORE.Downlink));

@@ -2,6 +2,8 @@ with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
+with Devices.AD_Board; use Devices.AD_Board;
+
 package body Partitions.Converter is
 
    Scan_Time : constant Time_Span :=
@@ -59,11 +61,11 @@ package body Partitions.Converter is
       delay until Clock + Scan_Time;
       loop
          Hold_Interrupts;
-         Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
+         Board.Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
          if Interrupt then
             Interrupt_Controller;
          end if;
-         Take_Start (Wanted, Next);
+         Board.Take_Start (Wanted, Next);
          Release_Interrupts;
          exit when not Wanted;
          if Next <= Present then
@@ -82,7 +84,7 @@ package body Partitions.Converter is
    begin
       Suspend_Until_True (Power);
       loop
-         Take_Start (Wanted, Channel);
+         Board.Take_Start (Wanted, Channel);
          if Wanted then
             Convert (Channel);
          end if;

@@ -13,17 +13,14 @@
 --  by them: else a word of a scan that was given up would come into the next
 --  scan, as the word of another channel (SAF-2).
 
-with Devices.AD_Board; use Devices.AD_Board;
-with URV.Buffers;      use URV.Buffers;
-with URVOS;            use URVOS;
+with Devices.Shared_AD_Board;
+with URV.Buffers; use URV.Buffers;
 
 generic
+   Board : in out Devices.Shared_AD_Board.Board;
+
    --  What the channels see.
    with procedure Sample (Words : out Channel_Words);
-
-   with procedure Take_Start
-     (Wanted : out Boolean; Channel : out Channel_Number);
-   with procedure Finish (Value : Word; Interrupt : out Boolean);
    with procedure Interrupt_Controller;
 package Partitions.Converter is
 

@@ -1,36 +1,22 @@
---  The ground station core in its partition: the flight
---  software's tasks, and the hardware of its boards.
+--  The ground station core in its partition.
 
 with GSC;
-with Partitions.Measurements; use Partitions.Measurements;
-with Telemetry.Boards;
-with URVOS;                   use URVOS;
-with URV.Errors;
+with Partitions.Console;
+with Partitions.Nodes;
 
-package Partitions.GSC_Node is
-
-   --  What the transactions of each task took, and when they ended after
-   --  the tick of their minor frame; in tenths of microseconds.
-   Costs     : array (GSC.Task_Name) of Distribution;
-   Responses : array (GSC.Task_Name) of Distribution;
-
-   --  How late the clock ticked, in tenths of microseconds.
-   Lateness : Distribution;
-
-   --  Power up of every board.
-   procedure Switch_On;
-
-   function Overruns return Count;
-
-   --  What the telemetry board has counted.
-   function Link_Tally return Telemetry.Boards.Statistics;
-
-   --  How often the node has found that it had stood still.
-   function Pauses return Count;
-
-   --  How often the telemetry board's processor has found that it had.
-   function Board_Starts return Count;
-
-   function Log return URV.Errors.Error_Log;
-
-end Partitions.GSC_Node;
+package Partitions.GSC_Node is new Partitions.Nodes
+  (Tasks               => GSC.Tasks,
+   Run_Step            => GSC.Run_Step,
+   Begin_Again         => GSC.Starts.Begin_Again,
+   Tell_Time           => GSC.Tell_Time,
+   Report_Overrun      => GSC.Report_Overrun,
+   AD_Board            => GSC.AD_Board,
+   Telemetry_Board     => GSC.Telemetry_Board,
+   Errors              => GSC.Errors,
+   Processor_Board     => GSC.Processor_Board,
+   Handle_AD_Interrupt => GSC.ADINT.Handle_Interrupt,
+   AD_Task             => GSC.AD_Task,
+   TELOUT_Task         => GSC.TELOUT_Task,
+   CORE_Task           => GSC.CORE_Task,
+   Sample              => Partitions.Console.Sample,
+   Append_Values       => Partitions.Console.Append_Values);

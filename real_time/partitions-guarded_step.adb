@@ -4,28 +4,33 @@ with Partitions.Clocks;
 with Partitions.Exceptions;
 
 procedure Partitions.Guarded_Step
-  (First_Run : Boolean; Failed : out Boolean)
+  (Who       : Task_Name;
+   First_Run : Boolean;
+   Now       : Clock_Tick;
+   Call      : out Kernel_Call)
 is
    Began : constant Time := Clock;
    Ended : Time;
 begin
-   Failed := False;
+   Call := (Name => Next_Frame_Call, others => <>);
    if First_Run then
-      Initialise;
+      Run_Step (Who, First_Run, Now, Call);
 
       --  The start before it may have taken its time.
       Clocks.See_Tick;
    elsif Has_Stood_Still then
-      Failed := True;
+      Fail;
    else
-      Run_Transaction;
+      Run_Step (Who, First_Run, Now, Call);
       Ended := Clock;
-      Cost.Add (Clocks.Tenths_Of_Microseconds (Ended - Began));
-      Response.Add (Clocks.Tenths_Of_Microseconds (Ended - Clocks.Tick));
-      Observe;
+      Costs (Who).Add (Clocks.Tenths_Of_Microseconds (Ended - Began));
+      Responses (Who).Add
+        (Clocks.Tenths_Of_Microseconds (Ended - Clocks.Time_Of (Now)));
+      Observe (Who);
    end if;
 exception
    when Error : others =>
       Exceptions.Tell (Error);
-      Failed := True;
+      Call := (Name => Next_Frame_Call, others => <>);
+      Fail;
 end Partitions.Guarded_Step;

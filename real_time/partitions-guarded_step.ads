@@ -5,19 +5,33 @@
 --  A transaction of a node that has stood still is not made, and has failed:
 --  what it would pass on is old (SAF-4).
 
-with Partitions.Measurements;
+with Partitions.Measurements; use Partitions.Measurements;
+with URVOS.Frames;            use URVOS.Frames;
+with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
 
 generic
-   --  What the transaction takes, and when it ends after the tick at which
-   --  its minor frame began; in tenths of microseconds.
-   Cost     : in out Measurements.Distribution;
-   Response : in out Measurements.Distribution;
+   type Task_Name is (<>);
+   type Distributions is array (Task_Name) of Distribution;
+
+   --  What the transactions take, and when they end after the tick at which
+   --  their minor frame began; in tenths of microseconds.
+   Costs     : in out Distributions;
+   Responses : in out Distributions;
 
    with function Has_Stood_Still return Boolean;
-   with procedure Initialise;
-   with procedure Run_Transaction;
+   with procedure Run_Step
+     (Who       : Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
 
    --  For who watches: the transaction is over.
-   with procedure Observe;
+   with procedure Observe (Who : Task_Name);
+
+   --  The step has failed: the processor restarts.
+   with procedure Fail;
 procedure Partitions.Guarded_Step
-  (First_Run : Boolean; Failed : out Boolean);
+  (Who       : Task_Name;
+   First_Run : Boolean;
+   Now       : Clock_Tick;
+   Call      : out Kernel_Call);

@@ -1,36 +1,23 @@
---  The aircraft's control system in its partition: the flight
---  software's tasks, and the hardware of its boards.
+--  The aircraft's control system in its partition.
 
 with MCS;
-with Partitions.Measurements; use Partitions.Measurements;
-with Telemetry.Boards;
-with URVOS;                   use URVOS;
-with URV.Errors;
+with Partitions.Aircraft;
+with Partitions.Nodes;
 
-package Partitions.MCS_Node is
-
-   --  What the transactions of each task took, and when they ended after
-   --  the tick of their minor frame; in tenths of microseconds.
-   Costs     : array (MCS.Task_Name) of Distribution;
-   Responses : array (MCS.Task_Name) of Distribution;
-
-   --  How late the clock ticked, in tenths of microseconds.
-   Lateness : Distribution;
-
-   --  Power up of every board.
-   procedure Switch_On;
-
-   function Overruns return Count;
-
-   --  What the telemetry board has counted.
-   function Link_Tally return Telemetry.Boards.Statistics;
-
-   --  How often the node has found that it had stood still.
-   function Pauses return Count;
-
-   --  How often the telemetry board's processor has found that it had.
-   function Board_Starts return Count;
-
-   function Log return URV.Errors.Error_Log;
-
-end Partitions.MCS_Node;
+package Partitions.MCS_Node is new Partitions.Nodes
+  (Tasks               => MCS.Tasks,
+   Run_Step            => MCS.Run_Step,
+   Begin_Again         => MCS.Starts.Begin_Again,
+   Tell_Time           => MCS.Tell_Time,
+   Report_Overrun      => MCS.Report_Overrun,
+   AD_Board            => MCS.AD_Board,
+   Telemetry_Board     => MCS.Telemetry_Board,
+   Errors              => MCS.Errors,
+   Processor_Board     => MCS.Processor_Board,
+   Handle_AD_Interrupt => MCS.ADINT.Handle_Interrupt,
+   AD_Task             => MCS.AD_Task,
+   TELOUT_Task         => MCS.TELOUT_Task,
+   CORE_Task           => MCS.CORE_Task,
+   Sample              => Partitions.Aircraft.Sample,
+   Append_Values       => Partitions.Aircraft.Append_Values,
+   Observe             => Partitions.Aircraft.Observe);

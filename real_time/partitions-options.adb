@@ -8,8 +8,9 @@ package body Partitions.Options is
    use type Number;
 
    type Option is
-     (Link_Option, Seconds_Option, Phase_Option, Script_Option,
-      Record_Option, Summary_Option, Events_Option, Quiet_Option);
+     (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
+      Script_Option, Record_Option, Summary_Option, Events_Option,
+      Quiet_Option);
 
    type Option_Set is array (Option) of Boolean;
 
@@ -18,15 +19,16 @@ package body Partitions.Options is
 
    function Name (This : Node; Which : Option) return String is
      (case Which is
-         when Link_Option    => "--link",
-         when Seconds_Option => "--seconds",
-         when Phase_Option   => "--phase",
-         when Script_Option  => (if This = Ground then "--sticks"
-                                 else "--sensors"),
-         when Record_Option  => "--record",
-         when Summary_Option => "--summary",
-         when Events_Option  => "--events",
-         when Quiet_Option   => "--quiet");
+         when Link_Option       => "--link",
+         when Seconds_Option    => "--seconds",
+         when Phase_Option      => "--phase",
+         when Processors_Option => "--processors",
+         when Script_Option     => (if This = Ground then "--sticks"
+                                    else "--sensors"),
+         when Record_Option     => "--record",
+         when Summary_Option    => "--summary",
+         when Events_Option     => "--events",
+         when Quiet_Option      => "--quiet");
 
    function Name (File : Output_File) return String is
      (case File is
@@ -79,6 +81,16 @@ package body Partitions.Options is
             end if;
             Chosen.In_Phase := True;
             Chosen.Phase := Phase_Ticks (Amount);
+
+         when Processors_Option =>
+            Read_Whole (Value, Amount, Is_Valid);
+            if not Is_Valid
+              or else Amount not in 1 .. Number (Processor_Number'Last)
+            then
+               Refuse
+                 ("--processors: " & Quoted (Value) & " is neither 1 nor 2");
+            end if;
+            Chosen.Processors := Processor_Number (Amount);
 
          when Link_Option    => Chosen.Link := Given;
          when Script_Option  => Chosen.Script := Given;
@@ -205,6 +217,8 @@ package body Partitions.Options is
       Put_Line
         ("                         20 ms of the machine's clock; else at"
          & " once");
+      Put_Line
+        ("  --processors N         so many of the node, 1 or 2; else 1");
       if This = Ground then
          Put_Line
            ("  --sticks FILE          the pilot's console input");

@@ -6,6 +6,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Host;  use Host;
 with Host.Text_Output;
 with URVOS;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package Partitions.Options is
 
@@ -28,6 +29,8 @@ package Partitions.Options is
       --  switched on; at once when not In_Phase.
       In_Phase : Boolean := False;
       Phase    : Phase_Ticks := 0;
+
+      Processors : Processor_Number := 1;
    end record;
 
    function Parsed (This : Node) return Choices;

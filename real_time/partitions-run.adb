@@ -1,3 +1,4 @@
+with Ada.Characters.Handling;
 with Ada.Exceptions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
@@ -5,7 +6,10 @@ with GNAT.OS_Lib;
 
 with Host;                  use Host;
 with Host.Complaints;
+with Host.Event_Log;
+with Host.Names;
 with Host.Text_Numbers;
+with Host.Text_Output;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
@@ -13,7 +17,10 @@ with Partitions.Notes;
 with Partitions.Options;    use Partitions.Options;
 with Partitions.Outputs;    use Partitions.Outputs;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
+with Partitions.Reports;
 with Partitions.Rows;       use Partitions.Rows;
+with Telemetry.Boards;
+with URVOS;
 
 procedure Partitions.Run is
 
@@ -77,7 +84,7 @@ procedure Partitions.Run is
    procedure Look_Around is
       Change : News;
    begin
-      Look (Peer, Link_Tally.Received, Frames, Change);
+      Look (Peer, This_Node.Link_Tally.Received, Frames, Change);
       case Change is
          when Nothing_New => null;
          when Heard       =>
@@ -87,8 +94,8 @@ procedure Partitions.Run is
               ("peer lost at " & Seconds (Frames)
                & " s: no good message for 1 s");
       end case;
-      if Pauses > Told_Pauses then
-         Told_Pauses := Pauses;
+      if This_Node.Pauses > Told_Pauses then
+         Told_Pauses := This_Node.Pauses;
          Note
            ("stood still before " & Seconds (Frames)
             & " s: the processor was restarted");
@@ -123,8 +130,46 @@ procedure Partitions.Run is
       Queue.Finish;
    end Write_Rows;
 
+   --  What the tasks took, and the error log.
+   procedure Put_Results
+     (Result : in out Reports.Report;
+      To     : in out Writer);
+
+   --  Of each task.
+   procedure Put_Distributions
+     (Result : in out Reports.Report;
+      To     : in out Writer;
+      Title  : String;
+      Item   : in out This_Node.Distributions);
+
+   procedure Put_Distributions
+     (Result : in out Reports.Report;
+      To     : in out Writer;
+      Title  : String;
+      Item   : in out This_Node.Distributions) is
+   begin
+      Reports.Begin_Group (Result, To, Title);
+      for Which in Item'Range loop
+         Reports.Put_Times
+           (Result, To, Ada.Characters.Handling.To_Lower (Which'Image),
+            Item (Which).Summed_Up);
+      end loop;
+      Reports.End_Group (Result, To);
+   end Put_Distributions;
+
+   procedure Put_Results
+     (Result : in out Reports.Report;
+      To     : in out Writer) is
+   begin
+      Reports.Put_Times
+        (Result, To, "release_jitter_us", This_Node.Lateness.Summed_Up);
+      Put_Distributions (Result, To, "cost_us", This_Node.Costs);
+      Put_Distributions (Result, To, "response_us", This_Node.Responses);
+      Reports.Put_Log (To, Result, This_Node.Log);
+   end Put_Results;
+
    procedure Write_Summary is
-      Tally  : constant Telemetry.Boards.Statistics := Link_Tally;
+      Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Result : Reports.Report;
       To     : Writer renames Files (Summary_File);
    begin
@@ -132,7 +177,7 @@ procedure Partitions.Run is
       Reports.Put_Field (Result, To, "seconds", Frames * 2, 2);
       Reports.Put_Field (Result, To, "frames", Frames);
       Reports.Put_Field
-        (Result, To, "overruns", Number (Overruns));
+        (Result, To, "overruns", Number (This_Node.Overruns));
       Reports.Put_Field
         (Result, To, "switched_on_us",
          Number (Clocks.Machine_Time (Clocks.Switched_On_At)));
@@ -151,21 +196,21 @@ procedure Partitions.Run is
         (Result, To, Received & "_bad", Number (Tally.Bad));
       Reports.Put_Field (Result, To, "resets", Number (Tally.Resets));
       Reports.Put_Field
-        (Result, To, "board_restarts", Number (Board_Starts));
+        (Result, To, "board_restarts", Number (This_Node.Board_Starts));
       Reports.Put_Field
         (Result, To, "bytes_discarded", Number (Links.Discarded));
       Reports.End_Group (Result, To);
-      Reports.Put_Field (Result, To, "stood_still", Number (Pauses));
+      Reports.Put_Field (Result, To, "stood_still", Number (This_Node.Pauses));
       Reports.Put_Field
         (Result, To, "exceptions", Number (Exceptions.Number));
-      Put_Results (To, Result);
+      Put_Results (Result, To);
       Reports.End_Report (Result, To);
    end Write_Summary;
 
    procedure Print_Summary is
       use Host.Text_Numbers;
 
-      Tally : constant Telemetry.Boards.Statistics := Link_Tally;
+      Tally : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
 
       function Number_Of (Total : URVOS.Count; What : String) return String is
         (Image (Long_Long_Integer (Total)) & " " & What
@@ -176,7 +221,7 @@ procedure Partitions.Run is
         (Screen,
          "run       " & Seconds (Frames) & " s, "
          & Image (Long_Long_Integer (Frames)) & " frames, "
-         & Image (Long_Long_Integer (Overruns)) & " overruns");
+         & Image (Long_Long_Integer (This_Node.Overruns)) & " overruns");
       Put_Line
         (Screen,
          "link      peer " & State (Peer) & ", "
@@ -214,14 +259,15 @@ begin
    end if;
    Note ("listening at " & To_String (Chosen.Link));
    Clocks.Switch_On;
-   Switch_On;
+   This_Node.Switch_On (Chosen.Processors);
    Write_Rows (Number (Chosen.Frames));
 
    if Is_Open (Files (Summary_File)) then
       Write_Summary;
    end if;
    if Is_Open (Files (Events_File)) then
-      Put_Events (Files (Events_File));
+      Host.Event_Log.Write
+        (Files (Events_File), Host.Names.Name (This), This_Node.Log, 0);
    end if;
    Outputs.Close (Files);
    if not Chosen.Quiet then

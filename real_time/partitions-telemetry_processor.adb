@@ -3,8 +3,9 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
 with Partitions.Exceptions;
-with Partitions.Links;    use Partitions.Links;
-with Telemetry.Boards;    use Telemetry.Boards;
+with Partitions.Links; use Partitions.Links;
+with Telemetry;        use Telemetry;
+with Telemetry.Boards; use Telemetry.Boards;
 
 package body Partitions.Telemetry_Processor is
 
@@ -82,7 +83,7 @@ package body Partitions.Telemetry_Processor is
 
    procedure Start_Anew is
    begin
-      Start;
+      Board.Start;
 
       --  The board is deaf and dumb meanwhile.
       Links.Discard (Silence, Longest_Deafness);
@@ -96,7 +97,8 @@ package body Partitions.Telemetry_Processor is
       Unused : Boolean;
    begin
       for Item of Heard.Items (1 .. Heard.Length) loop
-         Accept_Character (0, Item.Data, Item.Parity_Error, Unused);
+         Board.Accept_Character
+           (0, Item.Data, Item.Parity_Error, Unused);
       end loop;
       if Heard.Length > 0 then
          Told_Until := Now;
@@ -120,7 +122,7 @@ package body Partitions.Telemetry_Processor is
          end if;
 
          Ask_Timer (Moment, Elapsed);
-         Next_Character (Elapsed, Send, Data, Time_Left);
+         Board.Next_Character (Elapsed, Send, Data, Time_Left);
          On_Line := Send;
          exit when not Send;
          Present := Data;
@@ -153,7 +155,7 @@ package body Partitions.Telemetry_Processor is
       Now := Clock;
       if Now - Emptied_At > Longest_Pause then
          Unasked := Incremented (Unasked);
-         Clear_Transmit_Half;
+         Board.Clear_Transmit_Half;
          Is_Pressed := True;
       end if;
 

@@ -11,22 +11,11 @@
 --  about to send of any use. Then the board starts anew, with nothing
 --  received and nothing to send, and the input is thrown away (SAF-4).
 
-with Telemetry; use Telemetry;
-with URVOS;     use URVOS;
+with Telemetry.Shared_Boards;
+with URVOS; use URVOS;
 
 generic
-   with procedure Start;
-   with procedure Clear_Transmit_Half;
-   with procedure Accept_Character
-     (Elapsed      : Character_Times;
-      Data         : Byte;
-      Parity_Error : Boolean;
-      May_Speak    : out Boolean);
-   with procedure Next_Character
-     (Elapsed   : Character_Times;
-      Send      : out Boolean;
-      Data      : out Byte;
-      Time_Left : out Character_Times);
+   Board : in out Telemetry.Shared_Boards.Shared_Board;
 package Partitions.Telemetry_Processor is
 
    --  Power up: the board starts, and its task with it. It hears nothing

@@ -156,7 +156,7 @@ fi
 if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
    echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \
         "has it, crate gnatprove 12. Get Alire, https://alire.ada.dev, then:" \
-        "alr exec -- make prove" >&2
+        "cd proofs && alr exec -- make -C .. prove" >&2
    exit 1
 fi
 

@@ -2,11 +2,11 @@ with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Exceptions;
 with Ada.Text_IO;
 
-with Devices.PWM_Board;
 with GSC.Virtual_Time;
 with Host.Memory_Hardware;
 with Host.Names;
 with MCS.Virtual_Time;
+with URVOS.Task_Trees;
 with URV.PWM_Layout;
 
 package body Sim.Nodes is
@@ -46,18 +46,18 @@ package body Sim.Nodes is
       Condition  : Start_Condition;
       Now        : URVOS.Frames.Clock_Tick;
       Processors : Processor_Count;
-      Raised     : out Boolean) is
+      Raised     : out Boolean)
+   is
+      Number : constant URVOS.Task_Trees.Processor_Number :=
+        URVOS.Task_Trees.Processor_Number (Processors);
    begin
       Raised := False;
       if Condition = Cold_Start then
          Restart_Telemetry (Which);
       end if;
       case Which is
-         when Ground =>
-            GSC_Time.Start (Condition, Now);
-         when Aircraft =>
-            MCS_Time.Start
-              (Condition, Now, MCS.Processor_Number (Processors));
+         when Ground   => GSC_Time.Start (Condition, Now, Number);
+         when Aircraft => MCS_Time.Start (Condition, Now, Number);
       end case;
    exception
       when Host.Memory_Hardware.Bus_Error =>
@@ -118,12 +118,12 @@ package body Sim.Nodes is
          when Ground =>
             GSC.AD_Board.Finish (Value, Interrupt);
             if Interrupt and then Is_Up then
-               GSC.AD_Interrupt;
+               GSC.ADINT.Handle_Interrupt;
             end if;
          when Aircraft =>
             MCS.AD_Board.Finish (Value, Interrupt);
             if Interrupt and then Is_Up then
-               MCS.AD_Interrupt;
+               MCS.ADINT.Handle_Interrupt;
             end if;
       end case;
    exception
@@ -169,41 +169,22 @@ package body Sim.Nodes is
    end Next_Character;
 
    function Servos return PWM_Buffer is
-      Area : Devices.PWM_Board.Data_Area;
-   begin
-      MCS.PWM_Board.Read (Area);
-      return URV.PWM_Layout.To_Outputs (Area);
-   end Servos;
+     (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
    function CORE (Which : Node) return Devices.CORE_Memory.Memory is
-      Snapshot : Devices.CORE_Memory.Memory;
-   begin
-      case Which is
-         when Ground   => GSC.CORE_Memory.Inspect (Snapshot);
-         when Aircraft => MCS.CORE_Memory.Inspect (Snapshot);
-      end case;
-      return Snapshot;
-   end CORE;
+     (case Which is
+         when Ground   => GSC.CORE_Memory.Contents,
+         when Aircraft => MCS.CORE_Memory.Contents);
 
    function Tally (Which : Node) return Telemetry.Boards.Statistics is
-      Snapshot : Telemetry.Boards.Statistics;
-   begin
-      case Which is
-         when Ground   => GSC.Telemetry_Board.Inspect (Snapshot);
-         when Aircraft => MCS.Telemetry_Board.Inspect (Snapshot);
-      end case;
-      return Snapshot;
-   end Tally;
+     (case Which is
+         when Ground   => GSC.Telemetry_Board.Tally,
+         when Aircraft => MCS.Telemetry_Board.Tally);
 
    function Errors (Which : Node) return URV.Errors.Error_Log is
-      Snapshot : URV.Errors.Error_Log;
-   begin
-      case Which is
-         when Ground   => GSC.Errors.Inspect (Snapshot);
-         when Aircraft => MCS.Errors.Inspect (Snapshot);
-      end case;
-      return Snapshot;
-   end Errors;
+     (case Which is
+         when Ground   => GSC.Errors.Contents,
+         when Aircraft => MCS.Errors.Contents);
 
    function Overruns (Which : Node) return Count is
      (case Which is

@@ -45,7 +45,7 @@ package body Sim.Options.Usage is
          Put ("  --faults FILE     what goes wrong (nothing)");
          Put ("  --seed N          for random faults (1)");
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
-         Put ("  --processors N    of the aircraft's node, 1 or 2 (1)");
+         Put ("  --processors N    of each node, 1 or 2 (1)");
          Put ("  --record FILE     flight record, CSV");
          Put ("  --summary FILE    result, JSON");
          Put ("  --wire FILE       every byte on the serial link, CSV");

@@ -7,7 +7,7 @@ with URV.Mailboxes;
 
 package Canaries.Mailboxes with SPARK_Mode is
 
-   use URV.Mailboxes.For_Stick_Words;
+   use URV.Mailboxes.For_Stick_Words.Boxes;
 
    --  MBX-2: of two messages sent, one is counted, not two.
    procedure Send_Twice (Box : in out Mailbox; Item : Channel_Words)

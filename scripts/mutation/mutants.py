@@ -30,8 +30,7 @@ FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel")
 # Tie the rest to Ada's tasks and clock. They are tried in real time only, by
 # tests too slow to give each mutant to.
 REAL_TIME_UNITS = {
-    "gsc-real_time", "gsc-turns", "mcs-real_time", "mcs-turns",
-    "urvos-real_time_kernels", "urvos-real_time_tasks",
+    "urvos-real_time_nodes", "urvos-real_time_processors",
 }
 
 # No code of theirs is changed: contracts, proof aids, names of things.

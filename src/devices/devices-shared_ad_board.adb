@@ -1,28 +1,6 @@
-package body Devices.Shared_AD_Board
-  with
-    SPARK_Mode,
-    Refined_State => (Board => Guarded_Board)
-is
+package body Devices.Shared_AD_Board with SPARK_Mode is
 
-   protected Guarded_Board is
-
-      procedure Initialise;
-
-      procedure Start (Channel : Channel_Number);
-
-      procedure Take_Start
-        (Wanted  : out Boolean;
-         Channel : out Channel_Number);
-
-      procedure Finish (Value : Word; Interrupt : out Boolean);
-
-      function Snapshot return Registers;
-
-   private
-      Contents : Registers;
-   end Guarded_Board;
-
-   protected body Guarded_Board is
+   protected body Board is
 
       procedure Initialise is
       begin
@@ -33,6 +11,8 @@ is
       begin
          Contents := Started (Contents, Channel);
       end Start;
+
+      function Data return Word is (Contents.Data);
 
       procedure Take_Start
         (Wanted  : out Boolean;
@@ -51,37 +31,6 @@ is
          Contents := Finished (Contents, Value);
       end Finish;
 
-      function Snapshot return Registers is (Contents);
-
-   end Guarded_Board;
-
-   procedure Initialise is
-   begin
-      Guarded_Board.Initialise;
-   end Initialise;
-
-   procedure Start (Channel : Channel_Number) is
-   begin
-      Guarded_Board.Start (Channel);
-   end Start;
-
-   procedure Read (Data : out Word) is
-      Snapshot : constant Registers := Guarded_Board.Snapshot;
-   begin
-      Data := Snapshot.Data;
-   end Read;
-
-   procedure Take_Start
-     (Wanted  : out Boolean;
-      Channel : out Channel_Number)
-   is
-   begin
-      Guarded_Board.Take_Start (Wanted, Channel);
-   end Take_Start;
-
-   procedure Finish (Value : Word; Interrupt : out Boolean) is
-   begin
-      Guarded_Board.Finish (Value, Interrupt);
-   end Finish;
+   end Board;
 
 end Devices.Shared_AD_Board;

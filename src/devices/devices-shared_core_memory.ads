@@ -3,63 +3,38 @@
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 
-generic
-package Devices.Shared_CORE_Memory
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (CORE with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => CORE
-is
+package Devices.Shared_CORE_Memory with SPARK_Mode is
 
-   --  The controller's side.
+   protected type Board is
 
-   procedure Clear
-   with Global => (In_Out => CORE);
+      --  The controller's side.
 
-   procedure Write_Codes
-     (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words;
-      Status_Codes   : Status_Words)
-   with
-     Global  => (In_Out => CORE),
-     Depends =>
-       (CORE => (CORE, Uplink_Codes, Downlink_Codes, Status_Codes));
+      procedure Clear;
 
-   procedure Write_Uplink (Words : Uplink_Words)
-   with
-     Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Words));
+      procedure Write_Codes
+        (Uplink_Codes   : Uplink_Words;
+         Downlink_Codes : Downlink_Words;
+         Status_Codes   : Status_Words);
 
-   procedure Write_Downlink (Words : Downlink_Words)
-   with
-     Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Words));
+      procedure Write_Uplink (Words : Uplink_Words);
 
-   --  Writes the words of the status area that are given, at one instant;
-   --  the others stay.
-   procedure Write_Status (Words : Status_Array)
-   with
-     Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Words));
+      procedure Write_Downlink (Words : Downlink_Words);
 
-   --  A row of the node's own log, or of the aircraft's.
+      --  Writes the words of the status area that are given, at one instant;
+      --  the others stay.
+      procedure Write_Status (Words : Status_Array);
 
-   procedure Write_Log (Which : Log_Row_Number; Row : Log_Row)
-   with
-     Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Which, Row));
+      --  A row of the node's own log, or of the aircraft's.
 
-   procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row)
-   with
-     Global  => (In_Out => CORE),
-     Depends => (CORE => (CORE, Which, Row));
+      procedure Write_Log (Which : Log_Row_Number; Row : Log_Row);
 
-   --  The readers' side: all of it, at one instant.
-   procedure Inspect (Snapshot : out Memory)
-   with
-     Global  => (Input => CORE),
-     Depends => (Snapshot => CORE);
+      procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row);
+
+      --  The readers' side: all of it, at one instant.
+      function Contents return Memory;
+
+   private
+      Present : Memory;
+   end Board;
 
 end Devices.Shared_CORE_Memory;

@@ -6,23 +6,18 @@ with Devices.PWM_Board; use Devices.PWM_Board;
 generic
    --  What the board holds from power up until it is first written (SAF-1).
    Power_Up : Data_Area;
-package Devices.Shared_PWM_Board
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Board with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Board
-is
+package Devices.Shared_PWM_Board with SPARK_Mode is
 
-   --  The controller's side: the whole area at once.
-   procedure Write (Area : Data_Area)
-   with Global => (In_Out => Board);
+   protected type Board is
 
-   --  The servos' side.
-   procedure Read (Area : out Data_Area)
-   with
-     Global  => (Input => Board),
-     Depends => (Area => Board);
+      --  The controller's side: the whole area at once.
+      procedure Write (Area : Data_Area);
+
+      --  The servos' side.
+      function Contents return Data_Area;
+
+   private
+      Words : Data_Area := Power_Up;
+   end Board;
 
 end Devices.Shared_PWM_Board;

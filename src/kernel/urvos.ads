@@ -21,4 +21,9 @@ package URVOS with Pure, SPARK_Mode is
      (if Value = Count'Last then Value else Value + 1)
    with Global => null;
 
+   --  Two counts together.
+   function Saturating_Sum (Left, Right : Count) return Count is
+     (if Left > Count'Last - Right then Count'Last else Left + Right)
+   with Global => null;
+
 end URVOS;

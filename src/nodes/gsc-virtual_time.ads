@@ -1,16 +1,10 @@
---  The ground's node in virtual time: whoever drives it tells it when the
---  clock ticks (KRN-1 to KRN-4, KRN-6).
+--  The ground's node in virtual time (KRN-1 to KRN-6, EXT-4).
 
-package GSC.Virtual_Time with SPARK_Mode is
+with URVOS.Virtual_Nodes;
 
-   --  The node starts. Its tasks begin with the next major frame; after a
-   --  failed self-test there are none.
-   procedure Start (Condition : Start_Condition; Now : Clock_Tick);
-
-   --  The clock has ticked.
-   procedure Clock_Interrupt (Now : Clock_Tick);
-
-   --  How often a task has overrun.
-   function Overruns return Count;
-
-end GSC.Virtual_Time;
+package GSC.Virtual_Time is new URVOS.Virtual_Nodes
+  (Tasks          => Tasks,
+   Run_Step       => Run_Step,
+   Begin_Again    => Starts.Begin_Again,
+   Tell_Time      => Tell_Time,
+   Report_Overrun => Report_Overrun);

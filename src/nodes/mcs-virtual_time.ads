@@ -1,19 +1,10 @@
---  The aircraft's node in virtual time: whoever drives it tells it when the
---  clock ticks (KRN-1 to KRN-6, EXT-4, D-23).
+--  The aircraft's node in virtual time (KRN-1 to KRN-6, EXT-4).
 
-package MCS.Virtual_Time with SPARK_Mode is
+with URVOS.Virtual_Nodes;
 
-   --  The node starts. Its tasks begin with the next major frame; after a
-   --  failed self-test there are none.
-   procedure Start
-     (Condition  : Start_Condition;
-      Now        : Clock_Tick;
-      Processors : Processor_Number := 1);
-
-   --  The clock has ticked, for every processor.
-   procedure Clock_Interrupt (Now : Clock_Tick);
-
-   --  How often a task has overrun, on any processor.
-   function Overruns return Count;
-
-end MCS.Virtual_Time;
+package MCS.Virtual_Time is new URVOS.Virtual_Nodes
+  (Tasks          => Tasks,
+   Run_Step       => Run_Step,
+   Begin_Again    => Starts.Begin_Again,
+   Tell_Time      => Tell_Time,
+   Report_Overrun => Report_Overrun);

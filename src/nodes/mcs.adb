@@ -1,28 +1,31 @@
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URV.Errors; use URV.Errors;
+with URV.Log_Pieces; use URV.Log_Pieces;
+with URV.PWM_Layout;
 
 package body MCS with SPARK_Mode is
 
-   --  A count in one word.
-   function To_Word (Number : Count) return Word is
-     (if Number > Count (Word'Last) then Word'Last else Word (Number));
-
-   procedure Write_ROM_Result (Good_Passes, Bad_Passes : Count) is
+   procedure Give_PWM (Item : Uplink_Buffer) is
+      Success : Boolean;
    begin
-      CORE_Memory.Write_Status
-        ((ROM_Passes   => To_Word (Good_Passes),
-          ROM_Failures => To_Word (Bad_Passes)));
-      if Bad_Passes > 0 then
-         Status.Write (ROM_Differs);
+      PWM_Variable.Send (Item, Success);
+      if not Success then
+         Errors.Report (Commands_Not_Consumed, 0);
       end if;
-   end Write_ROM_Result;
+   end Give_PWM;
 
-   procedure Report_ROM_Failure (Detail : Word) is
+   procedure Add_Log_Piece (Item : in out Downlink_Buffer) is
+      Next : Piece;
    begin
-      Errors.Report (ROM_Check_Failed, Detail);
-   end Report_ROM_Failure;
+      Log_Sender.Next (Next);
+      Item (Error_Status) := With_Piece (Item (Error_Status), Next);
+   end Add_Log_Piece;
 
-   procedure Run_Step (Who : Task_Name; First_Run : Boolean) is
+   procedure Run_Step
+     (Who       : Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call)
+   is
+      pragma Unreferenced (Now);
    begin
       if First_Run then
          case Who is
@@ -46,31 +49,13 @@ package body MCS with SPARK_Mode is
             when SELF_TEST_Task => SELF_TEST.Run_Transaction;
          end case;
       end if;
+      Call :=
+        (Next_Frame_Call, Offset => Task_List (Who).Offset, others => <>);
    end Run_Step;
 
-   --  What the telemetry board received before the start is not acted on
-   --  (SAF-4).
-   procedure Discard_Received;
-
-   procedure Discard_Received is
-      Unused_Data          : Telemetry.Block_Data;
-      Unused_Fresh         : Boolean;
-      Unused_Ever_Received : Boolean;
+   procedure Reset_Variables is
    begin
-      Telemetry_Board.Take
-        (Unused_Data, Unused_Fresh, Unused_Ever_Received);
-   end Discard_Received;
-
-   procedure Cold_Start is
-   begin
-      --  Boards
       PWM_Board.Write (URV.PWM_Layout.Safe_Area);
-      CORE_Memory.Clear;
-      Telemetry_Board.Clear_Transmit_Half;
-      Discard_Received;
-      AD_Board.Initialise;
-
-      --  Variables
       ADINT_Variable.Reset;
       AD_Variable.Reset;
       TELIN_Variable.Reset;
@@ -78,20 +63,10 @@ package body MCS with SPARK_Mode is
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
       PWM_Variable.Reset;
+   end Reset_Variables;
 
-      --  Error log and status
-      Errors.Clear;
-      Status.Write (No_Error);
-   end Cold_Start;
-
-   procedure Warm_Start is
+   procedure Restart_Variables is
    begin
-      --  Boards
-      Telemetry_Board.Clear_Transmit_Half;
-      Discard_Received;
-      AD_Board.Initialise;
-
-      --  Variables
       ADINT_Variable.Restart;
       AD_Variable.Restart;
       TELIN_Variable.Restart;
@@ -99,22 +74,28 @@ package body MCS with SPARK_Mode is
       Downlink_Variable.Restart;
       TELOUT_Variable.Restart;
       PWM_Variable.Restart;
+   end Restart_Variables;
 
-      Status.Write (No_Error);
-   end Warm_Start;
-
-   procedure Refuse_Start is
+   procedure Say_Refused is
       Overwrote : Boolean;
    begin
-      Telemetry_Board.Clear_Transmit_Half;
       Telemetry_Board.Put
-        (URV.Codecs.Downlink.Encode
-           (URV.Routing.Marked
-              (Neutral_Downlink, URV.Buffers.Self_Test_Failed)),
+        (Downlink.Encode
+           (Marked (Neutral_Downlink, URV.Buffers.Self_Test_Failed)),
          Overwrote);
       if Overwrote then
          Errors.Report (TELOUT_Overwrote_Block, 0);
       end if;
-   end Refuse_Start;
+   end Say_Refused;
+
+   procedure Tell_Time (Now : Clock_Tick) is
+   begin
+      Errors.Set_Time (Now);
+   end Tell_Time;
+
+   procedure Report_Overrun (Who : Task_Id) is
+   begin
+      Errors.Report (Task_Overrun, Word (Who));
+   end Report_Overrun;
 
 end MCS;

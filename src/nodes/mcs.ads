@@ -4,37 +4,34 @@
 --  This is the wiring: the boards, the variables between the tasks, and for
 --  each task which of them it consumes and produces (SET-2).
 
-with Devices.Shared_AD_Board;
 with Devices.Memory_Bus; use Devices.Memory_Bus;
+with Devices.Processor_Memories;
+with Devices.Shared_AD_Board;
 with Devices.Shared_CORE_Memory;
-with Devices.Shared_PWM_Board;
-with Devices.Shared_RAM;
-with Devices.Shared_ROM;
 with Telemetry.Shared_Boards;
-with URVOS;        use URVOS;
-with URVOS.Frames; use URVOS.Frames;
-with URVOS.Shared_Mailboxes;
-with URVOS.Start_Phases;
-with URVOS.Start_Tests;
-with URVOS.Starts; use URVOS.Starts;
-with URVOS.Task_Trees; use URVOS.Task_Trees;
+with URVOS;              use URVOS;
+with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Task_Lists;
+with URVOS.Task_Trees;   use URVOS.Task_Trees;
 with URV.AD_Task;
 with URV.ADINT_Handler;
-with URV.Buffers;  use URV.Buffers;
-with URV.Codecs;
+with URV.Buffers;        use URV.Buffers;
+with URV.Codecs;         use URV.Codecs;
 with URV.CORE_Task;
+with URV.Errors;         use URV.Errors;
+with URV.Input_Exchange_Task;
 with URV.Log_Senders;
 with URV.LOG_Task;
-with URV.Mailboxes;
-with URV.MDCIN_Task;
-with URV.MDCOUT_Task;
-with URV.PWM_Layout;
+with URV.Mailboxes;      use URV.Mailboxes;
+with URV.Output_Exchange_Task;
+with URV.PWM_Boards;
 with URV.PWM_Task;
-with URV.Routing;
+with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Status;
-with URV.Start_Records;
+with URV.Start_Routines;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 
@@ -42,131 +39,109 @@ package MCS with SPARK_Mode is
 
    --  Boards
 
-   package AD_Board is new Devices.Shared_AD_Board;
+   AD_Board : Devices.Shared_AD_Board.Board;
 
-   package PWM_Board is new Devices.Shared_PWM_Board
-     (Power_Up => URV.PWM_Layout.Safe_Area);
+   PWM_Board : URV.PWM_Boards.Board;
 
-   package CORE_Memory is new Devices.Shared_CORE_Memory;
+   CORE_Memory : Devices.Shared_CORE_Memory.Board;
 
-   package Telemetry_Board is new Telemetry.Shared_Boards
+   Telemetry_Board : Telemetry.Shared_Boards.Shared_Board
      (Role            => Telemetry.Aircraft,
-      Transmit_Length => URV.Codecs.Downlink.Block_Length,
-      Receive_Length  => URV.Codecs.Uplink.Block_Length);
+      Transmit_Length => Downlink.Block_Length,
+      Receive_Length  => Uplink.Block_Length);
 
-   package ROM is new Devices.Shared_ROM (Board => 2);
+   Processor_Board : constant Board_Number := 2;
 
-   package RAM is new Devices.Shared_RAM (Board => 2);
+   package Memories is new Devices.Processor_Memories (Processor_Board);
 
    --  Variables, each with one producer and one consumer
 
-   package ADINT_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Sensor_Words);
+   ADINT_Variable    : For_Sensor_Words.Variable;
+   AD_Variable       : For_Sensor_Images.Variable;
+   TELIN_Variable    : For_Uplink.Variable;
+   Uplink_Variable   : For_Uplink.Variable;
+   Downlink_Variable : For_Downlink.Variable;
+   TELOUT_Variable   : For_Downlink.Variable;
+   PWM_Variable      : For_Uplink.Variable;
 
-   package AD_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Sensor_Images);
+   Errors : URV.Shared_Errors.Shared_Log;
 
-   package TELIN_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Uplink);
-
-   package Uplink_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Uplink);
-
-   package Downlink_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Downlink);
-
-   package TELOUT_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Downlink);
-
-   package PWM_Variable is new URVOS.Shared_Mailboxes
-     (URV.Mailboxes.For_Uplink);
-
-   package Errors is new URV.Shared_Errors;
-
-   package Status is new URV.Shared_Status;
+   Status : URV.Shared_Status.Status;
 
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
-     (Read_Board    => AD_Board.Read,
-      Start_Channel => AD_Board.Start,
-      Send_ADINT    => ADINT_Variable.Send,
-      Report        => Errors.Report);
+     (For_Sensor_Words, AD_Board, ADINT_Variable, Errors);
 
    package AD is new URV.AD_Task
-     (Receive_ADINT => ADINT_Variable.Receive,
-      Send_AD       => AD_Variable.Send,
-      Begin_Scan    => ADINT.Begin_Scan,
-      Report        => Errors.Report);
+     (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
+      Errors, ADINT.Begin_Scan);
 
    package TELIN is new URV.TELIN_Task
-     (Message    => Uplink_Buffer,
-      Neutral    => Neutral_Uplink,
-      As_Old     => URV.Routing.As_Old,
-      Decode     => URV.Codecs.Uplink.Decode,
-      Take_Block => Telemetry_Board.Take,
-      Send_TELIN => TELIN_Variable.Send,
-      Report     => Errors.Report);
+     (For_Uplink, Telemetry_Board, TELIN_Variable, Errors, As_Old,
+      Uplink.Decode);
 
-   package MDCIN is new URV.MDCIN_Task
-     (Receive_TELIN => TELIN_Variable.Receive,
-      Send_Uplink   => Uplink_Variable.Send,
-      Send_PWM      => PWM_Variable.Send,
-      Report        => Errors.Report);
+   --  In CORE as it came.
+   function As_It_Is (Item : Uplink_Buffer) return Uplink_Buffer is (Item)
+   with Global => null;
 
-   package Log_Sender is new URV.Log_Senders
-     (Inspect_Log => Errors.Inspect);
+   procedure Give_PWM (Item : Uplink_Buffer)
+   with Global => (In_Out => (PWM_Variable, Errors));
 
-   package MDCOUT is new URV.MDCOUT_Task
-     (Receive_AD    => AD_Variable.Receive,
-      Send_Downlink => Downlink_Variable.Send,
-      Send_TELOUT   => TELOUT_Variable.Send,
-      Read_Status   => Status.Read,
-      Next_Piece    => Log_Sender.Next,
-      Report        => Errors.Report);
+   package MDCIN is new URV.Input_Exchange_Task
+     (Messages           => For_Uplink,
+      TELIN_Variable     => TELIN_Variable,
+      CORE_Variable      => Uplink_Variable,
+      CORE_Not_Consumed  => Uplink_Not_Consumed,
+      Errors             => Errors,
+      As_Old             => As_Old,
+      First_Out_Of_Range => First_Out_Of_Range,
+      For_CORE           => As_It_Is,
+      Deliver            => Give_PWM);
 
-   package PWM is new URV.PWM_Task
-     (Receive_PWM => PWM_Variable.Receive,
-      Write_Board => PWM_Board.Write,
-      Report      => Errors.Report);
+   package Log_Sender is new URV.Log_Senders (Errors);
+
+   --  A piece of the error log goes down along (SAF-7).
+   procedure Add_Log_Piece (Item : in out Downlink_Buffer)
+   with Global => (Input => Errors, In_Out => Log_Sender.Progress);
+
+   package MDCOUT is new URV.Output_Exchange_Task
+     (Images            => For_Sensor_Images,
+      Messages          => For_Downlink,
+      AD_Variable       => AD_Variable,
+      CORE_Variable     => Downlink_Variable,
+      CORE_Not_Consumed => Downlink_Not_Consumed,
+      TELOUT_Variable   => TELOUT_Variable,
+      Node_Status       => Status,
+      Errors            => Errors,
+      To_Message        => To_Downlink,
+      Marked            => Marked,
+      As_Old            => As_Old,
+      Add_For_Link      => Add_Log_Piece);
+
+   package PWM is new URV.PWM_Task (PWM_Variable, PWM_Board, Errors);
 
    package TELOUT is new URV.TELOUT_Task
-     (Message        => Downlink_Buffer,
-      Encode         => URV.Codecs.Downlink.Encode,
-      Receive_TELOUT => TELOUT_Variable.Receive,
-      Put_Block      => Telemetry_Board.Put,
-      Report         => Errors.Report);
+     (For_Downlink, TELOUT_Variable, Telemetry_Board, Errors,
+      Downlink.Encode);
 
    package CORE is new URV.CORE_Task
-     (Receive_Uplink   => Uplink_Variable.Receive,
-      Receive_Downlink => Downlink_Variable.Receive,
-      Write_Codes      => CORE_Memory.Write_Codes,
-      Write_Uplink     => CORE_Memory.Write_Uplink,
-      Write_Downlink   => CORE_Memory.Write_Downlink,
-      Report           => Errors.Report);
+     (Uplink_Variable, Downlink_Variable, CORE_Memory, Errors);
 
-   package LOG is new URV.LOG_Task
-     (Inspect_Link   => Telemetry_Board.Inspect,
-      Report_Several => Errors.Report_Several,
-      Inspect_Log    => Errors.Inspect,
-      Write_Status   => CORE_Memory.Write_Status,
-      Write_Log      => CORE_Memory.Write_Log);
-
-   --  What the check of the program memory has found (TST-3, TST-4).
-
-   procedure Write_ROM_Result (Good_Passes, Bad_Passes : Count);
-
-   procedure Report_ROM_Failure (Detail : Word);
+   package LOG is new URV.LOG_Task (Telemetry_Board, CORE_Memory, Errors);
 
    package SELF_TEST is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,
       Bytes_Per_Frame => 64,
-      Read_ROM        => ROM.Read,
-      Write_Result    => Write_ROM_Result,
-      Report_Failure  => Report_ROM_Failure);
+      CORE_Memory     => CORE_Memory,
+      Node_Status     => Status,
+      Errors          => Errors,
+      Read_ROM        => Memories.Read_ROM);
 
-   --  When they run (FRM-2, SET-1). Of tasks due at the same tick the first
-   --  named has the highest priority.
+   --  The tasks, in order of priority: when they run, and on which of two
+   --  processors (FRM-2, SET-1, KRN-5, EXT-4). The boards'
+   --  tasks are on the first, data collection and all that belongs to CORE
+   --  on the second.
 
    type Task_Name is
      (AD_Task,
@@ -179,127 +154,52 @@ package MCS with SPARK_Mode is
       LOG_Task,
       SELF_TEST_Task);
 
-   type Offset_Table is array (Task_Name) of Minor_Frame;
+   type Task_Table is array (Task_Name) of Task_Attributes;
 
-   Offsets : constant Offset_Table :=
-     (AD_Task        => 0,
-      TELIN_Task     => 0,
-      MDCIN_Task     => 1,
-      MDCOUT_Task    => 1,
-      PWM_Task       => 2,
-      TELOUT_Task    => 2,
-      CORE_Task      => 4,
-      LOG_Task       => 5,
-      SELF_TEST_Task => 6);
+   Task_List : constant Task_Table :=
+     (AD_Task        => (Offset => 0, Processor => 1),
+      TELIN_Task     => (Offset => 0, Processor => 1),
+      MDCIN_Task     => (Offset => 1, Processor => 2),
+      MDCOUT_Task    => (Offset => 1, Processor => 2),
+      PWM_Task       => (Offset => 2, Processor => 1),
+      TELOUT_Task    => (Offset => 2, Processor => 1),
+      CORE_Task      => (Offset => 4, Processor => 2),
+      LOG_Task       => (Offset => 5, Processor => 2),
+      SELF_TEST_Task => (Offset => 6, Processor => 1));
 
-   function Id_Of (Who : Task_Name) return Task_Id is
-     (Task_Name'Pos (Who) + 1)
-   with Global => null;
-
-   function Is_Task (Id : Task_Id) return Boolean is
-     (Id in Id_Of (Task_Name'First) .. Id_Of (Task_Name'Last))
-   with Global => null;
-
-   function Task_Of (Id : Task_Id) return Task_Name is
-     (Task_Name'Val (Id - 1))
-   with
-     Global => null,
-     Pre    => Is_Task (Id);
-
-   --  The header of a task that begins at once, with its initialisation.
-   function Header (Who : Task_Name; Now : Clock_Tick) return Task_Header is
-     ((Id               => Id_Of (Who),
-       Start_Time       => Now,
-       Initial_Priority => Priority'Last - Task_Name'Pos (Who)))
-   with Global => null;
-
-   --  A node of one processor or of two: the boards' tasks on the first,
-   --  data collection and all that belongs to CORE on the second (KRN-5,
-   --  EXT-4).
-   type Processor_Number is range 1 .. 2;
-
-   function Task_Tree_Of
-     (Processors : Processor_Number;
-      Which      : Processor_Number;
-      Now        : Clock_Tick) return Task_Tree
-   is
-     (if Which > Processors then Empty_Tree
-      elsif Processors = 1 then
-        (1 => Header (AD_Task, Now),
-           2 => Header (TELIN_Task, Now),
-           3 => Header (MDCIN_Task, Now),
-           4 => Header (MDCOUT_Task, Now),
-           5 => Header (PWM_Task, Now),
-           6 => Header (TELOUT_Task, Now),
-           7 => Header (CORE_Task, Now),
-           8 => Header (LOG_Task, Now),
-           9 => Header (SELF_TEST_Task, Now),
-           others => Null_Header)
-      elsif Which = 1 then
-        (1 => Header (AD_Task, Now),
-           2 => Header (TELIN_Task, Now),
-           3 => Header (PWM_Task, Now),
-           4 => Header (TELOUT_Task, Now),
-           5 => Header (SELF_TEST_Task, Now),
-           others => Null_Header)
-      else
-        (1 => Header (MDCIN_Task, Now),
-           2 => Header (MDCOUT_Task, Now),
-           3 => Header (CORE_Task, Now),
-           4 => Header (LOG_Task, Now),
-           others => Null_Header))
-   with Global => null;
+   package Tasks is
+     new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);
 
    --  A task's next step: its initialisation, or the transaction of a frame.
-   procedure Run_Step (Who : Task_Name; First_Run : Boolean);
-
-   --  How the node starts (INI-1 to INI-8). The telemetry board starts by
-   --  itself.
-
-   package Start_Test is new URVOS.Start_Tests
-     (Last_Byte => Last_ROM_Byte,
-      Last_Word => Last_RAM_Word,
-      Read_ROM  => ROM.Read,
-      Read_RAM  => RAM.Read,
-      Write_RAM => RAM.Write);
-
-   package Start_Record is new URV.Start_Records
-     (Inspect_CORE => CORE_Memory.Inspect,
-      Write_Status => CORE_Memory.Write_Status,
-      Report       => Errors.Report);
-
-   --  The controller's routine of each start condition.
-
-   --  Power up: servos safe (D-13), CORE and the error log cleared, nothing
-   --  has been sent or received.
-   procedure Cold_Start;
-
-   --  The reset switch, or an unexpected exception: servos (SAF-6), CORE,
-   --  error log and the last messages stay, all flags and counts start anew.
-   procedure Warm_Start;
-
-   --  The node stays silent after a failed self-test: one last downlink
-   --  tells the ground (TST-4).
-   procedure Refuse_Start;
-
-   --  Self-test and the controller's routine; the task tree is empty after a
-   --  failed self-test.
-   package Start_Phases is new URVOS.Start_Phases
-     (Test              => Start_Test.Run,
-      Record_Start      => Start_Record.Record_Start,
-      Refuse            => Refuse_Start,
-      Cold_Start        => Cold_Start,
-      Warm_Reset        => Warm_Start,
-      Processor_Restart => Warm_Start,
-      Set_Time          => Errors.Set_Time);
-
-   procedure Begin_Again
-     (Condition : Start_Condition;
+   --  Then it sleeps until its offset in the next major frame (FRM-3).
+   procedure Run_Step
+     (Who       : Task_Name;
+      First_Run : Boolean;
       Now       : Clock_Tick;
-      Passed    : out Boolean)
-     renames Start_Phases.Run;
+      Call      : out Kernel_Call);
 
-   --  The A/D board has converted a channel.
-   procedure AD_Interrupt renames ADINT.Handle_Interrupt;
+   --  How the node starts.
+
+   --  The servos are safe after a cold start (D-13), and stay as they are at
+   --  a warm one (SAF-6).
+
+   procedure Reset_Variables;
+
+   procedure Restart_Variables;
+
+   --  One last downlink tells the ground that the node stays silent (TST-4).
+   procedure Say_Refused;
+
+   package Starts is new URV.Start_Routines
+     (Memories, AD_Board, CORE_Memory, Telemetry_Board, Errors, Status,
+      Reset_Variables, Restart_Variables, Say_Refused);
+
+   --  For the kernel: the time of what is reported, and what it reports.
+
+   procedure Tell_Time (Now : Clock_Tick)
+   with Global => (In_Out => Errors);
+
+   procedure Report_Overrun (Who : Task_Id)
+   with Global => (In_Out => Errors);
 
 end MCS;

@@ -1,3 +1,5 @@
+with URVOS;      use URVOS;
+with URV.Errors; use URV.Errors;
 with URV.Routing;
 
 package body URV.AD_Task with SPARK_Mode is
@@ -9,20 +11,20 @@ package body URV.AD_Task with SPARK_Mode is
    end Initialise;
 
    procedure Run_Transaction is
-      Words   : Channel_Words;
+      Item    : Channel_Words;
       Fresh   : Boolean;
       Success : Boolean;
       Reached : Channel_Count;
    begin
-      Receive_ADINT (Words, Fresh);
-      Send_AD (Routing.Stamped (Words, Fresh), Success);
+      ADINT_Variable.Receive (Item, Fresh);
+      AD_Variable.Send (Routing.Stamped (Item, Fresh), Success);
       if not Success then
-         Report (Image_Not_Consumed, 0);
+         Errors.Report (Image_Not_Consumed, 0);
       end if;
 
       Begin_Scan (Reached);
       if not Fresh then
-         Report (AD_No_Scan, Word (Reached));
+         Errors.Report (AD_No_Scan, Word (Reached));
       end if;
    end Run_Transaction;
 

@@ -4,17 +4,20 @@
 --  Consumes ADINT_variable, produces AD_variable. A frame without a scan
 --  passes on the words of the one before, with the error word set.
 
-with URVOS;       use URVOS;
-with URV.AD_Scans; use URV.AD_Scans;
-with URV.Buffers; use URV.Buffers;
-with URV.Errors;  use URV.Errors;
+with URVOS.Shared_Mailboxes;
+with URV.AD_Scans;      use URV.AD_Scans;
+with URV.Buffers;       use URV.Buffers;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
-   with procedure Receive_ADINT
-     (Words : out Channel_Words; Fresh : out Boolean);
-   with procedure Send_AD (Image : AD_Image; Success : out Boolean);
+   with package Words is
+     new URVOS.Shared_Mailboxes (Message => Channel_Words, others => <>);
+   with package Images is
+     new URVOS.Shared_Mailboxes (Message => AD_Image, others => <>);
+   ADINT_Variable : in out Words.Variable;
+   AD_Variable    : in out Images.Variable;
+   Errors         : in out Shared_Log;
    with procedure Begin_Scan (Reached : out Channel_Count);
-   with procedure Report (Error : Error_Kind; Detail : Word);
 package URV.AD_Task with SPARK_Mode is
 
    procedure Initialise;

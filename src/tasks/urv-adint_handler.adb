@@ -1,3 +1,7 @@
+with Devices.AD_Board; use Devices.AD_Board;
+with URVOS;            use URVOS;
+with URV.Errors;       use URV.Errors;
+
 package body URV.ADINT_Handler
   with
     SPARK_Mode,
@@ -44,34 +48,33 @@ is
    procedure Begin_Scan (Reached : out Channel_Count) is
    begin
       Guarded_Scan.Restart (Reached);
-      Start_Channel (0);
+      AD_Board.Start (0);
    end Begin_Scan;
 
    procedure Handle_Interrupt is
-      Value   : Word;
+      Value   : constant Word := AD_Board.Data;
       Next    : Next_Step;
       Current : Channel_Count;
-      Words   : Channel_Words;
+      Item    : Channel_Words;
       Success : Boolean;
    begin
-      Read_Board (Value);
       Guarded_Scan.Store (Value, Next, Current);
 
       case Next is
-         when AD_Scans.Start_Channel =>
+         when Start_Channel =>
             if Current <= Channel_Count (Channel'Last) then
-               Start_Channel (Channel_Number (Current));
+               AD_Board.Start (Channel_Number (Current));
             end if;
 
          when Send_Words =>
-            Words := Guarded_Scan.Words;
-            Send_ADINT (Words, Success);
+            Item := Guarded_Scan.Words;
+            ADINT_Variable.Send (Item, Success);
             if not Success then
-               Report (Scan_Not_Consumed, 0);
+               Errors.Report (Scan_Not_Consumed, 0);
             end if;
 
          when Ignore =>
-            Report (AD_Unexpected_Interrupt, Value);
+            Errors.Report (AD_Unexpected_Interrupt, Value);
       end case;
    end Handle_Interrupt;
 

@@ -3,17 +3,18 @@
 --  Produces ADINT_variable. Its locals are Channel and the data area, which
 --  the AD task resets when it begins a scan.
 
-with Devices.AD_Board; use Devices.AD_Board;
-with URVOS;            use URVOS;
-with URV.AD_Scans;     use URV.AD_Scans;
-with URV.Buffers;      use URV.Buffers;
-with URV.Errors;       use URV.Errors;
+with Devices.Shared_AD_Board; use Devices.Shared_AD_Board;
+with URVOS.Shared_Mailboxes;
+with URV.AD_Scans;            use URV.AD_Scans;
+with URV.Buffers;             use URV.Buffers;
+with URV.Shared_Errors;       use URV.Shared_Errors;
 
 generic
-   with procedure Read_Board (Data : out Word);
-   with procedure Start_Channel (Which : Channel_Number);
-   with procedure Send_ADINT (Words : Channel_Words; Success : out Boolean);
-   with procedure Report (Error : Error_Kind; Detail : Word);
+   with package Words is
+     new URVOS.Shared_Mailboxes (Message => Channel_Words, others => <>);
+   AD_Board       : in out Board;
+   ADINT_Variable : in out Words.Variable;
+   Errors         : in out Shared_Log;
 package URV.ADINT_Handler
   with
     SPARK_Mode,
@@ -25,9 +26,13 @@ is
 
    --  Begins a scan with channel 0. Reached is how many channels the scan
    --  before had converted.
-   procedure Begin_Scan (Reached : out Channel_Count);
+   procedure Begin_Scan (Reached : out Channel_Count)
+   with Global => (In_Out => (Current_Scan, AD_Board));
 
    --  The board has converted a channel.
-   procedure Handle_Interrupt;
+   procedure Handle_Interrupt
+   with
+     Global =>
+       (In_Out => (Current_Scan, AD_Board, ADINT_Variable, Errors));
 
 end URV.ADINT_Handler;

@@ -1,41 +1,38 @@
+with URV.Buffers;     use URV.Buffers;
 with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.Errors;      use URV.Errors;
 
-package body URV.CORE_Task
-  with
-    SPARK_Mode,
-    Refined_State => (First_Run => Codes_Wanted)
-is
-
-   Codes_Wanted : Boolean := True;
+package body URV.CORE_Task with SPARK_Mode is
 
    procedure Initialise is
    begin
-      Codes_Wanted := True;
+      Codes_Wanted.Write (True);
    end Initialise;
 
    procedure Run_Transaction is
-      Uplink   : Uplink_Buffer;
-      Downlink : Downlink_Buffer;
-      Fresh    : Boolean;
+      First_Run : constant Boolean := Codes_Wanted.Contents;
+      Uplink    : Uplink_Buffer;
+      Downlink  : Downlink_Buffer;
+      Fresh     : Boolean;
    begin
-      if Codes_Wanted then
-         Write_Codes
+      if First_Run then
+         CORE_Memory.Write_Codes
            (Uplink_Type_Codes, Downlink_Type_Codes, Status_Type_Codes);
-         Codes_Wanted := False;
+         Codes_Wanted.Write (False);
       end if;
 
-      Receive_Uplink (Uplink, Fresh);
+      Uplink_Variable.Receive (Uplink, Fresh);
       if Fresh then
-         Write_Uplink (To_Words (Uplink));
+         CORE_Memory.Write_Uplink (To_Words (Uplink));
       else
-         Report (CORE_No_Uplink, 0);
+         Errors.Report (CORE_No_Uplink, 0);
       end if;
 
-      Receive_Downlink (Downlink, Fresh);
+      Downlink_Variable.Receive (Downlink, Fresh);
       if Fresh then
-         Write_Downlink (To_Words (Downlink));
+         CORE_Memory.Write_Downlink (To_Words (Downlink));
       else
-         Report (CORE_No_Downlink, 0);
+         Errors.Report (CORE_No_Downlink, 0);
       end if;
    end Run_Transaction;
 

@@ -5,32 +5,30 @@
 --  and downlink areas. What has not arrived anew is not written again. The
 --  type codes are written when the task first runs (INI-7).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.Errors;          use URV.Errors;
+with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
+with URVOS.Shared_Data;
+with URV.Mailboxes;              use URV.Mailboxes;
+with URV.Shared_Errors;          use URV.Shared_Errors;
 
 generic
-   with procedure Receive_Uplink
-     (Item : out Uplink_Buffer; Fresh : out Boolean);
-   with procedure Receive_Downlink
-     (Item : out Downlink_Buffer; Fresh : out Boolean);
-   with procedure Write_Codes
-     (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words;
-      Status_Codes   : Status_Words);
-   with procedure Write_Uplink (Words : Uplink_Words);
-   with procedure Write_Downlink (Words : Downlink_Words);
-   with procedure Report (Error : Error_Kind; Detail : Word);
-package URV.CORE_Task
-  with
-    SPARK_Mode,
-    Abstract_State => First_Run,
-    Initializes    => First_Run
-is
+   Uplink_Variable   : in out For_Uplink.Variable;
+   Downlink_Variable : in out For_Downlink.Variable;
+   CORE_Memory       : in out Board;
+   Errors            : in out Shared_Log;
+package URV.CORE_Task with SPARK_Mode is
 
-   procedure Initialise;
+   package Flags is new URVOS.Shared_Data (Boolean, Initial => True);
 
-   procedure Run_Transaction;
+   --  The type codes are still to be written.
+   Codes_Wanted : Flags.Store;
+
+   procedure Initialise
+   with Global => (In_Out => Codes_Wanted);
+
+   procedure Run_Transaction
+   with
+     Global =>
+       (In_Out => (Codes_Wanted, Uplink_Variable, Downlink_Variable,
+                   CORE_Memory, Errors));
 
 end URV.CORE_Task;

@@ -1,17 +1,13 @@
-package body URV.Log_Receivers
-  with
-    SPARK_Mode,
-    Refined_State => (Incoming => Coming)
-is
-
-   Coming : Receiver := (others => <>);
+package body URV.Log_Receivers with SPARK_Mode is
 
    procedure Take_Piece (Item : Piece) is
+      Coming   : Receiver := Incoming.Contents;
       Complete : Boolean;
    begin
       Take (Coming, Item, Complete);
+      Incoming.Write (Coming);
       if Complete then
-         Write_Row (Coming.Which, Coming.Row);
+         CORE_Memory.Write_Aircraft_Log (Coming.Which, Coming.Row);
       end if;
    end Take_Piece;
 

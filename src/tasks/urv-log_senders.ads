@@ -2,18 +2,29 @@
 --  frame, a row after the other, the rows of errors that have happened over
 --  and over again. With an empty log there is no piece.
 
-with URV.Errors;     use URV.Errors;
-with URV.Log_Pieces; use URV.Log_Pieces;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URVOS.Shared_Data;
+with URV.Errors;          use URV.Errors;
+with URV.Log_Pieces;      use URV.Log_Pieces;
+with URV.Shared_Errors;   use URV.Shared_Errors;
 
 generic
-   with procedure Inspect_Log (Snapshot : out Error_Log);
-package URV.Log_Senders
-  with
-    SPARK_Mode,
-    Abstract_State => Progress,
-    Initializes    => Progress
-is
+   Errors : in out Shared_Log;
+package URV.Log_Senders with SPARK_Mode is
 
-   procedure Next (Item : out Piece);
+   --  The row that is on its way, and how many of its pieces have gone.
+   type Outgoing is record
+      Kind : Error_Kind  := Error_Kind'Last;
+      Row  : Log_Row     := No_Errors;
+      Sent : Place_Count := Place'Last;
+   end record;
+
+   package Senders is
+     new URVOS.Shared_Data (Outgoing, Initial => (others => <>));
+
+   Progress : Senders.Store;
+
+   procedure Next (Item : out Piece)
+   with Global => (Input => Errors, In_Out => Progress);
 
 end URV.Log_Senders;

@@ -1,52 +1,48 @@
-with URV.CORE_Layout;
+with URVOS;           use URVOS;
+with URV.CORE_Layout; use URV.CORE_Layout;
 with URV.Link_Errors; use URV.Link_Errors;
 
-package body URV.LOG_Task
-  with
-    SPARK_Mode,
-    Refined_State => (Seen => (Seen_Tally, Kind_In_Turn))
-is
-
-   Seen_Tally : Statistics := (others => 0);
-
-   --  The kind whose row is written next.
-   Kind_In_Turn : Error_Kind := Error_Kind'First;
+package body URV.LOG_Task with SPARK_Mode is
 
    procedure Initialise is
-      Log : Error_Log;
+      Log   : constant Error_Log  := Errors.Contents;
+      Tally : constant Statistics := Telemetry_Board.Tally;
+      Now   : Progress            := Seen.Contents;
    begin
-      Kind_In_Turn := Error_Kind'First;
-      Inspect_Log (Log);
+      Now.Kind_In_Turn := Error_Kind'First;
       if Logs.History_Of (Log, Warm_Reset).Occurrences = 0
         and then Logs.History_Of (Log, Processor_Restart).Occurrences = 0
       then
-         Inspect_Link (Seen_Tally);
+         Now.Seen_Tally := Tally;
       end if;
+      Seen.Write (Now);
    end Initialise;
 
    procedure Run_Transaction is
-      Tally : Statistics;
+      Tally : constant Statistics := Telemetry_Board.Tally;
+      Last  : constant Progress   := Seen.Contents;
+      Kind  : constant Error_Kind := Last.Kind_In_Turn;
       Fresh : Count;
       Log   : Error_Log;
    begin
-      Inspect_Link (Tally);
       for Error in Link_Error loop
          Fresh :=
-           New_Since (Counted (Seen_Tally, Error), Counted (Tally, Error));
+           New_Since
+             (Counted (Last.Seen_Tally, Error), Counted (Tally, Error));
          if Fresh > 0 then
-            Report_Several (Error, Fresh, CORE_Layout.To_Word (Fresh));
+            Errors.Report_Several (Error, Fresh, To_Word (Fresh));
          end if;
       end loop;
-      Seen_Tally := Tally;
 
-      Inspect_Log (Log);
-      Write_Status (CORE_Layout.To_Status (Log));
-      Write_Log
-        (CORE_Layout.Row_Of (Kind_In_Turn),
-         CORE_Layout.To_Row (Logs.History_Of (Log, Kind_In_Turn)));
-      Kind_In_Turn :=
-        (if Kind_In_Turn = Error_Kind'Last then Error_Kind'First
-         else Error_Kind'Succ (Kind_In_Turn));
+      Log := Errors.Contents;
+      CORE_Memory.Write_Status (To_Status (Log));
+      CORE_Memory.Write_Log
+        (Row_Of (Kind), To_Row (Logs.History_Of (Log, Kind)));
+      Seen.Write
+        ((Seen_Tally   => Tally,
+          Kind_In_Turn =>
+            (if Kind = Error_Kind'Last then Error_Kind'First
+             else Error_Kind'Succ (Kind))));
    end Run_Transaction;
 
 end URV.LOG_Task;

@@ -7,31 +7,39 @@
 --  frame in which it finds it. Produces the log's words of CORE's status, and
 --  a row a frame of the log in CORE, all rows in turn (SAF-7).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.Shared_CORE_Memory;
 with Telemetry.Boards;    use Telemetry.Boards;
-with URVOS;               use URVOS;
+with Telemetry.Shared_Boards;
+with URVOS.Shared_Data;
 with URV.Errors;          use URV.Errors;
+with URV.Shared_Errors;   use URV.Shared_Errors;
 
 generic
-   with procedure Inspect_Link (Tally : out Statistics);
-   with procedure Report_Several
-     (Error     : Error_Kind;
-      How_Often : Logs.Positive_Count;
-      Detail    : Word);
-   with procedure Inspect_Log (Snapshot : out Error_Log);
-   with procedure Write_Status (Words : Status_Array);
-   with procedure Write_Log (Which : Log_Row_Number; Row : Log_Row);
-package URV.LOG_Task
-  with
-    SPARK_Mode,
-    Abstract_State => Seen,
-    Initializes    => Seen
-is
+   Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   CORE_Memory     : in out Devices.Shared_CORE_Memory.Board;
+   Errors          : in out Shared_Log;
+package URV.LOG_Task with SPARK_Mode is
+
+   type Progress is record
+      Seen_Tally   : Statistics := (others => 0);
+
+      --  The kind whose row is written next.
+      Kind_In_Turn : Error_Kind := Error_Kind'First;
+   end record;
+
+   package Stores is new URVOS.Shared_Data (Progress, (others => <>));
+
+   Seen : Stores.Store;
 
    --  After a cold start, which leaves no restart in the log, and after no
    --  other: what the board has counted up to now is nothing new.
-   procedure Initialise;
+   procedure Initialise
+   with
+     Global => (Input => (Telemetry_Board, Errors), In_Out => Seen);
 
-   procedure Run_Transaction;
+   procedure Run_Transaction
+   with
+     Global =>
+       (Input => Telemetry_Board, In_Out => (Seen, CORE_Memory, Errors));
 
 end URV.LOG_Task;

@@ -1,29 +1,29 @@
---  The mailboxes between the tasks, one for each kind of message (report,
---  section 2.5; MBX-1). A node's variables are mailboxes of these kinds,
---  each shared by two tasks.
+--  The variables between the tasks, one kind for each kind of message
+--  (report, section 2.5; MBX-1). Each is a mailbox that two tasks share.
 
 with URV.Buffers; use URV.Buffers;
-with URVOS.Mailboxes;
+with URVOS.Shared_Mailboxes;
 
 package URV.Mailboxes with SPARK_Mode is
 
    --  The ground's converter has the sticks, the aircraft's the sensors.
 
    package For_Stick_Words is
-     new URVOS.Mailboxes (Channel_Words, Neutral_Stick_Words);
+     new URVOS.Shared_Mailboxes (Channel_Words, Neutral_Stick_Words);
 
    package For_Stick_Images is
-     new URVOS.Mailboxes (AD_Image, Neutral_Stick_Image);
+     new URVOS.Shared_Mailboxes (AD_Image, Neutral_Stick_Image);
 
    package For_Sensor_Words is
-     new URVOS.Mailboxes (Channel_Words, Neutral_Sensor_Words);
+     new URVOS.Shared_Mailboxes (Channel_Words, Neutral_Sensor_Words);
 
    package For_Sensor_Images is
-     new URVOS.Mailboxes (AD_Image, Neutral_Sensor_Image);
+     new URVOS.Shared_Mailboxes (AD_Image, Neutral_Sensor_Image);
 
-   package For_Uplink is new URVOS.Mailboxes (Uplink_Buffer, Neutral_Uplink);
+   package For_Uplink is
+     new URVOS.Shared_Mailboxes (Uplink_Buffer, Neutral_Uplink);
 
    package For_Downlink is
-     new URVOS.Mailboxes (Downlink_Buffer, Neutral_Downlink);
+     new URVOS.Shared_Mailboxes (Downlink_Buffer, Neutral_Downlink);
 
 end URV.Mailboxes;

@@ -1,3 +1,5 @@
+with URV.Buffers; use URV.Buffers;
+with URV.Errors;  use URV.Errors;
 with URV.PWM_Layout;
 with URV.PWM_Transform;
 with URV.Routing;
@@ -8,12 +10,12 @@ package body URV.PWM_Task with SPARK_Mode is
       Item  : Uplink_Buffer;
       Fresh : Boolean;
    begin
-      Receive_PWM (Item, Fresh);
+      PWM_Variable.Receive (Item, Fresh);
 
       if not Fresh then
-         Report (No_Commands, 0);
+         Errors.Report (No_Commands, 0);
       elsif not Routing.Is_Old (Item) then
-         Write_Board
+         PWM_Board.Write
            (PWM_Layout.To_Data_Area (PWM_Transform.Transform (Item)));
       end if;
    end Run_Transaction;

@@ -5,17 +5,17 @@
 --  nothing new has come, or commands that are marked as old, it leaves the
 --  board alone (SAF-2, SAF-3, D-14). Whoever marked them has reported why.
 
-with Devices.PWM_Board; use Devices.PWM_Board;
-with URVOS;             use URVOS;
-with URV.Buffers;       use URV.Buffers;
-with URV.Errors;        use URV.Errors;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.PWM_Boards;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
-   with procedure Receive_PWM (Item : out Uplink_Buffer; Fresh : out Boolean);
-   with procedure Write_Board (Area : Data_Area);
-   with procedure Report (Error : Error_Kind; Detail : Word);
+   PWM_Variable : in out For_Uplink.Variable;
+   PWM_Board    : in out PWM_Boards.Board;
+   Errors       : in out Shared_Log;
 package URV.PWM_Task with SPARK_Mode is
 
-   procedure Run_Transaction;
+   procedure Run_Transaction
+   with Global => (In_Out => (PWM_Variable, PWM_Board, Errors));
 
 end URV.PWM_Task;

@@ -1,22 +1,33 @@
-with URVOS.ROM_Checks;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Errors;          use URV.Errors;
 
-package body URV.Self_Test_Task
-  with
-    SPARK_Mode,
-    Refined_State => (Progress => State)
-is
+package body URV.Self_Test_Task with SPARK_Mode is
 
-   package Checks is new URVOS.ROM_Checks (Last);
    use Checks;
 
-   State : Check := New_Check;
+   --  A pass has ended: how many found the image right since the start, and
+   --  how many found it wrong.
+   procedure Write_Result (Good_Passes, Bad_Passes : Count);
+
+   procedure Write_Result (Good_Passes, Bad_Passes : Count) is
+   begin
+      CORE_Memory.Write_Status
+        ((ROM_Passes   => To_Word (Good_Passes),
+          ROM_Failures => To_Word (Bad_Passes)));
+      if Bad_Passes > 0 then
+         Node_Status.Write (ROM_Differs);
+      end if;
+   end Write_Result;
 
    procedure Initialise is
    begin
-      State := New_Check;
+      Progress.Write (New_Check);
    end Initialise;
 
    procedure Run_Transaction is
+      State   : Check := Progress.Contents;
       Data    : Byte;
       Outcome : Outcome_Kind;
    begin
@@ -31,10 +42,10 @@ is
                Write_Result (State.Good_Passes, State.Bad_Passes);
             when Found_Bad =>
                Write_Result (State.Good_Passes, State.Bad_Passes);
-               Report_Failure
-                 (Word (Count'Min (State.Bad_Passes, 16#FFFF#)));
+               Errors.Report (ROM_Check_Failed, To_Word (State.Bad_Passes));
          end case;
       end loop;
+      Progress.Write (State);
    end Run_Transaction;
 
 end URV.Self_Test_Task;

@@ -1,38 +1,43 @@
---  Self-test task: checks the program memory in flight (report, 2.4; TST-3).
---  Released at minor frame 6, below all others in priority.
+--  Self-test task: checks the program memory in flight (report, 2.4; TST-3,
+--  TST-4). Released at minor frame 6, below all others in priority.
 --
 --  Consumes the program memory, Bytes_Per_Frame bytes a major frame, and
---  produces the result of each pass. It only reads, and a frame's work is
+--  produces the result of each pass in CORE's status; a difference sets the
+--  node's bit of the error/status word. It only reads, and a frame's work is
 --  always the same. An image of 64 KiB takes 1024 frames at 64 bytes, which
 --  is 20.48 s.
 
-with URVOS;          use URVOS;
-with URVOS.Memories; use URVOS.Memories;
+with Devices.Shared_CORE_Memory;
+with URVOS;             use URVOS;
+with URVOS.Memories;    use URVOS.Memories;
+with URVOS.ROM_Checks;
+with URVOS.Shared_Data;
+with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Status; use URV.Shared_Status;
 
 generic
    --  The last byte of the image.
    Last : Byte_Address;
 
-   Bytes_Per_Frame : Positive := 128;
+   Bytes_Per_Frame : Positive;
+
+   CORE_Memory : in out Devices.Shared_CORE_Memory.Board;
+   Node_Status : in out Status;
+   Errors      : in out Shared_Log;
 
    with procedure Read_ROM (Where : Byte_Address; Data : out Byte);
+package URV.Self_Test_Task with SPARK_Mode is
 
-   --  A pass has ended: how many found the image right since the start, and
-   --  how many found it wrong.
-   with procedure Write_Result (Good_Passes, Bad_Passes : Count);
+   package Checks is new URVOS.ROM_Checks (Last);
 
-   --  A pass found the image wrong. Detail is how many have.
-   with procedure Report_Failure (Detail : Word);
-package URV.Self_Test_Task
-  with
-    SPARK_Mode,
-    Abstract_State => Progress,
-    Initializes    => Progress
-is
+   package Stores is
+     new URVOS.Shared_Data (Checks.Check, Checks.New_Check);
+
+   Progress : Stores.Store;
 
    --  At the first byte, with nothing counted.
    procedure Initialise
-   with Global => (Output => Progress);
+   with Global => (In_Out => Progress);
 
    procedure Run_Transaction;
 

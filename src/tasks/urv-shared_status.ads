@@ -1,27 +1,15 @@
 --  What a node adds to the error/status word of what it sends (TST-4): the
---  check of the program memory in flight has found a difference.
+--  check of the program memory in flight has found a difference. The bits
+--  stand in URV.Buffers.
 
 with URVOS; use URVOS;
+with URVOS.Shared_Data;
+with URV.Buffers; use URV.Buffers;
 
-generic
-package URV.Shared_Status
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Status with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Status
-is
+package URV.Shared_Status with SPARK_Mode is
 
-   --  Sets the node's bits: see URV.Buffers.
-   procedure Write (Bits : Word)
-   with
-     Global  => (In_Out => Status),
-     Depends => (Status => (Status, Bits));
+   package Words is new URVOS.Shared_Data (Word, Initial => No_Error);
 
-   procedure Read (Bits : out Word)
-   with
-     Global  => (Input => Status),
-     Depends => (Bits => Status);
+   subtype Status is Words.Store;
 
 end URV.Shared_Status;

@@ -1,10 +1,14 @@
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URVOS;               use URVOS;
+with URV.Errors;          use URV.Errors;
+
 package body URV.Start_Records with SPARK_Mode is
 
    procedure Record_Start
-     (Condition : Starts.Start_Condition;
+     (Condition : URVOS.Starts.Start_Condition;
       Result    : Test_Result)
    is
-      CORE   : Memory;
+      CORE   : constant Memory := CORE_Memory.Contents;
       Counts : Status_Array (Cold_Starts .. Processor_Restarts);
       Which  : constant Status_Item :=
         (case Condition is
@@ -12,25 +16,24 @@ package body URV.Start_Records with SPARK_Mode is
             when Starts.Warm_Reset         => Warm_Resets,
             when Starts.Processor_Restart  => Processor_Restarts);
    begin
-      Inspect_CORE (CORE);
       Counts := CORE.Status (Counts'Range);
       Counts (Which) := Incremented (Counts (Which));
-      Write_Status
+      CORE_Memory.Write_Status
         ((Devices.CORE_Memory.Start_Condition =>
             Word (Starts.Start_Condition'Pos (Condition)) + 1));
-      Write_Status (Counts);
-      Write_Status ((Self_Test_Result => To_Word (Result)));
+      CORE_Memory.Write_Status (Counts);
+      CORE_Memory.Write_Status ((Self_Test_Result => To_Word (Result)));
 
       case Condition is
          when Cold_Start =>
             null;
          when Starts.Warm_Reset =>
-            Report (Errors.Warm_Reset, 0);
+            Errors.Report (URV.Errors.Warm_Reset, 0);
          when Starts.Processor_Restart =>
-            Report (Errors.Processor_Restart, 0);
+            Errors.Report (URV.Errors.Processor_Restart, 0);
       end case;
       if not Result.Passed then
-         Report (Self_Test_Failed, To_Word (Result));
+         Errors.Report (Self_Test_Failed, To_Word (Result));
       end if;
    end Record_Start;
 

@@ -2,20 +2,19 @@
 --  TST-4): CORE's status says which starts there were and what the last
 --  one's self-test found; the error log has the warm ones and the failures.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URVOS.Self_Tests;    use URVOS.Self_Tests;
-with URVOS.Starts;        use URVOS.Starts;
-with URV.Errors;          use URV.Errors;
+with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
+with URVOS.Self_Tests;           use URVOS.Self_Tests;
+with URVOS.Starts;               use URVOS.Starts;
+with URV.Shared_Errors;          use URV.Shared_Errors;
 
 generic
-   with procedure Inspect_CORE (Snapshot : out Memory);
-   with procedure Write_Status (Words : Status_Array);
-   with procedure Report (Error : Error_Kind; Detail : Word);
+   CORE_Memory : in out Board;
+   Errors      : in out Shared_Log;
 package URV.Start_Records with SPARK_Mode is
 
    procedure Record_Start
-     (Condition : Starts.Start_Condition;
-      Result    : Test_Result);
+     (Condition : Start_Condition;
+      Result    : Test_Result)
+   with Global => (In_Out => (CORE_Memory, Errors));
 
 end URV.Start_Records;

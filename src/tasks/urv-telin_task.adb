@@ -1,40 +1,35 @@
-package body URV.TELIN_Task
-  with
-    SPARK_Mode,
-    Refined_State => (Previous => (TELIN_Buffer, Has_Message))
-is
+with URV.Errors; use URV.Errors;
 
-   TELIN_Buffer : Message := Neutral;
-   Has_Message  : Boolean := False;
+package body URV.TELIN_Task with SPARK_Mode is
 
    procedure Initialise is
    begin
-      TELIN_Buffer := Neutral;
-      Has_Message := False;
+      Previous.Write ((others => <>));
    end Initialise;
 
    procedure Run_Transaction is
+      Kept          : Kept_Message := Previous.Contents;
       Data          : Block_Data;
       Fresh         : Boolean;
       Ever_Received : Boolean;
       Success       : Boolean;
    begin
-      Take_Block (Data, Fresh, Ever_Received);
+      Telemetry_Board.Take (Data, Fresh, Ever_Received);
 
       if Fresh then
-         TELIN_Buffer := Decode (Data);
-         Has_Message := True;
+         Kept := (Decode (Data), Has_Message => True);
       else
-         TELIN_Buffer := As_Old (TELIN_Buffer);
+         Kept.Buffer := As_Old (Kept.Buffer);
          if Ever_Received then
-            Report (TELIN_No_Block, 0);
+            Errors.Report (TELIN_No_Block, 0);
          end if;
       end if;
+      Previous.Write (Kept);
 
-      if Has_Message then
-         Send_TELIN (TELIN_Buffer, Success);
+      if Kept.Has_Message then
+         TELIN_Variable.Send (Kept.Buffer, Success);
          if not Success then
-            Report (Input_Not_Consumed, 0);
+            Errors.Report (Input_Not_Consumed, 0);
          end if;
       end if;
    end Run_Transaction;

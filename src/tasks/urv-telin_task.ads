@@ -7,28 +7,37 @@
 --  after a restart until a message has come: the one before the restart is
 --  lost, and what stands for it would reach the servos.
 
-with Telemetry;  use Telemetry;
-with URVOS;      use URVOS;
-with URV.Errors; use URV.Errors;
+with Telemetry;         use Telemetry;
+with Telemetry.Shared_Boards;
+with URVOS.Shared_Data;
+with URVOS.Shared_Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
-   type Message is private;
-   Neutral : Message;
-   with function As_Old (Item : Message) return Message;
-   with function Decode (Data : Block_Data) return Message;
-   with procedure Take_Block
-     (Data : out Block_Data; Fresh : out Boolean; Ever_Received : out Boolean);
-   with procedure Send_TELIN (Item : Message; Success : out Boolean);
-   with procedure Report (Error : Error_Kind; Detail : Word);
-package URV.TELIN_Task
-  with
-    SPARK_Mode,
-    Abstract_State => Previous,
-    Initializes    => Previous
-is
+   with package Messages is new URVOS.Shared_Mailboxes (<>);
+   Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   TELIN_Variable  : in out Messages.Variable;
+   Errors          : in out Shared_Log;
+   with function As_Old
+     (Source : Messages.Message) return Messages.Message;
+   with function Decode (Data : Block_Data) return Messages.Message;
+package URV.TELIN_Task with SPARK_Mode is
 
-   procedure Initialise;
+   type Kept_Message is record
+      Buffer      : Messages.Message := Messages.Neutral;
+      Has_Message : Boolean          := False;
+   end record;
 
-   procedure Run_Transaction;
+   package Stores is new URVOS.Shared_Data (Kept_Message, (others => <>));
+
+   Previous : Stores.Store;
+
+   procedure Initialise
+   with Global => (In_Out => Previous);
+
+   procedure Run_Transaction
+   with
+     Global =>
+       (In_Out => (Previous, Telemetry_Board, TELIN_Variable, Errors));
 
 end URV.TELIN_Task;

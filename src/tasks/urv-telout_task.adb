@@ -1,19 +1,21 @@
+with URV.Errors; use URV.Errors;
+
 package body URV.TELOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction is
-      Item      : Message;
+      Item      : Messages.Message;
       Fresh     : Boolean;
       Overwrote : Boolean;
    begin
-      Receive_TELOUT (Item, Fresh);
+      TELOUT_Variable.Receive (Item, Fresh);
 
       if Fresh then
-         Put_Block (Encode (Item), Overwrote);
+         Telemetry_Board.Put (Encode (Item), Overwrote);
          if Overwrote then
-            Report (TELOUT_Overwrote_Block, 0);
+            Errors.Report (TELOUT_Overwrote_Block, 0);
          end if;
       else
-         Report (No_Output, 0);
+         Errors.Report (No_Output, 0);
       end if;
    end Run_Transaction;
 

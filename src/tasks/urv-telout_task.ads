@@ -5,18 +5,20 @@
 --  buffer is available the newest data overwrites; when nothing new has
 --  come nothing is written.
 
-with Telemetry;  use Telemetry;
-with URVOS;      use URVOS;
-with URV.Errors; use URV.Errors;
+with Telemetry;         use Telemetry;
+with Telemetry.Shared_Boards;
+with URVOS.Shared_Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
-   type Message is private;
-   with function Encode (Item : Message) return Block_Data;
-   with procedure Receive_TELOUT (Item : out Message; Fresh : out Boolean);
-   with procedure Put_Block (Data : Block_Data; Overwrote : out Boolean);
-   with procedure Report (Error : Error_Kind; Detail : Word);
+   with package Messages is new URVOS.Shared_Mailboxes (<>);
+   TELOUT_Variable : in out Messages.Variable;
+   Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   Errors          : in out Shared_Log;
+   with function Encode (Item : Messages.Message) return Block_Data;
 package URV.TELOUT_Task with SPARK_Mode is
 
-   procedure Run_Transaction;
+   procedure Run_Transaction
+   with Global => (In_Out => (TELOUT_Variable, Telemetry_Board, Errors));
 
 end URV.TELOUT_Task;

@@ -1,62 +1,66 @@
-with Telemetry.Guarded_Boards;
+package body Telemetry.Shared_Boards with SPARK_Mode is
 
-package body Telemetry.Shared_Boards
-  with
-    SPARK_Mode,
-    Refined_State => (Shared_Board => Guarded_Board)
-is
+   protected body Shared_Board is
 
-   Guarded_Board : Guarded_Boards.Guarded_Board
-     (Role, Transmit_Length, Receive_Length);
+      procedure Take
+        (Data          : out Block_Data;
+         Fresh         : out Boolean;
+         Ever_Received : out Boolean)
+      is
+      begin
+         Boards.Take (Item, Data, Fresh, Ever_Received);
+      end Take;
 
-   procedure Take
-     (Data          : out Block_Data;
-      Fresh         : out Boolean;
-      Ever_Received : out Boolean)
-   is
-   begin
-      Guarded_Board.Take (Data, Fresh, Ever_Received);
-   end Take;
+      procedure Put (Data : Block_Data; Overwrote : out Boolean) is
+      begin
+         Boards.Put (Item, Data, Overwrote);
+      end Put;
 
-   procedure Put (Data : Block_Data; Overwrote : out Boolean) is
-   begin
-      Guarded_Board.Put (Data, Overwrote);
-   end Put;
+      procedure Clear_Transmit_Half is
+      begin
+         Boards.Clear_Transmit_Half (Item);
+      end Clear_Transmit_Half;
 
-   procedure Clear_Transmit_Half is
-   begin
-      Guarded_Board.Clear_Transmit_Half;
-   end Clear_Transmit_Half;
+      procedure Discard_Received is
+         Unused_Data          : Block_Data;
+         Unused_Fresh         : Boolean;
+         Unused_Ever_Received : Boolean;
+      begin
+         Boards.Take
+           (Item, Unused_Data, Unused_Fresh, Unused_Ever_Received);
+      end Discard_Received;
 
-   procedure Start is
-   begin
-      Guarded_Board.Start;
-   end Start;
+      procedure Start is
+      begin
+         Boards.Start (Item);
+      end Start;
 
-   procedure Accept_Character
-     (Elapsed      : Character_Times;
-      Data         : Byte;
-      Parity_Error : Boolean;
-      May_Speak    : out Boolean)
-   is
-   begin
-      Guarded_Board.Accept_Character
-        (Elapsed, Data, Parity_Error, May_Speak);
-   end Accept_Character;
+      procedure Accept_Character
+        (Elapsed      : Character_Times;
+         Data         : Byte;
+         Parity_Error : Boolean;
+         May_Speak    : out Boolean)
+      is
+      begin
+         Boards.Elapse (Item, Elapsed);
+         Boards.Accept_Character (Item, Data, Parity_Error);
+         May_Speak := Boards.May_Speak (Item);
+      end Accept_Character;
 
-   procedure Next_Character
-     (Elapsed   : Character_Times;
-      Send      : out Boolean;
-      Data      : out Byte;
-      Time_Left : out Character_Times)
-   is
-   begin
-      Guarded_Board.Next_Character (Elapsed, Send, Data, Time_Left);
-   end Next_Character;
+      procedure Next_Character
+        (Elapsed   : Character_Times;
+         Send      : out Boolean;
+         Data      : out Byte;
+         Time_Left : out Character_Times)
+      is
+      begin
+         Boards.Elapse (Item, Elapsed);
+         Boards.Next_Character (Item, Send, Data);
+         Time_Left := Boards.Time_Left (Item);
+      end Next_Character;
 
-   procedure Inspect (Tally : out Statistics) is
-   begin
-      Tally := Guarded_Board.Tally;
-   end Inspect;
+      function Tally return Statistics is (Item.Tally);
+
+   end Shared_Board;
 
 end Telemetry.Shared_Boards;

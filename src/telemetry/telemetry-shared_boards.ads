@@ -7,57 +7,55 @@
 with Telemetry.Boards;  use Telemetry.Boards;
 with Telemetry.Headers; use Telemetry.Headers;
 
-generic
-   Role            : Station;
-   Transmit_Length : Block_Length;
-   Receive_Length  : Block_Length;
-package Telemetry.Shared_Boards
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Shared_Board with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Shared_Board
-is
+package Telemetry.Shared_Boards with SPARK_Mode is
 
-   --  The controller's side: see Telemetry.Boards.
+   subtype Sound_Board is Board
+   with Predicate => Is_Sound (Sound_Board);
 
-   procedure Take
-     (Data          : out Block_Data;
-      Fresh         : out Boolean;
-      Ever_Received : out Boolean)
-   with Global => (In_Out => Shared_Board);
+   protected type Shared_Board
+     (Role            : Station;
+      Transmit_Length : Block_Length;
+      Receive_Length  : Block_Length)
+   is
 
-   procedure Put (Data : Block_Data; Overwrote : out Boolean)
-   with Global => (In_Out => Shared_Board);
+      --  The controller's side: see Telemetry.Boards.
 
-   procedure Clear_Transmit_Half
-   with Global => (In_Out => Shared_Board);
+      procedure Take
+        (Data          : out Block_Data;
+         Fresh         : out Boolean;
+         Ever_Received : out Boolean);
 
-   --  The board's side.
+      procedure Put (Data : Block_Data; Overwrote : out Boolean);
 
-   procedure Start
-   with Global => (In_Out => Shared_Board);
+      procedure Clear_Transmit_Half;
 
-   --  May_Speak tells whether Next_Character may now give a character; if
-   --  not, the board waits for more characters or for its time-out.
-   procedure Accept_Character
-     (Elapsed      : Character_Times;
-      Data         : Byte;
-      Parity_Error : Boolean;
-      May_Speak    : out Boolean)
-   with Global => (In_Out => Shared_Board);
+      --  What was received up to now is not acted on (SAF-4).
+      procedure Discard_Received;
 
-   --  Time_Left is how long the board will wait if nothing happens.
-   procedure Next_Character
-     (Elapsed   : Character_Times;
-      Send      : out Boolean;
-      Data      : out Byte;
-      Time_Left : out Character_Times)
-   with Global => (In_Out => Shared_Board);
+      --  The board's side.
 
-   --  For whoever watches over the link.
-   procedure Inspect (Tally : out Statistics)
-   with Global => (Input => Shared_Board);
+      procedure Start;
+
+      --  May_Speak tells whether Next_Character may now give a character; if
+      --  not, the board waits for more characters or for its time-out.
+      procedure Accept_Character
+        (Elapsed      : Character_Times;
+         Data         : Byte;
+         Parity_Error : Boolean;
+         May_Speak    : out Boolean);
+
+      --  Time_Left is how long the board will wait if nothing happens.
+      procedure Next_Character
+        (Elapsed   : Character_Times;
+         Send      : out Boolean;
+         Data      : out Byte;
+         Time_Left : out Character_Times);
+
+      --  For whoever watches over the link.
+      function Tally return Statistics;
+
+   private
+      Item : Sound_Board (Role, Transmit_Length, Receive_Length);
+   end Shared_Board;
 
 end Telemetry.Shared_Boards;

@@ -78,6 +78,7 @@ def test_a_device_in_use_is_refused(start, terminals):
     (("--seconds", "0"), "--seconds"),
     (("--seconds", "soon"), "--seconds"),
     (("--phase", "10"), "--phase"),
+    (("--processors", "3"), "neither 1 nor 2"),
     (("--quiet=1",), "takes no value"),
     (("--quiet", "--quiet"), "is given twice"),
 ])

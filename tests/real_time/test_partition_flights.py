@@ -12,14 +12,16 @@ STICKS = different_rows(24, len(COMMANDS), 1)
 MEASURED = different_rows(24, len(SENSORS), 2)
 
 
-def fly_scripts(start_both, write, hold_ms, links=None):
+def fly_scripts(start_both, write, hold_ms, links=None, processors=1):
     sticks = write("sticks.csv", script(COMMANDS, STICKS, hold_ms))
     sensors = write("sensors.csv", script(SENSORS, MEASURED, hold_ms))
     seconds = script_seconds(STICKS, hold_ms)
     runs = start_both(
         links,
-        mcs=("--seconds", seconds, "--sensors", sensors),
-        gsc=("--seconds", seconds, "--sticks", sticks),
+        mcs=("--seconds", seconds, "--sensors", sensors,
+             "--processors", processors),
+        gsc=("--seconds", seconds, "--sticks", sticks,
+             "--processors", processors),
     )
     mcs, gsc = (run.end() for run in runs)
     return mcs, gsc, ("--seconds", seconds, "--sticks", sticks,
@@ -56,9 +58,11 @@ def have_same_contents(mcs, gsc, simulated):
     return complete
 
 
-def assert_same_contents(start_both, write, simulate, links=None):
+def assert_same_contents(start_both, write, simulate, links=None,
+                         processors=1):
     for hold_ms in HOLDS_MS:
-        mcs, gsc, options = fly_scripts(start_both, write, hold_ms, links)
+        mcs, gsc, options = fly_scripts(start_both, write, hold_ms, links,
+                                        processors)
         if have_same_contents(mcs, gsc, simulate(*options)):
             return
     # Contents were left out, however long they were there.
@@ -66,10 +70,12 @@ def assert_same_contents(start_both, write, simulate, links=None):
 
 
 @flies_again
+@pytest.mark.parametrize("processors", [1, 2])
 def test_lnk1_d9_a_flight_over_udp_has_the_contents_of_the_simulations(
-    start_both, write, simulate
+    start_both, write, simulate, processors
 ):
-    assert_same_contents(start_both, write, simulate)
+    """On one processor a node or on two (EXT-4)."""
+    assert_same_contents(start_both, write, simulate, processors=processors)
 
 
 @flies_again

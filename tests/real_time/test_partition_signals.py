@@ -129,12 +129,15 @@ def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
 
 
 @flies_again
+@pytest.mark.parametrize("processors", [1, 2])
 def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
-    start_both, write
+    start_both, write, processors
 ):
+    """All processors of the node (EXT-4)."""
     rows = different_rows(40, len(COMMANDS), 7)
     sticks = write("sticks.csv", script(COMMANDS, rows))
-    mcs, gsc = start_both(gsc=("--sticks", sticks))
+    mcs, gsc = start_both(mcs=("--processors", processors),
+                          gsc=("--sticks", sticks))
     await_rows(mcs, 60)
     mcs.send(signal.SIGUSR1)
     await_rows(mcs, 60)
@@ -163,10 +166,12 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
 
 
 @flies_again
-def test_krn6_the_ground_restarts_and_flies_on(start_both, write):
+@pytest.mark.parametrize("processors", [1, 2])
+def test_krn6_the_ground_restarts_and_flies_on(start_both, write, processors):
     rows = different_rows(40, len(COMMANDS), 8)
     sticks = write("sticks.csv", script(COMMANDS, rows))
-    mcs, gsc = start_both(gsc=("--sticks", sticks))
+    mcs, gsc = start_both(
+        gsc=("--sticks", sticks, "--processors", processors))
     for _ in range(3):
         await_rows(gsc, 20)
         gsc.send(signal.SIGUSR1)

@@ -1,10 +1,13 @@
 """SET-2: what each task consumes and produces is what tables 1 to 10 of the
 report say. tests/data/interface_tables.json has the tables.
 
-A task is a generic package that sees nothing but its formal parameters. For
-a variable of the table it has Receive_X or Send_X, in the node X_Variable's.
-What is on another board has the formal that the data file names. A formal
-beside the table has its reason there, a task beyond the tables too.
+A task is a generic package that sees nothing but its formal parameters: the
+variables and boards of the table are formal objects, and its Global contract
+names them. Here the calls of its body are read, with the node's actual objects
+put in place of the formals, and the bodies of the node's own procedures that a
+task is given. It calls Receive of what it consumes and Send of what it
+produces; a call of a board or beside the table stands in the data file, with
+its reason.
 """
 
 import json
@@ -16,116 +19,146 @@ from conftest import ROOT
 
 DATA = json.loads(
     (ROOT / "tests/data/interface_tables.json").read_text(encoding="utf-8"))
-TABLES = {table["unit"]: table for table in DATA["tables"]}
+TABLES = [(node, table) for table in DATA["tables"]
+          for node in table["nodes"]]
+UNITS = {table["unit"] for table in DATA["tables"]}
 SOURCES = {path.name: path for path in (ROOT / "src").rglob("*.ad?")}
 NODES = ("MCS", "GSC")
 
 CONSUMED = "global variables consumed"
 PRODUCED = "global variables produced"
 OFF_BOARD = ("off-board variables consumed", "off-board variables produced")
-OFF_BOARD_FORMALS = "formals of off-board variables"
-BESIDE = "formals beside the table"
+OFF_BOARD_CALLS = "calls of off-board variables"
+BESIDE = "calls beside the table"
 
 
-def code_of(unit):
-    name = unit.lower().replace(".", "-") + ".ads"
-    text = SOURCES[name].read_text(encoding="utf-8")
+def code_of(unit, ending=".ads"):
+    text = SOURCES[unit.lower().replace(".", "-") + ending].read_text("utf-8")
     return re.sub(r"--.*", "", text)
 
 
-def formal_procedures(unit):
-    """Names of the formal procedures of a generic package."""
-    formals = re.search(r"^generic\b(.*?)^package\b", code_of(unit),
-                        re.M | re.S)[1]
-    return re.findall(r"\bwith\s+procedure\s+(\w+)", formals)
+def formals_of(unit):
+    """The kinds of a generic package's formals by their names, in order."""
+    part = re.search(r"^generic\b(.*?)^package\b", code_of(unit),
+                     re.M | re.S)[1]
+    formal = re.compile(r"\bwith\s+(procedure|function|package)\s+(\w+)"
+                        r"|^\s*(type)\s+(\w+)"
+                        r"|^\s*(\w+)\s*:\s*(in out\b)?", re.M)
+    part = re.sub(r"\([^()]*\)", "", part)
+    return {match[2] or match[4] or match[5]:
+            match[1] or match[3] or match[6] or "in"
+            for match in formal.finditer(part)}
 
 
 def instances(node):
-    """For each generic unit that a node instantiates, the instance's name
-    and its actual parameters."""
-    found = {}
-    for match in re.finditer(
-            r"package\s+(\w+)\s+is\s+new\s+([\w.]+)\s*(?:\((.*?)\))?\s*;",
-            code_of(node), re.S):
-        actuals = dict(re.findall(r"(\w+)\s*=>\s*([\w.]+)", match[3] or ""))
-        found.setdefault(match[2], []).append((match[1], actuals))
+    """Each package that a node instantiates: its name, the generic unit, and
+    the actuals by the formals' names."""
+    found = []
+    for name, unit, actuals in re.findall(
+            r"package\s+(\w+)\s+is\s+new\s+(URV\.[\w.]+)\s*"
+            r"(?:\(([^;]*)\))?\s*;", code_of(node), re.S):
+        given = [actual.split("=>") for actual in actuals.split(",")]
+        names = list(formals_of(unit))
+        found.append((name, unit, {
+            (pair[0] if len(pair) == 2 else names[place]).strip():
+            pair[-1].strip() for place, pair in enumerate(given)}))
     return found
 
 
-def by_table(table):
-    """The formals that the table's variables stand for, and their actuals."""
-    wanted = dict(table[OFF_BOARD_FORMALS])
-    for formal, operation, variables in (
-            ("Receive_", "Receive", table[CONSUMED]),
-            ("Send_", "Send", table[PRODUCED])):
-        for variable in variables:
+def body_of(node, procedure):
+    """The body of one of the node's own procedures."""
+    found = re.search(rf"^   procedure {procedure}\b.*?^   end {procedure};",
+                      code_of(node, ".adb"), re.M | re.S)
+    return found[0] if found else ""
+
+
+def calls_of(node, unit, actuals):
+    """What a task calls, as Object.Operation in the node."""
+    kinds = formals_of(unit)
+    calls = set()
+    for object_, operation in re.findall(
+            r"\b(\w+)\.(\w+)\b", code_of(unit, ".adb")):
+        if kinds.get(object_) == "in out":
+            calls.add(f"{actuals[object_]}.{operation}")
+    for formal, kind in kinds.items():
+        if kind == "procedure":
+            actual = actuals[formal]
+            if "." in actual:
+                calls.add(actual)
+            calls.update(
+                f"{object_}.{operation}" for object_, operation in re.findall(
+                    r"\b(\w+)\.(\w+) \(", body_of(node, actual)))
+    return calls
+
+
+def wanted_of(table):
+    """The calls that a table asks for."""
+    calls = {*table[OFF_BOARD_CALLS], *table[BESIDE]}
+    for kind, operation in ((CONSUMED, "Receive"), (PRODUCED, "Send")):
+        for variable in table[kind]:
             name = re.fullmatch(r"(\w+)_variable", variable)[1]
-            name = name[0].upper() + name[1:]
-            wanted[formal + name] = f"{name}_Variable.{operation}"
-    return wanted
+            calls.add(f"{name[0].upper()}{name[1:]}_Variable.{operation}")
+    return calls
 
 
 def test_ten_tables_are_there():
     assert [t["table"] for t in DATA["tables"]] == list(range(1, 11))
     for table in DATA["tables"]:
         has = any(table[kind] for kind in OFF_BOARD)
-        assert has == bool(table[OFF_BOARD_FORMALS]), table["task"]
+        assert has == bool(table[OFF_BOARD_CALLS]), table["task"]
 
 
-@pytest.mark.parametrize("unit", TABLES)
-def test_a_task_sees_what_its_table_says(unit):
-    wanted = set(by_table(TABLES[unit])) | set(TABLES[unit][BESIDE])
-    assert set(formal_procedures(unit)) == wanted
-
-
-@pytest.mark.parametrize("node, unit", [
-    (node, unit) for unit, table in TABLES.items() for node in table["nodes"]
-])
-def test_a_node_connects_what_the_table_says(node, unit):
-    [(name, actuals)] = instances(node)[unit]
-    assert name == TABLES[unit]["task"]
-    for formal, actual in by_table(TABLES[unit]).items():
-        assert actuals[formal] == actual, formal
+@pytest.mark.parametrize(
+    "node, table", TABLES,
+    ids=[f"{node}-{table['task']}" for node, table in TABLES])
+def test_a_task_calls_what_its_table_says(node, table):
+    [(unit, actuals)] = [(unit, actuals)
+                         for name, unit, actuals in instances(node)
+                         if name == table["task"]]
+    assert unit == table["unit"]
+    assert calls_of(node, unit, actuals) == wanted_of(table)
 
 
 @pytest.mark.parametrize("node", NODES)
 def test_set1_a_node_has_the_tasks_of_the_tables_and_no_others(node):
-    in_node = {unit for unit in instances(node)
-               if re.fullmatch(r"URV\.\w+_(Task|Handler)", unit)}
-    in_tables = {unit for unit, table in TABLES.items()
-                 if node in table["nodes"]}
-    assert in_node - set(DATA["tasks beyond the tables"]) == in_tables
+    beyond = DATA["tasks beyond the tables"]
+    in_node = {name for name, unit, _ in instances(node)
+               if re.fullmatch(r"URV\.\w+_(Task|Handler)", unit)
+               and unit not in beyond}
+    assert in_node == {table["task"] for where, table in TABLES
+                       if where == node}
 
 
 def test_each_task_has_a_table_or_a_reason():
-    units = {"URV." + path.stem.removeprefix("urv-").lower()
+    units = {"urv." + path.stem.removeprefix("urv-")
              for path in map(Path, SOURCES) if path.suffix == ".ads"
              and re.search(r"^urv-.*_(task|handler)$", path.stem)}
-    named = {*TABLES, *DATA["tasks beyond the tables"]}
-    assert units == {"URV." + unit[4:].lower() for unit in named}
-    assert all(DATA["tasks beyond the tables"].values())
+    beyond = DATA["tasks beyond the tables"]
+    assert units == {unit.lower() for unit in {*UNITS, *beyond}}
+    assert all(beyond.values())
 
 
 @pytest.mark.parametrize("node", NODES)
 def test_mbx1_each_variable_has_one_producer_and_one_consumer(node):
-    all_instances = instances(node)
-    ends = [actual for found in all_instances.values()
-            for _, actuals in found for actual in actuals.values()]
-    variables = [name for name, _ in all_instances["URVOS.Shared_Mailboxes"]]
+    calls = [call for _, unit, actuals in instances(node)
+             if re.search(r"_(Task|Handler)$", unit)
+             for call in calls_of(node, unit, actuals)]
+    variables = re.findall(r"^   (\w+_Variable)\s*:", code_of(node), re.M)
     assert len(variables) > 5
     for variable in variables:
-        assert ends.count(f"{variable}.Send") == 1, variable
-        assert ends.count(f"{variable}.Receive") == 1, variable
+        assert calls.count(f"{variable}.Send") == 1, variable
+        assert calls.count(f"{variable}.Receive") == 1, variable
 
 
-@pytest.mark.parametrize("unit", TABLES)
+@pytest.mark.parametrize("unit", sorted(UNITS))
 def test_a_task_sees_no_state_but_through_its_formals(unit):
-    name = unit.lower().replace(".", "-")
-    text = "".join(SOURCES[name + ending].read_text(encoding="utf-8")
-                   for ending in (".ads", ".adb"))
-    units = re.findall(r"^with ([\w.]+);", text, re.M)
-    assert "URV.Errors" in units
-    for seen in units:
-        spec = SOURCES[f"{seen.lower().replace('.', '-')}.ads"]
-        declared = rf"^package {re.escape(seen)}\s+with\s[^;]*?\bPure\b"
-        assert re.search(declared, spec.read_text("utf-8"), re.M), seen
+    text = code_of(unit) + code_of(unit, ".adb")
+    for seen in re.findall(r"^with ([\w.]+);", text, re.M):
+        assert not re.search(r"^   \w+ *: *(?!constant)[\w.]+( :=.*)?;",
+                             visible_part(seen), re.M), seen
+
+
+def visible_part(unit):
+    """A package's own declarations at its outermost level."""
+    code = code_of(unit).partition("\nprivate\n")[0]
+    return "" if re.search(r"^generic\b", code, re.M) else code

@@ -3,13 +3,15 @@ with Devices.AD_Board; use Devices.AD_Board;
 with Devices.Shared_AD_Board;
 with Expect_Value;
 with Expectations;     use Expectations;
-with Task_Doubles;     use Task_Doubles;
+with Task_Rig;         use Task_Rig;
 with URVOS;            use URVOS;
 with URV.AD_Scans;     use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
 with URV.Buffers;      use URV.Buffers;
 with URV.Errors;       use URV.Errors;
+with URV.Mailboxes;    use URV.Mailboxes;
+with URV.Shared_Errors;
 
 package body AD_Tests is
 
@@ -30,52 +32,82 @@ package body AD_Tests is
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
 
-   --  The board under the handler: what it gives, and the channels that
-   --  were started.
-   Board_Data : Word    := 0;
-   Started    : Natural := 0;
-   Last_Start : Channel_Number := 0;
+   --  What the handler and the task are between.
 
-   procedure Read_Board (Data : out Word);
-   procedure Start_Channel (Which : Channel_Number);
+   Board : Devices.Shared_AD_Board.Board;
+
+   ADINT_Variable : For_Sensor_Words.Variable;
+   AD_Variable    : For_Sensor_Images.Variable;
+
+   Errors : URV.Shared_Errors.Shared_Log;
 
    package Handler is new URV.ADINT_Handler
-     (Read_Board    => Read_Board,
-      Start_Channel => Start_Channel,
-      Send_ADINT    => Words.Send,
-      Report        => Report);
+     (For_Sensor_Words, Board, ADINT_Variable, Errors);
 
-   --  The task on its own, and how far it finds the scan before.
-   Scans_Begun  : Natural       := 0;
-   Scan_Reached : Channel_Count := 32;
+   --  How often the task has begun a scan.
+   Scans_Begun : Natural := 0;
 
-   procedure Begin_Scan (Reached : out Channel_Count);
+   procedure Counted_Begin_Scan (Reached : out Channel_Count);
+
+   package AD is new URV.AD_Task
+     (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
+      Errors, Counted_Begin_Scan);
+
+   --  Nothing sent, nothing reported, no conversion wanted.
+   procedure Clear;
+
+   --  The board wants a conversion of this channel, once.
+   procedure Expect_Start (Number : Channel);
+   procedure Expect_No_Start (What : String);
+
+   --  The board converts, and interrupts the processor.
+   procedure Convert (Value : Word);
 
    --  A whole scan, after one that had come so far.
    procedure Whole_Scan (Reached : Channel_Count);
 
-   package AD is new URV.AD_Task
-     (Receive_ADINT => Words.Receive,
-      Send_AD       => Image.Send,
-      Begin_Scan    => Begin_Scan,
-      Report        => Report);
-
-   procedure Read_Board (Data : out Word) is
-   begin
-      Data := Board_Data;
-   end Read_Board;
-
-   procedure Start_Channel (Which : Channel_Number) is
-   begin
-      Started    := Started + 1;
-      Last_Start := Which;
-   end Start_Channel;
-
-   procedure Begin_Scan (Reached : out Channel_Count) is
+   procedure Counted_Begin_Scan (Reached : out Channel_Count) is
    begin
       Scans_Begun := Scans_Begun + 1;
-      Reached     := Scan_Reached;
-   end Begin_Scan;
+      Handler.Begin_Scan (Reached);
+   end Counted_Begin_Scan;
+
+   procedure Clear is
+      Unused_Wanted  : Boolean;
+      Unused_Channel : Channel_Number;
+   begin
+      ADINT_Variable.Reset;
+      AD_Variable.Reset;
+      Errors.Clear;
+      Board.Initialise;
+      Board.Take_Start (Unused_Wanted, Unused_Channel);
+      Scans_Begun := 0;
+   end Clear;
+
+   procedure Expect_Start (Number : Channel) is
+      Wanted : Boolean;
+      Which  : Channel_Number;
+   begin
+      Board.Take_Start (Wanted, Which);
+      Expect ("channel" & Number'Image & " is started", Wanted, True);
+      Expect_Number ("channel started", Integer (Which), Integer (Number));
+   end Expect_Start;
+
+   procedure Expect_No_Start (What : String) is
+      Wanted       : Boolean;
+      Unused_Which : Channel_Number;
+   begin
+      Board.Take_Start (Wanted, Unused_Which);
+      Expect (What & ", a start", Wanted, False);
+   end Expect_No_Start;
+
+   procedure Convert (Value : Word) is
+      Interrupt : Boolean;
+   begin
+      Board.Finish (Value, Interrupt);
+      Expect ("interrupt", Interrupt, True);
+      Handler.Handle_Interrupt;
+   end Convert;
 
    procedure Scan_Itself is
       Item : Scan;
@@ -114,61 +146,64 @@ package body AD_Tests is
 
    procedure Whole_Scan (Reached : Channel_Count) is
       Before : Channel_Count;
+      Sent   : Channel_Words;
    begin
       Clear;
-      Started := 0;
       Handler.Begin_Scan (Before);
       Expect_Number
         ("how far the scan before came", Integer (Before),
          Integer (Reached));
       for Number in Channel loop
-         Expect_Number ("starts", Started, Integer (Number) + 1);
-         Expect_Number
-           ("channel started", Integer (Last_Start), Integer (Number));
-         Expect_Number ("sent before the last", Words.Sent, 0);
-         Board_Data := 16#300# + Word (Number);
-         Handler.Handle_Interrupt;
+         Expect_Start (Number);
+         Expect_No_Start ("until it has converted");
+         Words.Expect_Counts ("before the last", ADINT_Variable, 0, 0);
+         Convert (16#300# + Word (Number));
       end loop;
-      Expect_Number ("starts after the last channel", Started, 32);
-      Expect_Number ("sent", Words.Sent, 1);
+      Expect_No_Start ("after the last channel");
+      Words.Expect_Counts ("sent", ADINT_Variable, 1, 0);
+      Sent := Words.Taken ("the scan", ADINT_Variable);
       for Number in Channel loop
          Expect
-           ("channel" & Number'Image, Words.Kept (Number),
+           ("channel" & Number'Image, Sent (Number),
             16#300# + Word (Number));
       end loop;
-      Expect_Errors ("a scan", None);
+      Expect_Errors ("a scan", Errors, None);
    end Whole_Scan;
 
    procedure Whole_Scan is
+      Unused_Reached : Channel_Count;
    begin
+      --  Whatever was before, a scan that is done comes first.
+      Clear;
+      Handler.Begin_Scan (Unused_Reached);
+      for Number in Channel loop
+         Convert (0);
+      end loop;
       Whole_Scan (Reached => 32);
    end Whole_Scan;
 
    procedure Stray_Interrupt is
    begin
       Whole_Scan;
-      Board_Data := 16#ABC#;
-      Handler.Handle_Interrupt;
-      Expect_Number ("starts", Started, 32);
-      Expect_Number ("sent", Words.Sent, 1);
+      Convert (16#ABC#);
+      Expect_No_Start ("after the scan");
+      Words.Expect_Counts ("nothing more sent", ADINT_Variable, 1, 1);
       Expect_Errors
-        ("after the scan", (1 => AD_Unexpected_Interrupt),
+        ("after the scan", Errors, (1 => AD_Unexpected_Interrupt),
          Detail => 16#ABC#);
    end Stray_Interrupt;
 
    procedure Broken_Off_Scan is
-      Reached : Channel_Count;
+      Unused_Reached : Channel_Count;
    begin
       --  The board stalls at any channel; the next scan is whole.
       for Stall in Channel loop
          Clear;
-         Started := 0;
-         Handler.Begin_Scan (Reached);
-         Board_Data := 1;
+         Handler.Begin_Scan (Unused_Reached);
          for Number in 1 .. Stall loop
-            Handler.Handle_Interrupt;
+            Convert (1);
          end loop;
-         Expect_Number ("sent", Words.Sent, 0);
+         Words.Expect_Counts ("sent", ADINT_Variable, 0, 0);
          Whole_Scan (Reached => Channel_Count (Stall));
       end loop;
    end Broken_Off_Scan;
@@ -177,60 +212,77 @@ package body AD_Tests is
       Unused_Reached : Channel_Count;
    begin
       Clear;
-      Words.Succeeds := False;
+      Words.Give (ADINT_Variable, (others => 1));
       Handler.Begin_Scan (Unused_Reached);
       for Number in Channel loop
-         Handler.Handle_Interrupt;
+         Convert (2);
       end loop;
-      Expect_Errors ("overwritten", (1 => Scan_Not_Consumed));
+      Expect_Errors ("overwritten", Errors, (1 => Scan_Not_Consumed));
+      Expect
+        ("the newest", Words.Taken ("a scan", ADINT_Variable) (31), 2);
    end Not_Consumed;
 
    procedure Fresh_Scan is
+      Image : AD_Image;
    begin
       Clear;
-      Scans_Begun := 0;
       AD.Initialise;
       Expect_Number ("scans begun at first", Scans_Begun, 1);
-      Words.Given := Image_Of (16#100#, 0).Words;
+      Expect_Start (0);
+      Images.Expect_Counts ("nothing sent at first", AD_Variable, 0, 0);
+      Words.Give (ADINT_Variable, Image_Of (16#100#, 0).Words);
       AD.Run_Transaction;
-      Expect_Number ("received", Words.Received, 1);
-      Expect_Number ("sent", Image.Sent, 1);
-      Expect ("error word", Image.Kept.Error_Status, No_Error);
+      Words.Expect_Counts ("received", ADINT_Variable, 1, 1);
+      Images.Expect_Counts ("sent", AD_Variable, 1, 0);
+      Image := Images.Taken ("image", AD_Variable);
+      Expect ("error word", Image.Error_Status, No_Error);
       for Number in Channel loop
          Expect
-           ("channel" & Number'Image, Image.Kept.Words (Number),
+           ("channel" & Number'Image, Image.Words (Number),
             16#100# + Word (Number));
       end loop;
       Expect_Number ("scans begun", Scans_Begun, 2);
-      Expect_Errors ("a fresh scan", None);
+      Expect_Start (0);
+      Expect_Errors ("a fresh scan", Errors, None);
    end Fresh_Scan;
 
    procedure Old_Scan is
+      Image : AD_Image;
    begin
-      Clear;
-      Scans_Begun := 0;
-      Words.Given := Image_Of (16#100#, 0).Words;
+      Fresh_Scan;
+      for Number in 1 .. 17 loop
+         Convert (0);
+      end loop;
       AD.Run_Transaction;
-      Words.Is_Fresh := False;
-      Scan_Reached   := 17;
-      AD.Run_Transaction;
-      Expect_Number ("sent all the same", Image.Sent, 2);
-      Expect ("error word", Image.Kept.Error_Status, Stale_Data);
-      Expect ("the words before", Image.Kept.Words (31), 16#11F#);
-      Expect_Number ("scans begun", Scans_Begun, 2);
-      Expect_Errors ("no scan", (1 => AD_No_Scan), Detail => 17);
+      Image := Images.Taken ("sent all the same", AD_Variable);
+      Expect ("error word", Image.Error_Status, Stale_Data);
+      Expect ("the words before", Image.Words (31), 16#11F#);
+      Expect_Number ("scans begun", Scans_Begun, 3);
+      Expect_Start (0);
+      Expect_Errors ("no scan", Errors, (1 => AD_No_Scan), Detail => 17);
 
-      Words.Is_Fresh := True;
+      for Number in Channel loop
+         Convert (16#200#);
+      end loop;
       AD.Run_Transaction;
-      Expect ("error word cleared", Image.Kept.Error_Status, No_Error);
+      Image := Images.Taken ("the next", AD_Variable);
+      Expect ("error word cleared", Image.Error_Status, No_Error);
+      Expect ("the new words", Image.Words (31), 16#200#);
+      Expect_Errors ("a scan again", Errors, None);
    end Old_Scan;
 
    procedure Image_Unread is
    begin
       Clear;
-      Image.Succeeds := False;
-      AD.Run_Transaction;
-      Expect_Errors ("overwritten", (1 => Image_Not_Consumed));
+      for Mark in Word range 1 .. 2 loop
+         Words.Give (ADINT_Variable, (others => Mark));
+         AD.Run_Transaction;
+         Expect_Errors
+           ("image" & Mark'Image, Errors,
+            (if Mark = 1 then None else (1 => Image_Not_Consumed)));
+      end loop;
+      Expect
+        ("the newest", Images.Taken ("an image", AD_Variable).Words (0), 2);
    end Image_Unread;
 
    procedure The_Board is
@@ -267,13 +319,11 @@ package body AD_Tests is
       Expect ("data of the other", Board.Data, 16#456#);
    end The_Board;
 
-   package Hardware is new Devices.Shared_AD_Board;
-
    procedure Each_Start_Once is
+      Hardware  : Devices.Shared_AD_Board.Board;
       Wanted    : Boolean;
       Interrupt : Boolean;
       Number    : Channel_Number;
-      Data      : Word;
    begin
       Hardware.Take_Start (Wanted, Number);
       Expect ("at power up", Wanted, False);
@@ -286,15 +336,14 @@ package body AD_Tests is
       Expect ("wanted again", Wanted, False);
       Hardware.Finish (16#DEF#, Interrupt);
       Expect ("interrupt", Interrupt, True);
-      Hardware.Read (Data);
-      Expect ("data", Data, 16#DEF#);
+      Expect ("data", Hardware.Data, 16#DEF#);
    end Each_Start_Once;
 
    procedure Abandoned is
+      Hardware  : Devices.Shared_AD_Board.Board;
       Wanted    : Boolean;
       Interrupt : Boolean;
       Number    : Channel_Number;
-      Data      : Word;
    begin
       Hardware.Initialise;
       Hardware.Start (31);
@@ -308,15 +357,13 @@ package body AD_Tests is
       Hardware.Start (0);
       Hardware.Finish (16#800#, Interrupt);
       Expect ("interrupt", Interrupt, False);
-      Hardware.Read (Data);
-      Expect ("data", Data, 16#111#);
+      Expect ("data", Hardware.Data, 16#111#);
       Hardware.Take_Start (Wanted, Number);
       Expect ("channel 0 wanted", Wanted, True);
       Expect_Number ("channel", Integer (Number), 0);
       Hardware.Finish (16#222#, Interrupt);
       Expect ("interrupt of channel 0", Interrupt, True);
-      Hardware.Read (Data);
-      Expect ("data of channel 0", Data, 16#222#);
+      Expect ("data of channel 0", Hardware.Data, 16#222#);
    end Abandoned;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

@@ -1,11 +1,14 @@
 with Checks;              use Checks;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.Shared_CORE_Memory;
 with Expectations;        use Expectations;
-with Task_Doubles;        use Task_Doubles;
+with Task_Rig;            use Task_Rig;
 with URVOS;               use URVOS;
 with URV.CORE_Layout;     use URV.CORE_Layout;
 with URV.CORE_Task;
 with URV.Errors;          use URV.Errors;
+with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Shared_Errors;
 
 package body CORE_Tests is
 
@@ -15,69 +18,36 @@ package body CORE_Tests is
    procedure Codes;
    procedure Cold_Memory;
 
-   --  The memory under the task, and how often each area was written.
-   CORE            : Memory  := Cleared;
-   Codes_Writes    : Natural := 0;
-   Uplink_Writes   : Natural := 0;
-   Downlink_Writes : Natural := 0;
+   --  What the task is between.
 
-   procedure Write_Codes
-     (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words;
-      Status_Codes   : Status_Words);
-   procedure Write_Uplink (Words : Uplink_Words);
-   procedure Write_Downlink (Words : Downlink_Words);
+   Uplink   : For_Uplink.Variable;
+   Downlink : For_Downlink.Variable;
+   Board    : Devices.Shared_CORE_Memory.Board;
+   Errors   : URV.Shared_Errors.Shared_Log;
+
+   package Under_Test is new URV.CORE_Task
+     (Uplink, Downlink, Board, Errors);
 
    --  Nothing written yet.
    procedure Begin_Test;
 
-   package Under_Test is new URV.CORE_Task
-     (Receive_Uplink   => Uplink.Receive,
-      Receive_Downlink => Downlink.Receive,
-      Write_Codes      => Write_Codes,
-      Write_Uplink     => Write_Uplink,
-      Write_Downlink   => Write_Downlink,
-      Report           => Report);
-
-   procedure Write_Codes
-     (Uplink_Codes   : Uplink_Words;
-      Downlink_Codes : Downlink_Words;
-      Status_Codes   : Status_Words) is
-   begin
-      CORE.Status_Codes   := Status_Codes;
-      CORE.Uplink_Codes   := Uplink_Codes;
-      CORE.Downlink_Codes := Downlink_Codes;
-      Codes_Writes        := Codes_Writes + 1;
-   end Write_Codes;
-
-   procedure Write_Uplink (Words : Uplink_Words) is
-   begin
-      CORE.Uplink   := Words;
-      Uplink_Writes := Uplink_Writes + 1;
-   end Write_Uplink;
-
-   procedure Write_Downlink (Words : Downlink_Words) is
-   begin
-      CORE.Downlink   := Words;
-      Downlink_Writes := Downlink_Writes + 1;
-   end Write_Downlink;
-
    procedure Begin_Test is
    begin
-      Clear;
-      CORE            := Cleared;
-      Codes_Writes    := 0;
-      Uplink_Writes   := 0;
-      Downlink_Writes := 0;
+      Uplink.Reset;
+      Downlink.Reset;
+      Board.Clear;
+      Errors.Clear;
       Under_Test.Initialise;
    end Begin_Test;
 
    procedure Both_Are_New is
+      CORE : Memory;
    begin
       Begin_Test;
-      Uplink.Given   := Uplink_Of (16#100#);
-      Downlink.Given := Downlink_Of (16#200#);
+      Up.Give (Uplink, Uplink_Of (16#100#));
+      Down.Give (Downlink, Downlink_Of (16#200#));
       Under_Test.Run_Transaction;
+      CORE := Board.Contents;
       for I in CORE.Uplink'Range loop
          Expect
            ("uplink word" & I'Image, CORE.Uplink (I),
@@ -92,37 +62,48 @@ package body CORE_Tests is
         ("read back", To_Buffer (CORE.Uplink), Uplink_Of (16#100#));
       Expect_Buffer
         ("read back", To_Buffer (CORE.Downlink), Downlink_Of (16#200#));
-      Expect_Errors ("both new", None);
+      Expect_Errors ("both new", Errors, None);
    end Both_Are_New;
 
    procedure One_Is_New is
+
+      --  What only somebody else can have written.
+      Foreign_Up   : constant Uplink_Words   := (others => 16#500#);
+      Foreign_Down : constant Downlink_Words := (others => 16#600#);
+
+      CORE : Memory;
    begin
       for Up_Is_New in Boolean loop
          for Down_Is_New in Boolean loop
             Both_Are_New;
-            Uplink.Given      := Uplink_Of (16#300#);
-            Uplink.Is_Fresh   := Up_Is_New;
-            Downlink.Given    := Downlink_Of (16#400#);
-            Downlink.Is_Fresh := Down_Is_New;
+            Board.Write_Uplink (Foreign_Up);
+            Board.Write_Downlink (Foreign_Down);
+            if Up_Is_New then
+               Up.Give (Uplink, Uplink_Of (16#300#));
+            end if;
+            if Down_Is_New then
+               Down.Give (Downlink, Downlink_Of (16#400#));
+            end if;
             Under_Test.Run_Transaction;
-            Expect_Number
-              ("uplink writes", Uplink_Writes,
-               (if Up_Is_New then 2 else 1));
-            Expect_Number
-              ("downlink writes", Downlink_Writes,
-               (if Down_Is_New then 2 else 1));
+            CORE := Board.Contents;
             Expect
-              ("uplink", CORE.Uplink (1),
-               (if Up_Is_New then 16#300# else 16#100#));
+              ("uplink",
+               CORE.Uplink =
+                 (if Up_Is_New then To_Words (Uplink_Of (16#300#))
+                  else Foreign_Up),
+               True);
             Expect
-              ("downlink", CORE.Downlink (1),
-               (if Down_Is_New then 16#400# else 16#200#));
-            Expect
-              ("missing uplinks", Errors (CORE_No_Uplink),
-               (if Up_Is_New then 0 else 1));
-            Expect
-              ("missing downlinks", Errors (CORE_No_Downlink),
-               (if Down_Is_New then 0 else 1));
+              ("downlink",
+               CORE.Downlink =
+                 (if Down_Is_New then To_Words (Downlink_Of (16#400#))
+                  else Foreign_Down),
+               True);
+            Expect_Errors
+              ("missing", Errors,
+               (if Up_Is_New and Down_Is_New then None
+                elsif Up_Is_New then (1 => CORE_No_Downlink)
+                elsif Down_Is_New then (1 => CORE_No_Uplink)
+                else (CORE_No_Uplink, CORE_No_Downlink)));
          end loop;
       end loop;
    end One_Is_New;
@@ -130,14 +111,33 @@ package body CORE_Tests is
    procedure Codes is
       type Seen_Codes is array (Word) of Boolean;
       Seen : Seen_Codes := (others => False);
+      CORE : Memory;
+
+      --  Whether a transaction writes the codes, over what is there.
+      procedure Expect_Written (What : String; Expected : Boolean);
+
+      procedure Expect_Written (What : String; Expected : Boolean) is
+      begin
+         Board.Write_Codes ((others => 1), (others => 2), (others => 3));
+         Under_Test.Run_Transaction;
+         CORE := Board.Contents;
+         Expect
+           (What,
+            CORE.Uplink_Codes = Uplink_Type_Codes
+            and then CORE.Downlink_Codes = Downlink_Type_Codes
+            and then CORE.Status_Codes = Status_Type_Codes,
+            Expected);
+         Expect
+           (What & ", left as they are",
+            (for all Code of CORE.Uplink_Codes => Code = 1)
+            and then (for all Code of CORE.Downlink_Codes => Code = 2)
+            and then (for all Code of CORE.Status_Codes => Code = 3),
+            not Expected);
+      end Expect_Written;
+
    begin
       Begin_Test;
-      Uplink.Is_Fresh   := False;
-      Downlink.Is_Fresh := False;
-      for Run in 1 .. 3 loop
-         Under_Test.Run_Transaction;
-         Expect_Number ("writes of the codes", Codes_Writes, 1);
-      end loop;
+      Expect_Written ("written at first", True);
 
       --  Each item has a code of its own, and none has the cleared one.
       for Code of CORE.Uplink_Codes loop
@@ -156,9 +156,12 @@ package body CORE_Tests is
         ("first status code", CORE.Status_Codes (Start_Condition), 16#301#);
       Expect ("code of cleared memory is taken", Seen (0), False);
 
+      for Run in 1 .. 2 loop
+         Expect_Written ("not again", False);
+      end loop;
       Under_Test.Initialise;
-      Under_Test.Run_Transaction;
-      Expect_Number ("writes after a start", Codes_Writes, 2);
+      Expect_Written ("after a start", True);
+      Expect_Written ("and not again", False);
    end Codes;
 
    procedure Cold_Memory is

@@ -34,10 +34,12 @@ package body Error_Log_Tests is
       First, Last : Clock_Tick;
       Detail      : Word);
 
-   package Shell is new URV.Shared_Errors;
+   Shell : URV.Shared_Errors.Shared_Log;
 
    function Of_Shell
-     (Kind : URV.Errors.Error_Kind) return URV.Errors.Logs.History;
+     (Kind : URV.Errors.Error_Kind) return URV.Errors.Logs.History
+   is
+     (URV.Errors.Logs.History_Of (Shell.Contents, Kind));
 
    procedure Expect_In_Shell
      (What        : String;
@@ -58,15 +60,6 @@ package body Error_Log_Tests is
       Expect (What & ", last", Actual.Last, Last);
       Expect (What & ", detail", Actual.Last_Detail, Detail);
    end Expect_History;
-
-   function Of_Shell
-     (Kind : URV.Errors.Error_Kind) return URV.Errors.Logs.History
-   is
-      Log : URV.Errors.Error_Log;
-   begin
-      Shell.Inspect (Log);
-      return URV.Errors.Logs.History_Of (Log, Kind);
-   end Of_Shell;
 
    procedure Expect_In_Shell
      (What        : String;

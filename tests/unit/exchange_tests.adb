@@ -1,15 +1,13 @@
-with Checks;       use Checks;
-with Expectations; use Expectations;
-with Task_Doubles; use Task_Doubles;
-with URVOS;        use URVOS;
-with URV.Buffers;  use URV.Buffers;
-with URV.Errors;   use URV.Errors;
-with URV.Log_Pieces;  use URV.Log_Pieces;
-with URV.GDCIN_Task;
-with URV.GDCOUT_Task;
-with URV.MDCIN_Task;
-with URV.MDCOUT_Task;
-with URV.Routing;      use URV.Routing;
+with Checks;         use Checks;
+with Expectations;   use Expectations;
+with GSC;
+with MCS;
+with Task_Rig;       use Task_Rig;
+with URVOS;          use URVOS;
+with URV.Buffers;    use URV.Buffers;
+with URV.Errors;     use URV.Errors;
+with URV.Log_Pieces; use URV.Log_Pieces;
+with URV.Routing;    use URV.Routing;
 
 package body Exchange_Tests is
 
@@ -24,213 +22,294 @@ package body Exchange_Tests is
    procedure Ground_In_Too_Large;
    procedure Ground_Out;
 
-   --  The pieces of the log that go down, and the last that came.
-   Down, Came : Piece := No_Piece;
+   --  Both nodes' variables, logs and status as new; no piece of a log is
+   --  on its way.
+   procedure Clear;
 
-   procedure Next_Piece (Item : out Piece);
-   procedure Take_Piece (Item : Piece);
+   --  What the aircraft's tasks have produced.
+   procedure Expect_Commands_Sent (What : String; Expected : Uplink_Buffer);
 
-   package MDCIN is new URV.MDCIN_Task
-     (Input_Up.Receive, Uplink.Send, Commands.Send, Report);
-
-   package MDCOUT is new URV.MDCOUT_Task
-     (Image.Receive, Downlink.Send, Output_Down.Send, Read_Status,
-      Next_Piece, Report);
-
-   package GDCIN is new URV.GDCIN_Task
-     (Input_Down.Receive, Downlink.Send, Take_Piece, Report);
-
-   package GDCOUT is new URV.GDCOUT_Task
-     (Image.Receive, Uplink.Send, Output_Up.Send, Read_Status, Report);
-
-   procedure Next_Piece (Item : out Piece) is
+   procedure Clear is
    begin
-      Item := Down;
-   end Next_Piece;
+      MCS.Reset_Variables;
+      MCS.Errors.Clear;
+      MCS.Status.Write (No_Error);
+      MCS.Log_Sender.Progress.Write ((others => <>));
+      GSC.Reset_Variables;
+      GSC.Errors.Clear;
+      GSC.Status.Write (No_Error);
+      GSC.Log_Receiver.Incoming.Write ((others => <>));
+   end Clear;
 
-   procedure Take_Piece (Item : Piece) is
+   procedure Expect_Commands_Sent (What : String; Expected : Uplink_Buffer)
+   is
    begin
-      Came := Item;
-   end Take_Piece;
+      Expect_Buffer
+        (What & ", to CORE", Up.Taken ("to CORE", MCS.Uplink_Variable),
+         Expected);
+      Expect_Buffer
+        (What & ", to PWM", Up.Taken ("to PWM", MCS.PWM_Variable), Expected);
+   end Expect_Commands_Sent;
 
    procedure Aircraft_In is
    begin
       Clear;
-      Input_Up.Given := Uplink_Of (16#100#);
-      MDCIN.Run_Transaction;
-      Expect_Number ("received", Input_Up.Received, 1);
-      Expect_Number ("sent to CORE", Uplink.Sent, 1);
-      Expect_Number ("sent to PWM", Commands.Sent, 1);
-      Expect_Buffer ("to CORE", Uplink.Kept, Uplink_Of (16#100#));
-      Expect_Buffer ("to PWM", Commands.Kept, Uplink_Of (16#100#));
-      Expect_Errors ("fresh input", None);
+      Up.Give (MCS.TELIN_Variable, Uplink_Of (16#100#));
+      MCS.MDCIN.Run_Transaction;
+      Up.Expect_Counts ("received", MCS.TELIN_Variable, 1, 1);
+      Up.Expect_Counts ("sent to CORE", MCS.Uplink_Variable, 1, 0);
+      Up.Expect_Counts ("sent to PWM", MCS.PWM_Variable, 1, 0);
+      Expect_Commands_Sent ("fresh input", Uplink_Of (16#100#));
+      Expect_Errors ("fresh input", MCS.Errors, None);
    end Aircraft_In;
 
    procedure Aircraft_In_Old is
    begin
-      Clear;
-      Input_Up.Given    := Uplink_Of (16#100#);
-      Input_Up.Is_Fresh := False;
-      MDCIN.Run_Transaction;
-      Expect_Buffer ("to CORE", Uplink.Kept, As_Old (Uplink_Of (16#100#)));
-      Expect_Buffer ("to PWM", Commands.Kept, As_Old (Uplink_Of (16#100#)));
-      Expect_Number ("sent to CORE", Uplink.Sent, 1);
-      Expect_Number ("sent to PWM", Commands.Sent, 1);
-      Expect_Errors ("old input", (1 => No_Input));
+      Aircraft_In;
+      MCS.MDCIN.Run_Transaction;
+      Up.Expect_Counts ("received", MCS.TELIN_Variable, 1, 1, Misses => 1);
+      Up.Expect_Counts ("sent to CORE", MCS.Uplink_Variable, 2, 1);
+      Up.Expect_Counts ("sent to PWM", MCS.PWM_Variable, 2, 1);
+      Expect_Commands_Sent ("old input", As_Old (Uplink_Of (16#100#)));
+      Expect_Errors ("old input", MCS.Errors, (1 => No_Input));
    end Aircraft_In_Old;
 
    procedure Aircraft_In_Unread is
    begin
       Clear;
-      Uplink.Succeeds := False;
-      MDCIN.Run_Transaction;
-      Expect_Number ("sent to PWM all the same", Commands.Sent, 1);
-      Expect_Errors ("CORE did not take", (1 => Uplink_Not_Consumed));
+      Up.Give (MCS.Uplink_Variable, Uplink_Of (16#100#));
+      Up.Give (MCS.TELIN_Variable, Uplink_Of (16#200#));
+      MCS.MDCIN.Run_Transaction;
+      Expect_Commands_Sent
+        ("sent to both all the same", Uplink_Of (16#200#));
+      Expect_Errors
+        ("CORE did not take", MCS.Errors, (1 => Uplink_Not_Consumed));
 
-      Uplink.Succeeds   := True;
-      Commands.Succeeds := False;
-      MDCIN.Run_Transaction;
-      Expect_Errors ("PWM did not take", (1 => Commands_Not_Consumed));
+      Up.Give (MCS.PWM_Variable, Uplink_Of (16#200#));
+      Up.Give (MCS.TELIN_Variable, Uplink_Of (16#300#));
+      MCS.MDCIN.Run_Transaction;
+      Expect_Commands_Sent ("the newest to both", Uplink_Of (16#300#));
+      Expect_Errors
+        ("PWM did not take", MCS.Errors, (1 => Commands_Not_Consumed));
    end Aircraft_In_Unread;
 
    procedure Aircraft_In_Too_Large is
+      Item : Uplink_Buffer;
    begin
-      for Item in Command_Item loop
+      for Which in Command_Item loop
          Clear;
-         Input_Up.Given (Item) := 16#1000#;
-         MDCIN.Run_Transaction;
-         Expect_Buffer ("to CORE", Uplink.Kept, Input_Up.Given);
+         Item := Uplink_Of (16#100#);
+         Item (Which) := 16#1000#;
+         Up.Give (MCS.TELIN_Variable, Item);
+         MCS.MDCIN.Run_Transaction;
+         Expect_Commands_Sent ("as they came", Item);
          Expect_Errors
-           (Item'Image, (1 => Input_Out_Of_Range),
-            Detail => Command_Item'Pos (Item) + 1);
+           (Which'Image, MCS.Errors, (1 => Input_Out_Of_Range),
+            Detail => Command_Item'Pos (Which) + 1);
       end loop;
 
       --  The error word may hold anything.
       Clear;
-      Input_Up.Given (Error_Status) := 16#FFFF#;
-      MDCIN.Run_Transaction;
-      Expect_Errors ("error word", None);
+      Item := Uplink_Of (16#100#);
+      Item (Error_Status) := 16#FFFF#;
+      Up.Give (MCS.TELIN_Variable, Item);
+      MCS.MDCIN.Run_Transaction;
+      Expect_Errors ("error word", MCS.Errors, None);
    end Aircraft_In_Too_Large;
 
    procedure Aircraft_Out is
+      To_CORE : Downlink_Buffer;
    begin
       Clear;
-      Image.Given := Image_Of (16#100#, Error => 16#7#);
-      MDCOUT.Run_Transaction;
+      Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 16#7#));
+      MCS.MDCOUT.Run_Transaction;
+      Images.Expect_Counts ("received", MCS.AD_Variable, 1, 1);
+      Down.Expect_Counts ("sent to CORE", MCS.Downlink_Variable, 1, 0);
+      Down.Expect_Counts ("sent to TELOUT", MCS.TELOUT_Variable, 1, 0);
+      To_CORE := Down.Taken ("to CORE", MCS.Downlink_Variable);
       for Item in Sensor_Item loop
-         Expect
-           (Item'Image, Downlink.Kept (Item), Downlink_Of (16#100#) (Item));
+         Expect (Item'Image, To_CORE (Item), Downlink_Of (16#100#) (Item));
       end loop;
-      Expect ("error word", Downlink.Kept (Error_Status), 16#7#);
-      Expect_Buffer ("to TELOUT", Output_Down.Kept, Downlink.Kept);
-      Expect_Number ("received", Image.Received, 1);
-      Expect_Number ("sent to CORE", Downlink.Sent, 1);
-      Expect_Number ("sent to TELOUT", Output_Down.Sent, 1);
-      Expect_Errors ("fresh image", None);
+      Expect ("error word", To_CORE (Error_Status), 16#7#);
+      Expect_Buffer
+        ("to TELOUT", Down.Taken ("to TELOUT", MCS.TELOUT_Variable),
+         To_CORE);
+      Expect_Errors ("fresh image", MCS.Errors, None);
 
-      Status := 16#8#;
-      MDCOUT.Run_Transaction;
-      Expect ("with the node's own", Downlink.Kept (Error_Status), 16#F#);
+      MCS.Status.Write (16#8#);
+      Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 16#7#));
+      MCS.MDCOUT.Run_Transaction;
+      Expect
+        ("with the node's own",
+         Down.Taken ("to CORE", MCS.Downlink_Variable) (Error_Status),
+         16#F#);
+      Expect
+        ("down, too",
+         Down.Taken ("to TELOUT", MCS.TELOUT_Variable) (Error_Status),
+         16#F#);
 
-      --  The log's piece goes down, and not to CORE.
-      Down := 16#ABC#;
-      MDCOUT.Run_Transaction;
-      Expect ("CORE has no piece", Downlink.Kept (Error_Status), 16#F#);
-      Expect ("down it goes", Output_Down.Kept (Error_Status), 16#ABCF#);
-      Down := No_Piece;
+      --  The log's pieces go down, and not to CORE: the number of the row,
+      --  then its words.
+      MCS.Errors.Report (No_Input, 0);
+      for Piece in Word range 1 .. 2 loop
+         Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 16#7#));
+         MCS.MDCOUT.Run_Transaction;
+         Expect
+           ("CORE has no piece",
+            Down.Taken ("to CORE", MCS.Downlink_Variable) (Error_Status),
+            16#F#);
+         Expect
+           ("down it goes",
+            Down.Taken ("to TELOUT", MCS.TELOUT_Variable) (Error_Status),
+            (if Piece = 1 then 16#107F# else 16#200F#));
+      end loop;
    end Aircraft_Out;
 
    procedure Aircraft_Out_Old is
+      To_CORE, To_Ground : Downlink_Buffer;
    begin
       Clear;
-      Image.Given    := Image_Of (16#100#, Error => 0);
-      Image.Is_Fresh := False;
-      MDCOUT.Run_Transaction;
-      Expect ("to CORE", Downlink.Kept (Altitude), 16#119#);
-      Expect ("to TELOUT", Output_Down.Kept (Altitude), 16#119#);
-      Expect ("the mark", Downlink.Kept (Error_Status), Stale_Data);
-      Expect ("the mark, down", Output_Down.Kept (Error_Status), Stale_Data);
-      Expect_Errors ("old image", (1 => No_Image));
+      Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 0));
+      MCS.MDCOUT.Run_Transaction;
+      To_CORE := Down.Taken ("to CORE", MCS.Downlink_Variable);
+      To_Ground := Down.Taken ("to TELOUT", MCS.TELOUT_Variable);
+      Expect ("no mark", To_CORE (Error_Status), No_Error);
+      Expect ("no mark, down", To_Ground (Error_Status), No_Error);
+      Expect_Errors ("fresh image", MCS.Errors, None);
 
-      Image.Is_Fresh       := True;
-      Downlink.Succeeds    := False;
-      Output_Down.Succeeds := False;
-      MDCOUT.Run_Transaction;
-      Expect_Errors
-        ("nobody took", (Downlink_Not_Consumed, Output_Not_Consumed));
+      MCS.MDCOUT.Run_Transaction;
+      To_CORE := Down.Taken ("to CORE", MCS.Downlink_Variable);
+      To_Ground := Down.Taken ("to TELOUT", MCS.TELOUT_Variable);
+      Expect ("to CORE", To_CORE (Altitude), 16#119#);
+      Expect ("to TELOUT", To_Ground (Altitude), 16#119#);
+      Expect ("the mark", To_CORE (Error_Status), Stale_Data);
+
+      --  The error itself goes down as a piece of the log.
+      Expect
+        ("the mark, down", Without_Piece (To_Ground (Error_Status)),
+         Stale_Data);
+      Expect_Errors ("old image", MCS.Errors, (1 => No_Image));
+
+      for Time in 1 .. 2 loop
+         Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 0));
+         MCS.MDCOUT.Run_Transaction;
+         Expect_Errors
+           ("nobody took", MCS.Errors,
+            (if Time = 1 then None
+             else (Downlink_Not_Consumed, Output_Not_Consumed)));
+      end loop;
    end Aircraft_Out_Old;
 
    procedure Ground_In is
+      Item : Downlink_Buffer := Downlink_Of (16#200#);
+
+      --  A message comes, with such an error/status word, and CORE gets it
+      --  with its flags.
+      procedure Receive (Error : Word; Flags : Word);
+
+      procedure Expect_Pieces (What : String; Number : Word);
+
+      procedure Receive (Error : Word; Flags : Word) is
+      begin
+         Item (Error_Status) := Error;
+         Down.Give (GSC.TELIN_Variable, Item);
+         GSC.GDCIN.Run_Transaction;
+         Item (Error_Status) := Flags;
+         Expect_Buffer
+           ("to CORE", Down.Taken ("to CORE", GSC.Downlink_Variable), Item);
+         Expect_Errors ("fresh input", GSC.Errors, None);
+      end Receive;
+
+      procedure Expect_Pieces (What : String; Number : Word) is
+      begin
+         Expect
+           (What, Word (GSC.Log_Receiver.Incoming.Contents.Got), Number);
+      end Expect_Pieces;
+
    begin
       Clear;
-      Input_Down.Given := Downlink_Of (16#200#);
-      GDCIN.Run_Transaction;
-      Expect_Buffer ("to CORE", Downlink.Kept, Downlink_Of (16#200#));
-      Expect_Number ("sent", Downlink.Sent, 1);
-      Expect_Errors ("fresh input", None);
+      Receive (Error => 0, Flags => 0);
+      Down.Expect_Counts ("received", GSC.TELIN_Variable, 1, 1);
+      Down.Expect_Counts ("sent", GSC.Downlink_Variable, 1, 1);
+      Expect_Pieces ("no piece", 0);
 
       --  A piece of the log is taken out, unless it came before.
-      Input_Down.Given (Error_Status) := 16#ABC4#;
-      GDCIN.Run_Transaction;
-      Expect ("the piece", Came, 16#ABC#);
-      Expect ("CORE's flags", Downlink.Kept (Error_Status), 4);
-      Input_Down.Given (Error_Status) := 16#1235#;
-      GDCIN.Run_Transaction;
-      Expect ("no piece of an old one", Came, 16#ABC#);
-      Expect ("CORE's flags, old", Downlink.Kept (Error_Status), 5);
-      Input_Down.Given := Downlink_Of (16#200#);
-      Downlink.Clear;
+      Receive (Error => 16#1074#, Flags => 4);
+      Expect_Pieces ("the first piece", 1);
+      Expect
+        ("its row", Word (GSC.Log_Receiver.Incoming.Contents.Which), 7);
+      Receive (Error => 16#2AB5#, Flags => 5);
+      Expect_Pieces ("no piece of an old one", 1);
+      Receive (Error => 16#2CD0#, Flags => 0);
+      Expect_Pieces ("the second piece", 2);
 
-      Input_Down.Is_Fresh := False;
-      GDCIN.Run_Transaction;
+      GSC.GDCIN.Run_Transaction;
       Expect_Buffer
-        ("old, to CORE", Downlink.Kept, As_Old (Downlink_Of (16#200#)));
-      Expect_Number ("sent again", Downlink.Sent, 1);
-      Expect_Errors ("old input", (1 => No_Input));
+        ("old, to CORE", Down.Taken ("again", GSC.Downlink_Variable),
+         As_Old (Downlink_Of (16#200#)));
+      Expect_Pieces ("no piece of what did not come", 2);
+      Expect_Errors ("old input", GSC.Errors, (1 => No_Input));
 
-      Input_Down.Is_Fresh := True;
-      Downlink.Succeeds   := False;
-      GDCIN.Run_Transaction;
-      Expect_Errors ("CORE did not take", (1 => Downlink_Not_Consumed));
+      Down.Give (GSC.Downlink_Variable, Downlink_Of (16#100#));
+      Down.Give (GSC.TELIN_Variable, Downlink_Of (16#200#));
+      GSC.GDCIN.Run_Transaction;
+      Expect_Buffer
+        ("to CORE", Down.Taken ("the newest", GSC.Downlink_Variable),
+         Downlink_Of (16#200#));
+      Expect_Errors
+        ("CORE did not take", GSC.Errors, (1 => Downlink_Not_Consumed));
    end Ground_In;
 
    procedure Ground_In_Too_Large is
+      Item : Downlink_Buffer;
    begin
-      for Item in Sensor_Item loop
+      for Which in Sensor_Item loop
          Clear;
-         Input_Down.Given (Item) := 16#FFFF#;
-         GDCIN.Run_Transaction;
-         Expect_Buffer ("to CORE", Downlink.Kept, Input_Down.Given);
+         Item := Downlink_Of (16#100#);
+         Item (Which) := 16#FFFF#;
+         Down.Give (GSC.TELIN_Variable, Item);
+         GSC.GDCIN.Run_Transaction;
+         Expect_Buffer
+           ("to CORE", Down.Taken ("to CORE", GSC.Downlink_Variable), Item);
          Expect_Errors
-           (Item'Image, (1 => Input_Out_Of_Range),
-            Detail => Sensor_Item'Pos (Item) + 1);
+           (Which'Image, GSC.Errors, (1 => Input_Out_Of_Range),
+            Detail => Sensor_Item'Pos (Which) + 1);
       end loop;
    end Ground_In_Too_Large;
 
    procedure Ground_Out is
+      To_CORE : Uplink_Buffer;
    begin
       Clear;
-      Image.Given := Image_Of (16#300#, Error => 16#99#);
-      GDCOUT.Run_Transaction;
+      Stick_Images.Give
+        (GSC.AD_Variable, Image_Of (16#300#, Error => 16#91#));
+      GSC.Status.Write (16#8#);
+      GSC.GDCOUT.Run_Transaction;
+      Stick_Images.Expect_Counts ("received", GSC.AD_Variable, 1, 1);
+      Up.Expect_Counts ("sent to CORE", GSC.Uplink_Variable, 1, 0);
+      Up.Expect_Counts ("sent to TELOUT", GSC.TELOUT_Variable, 1, 0);
+      To_CORE := Up.Taken ("to CORE", GSC.Uplink_Variable);
       for Item in Command_Item loop
-         Expect (Item'Image, Uplink.Kept (Item), Uplink_Of (16#300#) (Item));
+         Expect (Item'Image, To_CORE (Item), Uplink_Of (16#300#) (Item));
       end loop;
-      Expect ("error word", Uplink.Kept (Error_Status), 16#99#);
-      Expect_Buffer ("to TELOUT", Output_Up.Kept, Uplink.Kept);
-      Expect_Number ("sent to CORE", Uplink.Sent, 1);
-      Expect_Number ("sent to TELOUT", Output_Up.Sent, 1);
-      Expect_Errors ("fresh image", None);
+      Expect ("error word", To_CORE (Error_Status), 16#99#);
+      Expect_Buffer
+        ("to TELOUT", Up.Taken ("to TELOUT", GSC.TELOUT_Variable), To_CORE);
+      Expect_Errors ("fresh image", GSC.Errors, None);
 
-      Image.Given        := Image_Of (16#300#, Error => 0);
-      Image.Is_Fresh     := False;
-      Uplink.Succeeds    := False;
-      Output_Up.Succeeds := False;
-      GDCOUT.Run_Transaction;
-      Expect ("old, to TELOUT", Output_Up.Kept (Roll), 16#300#);
-      Expect ("the mark", Uplink.Kept (Error_Status), Stale_Data);
-      Expect ("the mark, up", Output_Up.Kept (Error_Status), Stale_Data);
+      Clear;
+      Stick_Images.Give (GSC.AD_Variable, Image_Of (16#300#, Error => 0));
+      GSC.GDCOUT.Run_Transaction;
+      Expect_Errors ("fresh image", GSC.Errors, None);
+      GSC.GDCOUT.Run_Transaction;
+      Expect_Buffer
+        ("old, to CORE", Up.Taken ("to CORE", GSC.Uplink_Variable),
+         As_Old (Uplink_Of (16#300#)));
+      Expect_Buffer
+        ("old, to TELOUT", Up.Taken ("to TELOUT", GSC.TELOUT_Variable),
+         As_Old (Uplink_Of (16#300#)));
       Expect_Errors
-        ("old image, nobody took",
+        ("old image, nobody took", GSC.Errors,
          (No_Image, Uplink_Not_Consumed, Output_Not_Consumed));
    end Ground_Out;
 

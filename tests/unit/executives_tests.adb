@@ -3,7 +3,6 @@ with Expect_Value;
 with Expectations;       use Expectations;
 with GSC;
 with MCS;
-with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Executives;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
@@ -13,7 +12,6 @@ package body Executives_Tests is
 
    --  The tests, in order.
    procedure Offsets;
-   procedure Trees;
    procedure Each_Frame;
    procedure Overruns;
    procedure Same_Tick_Twice;
@@ -53,6 +51,10 @@ package body Executives_Tests is
 
    Last_Overrun : Task_Id := No_Task;
 
+   --  Tasks are loaded, or the clock ticks, and what is due runs.
+   procedure Start (Tree : Task_Tree; Now : Clock_Tick);
+   procedure Clock_Interrupt (Now : Clock_Tick);
+
    --  The three tasks, loaded at a tick.
    procedure Start (Now : Clock_Tick);
 
@@ -62,7 +64,7 @@ package body Executives_Tests is
       Now       : Clock_Tick;
       Call      : out Kernel_Call) is
    begin
-      Call := (Sleep_Call, Next_Release (Now, Offset_Of (Who)));
+      Call := (Sleep_Call, Next_Release (Now, Offset_Of (Who)), others => <>);
       if not First_Run then
          Ran           := Ran + 1;
          History (Ran) := Who;
@@ -80,76 +82,67 @@ package body Executives_Tests is
       Last_Overrun := Who;
    end Report_Overrun;
 
+   procedure Start (Tree : Task_Tree; Now : Clock_Tick) is
+   begin
+      Executive.Start (Tree, Now);
+      Executive.Run_Until_Idle;
+   end Start;
+
+   procedure Clock_Interrupt (Now : Clock_Tick) is
+   begin
+      Executive.Clock_Interrupt (Now);
+      Executive.Run_Until_Idle;
+   end Clock_Interrupt;
+
    procedure Start (Now : Clock_Tick) is
    begin
-      Executive.Start
+      Start
         (((Early, Now, 3), (Late, Now, 2), (Later, Now, 1),
           others => Null_Header), Now);
    end Start;
 
    procedure Offsets is
-   begin
-      --  The table of FRM-2, in its order.
-      Expect_Number ("MCS TELIN", Integer (MCS.Offsets (MCS.TELIN_Task)), 0);
-      Expect_Number ("MCS AD", Integer (MCS.Offsets (MCS.AD_Task)), 0);
-      Expect_Number ("MDCIN", Integer (MCS.Offsets (MCS.MDCIN_Task)), 1);
-      Expect_Number ("MDCOUT", Integer (MCS.Offsets (MCS.MDCOUT_Task)), 1);
-      Expect_Number ("PWM", Integer (MCS.Offsets (MCS.PWM_Task)), 2);
-      Expect_Number ("MCS TELOUT", Integer (MCS.Offsets (MCS.TELOUT_Task)), 2);
-      Expect_Number ("MCS CORE", Integer (MCS.Offsets (MCS.CORE_Task)), 4);
-      Expect_Number ("GSC TELIN", Integer (GSC.Offsets (GSC.TELIN_Task)), 0);
-      Expect_Number ("GSC AD", Integer (GSC.Offsets (GSC.AD_Task)), 0);
-      Expect_Number ("GDCIN", Integer (GSC.Offsets (GSC.GDCIN_Task)), 1);
-      Expect_Number ("GDCOUT", Integer (GSC.Offsets (GSC.GDCOUT_Task)), 1);
-      Expect_Number ("GSC TELOUT", Integer (GSC.Offsets (GSC.TELOUT_Task)), 2);
-      Expect_Number ("GSC CORE", Integer (GSC.Offsets (GSC.CORE_Task)), 4);
 
-      --  The log and the check of the program memory, which the report
-      --  leaves for later.
-      Expect_Number ("MCS LOG", Integer (MCS.Offsets (MCS.LOG_Task)), 5);
-      Expect_Number ("GSC LOG", Integer (GSC.Offsets (GSC.LOG_Task)), 5);
-      Expect_Number
-        ("MCS test", Integer (MCS.Offsets (MCS.SELF_TEST_Task)), 6);
-      Expect_Number
-        ("GSC test", Integer (GSC.Offsets (GSC.SELF_TEST_Task)), 6);
+      --  The table of FRM-2, and the tasks that the report leaves for later:
+      --  the log and the check of the program memory.
+
+      Of_Aircraft : constant array (MCS.Task_Name) of Minor_Frame :=
+        (MCS.TELIN_Task     => 0,
+         MCS.AD_Task        => 0,
+         MCS.MDCIN_Task     => 1,
+         MCS.MDCOUT_Task    => 1,
+         MCS.PWM_Task       => 2,
+         MCS.TELOUT_Task    => 2,
+         MCS.CORE_Task      => 4,
+         MCS.LOG_Task       => 5,
+         MCS.SELF_TEST_Task => 6);
+
+      Of_Ground : constant array (GSC.Task_Name) of Minor_Frame :=
+        (GSC.TELIN_Task     => 0,
+         GSC.AD_Task        => 0,
+         GSC.GDCIN_Task     => 1,
+         GSC.GDCOUT_Task    => 1,
+         GSC.TELOUT_Task    => 2,
+         GSC.CORE_Task      => 4,
+         GSC.LOG_Task       => 5,
+         GSC.SELF_TEST_Task => 6);
+   begin
+      for Who in MCS.Task_Name loop
+         Expect_Number
+           ("offset of MCS " & Who'Image,
+            Integer (MCS.Task_List (Who).Offset),
+            Integer (Of_Aircraft (Who)));
+      end loop;
+      for Who in GSC.Task_Name loop
+         Expect_Number
+           ("offset of GSC " & Who'Image,
+            Integer (GSC.Task_List (Who).Offset), Integer (Of_Ground (Who)));
+      end loop;
 
       --  SET-1: these tasks and no others.
-      Expect_Number ("tasks of MCS", MCS.Offsets'Length, 9);
-      Expect_Number ("tasks of GSC", GSC.Offsets'Length, 8);
+      Expect_Number ("tasks of MCS", MCS.Task_List'Length, 9);
+      Expect_Number ("tasks of GSC", GSC.Task_List'Length, 8);
    end Offsets;
-
-   procedure Trees is
-      use MCS;
-      Seen : Natural;
-   begin
-      --  However many processors there are, each task is in one tree, once,
-      --  with its priority; a node has no other tasks.
-      for Processors in Processor_Number loop
-         for Who in MCS.Task_Name loop
-            Seen := 0;
-            for Which in Processor_Number loop
-               for Header of MCS.Task_Tree_Of (Processors, Which, 7) loop
-                  if Header.Id = MCS.Id_Of (Who) then
-                     Seen := Seen + 1;
-                     Expect_Number
-                       ("priority of " & Who'Image,
-                        Integer (Header.Initial_Priority),
-                        31 - MCS.Task_Name'Pos (Who));
-                     Expect_Number
-                       ("start", Integer (Header.Start_Time), 7);
-                  end if;
-               end loop;
-            end loop;
-            Expect_Number (Who'Image & Processors'Image, Seen, 1);
-         end loop;
-      end loop;
-      for Which in 1 .. 8 loop
-         Expect
-           ("header" & Which'Image,
-            GSC.Task_Tree_Of (0) (TCB_Number (Which)).Id, Task_Id (Which));
-      end loop;
-      Expect ("end", GSC.Task_Tree_Of (0) (TCB_Number (9)).Id, No_Task);
-   end Trees;
 
    procedure Each_Frame is
    begin
@@ -158,7 +151,7 @@ package body Executives_Tests is
       Expect_Number ("only initialised", Ran, 0);
       for Now in Tick range 8 .. 59 loop
          Ran := 0;
-         Executive.Clock_Interrupt (Now);
+         Clock_Interrupt (Now);
          if Now < 10 then
             Expect_Number ("before the first frame", Ran, 0);
          elsif Now mod 10 = 0 then
@@ -189,23 +182,23 @@ package body Executives_Tests is
       Ran := 0;
 
       --  The processor was busy at tick 10.
-      Executive.Clock_Interrupt (11);
+      Clock_Interrupt (11);
       Expect_Number ("released late", Ran, 1);
       Expect_Overruns (1);
       Expect ("who", Last_Overrun, Early);
 
       Ran := 0;
-      Executive.Clock_Interrupt (14);
+      Clock_Interrupt (14);
       Expect_Number ("in time", Ran, 2);
       Expect_Overruns (1);
 
       --  It was busy for more than a frame: each task runs once, late, and
       --  then in its place again. Each has also missed its next release.
       Ran := 0;
-      Executive.Clock_Interrupt (37);
+      Clock_Interrupt (37);
       Expect_Number ("released late", Ran, 3);
       Expect_Overruns (7);
-      Executive.Clock_Interrupt (40);
+      Clock_Interrupt (40);
       Expect_Number ("in time again", Ran, 4);
       Expect_Overruns (7);
    end Overruns;
@@ -214,13 +207,13 @@ package body Executives_Tests is
    begin
       Start (0);
       Ran := 0;
-      Executive.Clock_Interrupt (10);
-      Executive.Clock_Interrupt (10);
+      Clock_Interrupt (10);
+      Clock_Interrupt (10);
       Expect_Number ("runs", Ran, 1);
 
       --  Nor does a clock that runs back release anybody.
-      Executive.Clock_Interrupt (3);
-      Executive.Clock_Interrupt (10);
+      Clock_Interrupt (3);
+      Clock_Interrupt (10);
       Expect_Number ("runs", Ran, 1);
    end Same_Tick_Twice;
 
@@ -228,12 +221,12 @@ package body Executives_Tests is
    begin
       Start (Last_Tick - 10);
       Ran := 0;
-      Executive.Clock_Interrupt (Last_Tick - 9);
-      Executive.Clock_Interrupt (Last_Tick - 5);
+      Clock_Interrupt (Last_Tick - 9);
+      Clock_Interrupt (Last_Tick - 5);
       Expect_Number ("in the last frame", Ran, 3);
       Ran := 0;
-      Executive.Clock_Interrupt (Last_Tick);
-      Executive.Clock_Interrupt (Last_Tick);
+      Clock_Interrupt (Last_Tick);
+      Clock_Interrupt (Last_Tick);
       Expect_Number ("at the last tick", Ran, 0);
    end End_Of_Time;
 
@@ -241,20 +234,20 @@ package body Executives_Tests is
    begin
       --  The polite task has the lowest priority: with nobody above it that
       --  is ready it has the processor back, at the next tick.
-      Executive.Start
+      Start
         (((Polite, 0, 1), (Early, 0, 3), others => Null_Header), 0);
       Exits := 0;
       Ran := 0;
-      Executive.Clock_Interrupt (10);
+      Clock_Interrupt (10);
       Expect_Number ("runs at tick 10", Ran, 2);
       Expect ("first", History (1), Early);
       Expect ("then", History (2), Polite);
-      Executive.Clock_Interrupt (11);
+      Clock_Interrupt (11);
       Expect_Number ("runs on at tick 11", Ran, 3);
 
       --  It still polls when the other is due again, and gives way to it.
       Ran := 0;
-      Executive.Clock_Interrupt (20);
+      Clock_Interrupt (20);
       Expect_Number ("runs at tick 20", Ran, 3);
       Expect ("first", History (1), Polite);
       Expect ("then", History (2), Early);
@@ -263,11 +256,11 @@ package body Executives_Tests is
 
    procedure Ends is
    begin
-      Executive.Start
+      Start
         (((Mortal, 0, 5), (Early, 0, 3), others => Null_Header), 0);
       Ran := 0;
-      Executive.Clock_Interrupt (10);
-      Executive.Clock_Interrupt (20);
+      Clock_Interrupt (10);
+      Clock_Interrupt (20);
       Expect_Number ("runs", Ran, 3);
       Expect ("first", History (1), Mortal);
       Expect ("second", History (2), Early);
@@ -279,9 +272,6 @@ package body Executives_Tests is
       Add
         (Suite, "FRM-2 SET-1 both nodes release their tasks at the offsets",
          Offsets'Access);
-      Add
-        (Suite, "KRN-1 KRN-5 D-23 each task is in one processor's tree, once",
-         Trees'Access);
       Add
         (Suite, "FRM-3 KRN-3 each task runs once a major frame, at its offset",
          Each_Frame'Access);

@@ -15,7 +15,7 @@ with Partitions.Measurements;
 with Partitions.Reports;
 with URVOS;
 with URVOS.Frames;             use URVOS.Frames;
-with URVOS.Guarded_Schedulers; use URVOS.Guarded_Schedulers;
+with URVOS.Kernel_Calls;       use URVOS.Kernel_Calls;
 with URVOS.Starts;             use URVOS.Starts;
 
 package body Guarded_Step_Tests is
@@ -32,10 +32,19 @@ package body Guarded_Step_Tests is
    procedure Interrupts;
    procedure Broken_Starts;
 
-   --  A task that counts what it does, and fails when it is told to.
-   procedure Initialise;
+   --  A task that counts what it does, and fails when it is told to; and one
+   --  whose transaction takes its time.
+   type Task_Name is (Counting, Busy);
+
+   procedure Run_Step
+     (Who       : Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
+
    procedure Run_Transaction;
-   procedure Observe;
+   procedure Observe (Who : Task_Name);
+   procedure Fail;
 
    Is_Broken : Boolean := False;
 
@@ -44,30 +53,31 @@ package body Guarded_Step_Tests is
 
    function Has_Stood_Still return Boolean is (Is_Late);
 
-   Begun, Run, Observed : Natural := 0;
+   Begun, Run, Observed, Failures : Natural := 0;
 
-   Cost, Response : Partitions.Measurements.Distribution;
+   type Distributions is
+     array (Task_Name) of Partitions.Measurements.Distribution;
+
+   Costs, Responses : Distributions;
 
    procedure Step is new Partitions.Guarded_Step
-     (Cost, Response, Has_Stood_Still, Initialise, Run_Transaction, Observe);
+     (Task_Name, Distributions, Costs, Responses, Has_Stood_Still, Run_Step,
+      Observe, Fail);
 
-   --  A transaction that takes so long, and its step.
    Busy_Time : constant Time_Span := Milliseconds (3);
 
    procedure Be_Busy;
-
-   procedure Nothing is null;
-
-   Busy_Cost, Busy_Response : Partitions.Measurements.Distribution;
-
-   procedure Busy_Step is new Partitions.Guarded_Step
-     (Busy_Cost, Busy_Response, Has_Stood_Still, Nothing, Be_Busy, Nothing);
 
    --  The first phases of a start.
    procedure Begin_Again
      (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean);
 
    procedure Request_Start (Condition : Start_Condition);
+
+   type Wish is record
+      Is_There  : Boolean         := False;
+      Condition : Start_Condition := Cold_Start;
+   end record;
 
    Wished : Wish;
 
@@ -85,13 +95,25 @@ package body Guarded_Step_Tests is
    procedure Expect_Step
      (What : String; First_Run : Boolean; Failed : Boolean);
 
-   procedure Initialise is
+   procedure Run_Step
+     (Who       : Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call)
+   is
+      pragma Unreferenced (Now);
    begin
-      if Is_Broken then
+      Call := (Sleep_Call, Until_Tick => 5, others => <>);
+      if Who = Busy then
+         Be_Busy;
+      elsif not First_Run then
+         Run_Transaction;
+      elsif Is_Broken then
          raise Program_Error;
+      else
+         Begun := Begun + 1;
       end if;
-      Begun := Begun + 1;
-   end Initialise;
+   end Run_Step;
 
    procedure Run_Transaction is
    begin
@@ -115,7 +137,7 @@ package body Guarded_Step_Tests is
    begin
       Expect_Number ("the tick", Integer (Now), 77);
       Wished.Is_There := False;
-      MCS.Begin_Again (Condition, Now, Passed);
+      MCS.Starts.Begin_Again (Condition, Now, Passed);
    end Begin_Again;
 
    procedure Request_Start (Condition : Start_Condition) is
@@ -128,19 +150,30 @@ package body Guarded_Step_Tests is
       Raised := Raised + 1;
    end Raise_Processor_Exception;
 
-   procedure Observe is
+   procedure Observe (Who : Task_Name) is
    begin
-      Observed := Observed + 1;
+      if Who = Counting then
+         Observed := Observed + 1;
+      end if;
    end Observe;
+
+   procedure Fail is
+   begin
+      Failures := Failures + 1;
+   end Fail;
 
    procedure Expect_Step
      (What : String; First_Run : Boolean; Failed : Boolean)
    is
-      Outcome : Boolean;
+      Before : constant Natural := Failures;
+      Call   : Kernel_Call;
    begin
-      Partitions.Clocks.Set_Tick (Ada.Real_Time.Clock);
-      Step (First_Run, Outcome);
-      Expect (What & " has failed", Outcome, Failed);
+      Partitions.Clocks.Switch_On;
+      Step (Counting, First_Run, 0, Call);
+      Expect (What & " has failed", Failures = Before + 1, Failed);
+      Expect (What & " has not", Failures = Before, not Failed);
+      Expect
+        (What & " ends with its call", Call.Name = Sleep_Call, not Failed);
    end Expect_Step;
 
    procedure Whole_Steps is
@@ -158,37 +191,39 @@ package body Guarded_Step_Tests is
       Expect_Number ("initialised again", Begun, 1);
       Expect_Number ("transactions", Run, 3);
       Expect_Number ("seen", Observed, 3);
-      Expect ("measured", Cost.Summed_Up.Number = 3, True);
-      Expect ("response measured", Response.Summed_Up.Number = 3, True);
+      Expect ("measured", Costs (Counting).Summed_Up.Number = 3, True);
+      Expect
+        ("response measured", Responses (Counting).Summed_Up.Number = 3, True);
    end Whole_Steps;
 
    --  Not less than the transaction takes, not more than who calls it sees:
    --  on a machine of any speed.
    procedure Times_Taken is
-      Tick   : Time;
-      Failed : Boolean;
-      Most   : Partitions.Measurements.Measure;
+      Tick : Time;
+      Call : Kernel_Call;
+      Most : Partitions.Measurements.Measure;
    begin
+      Failures := 0;
       for Frame in 1 .. 5 loop
          Tick := Clock;
-         Partitions.Clocks.Set_Tick (Tick);
+         Partitions.Clocks.Switch_On;
          Be_Busy;
-         Busy_Step (First_Run => False, Failed => Failed);
+         Step (Busy, False, 0, Call);
          Most := Partitions.Measurements.Measure
            (To_Duration (Clock - Tick) * 10_000_000);
-         Expect ("is a step", Failed, False);
+         Expect_Number ("failures", Failures, 0);
          Expect
-           ("cost is no less", Busy_Cost.Summed_Up.Minimum >= 30_000, True);
+           ("cost is no less", Costs (Busy).Summed_Up.Minimum >= 30_000, True);
          Expect
            ("response is no less",
-            Busy_Response.Summed_Up.Minimum >= 60_000, True);
+            Responses (Busy).Summed_Up.Minimum >= 60_000, True);
          if Frame = 1 then
             Expect
               ("cost is no more",
-               Busy_Cost.Summed_Up.Maximum + 30_000 <= Most, True);
+               Costs (Busy).Summed_Up.Maximum + 30_000 <= Most, True);
             Expect
               ("response is no more",
-               Busy_Response.Summed_Up.Maximum <= Most, True);
+               Responses (Busy).Summed_Up.Maximum <= Most, True);
          end if;
       end loop;
    end Times_Taken;

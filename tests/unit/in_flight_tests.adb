@@ -2,19 +2,18 @@ with Checks;              use Checks;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Expectations;        use Expectations;
 with GSC.Virtual_Time;
-with Host.Memory_Hardware;
 with MCS.Virtual_Time;
+with Host.Memory_Hardware;
 with Node_Rig;            use Node_Rig;
 with Telemetry;           use Telemetry;
-with URV.Errors;          use URV.Errors;
-with URV.Shared_Status;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Starts;
+with URVOS.Task_Trees;    use URVOS.Task_Trees;
+with URV.Errors;          use URV.Errors;
+with URV.Shared_Status;
 
 package body In_Flight_Tests is
-
-   use type MCS.Processor_Number;
 
    --  The tests, in order.
    procedure Sound_ROM;
@@ -35,7 +34,10 @@ package body In_Flight_Tests is
    procedure Run_Tasks (Frames : Positive);
 
    --  What a node adds to its error/status word.
-   function Status_Of (Node : Station) return Word;
+   function Status_Of (Node : Station) return Word is
+     (case Node is
+         when Ground   => GSC.Status.Contents,
+         when Aircraft => MCS.Status.Contents);
 
    procedure Expect_ROM_Result
      (What         : String;
@@ -53,16 +55,6 @@ package body In_Flight_Tests is
          end if;
       end loop;
    end Run_Tasks;
-
-   function Status_Of (Node : Station) return Word is
-   begin
-      return Result : Word do
-         case Node is
-            when Ground   => GSC.Status.Read (Result);
-            when Aircraft => MCS.Status.Read (Result);
-         end case;
-      end return;
-   end Status_Of;
 
    procedure Expect_ROM_Result
      (What         : String;
@@ -132,19 +124,21 @@ package body In_Flight_Tests is
       end loop;
    end Spoilt_ROM;
 
-   package Status_Under_Test is new URV.Shared_Status;
-
    procedure New_Status is
-      Bits : Word;
+      Status : URV.Shared_Status.Status;
    begin
-      Status_Under_Test.Read (Bits);
-      Expect ("new", Bits, 0);
-      Status_Under_Test.Write (ROM_Bit);
-      Status_Under_Test.Read (Bits);
-      Expect ("written", Bits, ROM_Bit);
+      Expect ("new", Status.Contents, 0);
+      Status.Write (ROM_Bit);
+      Expect ("written", Status.Contents, ROM_Bit);
    end New_Status;
 
    procedure Results_In_CORE is
+
+      --  How far the tasks are when they have two slices left.
+      Ground_Check   : GSC.SELF_TEST.Checks.Check;
+      Aircraft_Check : MCS.SELF_TEST.Checks.Check;
+
+      --  A good pass ends, after so many.
       procedure Expect_Written
         (Good, Bad : Count; Good_Word, Bad_Word, Bits : Word);
 
@@ -152,8 +146,13 @@ package body In_Flight_Tests is
         (Good, Bad : Count; Good_Word, Bad_Word, Bits : Word) is
       begin
          Switch_On;
-         GSC.Write_ROM_Result (Good, Bad);
-         MCS.Write_ROM_Result (Good, Bad);
+         Ground_Check.Good_Passes := Good;
+         Ground_Check.Bad_Passes := Bad;
+         GSC.SELF_TEST.Progress.Write (Ground_Check);
+         Aircraft_Check.Good_Passes := Good;
+         Aircraft_Check.Bad_Passes := Bad;
+         MCS.SELF_TEST.Progress.Write (Aircraft_Check);
+         Run_Tasks (3);
          for Node in Station loop
             Expect_ROM_Result
               ("after" & Good'Image & Bad'Image, Node, Good_Word, Bad_Word,
@@ -161,11 +160,17 @@ package body In_Flight_Tests is
          end loop;
       end Expect_Written;
    begin
+      Switch_On;
+      Run_Tasks (Frames_A_Pass - 1);
+      Ground_Check := GSC.SELF_TEST.Progress.Contents;
+      Aircraft_Check := MCS.SELF_TEST.Progress.Contents;
+
       --  A count is kept in one word, and stays at its last value.
-      Expect_Written (3, 0, 3, 0, 0);
-      Expect_Written (0, 1, 0, 1, ROM_Bit);
-      Expect_Written (65_534, 65_535, 65_534, 65_535, ROM_Bit);
-      Expect_Written (65_536, 65_537, 65_535, 65_535, ROM_Bit);
+      Expect_Written (2, 0, 3, 0, 0);
+      Expect_Written (0, 1, 1, 1, ROM_Bit);
+      Expect_Written (65_533, 65_535, 65_534, 65_535, ROM_Bit);
+      Expect_Written (65_534, 65_536, 65_535, 65_535, ROM_Bit);
+      Expect_Written (65_535, 65_537, 65_535, 65_535, ROM_Bit);
       Expect_Written (Count'Last, Count'Last, 65_535, 65_535, ROM_Bit);
    end Results_In_CORE;
 
@@ -185,11 +190,11 @@ package body In_Flight_Tests is
       Expect
         ("the last of them, of the ground",
          Logs.History_Of (Log_Of (Ground), Task_Overrun).Last_Detail,
-         Word (GSC.Id_Of (GSC.SELF_TEST_Task)));
+         Word (GSC.Tasks.Id_Of (GSC.SELF_TEST_Task)));
 
       --  However many processors share the aircraft's tasks, as many are
       --  late.
-      for Processors in MCS.Processor_Number loop
+      for Processors in Processor_Number loop
          Switch_On (Processors);
          Before := MCS.Virtual_Time.Overruns;
          MCS.Virtual_Time.Clock_Interrupt (37);
@@ -203,7 +208,7 @@ package body In_Flight_Tests is
             Expect
               ("the last of them, of the aircraft",
                Logs.History_Of (Log_Of (Aircraft), Task_Overrun).Last_Detail,
-               Word (MCS.Id_Of (MCS.SELF_TEST_Task)));
+               Word (MCS.Tasks.Id_Of (MCS.SELF_TEST_Task)));
          end if;
       end loop;
    end Late_Tasks;

@@ -1,12 +1,17 @@
-with Checks;               use Checks;
-with Devices.CORE_Memory;  use Devices.CORE_Memory;
+with Checks;              use Checks;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.Shared_CORE_Memory;
-with Expectations;         use Expectations;
-with Telemetry.Boards;     use Telemetry.Boards;
-with URVOS;                use URVOS;
-with URVOS.Frames;         use URVOS.Frames;
-with URV.Errors;           use URV.Errors;
-with URV.Log_Pieces;       use URV.Log_Pieces;
+with Expectations;        use Expectations;
+with Telemetry;           use Telemetry;
+with Telemetry.Boards;    use Telemetry.Boards;
+with Telemetry.Checksum;
+with Telemetry.Headers;   use Telemetry.Headers;
+with Telemetry.Receivers; use Telemetry.Receivers;
+with Telemetry.Shared_Boards;
+with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
+with URV.Errors;          use URV.Errors;
+with URV.Log_Pieces;      use URV.Log_Pieces;
 with URV.Log_Receivers;
 with URV.Log_Senders;
 with URV.LOG_Task;
@@ -26,20 +31,20 @@ package body LOG_Task_Tests is
    procedure Whole_Log;
    procedure Pieces_Lost;
 
-   --  The board under the task.
-   Tally : Statistics;
+   --  What the task is between. The board is an aircraft's, and has counted
+   --  what the tests before had it count.
 
-   procedure Inspect_Link (Now : out Statistics);
+   Board : Telemetry.Shared_Boards.Shared_Board
+     (Role => Aircraft, Transmit_Length => 4, Receive_Length => 2);
 
-   package Errors is new URV.Shared_Errors;
-   package CORE is new Devices.Shared_CORE_Memory;
+   Errors : URV.Shared_Errors.Shared_Log;
+   CORE   : Devices.Shared_CORE_Memory.Board;
 
    --  Both ends of the log's way.
 
-   package Log_Sender is new URV.Log_Senders (Inspect_Log => Errors.Inspect);
+   package Log_Sender is new URV.Log_Senders (Errors);
 
-   package Log_Receiver is new URV.Log_Receivers
-     (Write_Row => CORE.Write_Aircraft_Log);
+   package Log_Receiver is new URV.Log_Receivers (CORE);
 
    --  What comes down in a frame: a piece, or nothing new.
    Piece_Sent : Piece   := No_Piece;
@@ -47,18 +52,34 @@ package body LOG_Task_Tests is
 
    procedure Fly_Frame;
 
-   package Under_Test is new URV.LOG_Task
-     (Inspect_Link   => Inspect_Link,
-      Report_Several => Errors.Report_Several,
-      Inspect_Log    => Errors.Inspect,
-      Write_Status   => CORE.Write_Status,
-      Write_Log      => CORE.Write_Log);
+   package Under_Test is new URV.LOG_Task (Board, CORE, Errors);
+
+   --  What happens to the board.
+
+   procedure Hear (Value : Byte);
+   procedure Speak;
+   procedure Hear_Block (Is_Good : Boolean);
+   procedure Take_Block;
+   procedure Put_Block;
+
+   --  The block on hand goes out and is answered.
+   procedure Send_Block (Is_Confirmed : Boolean);
+
+   --  The board loses step, and resets itself.
+   procedure Lose_Step;
+
+   --  A block of the ground's is cut short: it is bad, and the board resets
+   --  itself.
+   procedure Cut_Block_Short;
 
    --  All as after a cold start.
    procedure Begin_Test;
 
-   function Status (Item : Status_Item) return Word;
-   function History (Kind : Error_Kind) return Logs.History;
+   function Status (Item : Status_Item) return Word is
+     (CORE.Contents.Status (Item));
+
+   function History (Kind : Error_Kind) return Logs.History is
+     (Logs.History_Of (Errors.Contents, Kind));
 
    procedure Fly_Frame is
    begin
@@ -69,39 +90,107 @@ package body LOG_Task_Tests is
       end if;
    end Fly_Frame;
 
-   procedure Inspect_Link (Now : out Statistics) is
+   procedure Hear (Value : Byte) is
+      Unused : Boolean;
    begin
-      Now := Tally;
-   end Inspect_Link;
+      Board.Accept_Character (0, Value, False, Unused);
+   end Hear;
+
+   procedure Speak is
+      Send        : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
+   begin
+      loop
+         Board.Next_Character (0, Send, Unused_Data, Unused_Time);
+         exit when not Send;
+      end loop;
+   end Speak;
+
+   procedure Hear_Block (Is_Good : Boolean) is
+      Sum : constant Byte :=
+        Checksum.Of_Message (Data_Header (2), (others => 0), 2);
+   begin
+      Hear (Data_Header (2));
+      Hear (0);
+      Hear (0);
+      Hear (if Is_Good then Sum else Sum xor 1);
+      Speak;
+   end Hear_Block;
+
+   procedure Take_Block is
+      Unused_Data        : Block_Data;
+      Unused_Fresh, Ever : Boolean;
+   begin
+      Board.Take (Unused_Data, Unused_Fresh, Ever);
+      Expect ("a block has come", Ever, True);
+   end Take_Block;
+
+   procedure Put_Block is
+      Overwrote : Boolean;
+   begin
+      Board.Put ((others => 1), Overwrote);
+      Expect ("there is a transmit buffer", Overwrote, False);
+   end Put_Block;
+
+   procedure Send_Block (Is_Confirmed : Boolean) is
+   begin
+      Hear (Encode ((Kind => Command_To_Downlink)));
+      Speak;
+      Hear
+        (Encode
+           ((Kind           => Headers.Status,
+             Good           => Is_Confirmed,
+             Wants_Downlink => False)));
+      Speak;
+   end Send_Block;
+
+   procedure Lose_Step is
+      Before      : constant Count := Board.Tally.Resets;
+      Send        : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
+   begin
+      Hear (16#FF#);
+      Board.Next_Character (100, Send, Unused_Data, Unused_Time);
+      Expect ("reset", Board.Tally.Resets, Before + 1);
+   end Lose_Step;
+
+   procedure Cut_Block_Short is
+      Unused_Send : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
+   begin
+      Hear (Data_Header (2));
+      Board.Next_Character (100, Unused_Send, Unused_Data, Unused_Time);
+   end Cut_Block_Short;
 
    procedure Begin_Test is
    begin
-      Tally := (others => 0);
+      Board.Clear_Transmit_Half;
+      Board.Start;
       CORE.Clear;
       Errors.Set_Time (0);
       Errors.Clear;
       Is_Lost := False;
+      Log_Sender.Progress.Write ((others => <>));
+      Log_Receiver.Incoming.Write ((others => <>));
       Under_Test.Initialise;
    end Begin_Test;
 
-   function Status (Item : Status_Item) return Word is
-      Snapshot : Memory;
-   begin
-      CORE.Inspect (Snapshot);
-      return Snapshot.Status (Item);
-   end Status;
-
-   function History (Kind : Error_Kind) return Logs.History is
-      Log : Error_Log;
-   begin
-      Errors.Inspect (Log);
-      return Logs.History_Of (Log, Kind);
-   end History;
-
    procedure Nothing_Happened is
+      Before : Statistics;
    begin
       Begin_Test;
-      Tally := (Sent => 50, Received => 40, others => 0);
+      Before := Board.Tally;
+      for Time in 1 .. 5 loop
+         Put_Block;
+         Send_Block (Is_Confirmed => True);
+         Hear_Block (Is_Good => True);
+         Take_Block;
+      end loop;
+      Expect ("sent", Board.Tally.Sent, Before.Sent + 5);
+      Expect ("received", Board.Tally.Received, Before.Received + 5);
       Under_Test.Run_Transaction;
       for Item in Status_Item loop
          Expect (Item'Image, Status (Item), 0);
@@ -115,9 +204,27 @@ package body LOG_Task_Tests is
    begin
       Begin_Test;
       Errors.Set_Time (25);
-      Tally :=
-        (Bad => 2, Not_Taken => 3, Scrapped => 4, Cleared => 5, Resets => 6,
-         others => 100);
+      for Time in 1 .. 2 loop
+         Hear_Block (Is_Good => False);
+      end loop;
+      for Time in 1 .. 3 loop
+         Hear_Block (Is_Good => True);
+         Hear_Block (Is_Good => True);
+         Take_Block;
+      end loop;
+      for Time in 1 .. 4 loop
+         Put_Block;
+         Send_Block (Is_Confirmed => False);
+         Send_Block (Is_Confirmed => False);
+      end loop;
+      for Time in 1 .. 5 loop
+         Put_Block;
+         Put_Block;
+         Send_Block (Is_Confirmed => True);
+      end loop;
+      for Time in 1 .. 6 loop
+         Lose_Step;
+      end loop;
       Under_Test.Run_Transaction;
       Expect ("bad", History (Link_Block_Bad).Occurrences, 2);
       Expect ("not taken", History (Link_Block_Not_Taken).Occurrences, 3);
@@ -135,7 +242,7 @@ package body LOG_Task_Tests is
       Errors.Set_Time (35);
       Under_Test.Run_Transaction;
       Expect ("still the same", History (Link_Reset).Last, 25);
-      Tally.Resets := 7;
+      Lose_Step;
       Errors.Set_Time (45);
       Under_Test.Run_Transaction;
       Expect ("one more", History (Link_Reset).Occurrences, 7);
@@ -146,33 +253,51 @@ package body LOG_Task_Tests is
    end Only_The_New;
 
    procedure Board_Off_And_On is
+      Seen : Under_Test.Progress;
    begin
+      --  The task has seen more than the board has counted.
       Link_Kinds;
-      Tally := (Bad => 1, others => 0);
+      Seen := Under_Test.Seen.Contents;
+      Seen.Seen_Tally.Bad := Board.Tally.Bad + 100;
+      Under_Test.Seen.Write (Seen);
       Under_Test.Run_Transaction;
-      Expect ("bad", History (Link_Block_Bad).Occurrences, 3);
+      Expect
+        ("bad", History (Link_Block_Bad).Occurrences, 2 + Board.Tally.Bad);
       Expect ("resets", History (Link_Reset).Occurrences, 6);
+
+      --  From there on it counts what is new.
+      Hear_Block (Is_Good => False);
+      Under_Test.Run_Transaction;
+      Expect
+        ("bad then", History (Link_Block_Bad).Occurrences,
+         2 + Board.Tally.Bad);
    end Board_Off_And_On;
 
    procedure Cold_Only is
    begin
       --  What the board has counted before a cold start is not logged.
       Begin_Test;
-      Tally := (others => 1_000);
+      for Time in 1 .. 10 loop
+         Hear_Block (Is_Good => False);
+      end loop;
       Under_Test.Initialise;
       Under_Test.Run_Transaction;
       Expect ("bad", History (Link_Block_Bad).Occurrences, 0);
-      Tally.Bad := 1_001;
+      Hear_Block (Is_Good => False);
       Under_Test.Run_Transaction;
       Expect ("bad after it", History (Link_Block_Bad).Occurrences, 1);
 
       --  What it counts before a warm start is.
-      Tally.Bad := 1_003;
+      for Time in 1 .. 2 loop
+         Hear_Block (Is_Good => False);
+      end loop;
       Errors.Report (Processor_Restart, 0);
       Under_Test.Initialise;
       Under_Test.Run_Transaction;
       Expect ("bad with a restart", History (Link_Block_Bad).Occurrences, 3);
-      Tally.Bad := 1_006;
+      for Time in 1 .. 3 loop
+         Hear_Block (Is_Good => False);
+      end loop;
       Errors.Clear;
       Errors.Report (Warm_Reset, 0);
       Under_Test.Initialise;
@@ -214,7 +339,9 @@ package body LOG_Task_Tests is
 
       Errors.Set_Time (10 * 2 ** 32);
       Errors.Report (No_Input, 0);
-      Tally.Bad := 70_000;
+      for Time in 1 .. 70_000 loop
+         Cut_Block_Short;
+      end loop;
       Under_Test.Run_Transaction;
       Expect ("frame, high", Status (Last_Error_Frame_High), 16#FFFF#);
       Expect ("frame, low", Status (Last_Error_Frame_Low), 16#FFFF#);
@@ -277,7 +404,7 @@ package body LOG_Task_Tests is
          Fly_Frame;
       end loop;
 
-      CORE.Inspect (Snapshot);
+      Snapshot := CORE.Contents;
       for Kind in Error_Kind loop
          Row := Snapshot.Log (Error_Kind'Pos (Kind) + 1);
          Expect
@@ -314,7 +441,7 @@ package body LOG_Task_Tests is
          Is_Lost := Frame mod 4 = 0;
          Fly_Frame;
       end loop;
-      CORE.Inspect (Snapshot);
+      Snapshot := CORE.Contents;
       Expect
         ("a row with a hole", (for all Row of Snapshot.Aircraft_Log =>
                                  Row = No_Errors), True);
@@ -322,7 +449,7 @@ package body LOG_Task_Tests is
       for Frame in 1 .. 31 loop
          Fly_Frame;
       end loop;
-      CORE.Inspect (Snapshot);
+      Snapshot := CORE.Contents;
       Expect
         ("the row",
          Snapshot.Aircraft_Log (Error_Kind'Pos (No_Input) + 1) (Last_Detail),

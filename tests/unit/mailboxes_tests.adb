@@ -52,10 +52,10 @@ package body Mailboxes_Tests is
    --  between two tasks.
    type Long_Message is array (1 .. 256) of Count;
 
-   package Long_Boxes is
-     new URVOS.Mailboxes (Long_Message, (others => 0));
+   package For_Long is
+     new URVOS.Shared_Mailboxes (Long_Message, (others => 0));
 
-   package Shared is new URVOS.Shared_Mailboxes (Long_Boxes);
+   Shared : For_Long.Variable;
 
    procedure Expect_State
      (When_It_Was        : String;
@@ -213,7 +213,7 @@ package body Mailboxes_Tests is
       Fresh     : Boolean;
       Last      : Count := 0;
       Fresh_Now : Count := 0;
-      Box       : Long_Boxes.Mailbox;
+      Box       : For_Long.Boxes.Mailbox;
       Is_Over   : Boolean := False;
    begin
       --  One more look after the producer has ended.
@@ -234,18 +234,18 @@ package body Mailboxes_Tests is
       end loop;
       Expect ("the last message", Last, Sends);
 
-      Shared.Inspect (Box);
+      Box := Shared.Snapshot;
       Expect
         ("messages seen fresh and messages consumed", Fresh_Now,
-         Count (Long_Boxes.Consumed (Box)));
+         Count (For_Long.Boxes.Consumed (Box)));
       Expect
         ("produced and consumed, at the end",
-         Count (Long_Boxes.Produced (Box)),
-         Count (Long_Boxes.Consumed (Box)));
+         Count (For_Long.Boxes.Produced (Box)),
+         Count (For_Long.Boxes.Consumed (Box)));
    end Two_Tasks;
 
    procedure Reset is
-      Box     : Long_Boxes.Mailbox;
+      Box     : For_Long.Boxes.Mailbox;
       Item    : Long_Message;
       Fresh   : Boolean;
       Success : Boolean;
@@ -255,10 +255,10 @@ package body Mailboxes_Tests is
       Shared.Send ((others => 9), Success);
       Expect ("the second send replaces the first", Success, False);
       Shared.Reset;
-      Shared.Inspect (Box);
-      Expect ("produced", Count (Long_Boxes.Produced (Box)), 0);
-      Expect ("consumed", Count (Long_Boxes.Consumed (Box)), 0);
-      Expect ("misses", Long_Boxes.Misses (Box), 0);
+      Box := Shared.Snapshot;
+      Expect ("produced", Count (For_Long.Boxes.Produced (Box)), 0);
+      Expect ("consumed", Count (For_Long.Boxes.Consumed (Box)), 0);
+      Expect ("misses", For_Long.Boxes.Misses (Box), 0);
       Shared.Receive (Item, Fresh);
       Expect ("fresh after reset", Fresh, False);
       Expect ("data after reset", Item (1), 0);

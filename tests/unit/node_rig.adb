@@ -1,8 +1,8 @@
 with Devices.AD_Board;
 with Expectations;    use Expectations;
 with GSC.Virtual_Time;
-with Host.Memory_Hardware;
 with MCS.Virtual_Time;
+with Host.Memory_Hardware;
 with URV.CORE_Layout; use URV.CORE_Layout;
 
 package body Node_Rig is
@@ -26,33 +26,16 @@ package body Node_Rig is
    end Numbered;
 
    function CORE_Of (Node : Station) return Memory is
-   begin
-      return Result : Memory do
-         case Node is
-            when Ground   => GSC.CORE_Memory.Inspect (Result);
-            when Aircraft => MCS.CORE_Memory.Inspect (Result);
-         end case;
-      end return;
-   end CORE_Of;
+     (case Node is
+         when Ground   => GSC.CORE_Memory.Contents,
+         when Aircraft => MCS.CORE_Memory.Contents);
 
    function Log_Of (Node : Station) return Error_Log is
-   begin
-      return Result : Error_Log do
-         case Node is
-            when Ground   => GSC.Errors.Inspect (Result);
-            when Aircraft => MCS.Errors.Inspect (Result);
-         end case;
-      end return;
-   end Log_Of;
+     (case Node is
+         when Ground   => GSC.Errors.Contents,
+         when Aircraft => MCS.Errors.Contents);
 
-   function Servos return Data_Area is
-   begin
-      return Result : Data_Area do
-         MCS.PWM_Board.Read (Result);
-      end return;
-   end Servos;
-
-   procedure Switch_On (Processors : MCS.Processor_Number := 1) is
+   procedure Switch_On (Processors : Processor_Number := 1) is
    begin
       Host.Memory_Hardware.Repair (1);
       Host.Memory_Hardware.Repair (2);
@@ -104,7 +87,7 @@ package body Node_Rig is
          exit when not Wanted;
          GSC.AD_Board.Finish (Console (Channel (Number)), Interrupt);
          if Interrupt then
-            GSC.AD_Interrupt;
+            GSC.ADINT.Handle_Interrupt;
          end if;
       end loop;
       while not MCS_Stalls loop
@@ -112,7 +95,7 @@ package body Node_Rig is
          exit when not Wanted;
          MCS.AD_Board.Finish (Sensors (Channel (Number)), Interrupt);
          if Interrupt then
-            MCS.AD_Interrupt;
+            MCS.ADINT.Handle_Interrupt;
          end if;
       end loop;
    end Convert;

@@ -8,6 +8,7 @@ with Telemetry;           use Telemetry;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Starts;
+with URVOS.Task_Trees;    use URVOS.Task_Trees;
 with URV.Buffers;         use URV.Buffers;
 with URV.Errors;          use URV.Errors;
 
@@ -24,7 +25,7 @@ package Node_Rig is
 
    --  Cold start of both nodes and their telemetry boards, with sound
    --  memories. The console and the sensors are neutral.
-   procedure Switch_On (Processors : MCS.Processor_Number := 1);
+   procedure Switch_On (Processors : Processor_Number := 1);
 
    --  A node's clock: the aircraft's is three ticks behind the ground's.
    function Clock_Of (Node : Station) return Clock_Tick;
@@ -44,7 +45,7 @@ package Node_Rig is
    function CORE_Of_MCS return Memory is (CORE_Of (Aircraft));
    function CORE_Of_GSC return Memory is (CORE_Of (Ground));
    function Log_Of (Node : Station) return Error_Log;
-   function Servos return Data_Area;
+   function Servos return Data_Area is (MCS.PWM_Board.Contents);
 
    --  What the servos hold at power up (SAF-1): throttle idle, brake full
    --  on, switches off, all else in the middle.

@@ -12,6 +12,7 @@ with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;     use URV.CORE_Layout;
 with URV.Errors;          use URV.Errors;
+with URV.Mailboxes;       use URV.Mailboxes;
 
 package body Nodes_Tests is
 
@@ -69,12 +70,12 @@ package body Nodes_Tests is
          Sensors := Numbered (16#400# + Number);
          Fly (1);
       end loop;
-      GSC.Telemetry_Board.Inspect (Tally);
+      Tally := GSC.Telemetry_Board.Tally;
       Expect ("bad blocks down", Tally.Bad, 0);
       Expect ("resets of the ground", Tally.Resets, 0);
       Expect
         ("all frames but the first ones down", Tally.Received > 200, True);
-      MCS.Telemetry_Board.Inspect (Tally);
+      Tally := MCS.Telemetry_Board.Tally;
       Expect ("bad blocks up", Tally.Bad, 0);
       Expect ("resets of the aircraft", Tally.Resets, 0);
       Expect ("all frames but the first ones up", Tally.Received > 200, True);
@@ -183,46 +184,25 @@ package body Nodes_Tests is
 
       --  Nothing produced, consumed or missed.
       generic
-         with package Variable is new URVOS.Shared_Mailboxes (<>);
-      procedure Expect_New (What : String);
+         with package Messages is new URVOS.Shared_Mailboxes (<>);
+      procedure Expect_New (What : String; Variable : Messages.Variable);
 
-      procedure Expect_New (What : String) is
-         Box : Variable.Boxes.Mailbox;
+      procedure Expect_New (What : String; Variable : Messages.Variable) is
+         Box : constant Messages.Boxes.Mailbox := Variable.Snapshot;
       begin
-         Variable.Inspect (Box);
          Expect
-           (What & ", produced", Count (Variable.Boxes.Produced (Box)), 0);
+           (What & ", produced", Count (Messages.Boxes.Produced (Box)), 0);
          Expect
-           (What & ", consumed", Count (Variable.Boxes.Consumed (Box)), 0);
-         Expect (What & ", misses", Variable.Boxes.Misses (Box), 0);
+           (What & ", consumed", Count (Messages.Boxes.Consumed (Box)), 0);
+         Expect (What & ", misses", Messages.Boxes.Misses (Box), 0);
       end Expect_New;
 
-      procedure MCS_ADINT_Is_New is
-        new Expect_New (MCS.ADINT_Variable);
-      procedure MCS_AD_Is_New is
-        new Expect_New (MCS.AD_Variable);
-      procedure MCS_TELIN_Is_New is
-        new Expect_New (MCS.TELIN_Variable);
-      procedure MCS_Uplink_Is_New is
-        new Expect_New (MCS.Uplink_Variable);
-      procedure MCS_Downlink_Is_New is
-        new Expect_New (MCS.Downlink_Variable);
-      procedure MCS_TELOUT_Is_New is
-        new Expect_New (MCS.TELOUT_Variable);
-      procedure MCS_PWM_Is_New is
-        new Expect_New (MCS.PWM_Variable);
-      procedure GSC_ADINT_Is_New is
-        new Expect_New (GSC.ADINT_Variable);
-      procedure GSC_AD_Is_New is
-        new Expect_New (GSC.AD_Variable);
-      procedure GSC_TELIN_Is_New is
-        new Expect_New (GSC.TELIN_Variable);
-      procedure GSC_Uplink_Is_New is
-        new Expect_New (GSC.Uplink_Variable);
-      procedure GSC_Downlink_Is_New is
-        new Expect_New (GSC.Downlink_Variable);
-      procedure GSC_TELOUT_Is_New is
-        new Expect_New (GSC.TELOUT_Variable);
+      procedure Expect is new Expect_New (For_Stick_Words);
+      procedure Expect is new Expect_New (For_Stick_Images);
+      procedure Expect is new Expect_New (For_Sensor_Words);
+      procedure Expect is new Expect_New (For_Sensor_Images);
+      procedure Expect is new Expect_New (For_Uplink);
+      procedure Expect is new Expect_New (For_Downlink);
 
    begin
       Switch_On;
@@ -233,19 +213,19 @@ package body Nodes_Tests is
          Clock_Tick_Of_Both;
       end loop;
       Switch_On;
-      MCS_ADINT_Is_New ("MCS ADINT_variable");
-      MCS_AD_Is_New ("MCS AD_variable");
-      MCS_TELIN_Is_New ("MCS TELIN_variable");
-      MCS_Uplink_Is_New ("MCS uplink_variable");
-      MCS_Downlink_Is_New ("MCS downlink_variable");
-      MCS_TELOUT_Is_New ("MCS TELOUT_variable");
-      MCS_PWM_Is_New ("MCS PWM_variable");
-      GSC_ADINT_Is_New ("GSC ADINT_variable");
-      GSC_AD_Is_New ("GSC AD_variable");
-      GSC_TELIN_Is_New ("GSC TELIN_variable");
-      GSC_Uplink_Is_New ("GSC uplink_variable");
-      GSC_Downlink_Is_New ("GSC downlink_variable");
-      GSC_TELOUT_Is_New ("GSC TELOUT_variable");
+      Expect ("MCS ADINT_variable", MCS.ADINT_Variable);
+      Expect ("MCS AD_variable", MCS.AD_Variable);
+      Expect ("MCS TELIN_variable", MCS.TELIN_Variable);
+      Expect ("MCS uplink_variable", MCS.Uplink_Variable);
+      Expect ("MCS downlink_variable", MCS.Downlink_Variable);
+      Expect ("MCS TELOUT_variable", MCS.TELOUT_Variable);
+      Expect ("MCS PWM_variable", MCS.PWM_Variable);
+      Expect ("GSC ADINT_variable", GSC.ADINT_Variable);
+      Expect ("GSC AD_variable", GSC.AD_Variable);
+      Expect ("GSC TELIN_variable", GSC.TELIN_Variable);
+      Expect ("GSC uplink_variable", GSC.Uplink_Variable);
+      Expect ("GSC downlink_variable", GSC.Downlink_Variable);
+      Expect ("GSC TELOUT_variable", GSC.TELOUT_Variable);
    end New_Variables;
 
    procedure Controller_Alone is

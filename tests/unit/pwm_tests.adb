@@ -1,13 +1,16 @@
 with Checks;            use Checks;
 with Devices.PWM_Board; use Devices.PWM_Board;
 with Expectations;      use Expectations;
-with Task_Doubles;      use Task_Doubles;
+with Task_Rig;          use Task_Rig;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Errors;        use URV.Errors;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.PWM_Boards;
 with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Task;
 with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Shared_Errors;
 
 package body PWM_Tests is
 
@@ -43,16 +46,16 @@ package body PWM_Tests is
 
    subtype Flap is PWM_Item range Left_Flap_1 .. Right_Flap_2;
 
-   --  The board under the task.
-   Board  : Data_Area := URV.PWM_Layout.Safe_Area;
-   Writes : Natural   := 0;
+   --  What the task is between.
 
-   procedure Write_Board (Area : Data_Area);
+   Variable : For_Uplink.Variable;
+   Board    : URV.PWM_Boards.Board;
+   Errors   : URV.Shared_Errors.Shared_Log;
 
-   package PWM is new URV.PWM_Task
-     (Receive_PWM => Task_Doubles.Commands.Receive,
-      Write_Board => Write_Board,
-      Report      => Report);
+   package PWM is new URV.PWM_Task (Variable, Board, Errors);
+
+   --  What no task writes.
+   Foreign : constant Data_Area := (others => 16#ABC#);
 
    --  All outputs for a set of commands.
    procedure Expect_Outputs
@@ -80,15 +83,12 @@ package body PWM_Tests is
       Expect (What & ", discretes", Output (Discretes), Bits);
    end Expect_Outputs;
 
-   procedure Write_Board (Area : Data_Area) is
-   begin
-      Board  := Area;
-      Writes := Writes + 1;
-   end Write_Board;
-
    procedure Neutral_All is
-      Output : constant PWM_Buffer := Transform (Neutral_Uplink);
+      Output    : constant PWM_Buffer := Transform (Neutral_Uplink);
+      New_Board : URV.PWM_Boards.Board;
    begin
+      Expect
+        ("at power up", New_Board.Contents = URV.PWM_Layout.Safe_Area, True);
       for Item in PWM_Item loop
          Expect
            ("safe " & Item'Image, Safe_Outputs (Item),
@@ -208,49 +208,54 @@ package body PWM_Tests is
    end Read_Back;
 
    procedure The_Task is
+      Area : Data_Area;
    begin
-      Clear;
-      Writes := 0;
-      Task_Doubles.Commands.Given := Commands;
+      Variable.Reset;
+      Errors.Clear;
+      Board.Write (Foreign);
+      Up.Give (Variable, Commands);
       PWM.Run_Transaction;
-      Expect_Number ("writes", Writes, 1);
+      Up.Expect_Counts ("received", Variable, 1, 1);
+      Area := Board.Contents;
       for Item in PWM_Item loop
          Expect
-           (Item'Image, Board (Channel_Of (Item)),
+           (Item'Image, Area (Channel_Of (Item)),
             Transform (Commands) (Item));
          Expect_Number
            ("channel of " & Item'Image, Integer (Channel_Of (Item)),
             PWM_Item'Pos (Item) + 1);
       end loop;
-      Expect ("unused channel 15", Board (15), 16#800#);
-      Expect ("unused channel 16", Board (16), 16#800#);
-      Expect_Errors ("new commands", None);
+      Expect ("unused channel 15", Area (15), 16#800#);
+      Expect ("unused channel 16", Area (16), 16#800#);
+      Expect_Errors ("new commands", Errors, None);
 
-      Task_Doubles.Commands.Is_Fresh := False;
+      Board.Write (Foreign);
       PWM.Run_Transaction;
-      Expect_Number ("writes without new commands", Writes, 1);
-      Expect_Errors ("without new commands", (1 => No_Commands));
+      Expect
+        ("left alone without new commands", Board.Contents = Foreign, True);
+      Expect_Errors ("without new commands", Errors, (1 => No_Commands));
    end The_Task;
 
    procedure Marked_Commands is
-      Before : Data_Area;
+      Item : Uplink_Buffer := (others => 16#FFF#);
    begin
-      The_Task;
-      Before := Board;
-
       --  Everything else than what stands there, switches on.
+      Variable.Reset;
+      Errors.Clear;
       for Error in Word range 0 .. 16#1F# loop
-         Clear;
-         Board := Before;
-         Task_Doubles.Commands.Given := (others => 16#FFF#);
-         Task_Doubles.Commands.Given (Error_Status) := Error;
+         Board.Write (Foreign);
+         Item (Error_Status) := Error;
+         Up.Give (Variable, Item);
          PWM.Run_Transaction;
          if Error mod 2 = 1 then
-            Expect ("old ones move nothing", Board = Before, True);
+            Expect
+              ("old ones move nothing", Board.Contents = Foreign, True);
          else
-            Expect ("fresh ones do", Board = Before, False);
+            Expect
+              ("fresh ones do",
+               Board.Contents = To_Data_Area (Transform (Item)), True);
          end if;
-         Expect_Errors ("new commands, marked or not", None);
+         Expect_Errors ("new commands, marked or not", Errors, None);
       end loop;
    end Marked_Commands;
 

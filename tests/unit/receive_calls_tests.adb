@@ -2,7 +2,6 @@ with Checks;           use Checks;
 with Expectations;     use Expectations;
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
-with URVOS.Mailboxes;
 with URVOS.Receive_Calls;
 with URVOS.Shared_Mailboxes;
 with URVOS.Waits;      use URVOS.Waits;
@@ -25,23 +24,20 @@ package body Receive_Calls_Tests is
 
    Neutral : constant Word := 16#800#;
 
-   package Boxes is new URVOS.Mailboxes (Word, Neutral);
+   package Messages is new URVOS.Shared_Mailboxes (Word, Neutral);
 
-   package Variable is new URVOS.Shared_Mailboxes (Boxes);
+   Variable : Messages.Variable;
 
-   --  How often somebody has looked.
+   package Calls is new URVOS.Receive_Calls (Messages, Variable);
+
+   --  How often RECV has looked.
    Looked : Count := 0;
 
-   procedure Counted_Look (Item : out Word; Fresh : out Boolean);
-   procedure Counted_Receive (Item : out Word; Fresh : out Boolean);
-
-   package Calls is new URVOS.Receive_Calls
-     (Message    => Word,
-      Look       => Counted_Look,
-      Receive    => Counted_Receive,
-      Read_Clock => Read_Clock);
-
-   procedure Receive_Within is new Calls.Receive_Within (Exit_Processor);
+   --  RECV in steps, with an EXIT between any two.
+   procedure Receive_Within
+     (Ticks : Wait_Ticks;
+      Item  : out Word;
+      Fresh : out Boolean);
 
    --  A mailbox out of which this was received, no miss counted.
    procedure Begin_With (Old : Word);
@@ -63,17 +59,21 @@ package body Receive_Calls_Tests is
    procedure Producer_Sends;
    procedure Clock_Runs_Back;
 
-   procedure Counted_Look (Item : out Word; Fresh : out Boolean) is
+   procedure Receive_Within
+     (Ticks : Wait_Ticks;
+      Item  : out Word;
+      Fresh : out Boolean)
+   is
+      Patience   : Wait := Begun (Now, Ticks);
+      Look_Again : Boolean;
    begin
-      Looked := Looked + 1;
-      Variable.Look (Item, Fresh);
-   end Counted_Look;
-
-   procedure Counted_Receive (Item : out Word; Fresh : out Boolean) is
-   begin
-      Looked := Looked + 1;
-      Variable.Receive (Item, Fresh);
-   end Counted_Receive;
+      loop
+         Looked := Looked + 1;
+         Calls.Receive_Step (Now, Patience, Item, Fresh, Look_Again);
+         exit when not Look_Again;
+         Exit_Processor;
+      end loop;
+   end Receive_Within;
 
    procedure Send (Item : Word) is
       Success : Boolean;
@@ -109,13 +109,12 @@ package body Receive_Calls_Tests is
    end Expect_Receive;
 
    procedure Expect_Misses (When_It_Was : String; Expected : Count) is
-      Box : Boxes.Mailbox;
+      Box : constant Messages.Boxes.Mailbox := Variable.Snapshot;
    begin
-      Variable.Inspect (Box);
       Expect
-        (When_It_Was & ", misses", Boxes.Misses (Box), Expected);
+        (When_It_Was & ", misses", Messages.Boxes.Misses (Box), Expected);
       Expect
-        (When_It_Was & ", left fresh", Boxes.Is_Fresh (Box), False);
+        (When_It_Was & ", left fresh", Messages.Boxes.Is_Fresh (Box), False);
    end Expect_Misses;
 
    procedure Producer_Sends is
@@ -237,7 +236,7 @@ package body Receive_Calls_Tests is
       Begin_With (5);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 4 loop
-         Calls.Receive_Step (Patience, Item, Fresh, Again);
+         Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
          Expect ("fresh in step" & Step'Image, Fresh, False);
          Expect ("received in step" & Step'Image, Item, 5);
          Expect ("again after step" & Step'Image, Again, Step < 4);
@@ -246,10 +245,10 @@ package body Receive_Calls_Tests is
       end loop;
 
       Patience := Begun (Now, 3);
-      Calls.Receive_Step (Patience, Item, Fresh, Again);
+      Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
       Expect ("again after the first step", Again, True);
       Send (6);
-      Calls.Receive_Step (Patience, Item, Fresh, Again);
+      Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
       Expect ("fresh in the second", Fresh, True);
       Expect ("received in the second", Item, 6);
       Expect ("again after the second", Again, False);

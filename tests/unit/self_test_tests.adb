@@ -1,10 +1,10 @@
 with Checks;                use Checks;
+with Devices.CORE_Memory;   use Devices.CORE_Memory;
 with Devices.Memory_Bus;    use Devices.Memory_Bus;
-with Devices.Shared_RAM;
-with Devices.Shared_ROM;
+with Devices.Processor_Memories;
+with Devices.Shared_CORE_Memory;
 with Expectations;          use Expectations;
-with Host.Memory_Hardware;  use Host.Memory_Hardware;
-with URV.Self_Test_Task;
+with Host.Memory_Hardware;       use Host.Memory_Hardware;
 with URVOS;                 use URVOS;
 with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Memories;        use URVOS.Memories;
@@ -13,6 +13,10 @@ with URVOS.RAM_Tests;
 with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
+with URV.Errors;            use URV.Errors;
+with URV.Self_Test_Task;
+with URV.Shared_Errors;
+with URV.Shared_Status;
 
 package body Self_Test_Tests is
 
@@ -37,9 +41,7 @@ package body Self_Test_Tests is
 
    --  Board 1 is tested; the rest show that boards have nothing in common.
 
-   package ROM is new Devices.Shared_ROM (Board => 1);
-
-   package RAM is new Devices.Shared_RAM (Board => 1);
+   package Memories is new Devices.Processor_Memories (Board => 1);
 
    --  How often the RAM was read or written.
    Accesses : Natural := 0;
@@ -63,39 +65,53 @@ package body Self_Test_Tests is
    package Start is new URVOS.Start_Tests
      (Last_Byte => Last_ROM_Byte,
       Last_Word => Last_RAM_Word,
-      Read_ROM  => ROM.Read,
+      Read_ROM  => Memories.Read_ROM,
       Read_RAM  => Read_RAM,
       Write_RAM => Write_RAM);
 
-   --  What the in-flight tasks gave.
-   Good, Bad : Count := 0;
-   Results   : Natural := 0;
-   Reports   : Natural := 0;
-   Detail    : Word := 0;
+   --  What the in-flight tasks are between.
 
-   procedure Write_Result (Good_Passes, Bad_Passes : Count);
-   procedure Report_Failure (Number : Word);
+   CORE   : Devices.Shared_CORE_Memory.Board;
+   Status : URV.Shared_Status.Status;
+   Errors : URV.Shared_Errors.Shared_Log;
 
    package In_Flight is new URV.Self_Test_Task
-     (Last           => Last_ROM_Byte,
-      Read_ROM       => ROM.Read,
-      Write_Result   => Write_Result,
-      Report_Failure => Report_Failure);
+     (Last            => Last_ROM_Byte,
+      Bytes_Per_Frame => 128,
+      CORE_Memory     => CORE,
+      Node_Status     => Status,
+      Errors          => Errors,
+      Read_ROM        => Memories.Read_ROM);
 
    package Byte_By_Byte is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,
       Bytes_Per_Frame => 1,
-      Read_ROM        => ROM.Read,
-      Write_Result    => Write_Result,
-      Report_Failure  => Report_Failure);
+      CORE_Memory     => CORE,
+      Node_Status     => Status,
+      Errors          => Errors,
+      Read_ROM        => Memories.Read_ROM);
 
    --  A slice that does not divide the image.
    package Odd is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,
       Bytes_Per_Frame => 1_000,
-      Read_ROM        => ROM.Read,
-      Write_Result    => Write_Result,
-      Report_Failure  => Report_Failure);
+      CORE_Memory     => CORE,
+      Node_Status     => Status,
+      Errors          => Errors,
+      Read_ROM        => Memories.Read_ROM);
+
+   --  Nothing found, nothing reported.
+   procedure Clear_Results;
+
+   --  What CORE says of the passes that have ended, and what the log does.
+
+   function Good return Word is (CORE.Contents.Status (ROM_Passes));
+   function Bad return Word is (CORE.Contents.Status (ROM_Failures));
+   function Results return Natural is (Natural (Good) + Natural (Bad));
+
+   function Failures return Logs.History is
+     (Logs.History_Of (Errors.Contents, ROM_Check_Failed));
+   function Reports return Natural is (Natural (Failures.Occurrences));
 
    --  The small memory with a fault, and with two.
    procedure Expect_Found (What : String; Planted : Fault);
@@ -118,27 +134,21 @@ package body Self_Test_Tests is
    procedure Read_RAM (Where : Word_Address; Data : out Word) is
    begin
       Accesses := Accesses + 1;
-      RAM.Read (Where, Data);
+      Memories.Read_RAM (Where, Data);
    end Read_RAM;
 
    procedure Write_RAM (Where : Word_Address; Data : Word) is
    begin
       Accesses := Accesses + 1;
-      RAM.Write (Where, Data);
+      Memories.Write_RAM (Where, Data);
    end Write_RAM;
 
-   procedure Write_Result (Good_Passes, Bad_Passes : Count) is
+   procedure Clear_Results is
    begin
-      Results := Results + 1;
-      Good := Good_Passes;
-      Bad := Bad_Passes;
-   end Write_Result;
-
-   procedure Report_Failure (Number : Word) is
-   begin
-      Reports := Reports + 1;
-      Detail := Number;
-   end Report_Failure;
+      CORE.Clear;
+      Errors.Clear;
+      Status.Write (0);
+   end Clear_Results;
 
    procedure Expect_Found (What : String; Planted : Fault) is
       Sound : Boolean;
@@ -266,7 +276,7 @@ package body Self_Test_Tests is
             Spoil_ROM (1, Where, Byte (Where mod 255) + 1);
             Other := First_Value;
             for I in ROM_Address loop
-               ROM.Read (I, Data);
+               Memories.Read_ROM (I, Data);
                Other := Next (Other, Data);
             end loop;
             Expect
@@ -322,7 +332,7 @@ package body Self_Test_Tests is
             end loop;
             Register := First_Value;
             for Where in ROM_Address loop
-               ROM.Read (Where, Data);
+               Memories.Read_ROM (Where, Data);
                Register := Next (Register, Data);
             end loop;
             Expect
@@ -497,14 +507,14 @@ package body Self_Test_Tests is
    begin
       Repair (1);
       for Place in RAM_Address loop
-         RAM.Write (Place, 16#1234#);
+         Memories.Write_RAM (Place, 16#1234#);
       end loop;
       Accesses := 0;
       Whole.Run (Sound, Where);
       Expect ("passes", Sound, True);
       Expect_Number ("accesses", Accesses, 34 * 8_192);
       for Place in RAM_Address loop
-         RAM.Read (Place, Data);
+         Memories.Read_RAM (Place, Data);
          Expect ("word" & Place'Image, Data, 0);
       end loop;
    end Zeros_After;
@@ -586,9 +596,8 @@ package body Self_Test_Tests is
    procedure Slices is
    begin
       Repair (1);
+      Clear_Results;
       In_Flight.Initialise;
-      Results := 0;
-      Reports := 0;
       for Frame in 1 .. 3 * 512 loop
          In_Flight.Run_Transaction;
          Expect_Number ("results", Results, Frame / 512);
@@ -597,27 +606,28 @@ package body Self_Test_Tests is
       Expect ("bad passes", Bad, 0);
 
       --  Whatever the slice: a pass ends with the last byte.
+      Clear_Results;
       Byte_By_Byte.Initialise;
       Odd.Initialise;
-      Results := 0;
       for Frame in 1 .. 65_536 loop
          Byte_By_Byte.Run_Transaction;
          Expect_Number ("results", Results, Frame / 65_536);
       end loop;
-      Results := 0;
+      Clear_Results;
       for Frame in 1 .. 200 loop
          Odd.Run_Transaction;
          Expect_Number ("results", Results, Frame * 1_000 / 65_536);
       end loop;
       Expect ("good passes", Good, 3);
       Expect_Number ("reports", Reports, 0);
+      Expect ("status", Status.Contents, 0);
    end Slices;
 
    procedure Failure_In_Flight is
    begin
       Repair (1);
+      Clear_Results;
       In_Flight.Initialise;
-      Reports := 0;
       for Frame in 1 .. 5 * 512 loop
          if Frame = 512 + 300 then
             --  This pass is already beyond the byte.
@@ -630,10 +640,13 @@ package body Self_Test_Tests is
          Expect_Number
            ("reports in frame" & Frame'Image, Reports,
             (if Frame < 3 * 512 then 0 elsif Frame < 4 * 512 then 1 else 2));
+         Expect
+           ("status in frame" & Frame'Image, Status.Contents,
+            (if Frame < 3 * 512 then 0 else 2));
       end loop;
       Expect ("good passes", Good, 3);
       Expect ("bad passes", Bad, 2);
-      Expect ("detail", Detail, 2);
+      Expect ("detail", Failures.Last_Detail, 2);
       In_Flight.Initialise;
       for Frame in 1 .. 512 loop
          In_Flight.Run_Transaction;

@@ -5,7 +5,7 @@ with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Semaphore_Calls;
 with URVOS.Semaphores; use URVOS.Semaphores;
-with URVOS.Shared_Semaphores;
+with URVOS.Shared_Semaphores; use URVOS.Shared_Semaphores;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 with URVOS.Waits;      use URVOS.Waits;
 with Waiting_Rig;      use Waiting_Rig;
@@ -33,15 +33,10 @@ package body Semaphores_Tests is
 
    procedure Expect is new Expect_Value (Task_Id);
 
-   package Resource is new URVOS.Shared_Semaphores;
+   Resource : Flag;
 
    --  How often P has tried.
    Tries : Count := 0;
-
-   procedure Counted_Try
-     (Who     : Claimant;
-      Claimed : out Boolean;
-      Holder  : out Claimant);
 
    --  What was reported, and how often.
    Not_Claimed, Not_Owned    : Count   := 0;
@@ -51,13 +46,12 @@ package body Semaphores_Tests is
    procedure Report_Not_Owned (Who : Claimant; Holder : Task_Id);
 
    package Calls is new URVOS.Semaphore_Calls
-     (Try_Claim          => Counted_Try,
-      Try_Release        => Resource.Release,
-      Read_Clock         => Read_Clock,
+     (Resource           => Resource,
       Report_Not_Claimed => Report_Not_Claimed,
       Report_Not_Owned   => Report_Not_Owned);
 
-   procedure Claim is new Calls.Claim (Exit_Processor);
+   --  P in steps, with an EXIT between any two.
+   procedure Claim (Who : Claimant; Claimed : out Boolean);
 
    --  A semaphore that nobody has, or this task, and nothing reported.
    procedure Begin_With (Owner : Task_Id);
@@ -77,15 +71,18 @@ package body Semaphores_Tests is
    Release_At_Exit : Natural := 0;
    procedure Other_Releases;
 
-   procedure Counted_Try
-     (Who     : Claimant;
-      Claimed : out Boolean;
-      Holder  : out Claimant)
-   is
+   procedure Claim (Who : Claimant; Claimed : out Boolean) is
+      Patience  : Wait := Begun (Now, Calls.Claim_Wait);
+      Try_Again : Boolean;
    begin
-      Tries := Tries + 1;
-      Resource.Try_Claim (Who, Claimed, Holder);
-   end Counted_Try;
+      loop
+         Tries := Tries + 1;
+         Calls.Claim_Step (Who, Now, Patience, Claimed, Try_Again);
+         exit when not Try_Again;
+         Expect ("reported before its end", Not_Claimed, 0);
+         Exit_Processor;
+      end loop;
+   end Claim;
 
    procedure Report_Not_Claimed (Who, Holder : Claimant) is
    begin
@@ -117,10 +114,9 @@ package body Semaphores_Tests is
    end Begin_With;
 
    procedure Expect_Owner (When_It_Was : String; Expected : Task_Id) is
-      Snapshot : Semaphore;
    begin
-      Resource.Inspect (Snapshot);
-      Expect (When_It_Was & ", owner", Owner (Snapshot), Expected);
+      Expect
+        (When_It_Was & ", owner", Owner (Resource.Snapshot), Expected);
    end Expect_Owner;
 
    procedure Expect_Claim (When_It_Was : String; Expected : Boolean) is
@@ -311,7 +307,7 @@ package body Semaphores_Tests is
       Begin_With (Other);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 3 loop
-         Calls.Claim_Step (Caller, Patience, Claimed, Try_Again);
+         Calls.Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
          Expect ("claimed in step" & Step'Image, Claimed, False);
          Expect ("again after step" & Step'Image, Try_Again, Step < 3);
          Expect
@@ -322,7 +318,7 @@ package body Semaphores_Tests is
 
       Begin_With (No_Task);
       Patience := Begun (Now, Calls.Claim_Wait);
-      Calls.Claim_Step (Caller, Patience, Claimed, Try_Again);
+      Calls.Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
       Expect ("available", Claimed, True);
       Expect ("again when claimed", Try_Again, False);
    end In_Steps;
@@ -360,7 +356,7 @@ package body Semaphores_Tests is
    procedure Two_Tasks is
       Rounds : constant := 50_000;
 
-      package Shared is new URVOS.Shared_Semaphores;
+      Shared : Flag;
 
       --  Only who has the semaphore touches these.
       Inside : Count := 0 with Volatile;

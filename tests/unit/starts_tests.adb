@@ -5,23 +5,25 @@ with Devices.PWM_Board;   use Devices.PWM_Board;
 with Expect_Value;
 with Expectations;        use Expectations;
 with GSC.Virtual_Time;
-with Host.Memory_Hardware;
 with MCS.Virtual_Time;
+with Host.Memory_Hardware;
 with Node_Rig;            use Node_Rig;
 with Telemetry;           use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
 with Telemetry.Receivers;
-with URV.Buffers;         use URV.Buffers;
-with URV.Codecs;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Errors;          use URV.Errors;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Self_Tests;    use URVOS.Self_Tests;
 with URVOS.Shared_Mailboxes;
 with URVOS.Start_Phases;
 with URVOS.Starts;
+with URVOS.Task_Trees;    use URVOS.Task_Trees;
+with URV.Buffers;         use URV.Buffers;
+with URV.Codecs;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Errors;          use URV.Errors;
+with URV.Mailboxes;       use URV.Mailboxes;
 
 package body Starts_Tests is
 
@@ -59,7 +61,8 @@ package body Starts_Tests is
 
    --  What a variable holds after such a start.
    generic
-      with package Variable is new URVOS.Shared_Mailboxes (<>);
+      with package Messages is new URVOS.Shared_Mailboxes (<>);
+      Variable : in out Messages.Variable;
    procedure Expect_Variable (What : String; Node : Station);
 
    procedure Fly_Before is
@@ -78,45 +81,45 @@ package body Starts_Tests is
    begin
       case Node is
          when Ground =>
-            GSC.Begin_Again (Condition, Clock_Of (Node), Passed);
+            GSC.Starts.Begin_Again (Condition, Clock_Of (Node), Passed);
          when Aircraft =>
-            MCS.Begin_Again (Condition, Clock_Of (Node), Passed);
+            MCS.Starts.Begin_Again (Condition, Clock_Of (Node), Passed);
       end case;
       Expect ("self-test passed", Passed, True);
    end Begin_Again;
 
    procedure Expect_Variable (What : String; Node : Station) is
-      use type Variable.Message;
-      Before, After : Variable.Boxes.Mailbox;
+      use type Messages.Message;
+      Before, After : Messages.Boxes.Mailbox;
    begin
       for Condition in Condition_Name loop
          declare
             Where : constant String := Condition'Image & ", " & What;
          begin
             Fly_Before;
-            Variable.Inspect (Before);
+            Before := Variable.Snapshot;
             Expect
               (Where & " holds something before",
-               Variable.Boxes.Contents (Before) /= Variable.Boxes.Neutral,
+               Messages.Boxes.Contents (Before) /= Messages.Neutral,
                True);
             Expect
               (Where & " has been used before",
-               Count (Variable.Boxes.Produced (Before)) > 0, True);
+               Count (Messages.Boxes.Produced (Before)) > 0, True);
 
             Begin_Again (Node, Condition);
-            Variable.Inspect (After);
+            After := Variable.Snapshot;
             Expect
-              (Where & ", produced", Count (Variable.Boxes.Produced (After)),
+              (Where & ", produced", Count (Messages.Boxes.Produced (After)),
                0);
             Expect
-              (Where & ", consumed", Count (Variable.Boxes.Consumed (After)),
+              (Where & ", consumed", Count (Messages.Boxes.Consumed (After)),
                0);
-            Expect (Where & ", misses", Variable.Boxes.Misses (After), 0);
+            Expect (Where & ", misses", Messages.Boxes.Misses (After), 0);
             Expect
               (Where & ", message",
-               Variable.Boxes.Contents (After) =
-                 (if Condition = Starts.Cold_Start then Variable.Boxes.Neutral
-                  else Variable.Boxes.Contents (Before)),
+               Messages.Boxes.Contents (After) =
+                 (if Condition = Starts.Cold_Start then Messages.Neutral
+                  else Messages.Boxes.Contents (Before)),
                True);
          end;
       end loop;
@@ -288,7 +291,6 @@ package body Starts_Tests is
       Held_Servos : Data_Area;
       CORE        : Memory;
       Before      : Count;
-      Bits        : Word;
    begin
       for Condition in Condition_Name loop
          Fly_Before;
@@ -338,19 +340,27 @@ package body Starts_Tests is
          Expect
            (Condition'Image & ", log", Logs.Total (Log_Of (Aircraft)),
             (if Condition = Starts.Cold_Start then 0 else Before + 1));
-         MCS.Status.Read (Bits);
-         Expect (Condition'Image & ", status bits", Bits, No_Error);
+         Expect
+           (Condition'Image & ", status bits", MCS.Status.Contents,
+            No_Error);
       end loop;
    end Boards_Of_Aircraft;
 
    procedure Variables_Of_Aircraft is
-      procedure ADINT    is new Expect_Variable (MCS.ADINT_Variable);
-      procedure AD       is new Expect_Variable (MCS.AD_Variable);
-      procedure TELIN    is new Expect_Variable (MCS.TELIN_Variable);
-      procedure Uplink   is new Expect_Variable (MCS.Uplink_Variable);
-      procedure Downlink is new Expect_Variable (MCS.Downlink_Variable);
-      procedure TELOUT   is new Expect_Variable (MCS.TELOUT_Variable);
-      procedure PWM      is new Expect_Variable (MCS.PWM_Variable);
+      procedure ADINT is new Expect_Variable
+        (For_Sensor_Words, MCS.ADINT_Variable);
+      procedure AD is new Expect_Variable
+        (For_Sensor_Images, MCS.AD_Variable);
+      procedure TELIN is new Expect_Variable
+        (For_Uplink, MCS.TELIN_Variable);
+      procedure Uplink is new Expect_Variable
+        (For_Uplink, MCS.Uplink_Variable);
+      procedure Downlink is new Expect_Variable
+        (For_Downlink, MCS.Downlink_Variable);
+      procedure TELOUT is new Expect_Variable
+        (For_Downlink, MCS.TELOUT_Variable);
+      procedure PWM is new Expect_Variable
+        (For_Uplink, MCS.PWM_Variable);
    begin
       ADINT ("ADINT_variable", Aircraft);
       AD ("AD_variable", Aircraft);
@@ -362,12 +372,18 @@ package body Starts_Tests is
    end Variables_Of_Aircraft;
 
    procedure Variables_Of_Ground is
-      procedure ADINT    is new Expect_Variable (GSC.ADINT_Variable);
-      procedure AD       is new Expect_Variable (GSC.AD_Variable);
-      procedure TELIN    is new Expect_Variable (GSC.TELIN_Variable);
-      procedure Uplink   is new Expect_Variable (GSC.Uplink_Variable);
-      procedure Downlink is new Expect_Variable (GSC.Downlink_Variable);
-      procedure TELOUT   is new Expect_Variable (GSC.TELOUT_Variable);
+      procedure ADINT is new Expect_Variable
+        (For_Stick_Words, GSC.ADINT_Variable);
+      procedure AD is new Expect_Variable
+        (For_Stick_Images, GSC.AD_Variable);
+      procedure TELIN is new Expect_Variable
+        (For_Downlink, GSC.TELIN_Variable);
+      procedure Uplink is new Expect_Variable
+        (For_Uplink, GSC.Uplink_Variable);
+      procedure Downlink is new Expect_Variable
+        (For_Downlink, GSC.Downlink_Variable);
+      procedure TELOUT is new Expect_Variable
+        (For_Uplink, GSC.TELOUT_Variable);
    begin
       ADINT ("ADINT_variable", Ground);
       AD ("AD_variable", Ground);
@@ -749,10 +765,10 @@ package body Starts_Tests is
       type Servo_Record is array (1 .. Frames) of Data_Area;
       type CORE_Record is array (1 .. Frames) of Memory;
 
-      Servos_Of : array (MCS.Processor_Number) of Servo_Record;
-      COREs_Of  : array (MCS.Processor_Number) of CORE_Record;
+      Servos_Of : array (Processor_Number) of Servo_Record;
+      COREs_Of  : array (Processor_Number) of CORE_Record;
    begin
-      for Processors in MCS.Processor_Number loop
+      for Processors in Processor_Number loop
          Switch_On (Processors);
          for Frame in 1 .. Frames loop
             Console := Numbered (Word (Frame) * 17);

@@ -1,11 +1,17 @@
-with Checks;       use Checks;
-with Expectations; use Expectations;
-with Task_Doubles; use Task_Doubles;
-with Telemetry;    use Telemetry;
-with URV.Buffers;  use URV.Buffers;
+with Checks;        use Checks;
+with Expectations;  use Expectations;
+with Task_Rig;      use Task_Rig;
+with Telemetry;     use Telemetry;
+with Telemetry.Checksum;
+with Telemetry.Receivers;
+with Telemetry.Shared_Boards;
+with URVOS;         use URVOS;
+with URV.Buffers;   use URV.Buffers;
 with URV.Codecs;
-with URV.Errors;   use URV.Errors;
-with URV.Routing;  use URV.Routing;
+with URV.Errors;    use URV.Errors;
+with URV.Mailboxes; use URV.Mailboxes;
+with URV.Routing;   use URV.Routing;
+with URV.Shared_Errors;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 
@@ -21,107 +27,170 @@ package body Telemetry_Task_Tests is
    procedure No_Output_Now;
    procedure No_Buffer;
 
-   --  The telemetry board under the tasks.
-   Block         : Block_Data := (others => 0);
-   Block_Fresh   : Boolean    := False;
-   Ever          : Boolean    := False;
-   Taken         : Natural    := 0;
-   Put_Data      : Block_Data := (others => 0);
-   Put_Count     : Natural    := 0;
-   Put_Overwrote : Boolean    := False;
+   --  What the tasks are between. The ground's board sends when it has
+   --  something, whatever its block's length.
 
-   procedure Take_Block
-     (Data          : out Block_Data;
-      Fresh         : out Boolean;
-      Ever_Received : out Boolean);
+   Board_In : Telemetry.Shared_Boards.Shared_Board
+     (Role            => Aircraft,
+      Transmit_Length => URV.Codecs.Downlink.Block_Length,
+      Receive_Length  => URV.Codecs.Uplink.Block_Length);
 
-   procedure Put_Block (Data : Block_Data; Overwrote : out Boolean);
+   Board_Out : Telemetry.Shared_Boards.Shared_Board
+     (Role            => Ground,
+      Transmit_Length => URV.Codecs.Downlink.Block_Length,
+      Receive_Length  => URV.Codecs.Uplink.Block_Length);
+
+   Input  : For_Uplink.Variable;
+   Output : For_Downlink.Variable;
+
+   Errors : URV.Shared_Errors.Shared_Log;
 
    package TELIN is new URV.TELIN_Task
-     (Message    => Uplink_Buffer,
-      Neutral    => Neutral_Uplink,
-      As_Old     => URV.Routing.As_Old,
-      Decode     => URV.Codecs.Uplink.Decode,
-      Take_Block => Take_Block,
-      Send_TELIN => Input_Up.Send,
-      Report     => Report);
+     (Messages        => For_Uplink,
+      Telemetry_Board => Board_In,
+      TELIN_Variable  => Input,
+      Errors          => Errors,
+      As_Old          => As_Old,
+      Decode          => URV.Codecs.Uplink.Decode);
 
    package TELOUT is new URV.TELOUT_Task
-     (Message        => Downlink_Buffer,
-      Encode         => URV.Codecs.Downlink.Encode,
-      Receive_TELOUT => Output_Down.Receive,
-      Put_Block      => Put_Block,
-      Report         => Report);
+     (Messages        => For_Downlink,
+      TELOUT_Variable => Output,
+      Telemetry_Board => Board_Out,
+      Errors          => Errors,
+      Encode          => URV.Codecs.Downlink.Encode);
 
-   procedure Take_Block
-     (Data          : out Block_Data;
-      Fresh         : out Boolean;
-      Ever_Received : out Boolean) is
-   begin
-      Taken         := Taken + 1;
-      Data          := (if Block_Fresh then Block else (others => 0));
-      Fresh         := Block_Fresh;
-      Ever_Received := Ever;
-   end Take_Block;
+   --  A whole block arrives at the board.
+   procedure Receive_Block (Item : Uplink_Buffer);
 
-   procedure Put_Block (Data : Block_Data; Overwrote : out Boolean) is
+   --  TELOUT's board begins to send this, and then waits for an answer.
+   procedure Expect_Block (What : String; Expected : Downlink_Buffer);
+
+   --  TELOUT's board has nothing to send.
+   procedure Expect_No_Block (What : String);
+
+   --  It starts anew, and is not idle any more.
+   procedure Prepare_Board_Out;
+
+   procedure Receive_Block (Item : Uplink_Buffer) is
+      Length : constant Byte_Count := URV.Codecs.Uplink.Block_Length;
+      Header : constant Byte := Receivers.Data_Header (Length);
+      Data   : constant Block_Data := URV.Codecs.Uplink.Encode (Item);
+
+      procedure Hear (Value : Byte);
+
+      procedure Hear (Value : Byte) is
+         Unused : Boolean;
+      begin
+         Board_In.Accept_Character (1, Value, False, Unused);
+      end Hear;
+
+      Status      : Byte;
+      Unused_Send : Boolean;
+      Unused_Time : Character_Times;
    begin
-      Put_Count := Put_Count + 1;
-      Put_Data  := Data;
-      Overwrote := Put_Overwrote;
-   end Put_Block;
+      Hear (Header);
+      for Place in 1 .. Length loop
+         Hear (Data (Place));
+      end loop;
+      Hear (Checksum.Of_Message (Header, Data, Length));
+
+      --  It answers, and the line is free again.
+      Board_In.Next_Character (1, Unused_Send, Status, Unused_Time);
+      Board_In.Next_Character (1, Unused_Send, Status, Unused_Time);
+   end Receive_Block;
+
+   procedure Prepare_Board_Out is
+      Send        : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
+   begin
+      Board_Out.Clear_Transmit_Half;
+      Board_Out.Start;
+      Board_Out.Next_Character (100, Send, Unused_Data, Unused_Time);
+      Expect ("nothing to send to begin with", Send, False);
+   end Prepare_Board_Out;
+
+   procedure Expect_Block (What : String; Expected : Downlink_Buffer) is
+      Length      : constant Byte_Count := URV.Codecs.Downlink.Block_Length;
+      Block       : Block_Data := (others => 0);
+      Send        : Boolean;
+      Data        : Byte;
+      Unused_Time : Character_Times;
+   begin
+      for Place in 0 .. Length + 1 loop
+         Board_Out.Next_Character (1, Send, Data, Unused_Time);
+         Expect (What & ", character" & Place'Image, Send, True);
+         if Place in 1 .. Length then
+            Block (Place) := Data;
+         end if;
+      end loop;
+      Expect_Buffer (What, URV.Codecs.Downlink.Decode (Block), Expected);
+   end Expect_Block;
+
+   procedure Expect_No_Block (What : String) is
+      Send        : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
+   begin
+      Board_Out.Next_Character (1, Send, Unused_Data, Unused_Time);
+      Expect (What, Send, False);
+   end Expect_No_Block;
 
    procedure Before_The_First is
    begin
-      Clear;
-      Taken       := 0;
-      Block_Fresh := False;
-      Ever        := False;
+      Board_In.Start;
+      Input.Reset;
+      Errors.Clear;
       TELIN.Initialise;
       for Frame in 1 .. 5 loop
          TELIN.Run_Transaction;
       end loop;
-      Expect_Number ("looked", Taken, 5);
-      Expect_Number ("sent", Input_Up.Sent, 0);
-      Expect_Errors ("before the first message", None);
+      Up.Expect_Counts ("nothing sent", Input, 0, 0);
+      Expect_Errors ("before the first message", Errors, None);
    end Before_The_First;
 
    procedure New_Block is
    begin
       Before_The_First;
-      Block       := URV.Codecs.Uplink.Encode (Uplink_Of (16#100#));
-      Block_Fresh := True;
-      Ever        := True;
+      Receive_Block (Uplink_Of (16#100#));
       TELIN.Run_Transaction;
-      Expect_Number ("sent", Input_Up.Sent, 1);
-      Expect_Buffer ("message", Input_Up.Kept, Uplink_Of (16#100#));
-      Expect_Errors ("a new block", None);
+      Up.Expect_Counts ("sent", Input, 1, 0);
+      Expect_Buffer
+        ("message", Up.Taken ("message", Input), Uplink_Of (16#100#));
+      Expect_Errors ("a new block", Errors, None);
    end New_Block;
 
    procedure Block_Again is
    begin
       New_Block;
-      Block_Fresh := False;
       for Frame in 1 .. 3 loop
          TELIN.Run_Transaction;
-         Expect_Number ("sent", Input_Up.Sent, 1 + Frame);
+         Up.Expect_Counts ("sent", Input, 1 + Count (Frame), Count (Frame));
          Expect_Buffer
-           ("previous", Input_Up.Kept, As_Old (Uplink_Of (16#100#)));
-         Expect_Errors ("nothing new", (1 => TELIN_No_Block));
+           ("previous", Up.Taken ("previous", Input),
+            As_Old (Uplink_Of (16#100#)));
+         Expect_Errors ("nothing new", Errors, (1 => TELIN_No_Block));
       end loop;
 
-      Block       := URV.Codecs.Uplink.Encode (Uplink_Of (16#200#));
-      Block_Fresh := True;
+      Receive_Block (Uplink_Of (16#200#));
       TELIN.Run_Transaction;
-      Expect_Buffer ("the next", Input_Up.Kept, Uplink_Of (16#200#));
+      Expect_Buffer
+        ("the next", Up.Taken ("the next", Input), Uplink_Of (16#200#));
+      Expect_Errors ("the next", Errors, None);
    end Block_Again;
 
    procedure Not_Consumed is
    begin
       New_Block;
-      Input_Up.Succeeds := False;
+      Receive_Block (Uplink_Of (16#200#));
       TELIN.Run_Transaction;
-      Expect_Errors ("nobody took", (1 => Input_Not_Consumed));
+      Expect_Errors ("all is well", Errors, None);
+      Receive_Block (Uplink_Of (16#300#));
+      TELIN.Run_Transaction;
+      Expect_Errors ("nobody took", Errors, (1 => Input_Not_Consumed));
+      Expect_Buffer
+        ("the newest", Up.Taken ("the newest", Input), Uplink_Of (16#300#));
    end Not_Consumed;
 
    procedure Cold_Again is
@@ -130,45 +199,49 @@ package body Telemetry_Task_Tests is
       --  start is lost: nothing may go to the servos in its place.
       New_Block;
       TELIN.Initialise;
-      Block_Fresh := False;
-      Input_Up.Sent := 0;
       TELIN.Run_Transaction;
-      Expect_Number ("nothing sent", Input_Up.Sent, 0);
-      Block_Fresh := True;
+      Up.Expect_Counts ("nothing sent", Input, 1, 1);
+      Expect_Errors ("no block", Errors, (1 => TELIN_No_Block));
+      Receive_Block (Uplink_Of (16#200#));
       TELIN.Run_Transaction;
-      Expect_Number ("sent when one has come", Input_Up.Sent, 1);
+      Expect_Buffer
+        ("sent when one has come", Up.Taken ("sent", Input),
+         Uplink_Of (16#200#));
    end Cold_Again;
 
    procedure New_Output is
    begin
-      Clear;
-      Put_Count         := 0;
-      Put_Overwrote     := False;
-      Output_Down.Given := Downlink_Of (16#300#);
+      Prepare_Board_Out;
+      Output.Reset;
+      Errors.Clear;
+      Down.Give (Output, Downlink_Of (16#300#));
       TELOUT.Run_Transaction;
-      Expect_Number ("put", Put_Count, 1);
-      Expect_Buffer
-        ("block", URV.Codecs.Downlink.Decode (Put_Data),
-         Downlink_Of (16#300#));
-      Expect_Errors ("new output", None);
+      Down.Expect_Counts ("received", Output, 1, 1);
+      Expect_Block ("block", Downlink_Of (16#300#));
+      Expect_Errors ("new output", Errors, None);
    end New_Output;
 
    procedure No_Output_Now is
    begin
       New_Output;
-      Output_Down.Is_Fresh := False;
+      Prepare_Board_Out;
       TELOUT.Run_Transaction;
-      Expect_Number ("put", Put_Count, 1);
-      Expect_Errors ("nothing new", (1 => No_Output));
+      Expect_No_Block ("nothing was put");
+      Expect_Errors ("nothing new", Errors, (1 => No_Output));
    end No_Output_Now;
 
    procedure No_Buffer is
    begin
       New_Output;
-      Put_Overwrote := True;
-      TELOUT.Run_Transaction;
-      Expect_Number ("put", Put_Count, 2);
-      Expect_Errors ("no buffer", (1 => TELOUT_Overwrote_Block));
+      Prepare_Board_Out;
+      for Mark in Word range 1 .. 3 loop
+         Down.Give (Output, Downlink_Of (16#100# * Mark));
+         TELOUT.Run_Transaction;
+         Expect_Errors
+           ("put" & Mark'Image, Errors,
+            (if Mark < 3 then None else (1 => TELOUT_Overwrote_Block)));
+      end loop;
+      Expect_Block ("the newest", Downlink_Of (16#300#));
    end No_Buffer;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

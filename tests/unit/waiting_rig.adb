@@ -15,11 +15,6 @@ package body Waiting_Rig is
       Run      := Others_Run;
    end Begin_At;
 
-   procedure Read_Clock (Shown : out Clock_Tick) is
-   begin
-      Shown := Now;
-   end Read_Clock;
-
    procedure Exit_Processor is
    begin
       Exits := Exits + 1;

@@ -1,8 +1,8 @@
---  The processor of a task that waits: its clock, and the other tasks, which
---  run while it has called EXIT.
+--  The processor of a task that waits in steps: its clock, and the other
+--  tasks, which run while it has called EXIT.
 --
 --     Begin_At (100, Exits_Per_Tick => 4, Others_Run => Send_It'Access);
---     --  The task waits.
+--     --  The task's steps, and an Exit_Processor between any two.
 --     Expect ("it ended", Now, 102);
 
 with URVOS.Frames; use URVOS.Frames;
@@ -21,8 +21,6 @@ package Waiting_Rig is
      (Start          : Clock_Tick;
       Exits_Per_Tick : Natural;
       Others_Run     : Action := null);
-
-   procedure Read_Clock (Shown : out Clock_Tick);
 
    procedure Exit_Processor;
 

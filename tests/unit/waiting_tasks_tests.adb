@@ -1,17 +1,17 @@
-with Checks;           use Checks;
+with Checks;                  use Checks;
 with Expect_Value;
-with Expectations;     use Expectations;
-with URVOS;            use URVOS;
-with URVOS.Frames;     use URVOS.Frames;
-with URVOS.Mailboxes;
+with Expectations;            use Expectations;
+with URVOS;                   use URVOS;
+with URVOS.Executives;
+with URVOS.Frames;            use URVOS.Frames;
+with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
 with URVOS.Receive_Calls;
-with URVOS.Schedulers; use URVOS.Schedulers;
 with URVOS.Semaphore_Calls;
-with URVOS.Semaphores; use URVOS.Semaphores;
+with URVOS.Semaphores;        use URVOS.Semaphores;
 with URVOS.Shared_Mailboxes;
-with URVOS.Shared_Semaphores;
-with URVOS.Task_Trees; use URVOS.Task_Trees;
-with Waiting_Rig;      use Waiting_Rig;
+with URVOS.Shared_Semaphores; use URVOS.Shared_Semaphores;
+with URVOS.Task_Trees;        use URVOS.Task_Trees;
+with URVOS.Waits;             use URVOS.Waits;
 
 package body Waiting_Tasks_Tests is
 
@@ -28,48 +28,71 @@ package body Waiting_Tasks_Tests is
    procedure Expect is new Expect_Value (Task_Id);
 
    --  The processor of both tasks.
-   Processor : Scheduler := Empty_Scheduler (0);
 
-   --  The waiting task of priority 5 runs. The other one sleeps with the
-   --  semaphore in its hands until a tick, then releases it, sends a
-   --  message and ends.
-   procedure Begin_Tasks (Wake_Up : Clock_Tick; Its_Priority : Priority);
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
 
-   --  EXIT of the waiting task, up to where it runs again.
-   procedure Schedule;
+   procedure Report_Overrun (Who : Task_Id) is null;
+
+   procedure Read_Clock (Now : in out Clock_Tick);
+
+   package Executive is
+     new URVOS.Executives (Step, Report_Overrun, Read_Clock);
+
+   --  The clock. It ticks whenever the waiting task has called EXIT.
+   Time : Clock_Tick := 0;
+
+   --  What the waiting task waits for. Then it ends.
+   type Activity is (Claiming, Receiving, Done);
+   Doing    : Activity := Done;
+   Patience : Wait;
+
+   --  What came of it: at which tick it ended, who had the semaphore then,
+   --  before its V.
+   Ended_At  : Clock_Tick := 0;
+   Claimed   : Boolean    := False;
+   Owner_Was : Task_Id    := No_Task;
+   Released  : Boolean    := False;
+   Item      : Word       := 0;
+   Fresh     : Boolean    := False;
+
+   --  The steps of the waiting task, and the tick of the other one's.
+   Steps     : Natural    := 0;
+   Other_Ran : Clock_Tick := 0;
+
+   --  The waiting task of priority 5 waits. The other one sleeps with the
+   --  semaphore in its hands until a tick, then releases it, sends a message
+   --  and ends.
+   procedure Run_Tasks
+     (What         : Activity;
+      Wake_Up      : Clock_Tick;
+      Its_Priority : Priority);
 
    Resource_Reports : Count := 0;
 
    procedure Report_Not_Claimed (Caller, Holder : Claimant);
    procedure Report_Not_Owned (Caller : Claimant; Holder : Task_Id);
 
-   package Resource is new URVOS.Shared_Semaphores;
+   Resource : Flag;
 
    package Resource_Calls is new URVOS.Semaphore_Calls
-     (Try_Claim          => Resource.Try_Claim,
-      Try_Release        => Resource.Release,
-      Read_Clock         => Read_Clock,
+     (Resource           => Resource,
       Report_Not_Claimed => Report_Not_Claimed,
       Report_Not_Owned   => Report_Not_Owned);
 
-   procedure Claim is new Resource_Calls.Claim (Exit_Processor);
+   package Messages is new URVOS.Shared_Mailboxes (Word, 5);
 
-   package Boxes is new URVOS.Mailboxes (Word, 5);
+   Variable : Messages.Variable;
 
-   package Variable is new URVOS.Shared_Mailboxes (Boxes);
+   package Variable_Calls is new URVOS.Receive_Calls (Messages, Variable);
 
-   package Variable_Calls is new URVOS.Receive_Calls
-     (Message    => Word,
-      Look       => Variable.Look,
-      Receive    => Variable.Receive,
-      Read_Clock => Read_Clock);
+   --  A step of the waiting task, and whether it is to go on.
+   procedure Wait_Step (Now : Clock_Tick; Goes_On : out Boolean);
 
-   procedure Receive_Within is
-     new Variable_Calls.Receive_Within (Exit_Processor);
-
-   --  Who runs, and who has the semaphore.
-   procedure Expect_Waiter_Runs (When_It_Was : String);
-   procedure Expect_Owner (When_It_Was : String; Expected : Task_Id);
+   procedure Give_Back;
 
    procedure Report_Not_Claimed (Caller, Holder : Claimant) is
    begin
@@ -85,127 +108,171 @@ package body Waiting_Tasks_Tests is
       Resource_Reports := Resource_Reports + 1;
    end Report_Not_Owned;
 
-   procedure Begin_Tasks (Wake_Up : Clock_Tick; Its_Priority : Priority) is
-      Claimed : Boolean;
+   procedure Wait_Step (Now : Clock_Tick; Goes_On : out Boolean) is
+   begin
+      Steps := Steps + 1;
+      case Doing is
+         when Claiming =>
+            Resource_Calls.Claim_Step
+              (Waiter, Now, Patience, Claimed, Goes_On);
+            if not Goes_On then
+               Owner_Was := Owner (Resource.Snapshot);
+               Resource_Calls.Release (Waiter, Released);
+            end if;
+
+         when Receiving =>
+            Variable_Calls.Receive_Step
+              (Now, Patience, Item, Fresh, Goes_On);
+
+         when Done =>
+            Expect ("it has ended", False, True);
+      end case;
+      if not Goes_On then
+         Doing := Done;
+         Ended_At := Now;
+      end if;
+   end Wait_Step;
+
+   procedure Give_Back is
+      Success : Boolean;
+   begin
+      Resource_Calls.Release (Other, Success);
+      Expect ("released by its owner", Success, True);
+      Variable.Send (77, Success);
+      Expect ("sent into an empty box", Success, True);
+   end Give_Back;
+
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call)
+   is
+      pragma Unreferenced (First_Run);
+      Goes_On : Boolean := False;
+   begin
+      if Who = Waiter then
+         Wait_Step (Now, Goes_On);
+         if Goes_On then
+            Time := Advanced (Time);
+         end if;
+      else
+         Give_Back;
+         Other_Ran := Now;
+      end if;
+      Call :=
+        (Name => (if Goes_On then Exit_Call else Terminate_Call),
+         others => <>);
+   end Step;
+
+   procedure Read_Clock (Now : in out Clock_Tick) is
+   begin
+      Now := Time;
+   end Read_Clock;
+
+   procedure Run_Tasks
+     (What         : Activity;
+      Wake_Up      : Clock_Tick;
+      Its_Priority : Priority)
+   is
+      Success : Boolean;
       Holder  : Claimant;
    begin
-      Begin_At (100, Exits_Per_Tick => 1, Others_Run => Schedule'Access);
-      Start
-        (Processor,
-         (1      => (Waiter, 100, 5),
-          2      => (Other, Wake_Up, Its_Priority),
-          others => Null_Header),
-         100);
+      Time := 100;
+      Steps := 0;
+      Other_Ran := 0;
+      Doing := What;
+      Patience :=
+        Begun (100, (if What = Claiming then Resource_Calls.Claim_Wait
+                     else 5));
       Variable.Reset;
       Resource.Reset;
-      Resource.Try_Claim (Other, Claimed, Holder);
-      Expect ("claimed to begin with", Claimed, True);
+      Resource.Try_Claim (Other, Success, Holder);
+      Expect ("claimed to begin with", Success, True);
       Expect ("holder to begin with", Holder, Other);
       Resource_Reports := 0;
-   end Begin_Tasks;
 
-   procedure Schedule is
-      Done : Boolean;
-   begin
-      Wake (Processor, Now);
-      Exit_Call (Processor);
-      if Id_Of (Processor, Running_TCB (Processor)) = Other then
-         Resource_Calls.Release (Other, Done);
-         Expect ("released by its owner", Done, True);
-         Variable.Send (77, Done);
-         Expect ("sent into an empty box", Done, True);
-         Terminate_Caller (Processor);
-         Dispatch (Processor);
-      end if;
-      Expect_Waiter_Runs ("after EXIT");
-   end Schedule;
-
-   procedure Expect_Waiter_Runs (When_It_Was : String) is
-   begin
-      Expect
-        (When_It_Was & ", who runs",
-         Id_Of (Processor, Running_TCB (Processor)), Waiter);
-   end Expect_Waiter_Runs;
-
-   procedure Expect_Owner (When_It_Was : String; Expected : Task_Id) is
-      Snapshot : Semaphore;
-   begin
-      Resource.Inspect (Snapshot);
-      Expect (When_It_Was & ", owner", Owner (Snapshot), Expected);
-   end Expect_Owner;
+      Executive.Start
+        (((Waiter, 100, 5), (Other, Wake_Up, Its_Priority),
+          others => Null_Header),
+         100);
+      for Number in 1 .. 100 loop
+         exit when Doing = Done;
+         declare
+            Unused_Runs_On : Boolean;
+         begin
+            Executive.Run_Step (Unused_Runs_On);
+         end;
+      end loop;
+      Expect ("the wait has ended", Doing = Done, True);
+   end Run_Tasks;
 
    procedure Holder_Wakes is
-      Claimed : Boolean;
    begin
       for Wake_Up in Clock_Tick range 101 .. 102 loop
-         Begin_Tasks (Wake_Up, Its_Priority => 9);
-         Claim (Waiter, Claimed);
+         Run_Tasks (Claiming, Wake_Up, Its_Priority => 9);
          Expect ("claimed", Claimed, True);
-         Expect ("claimed at", Now, Wake_Up);
+         Expect ("the other has run at", Other_Ran, Wake_Up);
+         Expect ("claimed at", Ended_At, Wake_Up);
+         Expect_Number ("steps", Steps, Integer (Wake_Up) - 99);
+         Expect ("after the other's V", Owner_Was, Waiter);
+         Expect ("its own V", Released, True);
          Expect ("reports", Resource_Reports, 0);
-         Expect_Owner ("after its V", Waiter);
-         Expect_Waiter_Runs ("after its P");
       end loop;
    end Holder_Wakes;
 
    procedure Holder_Sleeps_On is
-      Claimed  : Boolean;
-      Released : Boolean;
    begin
-      Begin_Tasks (103, Its_Priority => 9);
-      Claim (Waiter, Claimed);
+      Run_Tasks (Claiming, 103, Its_Priority => 9);
       Expect ("claimed", Claimed, False);
-      Expect ("gone on at", Now, 102);
-      Expect ("reports of the P", Resource_Reports, 1);
-      Resource_Calls.Release (Waiter, Released);
+      Expect ("gone on at", Ended_At, 102);
       Expect ("released", Released, False);
-      Expect ("reports of the V too", Resource_Reports, 2);
-      Expect_Owner ("while it sleeps", Other);
-      Exit_Processor;
-      Expect_Owner ("when it has run", No_Task);
+      Expect ("reports of the P and of the V", Resource_Reports, 2);
+      Expect ("while it sleeps", Owner (Resource.Snapshot), Other);
+      Executive.Clock_Interrupt (103);
+      Executive.Run_Until_Idle;
+      Expect ("the other has run at", Other_Ran, 103);
+      Expect ("when it has run", Owner (Resource.Snapshot), No_Task);
    end Holder_Sleeps_On;
 
    procedure Lower_Holder is
-      Claimed : Boolean;
    begin
       --  EXIT is for those of higher priority only: a holder of a lower one
       --  does not run, and the P goes on without the semaphore.
       for Its_Priority in Priority range 4 .. 5 loop
-         Begin_Tasks (101, Its_Priority);
-         Claim (Waiter, Claimed);
+         Run_Tasks (Claiming, 101, Its_Priority);
          Expect ("claimed", Claimed, False);
-         Expect ("gone on at", Now, 102);
-         Expect ("reports", Resource_Reports, 1);
-         Expect_Owner ("all the time", Other);
+         Expect ("gone on at", Ended_At, 102);
+         Expect ("the other has run at", Other_Ran, 0);
+         Expect ("reports of the P and of the V", Resource_Reports, 2);
+         Expect ("all the time", Owner_Was, Other);
+
+         --  It runs when the waiting task is gone.
+         Executive.Run_Until_Idle;
+         Expect ("the other has run at", Other_Ran, 102);
       end loop;
    end Lower_Holder;
 
    procedure Producer_Wakes is
-      Item  : Word;
-      Fresh : Boolean;
    begin
       for Wake_Up in Clock_Tick range 101 .. 105 loop
-         Begin_Tasks (Wake_Up, Its_Priority => 9);
-         Receive_Within (5, Item, Fresh);
+         Run_Tasks (Receiving, Wake_Up, Its_Priority => 9);
          Expect ("fresh", Fresh, True);
          Expect ("received", Item, 77);
-         Expect ("received at", Now, Wake_Up);
-         Expect_Waiter_Runs ("after its RECV");
+         Expect ("received at", Ended_At, Wake_Up);
+         Expect_Number ("steps", Steps, Integer (Wake_Up) - 99);
+         Expect
+           ("misses", Messages.Boxes.Misses (Variable.Snapshot), 0);
       end loop;
    end Producer_Wakes;
 
    procedure Producer_Sleeps_On is
-      Item  : Word;
-      Fresh : Boolean;
-      Box   : Boxes.Mailbox;
    begin
-      Begin_Tasks (106, Its_Priority => 9);
-      Receive_Within (5, Item, Fresh);
+      Run_Tasks (Receiving, 106, Its_Priority => 9);
       Expect ("fresh", Fresh, False);
       Expect ("received", Item, 5);
-      Expect ("gone on at", Now, 105);
-      Variable.Inspect (Box);
-      Expect ("misses", Boxes.Misses (Box), 1);
+      Expect ("gone on at", Ended_At, 105);
+      Expect ("misses", Messages.Boxes.Misses (Variable.Snapshot), 1);
    end Producer_Sleeps_On;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

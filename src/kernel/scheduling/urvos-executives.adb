@@ -18,56 +18,32 @@ is
    --  each higher one once at the most before one of them sleeps.
    Steps_Per_Tick : constant := Number_Of_TCBs * (Number_Of_TCBs + 1);
 
+   --  The scheduler has counted an overrun of that task, or none.
+   procedure Note_Overrun (Before : Count; Who : Task_Id);
+
    --  Gives an idle processor to the next task.
    procedure Choose;
 
-   procedure Run_Tasks;
+   procedure Note_Overrun (Before : Count; Who : Task_Id) is
+   begin
+      if Overruns (Tasks) /= Before then
+         Late := Incremented (Late);
+         Report_Overrun (Who);
+      end if;
+   end Note_Overrun;
 
    procedure Choose is
       Before : constant Count := Overruns (Tasks);
    begin
       Dispatch (Tasks);
-      if not Is_Idle (Tasks) and then Overruns (Tasks) /= Before then
-         Late := Incremented (Late);
-         Report_Overrun (Id_Of (Tasks, Running_TCB (Tasks)));
+      if not Is_Idle (Tasks) then
+         Note_Overrun (Before, Id_Of (Tasks, Running_TCB (Tasks)));
       end if;
    end Choose;
-
-   procedure Run_Tasks is
-      Caller : TCB_Number;
-      Id     : Task_Id;
-      Call   : Kernel_Call;
-   begin
-      for Number in 1 .. Steps_Per_Tick loop
-         exit when Is_Idle (Tasks);
-         Caller := Running_TCB (Tasks);
-         Id := Id_Of (Tasks, Caller);
-         Step (Id, Is_First_Run (Tasks, Caller), Clock (Tasks), Call);
-
-         case Call.Name is
-            when Kernel_Calls.Exit_Call =>
-               Schedulers.Exit_Call (Tasks);
-               exit when Running_TCB (Tasks) = Caller;
-
-            when Sleep_Call =>
-               if Has_Overrun (Tasks) then
-                  Late := Incremented (Late);
-                  Report_Overrun (Id);
-               end if;
-               Sleep (Tasks, Call.Until_Tick);
-               Choose;
-
-            when Terminate_Call =>
-               Terminate_Caller (Tasks);
-               Choose;
-         end case;
-      end loop;
-   end Run_Tasks;
 
    procedure Start (Tree : Task_Tree; Now : Clock_Tick) is
    begin
       Start (Tasks, Tree, Now);
-      Run_Tasks;
    end Start;
 
    procedure Clock_Interrupt (Now : Clock_Tick) is
@@ -76,8 +52,70 @@ is
          Wake (Tasks, Now);
       end if;
       Choose;
-      Run_Tasks;
    end Clock_Interrupt;
+
+   function Is_Idle return Boolean is (Is_Idle (Tasks))
+   with Refined_Global => Tasks;
+
+   procedure Run_Step (Runs_On : out Boolean) is
+      Now    : Clock_Tick     := Clock (Tasks);
+      Before : constant Count := Overruns (Tasks);
+      Caller : TCB_Number;
+      Id     : Task_Id;
+      Call   : Kernel_Call;
+
+      --  The caller sleeps.
+      procedure Put_To_Sleep (Until_Tick : Tick)
+      with Pre => not Is_Idle (Tasks);
+
+      procedure Put_To_Sleep (Until_Tick : Tick) is
+      begin
+         Sleep (Tasks, Until_Tick);
+         Note_Overrun (Before, Id);
+         Choose;
+      end Put_To_Sleep;
+
+   begin
+      Runs_On := False;
+      if Is_Idle (Tasks) then
+         return;
+      end if;
+
+      Caller := Running_TCB (Tasks);
+      Id := Id_Of (Tasks, Caller);
+      Step (Id, Is_First_Run (Tasks, Caller), Now, Call);
+      Read_Clock (Now);
+      if Now > Clock (Tasks) then
+         Wake (Tasks, Now);
+      end if;
+
+      case Call.Name is
+         when Kernel_Calls.Exit_Call =>
+            Schedulers.Exit_Call (Tasks);
+            Note_Overrun (Before, Id_Of (Tasks, Running_TCB (Tasks)));
+            Runs_On := Running_TCB (Tasks) = Caller;
+
+         when Sleep_Call =>
+            Put_To_Sleep (Call.Until_Tick);
+
+         when Next_Frame_Call =>
+            Put_To_Sleep (Next_Release (Clock (Tasks), Call.Offset));
+
+         when Terminate_Call =>
+            Terminate_Caller (Tasks);
+            Choose;
+      end case;
+   end Run_Step;
+
+   procedure Run_Until_Idle is
+      Runs_On : Boolean;
+   begin
+      for Number in 1 .. Steps_Per_Tick loop
+         exit when Is_Idle (Tasks);
+         Run_Step (Runs_On);
+         exit when Runs_On;
+      end loop;
+   end Run_Until_Idle;
 
    function Overruns return Count is (Late)
    with Refined_Global => Late;

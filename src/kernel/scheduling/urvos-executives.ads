@@ -1,10 +1,10 @@
---  Runs the tasks of one processor in virtual time (report, sections 2.2 and
---  3.3; FRM-2 to FRM-4, KRN-1 to KRN-4, D-25).
+--  Runs the tasks of one processor (report, sections 2.2 and 3.3; FRM-2 to
+--  FRM-4, KRN-1 to KRN-4, D-25).
 --
 --  A task is run in steps, each up to its next kernel call. The scheduler
---  says which task is next; here its step is run to the end. Between two
---  ticks of the clock nothing happens to the tasks, so one that calls EXIT
---  and gets the processor back runs on at the next tick.
+--  says which task is next; here its step is run to the end. Who drives the
+--  executive tells it when the clock has ticked, and has it run steps
+--  between the ticks: URVOS.Virtual_Nodes, URVOS.Real_Time_Nodes.
 
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
@@ -21,6 +21,9 @@ generic
 
    --  A task was released late, or ran into its next release (FRM-4).
    with procedure Report_Overrun (Who : Task_Id);
+
+   --  Now is what the clock shows, should it have moved since a step began.
+   with procedure Read_Clock (Now : in out Clock_Tick) is null;
 package URVOS.Executives
   with
     SPARK_Mode,
@@ -28,13 +31,25 @@ package URVOS.Executives
     Initializes    => Task_Management
 is
 
-   --  Loads the tasks of a tree and runs those that are due. The tasks that
-   --  were there before are gone.
+   --  Loads the tasks of a tree. The tasks that were there before are gone.
    procedure Start (Tree : Task_Tree; Now : Clock_Tick);
 
-   --  The clock has ticked: runs the tasks that are due. A clock that runs
+   --  The clock has ticked: who is due is ready to run. A clock that runs
    --  back is not believed.
    procedure Clock_Interrupt (Now : Clock_Tick);
+
+   --  No task has the processor.
+   function Is_Idle return Boolean
+   with Global => Task_Management;
+
+   --  Runs the next step of the task that has the processor, if any.
+   --  Runs_On tells that this task called EXIT and has the processor again.
+   procedure Run_Step (Runs_On : out Boolean);
+
+   --  Runs what is due. Between two ticks of a clock that stands still
+   --  nothing happens to the tasks, so one that calls EXIT and gets the
+   --  processor back runs on at the next tick.
+   procedure Run_Until_Idle;
 
    --  How often a task has overrun, since the program began.
    function Overruns return Count

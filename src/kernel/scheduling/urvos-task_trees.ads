@@ -43,4 +43,15 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
         Tree (Earlier).Id /= No_Task)
    with Global => null;
 
+   --  A node has one processor or two; the master is number 1, and gives
+   --  the others their numbers at each start (KRN-5, EXT-4, D-23).
+   type Processor_Number is range 1 .. 2;
+
+   --  What a node's list says of a task: when it is released in each major
+   --  frame (FRM-2), and on which processor where there are two.
+   type Task_Attributes is record
+      Offset    : Minor_Frame;
+      Processor : Processor_Number;
+   end record;
+
 end URVOS.Task_Trees;

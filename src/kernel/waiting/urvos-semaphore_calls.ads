@@ -1,31 +1,24 @@
 --  P and V (report, section 3.5; SEM-1, SEM-2, MBX-5).
 --
---     Claim   (Caller, Claimed);
+--     Patience := Begun (Now, Claim_Wait);
+--     --  In this step and, after EXIT, in those that follow:
+--     Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
 --     --  The resource is used, claimed or not.
 --     Release (Caller, Released);
 --
---  P tries; between tries it calls EXIT, so that whoever has the semaphore
---  can run. After two ticks it tries for the last time and goes on, without
---  the semaphore if need be, which is then reported.
---
---  A task that is run in steps calls Claim_Step once in a step and ends the
---  step with EXIT while it is told to try again.
+--  P tries, once a step; between tries the task ends its step with EXIT, so
+--  that whoever has the semaphore can run. After two ticks it tries for the
+--  last time and goes on, without the semaphore if need be, which is then
+--  reported.
 
-with URVOS.Frames;     use URVOS.Frames;
-with URVOS.Semaphores; use URVOS.Semaphores;
-with URVOS.Task_Trees; use URVOS.Task_Trees;
-with URVOS.Waits;      use URVOS.Waits;
+with URVOS.Frames;            use URVOS.Frames;
+with URVOS.Semaphores;        use URVOS.Semaphores;
+with URVOS.Shared_Semaphores; use URVOS.Shared_Semaphores;
+with URVOS.Task_Trees;        use URVOS.Task_Trees;
+with URVOS.Waits;             use URVOS.Waits;
 
 generic
-   with procedure Try_Claim
-     (Caller  : Claimant;
-      Claimed : out Boolean;
-      Holder  : out Claimant);
-   with procedure Try_Release
-     (Caller   : Claimant;
-      Released : out Boolean;
-      Holder   : out Task_Id);
-   with procedure Read_Clock (Now : out Clock_Tick);
+   Resource : in out Flag;
 
    --  Caller's P went on without the semaphore, Holder's.
    with procedure Report_Not_Claimed (Caller, Holder : Claimant);
@@ -38,9 +31,11 @@ package URVOS.Semaphore_Calls with SPARK_Mode is
    Claim_Wait : constant Wait_Ticks := 2;
 
    --  One try of a P whose wait was begun with Claim_Wait ticks. Try_Again
-   --  is False when the P has ended, with the semaphore or without.
+   --  is False when the P has ended, with the semaphore or without. It tries
+   --  200,001 times at most; when the clock stands still, 100,001 times.
    procedure Claim_Step
      (Caller    : Claimant;
+      Now       : Clock_Tick;
       Patience  : in out Wait;
       Claimed   : out Boolean;
       Try_Again : out Boolean)
@@ -52,12 +47,6 @@ package URVOS.Semaphore_Calls with SPARK_Mode is
           then Looks_Left (Patience) < Looks_Left (Patience'Old)
             and then Last_Seen (Patience) >= Last_Seen (Patience'Old)
           else Patience = Patience'Old);
-
-   --  P, as a whole. It tries 200,001 times at most; when the clock stands
-   --  still, 100,001 times.
-   generic
-      with procedure Exit_Processor;
-   procedure Claim (Caller : Claimant; Claimed : out Boolean);
 
    --  V.
    procedure Release (Caller : Claimant; Released : out Boolean);

@@ -2,49 +2,39 @@
 --
 --  The protected object takes the place of the mailbox's semaphore: a
 --  message is read and written whole, for any interleaving. Nobody waits
---  here for a message.
+--  here for a message. What each operation does, URVOS.Mailboxes says.
 
 with URVOS.Mailboxes;
 
 generic
-   with package Boxes is new URVOS.Mailboxes (<>);
-package URVOS.Shared_Mailboxes
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Box with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Box
-is
+   type Message is private;
 
-   subtype Message is Boxes.Message;
+   --  What a consumer gets that receives before anything was sent (INI-8).
+   Neutral : Message;
+package URVOS.Shared_Mailboxes with SPARK_Mode is
 
-   procedure Send (Item : Message; Success : out Boolean)
-   with Global => (In_Out => Box);
+   package Boxes is new URVOS.Mailboxes (Message, Neutral);
 
-   --  Receive, but that a look in vain is not counted as a miss.
-   procedure Look (Item : out Message; Fresh : out Boolean)
-   with
-     Global  => (In_Out => Box),
-     Depends => ((Box, Item, Fresh) => Box);
+   protected type Variable is
 
-   procedure Receive (Item : out Message; Fresh : out Boolean)
-   with
-     Global  => (In_Out => Box),
-     Depends => ((Box, Item, Fresh) => Box);
+      procedure Send (Item : Message; Success : out Boolean);
 
-   --  Puts the box in its first state (INI-8).
-   procedure Reset
-   with Global => (In_Out => Box);
+      --  Receive, except that a look in vain is not counted as a miss.
+      procedure Look (Item : out Message; Fresh : out Boolean);
 
-   --  The same, but that the message stays: a warm start.
-   procedure Restart
-   with Global => (In_Out => Box);
+      procedure Receive (Item : out Message; Fresh : out Boolean);
 
-   --  The box as it stands, for whoever watches over the node.
-   procedure Inspect (Snapshot : out Boxes.Mailbox)
-   with
-     Global  => (Input => Box),
-     Depends => (Snapshot => Box);
+      --  Puts the box in its first state (INI-8).
+      procedure Reset;
+
+      --  Reset, except that the message stays: a warm start.
+      procedure Restart;
+
+      --  The box as it stands, for whoever watches over the node.
+      function Snapshot return Boxes.Mailbox;
+
+   private
+      Contents : Boxes.Mailbox;
+   end Variable;
 
 end URVOS.Shared_Mailboxes;

@@ -6,40 +6,28 @@
 with URVOS.Semaphores; use URVOS.Semaphores;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 
-generic
-package URVOS.Shared_Semaphores
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Flag with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Flag
-is
+package URVOS.Shared_Semaphores with SPARK_Mode is
 
-   procedure Try_Claim
-     (Caller  : Claimant;
-      Claimed : out Boolean;
-      Holder  : out Claimant)
-   with
-     Global  => (In_Out => Flag),
-     Depends => ((Flag, Claimed, Holder) => (Flag, Caller));
+   protected type Flag is
 
-   procedure Release
-     (Caller   : Claimant;
-      Released : out Boolean;
-      Holder   : out Task_Id)
-   with
-     Global  => (In_Out => Flag),
-     Depends => ((Flag, Released, Holder) => (Flag, Caller));
+      procedure Try_Claim
+        (Caller  : Claimant;
+         Claimed : out Boolean;
+         Holder  : out Claimant);
 
-   --  Makes it available, whoever has claimed it (INI-8).
-   procedure Reset
-   with Global => (In_Out => Flag);
+      procedure Release
+        (Caller   : Claimant;
+         Released : out Boolean;
+         Holder   : out Task_Id);
 
-   --  The semaphore as it stands, for whoever watches over the node.
-   procedure Inspect (Snapshot : out Semaphore)
-   with
-     Global  => (Input => Flag),
-     Depends => (Snapshot => Flag);
+      --  Makes it available, whoever has claimed it (INI-8).
+      procedure Reset;
+
+      --  The semaphore as it stands, for whoever watches over the node.
+      function Snapshot return Semaphore;
+
+   private
+      State : Semaphore;
+   end Flag;
 
 end URVOS.Shared_Semaphores;

@@ -1,0 +1,207 @@
+with Ada.Real_Time; use Ada.Real_Time;
+
+with Host.Memory_Hardware;
+with Partitions.Clocks; use Partitions.Clocks;
+with Partitions.Converter;
+with Partitions.Guarded_Call;
+with Partitions.Guarded_Start;
+with Partitions.Guarded_Step;
+with Partitions.Signals;
+with Partitions.Telemetry_Processor;
+with URVOS.Real_Time_Nodes;
+
+package body Partitions.Nodes is
+
+   use type Tasks.Task_Name;
+
+   Stood_Still : Count := 0 with Atomic;
+
+   --  For the processor: see URVOS.Real_Time_Nodes.
+   procedure Request_Start (Condition : Start_Condition);
+   procedure Observe_Tick (Late : Time_Span);
+
+   procedure Raise_Processor_Exception;
+   procedure Press_Reset_Switch;
+
+   --  What begins scans is uninterrupted by the converter, whatever becomes
+   --  of it.
+
+   procedure Uninterrupted_Step
+     (Who       : Tasks.Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
+
+   procedure Uninterrupted_Start
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean);
+
+   --  A step has failed.
+   procedure Fail;
+
+   --  A transaction is over.
+   procedure Observe_Step (Who : Tasks.Task_Name);
+
+   --  The frame's words are in CORE: a row of the record.
+   procedure Observe_Frame;
+
+   --  Boards
+
+   package Telemetry_Hardware is
+     new Partitions.Telemetry_Processor (Telemetry_Board);
+
+   procedure AD_Interrupt is
+     new Guarded_Call (Handle_AD_Interrupt, Raise_Processor_Exception);
+
+   package Converter_Hardware is
+     new Partitions.Converter (AD_Board, Sample, AD_Interrupt);
+
+   --  Processors
+
+   procedure Step is new Guarded_Step
+     (Task_Name       => Tasks.Task_Name,
+      Distributions   => Distributions,
+      Costs           => Costs,
+      Responses       => Responses,
+      Has_Stood_Still => Has_Stood_Still,
+      Run_Step        => Uninterrupted_Step,
+      Observe         => Observe_Step,
+      Fail            => Fail);
+
+   procedure Begin_Start is
+     new Guarded_Start (Uninterrupted_Start, Request_Start);
+
+   package Node is new URVOS.Real_Time_Nodes
+     (Tasks, Step, Begin_Start, Tell_Time, Report_Overrun, Observe_Tick);
+
+   package Signals is new Partitions.Signals
+     (Switch_Off                => Queue.Finish,
+      Raise_Processor_Exception => Raise_Processor_Exception,
+      Press_Reset_Switch        => Press_Reset_Switch);
+
+   procedure Uninterrupted_Step
+     (Who       : Tasks.Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call) is
+   begin
+      if Who = AD_Task then
+         Converter_Hardware.Hold_Interrupts;
+      end if;
+      Run_Step (Who, First_Run, Now, Call);
+      if Who = AD_Task then
+         Converter_Hardware.Release_Interrupts;
+      end if;
+   exception
+      when others =>
+         if Who = AD_Task then
+            Converter_Hardware.Release_Interrupts;
+         end if;
+         raise;
+   end Uninterrupted_Step;
+
+   procedure Uninterrupted_Start
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean) is
+   begin
+      Converter_Hardware.Hold_Interrupts;
+      Begin_Again (Condition, Now, Passed);
+      Converter_Hardware.Release_Interrupts;
+   exception
+      when others =>
+         Converter_Hardware.Release_Interrupts;
+         raise;
+   end Uninterrupted_Start;
+
+   procedure Request_Start (Condition : Start_Condition) is
+   begin
+      Node.Request_Start (Condition);
+   end Request_Start;
+
+   procedure Fail is
+   begin
+      Node.Request_Start (Processor_Restart);
+   end Fail;
+
+   procedure Observe_Step (Who : Tasks.Task_Name) is
+   begin
+      if Who = TELOUT_Task then
+         Telemetry_Hardware.Look;
+      elsif Who = CORE_Task then
+         Observe_Frame;
+      else
+         Observe (Who);
+      end if;
+   end Observe_Step;
+
+   procedure Observe_Frame is
+      use type Number;
+
+      Now   : Clock_Tick;
+      Late  : Count;
+      Frame : Number;
+      Item  : Row;
+   begin
+      Node.Inspect_Clock (Now);
+      Node.Inspect_Overruns (Late);
+      Frame := Number (Now / Ticks_Per_Major_Frame);
+      Append (Item, Frame);
+      Append
+        (Item,
+         (Frame + 1) * Ticks_Per_Major_Frame * Microseconds_Per_Tick / 1_000);
+      Append_Values (Item);
+      Append (Item, Number (Late));
+      Append (Item, Number (Machine_Time (Clock)));
+      Queue.Put (Item);
+   end Observe_Frame;
+
+   procedure Observe_Tick (Late : Time_Span) is
+   begin
+      Lateness.Add (Tenths_Of_Microseconds (Late));
+      if Has_Stood_Still then
+         Stood_Still := Incremented (Stood_Still);
+         Node.Request_Start (Processor_Restart);
+      end if;
+      See_Tick;
+   end Observe_Tick;
+
+   procedure Raise_Processor_Exception is
+   begin
+      --  A start at power up stays a cold start.
+      if Is_Running then
+         Node.Request_Start (Processor_Restart);
+      end if;
+   end Raise_Processor_Exception;
+
+   procedure Press_Reset_Switch is
+   begin
+      if Is_Running then
+         Telemetry_Hardware.Reset;
+         Node.Request_Start (Warm_Reset);
+      end if;
+   end Press_Reset_Switch;
+
+   function Pauses return Count is (Stood_Still);
+
+   function Board_Starts return Count is
+     (Telemetry_Hardware.Starts_Unasked);
+
+   procedure Switch_On (Processors : Processor_Number) is
+   begin
+      Signals.Listen;
+      Host.Memory_Hardware.Repair (Processor_Board);
+      Telemetry_Hardware.Switch_On;
+      Node.Switch_On (Processors, Switched_On_At);
+      Converter_Hardware.Switch_On;
+   end Switch_On;
+
+   function Overruns return Count is
+      Number : Count;
+   begin
+      Node.Inspect_Overruns (Number);
+      return Number;
+   end Overruns;
+
+end Partitions.Nodes;

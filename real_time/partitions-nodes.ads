@@ -1,0 +1,85 @@
+--  A node in its partition: the flight software's tasks, and the hardware of
+--  its boards (RTP-1).
+
+with Devices.Memory_Bus;
+with Devices.Shared_AD_Board;
+with Partitions.Measurements; use Partitions.Measurements;
+with Partitions.Rows;         use Partitions.Rows;
+with Telemetry.Boards;
+with Telemetry.Shared_Boards;
+with URVOS;                   use URVOS;
+with URVOS.Frames;            use URVOS.Frames;
+with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
+with URVOS.Starts;            use URVOS.Starts;
+with URVOS.Task_Lists;
+with URVOS.Task_Trees;        use URVOS.Task_Trees;
+with URV.Buffers;             use URV.Buffers;
+with URV.Errors;
+with URV.Shared_Errors;
+
+generic
+   --  The node: see URVOS.Real_Time_Nodes.
+
+   with package Tasks is new URVOS.Task_Lists (<>);
+   with procedure Run_Step
+     (Who       : Tasks.Task_Name;
+      First_Run : Boolean;
+      Now       : Clock_Tick;
+      Call      : out Kernel_Call);
+   with procedure Begin_Again
+     (Condition : Start_Condition;
+      Now       : Clock_Tick;
+      Passed    : out Boolean);
+   with procedure Tell_Time (Now : Clock_Tick);
+   with procedure Report_Overrun (Who : Task_Id);
+
+   --  Its boards.
+
+   AD_Board        : in out Devices.Shared_AD_Board.Board;
+   Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   Errors          : in out URV.Shared_Errors.Shared_Log;
+   Processor_Board : Devices.Memory_Bus.Board_Number;
+   with procedure Handle_AD_Interrupt;
+
+   --  The first begins scans; after the others the telemetry board has
+   --  something to look at, and the frame's words are in CORE.
+   AD_Task     : Tasks.Task_Name;
+   TELOUT_Task : Tasks.Task_Name;
+   CORE_Task   : Tasks.Task_Name;
+
+   --  What the converter's channels see, and a row of the record.
+   with procedure Sample (Words : out Channel_Words);
+   with procedure Append_Values (To : in out Row);
+
+   --  Another transaction is over.
+   with procedure Observe (Who : Tasks.Task_Name) is null;
+package Partitions.Nodes is
+
+   --  What the transactions of each task took, and when they ended after
+   --  the tick of their minor frame; in tenths of microseconds.
+   type Distributions is array (Tasks.Task_Name) of Distribution;
+
+   Costs     : Distributions;
+   Responses : Distributions;
+
+   --  How late the clock ticked, in tenths of microseconds.
+   Lateness : Distribution;
+
+   --  Power up of every board.
+   procedure Switch_On (Processors : Processor_Number);
+
+   function Overruns return Count;
+
+   --  What the telemetry board has counted.
+   function Link_Tally return Telemetry.Boards.Statistics is
+     (Telemetry_Board.Tally);
+
+   --  How often the node has found that it had stood still.
+   function Pauses return Count;
+
+   --  How often the telemetry board's processor has found that it had.
+   function Board_Starts return Count;
+
+   function Log return URV.Errors.Error_Log is (Errors.Contents);
+
+end Partitions.Nodes;

@@ -1,0 +1,27 @@
+--  The ROM and the RAM of one processor board, as its programs see them
+--  (TST-1, TST-3, D-17).
+
+with Devices.Memory_Bus; use Devices.Memory_Bus;
+with URVOS;              use URVOS;
+with URVOS.Memories;     use URVOS.Memories;
+
+generic
+   Board : Board_Number;
+package Devices.Processor_Memories with SPARK_Mode is
+
+   procedure Read_ROM (Where : Byte_Address; Data : out Byte)
+   with
+     Global => (Input => Cells),
+     Pre    => Where <= Last_ROM_Byte;
+
+   procedure Read_RAM (Where : Word_Address; Data : out Word)
+   with
+     Global => (Input => Cells),
+     Pre    => Where <= Last_RAM_Word;
+
+   procedure Write_RAM (Where : Word_Address; Data : Word)
+   with
+     Global => (In_Out => Cells),
+     Pre    => Where <= Last_RAM_Word;
+
+end Devices.Processor_Memories;

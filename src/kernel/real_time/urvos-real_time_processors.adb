@@ -1,0 +1,151 @@
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with URVOS.Executives;
+
+package body URVOS.Real_Time_Processors
+  with
+    SPARK_Mode,
+    Refined_State =>
+      (Power           => (Switch, Processor),
+       Task_Management => (Executive.Task_Management, Now, Next_Tick))
+is
+
+   Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
+
+   --  So many missed ticks are made up for at once.
+   Most_Missed : constant := 100;
+
+   --  Opened by the power switch.
+   Switch : Suspension_Object;
+
+   --  The processor's clock, and when it ticks next.
+   Now       : Clock_Tick := 0;
+   Next_Tick : Time       := Time_First;
+
+   --  Looks whether the clock has ticked. The master's lateness is observed,
+   --  except after a self-test, which takes longer than a tick.
+   procedure Follow_Clock (Observed : Boolean);
+
+   procedure Read_Clock (Present : in out Clock_Tick);
+
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      At_Tick   : Clock_Tick;
+      Call      : out Kernel_Call);
+
+   package Executive is
+     new URVOS.Executives (Step, Report_Overrun, Read_Clock);
+
+   task Processor;
+
+   --  What is to be done at a tick.
+   procedure Follow_Orders (Todo : out Order);
+
+   --  Until the clock ticks, no task is due any more, or somebody wants the
+   --  node to start again.
+   procedure Run_Steps;
+
+   procedure Follow_Clock (Observed : Boolean) is
+      Present : constant Time := Clock;
+   begin
+      if Present >= Next_Tick then
+         if Observed and then Who = Master then
+            Observe_Tick (Present - Next_Tick);
+         end if;
+         for Missed in 1 .. Most_Missed loop
+            exit when Next_Tick > Present;
+            Next_Tick := Next_Tick + Tick_Time;
+            Now := Advanced (Now);
+         end loop;
+         Tell_Time (Now);
+      end if;
+   end Follow_Clock;
+
+   procedure Read_Clock (Present : in out Clock_Tick) is
+   begin
+      Follow_Clock (Observed => True);
+      Present := Clock_Tick'Max (Present, Now);
+   end Read_Clock;
+
+   --  A number that is no task's ceases at once.
+   procedure Step
+     (Who       : Task_Id;
+      First_Run : Boolean;
+      At_Tick   : Clock_Tick;
+      Call      : out Kernel_Call) is
+   begin
+      if Tasks.Is_Task (Who) then
+         Run_Step (Tasks.Task_Of (Who), First_Run, At_Tick, Call);
+      else
+         Call := (Name => Terminate_Call, others => <>);
+      end if;
+   end Step;
+
+   procedure Follow_Orders (Todo : out Order) is
+      Processors : constant Processor_Number := This_Node.Processors;
+      Passed     : Boolean;
+   begin
+      This_Node.Look (Who, Todo);
+      case Todo.Name is
+         when Carry_On =>
+            Executive.Clock_Interrupt (Now);
+
+         when Stand_Still =>
+            null;
+
+         when Begin_Start =>
+            Begin_Again (Todo.Condition, Now, Passed);
+            This_Node.Note_Tested (Passed);
+
+         when Load_Tasks =>
+            Executive.Start
+              ((if Todo.Passed
+                then Tasks.Tree_Of (Processors, Todo.Number, Now)
+                else Empty_Tree),
+               Now);
+      end case;
+   end Follow_Orders;
+
+   procedure Run_Steps is
+      Begun_At        : constant Clock_Tick := Now;
+      Is_Start_Wanted : Boolean;
+      Unused_Runs_On  : Boolean;
+   begin
+      loop
+         Is_Start_Wanted := This_Node.Is_Start_Wanted;
+         exit when Is_Start_Wanted
+           or else Now /= Begun_At
+           or else Executive.Is_Idle;
+         Executive.Run_Step (Unused_Runs_On);
+      end loop;
+   end Run_Steps;
+
+   task body Processor is
+      Todo     : Order;
+      Begun_At : Clock_Tick;
+   begin
+      Suspend_Until_True (Switch);
+      Next_Tick := This_Node.Switched_On_At;
+      Next_Tick := Next_Tick + Tick_Time;
+      Tell_Time (Now);
+      loop
+         Begun_At := Now;
+         Follow_Orders (Todo);
+         if Todo.Name in Carry_On | Load_Tasks then
+            Run_Steps;
+         end if;
+         This_Node.Note_Tick (Who, Now, Executive.Overruns);
+
+         if Now = Begun_At then
+            delay until Next_Tick;
+            Follow_Clock (Observed => Todo.Name /= Begin_Start);
+         end if;
+      end loop;
+   end Processor;
+
+   procedure Switch_On is
+   begin
+      Set_True (Switch);
+   end Switch_On;
+
+end URVOS.Real_Time_Processors;

@@ -1,0 +1,50 @@
+package body URVOS.Shared_Nodes with SPARK_Mode is
+
+   protected body Node is
+
+      procedure Switch_On (Processors : Processor_Number; At_Time : Time) is
+      begin
+         State := (Processors => Processors, others => <>);
+         State := Requested (State, Cold_Start);
+         Beginning := At_Time;
+      end Switch_On;
+
+      procedure Request (Condition : Start_Condition) is
+      begin
+         State := Requested (State, Condition);
+      end Request;
+
+      procedure Look (Who : Seat; Todo : out Order) is
+      begin
+         if Who <= State.Processors then
+            Look (State, Who, Todo);
+         else
+            Todo := (others => <>);
+         end if;
+      end Look;
+
+      procedure Note_Tested (Passed : Boolean) is
+      begin
+         State := Tested (State, Passed);
+      end Note_Tested;
+
+      procedure Note_Tick (Who : Seat; Now : Clock_Tick; Overruns : Count) is
+      begin
+         Latest := Clock_Tick'Max (Latest, Now);
+         Late (Who) := Overruns;
+      end Note_Tick;
+
+      function Is_Start_Wanted return Boolean is (State.Is_Wanted);
+
+      function Processors return Processor_Number is (State.Processors);
+
+      function Switched_On_At return Time is (Beginning);
+
+      function Now return Clock_Tick is (Latest);
+
+      function Overruns return Count is
+        (Saturating_Sum (Late (1), Late (2)));
+
+   end Node;
+
+end URVOS.Shared_Nodes;

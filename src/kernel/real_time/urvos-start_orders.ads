@@ -1,0 +1,119 @@
+--  How the processors of a node start together (report, section 3.1; INI-2,
+--  KRN-5, KRN-6, EXT-4).
+--
+--  Somebody asks for a start. Each processor looks here at each tick: it
+--  ends the step that it is in and stands still. When all do, the master has
+--  the node tested and prepared. Then each loads its tasks, those of the
+--  number that the master gives it, and goes on.
+
+with URVOS.Starts;     use URVOS.Starts;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
+
+package URVOS.Start_Orders with Pure, SPARK_Mode is
+
+   --  A processor by its place in the node. The master is the first.
+   subtype Seat is Processor_Number;
+
+   Master : constant Seat := 1;
+
+   type Order_Name is
+     (Carry_On,      --  the clock has ticked for the tasks, as ever
+      Stand_Still,   --  no step is to be run
+      Begin_Start,   --  phases 1 and 2, for the master alone
+      Load_Tasks);   --  phase 3
+
+   type Order is record
+      Name      : Order_Name       := Stand_Still;
+
+      --  For Begin_Start.
+      Condition : Start_Condition  := Cold_Start;
+
+      --  For Load_Tasks: whether there are tasks, after phase 1, and which.
+      Passed    : Boolean          := False;
+      Number    : Processor_Number := 1;
+   end record;
+
+   type Activity is (Running, Stopping, Testing, Loading);
+
+   type Seat_Flags is array (Seat) of Boolean;
+
+   type Node_State is record
+      Processors : Processor_Number := 1;
+      Doing      : Activity         := Running;
+      Is_Wanted  : Boolean          := False;
+      Wanted     : Start_Condition  := Cold_Start;
+      Passed     : Boolean          := False;
+
+      --  Who has stopped, or loaded its tasks.
+      Done       : Seat_Flags       := (others => False);
+   end record
+   with Predicate => (if Doing = Stopping then Is_Wanted);
+
+   --  All seats that are taken.
+   function All_Done (State : Node_State) return Boolean is
+     (for all Which in Seat =>
+        State.Done (Which) or else Which > State.Processors)
+   with Global => null;
+
+   --  Of several wishes the last one counts.
+   function Requested
+     (State     : Node_State;
+      Condition : Start_Condition) return Node_State
+   is ((State with delta Is_Wanted => True, Wanted => Condition))
+   with Global => null;
+
+   --  Phases 1 and 2 are over. The tasks are loaded unless the self-test has
+   --  failed.
+   function Tested (State : Node_State; Passed : Boolean) return Node_State is
+     ((State with delta
+         Doing  => Loading,
+         Passed => Passed,
+         Done   => (others => False)))
+   with Global => null;
+
+   --  A processor looks what it has to do.
+   procedure Look
+     (State : in out Node_State;
+      Who   : Seat;
+      Todo  : out Order)
+   with
+     Global => null,
+     Pre    => Who <= State.Processors,
+     Post   =>
+       State.Processors = State'Old.Processors
+       and then State.Passed = State'Old.Passed
+
+       --  Nobody runs a step from the time when all stand still until the
+       --  start's phases 1 and 2 are over.
+       and then
+         (if Todo.Name = Begin_Start
+          then Who = Master
+            and then All_Done (State)
+            and then State.Doing = Testing
+            and then Todo.Condition = State'Old.Wanted
+            and then State'Old.Is_Wanted)
+       and then
+         (if State'Old.Doing = Testing
+          then Todo.Name = Stand_Still and then State = State'Old)
+
+       --  Each loads its tasks once.
+       and then
+         (if Todo.Name = Load_Tasks
+          then State'Old.Doing = Loading
+            and then not State'Old.Done (Who)
+            and then State.Done (Who)
+            and then Todo.Passed = State.Passed)
+
+       --  A wish is granted by phases 1 and 2, and not lost before.
+       and then
+         State.Is_Wanted =
+           (State'Old.Is_Wanted and then Todo.Name /= Begin_Start)
+       and then State.Wanted = State'Old.Wanted
+
+       --  Whoever is told to carry on has tasks, and no start is under way.
+       and then
+         (if Todo.Name = Carry_On
+          then State.Doing in Running | Loading
+            and then State = State'Old);
+
+end URVOS.Start_Orders;

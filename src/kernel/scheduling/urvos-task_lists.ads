@@ -1,0 +1,90 @@
+--  The list of a node's tasks (report, sections 2.2, 3.1 and 3.2; FRM-2,
+--  SET-1, KRN-1, KRN-5): the one place where it stands which tasks there
+--  are. Identifications, headers and task trees follow from it.
+--
+--  The names stand in order of priority: of tasks due at the same tick the
+--  first named has the highest. A table without a row for a name does not
+--  compile; one of more tasks than there are task control blocks does not
+--  prove.
+
+with URVOS.Arrangements; use URVOS.Arrangements;
+with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Task_Trees;   use URVOS.Task_Trees;
+
+generic
+   type Task_Name is (<>);
+   type Task_Table is array (Task_Name) of Task_Attributes;
+   Table : Task_Table;
+package URVOS.Task_Lists with SPARK_Mode is
+
+   function Id_Of (Who : Task_Name) return Task_Id is
+     (Task_Name'Pos (Who) + 1)
+   with Global => null;
+
+   function Is_Task (Id : Task_Id) return Boolean is
+     (Id in Id_Of (Task_Name'First) .. Id_Of (Task_Name'Last))
+   with Global => null;
+
+   function Task_Of (Id : Task_Id) return Task_Name is
+     (Task_Name'Val (Id - 1))
+   with
+     Global => null,
+     Pre    => Is_Task (Id);
+
+   --  The task's next release: its offset in the next major frame.
+   function Next_Release_Of
+     (Who : Task_Name;
+      Now : Clock_Tick) return Tick
+   is (Next_Release (Now, Table (Who).Offset))
+   with Global => null;
+
+   --  The header of a task that begins at once, with its initialisation.
+   function Header (Who : Task_Name; Now : Clock_Tick) return Task_Header is
+     ((Id               => Id_Of (Who),
+       Start_Time       => Now,
+       Initial_Priority => Priority'Last - Task_Name'Pos (Who)))
+   with Global => null;
+
+   --  Which of so many processors runs the task.
+   function Processor_Of
+     (Who        : Task_Name;
+      Processors : Processor_Number) return Processor_Number
+   is (if Processors = 1 then 1 else Table (Who).Processor)
+   with Global => null;
+
+   --  How many tasks of a processor the names up to Who are.
+   function Number_Upto
+     (Who        : Task_Name;
+      Processors : Processor_Number;
+      Which      : Processor_Number) return Natural
+   is
+     ((if Who = Task_Name'First then 0
+       else Number_Upto (Task_Name'Pred (Who), Processors, Which))
+      + (if Processor_Of (Who, Processors) = Which then 1 else 0))
+   with
+     Ghost,
+     Global             => null,
+     Post               => Number_Upto'Result <= Task_Name'Pos (Who) + 1,
+     Subprogram_Variant => (Decreases => Task_Name'Pos (Who));
+
+   --  The tree of a processor: each of its tasks once, in the order of the
+   --  names, and no other.
+   function Tree_Of
+     (Processors : Processor_Number;
+      Which      : Processor_Number;
+      Now        : Clock_Tick) return Task_Tree
+   with
+     Global => null,
+     Post   =>
+       (for all Who in Task_Name =>
+          (if Processor_Of (Who, Processors) = Which
+           then Tree_Of'Result
+             (TCB_Number (Number_Upto (Who, Processors, Which))) =
+               Header (Who, Now)))
+       and then
+         (for all Place in TCB_Number =>
+            (if Natural (Place) >
+               Number_Upto (Task_Name'Last, Processors, Which)
+             then Tree_Of'Result (Place) = Null_Header));
+
+end URVOS.Task_Lists;

@@ -1,0 +1,33 @@
+package body URVOS.Shared_Error_Logs with SPARK_Mode is
+
+   protected body Shared_Log is
+
+      procedure Set_Time (Tick_Now : Clock_Tick) is
+      begin
+         Now := Tick_Now;
+      end Set_Time;
+
+      procedure Report (Error : Logs.Error_Kind; Detail : Word) is
+      begin
+         Logs.Add (Present, Error, Now, Detail);
+      end Report;
+
+      procedure Report_Several
+        (Error     : Logs.Error_Kind;
+         How_Often : Logs.Positive_Count;
+         Detail    : Word)
+      is
+      begin
+         Logs.Add (Present, Error, Now, Detail, How_Often);
+      end Report_Several;
+
+      procedure Clear is
+      begin
+         Present := Logs.Empty_Log;
+      end Clear;
+
+      function Contents return Logs.Error_Log is (Present);
+
+   end Shared_Log;
+
+end URVOS.Shared_Error_Logs;

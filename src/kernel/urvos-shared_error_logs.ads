@@ -1,0 +1,42 @@
+--  An error log between all who report to it, tasks, interrupt handlers and
+--  kernel, and those who read it (EXT-1, SEM-2).
+--
+--  A report goes into the log at once, stamped with the tick the log was
+--  last told: so none is lost when the processor restarts before anybody
+--  reads it, and there is nothing that could overflow between the two. The
+--  log stays as it is until Clear, which belongs to a cold start alone.
+
+with URVOS.Error_Logs;
+with URVOS.Frames; use URVOS.Frames;
+
+generic
+   with package Logs is new URVOS.Error_Logs (<>);
+package URVOS.Shared_Error_Logs with SPARK_Mode is
+
+   protected type Shared_Log is
+
+      --  The clock shows Tick_Now: the time of all reports until the next
+      --  call.
+      procedure Set_Time (Tick_Now : Clock_Tick);
+
+      --  An error has happened.
+      procedure Report (Error : Logs.Error_Kind; Detail : Word);
+
+      --  Several errors of a kind have been counted by someone else.
+      procedure Report_Several
+        (Error     : Logs.Error_Kind;
+         How_Often : Logs.Positive_Count;
+         Detail    : Word);
+
+      --  Nothing has happened yet.
+      procedure Clear;
+
+      --  The log as it stands, at one instant.
+      function Contents return Logs.Error_Log;
+
+   private
+      Present : Logs.Error_Log := Logs.Empty_Log;
+      Now     : Clock_Tick     := 0;
+   end Shared_Log;
+
+end URVOS.Shared_Error_Logs;

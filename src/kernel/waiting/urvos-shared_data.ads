@@ -1,0 +1,22 @@
+--  What one task keeps from a step to the next.
+--
+--  The protected object lets the task run on whichever processor its node's
+--  list gives it: each start may give it another (EXT-4). Nobody else sees
+--  the data.
+
+generic
+   type Data is private;
+   Initial : Data;
+package URVOS.Shared_Data with SPARK_Mode is
+
+   protected type Store is
+
+      procedure Write (Item : Data);
+
+      function Contents return Data;
+
+   private
+      Kept : Data := Initial;
+   end Store;
+
+end URVOS.Shared_Data;

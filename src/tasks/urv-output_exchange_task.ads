@@ -1,0 +1,45 @@
+--  Output exchange task: what the converter held goes to CORE and to the
+--  other node. Released at minor frame 1.
+--
+--  MDCOUT in the aircraft (report, 4.7, table 7; MDO-1, D-1, D-14) consumes
+--  AD_variable, produces downlink_variable and TELOUT_variable. GDCOUT on
+--  the ground (5.6, table 10; GDO-1, D-3, D-14) consumes AD_variable,
+--  produces uplink_variable and TELOUT_variable. A frame with nothing new
+--  passes on the data before, marked as old. The node's own bits are added
+--  to the error/status word (TST-4).
+
+with URVOS;             use URVOS;
+with URVOS.Shared_Mailboxes;
+with URV.Buffers;       use URV.Buffers;
+with URV.Errors;        use URV.Errors;
+with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Status; use URV.Shared_Status;
+
+generic
+   with package Images is
+     new URVOS.Shared_Mailboxes (Message => AD_Image, others => <>);
+   with package Messages is new URVOS.Shared_Mailboxes (<>);
+   AD_Variable : in out Images.Variable;
+
+   --  uplink_variable or downlink_variable, and what is said when it is
+   --  overwritten.
+   CORE_Variable     : in out Messages.Variable;
+   CORE_Not_Consumed : Error_Kind;
+
+   TELOUT_Variable : in out Messages.Variable;
+   Node_Status     : in out Status;
+   Errors          : in out Shared_Log;
+
+   with function To_Message (Image : AD_Image) return Messages.Message;
+   with function Marked
+     (Source : Messages.Message; Bits : Word) return Messages.Message;
+   with function As_Old
+     (Source : Messages.Message) return Messages.Message;
+
+   --  What goes along on the link alone.
+   with procedure Add_For_Link (Item : in out Messages.Message);
+package URV.Output_Exchange_Task with SPARK_Mode is
+
+   procedure Run_Transaction;
+
+end URV.Output_Exchange_Task;

@@ -1,0 +1,8 @@
+--  The pulse width modulation boards of this vehicle: from power up on they
+--  hold the safe words (SAF-1, D-13).
+
+with Devices.Shared_PWM_Board;
+with URV.PWM_Layout;
+
+package URV.PWM_Boards is
+  new Devices.Shared_PWM_Board (Power_Up => URV.PWM_Layout.Safe_Area);

@@ -1,0 +1,331 @@
+with Checks;             use Checks;
+with Expect_Value;
+with Expectations;       use Expectations;
+with URVOS.Start_Orders; use URVOS.Start_Orders;
+with URVOS.Starts;       use URVOS.Starts;
+with URVOS.Task_Trees;   use URVOS.Task_Trees;
+
+package body Start_Orders_Tests is
+
+   --  The tests, in order.
+   procedure One_Processor;
+   procedure Two_Processors;
+   procedure Wishes;
+   procedure Any_Order;
+
+   procedure Expect is new Expect_Value (Order_Name);
+   procedure Expect is new Expect_Value (Start_Condition);
+
+   --  A processor looks, and this is what it has to do.
+   procedure Expect_Order
+     (State    : in out Node_State;
+      Who      : Seat;
+      Expected : Order_Name);
+
+   --  The master begins a start, of this condition.
+   procedure Expect_Start
+     (State     : in out Node_State;
+      Condition : Start_Condition);
+
+   --  A processor loads its tasks, or none.
+   procedure Expect_Load
+     (State  : in out Node_State;
+      Who    : Seat;
+      Passed : Boolean);
+
+   procedure Expect_Order
+     (State    : in out Node_State;
+      Who      : Seat;
+      Expected : Order_Name)
+   is
+      Todo : Order;
+   begin
+      Look (State, Who, Todo);
+      Expect ("order of processor" & Who'Image, Todo.Name, Expected);
+   end Expect_Order;
+
+   procedure Expect_Start
+     (State     : in out Node_State;
+      Condition : Start_Condition)
+   is
+      Todo : Order;
+   begin
+      Look (State, Master, Todo);
+      Expect ("order of the master", Todo.Name, Begin_Start);
+      Expect ("condition", Todo.Condition, Condition);
+   end Expect_Start;
+
+   procedure Expect_Load
+     (State  : in out Node_State;
+      Who    : Seat;
+      Passed : Boolean)
+   is
+      Todo : Order;
+   begin
+      Look (State, Who, Todo);
+      Expect ("order of processor" & Who'Image, Todo.Name, Load_Tasks);
+      Expect ("passed", Todo.Passed, Passed);
+      Expect_Number ("number", Integer (Todo.Number), Integer (Who));
+   end Expect_Load;
+
+   procedure One_Processor is
+      State : Node_State := (Processors => 1, others => <>);
+   begin
+      State := Requested (State, Cold_Start);
+      Expect_Start (State, Cold_Start);
+      State := Tested (State, True);
+      Expect_Load (State, Master, Passed => True);
+      for Look in 1 .. 3 loop
+         Expect_Order (State, Master, Carry_On);
+      end loop;
+
+      --  After a failed test there is nothing to load, until it is asked
+      --  again.
+      State := Requested (State, Warm_Reset);
+      Expect_Start (State, Warm_Reset);
+      State := Tested (State, False);
+      Expect_Load (State, Master, Passed => False);
+      Expect_Order (State, Master, Carry_On);
+      State := Requested (State, Processor_Restart);
+      Expect_Start (State, Processor_Restart);
+      State := Tested (State, True);
+      Expect_Load (State, Master, Passed => True);
+   end One_Processor;
+
+   procedure Two_Processors is
+      State : Node_State := (Processors => 2, others => <>);
+   begin
+      --  The master waits for the other one.
+      State := Requested (State, Cold_Start);
+      Expect_Order (State, 1, Stand_Still);
+      Expect_Order (State, 1, Stand_Still);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Start (State, Cold_Start);
+
+      --  The other one waits for the test, and then each loads its tasks.
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Order (State, 2, Stand_Still);
+      State := Tested (State, True);
+      Expect_Load (State, 2, Passed => True);
+      Expect_Order (State, 2, Carry_On);
+      Expect_Load (State, 1, Passed => True);
+      Expect_Order (State, 1, Carry_On);
+      Expect_Order (State, 2, Carry_On);
+
+      --  The other way round.
+      State := Requested (State, Warm_Reset);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Start (State, Warm_Reset);
+      State := Tested (State, False);
+      Expect_Load (State, 1, Passed => False);
+      Expect_Order (State, 1, Carry_On);
+      Expect_Load (State, 2, Passed => False);
+   end Two_Processors;
+
+   procedure Wishes is
+      State : Node_State := (Processors => 2, others => <>);
+   begin
+      --  Of several the last one counts, up to phase 1.
+      State := Requested (State, Cold_Start);
+      State := Requested (State, Processor_Restart);
+      Expect_Order (State, 1, Stand_Still);
+      State := Requested (State, Warm_Reset);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Start (State, Warm_Reset);
+
+      --  One of later is kept until this start is over.
+      State := Requested (State, Processor_Restart);
+      Expect_Order (State, 2, Stand_Still);
+      State := Tested (State, True);
+      Expect_Load (State, 1, Passed => True);
+      Expect_Load (State, 2, Passed => True);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Start (State, Processor_Restart);
+      State := Tested (State, True);
+      Expect_Load (State, 1, Passed => True);
+
+      --  And one of while the tasks are loaded.
+      State := Requested (State, Warm_Reset);
+      Expect_Order (State, 1, Carry_On);
+      Expect_Load (State, 2, Passed => True);
+      Expect_Order (State, 1, Stand_Still);
+      Expect_Order (State, 2, Stand_Still);
+      Expect_Start (State, Warm_Reset);
+      State := Tested (State, True);
+      Expect_Load (State, 2, Passed => True);
+      Expect_Load (State, 1, Passed => True);
+      Expect_Order (State, 1, Carry_On);
+      Expect_Order (State, 2, Carry_On);
+   end Wishes;
+
+   procedure Any_Order is
+
+      type Last_Orders is array (Seat) of Order_Name;
+
+      --  A node, and what whoever watches knows of it: what each processor
+      --  does, who has loaded its tasks since the last start, and the wish
+      --  that is still to be granted.
+      type Watched is record
+         State  : Node_State;
+         Does   : Last_Orders := (others => Stand_Still);
+         Loaded : Seat_Flags  := (others => False);
+         Passed : Boolean     := False;
+         Is_Due : Boolean     := False;
+         Due    : Start_Condition := Cold_Start;
+      end record;
+
+      Most  : constant := 20_000;
+      Found : array (1 .. Most) of Watched;
+      Last  : Natural := 0;
+
+      procedure Note (Item : Watched);
+
+      --  The ways on from there.
+
+      procedure Wish (Item : in out Watched; Condition : Start_Condition);
+      procedure End_Test (Item : in out Watched; Passed : Boolean);
+      procedure Take_Turn (Item : in out Watched; Who : Seat);
+
+      --  In turns, a node grants what is wished for and then runs its tasks.
+      procedure Expect_Progress (From : Watched);
+
+      procedure Note (Item : Watched) is
+      begin
+         for Place in 1 .. Last loop
+            if Found (Place) = Item then
+               return;
+            end if;
+         end loop;
+         Last := Last + 1;
+         Found (Last) := Item;
+      end Note;
+
+      procedure Wish (Item : in out Watched; Condition : Start_Condition) is
+      begin
+         Item.State := Requested (Item.State, Condition);
+         Item.Is_Due := True;
+         Item.Due := Condition;
+      end Wish;
+
+      procedure End_Test (Item : in out Watched; Passed : Boolean) is
+      begin
+         Item.State := Tested (Item.State, Passed);
+         Item.Passed := Passed;
+         Item.Does (Master) := Stand_Still;
+      end End_Test;
+
+      procedure Take_Turn (Item : in out Watched; Who : Seat) is
+         Is_Testing : constant Boolean := Item.Does (Master) = Begin_Start;
+         Todo       : Order;
+      begin
+         Look (Item.State, Who, Todo);
+         if Is_Testing then
+            Expect ("during phases 1 and 2", Todo.Name, Stand_Still);
+         end if;
+
+         case Todo.Name is
+            when Stand_Still =>
+               null;
+
+            when Begin_Start =>
+               Expect ("the master begins", Who = Master, True);
+               Expect
+                 ("all others stand still",
+                  (for all Which in Seat =>
+                     Which = Master
+                     or else Item.Does (Which) = Stand_Still),
+                  True);
+               Expect ("somebody has wished for it", Item.Is_Due, True);
+               Expect ("what was wished for last", Todo.Condition, Item.Due);
+               Item.Is_Due := False;
+               Item.Loaded := (others => False);
+
+            when Load_Tasks =>
+               Expect ("loads once", Item.Loaded (Who), False);
+               Expect ("has stood still", Item.Does (Who), Stand_Still);
+               Expect ("as the test says", Todo.Passed, Item.Passed);
+               Expect ("its own tasks", Todo.Number = Who, True);
+               Item.Loaded (Who) := True;
+
+            when Carry_On =>
+               Expect ("has loaded its tasks", Item.Loaded (Who), True);
+         end case;
+         Item.Does (Who) := Todo.Name;
+      end Take_Turn;
+
+      procedure Expect_Progress (From : Watched) is
+         Item    : Watched := From;
+         Granted : Boolean := not From.Is_Due;
+      begin
+         for Round in 1 .. 10 loop
+            if Item.Does (Master) = Begin_Start then
+               End_Test (Item, True);
+            end if;
+            for Who in 1 .. Item.State.Processors loop
+               if Item.Does (Master) /= Begin_Start or else Who /= Master then
+                  Take_Turn (Item, Who);
+                  Granted := Granted or else Item.Does (Who) = Begin_Start;
+               end if;
+            end loop;
+         end loop;
+         Expect ("a wish is granted", Granted, True);
+         for Who in 1 .. Item.State.Processors loop
+            Expect ("in the end", Item.Does (Who), Carry_On);
+         end loop;
+      end Expect_Progress;
+
+      Next : Natural;
+      Item : Watched;
+   begin
+      for Processors in Processor_Number loop
+         Last := 0;
+         Item := (State => (Processors => Processors, others => <>),
+                  others => <>);
+         Wish (Item, Cold_Start);
+         Note (Item);
+         Next := 0;
+         while Next < Last loop
+            Next := Next + 1;
+            Expect_Progress (Found (Next));
+            for Condition in Start_Condition loop
+               Item := Found (Next);
+               Wish (Item, Condition);
+               Note (Item);
+            end loop;
+            for Who in 1 .. Processors loop
+               if Who = Master and then Found (Next).Does (Who) = Begin_Start
+               then
+                  for Passed in Boolean loop
+                     Item := Found (Next);
+                     End_Test (Item, Passed);
+                     Note (Item);
+                  end loop;
+               else
+                  Item := Found (Next);
+                  Take_Turn (Item, Who);
+                  Note (Item);
+               end if;
+            end loop;
+         end loop;
+         Expect ("many ways", Last > 20, True);
+      end loop;
+   end Any_Order;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "INI-2 KRN-5 one processor tests, loads its tasks, carries on",
+         One_Processor'Access);
+      Add
+        (Suite, "EXT-4 KRN-5 INI-2 two processors stand still for the test",
+         Two_Processors'Access);
+      Add
+        (Suite, "INI-1 EXT-4 a wish during a start is not lost",
+         Wishes'Access);
+      Add
+        (Suite, "EXT-4 KRN-5 INI-2 whoever looks when, nobody runs a step "
+         & "during a start", Any_Order'Access);
+   end Add_To;
+
+end Start_Orders_Tests;

@@ -1,0 +1,9 @@
+--  EXT-4, INI-2, KRN-5: how the processors of a node start together.
+
+with AUnit.Test_Suites;
+
+package Start_Orders_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Start_Orders_Tests;
