@@ -72,6 +72,19 @@ package body Theorems.Results with SPARK_Mode is
         and then Fresh = As_Well;
    end Of_Look;
 
+   procedure Of_Look
+     (State : Node_State;
+      Who   : Seat;
+      Same  : out Boolean)
+   is
+      One, Other     : Node_State := State;
+      Item, Its_Like : Order;
+   begin
+      Look (One, Who, Item);
+      Look (Other, Who, Its_Like);
+      Same := One = Other and then Item = Its_Like;
+   end Of_Look;
+
    procedure Of_Receive
      (Box  : Mailbox;
       Same : out Boolean)

@@ -20,6 +20,7 @@ with URVOS.Frames;
 with URVOS.ROM_Checks;
 with URVOS.Schedulers;
 with URVOS.Semaphores;
+with URVOS.Start_Orders;
 with URVOS.Task_Trees;
 with URVOS.Waits;
 with URV.AD_Scans;
@@ -41,6 +42,7 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use URVOS.Frames;
    use URVOS.Schedulers;
    use URVOS.Semaphores;
+   use URVOS.Start_Orders;
    use URVOS.Task_Trees;
    use URVOS.Waits;
    use URV.AD_Scans;
@@ -85,6 +87,15 @@ package Theorems.Results with SPARK_Mode, Ghost is
    procedure Of_Look (Box : Mailbox; Same : out Boolean)
    with
      Global => null,
+     Post   => Same;
+
+   procedure Of_Look
+     (State : Node_State;
+      Who   : Seat;
+      Same  : out Boolean)
+   with
+     Global => null,
+     Pre    => Who <= State.Processors,
      Post   => Same;
 
    procedure Of_Receive (Box : Mailbox; Same : out Boolean)

@@ -85,13 +85,22 @@ def parts(package):
     return visible, private
 
 
-def package_gaps(package):
+def objects_of(source):
+    """The names of formal objects and of a package's own variables: what is
+    shared in the wiring."""
+    text = without_comments(source.decode("utf-8"))
+    return set(re.findall(r"^   (\w+) *: *(?:in out )?(?!constant)[\w.]+;",
+                          text, re.M))
+
+
+def package_gaps(package, objects):
     visible, private = parts(package)
     completed = {subprogram_name(node) for node in private
                  if node.type == "expression_function_declaration"}
     for node in visible:
         if node.type in DECLARATIONS:
-            yield from gaps_of(node, completed, states_of(package))
+            yield from gaps_of(node, completed,
+                               states_of(package) | objects)
 
 
 def package_of(root):
@@ -112,7 +121,7 @@ def unit_gaps(source):
     """What is missing in a specification."""
     package = package_of(parsed(source))
     if package is not None:
-        yield from package_gaps(package)
+        yield from package_gaps(package, objects_of(source))
 
 
 def pure_procedures(root):

@@ -129,7 +129,7 @@ def test_where_gnatprove_comes_from(set_up):
     result = set_up("prove", alire=True, gprbuild="", gcc="")
     assert result.returncode == 1
     assert "https://alire.ada.dev" in result.stderr
-    assert "alr exec -- make prove" in result.stderr
+    assert "cd proofs && alr exec -- make -C .. prove" in result.stderr
     result = set_up("prove", alire=True, gprbuild="", gcc="", gnatprove="")
     assert (result.returncode, result.stderr) == (0, "")
 

@@ -102,8 +102,11 @@ package body AD_Tests is
    end Expect_No_Start;
 
    procedure Convert (Value : Word) is
-      Interrupt : Boolean;
+      Unused_Wanted : Boolean;
+      Unused_Which  : Channel_Number;
+      Interrupt     : Boolean;
    begin
+      Board.Take_Start (Unused_Wanted, Unused_Which);
       Board.Finish (Value, Interrupt);
       Expect ("interrupt", Interrupt, True);
       Handler.Handle_Interrupt;
@@ -185,6 +188,7 @@ package body AD_Tests is
    procedure Stray_Interrupt is
    begin
       Whole_Scan;
+      Board.Start (7);
       Convert (16#ABC#);
       Expect_No_Start ("after the scan");
       Words.Expect_Counts ("nothing more sent", ADINT_Variable, 1, 1);

@@ -72,6 +72,49 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    with Global => null;
 
    --  A processor looks what it has to do.
+
+   --  A wish is heard when all run.
+   function Heard (State : Node_State) return Node_State is
+     (if State.Doing = Running and then State.Is_Wanted
+      then (State with delta Doing => Stopping, Done => (others => False))
+      else State)
+   with Global => null;
+
+   --  With a processor that has stopped, or loaded.
+   function With_Done (State : Node_State; Who : Seat) return Node_State is
+     ((State with delta Done => (State.Done with delta Who => True)))
+   with Global => null;
+
+   --  For a state in which a wish has been heard.
+
+   function Order_For (State : Node_State; Who : Seat) return Order is
+     (case State.Doing is
+         when Running  => (Name => Carry_On, others => <>),
+         when Stopping =>
+           (if Who = Master and then All_Done (With_Done (State, Who))
+            then (Begin_Start, State.Wanted, others => <>)
+            else (others => <>)),
+         when Testing  => (others => <>),
+         when Loading  =>
+           (if State.Done (Who) then (Name => Carry_On, others => <>)
+            else (Load_Tasks, State.Wanted, State.Passed, Number => Who)))
+   with Global => null;
+
+   function State_After (State : Node_State; Who : Seat) return Node_State is
+     (case State.Doing is
+         when Running | Testing => State,
+         when Stopping          =>
+           (if Who = Master and then All_Done (With_Done (State, Who))
+            then (With_Done (State, Who) with delta
+                    Doing => Testing, Is_Wanted => False)
+            else With_Done (State, Who)),
+         when Loading           =>
+           (if not State.Done (Who)
+              and then All_Done (With_Done (State, Who))
+            then (With_Done (State, Who) with delta Doing => Running)
+            else With_Done (State, Who)))
+   with Global => null;
+
    procedure Look
      (State : in out Node_State;
       Who   : Seat;
@@ -80,8 +123,8 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
      Global => null,
      Pre    => Who <= State.Processors,
      Post   =>
-       State.Processors = State'Old.Processors
-       and then State.Passed = State'Old.Passed
+       Todo = Order_For (Heard (State'Old), Who)
+       and then State = State_After (Heard (State'Old), Who)
 
        --  Nobody runs a step from the time when all stand still until the
        --  start's phases 1 and 2 are over.

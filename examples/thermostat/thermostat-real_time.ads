@@ -1,0 +1,13 @@
+--  The thermostat on the machine's clock.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with URVOS.Real_Time_Nodes;
+
+package Thermostat.Real_Time with SPARK_Mode is
+
+   procedure Observe_Tick (Late : Time_Span) is null;
+
+   package Node is new URVOS.Real_Time_Nodes
+     (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun, Observe_Tick);
+
+end Thermostat.Real_Time;
