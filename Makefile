@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly test check prove explore fuzz campaign theory bench size \

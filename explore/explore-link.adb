@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Containers.Vectors;
 with Ada.Text_IO;
 with Ada.Unchecked_Deallocation;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Both boards together, after the last fault.
 --
 --  Find_Quiet: from every pair of sides, whatever the controllers do, the

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Containers.Hashed_Maps;
 with Ada.Containers.Vectors;
 with Interfaces;          use Interfaces;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  One board with what it has on the line: every state it can be in, and
 --  where a character time leads from each.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Explore is
 
    function Byte_Of (Sum : Byte) return Byte is

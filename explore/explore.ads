@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Exhaustive exploration of the telemetry link: both boards, and what is
 --  on the line, as states; one character time as a step.
 --

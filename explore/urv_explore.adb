@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Explores both telemetry boards exhaustively: docs/exploration.md.
 --  Exit status: 0 all is well; 1 something was found, and is printed.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Does to a telemetry board what the bytes on standard input say. Every
 --  contract is executed: a violated one, or any exception, aborts.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Host.Bench is
 
    subtype Surface is Sensor_Item range Right_Flap_1 .. Left_Rudder;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The bench: the surfaces follow the servos with a lag, every other sensor
 --  is held at what it was last set to (SIM-1).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the program says when it refuses a command line or an input file,
 --  in one style and on one line.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The error logs of the nodes as JSON lines, one for each node and kind of
 --  error that happened (--events; EXT-1). docs/error-log.md explains the
 --  fields.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS.Image_Sums; use URVOS.Image_Sums;
 
 package body Host.Memory_Hardware is

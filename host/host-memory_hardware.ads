@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The memories of the processor boards, behind Devices.Memory_Bus, with
 --  faults to plant (SIM-1, TST-1, TST-3).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the items of the buffers are called in files: the promise of the
 --  stick, sensor, record and event formats.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Long_Float_Text_IO;
 with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What a word means in engineering units: the one table of the simulation,
 --  for every sensor, servo channel and stick.
 --

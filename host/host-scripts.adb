@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Complaints;   use Host.Complaints;
 with Host.Text_Input;
 with Host.Text_Numbers; use Host.Text_Numbers;

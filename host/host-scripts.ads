@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A script of words over time: what the pilot's sticks or the aircraft's
 --  sensors do in a flight. It is read from a CSV file as a whole and
 --  checked before the flight begins.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the aircraft's sensors measure, from a file (--sensors).
 --
 --  The promised format allows every name of the downlink, "error" among

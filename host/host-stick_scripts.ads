@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the pilot's sticks and switches do, from a file (--sticks).
 
 with Host.Names;

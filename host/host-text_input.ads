@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Reads an input file line by line and knows where it is, so that every
 --  refusal says file and line. Lines may end in LF or CR LF, the last one
 --  in nothing at all. A byte order mark at the beginning is skipped.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Host.Text_Numbers is
 
    use type Number;

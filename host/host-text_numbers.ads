@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Numbers as people write them in options and input files. Nothing is
 --  guessed: no sign, no blanks, no digit separators, no overflow.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Writes an output file in large blocks. The flight record and the wire
 --  log of a fast simulation are most of what it has to do, so numbers are
 --  formatted by hand.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the programs on a host share, whatever moves their time: the
 --  simulation, the real-time partitions and the tests. Text in and out,
 --  scripts, scales, the bench and the memories behind the boards.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Real_Time; use Ada.Real_Time;
 with MCS;
 with URVOS.Real_Time_Nodes;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The aircraft's node in real time, as it is proved: with the steps of the
 --  partition, except for what catches their exceptions and measures them
 --  (D-9). Its processors share no data but by protected objects, whichever

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Sound_Memory with SPARK_Mode is
 
    procedure Write (Where : Word_Address; Data : Word) is

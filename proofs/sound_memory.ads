@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A memory without faults, for the proof that the RAM test raises no false
 --  alarm (TST-1): an array of 16 KiB. Nothing runs.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Alike_Schedulers with SPARK_Mode is
 
    --  Equals are alike, and who is alike one that is alike a third is alike

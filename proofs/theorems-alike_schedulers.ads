@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  When two schedulers cannot be told apart, and what follows of it. What
 --  Theorems.Results says of the scheduler is said in these words (EVI-7).
 

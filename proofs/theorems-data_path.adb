@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Data_Path with SPARK_Mode is
 
    procedure Commands_Arrive (Image : AD_Image) is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  From one end to the other: what goes in at a converter comes out at the
 --  other node, through routing, codec, transform and layout (BUF-1, BUF-2,
 --  PWM-2, D-2).

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Histories with SPARK_Mode is
 
    --  Nothing sent between two steps: the last one is the same.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The history of a mailbox: what comes out of any sequence of sends, looks
 --  and receives (MBX-2 to MBX-4, D-21).
 --

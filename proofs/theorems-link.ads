@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the header code and the checksum detect (D-6, D-7).
 
 with Telemetry;          use Telemetry;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Log_Pieces with SPARK_Mode is
 
    --  A high byte and a low one are the word.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A row of the error log comes down as it is (SAF-7, D-15): of all that may
 --  have come before, its 15 pieces make it, and no other row.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Order with SPARK_Mode is
 
    procedure Aircraft_Consumers_Follow_Producers

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The order of a frame (report, section 2.2, figure 3; FRM-2, SET-1): who
 --  consumes what another task has produced runs after it, in the same
 --  frame, on any schedule that keeps the releases, on one processor or two.

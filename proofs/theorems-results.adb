@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Results with SPARK_Mode is
 
    procedure Of_Move

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What an operation does follows from its contract alone (EVI-7): done
 --  twice with the same inputs, it gives the same results. GNATprove knows of
 --  a call nothing but the contract, so a postcondition that left something

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Safety with SPARK_Mode is
 
    --  What is of a scan has the outputs of the scan.

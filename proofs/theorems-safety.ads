@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Nothing moves that was not asked for (SAF-1 to SAF-3, SAF-5, SAF-6, D-13,
 --  D-14): the way of the commands from the ground's converter to the servos
 --  and the aircraft's CORE memory, over any sequence of what may happen on

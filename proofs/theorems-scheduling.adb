@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Scheduling with SPARK_Mode is
 
    --  What holds from a first state to a middle one, and from there to a

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the scheduler does over any sequence of calls, with any tasks
 --  (report, sections 3.2 and 3.3; KRN-1 to KRN-4).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Self_Test with SPARK_Mode is
 
    procedure Step_Is_Polynomial_Division (Register : Sum) is null;

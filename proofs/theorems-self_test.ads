@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the self-test finds, and that it finds nothing where nothing is
 --  wrong (TST-1, TST-3).
 

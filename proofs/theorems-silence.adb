@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS; use URVOS;
 
 package body Theorems.Silence with SPARK_Mode is

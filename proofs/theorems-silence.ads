@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A telemetry board left alone comes to rest: from whatever state, with a
 --  silent line, it is back at the start within a bounded time (LNK-9).
 

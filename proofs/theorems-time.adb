@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Theorems.Time with SPARK_Mode is
 
    procedure Clock_Advances (Now : Clock_Tick) is null;

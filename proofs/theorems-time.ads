@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The clock never runs backwards, never wraps round and stands still at its
 --  last tick, for any flight (FRM-1 to FRM-3).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  P, V and RECV with a wait, as a task has them, for the proof (SEM-1,
 --  SEM-2, MBX-3, MBX-5): step after step, with EXIT between, each of them
 --  ends, whatever a clock shows. Nothing runs.

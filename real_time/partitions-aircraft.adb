@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Real_Time;
 
 with Devices.CORE_Memory;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What is behind the aircraft's boards: surfaces that follow the servos
 --  with a lag, other sensors held, or any of them as a file says
 --  (--sensors).

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Partitions.Clocks is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);

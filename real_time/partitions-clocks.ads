@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The partition's time: since the machine was started, and since the node
 --  was switched on; and whether the node has stood still (SAF-4).
 

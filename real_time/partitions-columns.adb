@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Names; use Host.Names;
 
 package body Partitions.Columns is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The groups of columns of the flight record.
 
 with Host;            use Host;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.CORE_Memory;
 with GSC;
 with Host;               use Host;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The pilot's console: sticks and switches at rest, or as a file says
 --  (--sticks).
 

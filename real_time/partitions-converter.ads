@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The hardware of an A/D board, as its own task: 16 us after a channel was
 --  started it has been converted and the controller is interrupted.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Partitions.Error_Marks is
 
    Mark : constant Byte := 16#FF#;

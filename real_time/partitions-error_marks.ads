@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How a serial device tells that a character was received with a wrong
 --  parity bit or frame (RTP-1, LNK-1).
 --

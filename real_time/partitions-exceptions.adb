@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Memory_Hardware;
 
 package body Partitions.Exceptions is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Exceptions that nobody expected, in whatever the partition runs: each
 --  restarts the processor that it happened on (KRN-6), and the partition
 --  says at its end what the first one was.

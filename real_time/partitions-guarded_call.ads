@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Something that the processor is made to do by an interrupt. An unexpected
 --  exception in it is one of the processor: it is not passed on (KRN-6).
 

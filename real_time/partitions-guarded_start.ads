@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The first two phases of a start in the partition: what runs them, and what
 --  catches an unexpected exception in them, which the target has as an
 --  exception vector (KRN-6).

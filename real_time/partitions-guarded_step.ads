@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A step of a task in the partition: what it runs, how long that takes, and
 --  what catches an unexpected exception of the processor, which the target
 --  has as an exception vector (KRN-6).

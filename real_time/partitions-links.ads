@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The serial link as this machine has it: a UDP socket or a serial device.
 --  There is one for each partition. What is on it: docs/real-time.md.
 --

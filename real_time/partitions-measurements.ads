@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How long something took, how late it was: the distribution of many
 --  measurements, in fixed room.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A node in its partition: the flight software's tasks, and the hardware of
 --  its boards (RTP-1).
 

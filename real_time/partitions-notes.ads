@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What a partition says while it runs, a line each on standard error.
 
 package Partitions.Notes is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The command line of a partition (RTP-2). Whatever is wrong with it
 --  raises Host.Bad_Input.
 

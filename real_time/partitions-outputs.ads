@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The output files of a partition, opened all together or not at all.
 
 with Host.Text_Output;

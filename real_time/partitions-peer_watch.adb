@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Partitions.Peer_Watch is
 
    use type Number;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Whether the other node is heard: good messages of it come in (RTP-2).
 
 with Partitions.Rows; use Partitions.Rows;

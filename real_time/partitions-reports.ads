@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The result of a run as a JSON object (--summary), and as a few lines for
 --  people.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Partitions.Rows is
 
    procedure Append (To : in out Row; Value : Number) is

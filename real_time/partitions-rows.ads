@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The rows of the flight record on their way from the controller to the
 --  file: the controller never waits for a disk.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A partition from its command line to its end (RTP-2).
 --
 --  While it runs it says on standard error when the other node is heard and

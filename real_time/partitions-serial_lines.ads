@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A serial device as the link: 125 kbaud, 8 data bits, even parity, 2 stop
 --  bits (D-4). A pseudo-terminal is one too.
 

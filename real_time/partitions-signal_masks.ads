@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Keeps the partition's signals from every task, for the one that waits
 --  for them; and has the operating system wake tasks as exactly as it can.
 --

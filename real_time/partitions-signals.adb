@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Interfaces.C; use Interfaces.C;
 with System;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The signals that a partition is sent: SIGINT and SIGTERM switch it off,
 --  SIGUSR1 stands for an unexpected interrupt of its processor, SIGUSR2 for
 --  its reset switch (INI-1, KRN-6).

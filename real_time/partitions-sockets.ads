@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A UDP socket as the link (SAF-8).
 
 with Partitions.System_Calls;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The few calls of the operating system that the partitions make besides
 --  Ada's own run-time: files as a serial line or a socket, waiting for
 --  either until a time, and signals. Linux.

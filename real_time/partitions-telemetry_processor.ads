@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The processor of a telemetry board, as its own task: its DUART's
 --  interrupt, its main program, its timer (report, appendix A; LNK-1).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The real-time partitions bin/urv_mcs and bin/urv_gsc: one node each, in
 --  its own process, on a real byte stream (RTP-1).
 --

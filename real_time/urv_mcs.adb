@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The aircraft's control system in real time.
 
 with Host;

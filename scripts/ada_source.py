@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads Ada, for the scripts: as text, or as a tree.
 
 The tree is that of tree-sitter's grammar for Ada. It is loaded only for those

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Measures the simulation's speed beside a fixed workload in C.
 
 Both run on this machine one after the other, so that the ratio means the

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Every single claim of a contract, so that none goes away unnoticed (EVI-5).
 
   list    writes proofs/claims.txt

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Whether each public subprogram has a complete contract (EVI-7).
 
     scripts/contracts.py    says what is missing; exit status 1 if so

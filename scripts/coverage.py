@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Which lines, subprograms and decisions of src the tests reach (EVI-4).
 
     scripts/coverage.py run [--renew]     builds, runs the tests, then checks

@@ -1,4 +1,6 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+
 # Fuzzes a telemetry board for some seconds, or until it has tried so many
 # inputs.
 #

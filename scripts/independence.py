@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Whether the tests' results hang on how the software is built (EVI-6).
 
     scripts/independence.py [--renew] switches

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """When the machine paused, and programs were not run in time (EVI-9).
 
 Watchers wait for the next millisecond and do nothing else; a pause is when one

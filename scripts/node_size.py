@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Static data of each node's flight software, as built for flight (EVI-10).
 
 Adds up the data sections of every object file a node's top package needs,

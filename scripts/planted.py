@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Plant mistakes in what judges the flight software; see who notices (EVI-10).
 
     scripts/planted.py [NAME ...]    those patches whose names begin so

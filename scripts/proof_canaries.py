@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Judges the canaries: claims that GNATprove must not prove (EVI-2).
 
 A line of a source in proofs/canaries that ends in the name of a check is

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Prove the flight software, and keep the record of what was proved (EVI-8).
 
   prove    runs GNATprove; with everything proved, renews proofs/record.json

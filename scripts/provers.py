@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Whether the proof hangs on a prover (EVI-6): each of them alone.
 
     scripts/provers.py [--renew] [--jobs N] [UNIT ...]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs every test and ends with one line: N passed, N failed, N skipped.
 
     scripts/run_tests.py [PART ...]    those parts whose names begin so

@@ -1,4 +1,6 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+
 # Installs what one target of the Makefile lacks, and nothing else (EVI-11).
 #
 #   scripts/setup.sh fly|test|check|prove|size|bench|campaign|explore|fuzz|

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Flies both real-time partitions over UDP, as an ordinary user, beside
 cyclictest, and says how timely they were (EVI-9).
 

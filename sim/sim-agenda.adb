@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Sim.Agenda is
 
    --  The time and, so that one comparison finds the first of several at

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What can happen in the simulation, and when each happens next.
 
 package Sim.Agenda is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.AD_Board;
 with Sim.Agenda;    use Sim.Agenda;
 with Sim.Windows;   use Sim.Windows;

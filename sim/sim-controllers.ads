@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The controllers of both nodes in virtual time: their clocks, their A/D
 --  boards' hardware, and how they start again (INI-1, KRN-6, SIM-1).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Memory_Hardware; use Host.Memory_Hardware;
 with Sim.Agenda;           use Sim.Agenda;
 with Sim.Controllers;

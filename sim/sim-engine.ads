@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Both nodes, their boards' hardware and the serial link, in virtual time
 --  (SIM-1, SIM-2).
 --

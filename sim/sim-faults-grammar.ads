@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How a fault of each kind is written in a script.
 
 private package Sim.Faults.Grammar is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A script of what goes wrong in a flight, read from a file (--faults)
 --  and checked before the flight begins (SIM-2).
 

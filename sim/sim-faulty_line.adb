@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Sim.Faulty_Line is
 
    use type Faults.Character_Bits;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The serial link between the two DUARTs, with the faults of a script:
 --  what arrives of each character that is sent (SIM-2).
 --

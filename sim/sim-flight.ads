@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  One flight, from the files it reads to the files it leaves.
 
 with Sim.Options;

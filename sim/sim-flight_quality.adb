@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Numerics.Long_Elementary_Functions;
 
 package body Sim.Flight_Quality is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How well the simulated pilot flew: what the aircraft really did against
 --  what the pilot wanted.
 

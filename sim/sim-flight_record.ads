@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The flight record: one row for each major frame of the ground node,
 --  taken as that frame ends (--record).
 

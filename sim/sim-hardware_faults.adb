@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Containers.Vectors;
 
 package body Sim.Hardware_Faults is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The faults of a script that befall the hardware of a node at an instant,
 --  one after the other: resets, and harm to a processor's memory.
 

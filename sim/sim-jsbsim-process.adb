@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Characters.Latin_1;
 with Ada.Command_Line;
 with Ada.Directories;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  JSBSim's process and the connection to it. Each side sees when the other
 --  one has ended, so that none outlives the other.
 

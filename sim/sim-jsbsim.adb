@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Characters.Latin_1;
 with Ada.Streams;           use Ada.Streams;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The aircraft, flown by JSBSim in another process in lock-step with the
 --  simulation (SIM-3). There is one.
 --

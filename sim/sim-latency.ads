@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How long a change at the pilot's console takes until the PWM board is
 --  given what it asks for.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The nodes as the engine drives them: one call for either node. Whatever
 --  differs between the two is told apart here (SIM-1).
 

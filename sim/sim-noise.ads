@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Bit errors by chance (fault "ber"): each of the nine bits of a character
 --  flips with the same probability, independent of all others.
 --

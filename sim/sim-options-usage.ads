@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The text that explains the command line.
 
 private package Sim.Options.Usage is

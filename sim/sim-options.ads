@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The command line of urv_sim: what was asked for, and the text that
 --  explains it. Whatever is wrong with it raises Bad_Input (SIM-1).
 --  --phase is the phase between the two nodes' clocks (D-12).

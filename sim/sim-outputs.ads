@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The output files of a flight, opened all together or not at all.
 --
 --  They are opened after every input was read and checked, the aircraft

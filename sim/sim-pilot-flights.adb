@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Sim.Pilot.Flights is
 
    Second : constant Microseconds := 1_000 * Microseconds_Per_Millisecond;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The flights that the pilot knows by heart.
 
 private package Sim.Pilot.Flights is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Scaling; use Host.Scaling;
 
 package body Sim.Pilot.Readings is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the pilot reads off the displays, in engineering units.
 
 private package Sim.Pilot.Readings is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Scaling;       use Host.Scaling;
 with Sim.Pilot.Flights;  use Sim.Pilot.Flights;
 with Sim.Pilot.Readings; use Sim.Pilot.Readings;

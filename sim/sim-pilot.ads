@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The simulated pilot at the console (SIM-3).
 --
 --  The pilot knows the flight by heart and sees what the ground's CORE

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Calendar; use Ada.Calendar;
 with GNAT.OS_Lib;
 with Interfaces.C_Streams;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A progress bar on standard error, for a person who waits. It appears
 --  only on a terminal, and only when the flight takes long.
 

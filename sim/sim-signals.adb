@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Interfaces.C; use Interfaces.C;
 with System;       use System;
 with System.Storage_Elements;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the system tells the program in the middle of its work: that the
 --  user wants it to end, and that nobody reads what it writes.
 

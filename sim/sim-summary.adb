@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Host.Names;       use Host.Names;
 with Host.Text_Numbers;
 with Host.Text_Output; use Host.Text_Output;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The result of a flight: a JSON object for scripts (--summary) and a few
 --  lines for people.
 --

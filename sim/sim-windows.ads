@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Spans of time, each from First until just before Stop, and the place in
 --  them that somebody who only goes forward has come to.
 

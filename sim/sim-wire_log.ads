@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The wire log: every byte on the serial link as it leaves the sender's
 --  DUART, before any fault on the line (--wire).
 

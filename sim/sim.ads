@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The host simulation: everything round the flight software, in virtual
 --  time.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The deterministic twin: both nodes, both telemetry boards, the serial
 --  link, boards and aircraft in one process in virtual time.
 --

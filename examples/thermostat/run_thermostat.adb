@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  run_thermostat virtual|real PROCESSORS: five seconds of the thermostat,
 --  at once or in as many; then what it has reached and what went wrong.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The thermostat on the machine's clock.
 
 with Ada.Real_Time; use Ada.Real_Time;

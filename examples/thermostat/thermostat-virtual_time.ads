@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The thermostat in virtual time.
 
 with URVOS.Virtual_Nodes;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Thermostat with SPARK_Mode is
 
    procedure Report_Not_Claimed (Caller, Holder : Claimant) is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A node that has nothing to do with aircraft: a thermostat. See README.md.
 
 with URVOS;              use URVOS;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Ceilings with SPARK_Mode is
 
    protected body Box is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A task above the ceiling of what it calls, and one that ends.
 
 with System;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Contracts with SPARK_Mode is
 
    procedure Count_Up (Value : in out Count) is

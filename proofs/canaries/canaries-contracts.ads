@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What a caller or a callee promises.
 
 with URVOS; use URVOS;

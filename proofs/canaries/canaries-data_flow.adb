@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Data_Flow
   with
     SPARK_Mode,

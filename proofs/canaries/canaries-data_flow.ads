@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What a subprogram reads, writes and derives from what, and the state
 --  behind a package.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Data_Path with SPARK_Mode is
 
    procedure Roll_Reaches_The_Aileron (Commands : Uplink_Buffer) is null;

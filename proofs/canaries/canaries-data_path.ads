@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Claims about words on their way that are false of a few of them.
 
 with URVOS;             use URVOS;

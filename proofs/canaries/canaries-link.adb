@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Link with SPARK_Mode is
 
    procedure Headers_Are_Farther_Apart (Left, Right : Byte) is null;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Claims about the real telemetry board that go one too far.
 
 with Telemetry;           use Telemetry;

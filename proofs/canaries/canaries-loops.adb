@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Loops with SPARK_Mode is
 
    function Largest_Of (Source : Row) return Byte is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What is so as a loop runs.
 
 with URVOS; use URVOS;

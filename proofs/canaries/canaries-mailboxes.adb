@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Mailboxes with SPARK_Mode is
 
    procedure Send_Twice (Box : in out Mailbox; Item : Channel_Words) is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Claims about the real mailbox. What a contract of the flight software
 --  says too much is a false claim here that would be proved.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Races with SPARK_Mode is
 
    task body Up is

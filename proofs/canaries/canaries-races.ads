@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Two tasks write one variable that nothing guards.
 
 with URVOS; use URVOS;

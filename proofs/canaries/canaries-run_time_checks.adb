@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Run_Time_Checks with SPARK_Mode is
 
    procedure Take (Source : Row; Target : out Short_Row) is

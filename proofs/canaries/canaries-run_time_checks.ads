@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What would raise an exception.
 
 with URVOS; use URVOS;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Canaries.Safety with SPARK_Mode is
 
    procedure Neutral_Words_Are_Safe is null;

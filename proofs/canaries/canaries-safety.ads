@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Claims about safety that are false of a few histories (SAF-1 to SAF-7).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Claims that are almost true, one at least for each kind of check that
 --  the proof of the flight software rests on. They show that the tool is
 --  looking: were one of them proved, no other proof would be worth much.

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+
 /* The fixed workload that the simulation's speed is compared with: the bare
    data path in C. For each major frame, 14 words go up and 28 come down as
    bytes with a checksum, and are checked and unpacked on the other side. */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the campaign does to the link.
 
 A case is one or more faults close together, then calm: enough frames to

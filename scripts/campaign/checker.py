@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads a flight's record and wire and says whether the link kept its word.
 
 Knows the protocol from docs/link.md and nothing of the flight software.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Words at the converters that tell when they were sampled.
 
 Every frame has its own: the first two words are the frame's number, the

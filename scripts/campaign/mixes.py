@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Random mixes of all kinds of faults, each a short flight of its own.
 
 A mix's number is all that is needed to make it again. Sticks and sensors

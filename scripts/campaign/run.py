@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Does things to the link and checks that it recovers.
 
   run.py tiny|short|full [--jobs N] [--host HOST]...

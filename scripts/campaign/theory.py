@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The link under bit errors: what theory says and what the simulation does.
 
   theory.py [--frames N] [--renew]

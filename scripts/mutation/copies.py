@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A copy of the repository in which one mutant at a time lives."""
 
 import os

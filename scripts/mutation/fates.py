@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What became of the mutants: a line of a file for each (EVI-3).
 
 A mutant is tried again when the code of the file that it changes is another;

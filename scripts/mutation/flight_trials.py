@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How a mutant of the flight software is tried: by the unit tests with
 contracts executed, by its object code, by simulated flights, by the proof."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How a mutant of what judges the flight software is tried: by the tests that
 look at the changed file, the quick ones first."""
 

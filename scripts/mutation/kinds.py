@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The two kinds of mutants: of the flight software, of what judges it."""
 
 from pathlib import Path

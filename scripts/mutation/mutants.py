@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Small changes to the code of the flight software (EVI-3).
 
 What is changed is code: statements, and the expressions of functions that

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Small changes to Python, by the operators of cosmic-ray (EVI-3)."""
 
 import hashlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What the mutants show: the tables of docs/evidence/mutation.md, their check.
 
   table   writes the tables into docs/evidence/mutation.md

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Change the code in small ways; see who notices.
 
 Of the flight software each mutant is built, then given to the unit tests with contracts executed.

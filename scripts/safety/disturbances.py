@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """When a script of faults disturbs what: the spans from which the monitor
 knows how old a command may be, and where a wrong block may come from."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the monitor knows of the words: their names and order, what the
 servos make of a command (PWM-2, figure 13), what they hold until then."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What stood at a converter's channels when, and which scan may have seen
 it."""
 

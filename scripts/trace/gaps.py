@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What is missing or wrong between requirements, code, theorems and tests
 (EVI-1).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The requirements, as docs/requirements.sdoc has them.
 
 A reader for what that file uses of StrictDoc's format, so that the check

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Requirements linked to code, theorems and tests, and back.
 
     scripts/trace/run.py check     says what is missing; exit status 1 if so

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the sources name: Ada units and their declarations, tests, and the
 requirements that comments and tests' names speak of."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The aircraft of the simulation: JSBSim in lock-step with Sim.JSBSim.
 
     plant.py DESCRIPTOR

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The analog-to-digital board (report, 2.3.3, 4.1, 4.2).
 --
 --  The controller writes a channel number; 16 us later the board has the

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  CORE memory, where the ground station's displays and recorders find the
 --  latest data (report, 2.3.4, 2.5, 4.3; BUF-4).
 --

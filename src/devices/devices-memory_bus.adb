@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Nothing of the memories is kept here.
 
 package body Devices.Memory_Bus

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The processor board's own ROM and RAM, each word or byte by its address
 --  (TST-1).
 --

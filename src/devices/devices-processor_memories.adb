@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Devices.Processor_Memories with SPARK_Mode is
 
    procedure Read_ROM (Where : Byte_Address; Data : out Byte) is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The ROM and the RAM of one processor board, as its programs see them
 --  (TST-1, TST-3, D-17).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The pulse width modulation board (report, 2.3.1, 4.8, INI-3).
 --
 --  The board reads its data area all the time, on its own: one word a servo

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  An analog-to-digital board between the controller and its hardware
 --  (report, 4.1, 4.2; AD-1, ADI-1).
 

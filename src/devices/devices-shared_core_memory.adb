@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Devices.Shared_CORE_Memory with SPARK_Mode is
 
    protected body Board is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A CORE memory between the controller and its readers (report, 4.3;
 --  COR-1).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Devices.Shared_PWM_Board with SPARK_Mode is
 
    protected body Board is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A pulse width modulation board between the controller and the servos
 --  (report, 4.8; PWM-1, D-13).
 

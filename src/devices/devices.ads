@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The boards on the VMEbus, as the controller sees them (report, figure 1).
 --
 --  Each board has a package with its registers or memory and the operations

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The messages that tasks pass on: converter images, uplink and downlink
 --  buffers, servo commands (report, section 2.5, figures 4 and 13, D-15).
 --

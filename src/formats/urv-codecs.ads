@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The two buffers on the wire, each the length of a block (BUF-1, BUF-2,
 --  D-3, D-5).
 

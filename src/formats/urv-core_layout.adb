@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.CORE_Layout with SPARK_Mode is
 
    function Uplink_Type_Codes return Uplink_Words is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Where the buffers stand in CORE memory, and the type codes of their
 --  items (report, 2.5; BUF-4): 0101h onward for the uplink, 0201h onward
 --  for the downlink, in the order of the buffers, 0301h onward for the

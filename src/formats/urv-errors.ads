@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The error cases of a node and the log of them (report, the sections
 --  "Error handling" of 4 and 5, 3.5, appendix A; EXT-1, SEM-2).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Which errors the telemetry board counts for the log (EXT-1; report,
 --  appendix A).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.Log_Pieces with SPARK_Mode is
 
    procedure Take

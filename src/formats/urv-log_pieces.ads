@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How a node's error log goes to the other one, a byte a message (SAF-7,
 --  D-15): a row of it in 15 pieces, first its number, then the bytes of its
 --  words, the high one first.

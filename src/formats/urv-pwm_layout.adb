@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.PWM_Layout with SPARK_Mode is
 
    function To_Data_Area (Source : PWM_Buffer) return Data_Area is

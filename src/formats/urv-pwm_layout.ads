@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Where the outputs stand in the data area of the PWM board (report, 4.8,
 --  figure 13b; PWM-2, D-13): the servos in their order, then the discretes.
 

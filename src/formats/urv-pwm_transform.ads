@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  From the pilot's commands to the servos (report, 4.8.4, figure 13; PWM-2,
 --  D-2).
 

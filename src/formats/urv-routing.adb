@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.Routing with SPARK_Mode is
 
    function To_Uplink (Image : AD_Image) return Uplink_Buffer is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Which part of the converter image each node passes on (report, 4.7, 5.6,
 --  D-14, D-15).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.Word_Codecs with SPARK_Mode is
 
    function Encode (Source : Buffer) return Block_Data is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Buffers on the wire: each word as two bytes, the high one first, in the
 --  order of the buffer's names (BUF-1 to BUF-3, LNK-3).
 

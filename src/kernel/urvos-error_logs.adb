@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Error_Logs with SPARK_Mode is
 
    procedure Add

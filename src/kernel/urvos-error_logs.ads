@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  An error log: what went wrong, when and how often, in memory that never
 --  grows (report, 3.5, and the sections "Error handling" of 4 and 5, which
 --  leave the recording to a later version; EXT-1, SEM-2).

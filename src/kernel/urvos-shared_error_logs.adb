@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Shared_Error_Logs with SPARK_Mode is
 
    protected body Shared_Log is

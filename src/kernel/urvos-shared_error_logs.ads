@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  An error log between all who report to it, tasks, interrupt handlers and
 --  kernel, and those who read it (EXT-1, SEM-2).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The ground's node in virtual time (KRN-1 to KRN-6, EXT-4).
 
 with URVOS.Virtual_Nodes;

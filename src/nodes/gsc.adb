@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body GSC with SPARK_Mode is
 
    procedure Take_Log_Piece (Item : Downlink_Buffer) is

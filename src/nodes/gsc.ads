@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  GSC: the ground station core (report, section 5, figure 2).
 --
 --  This is the wiring: the boards, the variables between the tasks, and for

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.PWM_Layout;
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  MCS: the multiprocessor control system on board the aircraft (report,
 --  section 4, figure 2).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS.Start_Phases;
 with URVOS.Start_Tests;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How a node starts (report, sections 2.3 and 3.1; INI-1 to INI-8, SAF-4,
 --  SAF-6, TST-4). The telemetry board starts by itself.
 --

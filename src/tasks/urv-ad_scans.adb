@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.AD_Scans with SPARK_Mode is
 
    procedure Store

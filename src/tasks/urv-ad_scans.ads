@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  One scan of the 32 channels (report, 4.2, figure 6; ADI-1, D-19, SAF-2).
 --
 --  The interrupt handler stores a word and learns what to do next. Between

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  AD task: hands on the scan of the last frame and begins the next one
 --  (report, 4.1, table 1; AD-1). Released at minor frame 0.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.AD_Board; use Devices.AD_Board;
 with URVOS;            use URVOS;
 with URV.Errors;       use URV.Errors;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The analog-to-digital interrupt handler (report, 4.2, table 2; ADI-1).
 --
 --  Produces ADINT_variable. Its locals are Channel and the data area, which

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URV.Buffers;     use URV.Buffers;
 with URV.CORE_Layout; use URV.CORE_Layout;
 with URV.Errors;      use URV.Errors;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  CORE task: keeps the node's CORE memory up to date (report, 4.3, table
 --  3; COR-1). Released at minor frame 4.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS; use URVOS;
 
 package body URV.Input_Exchange_Task with SPARK_Mode is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Input exchange task: what the other node sent goes to those who use it.
 --  Released at minor frame 1.
 --

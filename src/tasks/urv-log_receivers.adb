@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.Log_Receivers with SPARK_Mode is
 
    procedure Take_Piece (Item : Piece) is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The aircraft's error log as it comes to the ground, a piece a downlink
 --  (SAF-7). A row that is whole is written.
 

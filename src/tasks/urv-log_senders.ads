@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The aircraft's error log on its way to the ground (SAF-7): a piece a
 --  frame, a row after the other, the rows of errors that have happened over
 --  and over again. With an empty log there is no piece.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS;           use URVOS;
 with URV.CORE_Layout; use URV.CORE_Layout;
 with URV.Link_Errors; use URV.Link_Errors;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LOG task: keeps the error log complete and its sums in CORE memory
 --  (EXT-1; the report names the task in 4.3.3 and leaves it for later).
 --  Released at minor frame 5, after all tasks that report.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The variables between the tasks, one kind for each kind of message
 --  (report, section 2.5; MBX-1). Each is a mailbox that two tasks share.
 

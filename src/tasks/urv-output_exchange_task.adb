@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URV.Output_Exchange_Task with SPARK_Mode is
 
    procedure Run_Transaction is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Output exchange task: what the converter held goes to CORE and to the
 --  other node. Released at minor frame 1.
 --

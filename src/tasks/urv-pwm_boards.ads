@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The pulse width modulation boards of this vehicle: from power up on they
 --  hold the safe words (SAF-1, D-13).
 

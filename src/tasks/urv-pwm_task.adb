@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URV.Buffers; use URV.Buffers;
 with URV.Errors;  use URV.Errors;
 with URV.PWM_Layout;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  PWM task: gives the servos the pilot's commands (report, 4.8, table 8;
 --  PWM-1). Released at minor frame 2.
 --

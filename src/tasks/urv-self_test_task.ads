@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Self-test task: checks the program memory in flight (report, 2.4; TST-3,
 --  TST-4). Released at minor frame 6, below all others in priority.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The error log of a node between all who report to it and those who read
 --  it (EXT-1, SEM-2): see URV.Errors for the kinds and their details.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What a node adds to the error/status word of what it sends (TST-4): the
 --  check of the program memory in flight has found a difference. The bits
 --  stand in URV.Buffers.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
 with URV.Errors;          use URV.Errors;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What is kept of a start, for later analysis (report, 2.3.4; INI-6,
 --  TST-4): CORE's status says which starts there were and what the last
 --  one's self-test found; the error log has the warm ones and the failures.

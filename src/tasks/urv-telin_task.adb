@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URV.Errors; use URV.Errors;
 
 package body URV.TELIN_Task with SPARK_Mode is

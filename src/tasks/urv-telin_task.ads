@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  TELIN task: takes what the telemetry board received (report, 4.4, table 4;
 --  TIN-1, D-14). Released at minor frame 0.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  TELOUT task: gives the telemetry board a block to transmit (report, 4.5,
 --  table 5; TOU-1). Released at minor frame 2.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Telemetry.Boards with SPARK_Mode is
 
    procedure Count_One (Value : in out Count)

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A telemetry board: its memory, its two halves, and whose turn it is on the
 --  link (report, appendix A; LNK-1 to LNK-10, D-18, D-20, D-22).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Telemetry.Checksum with SPARK_Mode is
 
    procedure Same_Bytes_Same_Sum

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The checksum of a data message: CRC-8/DARC, polynomial
 --  x^8 + x^5 + x^4 + x^3 + 1, first value 0, low bit first, over the header
 --  and the data (LNK-3, D-7).

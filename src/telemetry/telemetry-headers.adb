@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Telemetry.Headers with SPARK_Mode is
 
    procedure Round_Trip (Item : Header) is null;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The first byte of a message, which tells what the message is (LNK-3,
 --  D-6).
 --

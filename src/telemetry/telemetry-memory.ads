@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The board's dual-ported memory, which it shares with the controller
 --  (report, appendix A.2, A.3, figure A-5; LNK-4, LNK-7, D-18, D-20).
 --

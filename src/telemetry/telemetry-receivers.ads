@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The receiving half of the board's software: one character in, one event
 --  out (report, appendix A.2; LNK-3 to LNK-5).
 --

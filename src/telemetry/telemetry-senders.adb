@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Telemetry.Senders with SPARK_Mode is
 
    procedure Send_Next

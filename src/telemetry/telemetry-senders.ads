@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The transmitting half of the board's software, for one block: header,
 --  data, checksum, character by character (report, appendix A.3;
 --  LNK-3).

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Telemetry.Shared_Boards with SPARK_Mode is
 
    protected body Shared_Board is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A telemetry board between its controller, its interrupt handler, its main
 --  program and its timer (report, appendix A; LNK-1, D-24).
 --

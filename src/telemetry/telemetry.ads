@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The telemetry board's software (report, appendix A).
 --
 --  This package has the bytes of a block, the unit of the board's timer,

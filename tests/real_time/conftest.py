@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs bin/urv_mcs and bin/urv_gsc for the tests, and reads what they leave.
 
     def test_something(partitions, write):

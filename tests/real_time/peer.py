@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The other end of the telemetry link, written from docs/link.md alone.
 
     with GroundPeer(port, peer_port, rows) as ground:

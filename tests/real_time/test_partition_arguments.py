@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """RTP-2: what is wrong with a command line or a link is said before anything
 runs.
 """

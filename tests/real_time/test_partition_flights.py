@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """RTP-1, D-9: both partitions fly together, and do what the simulation does."""
 
 import statistics

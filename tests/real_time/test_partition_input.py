@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SAF-4: nothing that was sent before a node was switched on, or while it stood
 still, is acted upon by it, and what it sends is young. SAF-8: a node hears its
 peer only. Seen from the other end of its link.

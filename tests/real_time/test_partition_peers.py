@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LNK-2: the partitions beside another implementation of the other end."""
 
 import socket

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """RTP-2: what a partition says of the other node, while it runs and at its
 end; and the commands of docs/real-time.md, as they stand there.
 """

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SAF-9: flights of both partitions pass the safety monitor. Their rows are
 joined by the machine's clock, and how late they were is measured from it."""
 

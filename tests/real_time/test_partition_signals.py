@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """RTP-2: a partition ends when it is told to, and restarts when it is told to.
 """
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs bin/urv_sim for the tests and reads what it leaves behind.
 
     def test_something(fly):

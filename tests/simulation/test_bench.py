@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The bench plant: surfaces follow their servos with a lag (SIM-1)."""
 
 import pytest

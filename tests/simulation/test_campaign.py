@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LNK-9, INI-1: the smallest campaign, and that its checker sees what it
 should."""
 

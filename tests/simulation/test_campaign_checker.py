@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-10, LNK-9: whatever may be wrong with a flight of the campaign makes it fail,
 each thing alone. The flights here are written by hand, and perfect but for
 one thing."""

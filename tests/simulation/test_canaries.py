@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-2: what scripts/proof_canaries.py says of what GNATprove found."""
 
 import json

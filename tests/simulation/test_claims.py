@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-5: no claim of a contract goes away unnoticed."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIM-1: what urv_sim says, where its outputs go, and how it ends: flown,
 interrupted, or with nowhere left to write."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-7: each public subprogram has a complete contract, and one that has not
 is found."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-4: what scripts/coverage.py says of what gcov counted."""
 
 import json

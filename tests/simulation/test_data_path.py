@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """From the console to the servos and from the sensors to the ground, without
 faults, at every phase (D-12; Tables 1 to 10 of the report, PWM-2, BUF-1,
 BUF-2).

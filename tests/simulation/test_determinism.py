@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIM-1: the same command gives the same bytes, whatever the clock on the
 wall."""
 

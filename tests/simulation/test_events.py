@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The error logs of both nodes (EXT-1): --events has one line for each node
 and kind of error that happened, with count, first and last time.
 

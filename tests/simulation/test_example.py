@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The example of the kernel alone flies, in virtual and in real time: EXIT,
 SLEEP, TERMINATE, P, V and RECV with a wait have a user (KRN-2 to KRN-5, SEM-1,
 SEM-2, MBX-3, D-25)."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LNK-9: the exhaustive exploration of both boards finds nothing, and finds
 bugs that were planted (docs/evidence/exploration.md)."""
 

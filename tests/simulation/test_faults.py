@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the link does when characters are lost or altered (SIM-2, LNK-5,
 LNK-6, LNK-9): no wrong word ever arrives, old ones are held, and soon after
 the last fault everything is as in a flight without faults.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The standard flight: the simulated pilot flies the JSBSim aircraft through
 both nodes (SIM-3)."""
 

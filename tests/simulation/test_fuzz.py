@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LNK-1, LNK-9: every input of the fuzzing corpus is replayed with contracts
 executed, and AFL++ looks for more for a short while (docs/evidence/exploration.md).
 For longer: `make fuzz`."""

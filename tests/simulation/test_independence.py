@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-6: what scripts/independence.py makes of what it sees."""
 
 import subprocess

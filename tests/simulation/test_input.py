@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIM-1: what urv_sim reads. Good input is taken as promised; bad input gives
 one line on standard error and exit status 2, and no output file."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SET-2: what each task consumes and produces is what tables 1 to 10 of the
 report say. tests/data/interface_tables.json has the tables.
 

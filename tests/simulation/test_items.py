@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`urv_sim items` and the table in docs/items.md say the same (BUF-1, BUF-2,
 PWM-2)."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How long a change at the console takes to the PWM board, to the
 microsecond, at every phase (FRM-2, D-12). docs/design.md derives the same."""
 

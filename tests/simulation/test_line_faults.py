@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIM-2: faults that add characters, come by chance, or stop a telemetry
 board."""
 

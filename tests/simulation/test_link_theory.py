@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LNK-6, SIM-2: delivery, retries and latency under bit errors are what
 theory says."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-3: what the mutation changes, of Ada and of Python, and what it leaves
 alone."""
 

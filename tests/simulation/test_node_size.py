@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-10: what scripts/node_size.py counts, and that its limit is each
 node's."""
 

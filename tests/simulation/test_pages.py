@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A link from one page to another leads to something that is there (EVI-1)."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the simulated pilot makes of the downlink's error word (SIM-3, TST-4):
 bit 0 says that the words are old, and no other bit does."""
 

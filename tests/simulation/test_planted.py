@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-10: every mistake in tests/planted can be planted, and scripts/planted.py
 says of each whether it is noticed."""
 

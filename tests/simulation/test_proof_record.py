@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-8: what the proof record takes for proved, and what for unchanged.
 
 A program of the tests stands for GNATprove: it leaves the results it is told

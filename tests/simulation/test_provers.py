@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-6: what each prover proves alone, told from what GNATprove says."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-11: what scripts/run_tests.py makes of what ran."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SAF-9: random mixes of all kinds of faults, with nothing unasked at a servo
 and nothing old shown as fresh."""
 

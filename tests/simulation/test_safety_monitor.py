@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SAF-9: what the safety monitor sees in a record, and what it must let
 pass."""
 

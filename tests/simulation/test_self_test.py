@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the self-test leaves out is not there to be tested."""
 
 import re

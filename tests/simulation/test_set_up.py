@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-11: what set-up says to whom. apt-get, dpkg-query, id and pip are
 stand-ins here: nothing is installed."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Starts in flight (INI-1, INI-3, INI-6): either node is reset, or its
 processor restarted, at any time. The servos are never disturbed, CORE keeps
 what it has, and soon all is as in a flight without faults.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-9: whatever was late in a flight in real time is found, and whether the
 machine had paused then."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """EVI-1: requirements, code, theorems and tests are linked to each other, and
 a link that is missing or leads nowhere is found."""
 

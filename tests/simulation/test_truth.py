@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIM-3: the record of a flight of the aircraft shows what it really does, in
 the last columns: at the time of the row, in the units that their names say."""
 

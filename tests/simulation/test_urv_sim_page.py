@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """docs/urv_sim.md says what bin/urv_sim takes, leaves and answers (SIM-1,
 SIM-2), and its examples run."""
 

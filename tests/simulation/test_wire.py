@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What is on the serial link when nothing goes wrong, at every phase
 (LNK-1, LNK-2, LNK-3)."""
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  ADI-1, AD-1, INI-5: the scan of the converter's channels, its interrupt
 --  handler, and the task that passes it on.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with AD_Tests;
 with Board_Memory_Tests;
 with Buffers_Tests;

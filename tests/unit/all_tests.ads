@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Every unit test, package by package.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LNK-4, LNK-7: the buffers that board and controller share.
 
 with AUnit.Test_Suites;

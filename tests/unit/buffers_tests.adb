@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 
 with AUnit.Assertions; use AUnit.Assertions;

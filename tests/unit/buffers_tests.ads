@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  BUF-1 to BUF-3 and INI-8: the layout of the buffers, against the lists
 --  of the requirements.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with AUnit;
 with AUnit.Simple_Test_Cases;
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A test is a name and a procedure: the name says the requirement and the
 --  behaviour, the procedure fails through Expectations.
 

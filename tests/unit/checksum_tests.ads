@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  D-7: what the checksum is, and which errors change it.
 
 with AUnit.Test_Suites;

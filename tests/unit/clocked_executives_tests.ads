@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  FRM-1, FRM-4, KRN-1 to KRN-3: when tasks run whose steps take time.
 
 with AUnit.Test_Suites;

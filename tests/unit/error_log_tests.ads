@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  EXT-1: the error log and the shell that guards a node's one.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  MDI-1, MDO-1, GDI-1, GDO-1, D-11: the tasks between a node's variables.
 
 with AUnit.Test_Suites;

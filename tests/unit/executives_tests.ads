@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  FRM-2 to FRM-4: when the tasks of a node run.
 
 with AUnit.Test_Suites;

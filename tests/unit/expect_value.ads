@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Expects a number or a name. A failure says what it is of and tells both
 --  values and the test's line; it ends the test.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How a test says what it expects. Tests of a type of their own instantiate
 --  Expect_Value.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  FRM-1 to FRM-3: ticks, frames and releases.
 
 with AUnit.Test_Suites;

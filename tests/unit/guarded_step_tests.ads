@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  KRN-6: what a partition makes of an exception in a task's step.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LNK-3, D-6: the first byte of a message.
 
 with AUnit.Test_Suites;

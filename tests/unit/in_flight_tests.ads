@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Tests of what the nodes find out about themselves in flight: the check of
 --  the program memory, tasks that come late.
 

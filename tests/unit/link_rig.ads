@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Two telemetry boards and the line between them, in character times. A
 --  test may spoil any character on the line.
 

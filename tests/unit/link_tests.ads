@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LNK-2 to LNK-10: two boards and a line between them that can be cut,
 --  and whose characters can be changed, lost, doubled and invented.
 

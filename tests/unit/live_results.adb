@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Ada.Text_IO; use Ada.Text_IO;
 
 package body Live_Results is

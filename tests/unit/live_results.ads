@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Tells the result of each test in one line, as soon as it is known, so
 --  that a program that dies shows how far it came. The last line is the
 --  totals.

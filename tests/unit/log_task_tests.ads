@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  EXT-1, INI-6, TST-4: the log task and the words it leaves in CORE.
 
 with AUnit.Test_Suites;

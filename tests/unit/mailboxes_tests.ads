@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  MBX-1 to MBX-5 and INI-8: the mailbox, alone and between two tasks.
 
 with AUnit.Test_Suites;

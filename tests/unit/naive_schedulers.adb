@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Expect_Value;
 with Expectations; use Expectations;
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A scheduler as one would write it without a thought for speed: every TCB
 --  has the name of its queue and a number that tells when it came there,
 --  and each choice looks at all of them. The tests hold the kernel's

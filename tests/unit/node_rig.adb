@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Devices.AD_Board;
 with Expectations;    use Expectations;
 with GSC.Virtual_Time;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Both nodes as they are wired, between the hardware's sides of their
 --  boards: converters, serial line, clocks. Time goes by in ticks.
 

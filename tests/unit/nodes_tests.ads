@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  SET-1, SET-2, INI-3 to INI-8: both nodes as they are wired, between the
 --  hardware's sides of their boards.
 

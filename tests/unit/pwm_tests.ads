@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  PWM-2, D-2, D-8, D-10, D-11: from commands to servos.
 
 with AUnit.Test_Suites;

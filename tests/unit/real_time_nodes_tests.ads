@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  KRN-1 to KRN-6, EXT-4: a node of Ada tasks, on the machine's clock.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  MBX-3, MBX-5: RECV with a wait, and that every wait ends.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LNK-3 to LNK-5: one board receives, character by character.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  KRN-1 to KRN-4, FRM-4: which task runs.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Checks;                use Checks;
 with Devices.CORE_Memory;   use Devices.CORE_Memory;
 with Devices.Memory_Bus;    use Devices.Memory_Bus;

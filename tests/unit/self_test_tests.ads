@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  TST-1 to TST-4: what the self-test finds, and that it finds nothing where
 --  nothing is wrong.
 

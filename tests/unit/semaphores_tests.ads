@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  SEM-1, SEM-2: who has a semaphore, and how long a P waits for it.
 
 with AUnit.Test_Suites;

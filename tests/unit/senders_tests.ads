@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  LNK-3, D-5: a data message goes out, character by character.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Checks;                 use Checks;
 with Expectations;           use Expectations;
 with Partitions.Error_Marks; use Partitions.Error_Marks;

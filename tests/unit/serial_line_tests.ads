@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  RTP-1: what a serial device tells of a character.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Checks;             use Checks;
 with Expect_Value;
 with Expectations;       use Expectations;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  EXT-4, INI-2, KRN-5: how the processors of a node start together.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Tests of the nodes' lists of tasks and of what follows from them.
 
 with AUnit.Test_Suites;

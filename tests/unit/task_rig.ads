@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the tests of the tasks have in common: messages to recognise, the
 --  other ends of the variables, what a task has reported.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  TIN-1, TOU-1: the tasks between a node and its telemetry board.
 
 with AUnit.Test_Suites;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Runs the unit tests: one line a test, then the totals. The exit status
 --  is that of success only if every test passed.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The ends of a variable that a task under test does not have: what it is
 --  to consume is given, what it has produced is taken.
 

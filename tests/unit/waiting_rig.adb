@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body Waiting_Rig is
 
    Per_Tick : Natural := 0;

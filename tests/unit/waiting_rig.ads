@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The processor of a task that waits in steps: its clock, and the other
 --  tasks, which run while it has called EXIT.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  SEM-1, SEM-2, MBX-3, KRN-2: two tasks under the real scheduler, one that
 --  waits and one of higher priority that it waits for.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS.Real_Time_Processors;
 with URVOS.Shared_Nodes;
 

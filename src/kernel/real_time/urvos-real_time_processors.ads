@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  One processor of a node in real time, as an Ada task (report, sections
 --  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, KRN-1 to KRN-6, D-9).
 --

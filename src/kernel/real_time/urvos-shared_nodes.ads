@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the processors of a node share: how they start together, and what
 --  each says of its clock and its tasks (KRN-5, FRM-4, EXT-4).
 

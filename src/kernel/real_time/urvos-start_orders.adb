@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Start_Orders with SPARK_Mode is
 
    procedure Look

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How the processors of a node start together (report, section 3.1; INI-2,
 --  KRN-5, KRN-6, EXT-4).
 --

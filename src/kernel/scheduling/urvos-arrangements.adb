@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Arrangements with SPARK_Mode is
 
    function Initial_Arrangement return Arrangement is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The order in which the task control blocks stand in their queues (report,
 --  3.2; KRN-1).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Schedulers;   use URVOS.Schedulers;
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Runs the tasks of one processor (report, sections 2.2 and 3.3; FRM-2 to
 --  FRM-4, KRN-1 to KRN-4, D-25).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The calls with which a task gives the processor away (report, section 3.3;
 --  KRN-2 to KRN-4, FRM-3, D-25).
 

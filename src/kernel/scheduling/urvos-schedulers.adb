@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Schedulers with SPARK_Mode is
 
    --  The place in the ready queue behind all of a priority.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Which task runs (report, sections 3.2 and 3.3; KRN-1 to KRN-4, FRM-4).
 --
 --  One scheduler is the task management of one processor: task control

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Task_Lists with SPARK_Mode is
 
    function Tree_Of

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The list of a node's tasks (report, sections 2.2, 3.1 and 3.2; FRM-2,
 --  SET-1, KRN-1, KRN-5): the one place where it stands which tasks there
 --  are. Identifications, headers and task trees follow from it.

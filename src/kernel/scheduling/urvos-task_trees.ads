@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the application tells the operating system of its tasks (report,
 --  section 3.2; KRN-1).
 --

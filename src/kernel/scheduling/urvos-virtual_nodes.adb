@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS.Executives;
 
 package body URVOS.Virtual_Nodes with SPARK_Mode is

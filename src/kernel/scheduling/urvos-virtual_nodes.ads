@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A node in virtual time: whoever drives it tells it when the clock ticks
 --  (KRN-1 to KRN-6, EXT-4, D-23).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The checksum of a program image: CRC-32C (TST-1, TST-3), low bit first,
 --  first value all ones. Its polynomial is that of iSCSI and SCTP,
 --  1EDC6F41h.

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  How the self-test addresses a processor's memories (report, 2.4; TST-1):
 --  the ROM byte by byte, the RAM word by word.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with Interfaces;
 
 package body URVOS.Processor_Tests with SPARK_Mode is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The tests of the processor, as far as an Ada program can state them
 --  (report, 2.4; TST-2). docs/self-test.md says what each would find.
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What the proof of the RAM test may know of a memory (TST-1).
 
 with URVOS.Memories; use URVOS.Memories;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.RAM_Tests with SPARK_Mode is
 
    Zeros : constant Word := 16#0000#;

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A test of RAM that finds stuck cells, cells that cannot change, cells that
 --  disturb each other, and wrong address decoding (report, 2.4; TST-1, D-17).
 --

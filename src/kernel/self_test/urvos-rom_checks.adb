@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.ROM_Checks with SPARK_Mode is
 
    procedure Take_Byte

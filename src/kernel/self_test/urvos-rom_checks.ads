@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A check of the program image that goes on byte by byte, in slices of any
 --  length (report, 2.4; TST-1, TST-3). It only reads.
 --

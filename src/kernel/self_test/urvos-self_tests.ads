@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The tests of the self-test and what it finds (report, 2.4; TST-1, TST-2,
 --  TST-4). The numbers are the report's.
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The first two phases of a start (report, section 3.1; INI-2, D-16, D-22).
 --
 --  Phase one is the operating system's self-test. Phase two is one of the

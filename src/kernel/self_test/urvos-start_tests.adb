@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 with URVOS.Processor_Tests; use URVOS.Processor_Tests;
 with URVOS.RAM_Tests;
 with URVOS.ROM_Checks;

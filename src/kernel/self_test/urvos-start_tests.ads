@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  Phase one of every start: the self-test (report, 2.4, 3.1; INI-2, TST-1,
 --  TST-2). ROM first, since the rest is no better than the program; then
 --  RAM; then the processor. It ends at the first test that fails.

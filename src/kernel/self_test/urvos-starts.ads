@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  The conditions under which a node starts (report, sections 2.3 and 3.1;
 --  INI-1).
 

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A mailbox: one message that one producer leaves for one consumer (report,
 --  section 3.4; MBX-1 to MBX-4, D-21).
 --

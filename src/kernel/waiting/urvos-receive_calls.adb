@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Receive_Calls with SPARK_Mode is
 
    procedure Receive_Step

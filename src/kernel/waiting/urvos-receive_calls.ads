@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  RECV with a wait (report, section 3.4; MBX-3, MBX-5).
 --
 --     Patience := Begun (Now, 3);

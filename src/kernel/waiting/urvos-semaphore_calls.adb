@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Semaphore_Calls with SPARK_Mode is
 
    procedure Claim_Step

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  P and V (report, section 3.5; SEM-1, SEM-2, MBX-5).
 --
 --     Patience := Begun (Now, Claim_Wait);

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A semaphore that knows who has claimed it (report, section 3.5; SEM-1,
 --  SEM-2).
 --

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Shared_Data with SPARK_Mode is
 
    protected body Store is

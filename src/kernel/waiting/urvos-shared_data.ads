@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  What one task keeps from a step to the next.
 --
 --  The protected object lets the task run on whichever processor its node's

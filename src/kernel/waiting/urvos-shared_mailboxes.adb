@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Shared_Mailboxes with SPARK_Mode is
 
    protected body Variable is

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A mailbox that two tasks share (report, section 3.4; MBX-1 to MBX-5).
 --
 --  The protected object takes the place of the mailbox's semaphore: a

@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A semaphore that tasks share (report, section 3.5; SEM-1, SEM-2).
 --
 --  The protected object takes the place of the indivisible test-and-set.

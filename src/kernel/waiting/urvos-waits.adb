@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 package body URVOS.Waits with SPARK_Mode is
 
    procedure Note_Look (Item : in out Wait; Now : Clock_Tick) is

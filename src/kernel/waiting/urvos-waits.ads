@@ -1,3 +1,5 @@
+--  SPDX-License-Identifier: Apache-2.0
+
 --  A wait of some clock ticks (report, sections 3.4 and 3.5; MBX-3, MBX-5,
 --  SEM-1): how long a task goes on looking for what is not there yet.
 --
