@@ -128,12 +128,12 @@ def test_what_is_printed_is_what_the_summary_says(fly, write):
 
 
 def test_the_speed_is_that_of_the_flight(fly):
-    """What is flown in so much time, as a clock beside it has it: the
-    program took a little more than the flight."""
+    """What is flown in so much time, as a clock beside it has it, to the
+    tenth: the program took a little more than the flight."""
     began = time.monotonic()
     flight = fly("--seconds", "2", "--pace", "realtime")
     took = time.monotonic() - began
-    assert 1.98 / took <= flight.summary["speed"] <= 1.1
+    assert 1.98 / took - 0.05 <= flight.summary["speed"] <= 1.1
 
 
 def test_numbers_of_the_summary_are_as_people_write_them(fly, write):
