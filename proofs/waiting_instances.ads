@@ -42,8 +42,7 @@ package Waiting_Instances with SPARK_Mode is
    --  All steps of a P.
    procedure Claim (Caller : Claimant; Claimed : out Boolean)
    with
-     Global   => (Input => Shown, In_Out => (Resource, Errors)),
-     Annotate => (GNATprove, Terminating);
+     Global => (Input => Shown, In_Out => (Resource, Errors));
 
    --  All steps of a RECV.
    procedure Receive_Within
@@ -51,7 +50,6 @@ package Waiting_Instances with SPARK_Mode is
       Item  : out Channel_Words;
       Fresh : out Boolean)
    with
-     Global   => (Input => Shown, In_Out => Variable),
-     Annotate => (GNATprove, Terminating);
+     Global => (Input => Shown, In_Out => Variable);
 
 end Waiting_Instances;

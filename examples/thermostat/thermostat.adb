@@ -36,7 +36,7 @@ package body Thermostat with SPARK_Mode is
    begin
       if Owner (Present) /= Me then
          Switch.Try_Claim (Me, Unused_Success, Unused_Holder);
-         Call := (Sleep_Call, Until_Tick => Now + 12, others => <>);
+         Call := (Sleep_Call, Next_Frame (Now) + 2, others => <>);
       else
          Switch_Calls.Release (Me, Unused_Success);
          Call :=
