@@ -116,6 +116,7 @@ class Flight:
             text = wire.read()
         self.times = {}
         self.messages = {}
+        self.last_words = {}
         for way in ("up", "down"):
             self.times[way] = [
                 int(time) for time in
@@ -133,6 +134,9 @@ class Flight:
                         f" {first:02x}")
                     break
                 counts[first] += 1
+                if length > 1:
+                    self.last_words[sent[place + 1:place + length - 3]] = \
+                        sent[place + length - 3:place + length - 1]
                 place += length
             self.messages[way] = counts
 
@@ -207,21 +211,29 @@ class Flight:
         return disturbed[-1] + 1 - end if disturbed else 0
 
 
-def shifted_by_one(wrong, lag):
+# Of the last word CORE has these bits; those of the error log go elsewhere.
+MARKS = {"up": 0xFFFF, "down": 0x000F}
+
+
+def shifted_by_one(wrong, lag, last_words):
     """True when the block is what one character more makes of a block that
     was sent: everything behind it is a place late, and the last byte stands
-    for the checksum and happens to match (docs/link.md, Checksum)."""
+    for the checksum and happens to match (docs/link.md, Checksum). The last
+    word of what was sent is that of the wire."""
     count, first = (13, 0x1E) if wrong.way == "up" else (27, 0x87)
     came = b"".join(word.to_bytes(2, "big") for word in wrong.words)
     for number in range(wrong.frame - lag - 3, wrong.frame - lag + 2):
         if number < 0:
             continue
         sent = b"".join(word.to_bytes(2, "big")
-                        for word in data.words(number, count) + [0])
+                        for word in data.words(number, count))
+        sent += last_words.get(sent, bytes(2))
         same = 0
-        while same < len(sent) and came[same] == sent[same]:
+        while same < len(sent) - 1 and came[same] == sent[same]:
             same += 1
-        if (came[same + 1:] == sent[same:-1]
-                and crc8(bytes([first]) + came) == sent[-1]):
+        heard = sent[:same] + came[same:same + 1] + sent[same:-1]
+        last = int.from_bytes(heard[-2:], "big") & MARKS[wrong.way]
+        if (heard[:-2] + last.to_bytes(2, "big") == came
+                and crc8(bytes([first]) + heard) == sent[-1]):
             return True
     return False

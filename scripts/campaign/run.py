@@ -202,7 +202,7 @@ def run_shard(name):
                 continue
             added = case.faults[0].text.startswith(("insert", "dup"))
             if not added or not checker.shifted_by_one(
-                    block, flight.lags[block.way]):
+                    block, flight.lags[block.way], flight.last_words):
                 failures.append(f"{name}: {what}: wrong data {block}")
             else:
                 result["wrong_by_theory"] += 1

@@ -156,11 +156,32 @@ def test_a_message_too_long_is_told_from_other_wrong_data():
             block = checker.Wrong(60, "up", tuple(
                 int.from_bytes(came[n:n + 2], "big")
                 for n in range(0, len(came), 2)))
-            if came != sent and checker.shifted_by_one(block, 3):
+            if came != sent and checker.shifted_by_one(block, 3, {}):
                 explained.append(byte)
         assert len(explained) <= 1
     assert not checker.shifted_by_one(
-        checker.Wrong(60, "up", tuple(data.words(57, 13) + [1])), 3)
+        checker.Wrong(60, "up", tuple(data.words(57, 13) + [1])), 3, {})
+
+
+def test_a_downlink_too_long_has_a_piece_of_the_error_log():
+    """CORE has the last word without it; the checksum was made with it."""
+    words = b"".join(word.to_bytes(2, "big") for word in data.words(57, 27))
+    last = bytes([0x9A, 0xB0])
+    sent = words + last
+    explained = 0
+    for place in range(len(words)):
+        for byte in range(256):
+            heard = sent[:place] + bytes([byte]) + sent[place:-1]
+            if (checker.crc8(bytes([0x87]) + heard) != sent[-1]
+                    or heard == sent):
+                continue
+            known = [int.from_bytes(heard[n:n + 2], "big")
+                     for n in range(0, len(heard), 2)]
+            block = checker.Wrong(61, "down",
+                                  (*known[:-1], known[-1] & 0x000F))
+            assert checker.shifted_by_one(block, 4, {words: last})
+            explained += 1
+    assert explained > 40
 
 
 def test_a_shard_that_cannot_fly_fails(monkeypatch):
