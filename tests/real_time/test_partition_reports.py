@@ -86,12 +86,13 @@ def test_the_summary_has_what_the_record_has_of_the_link(start_both):
     for node, out, into in ((mcs, "downlink", "uplink"),
                             (gsc, "uplink", "downlink")):
         link, row = node.summary["link"], node.rows[-1]
-        need(link["state"] == "heard" and link[f"{into}_received"] > 0, node)
+        need(link["state"] == "heard" and link[f"{into}_received"] > 0,
+             mcs, gsc)
         for name in (f"{out}_sent", f"{out}_scrapped", f"{into}_received",
                      f"{into}_bad"):
             more = link[name] - row[f"link.{name}"]
             assert more >= 0, name
-            need(more <= 2, node)
+            need(more <= 2, mcs, gsc)
     need(mcs.summary["seconds"] == 1.5, mcs)
     need((gsc.summary["seconds"], gsc.summary["frames"]) == (1.54, 77), gsc)
 
