@@ -5,6 +5,7 @@ Knows the protocol from docs/link.md and nothing of the flight software.
 """
 
 import bisect
+import itertools
 import re
 from typing import NamedTuple
 
@@ -231,9 +232,14 @@ def shifted_by_one(wrong, lag, last_words):
         same = 0
         while same < len(sent) - 1 and came[same] == sent[same]:
             same += 1
-        heard = sent[:same] + came[same:same + 1] + sent[same:-1]
-        last = int.from_bytes(heard[-2:], "big") & MARKS[wrong.way]
-        if (heard[:-2] + last.to_bytes(2, "big") == came
-                and crc8(bytes([first]) + heard) == sent[-1]):
-            return True
+        # What came within the last word CORE does not have whole.
+        added = ([(same, came[same])] if same < len(sent) - 2
+                 or MARKS[wrong.way] == 0xFFFF else
+                 itertools.product((len(sent) - 2, len(sent) - 1), range(256)))
+        for place, byte in added:
+            heard = sent[:place] + bytes([byte]) + sent[place:-1]
+            last = int.from_bytes(heard[-2:], "big") & MARKS[wrong.way]
+            if (heard[:-2] + last.to_bytes(2, "big") == came
+                    and crc8(bytes([first]) + heard) == sent[-1]):
+                return True
     return False

@@ -169,7 +169,7 @@ def test_a_downlink_too_long_has_a_piece_of_the_error_log():
     last = bytes([0x9A, 0xB0])
     sent = words + last
     explained = 0
-    for place in range(len(words)):
+    for place in range(len(sent)):
         for byte in range(256):
             heard = sent[:place] + bytes([byte]) + sent[place:-1]
             if (checker.crc8(bytes([0x87]) + heard) != sent[-1]
