@@ -82,6 +82,7 @@ real_time:
 RENEW :=
 timing: real_time
 	@scripts/setup.sh timing
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@python3 scripts/timing.py --seconds $(SECONDS) $(RENEW)
 
 bench:

@@ -17,20 +17,16 @@ package body Host.Bench is
       Right_Rudder   => Right_Rudder,
       Left_Rudder    => Left_Rudder);
 
-   --  Positions are counted in parts of a converter word. In each 2 ms a
-   --  surface makes a 32nd of the way to go: a lag of about 64 ms.
+   --  Positions are counted in parts of a converter word. In each tick a
+   --  surface makes such a part of the way to go that it lags by 64 ms.
    type Position is range 0 .. 4_095 * 2 ** 10;
    Parts : constant := 2 ** 10;
-   Lag   : constant := 32;
+   Lag   : constant := 64_000 / Microseconds_Per_Tick;
 
    type Place_Table is array (Surface) of Position;
 
    Rest   : constant Position := Position (Neutral_Value) * Parts;
    Places : Place_Table       := (others => Rest);
-
-   --  Steps of 2 ms before and after the scan.
-   Steps_Before_Scan : constant := 8;
-   Steps_After_Scan  : constant := 2;
 
    --  Moves by at least one part, so that it arrives.
    function Moved (From, To : Position) return Position is
@@ -49,13 +45,13 @@ package body Host.Bench is
       for Item in Surface loop
          Goal := Position (Servos (Servo_Of (Item))) * Parts;
          if Places (Item) /= Goal then
-            for I in 1 .. Steps_Before_Scan loop
+            for I in 1 .. Ticks_To_Scan loop
                Places (Item) := Moved (Places (Item), Goal);
             end loop;
          end if;
          Sensors (Item) := Word (Places (Item) / Parts);
          if Places (Item) /= Goal then
-            for I in 1 .. Steps_After_Scan loop
+            for I in 1 .. Servo_Tick loop
                Places (Item) := Moved (Places (Item), Goal);
             end loop;
          end if;

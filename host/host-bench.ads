@@ -11,8 +11,8 @@ package Host.Bench is
    --  measured there.
    procedure Start;
 
-   --  One major frame: the servos' words are held for 20 ms. Sensors
-   --  receives the surfaces' positions 16 ms after its beginning, when the
+   --  The servos' words are held for a major frame. Sensors receives the
+   --  surfaces' positions Ticks_To_Scan after its beginning, when the
    --  aircraft's next scan begins; its other words are left alone.
    procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words);
 

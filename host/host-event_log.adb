@@ -5,7 +5,6 @@ with Interfaces; use Interfaces;
 with Host.Names;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Host.Text_Output;  use Host.Text_Output;
-with URVOS.Frames;      use URVOS.Frames;
 
 package body Host.Event_Log is
 

@@ -4,8 +4,10 @@
 --  simulation, the real-time partitions and the tests. Text in and out,
 --  scripts, scales, the bench and the memories behind the boards.
 
-with URVOS;       use URVOS;
-with URV.Buffers; use URV.Buffers;
+with Telemetry;
+with URVOS;        use URVOS;
+with URVOS.Frames; use URVOS.Frames;
+with URV.Buffers;  use URV.Buffers;
 
 package Host is
 
@@ -19,8 +21,26 @@ package Host is
    Never : constant Microseconds := Microseconds'Last;
 
    Microseconds_Per_Millisecond : constant := 1_000;
-   Major_Frame                  : constant Microseconds := 20_000;
-   Tick_Time                    : constant Microseconds := 2_000;
+   Microseconds_Per_Second      : constant := 1_000_000;
+
+   --  The kernel's times.
+   Frame_Length : constant := Microseconds_Per_Tick * Ticks_Per_Major_Frame;
+   Frame_Milliseconds : constant :=
+     Frame_Length / Microseconds_Per_Millisecond;
+   Tick_Time   : constant Microseconds := Microseconds_Per_Tick;
+   Major_Frame : constant Microseconds := Frame_Length;
+
+   --  How many ticks the aircraft's frame may lag behind (D-12).
+   subtype Phase_Ticks is Natural range 0 .. Ticks_Per_Major_Frame - 1;
+
+   --  In this tick of the aircraft's frame the servos get new commands, and
+   --  so many ticks later the next scan begins (FRM-2).
+   Servo_Tick    : constant := 2;
+   Ticks_To_Scan : constant := Ticks_Per_Major_Frame - Servo_Tick;
+
+   --  On the serial link (D-4).
+   Character_Time : constant Microseconds :=
+     Telemetry.Microseconds_Per_Character;
 
    --  Their flight software is GSC and MCS.
    type Node is (Ground, Aircraft);

@@ -43,7 +43,10 @@ package body Partitions.Clocks is
         Machine_Time (Now) mod Host.Major_Frame;
    begin
       delay until Now
-        + Microseconds (Integer (2 * Host.Major_Frame - Past) + Ticks * 2_000);
+        + Microseconds
+            (Integer
+               (2 * Host.Major_Frame - Past
+                + Host.Microseconds (Ticks) * Host.Tick_Time));
    end Await_Phase;
 
    function Switched_On_At return Time is (Beginning);

@@ -14,8 +14,8 @@ package Partitions.Clocks is
    --  The node is switched on now.
    procedure Switch_On;
 
-   --  Waits until the next time that lies so many ticks of 2 ms after a
-   --  whole 20 ms of the machine's clock.
+   --  Waits until the next time that lies so many ticks after a whole major
+   --  frame of the machine's clock.
    procedure Await_Phase (Ticks : Natural);
 
    function Switched_On_At return Time;

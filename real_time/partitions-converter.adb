@@ -9,7 +9,7 @@ with Devices.AD_Board; use Devices.AD_Board;
 package body Partitions.Converter is
 
    Scan_Time : constant Time_Span :=
-     32 * Microseconds (Microseconds_Per_Conversion);
+     Channel_Words'Length * Microseconds (Microseconds_Per_Conversion);
 
    --  How soon a start is seen.
    Look_Again : constant Time_Span := Milliseconds (1);

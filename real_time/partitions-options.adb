@@ -4,6 +4,7 @@ with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints;   use Host.Complaints;
 with Host.Text_Numbers; use Host.Text_Numbers;
+with URVOS.Frames;      use URVOS.Frames;
 
 package body Partitions.Options is
 
@@ -16,8 +17,7 @@ package body Partitions.Options is
 
    type Option_Set is array (Option) of Boolean;
 
-   Longest_Run       : constant := 10_000_000;
-   Frames_Per_Second : constant := 50;
+   Longest_Run : constant := 10_000_000;
 
    function Name (This : Node; Which : Option) return String is
      (case Which is
@@ -63,7 +63,7 @@ package body Partitions.Options is
          when Seconds_Option =>
             Read_Decimal (Value, 6, Amount, Is_Valid);
             if not Is_Valid
-              or else Amount not in 1 .. Longest_Run * 1_000_000
+              or else Amount not in 1 .. Longest_Run * Microseconds_Per_Second
             then
                Refuse
                  ("--seconds: " & Quoted (Value)
@@ -71,7 +71,7 @@ package body Partitions.Options is
                   & Longest_Run'Image & " with at most six decimals");
             end if;
             Chosen.Frames := URVOS.Count
-              ((Amount * Frames_Per_Second + 999_999) / 1_000_000);
+              ((Amount + Frame_Length - 1) / Frame_Length);
 
          when Phase_Option =>
             Read_Whole (Value, Amount, Is_Valid);
@@ -214,11 +214,13 @@ package body Partitions.Options is
       Put_Line
         ("  --seconds S            ends the run; 0.5 is half a second");
       Put_Line
-        ("  --phase TICKS          switches the node on so many times 2 ms"
-         & " after a whole");
+        ("  --phase TICKS          switches the node on so many times"
+         & Integer'Image
+             (Microseconds_Per_Tick / Microseconds_Per_Millisecond)
+         & " ms after a whole");
       Put_Line
-        ("                         20 ms of the machine's clock; else at"
-         & " once");
+        ("                        " & Integer'Image (Frame_Milliseconds)
+         & " ms of the machine's clock; else at once");
       Put_Line
         ("  --processors N         so many of the node, 1 or 2; else 1");
       if This = Ground then

@@ -16,8 +16,6 @@ package Partitions.Options is
    type Output_File is (Record_File, Summary_File, Events_File);
    type Output_Names is array (Output_File) of Unbounded_String;
 
-   subtype Phase_Ticks is Natural range 0 .. 9;
-
    --  Names are empty, and Frames is 0, when they were not given.
    type Choices is record
       Help    : Boolean := False;

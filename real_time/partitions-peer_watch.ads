@@ -2,13 +2,16 @@
 
 --  Whether the other node is heard: good messages of it come in (RTP-2).
 
+with Host;
 with Partitions.Rows; use Partitions.Rows;
 with URVOS;           use URVOS;
 
 package Partitions.Peer_Watch is
 
-   --  For so many frames without a good message a peer is not yet lost.
-   Longest_Silence : constant := 50;
+   --  For so many frames, a second, without a good message a peer is not yet
+   --  lost.
+   Longest_Silence : constant :=
+     Host.Microseconds_Per_Second / Host.Frame_Length;
 
    type Watch is limited private;
 

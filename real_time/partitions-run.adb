@@ -68,12 +68,16 @@ procedure Partitions.Run is
       end if;
    end Note;
 
+   function In_Hundredths (Of_Frames : Number) return Number is
+     (Of_Frames * Frame_Length * 100 / Microseconds_Per_Second);
+
    function Seconds (Of_Frames : Number) return String is
       use Host.Text_Numbers;
-      Rest : constant Rows.Number := Of_Frames mod 50 * 2;
+      Hundredths : constant Rows.Number := In_Hundredths (Of_Frames);
+      Rest       : constant Rows.Number := Hundredths mod 100;
    begin
       return
-        Image (Long_Long_Integer (Of_Frames / 50))
+        Image (Long_Long_Integer (Hundredths / 100))
         & (if Rest = 0 then ""
            elsif Rest < 10 then ".0" & Image (Long_Long_Integer (Rest))
            elsif Rest mod 10 = 0
@@ -176,7 +180,7 @@ procedure Partitions.Run is
       To     : Writer renames Files (Summary_File);
    begin
       Reports.Begin_Report (Result, To);
-      Reports.Put_Field (Result, To, "seconds", Frames * 2, 2);
+      Reports.Put_Field (Result, To, "seconds", In_Hundredths (Frames), 2);
       Reports.Put_Field (Result, To, "frames", Frames);
       Reports.Put_Field
         (Result, To, "overruns", Number (This_Node.Overruns));

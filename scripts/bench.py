@@ -14,12 +14,13 @@ import tempfile
 import time
 from pathlib import Path
 
+from flight_numbers import FRAMES_PER_S
+
 ROOT = Path(__file__).resolve().parent.parent
 WORKLOAD = ROOT / "scripts" / "bench" / "workload.c"
 RESULTS = ROOT / "bench" / "results.json"
 
 FLIGHT_S = 2_000
-FRAMES_PER_S = 50
 RUNS = 5
 
 

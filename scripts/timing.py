@@ -29,6 +29,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from flight_numbers import NUMBERS
 from machine_pauses import Pauses, Watchers, SHORTEST_US
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -36,8 +37,8 @@ DOCUMENT = ROOT / "docs" / "evidence" / "timing.md"
 BEGIN, END = "<!-- make timing -->\n", "<!-- end -->\n"
 
 NOBODY = 65534
-PERIOD_US = 2_000
-FRAME_US = 20_000
+PERIOD_US = NUMBERS.tick_us
+FRAME_US = NUMBERS.frame_us
 PHASE = 3
 
 # docs/design.md: from the scan, and a change waits a frame for its scan.

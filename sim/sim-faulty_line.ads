@@ -27,9 +27,6 @@ private with Sim.Windows;
 
 package Sim.Faulty_Line is
 
-   --  Start, eight data, parity and two stop bits at 125 kbaud (D-4).
-   Character_Time : constant Microseconds := 96;
-
    --  What the receiver's DUART makes of a character.
    type Arrival is record
       Data         : Byte;

@@ -36,7 +36,7 @@ package body Sim.Flight is
    use Options;
 
    --  When in the aircraft's frame the servos have new commands (FRM-2).
-   PWM_Offset : constant Microseconds := 2 * Tick_Time;
+   PWM_Offset : constant Microseconds := Servo_Tick * Tick_Time;
 
    --  Everything that a flight reads, writes and remembers. There is one
    --  flight.

@@ -73,6 +73,11 @@ package body Sim.JSBSim is
       Truth   : out Flight_State;
       Shown   : out Shown_State);
 
+   function Time_Line (Name : String; Value : Positive; Unit : String)
+                       return String
+   is ("time," & Name & ',' & Image (Long_Long_Integer (Value)) & ' ' & Unit
+       & Line_Feed);
+
    --  The names and units of all numbers to be sent and received.
    function Introduction (Shown_After : Step_Count)
                           return Stream_Element_Array;
@@ -155,9 +160,12 @@ package body Sim.JSBSim is
       end loop;
       Append
         (Text,
-         Truth_Names & Shown_Names & "after,"
-         & Image (Long_Long_Integer (Shown_After)) & ",steps"
-         & Line_Feed & Line_Feed);
+         Truth_Names & Shown_Names
+         & Time_Line ("tick", Microseconds_Per_Tick, "us")
+         & Time_Line ("frame", Ticks_Per_Major_Frame, "ticks")
+         & Time_Line ("scan", Ticks_To_Scan, "ticks")
+         & Time_Line ("shown", Shown_After, "ticks")
+         & Line_Feed);
 
       return Bytes : Stream_Element_Array
         (1 .. Stream_Element_Offset (Length (Text)))

@@ -11,7 +11,8 @@
 --  The interpreter is .venv/bin/python beside the directory of the running
 --  program, or what the environment variable URV_PYTHON names.
 
-with URV.Buffers; use URV.Buffers;
+with URV.Buffers;  use URV.Buffers;
+with URVOS.Frames; use URVOS.Frames;
 
 package Sim.JSBSim is
 
@@ -36,8 +37,8 @@ package Sim.JSBSim is
       Alpha_Deg, Beta_Deg, North_Ft, East_Ft);
    type Shown_State is array (Shown_Item) of Long_Float;
 
-   --  Of 2 ms.
-   subtype Step_Count is Positive range 1 .. 10;
+   --  A step is a tick long.
+   subtype Step_Count is Positive range 1 .. Ticks_Per_Major_Frame;
 
    --  The other process ended or does not answer.
    Plant_Failure : exception;
@@ -51,8 +52,8 @@ package Sim.JSBSim is
       Truth       : out Flight_State;
       Shown       : out Shown_State);
 
-   --  One major frame: the servos' words are held for 20 ms. Sensors are
-   --  those 16 ms after its beginning, when the aircraft's next scan
+   --  The servos' words are held for a major frame. Sensors are those
+   --  Ticks_To_Scan after its beginning, when the aircraft's next scan
    --  begins; Truth is at its end, Shown after the steps that were chosen.
    procedure Step
      (Servos  : PWM_Buffer;

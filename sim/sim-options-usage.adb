@@ -14,6 +14,7 @@ package body Sim.Options.Usage is
       procedure Put_Commands;
       procedure Put_Fly;
       procedure Put_Items;
+      procedure Put_Numbers;
 
       procedure Put (Line : String) is
       begin
@@ -27,8 +28,9 @@ package body Sim.Options.Usage is
          Put ("");
          Put ("  urv_sim fly [options]   a flight, from files and to files");
          Put ("  urv_sim items           the table of items, as CSV");
-         Put ("  urv_sim help [COMMAND]  this text, or its part about fly");
-         Put ("                          or items");
+         Put ("  urv_sim numbers         times and lengths, as JSON");
+         Put ("  urv_sim help [COMMAND]  this text, or its part about fly,");
+         Put ("                          items or numbers");
          Put ("  urv_sim --version       the program's version");
          Put ("");
       end Put_Commands;
@@ -46,7 +48,8 @@ package body Sim.Options.Usage is
          Put ("  --sensors FILE    the bench's sensors, CSV (neutral)");
          Put ("  --faults FILE     what goes wrong (nothing)");
          Put ("  --seed N          for random faults (1)");
-         Put ("  --phase TICKS     the aircraft's frame lags, 0 to 9 (3)");
+         Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
+              & Phase_Ticks'Last'Image & " (3)");
          Put ("  --processors N    of each node, 1 or 2 (1)");
          Put ("  --record FILE     flight record, CSV");
          Put ("  --summary FILE    result, JSON");
@@ -76,6 +79,14 @@ package body Sim.Options.Usage is
          Put ("words 0 and 4095 stand for");
       end Put_Items;
 
+      procedure Put_Numbers is
+      begin
+         Put ("numbers prints how long a tick, a frame, a conversion and a");
+         Put ("character on the link are in us, how many words the buffers");
+         Put ("have, and how many characters the messages: what a script");
+         Put ("about a flight would else have to repeat");
+      end Put_Numbers;
+
    begin
       case Topic is
          when All_Commands =>
@@ -84,11 +95,15 @@ package body Sim.Options.Usage is
             Put ("");
             Put_Items;
             Put ("");
+            Put_Numbers;
+            Put ("");
             Put ("docs/urv_sim.md has it all, with examples");
          when Of_Fly =>
             Put_Fly;
          when Of_Items =>
             Put_Items;
+         when Of_Numbers =>
+            Put_Numbers;
       end case;
    end Print;
 

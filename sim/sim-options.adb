@@ -17,7 +17,7 @@ package body Sim.Options is
       Processors_Option, Record_Option, Summary_Option, Wire_Option,
       Events_Option, Pace_Option, Quiet_Option);
 
-   Commands_With_Help : constant String := "fly, items";
+   Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
 
    type Option_Set is array (Option) of Boolean;
@@ -129,7 +129,8 @@ package body Sim.Options is
                Refuse_Value
                  (Which, Value,
                   "is not a number of seconds above 0 and up to"
-                  & Microseconds'Image (Longest_Flight / 1_000_000)
+                  & Microseconds'Image
+                      (Longest_Flight / Microseconds_Per_Second)
                   & " with at most six decimals");
             end if;
             Chosen.Length := Microseconds (Amount);
@@ -291,6 +292,8 @@ package body Sim.Options is
          Chosen.Topic := Of_Fly;
       elsif Argument (2) = "items" then
          Chosen.Topic := Of_Items;
+      elsif Argument (2) = "numbers" then
+         Chosen.Topic := Of_Numbers;
       else
          Refuse
            ("unknown command " & Quoted (Argument (2)) & "; there are "
@@ -313,6 +316,8 @@ package body Sim.Options is
             Chosen.Order := Help;
          elsif Title = "items" then
             Chosen.Order := Items;
+         elsif Title = "numbers" then
+            Chosen.Order := Numbers;
          elsif Title = "--version" then
             Chosen.Order := Version;
          elsif Title = "fly" then

@@ -12,18 +12,16 @@ with Sim.Noise;
 
 package Sim.Options is
 
-   type Command is (Help, Items, Version, Fly);
+   type Command is (Help, Items, Numbers, Version, Fly);
 
    --  What help is about.
-   type Help_Topic is (All_Commands, Of_Fly, Of_Items);
+   type Help_Topic is (All_Commands, Of_Fly, Of_Items, Of_Numbers);
 
    --  What is behind the boards.
    type Plant_Kind is (Bench_Plant, JSBSim_Plant);
 
    --  As fast as possible, or as fast as the clock on the wall.
    type Pace_Kind is (Max, Realtime);
-
-   subtype Phase_Ticks is Natural range 0 .. 9;
 
    subtype Processor_Count is Nodes.Processor_Count;
 
@@ -36,8 +34,9 @@ package Sim.Options is
    type Input_Names is array (Input_File) of Unbounded_String;
    type Output_Names is array (Output_File) of Unbounded_String;
 
-   Longest_Flight  : constant Microseconds := 10_000_000 * 1_000_000;
-   Standard_Length : constant Microseconds := 60 * 1_000_000;
+   Longest_Flight  : constant Microseconds :=
+     10_000_000 * Microseconds_Per_Second;
+   Standard_Length : constant Microseconds := 60 * Microseconds_Per_Second;
 
    type Choices is record
       Order   : Command := Help;

@@ -8,7 +8,8 @@ with URVOS;              use URVOS;
 package body Sim.Pilot is
 
    --  Of one move, in seconds.
-   Interval : constant Long_Float := 0.02;
+   Interval : constant Long_Float :=
+     Long_Float (Major_Frame) / Long_Float (Microseconds_Per_Second);
 
    --  Sticks are in per cent of their travel.
    Stick_Limit : constant Long_Float := 60.0;

@@ -19,6 +19,7 @@ with Sim;              use Sim;
 with Sim.Flight;
 with Sim.JSBSim;
 with Sim.Nodes;
+with Sim.Numbers;
 with Sim.Options;
 with Sim.Signals;
 
@@ -78,6 +79,9 @@ begin
          when Options.Items   =>
             Text_Output.Attach_Screen (Screen);
             Scaling.Print (Screen);
+         when Options.Numbers =>
+            Text_Output.Attach_Screen (Screen);
+            Numbers.Print (Screen);
          when Options.Version =>
             Text_Output.Attach_Screen (Screen);
             Text_Output.Put_Line (Screen, "urv_sim " & Host.Version);

@@ -19,13 +19,20 @@ fit into one flight; its name is all that is needed to make it again:
 """
 
 import random
+import sys
+from pathlib import Path
 from typing import NamedTuple
 
-FRAME_US = 20_000
-CHARACTER_US = 96
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from flight_numbers import NUMBERS  # noqa: E402
+
+FRAME_US = NUMBERS.frame_us
+CHARACTER_US = NUMBERS.character_us
 
 # Characters of an exchange, each way.
-CHARACTERS = {"up": 32, "down": 59}
+CHARACTERS = {"up": NUMBERS.exchange_up_characters,
+              "down": NUMBERS.exchange_down_characters}
 PLACES = [(way, n + 1) for way, count in CHARACTERS.items()
           for n in range(count)]
 
@@ -204,7 +211,7 @@ def plan(size):
             for how in ("warm", "processor"):
                 yield f"start/{phase}/{node}/{how}/{chosen['stall_step_us']}"
         yield f"cut/{phase}/{phase}/{chosen['cuts']}"
-    for phase in range(10):
+    for phase in range(NUMBERS.frame_ticks):
         yield f"calm/{phase}/{chosen['calm']}"
     count = min(1_000, chosen["many"])
     for seed in range(chosen["many"] // count):

@@ -10,7 +10,7 @@ import re
 from typing import NamedTuple
 
 import data
-from cases import CHARACTER_US, FRAME_US
+from cases import CHARACTER_US, FRAME_US, NUMBERS
 
 # A major frame without a fault: one block each way, see link.* in the record.
 CALM_FRAME = (1, 1, 0, 0, 1, 1, 0, 0, 0, 0)
@@ -24,10 +24,14 @@ BOUNDS = {"calm": 0, "start": 5}
 LINK_BOUND = 3
 LONGEST = max(LINK_BOUND, *BOUNDS.values())
 
-# Columns of the record.
-MCS_UPLINK = slice(29, 43)
-GSC_DOWNLINK = slice(85, 113)
-LINK = slice(113, 123)
+# Columns of the record: the frame and its time, the console (an uplink
+# without the error word), then the buffers.
+UPLINK, DOWNLINK = NUMBERS.uplink_words, NUMBERS.downlink_words
+_AT = 2 + (UPLINK - 1) + UPLINK
+MCS_UPLINK = slice(_AT, _AT + UPLINK)
+_AT = MCS_UPLINK.stop + NUMBERS.pwm_words + DOWNLINK
+GSC_DOWNLINK = slice(_AT, _AT + DOWNLINK)
+LINK = slice(GSC_DOWNLINK.stop, GSC_DOWNLINK.stop + 10)
 
 # In place of a block's number.
 NOTHING_YET = -1
@@ -37,8 +41,10 @@ NEVER_SENT = -2
 # say that they are old (SAF-5), as may the first ones after a start.
 NO_ERROR, STALE = 0, 1
 
-MESSAGE_LENGTHS = {"up": {0x1E: 30, 0x4B: 1, 0xD2: 1, 0xCC: 1},
-                   "down": {0x87: 58, 0x2D: 1, 0xD2: 1, 0x33: 1, 0xCC: 1}}
+MESSAGE_LENGTHS = {
+    "up": {0x1E: NUMBERS.uplink_characters, 0x4B: 1, 0xD2: 1, 0xCC: 1},
+    "down": {0x87: NUMBERS.downlink_characters, 0x2D: 1, 0xD2: 1, 0x33: 1,
+             0xCC: 1}}
 
 
 def crc8(message):

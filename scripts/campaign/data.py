@@ -6,14 +6,13 @@ others depend on it. So a block that arrives tells its age, and any block
 that never was sent is seen.
 """
 
-STICKS = (["roll", "pitch", "yaw", "throttle", "brake"]
-          + [f"switch{n}" for n in range(1, 9)])
-SENSORS = """right_flap_1 left_flap_1 right_flap_2 left_flap_2 right_aileron
-left_aileron right_elevator left_elevator right_rudder left_rudder alpha beta
-altitude_offset lateral_acceleration longitudinal_acceleration
-vertical_acceleration rpm battery_volts alternator_volts roll_attitude
-pitch_attitude roll_rate pitch_rate yaw_rate airspeed altitude
-uplink_signal_strength""".split()
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from flight_numbers import COMMANDS as STICKS  # noqa: E402
+from flight_numbers import NUMBERS, SENSORS  # noqa: E402, F401
 
 
 def words(frame, count):
@@ -33,4 +32,5 @@ def write_script(path, names, frames, lag_ms):
     with open(path, "w", encoding="ascii") as script:
         script.write(f"time_ms,{','.join(names)}\n")
         for frame in range(frames):
-            script.write(f"{20 * frame + lag_ms},{text(frame, len(names))}\n")
+            script.write(f"{frame * NUMBERS.frame_us // 1000 + lag_ms},"
+                         f"{text(frame, len(names))}\n")

@@ -10,6 +10,7 @@ import random
 from typing import NamedTuple
 
 import data
+from flight_numbers import FRAMES_PER_S, NUMBERS
 
 SHORTEST_S, LONGEST_S = 2, 4
 HELD_MS = 40
@@ -96,8 +97,9 @@ def fault(chance, time, node):
 def of_number(number):
     """The mix of that number: the options of its flight, and its files."""
     chance = random.Random(f"mix {number}")
-    frames = chance.randrange(SHORTEST_S * 50, LONGEST_S * 50 + 1)
-    length_ms = frames * 20
+    frames = chance.randrange(
+        SHORTEST_S * FRAMES_PER_S, LONGEST_S * FRAMES_PER_S + 1)
+    length_ms = frames * NUMBERS.frame_us // 1000
     lines = []
     centre = chance.choice((0, chance.uniform(0, length_ms)))
     for _ in range(chance.randrange(1, 9)):
@@ -105,8 +107,8 @@ def of_number(number):
         time = (centre + chance.expovariate(1 / 40)
                 if chance.random() < 0.5 else chance.uniform(0, length_ms))
         lines += fault(chance, time, chance.choice(NODES))
-    options = ("--seconds", f"{frames / 50:.2f}",
-               "--phase", str(chance.randrange(10)), "--seed", str(number),
+    options = ("--seconds", f"{frames / FRAMES_PER_S:.2f}",
+               "--phase", str(chance.randrange(NUMBERS.frame_ticks)), "--seed", str(number),
                "--processors", chance.choice(("1", "1", "1", "2")))
     return Mix(options, {
         "sticks": script(chance, data.STICKS, length_ms, 8),

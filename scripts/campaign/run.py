@@ -32,17 +32,18 @@ import checker  # noqa: E402
 import data  # noqa: E402
 import mixes  # noqa: E402
 import monitor  # noqa: E402
+from flight_numbers import FRAMES_PER_S, NUMBERS  # noqa: E402
 
 PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
 
 
 def fly(folder, phase, seed, frames, faults):
-    lag = 2 * phase
+    lag = phase * NUMBERS.tick_us // 1000
     data.write_script(folder / "sticks.csv", data.STICKS, frames, 0)
     data.write_script(folder / "sensors.csv", data.SENSORS, frames, lag)
     (folder / "faults.txt").write_text(faults, encoding="ascii")
-    command = [PROGRAM, "fly", "--quiet", "--seconds", f"{frames / 50:.2f}",
+    command = [PROGRAM, "fly", "--quiet", "--seconds", f"{frames / FRAMES_PER_S:.2f}",
                "--phase", phase, "--seed", seed,
                "--sticks", "sticks.csv", "--sensors", "sensors.csv",
                "--faults", "faults.txt",
@@ -77,7 +78,9 @@ def by_theory(name, flight):
         return sum(
             count * whole * ((whole + even) ** others - whole ** others
                              - others * even * whole ** (others - 1)) / 256
-            for count, others in ((sent[0], 29), (sent[4], 57)))
+            for count, others in (
+                (sent[0], NUMBERS.uplink_characters - 1),
+                (sent[4], NUMBERS.downlink_characters - 1)))
     return 0.0
 
 

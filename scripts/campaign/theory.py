@@ -28,9 +28,13 @@ import run  # noqa: E402
 
 EVIDENCE = run.ROOT / "docs" / "evidence"
 
-UP, DOWN = 30, 58          # characters of a data message
-DEAD_SPACE, IDLE = 20, 24
-PUT_US = 4_000             # when in its frame a board is given its block
+# Characters of a data message.
+UP = cases.NUMBERS.uplink_characters
+DOWN = cases.NUMBERS.downlink_characters
+DEAD_SPACE = cases.NUMBERS.dead_space_characters
+IDLE = cases.NUMBERS.idle_characters
+# When in its frame a board is given its block: with the servos.
+PUT_US = cases.NUMBERS.servo_tick * cases.NUMBERS.tick_us
 CHARACTER_MS = cases.CHARACTER_US / 1000
 
 RATES = ("1e-6", "1e-5", "3e-5", "1e-4", "3e-4", "1e-3", "3e-3", "1e-2")
@@ -117,7 +121,7 @@ def measure(rate, frames, seed=1):
     with tempfile.TemporaryDirectory(prefix="urv-theory-") as folder:
         folder = Path(folder)
         flown = run.fly(folder, 0, seed, frames, "".join(
-            f"0 {way} ber {rate} {frames * 20}\n" for way in ("up", "down")))
+            f"0 {way} ber {rate} {frames * cases.FRAME_US // 1000}\n" for way in ("up", "down")))
         if flown.returncode != 0:
             raise RuntimeError(flown.stderr)
         wire = (folder / "wire.csv").read_bytes()

@@ -4,12 +4,18 @@ it."""
 
 import bisect
 import csv
+import sys
+from pathlib import Path
 from typing import NamedTuple
 
-# Channels are held one after another, 16 us apart; the board converts all 32.
-SCAN_US = 512
-TICK_US = 2_000
-FRAME_US = 20_000
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from flight_numbers import NUMBERS  # noqa: E402
+
+# Channels are held one after another; the board converts all of them.
+SCAN_US = NUMBERS.channels * NUMBERS.conversion_us
+TICK_US = NUMBERS.tick_us
+FRAME_US = NUMBERS.frame_us
 
 
 class Scan(NamedTuple):

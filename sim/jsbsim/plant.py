@@ -9,13 +9,14 @@ words; here is nothing but engineering units.
 
 Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor,
 truth or shown, and an empty line. They are the numbers it will send and wants
-to receive, in that order. A line after,N,steps says when in a frame those of
-kind shown are taken. The answer is one line: "ready", or what is wrong.
+to receive, in that order. Lines time,NAME,VALUE UNIT say how long a tick is
+(tick, in us), and how many of them are a frame (frame) and pass until the
+sensors are measured (scan) and what is shown is taken (shown). The answer is
+one line: "ready", or what is wrong.
 
-Then for every major frame: the servos' commands come in, are held for 20 ms,
-and the sensors, the truth and what is shown go out. The sensors are measured
-16 ms after the frame's beginning, the truth at its end, what is shown after N
-steps of 2 ms. A number is a big-endian double.
+Then for every major frame: the servos' commands come in and are held for the
+frame, and the sensors, the truth at its end and what is shown go out. A number
+is a big-endian double.
 The very first message out comes unasked: the settled aircraft.
 
 The end of the connection ends the program.
@@ -28,10 +29,7 @@ import socket
 import struct
 import sys
 from pathlib import Path
-
-STEP = 0.002
-STEPS_TO_SENSORS = 8
-STEPS = 10
+from typing import NamedTuple
 
 FIELD_FT = 800.0
 START_ALTITUDE_FT = 1000.0
@@ -45,8 +43,8 @@ HALF_SPAN_FT = 7.0
 # Best power of the engine at this height. The pilot has no such lever.
 MIXTURE = 0.9
 
-START_ENGINE_FRAMES = 100
-SETTLE_FRAMES = 90 * 50
+START_ENGINE_S = 2
+SETTLE_S = 90
 
 DEG = math.degrees(1.0)
 KM_PER_FT = 0.3048e-3
@@ -132,7 +130,7 @@ class Refused(Exception):
     """The flight cannot begin; the text goes to the other side."""
 
 
-def load_jsbsim():
+def load_jsbsim(step_s):
     """Imports JSBSim of the version that the aircraft was tuned with."""
     os.environ["JSBSIM_DEBUG"] = "0"
     here = Path(__file__).resolve().parent
@@ -147,17 +145,27 @@ def load_jsbsim():
                 f"jsbsim is {jsbsim.__version__}, must be {wanted}")
     fdm = jsbsim.FGFDMExec(str(here))
     # Before the model is loaded: its servos' lags and rates are made then.
-    fdm.set_dt(STEP)
+    fdm.set_dt(step_s)
     if not fdm.load_model("lambda"):
         raise Refused("JSBSim does not load the aircraft")
     return fdm
 
 
+class Times(NamedTuple):
+    """How long a tick is, in us, and how many ticks what takes."""
+
+    tick: int
+    frame: int
+    scan: int
+    shown: int
+
+
 class Aircraft:
     """A settled aircraft, its servos' inputs and its sensors' outputs."""
 
-    def __init__(self, servos, sensors, truth, shown=(), shown_after=STEPS):
-        self.fdm = fdm = load_jsbsim()
+    def __init__(self, servos, sensors, truth, shown, times):
+        self.times = times
+        self.fdm = fdm = load_jsbsim(times.tick / 1e6)
         self.tree = fdm.get_property_manager()
         for name, value in (
                 ("ic/terrain-elevation-ft", FIELD_FT),
@@ -177,7 +185,6 @@ class Aircraft:
         self.sensors = [self.node(SENSORS, *item) for item in sensors]
         self.truth = [self.node(TRUTH, *item) for item in truth]
         self.shown = [self.node(SHOWN, *item) for item in shown]
-        self.shown_after = shown_after
         self.bank = self.tree.get_node("attitude/phi-deg")
         self.altitude = self.tree.get_node("position/h-agl-ft")
         self.north = self.tree.get_node("position/from-start-neu-n-ft")
@@ -228,10 +235,10 @@ class Aircraft:
                  for name, (_, path) in SERVOS.items()}
         fdm["propulsion/magneto_cmd"] = 3
         fdm["propulsion/starter_cmd"] = 1
-        frame = STEPS * STEP
+        frame = self.times.frame * (self.times.tick / 1e6)
         aileron_trim = elevator_trim = throttle_trim = climb_trim = 0.0
-        for count in range(SETTLE_FRAMES):
-            if count == START_ENGINE_FRAMES:
+        for count in range(round(SETTLE_S / frame)):
+            if count == round(START_ENGINE_S / frame):
                 fdm["propulsion/starter_cmd"] = 0
             height = START_ALTITUDE_FT + FIELD_FT - fdm["position/h-sl-ft"]
             speed = START_SPEED_KT - fdm["velocities/vc-kts"]
@@ -258,7 +265,7 @@ class Aircraft:
                 servo[side + "_aileron"].set_double_value(aileron)
                 servo[side + "_elevator"].set_double_value(elevator)
             servo["throttle"].set_double_value(throttle)
-            for _ in range(STEPS):
+            for _ in range(self.times.frame):
                 fdm.run()
 
     def measure_signal(self):
@@ -292,12 +299,12 @@ class Aircraft:
         run = self.fdm.run
         for node, command in zip(self.servos, commands):
             node.set_double_value(command)
-        for step in range(1, STEPS + 1):
+        for step in range(1, self.times.frame + 1):
             run()
-            if step == STEPS_TO_SENSORS:
+            if step == self.times.scan:
                 self.measure_signal()
                 sensors = self.read(self.sensors)
-            if step == self.shown_after:
+            if step == self.times.shown:
                 shown = self.read_shown()
         if self.has_crashed():
             self.crashed.set_double_value(1.0)
@@ -321,7 +328,7 @@ def receive(link, length):
 
 def read_items(link):
     """What the other side sends and wants: {kind: [(name, unit)]}."""
-    items = {"servo": [], "sensor": [], "truth": [], "shown": [], "after": []}
+    items = {"servo": [], "sensor": [], "truth": [], "shown": [], "time": []}
     with link.makefile("r", encoding="ascii", newline="\n") as lines:
         for line in lines:
             if line == "\n":
@@ -334,9 +341,10 @@ def read_items(link):
 def serve(link):
     try:
         items = read_items(link)
-        after = [int(steps) for steps, _ in items["after"]]
+        times = Times(**{name: int(value.split()[0])
+                         for name, value in items["time"]})
         aircraft = Aircraft(items["servo"], items["sensor"], items["truth"],
-                            items["shown"], *after)
+                            items["shown"], times)
     except Refused as refusal:
         link.sendall(f"{refusal}\n".encode())
         return

@@ -6,6 +6,7 @@
 --  A buffer is an array over the names of its words, so that the order of
 --  the names is the order on the wire (BUF-1, BUF-2).
 
+with Devices.AD_Board;
 with URVOS; use URVOS;
 
 package URV.Buffers with Pure, SPARK_Mode is
@@ -27,7 +28,7 @@ package URV.Buffers with Pure, SPARK_Mode is
    Self_Test_Failed : constant Word := 4;
 
    --  What the analog-to-digital board samples in one scan.
-   type Channel is range 0 .. 31;
+   type Channel is new Devices.AD_Board.Channel_Number;
    type Channel_Words is array (Channel) of Word;
 
    --  33 words: one a channel, then the error/status word.

@@ -10,15 +10,16 @@ with URV.Buffers; use URV.Buffers;
 
 package URV.AD_Scans with Pure, SPARK_Mode is
 
-   --  The channel being converted; 32 when the scan is complete.
-   type Channel_Count is range 0 .. 32;
+   --  The channel being converted; after the last the scan is complete.
+   type Channel_Count is range 0 .. Channel_Words'Length;
 
    type Scan is record
-      Current : Channel_Count := 32;
+      Current : Channel_Count := Channel_Count'Last;
       Words   : Channel_Words := (others => Neutral_Value);
    end record;
 
-   function Is_Complete (Item : Scan) return Boolean is (Item.Current = 32)
+   function Is_Complete (Item : Scan) return Boolean is
+     (Item.Current = Channel_Count'Last)
    with Global => null;
 
    --  The scan begins again with channel 0; the words stay until they are

@@ -40,6 +40,7 @@ SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 sys.path.insert(0, str(ROOT / "scripts" / "safety"))
 
 import monitor  # noqa: E402
+from timelines import FRAME_US  # noqa: E402
 
 from peer import be_prompt  # noqa: E402
 
@@ -270,7 +271,7 @@ def disturbed_of(run):
     counts = [name for name in (rows[0] if rows else ())
               if name.startswith("link.") and name.endswith(TROUBLES)]
     return [
-        (before["clock_us"] - 20_000, row["clock_us"] + 20_000)
+        (before["clock_us"] - FRAME_US, row["clock_us"] + FRAME_US)
         for before, row in zip(rows, rows[1:])
         if any(row[name] != before[name] for name in counts)
     ]

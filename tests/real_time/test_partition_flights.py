@@ -4,8 +4,8 @@
 import statistics
 
 from conftest import (
-    COMMANDS, HOLDS_MS, SAFE_COMMANDS, SENSORS, SERVOS, assert_in_order,
-    different_rows, flies_again, free_ports, in_turn, need, script,
+    COMMANDS, FRAME_US, HOLDS_MS, SAFE_COMMANDS, SENSORS, SERVOS,
+    assert_in_order, different_rows, flies_again, free_ports, in_turn, need, script,
     script_seconds, udp,
 )
 
@@ -115,7 +115,8 @@ def test_frm1_each_frame_has_its_row(start_both):
         frames = [row["frame"] for row in node.rows]
         assert frames == sorted(set(frames))
         assert all(
-            row["time_ms"] == 20 * (row["frame"] + 1) for row in node.rows
+            row["time_ms"] == FRAME_US // 1000 * (row["frame"] + 1)
+            for row in node.rows
         )
         assert node.summary["rows_left_out"] == 0
         assert f"link.{name}_resets" in node.rows[0]
@@ -134,7 +135,7 @@ def test_rtp2_the_times_of_the_summary_are_those_of_the_record(start):
     mcs = start("mcs", udp(own, other), "--seconds", 5).end()
     commanded = [(row["servos_us"], row["frame"]) for row in mcs.rows]
     at = [
-        time - 20_000 * frame
+        time - FRAME_US * frame
         for (time, frame), (before, _) in zip(commanded[1:], commanded)
         if time != before
     ]

@@ -8,20 +8,19 @@ import time
 import pytest
 
 from conftest import (
-    COMMANDS, SENSORS, SERVOS, TIME_LIMIT_S, different_rows, flies_again,
-    free_ports, in_turn, need, script, udp,
+    COMMANDS, FRAME_US, SENSORS, SERVOS, TIME_LIMIT_S, different_rows,
+    flies_again, free_ports, in_turn, need, script, udp,
 )
 from peer import AircraftPeer, GroundPeer
 
 FAR_LONGER_S = 1000
-FRAME_US = 20_000
 
 
 def await_rows(run, number):
     """Wait until the program has made so many rows: it writes late, so the
     length of the run is what counts."""
     run.await_begin()
-    time.sleep(number * 0.02 + 0.3)
+    time.sleep(number * FRAME_US / 1e6 + 0.3)
     assert run.program.poll() is None
 
 
@@ -49,7 +48,8 @@ def test_a_signal_ends_a_run_with_whole_outputs(start, which):
         node, outputs = run.node, run.outputs
         summary, last = outputs.summary, outputs.rows[-1]
         assert summary["frames"] == last["frame"] + 1
-        assert summary["seconds"] == pytest.approx(summary["frames"] / 50)
+        assert summary["seconds"] == pytest.approx(
+            summary["frames"] * FRAME_US / 1e6)
 
         # Up to the signal, but for the frame that was not over yet; a row
         # may be late, and then so is the signal's.
@@ -67,7 +67,7 @@ def test_a_signal_ends_a_run_with_whole_outputs(start, which):
         }
         for event in outputs.events.values():
             assert event["first_ms"] <= event["last_ms"]
-            assert event["last_ms"] <= 20 * summary["frames"] + latest(outputs)
+            assert event["last_ms"] <= FRAME_US // 1000 * summary["frames"] + latest(outputs)
         assert "warm_reset" not in outputs.events
 
 

@@ -31,9 +31,14 @@ from typing import NamedTuple
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+sys.path[:0] = [str(ROOT / "scripts" / "safety"), str(ROOT / "scripts")]
 
 import monitor  # noqa: E402
+from flight_numbers import (  # noqa: E402
+    FRAME_MS,
+    FRAMES_PER_S,  # noqa: F401
+    NUMBERS,
+)
 
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
@@ -215,8 +220,6 @@ def fly(tmp_path):
 
 # --- what the tests know of the words --------------------------------------
 
-FRAME_MS = 20
-
 SWITCHES = tuple(f"switch{n}" for n in range(1, 9))
 COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake", *SWITCHES)
 SENSORS = tuple(
@@ -236,6 +239,15 @@ SERVOS = (
     "discretes",
 )
 NEUTRAL = (0x800,) * 5 + (0,) * 8
+
+TICK_US, FRAME_US = NUMBERS.tick_us, NUMBERS.frame_us
+CHARACTER_US = NUMBERS.character_us
+
+# Characters of a message: two a word, header and checksum. Those of an
+# exchange: the ground's command and answer too, or the aircraft's answer.
+UPLINK_CHARACTERS = 2 * (len(COMMANDS) + 1) + 2
+DOWNLINK_CHARACTERS = 2 * (len(SENSORS) + 1) + 2
+EXCHANGE = {"up": UPLINK_CHARACTERS + 2, "down": DOWNLINK_CHARACTERS + 1}
 
 # The middle and the ends of a converter's range, and beside the middle.
 EDGES = (0, 0x7FF, 0x800, 0x801, 0xFFF)
@@ -291,8 +303,8 @@ class Message(NamedTuple):
 
 # Headers (docs/link.md), and the whole length of their messages.
 HEADERS = {
-    0x1E: ("uplink", 30),
-    0x87: ("downlink", 58),
+    0x1E: ("uplink", UPLINK_CHARACTERS),
+    0x87: ("downlink", DOWNLINK_CHARACTERS),
     0x4B: ("command", 1),
     0xD2: ("good", 1),
     0x2D: ("good, wants", 1),

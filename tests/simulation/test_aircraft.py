@@ -10,7 +10,7 @@ import sys
 import threading
 
 import pytest
-from conftest import ROOT
+from conftest import FRAME_US, NUMBERS, ROOT, TICK_US
 
 sys.path.insert(0, str(ROOT / "sim" / "jsbsim"))
 
@@ -18,7 +18,11 @@ import plant  # noqa: E402
 
 pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
 
-FRAME_S = 0.02
+FRAME_S = FRAME_US / 1e6
+TIMES = plant.Times(
+    tick=TICK_US, frame=NUMBERS.frame_ticks,
+    scan=NUMBERS.frame_ticks - NUMBERS.servo_tick,
+    shown=NUMBERS.frame_ticks)
 TRUTH = {name: unit for name, (unit, *_) in plant.TRUTH.items()}
 SENSORS = {name: unit for name, (unit, *_) in plant.SENSORS.items()}
 SERVOS = {name: unit for name, (unit, *_) in plant.SERVOS.items()}
@@ -29,7 +33,7 @@ class Flown:
 
     def __init__(self):
         self.aircraft = plant.Aircraft(
-            SERVOS.items(), SENSORS.items(), TRUTH.items())
+            SERVOS.items(), SENSORS.items(), TRUTH.items(), (), TIMES)
         self.commands = dict.fromkeys(SERVOS, 0.0)
         self.commands["throttle"] = self.aircraft.fdm["servo/throttle-pct"]
         self.take(self.aircraft.last)
@@ -275,7 +279,9 @@ def serve(introduction, *messages):
 
 
 ITEMS = (b"servo,throttle,%\nservo,left_aileron,deg\nsensor,rpm,rev/min\n"
-         b"truth,altitude,ft\ntruth,crashed,yes\n")
+         b"truth,altitude,ft\ntruth,crashed,yes\n"
+         b"time,tick,2000 us\ntime,frame,10 ticks\n"
+         b"time,scan,8 ticks\ntime,shown,5 ticks\n")
 
 
 def test_it_answers_each_frame_with_what_was_asked_for():

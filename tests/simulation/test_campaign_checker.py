@@ -330,7 +330,7 @@ def test_a_case_that_never_recovers_fails(shard, name):
 @pytest.mark.parametrize("name", GROUPS)
 def test_wrong_words_fail_where_one_fault_cannot_make_them(shard, name):
     result = shard(name, lambda flight, first: flight.wrong.append(
-        checker.Wrong(first + 1, "up", (1,) * 14)))
+        checker.Wrong(first + 1, "up", (1,) * checker.UPLINK)))
     # Of several faults chance may make them: they are counted.
     several = name.startswith(("many", "soak"))
     assert len(result["failures"]) == (not several)

@@ -16,7 +16,15 @@ import time
 import tomllib
 
 import pytest
-from conftest import COMMANDS, PROGRAM, ROOT, TIME_LIMIT_S, fly_in, run_program
+from conftest import (
+    COMMANDS,
+    FRAMES_PER_S,
+    PROGRAM,
+    ROOT,
+    TIME_LIMIT_S,
+    fly_in,
+    run_program,
+)
 from test_flight import has_jsbsim
 from test_input import ALL_OUTPUTS, OPTIONS
 
@@ -47,14 +55,15 @@ def test_version_is_that_of_alire_toml(urv_sim):
 
 def test_help_is_given_whole_or_of_one_command(urv_sim):
     said = {words: urv_sim(*words.split()) for words in (
-        "help", "--help", "-h", "help fly", "help items", "fly --help",
+        "help", "--help", "-h", "help fly", "help items",
+        "help numbers", "fly --help",
         "fly --seconds 5 -h")}
     for result in said.values():
         assert (result.returncode, result.stderr) == (0, "")
     text = {words: result.stdout for words, result in said.items()}
     assert text["help"] == text["--help"] == text["-h"]
     assert text["help fly"] == text["fly --help"] == text["fly --seconds 5 -h"]
-    for part in ("help fly", "help items"):
+    for part in ("help fly", "help items", "help numbers"):
         assert text[part] in text["help"] and text[part] != text["help"]
     for option in OPTIONS:
         assert re.search(rf"^  {option}\b", text["help fly"], re.M), option
@@ -248,7 +257,8 @@ def run_into(folder, output, *arguments, **more):
         timeout=TIME_LIMIT_S, check=False, **more)
 
 
-PRINTING = (["help"], ["help", "fly"], ["items"], ["--version"],
+PRINTING = (["help"], ["help", "fly"], ["items"], ["numbers"],
+            ["--version"],
             ["fly", "--seconds", "0.1"])
 
 
@@ -363,7 +373,7 @@ def test_an_interrupted_flight_is_one_of_that_length(
         assert (tmp_path / "cut" / file).read_bytes() == \
             whole.path(file).read_bytes(), file
     summary = json.loads((tmp_path / "cut" / "summary.json").read_text())
-    assert summary["frames"] == round(float(seconds) * 50)
+    assert summary["frames"] == round(float(seconds) * FRAMES_PER_S)
     assert without_speed(summary) == without_speed(whole.summary)
 
 
@@ -412,7 +422,7 @@ for line in link.makefile("r"):
     if line == "\\n":
         break
     kind = line.split(",")[0]
-    if kind != "after":
+    if kind != "time":
         counts[kind] = counts.get(kind, 0) + 1
 link.sendall(b"ready\\n")
 commands = 8 * counts.pop("servo")

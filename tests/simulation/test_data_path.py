@@ -9,12 +9,15 @@ came from. How many frames that takes follows from the tasks' offsets.
 
 import pytest
 from conftest import (
+    CHARACTER_US,
     COMMANDS,
     EDGES,
+    FRAMES_PER_S,
     FRAME_MS,
     NEUTRAL,
     SENSORS,
     SERVOS,
+    UPLINK_CHARACTERS,
     columns,
     different_rows,
     fly_in,
@@ -28,8 +31,8 @@ MIDDLE_MS = 10
 
 # When, in ms from the beginning of a frame, the link carries what.
 UPLINK_GIVEN = 4
-UPLINK_COMPLETE = UPLINK_GIVEN + 30 * 0.096
-DOWNLINK_BEGINS = UPLINK_COMPLETE + 2 * 0.096
+UPLINK_COMPLETE = UPLINK_GIVEN + UPLINK_CHARACTERS * CHARACTER_US / 1000
+DOWNLINK_BEGINS = UPLINK_COMPLETE + 2 * CHARACTER_US / 1000
 
 
 def one_at_a_time():
@@ -85,7 +88,7 @@ def flight(request, tmp_path_factory):
         script(SENSORS, WORDS, MIDDLE_MS + 2 * request.param)
     )
     flown = fly_in(
-        folder, "--phase", request.param, "--seconds", (FRAMES + 10) / 50,
+        folder, "--phase", request.param, "--seconds", (FRAMES + 10) / FRAMES_PER_S,
         "--sticks", "sticks.csv", "--sensors", "sensors.csv",
     )
     flown.phase = request.param

@@ -11,7 +11,7 @@ TELIN at its frame n + 1.
 import json
 
 import pytest
-from conftest import HEADERS, messages
+from conftest import FRAME_MS, HEADERS, messages
 
 FIELDS = ["node", "kind", "count", "first_frame", "last_frame",
           "first_ms", "last_ms", "last_detail"]
@@ -25,8 +25,8 @@ def logged(count, first_frame, last_frame, node, minor_frame, detail=0):
     return {
         "count": count,
         "first_frame": first_frame, "last_frame": last_frame,
-        "first_ms": 20 * first_frame + later,
-        "last_ms": 20 * last_frame + later,
+        "first_ms": FRAME_MS * first_frame + later,
+        "last_ms": FRAME_MS * last_frame + later,
         "last_detail": detail,
     }
 
@@ -119,7 +119,7 @@ def test_ext1_a_bad_block_is_logged_with_its_frame(fly, write, way, node):
     ended_ms = data.time_us / 1000 + 0.096 * len(data.data)
     later = LAG_MS if node == "mcs" else 0
     # The log task runs in minor frame 5.
-    frame = int((ended_ms - later - 10) // 20) + 1
+    frame = int((ended_ms - later - 10) // FRAME_MS) + 1
     assert without_name(flight.events[node, "link_block_bad"]) == logged(
         1, frame, frame, node, minor_frame=5, detail=1)
     if way == "up":
@@ -163,8 +163,9 @@ def test_ext1_the_time_is_that_of_the_ground_s_clock(fly, write, phase):
     for (node, _), event in events.items():
         lag = 2 * phase if node == "mcs" else 0
         for place in ("first", "last"):
-            within = event[f"{place}_ms"] - lag - 20 * event[f"{place}_frame"]
-            assert 0 <= within < 20
+            within = (event[f"{place}_ms"] - lag
+                      - FRAME_MS * event[f"{place}_frame"])
+            assert 0 <= within < FRAME_MS
 
 
 def test_ext1_the_log_does_not_disturb_the_flight(urv_sim, tmp_path, write):

@@ -11,7 +11,10 @@ from collections import Counter
 
 import pytest
 from conftest import (
+    CHARACTER_US,
     COMMANDS,
+    EXCHANGE,
+    FRAMES_PER_S,
     FRAME_MS,
     SENSORS,
     SERVOS,
@@ -24,10 +27,7 @@ from conftest import (
 )
 
 # When the exchange of a frame begins, in ms.
-EXCHANGE = 4
-
-# How many characters each side sends in it.
-CHARACTERS = {"up": 32, "down": 59}
+BEGINS_MS = 4
 
 # From the frame of the last fault on, this many frames may hold old words,
 # or have none: after that all is as if nothing had happened.
@@ -78,7 +78,7 @@ class Course:
         into = self.folder / name
         into.mkdir(exist_ok=True)
         options = ["--sticks", "sticks.csv", "--sensors", "sensors.csv",
-                   "--phase", self.phase, "--seconds", self.frames / 50]
+                   "--phase", self.phase, "--seconds", self.frames / FRAMES_PER_S]
         if faults:
             (self.folder / f"{name}.txt").write_text("\n".join(faults) + "\n")
             options += ["--faults", f"{name}.txt"]
@@ -181,7 +181,7 @@ SINGLE = {
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
-    places = sum(CHARACTERS.values())
+    places = sum(EXCHANGE.values())
     return Course(tmp_path_factory.mktemp("single"),
                   START_FRAMES + APART * (places + 1))
 
@@ -190,9 +190,9 @@ def each_character(fault):
     """The fault at each character of an exchange, and in which frames."""
     lines, frames = [], []
     frame = START_FRAMES
-    for way, count in CHARACTERS.items():
+    for way, count in EXCHANGE.items():
         for place in range(1, count + 1):
-            lines.append(f"{FRAME_MS * frame + EXCHANGE} {way} "
+            lines.append(f"{FRAME_MS * frame + BEGINS_MS} {way} "
                          + fault.format(n=place))
             frames.append(frame)
             frame += APART
@@ -217,7 +217,7 @@ FRAME = 20
 
 def exchange(flight, frame=FRAME):
     """The messages of a frame's exchange."""
-    begins = 1000 * (FRAME_MS * frame + EXCHANGE)
+    begins = 1000 * (FRAME_MS * frame + BEGINS_MS)
     return [message for message in messages(flight.wire)
             if begins <= message.time_us < begins + 1000 * FRAME_MS]
 
@@ -248,7 +248,7 @@ def cancelling(error):
 ], ids=lambda value: "; ".join(value))
 def test_lnk6_what_comes_bad_is_sent_again_in_the_same_frame(
         course, faults, order):
-    lines = [f"{FRAME_MS * FRAME + EXCHANGE} {fault}" for fault in faults]
+    lines = [f"{FRAME_MS * FRAME + BEGINS_MS} {fault}" for fault in faults]
     flight = course.fly("again " + "; ".join(faults), lines)
     assert [message.kind for message in exchange(flight)] == order
     assert not complaints(course, flight, [FRAME])
@@ -264,7 +264,7 @@ def test_lnk6_what_comes_bad_is_sent_again_in_the_same_frame(
             order is UPLINK_AGAIN, 0, order is DOWNLINK_AGAIN, 0, 0, 0]
 
 
-# In characters of 96 us (docs/link.md). The board's timer runs on its own, so
+# In characters (docs/link.md). The board's timer runs on its own, so
 # a wait is up to one character shorter.
 DEAD_SPACE, IDLE_TIME = 20, 24
 
@@ -278,15 +278,15 @@ DEAD_SPACE, IDLE_TIME = 20, 24
 ])
 def test_lnk9_the_ground_outwaits_the_aircraft(course, fault, after, silence,
                                                kind):
-    lines = [f"{FRAME_MS * FRAME + EXCHANGE} {fault}"]
+    lines = [f"{FRAME_MS * FRAME + BEGINS_MS} {fault}"]
     flight = course.fly(fault, lines)
     sent = exchange(flight)
     spoke = next(item for item in sent if item.kind == after)
-    spoke_until = spoke.time_us + 96 * len(spoke.data)
+    spoke_until = spoke.time_us + CHARACTER_US * len(spoke.data)
     again = next(item for item in sent if item.direction == "up"
                  and item.time_us > spoke_until)
     assert again.kind == kind
-    waited = (again.time_us - spoke_until) / 96
+    waited = (again.time_us - spoke_until) / CHARACTER_US
     assert silence - 1 < waited <= silence, waited
 
 
@@ -296,7 +296,7 @@ def test_lnk9_out_of_step_the_aircraft_listens_to_nothing(fly, write):
     write("sticks.csv", script(
         COMMANDS, [[words[n % 5] for n in range(13)]] * 40, 0))
     for fault in ("drop 1", "flip 1 1", "flip 1 3"):
-        write("faults.txt", f"{FRAME_MS * FRAME + EXCHANGE} up {fault}\n")
+        write("faults.txt", f"{FRAME_MS * FRAME + BEGINS_MS} up {fault}\n")
         flight = fly("--sticks", "sticks.csv", "--faults", "faults.txt",
                      name=fault)
         kinds = [message.kind for message in exchange(flight)]
@@ -305,7 +305,7 @@ def test_lnk9_out_of_step_the_aircraft_listens_to_nothing(fly, write):
 
 def test_lnk6_a_block_is_scrapped_after_two_bad_transmissions(course):
     # The same character of the block and of its second transmission.
-    lines = [f"{FRAME_MS * 20 + EXCHANGE} up flip {n} 1" for n in (9, 39)]
+    lines = [f"{FRAME_MS * 20 + BEGINS_MS} up flip {n} 1" for n in (9, 39)]
     flight = course.fly("scrapped", lines)
     assert not complaints(course, flight, [20])
     link = flight.summary["link"]
@@ -331,7 +331,7 @@ CUT_AT = 400
 def test_lnk9_a_cut_link_recovers(tmp_path, length, phase):
     frames = int((CUT_AT + length) / FRAME_MS) + 20
     course = Course(tmp_path, frames, phase)
-    offsets = (EXCHANGE + 1,) if length > 1000 else (0, 4.5, 7, 9, 12.7)
+    offsets = (BEGINS_MS + 1,) if length > 1000 else (0, 4.5, 7, 9, 12.7)
     for offset in offsets:
         begins, ends = CUT_AT + offset, CUT_AT + offset + length
         first, last = int(begins // FRAME_MS), int(ends // FRAME_MS)

@@ -5,7 +5,7 @@ one line on standard error and exit status 2, and no output file."""
 import os
 
 import pytest
-from conftest import SENSORS
+from conftest import FRAMES_PER_S, SENSORS
 
 OUTPUTS = ("record.csv", "summary.json", "wire.csv", "events.jsonl")
 ALL_OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
@@ -60,12 +60,12 @@ OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
-    ([], "no command; there are fly, items, help, --version"),
+    ([], "no command; there are fly, items, numbers, help, --version"),
     (["hover"],
-     'unknown command "hover"; there are fly, items, help, --version'),
+     'unknown command "hover"; there are fly, items, numbers, help, --version'),
     (["--Version"],
-     'unknown command "--Version"; there are fly, items, help, --version'),
-    (["help", "me"], 'unknown command "me"; there are fly, items'),
+     'unknown command "--Version"; there are fly, items, numbers, help, --version'),
+    (["help", "me"], 'unknown command "me"; there are fly, items, numbers'),
     (["help", "fly", "me"], 'unexpected argument "me"'),
     (["items", "roll"], 'unexpected argument "roll"'),
     (["--version", "2"], 'unexpected argument "2"'),
@@ -407,7 +407,7 @@ def test_quiet_flight_prints_nothing(urv_sim):
 def test_length_of_a_flight(fly, options, frames):
     flight = fly(*options)
     assert flight.summary["frames"] == frames
-    assert flight.summary["seconds"] == frames / 50
+    assert flight.summary["seconds"] == frames / FRAMES_PER_S
     assert len(flight.rows) == frames
 
 

@@ -3,25 +3,35 @@
 microsecond, at every phase (FRM-2, D-12). docs/design.md derives the same."""
 
 import pytest
-from conftest import COMMANDS, NEUTRAL, fly_in, transformed
+from conftest import (
+    CHARACTER_US,
+    COMMANDS,
+    FRAME_US,
+    NEUTRAL,
+    NUMBERS,
+    TICK_US,
+    UPLINK_CHARACTERS,
+    fly_in,
+    transformed,
+)
 
 # All times in microseconds.
-FRAME = 20_000
-CONVERSION = 16
+FRAME, TICK = FRAME_US, TICK_US
+CONVERSION = NUMBERS.conversion_us
 
 # Changes far enough apart that each has arrived before the next comes.
 APART = 6 * FRAME
 
-TELOUT = 4_000
-UPLINK = 30 * 96
-PWM = 4_000
+TELOUT = 2 * TICK
+UPLINK = UPLINK_CHARACTERS * CHARACTER_US
+PWM = 2 * TICK
 
 
 def from_scan_to_servos(phase):
     """From the beginning of the scan that samples a change."""
     # The AD task takes the scan a frame later.
     arrived = FRAME + TELOUT + UPLINK
-    aircraft = 2_000 * phase
+    aircraft = TICK * phase
     while aircraft < arrived:
         aircraft += FRAME
     return aircraft + PWM
@@ -102,7 +112,7 @@ def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase):
         "expired": 0,
     }
     # The extremes are those of the derivation.
-    scan = 24_000 + 2_000 * phase + (FRAME if phase < 4 else 0)
+    scan = FRAME + 2 * TICK + TICK * phase + (FRAME if phase < 4 else 0)
     assert (expected[0], expected[-1]) == (
         scan - 12 * CONVERSION, scan + FRAME - 1)
 

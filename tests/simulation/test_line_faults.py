@@ -3,6 +3,7 @@
 board."""
 
 import pytest
+from conftest import CHARACTER_US, NUMBERS, UPLINK_CHARACTERS
 
 # The first exchange after this time: 30 characters of data and a command to
 # downlink up; a status, 58 characters of data down; a status up.
@@ -99,10 +100,13 @@ def test_timers_of_a_stalled_board_stand_still(fly, write):
     def second_time(name):
         flight = fly("--faults", name, "--seconds=0.4", name=name[:3])
         return [row for row in flight.wire if row.direction == "up"
-                and row.time_us >= 204000][30].time_us
+                and row.time_us >= 204000][UPLINK_CHARACTERS].time_us
 
-    assert second_time("plain.txt") == 204000 + (30 + 20 + 24) * 96
-    assert second_time("stalled.txt") == 204000 + (30 + 20 + 24) * 96 + 1100
+    again = 204000 + CHARACTER_US * (
+        UPLINK_CHARACTERS + NUMBERS.dead_space_characters
+        + NUMBERS.idle_characters)
+    assert second_time("plain.txt") == again
+    assert second_time("stalled.txt") == again + 1100
 
 
 def test_stalls_that_overlap_are_one(fly, write):
@@ -246,7 +250,7 @@ def test_lnk9_a_board_that_starts_anew_flies_on(
 # --- which character it is, to the microsecond ---------------------------------
 
 # The uplink of the frame that begins at 200 ms: when each character is sent.
-FIRST_US, CHARACTER_US = 204_000, 96
+FIRST_US = 204_000
 
 
 def sent_at(place):

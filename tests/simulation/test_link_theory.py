@@ -6,7 +6,7 @@ import math
 import sys
 
 import pytest
-from conftest import PROGRAM, ROOT
+from conftest import CHARACTER_US, PROGRAM, ROOT, UPLINK_CHARACTERS
 
 sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
 
@@ -45,7 +45,8 @@ def test_another_rate_is_told_apart():
 
 def test_theory_without_errors():
     assert theory.theory(0.0) == {
-        "up_delivered": 1, "up_sent": 1, "up_ms": pytest.approx(30 * 0.096),
+        "up_delivered": 1, "up_sent": 1, "up_ms": pytest.approx(
+            UPLINK_CHARACTERS * CHARACTER_US / 1000),
         "down_delivered": 1, "down_sent": 1}
 
 

@@ -13,10 +13,13 @@ from collections import defaultdict
 import pytest
 from conftest import (
     COMMANDS,
+    FRAMES_PER_S,
     FRAME_MS,
+    FRAME_US,
     ROOT,
     SENSORS,
     SERVOS,
+    TICK_US,
     columns,
     different_rows,
     fly_in,
@@ -49,8 +52,8 @@ SHOWN_BY = {"pwm": "commands", "gsc.downlink": "sensors"}
 # Every tick of a frame, just before and after some, and between. A node that
 # starts scans its converter for 0.5 ms; the words do not change meanwhile.
 TIMES_US = sorted([
-    *range(0, 20_000, 2_000),
-    *(tick + more for tick in range(2_000, 22_000, 4_000)
+    *range(0, FRAME_US, TICK_US),
+    *(tick + more for tick in range(TICK_US, FRAME_US + TICK_US, 2 * TICK_US)
       for more in (-1, 1, 37, 450, 1_001)),
 ])
 CHANGE_MS = 11
@@ -86,7 +89,7 @@ class Course:
             "\n".join(["# none", *faults]) + "\n")
         return fly_in(self.folder, "--sticks", "sticks.csv",
                       "--sensors", "sensors.csv", "--phase", self.phase,
-                      "--seconds", self.frames / 50,
+                      "--seconds", self.frames / FRAMES_PER_S,
                       "--faults", f"{name}.txt", *options, outputs_in=into)
 
     def ages(self, flight):

@@ -14,6 +14,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 import machine_pauses  # noqa: E402
 import timing  # noqa: E402
+from flight_numbers import NUMBERS  # noqa: E402
 from machine_pauses import Pauses  # noqa: E402
 
 COUNTS = ("overruns", *(
@@ -26,7 +27,7 @@ def flight(frames=10):
     """A record of each node in which nothing is late."""
     return {
         node: [
-            {"frame": number, "clock_us": 20_000 * number,
+            {"frame": number, "clock_us": NUMBERS.frame_us * number,
              **dict.fromkeys(COUNTS, 0)}
             for number in range(frames)
         ]
@@ -139,7 +140,7 @@ def test_the_bounds_are_those_of_the_design():
     assert timing.LATENCY_MS[1] == pytest.approx(
         least + int(waits[1]) + float(waits[2]), abs=0.02)
     assert timing.LENIENCY_MS == 1
-    assert timing.FRAME_US == 20_000
+    assert timing.FRAME_US == NUMBERS.frame_us
 
 
 @pytest.mark.parametrize("share, value", [

@@ -6,14 +6,14 @@ import math
 import re
 
 import pytest
-from conftest import fly_in
+from conftest import FRAME_US, fly_in
 from test_flight import has_jsbsim
 
 NAMES = [f"truth.{name}" for name in (
     "altitude_ft", "airspeed_kt", "bank_deg", "pitch_deg", "heading_deg",
     "alpha_deg", "beta_deg", "north_ft", "east_ft")]
 
-FRAME_S = 0.02
+FRAME_S = FRAME_US / 1e6
 FT_S_PER_KT = 1.68781
 
 # At 1800 ft above the sea the air is thinner than calibrated airspeed takes

@@ -6,9 +6,13 @@ from collections import Counter
 
 import pytest
 from conftest import (
+    CHARACTER_US,
     COMMANDS,
+    EXCHANGE,
+    FRAMES_PER_S,
     FRAME_MS,
     SENSORS,
+    TICK_US,
     different_rows,
     fly_in,
     messages,
@@ -20,11 +24,9 @@ FRAMES = 60
 # From here on both nodes have sent and received.
 RUNNING_US = 100_000
 
-CHARACTER_US = 96
-
-# The ground's TELOUT runs 4 ms after its frame begins, and all of an
+# The ground's TELOUT runs two ticks after its frame begins, and all of an
 # exchange comes after it.
-EXCHANGE_BEGINS_US = 4_000
+EXCHANGE_BEGINS_US = 2 * TICK_US
 
 
 def frame_of(time_us):
@@ -42,7 +44,7 @@ def flight(request, tmp_path_factory):
         script(SENSORS, different_rows(FRAMES, 27, seed=2), 10)
     )
     return fly_in(
-        folder, "--phase", request.param, "--seconds", FRAMES / 50,
+        folder, "--phase", request.param, "--seconds", FRAMES / FRAMES_PER_S,
         "--sticks", "sticks.csv", "--sensors", "sensors.csv",
     )
 
@@ -61,7 +63,7 @@ def test_d5_32_bytes_go_up_and_59_down_in_every_frame(flight):
     )
     for frame in range(frame_of(RUNNING_US), FRAMES - 1):
         got = counts[frame, "up"], counts[frame, "down"]
-        assert got == (32, 59), f"frame {frame}: up, down {got}"
+        assert got == tuple(EXCHANGE.values()), f"frame {frame}: up, down {got}"
 
 
 def test_lnk2_messages_take_their_turns_without_a_retry(flight):

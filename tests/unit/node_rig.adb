@@ -119,7 +119,8 @@ package body Node_Rig is
    end Exchange_Character;
 
    procedure Clock_Tick_Of_Both is
-      Characters : constant := 20;
+      Characters : constant :=
+        Microseconds_Per_Tick / Telemetry.Microseconds_Per_Character;
    begin
       Now := Advanced (Now);
       GSC.Virtual_Time.Clock_Interrupt (Now);
@@ -134,7 +135,7 @@ package body Node_Rig is
 
    procedure Fly (Frames : Positive) is
    begin
-      for Ticks in 1 .. 10 * Frames loop
+      for Ticks in 1 .. Ticks_Per_Major_Frame * Frames loop
          Clock_Tick_Of_Both;
       end loop;
    end Fly;
