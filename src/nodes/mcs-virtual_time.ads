@@ -2,6 +2,8 @@
 
 --  The aircraft's node in virtual time (KRN-1 to KRN-6, EXT-4).
 
+pragma SPARK_Mode;
+
 with URVOS.Virtual_Nodes;
 
 package MCS.Virtual_Time is new URVOS.Virtual_Nodes

@@ -3,6 +3,8 @@
 --  The pulse width modulation boards of this vehicle: from power up on they
 --  hold the safe words (SAF-1, D-13).
 
+pragma SPARK_Mode;
+
 with Devices.Shared_PWM_Board;
 with URV.PWM_Layout;
 
