@@ -51,6 +51,8 @@ check:
 prove:
 	@scripts/setup.sh prove
 	@python3 scripts/proof_record.py prove
+	@gnatprove -P examples/thermostat/thermostat.gpr -j0 --checks-as-errors \
+	   --report=fail
 
 explore:
 	@scripts/setup.sh explore

@@ -45,6 +45,7 @@ TESTS = {
                               "proof_record", "traceability"],
     "scripts/campaign/*": ["campaign_checker", "campaign", "link_theory",
                            "safety_mixes"],
+    "scripts/flight_numbers.py": ["campaign_checker", "link_theory"],
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],
     "scripts/proof_canaries.py": ["canaries", "proof_record"],
