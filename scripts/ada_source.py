@@ -2,7 +2,8 @@
 """Reads Ada, for the scripts: as text, or as a tree.
 
 The tree is that of tree-sitter's grammar for Ada. It is loaded only for those
-who parse: the proof's and the trace's scripts run with Python alone.
+who parse: the proof's and the trace's scripts run with Python alone. The first
+line of each source is its licence (EVI-13).
 """
 
 import re

@@ -3,6 +3,8 @@
 
 import statistics
 
+import pytest
+
 from conftest import (
     COMMANDS, FRAME_US, HOLDS_MS, SAFE_COMMANDS, SENSORS, SERVOS,
     assert_in_order, different_rows, flies_again, free_ports, in_turn, need, script,
