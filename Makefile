@@ -2,7 +2,7 @@
 
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly test check prove explore fuzz campaign theory bench size \
+.PHONY: help fly ground test check prove explore fuzz campaign theory bench size \
         trace mutate planted real_time timing coverage independence clean
 
 GPRBUILD := gprbuild -q -p -j0
@@ -10,6 +10,8 @@ GPRBUILD := gprbuild -q -p -j0
 help:
 	@echo "Product: fly it and work on it."
 	@echo "  make fly        fly the standard flight, leave it in flight/"
+	@echo "  make ground     fly in real time: page, Yamcs, all programs; Ctrl-C"
+	@echo "                  ends it, or GROUND_SECONDS=60"
 	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
@@ -37,8 +39,20 @@ fly:
 	@mkdir -p flight
 	@echo "fly: flying 180 s"
 	@bin/urv_sim fly --plant jsbsim --pilot standard \
-	   --record flight/record.csv --summary flight/summary.json
-	@echo "fly: results are in flight/record.csv and flight/summary.json"
+	   --record flight/record.csv --summary flight/summary.json \
+	   --events flight/events.jsonl
+	@bin/urv report flight/record.csv --summary flight/summary.json \
+	   --events flight/events.jsonl -o flight/report.html
+	@echo "fly: results are in flight/: report.html to look at;" \
+	   "record.csv, summary.json, events.jsonl"
+
+# Ends with Ctrl-C, or after so long.
+GROUND_SECONDS :=
+ground:
+	@scripts/setup.sh ground
+	@echo "ground: building bin/urv_gsc and bin/urv_mcs"
+	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
+	@exec bin/urv ground $(if $(GROUND_SECONDS),--seconds $(GROUND_SECONDS))
 
 test:
 	@scripts/setup.sh test
@@ -51,8 +65,8 @@ check:
 prove:
 	@scripts/setup.sh prove
 	@python3 scripts/proof_record.py prove
-	@gnatprove -P examples/thermostat/thermostat.gpr -j0 --checks-as-errors \
-	   --report=fail
+	@gnatprove -P examples/thermostat/thermostat.gpr --no-subprojects -j0 \
+	   --checks-as-errors --report=fail
 
 explore:
 	@scripts/setup.sh explore

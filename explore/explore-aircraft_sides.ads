@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Explore.Sides;
-with Telemetry;
+with Telemetry.Boards.Sides;
 
-package Explore.Aircraft_Sides is new Explore.Sides (Telemetry.Aircraft);
+package Explore.Aircraft_Sides is
+  new Telemetry.Boards.Sides (Telemetry.Aircraft);

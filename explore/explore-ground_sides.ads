@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Explore.Sides;
-with Telemetry;
+with Telemetry.Boards.Sides;
 
-package Explore.Ground_Sides is new Explore.Sides (Telemetry.Ground);
+package Explore.Ground_Sides is
+  new Telemetry.Boards.Sides (Telemetry.Ground);

@@ -8,7 +8,7 @@ with Ada.Text_IO;      use Ada.Text_IO;
 with Explore.Aircraft_Sides;
 with Explore.Ground_Sides;
 with Explore.Link;     use Explore.Link;
-with Telemetry.Boards;
+with Telemetry.Turns;
 
 procedure URV_Explore is
 
@@ -56,8 +56,8 @@ procedure URV_Explore is
    Is_Exact : Boolean;
 begin
    Put_Line
-     ("dead space" & Telemetry.Boards.Dead_Space'Image & ", idle time"
-      & Telemetry.Boards.Idle_Time'Image & ", frame"
+     ("dead space" & Telemetry.Turns.Dead_Space'Image & ", idle time"
+      & Telemetry.Turns.Idle_Time'Image & ", frame"
       & Integer'Image (Explore.Frame) & " character times");
 
    Ground.Check_Normal (States, Is_Exact);

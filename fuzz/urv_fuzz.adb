@@ -78,7 +78,8 @@ procedure URV_Fuzz is
                Read (Data);
                Accept_Character (Item, Data, What = Wrong_Parity);
             when Right_Sum                =>
-               Accept_Character (Item, Item.Receiver.Sum, False);
+               Accept_Character
+                 (Item, Control_Of (Item).Receiver.Sum, False);
             when Header                   =>
                Read (Data);
                Accept_Character (Item, Headers (Data mod 10), False);
@@ -119,7 +120,7 @@ begin
               (case Choice / 2 is when 0 => 1, when 1 => 4, when others => 28);
             Down   : constant Block_Length :=
               (case Choice / 2 is when 0 => 1, when 1 => 2, when others => 56);
-            Item   : Board
+            Item   : Board := New_Board
               (Role            => Role,
                Transmit_Length => (if Role = Ground then Up else Down),
                Receive_Length  => (if Role = Ground then Down else Up));

@@ -3,13 +3,19 @@
 with Ada.Long_Float_Text_IO;
 with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 
+with Host.Limits;      use Host.Limits;
 with Host.Names;       use Host.Names;
 with Host.Text_Output; use Host.Text_Output;
 
 package body Host.Scaling is
 
-   --  Four decimals, zeros at the end left out. The finest word is 0.001.
-   function Image (Value : Long_Float) return String;
+   --  Zeros at the end left out. Four decimals are as fine as a value is to
+   --  be read: the finest word is 0.001.
+   function Image (Value : Long_Float; Decimals : Positive := 4)
+                   return String;
+
+   --  Nothing for what is no limit.
+   function Image_Or_Empty (Limit : Long_Float) return String;
 
    function Symbol (Of_Unit : Unit) return String is
      (case Of_Unit is
@@ -38,11 +44,13 @@ package body Host.Scaling is
       end if;
    end To_Word;
 
-   function Image (Value : Long_Float) return String is
-      Text : String (1 .. 16);
+   function Image (Value : Long_Float; Decimals : Positive := 4)
+                   return String
+   is
+      Text : String (1 .. 20);
       Last : Positive := Text'Last;
    begin
-      Ada.Long_Float_Text_IO.Put (Text, Value, Aft => 4, Exp => 0);
+      Ada.Long_Float_Text_IO.Put (Text, Value, Aft => Decimals, Exp => 0);
       while Text (Last) = '0' loop
          Last := Last - 1;
       end loop;
@@ -51,6 +59,10 @@ package body Host.Scaling is
       end if;
       return Trim (Text (1 .. Last), Left);
    end Image;
+
+   function Image_Or_Empty (Limit : Long_Float) return String is
+     (if Limit in Long_Float'First | Long_Float'Last then ""
+      else Image (Limit));
 
    procedure Print (To : in out Text_Output.Writer) is
 
@@ -72,15 +84,33 @@ package body Host.Scaling is
             & Trim (Natural'Image (Position + 1), Left) & ',' & Columns);
       end Put_Item;
 
-      Without_Scale : constant String := ",,";
+      Without_Scale : constant String := ",,,,,,,,";
 
-      function Columns (By : Scale) return String is
+      Without_Limits : constant Limit_Set := (others => <>);
+
+      function Columns (Limits : Limit_Set) return String is
+        (Image_Or_Empty (Limits.Warning_Low)
+         & ',' & Image_Or_Empty (Limits.Caution_Low)
+         & ',' & Image_Or_Empty (Limits.Caution_High)
+         & ',' & Image_Or_Empty (Limits.Warning_High));
+
+      --  With twelve decimals a value is exact to 1E-8 of its unit, and the
+      --  zero of every scale falls upon a word.
+      function Columns
+        (By : Scale; Limits : Limit_Set := Without_Limits) return String
+      is
         (Symbol (By.Measured_In)
          & ',' & Image (To_Unit (Converter_Value'First, By))
-         & ',' & Image (To_Unit (Converter_Value'Last, By)));
+         & ',' & Image (To_Unit (Converter_Value'Last, By))
+         & ',' & Columns (Limits)
+         & ',' & Image (By.Per_Word, Decimals => 12)
+         & ',' & Image (0.0 - By.At_0 / By.Per_Word));
 
    begin
-      Put_Line (To, "name,buffer,position,unit,at_0,at_4095");
+      Put_Line
+        (To,
+         "name,buffer,position,unit,at_0,at_4095,warning_low,caution_low,"
+         & "caution_high,warning_high,per_word,zero_word");
       for Item in Uplink_Item loop
          Put_Item
            (Name (Item), "uplink", Uplink_Item'Pos (Item),
@@ -91,7 +121,8 @@ package body Host.Scaling is
          Put_Item
            (Name (Item), "downlink", Downlink_Item'Pos (Item),
             (if Item in Sensor_Item
-             then Columns (Sensors (Item)) else Without_Scale));
+             then Columns (Sensors (Item), Limits.Sensors (Item))
+             else Without_Scale));
       end loop;
       for Item in PWM_Item loop
          Put_Item

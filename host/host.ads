@@ -33,6 +33,10 @@ package Host is
    --  How many ticks the aircraft's frame may lag behind (D-12).
    subtype Phase_Ticks is Natural range 0 .. Ticks_Per_Major_Frame - 1;
 
+   --  As a rule it lags by 6 ms, however long a tick is (EVI-12). At about
+   --  3 ms its block would just miss its turn on the link.
+   Usual_Phase : constant Phase_Ticks := 6_000 / Microseconds_Per_Tick;
+
    --  In this tick of the aircraft's frame the servos get new commands, and
    --  so many ticks later the next scan begins (FRM-2).
    Servo_Tick    : constant := 2;

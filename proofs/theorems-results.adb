@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Telemetry.Turns; use Telemetry.Turns;
+
 package body Theorems.Results with SPARK_Mode is
 
    procedure Of_Move
@@ -332,37 +334,6 @@ package body Theorems.Results with SPARK_Mode is
       Prove_Orders_Are_Alike (One, Other, Moved);
    end Of_Terminate_Caller;
 
-   procedure Of_Take
-     (Pair : Buffer_Pair;
-      Same : out Boolean)
-   is
-      One, Other     : Buffer_Pair := Pair;
-      Data, Its_Like : Block_Data;
-      Fresh, As_Well : Boolean;
-   begin
-      Take (One, Data, Fresh);
-      Take (Other, Its_Like, As_Well);
-      Same :=
-        One = Other
-        and then Data = Its_Like
-        and then Fresh = As_Well;
-   end Of_Take;
-
-   procedure Of_Put
-     (Pair : Buffer_Pair;
-      Data : Block_Data;
-      Same : out Boolean)
-   is
-      One, Other         : Buffer_Pair := Pair;
-      Overwrote, As_Well : Boolean;
-   begin
-      Put (One, Data, Overwrote);
-      Put (Other, Data, As_Well);
-      Same :=
-        One = Other
-        and then Overwrote = As_Well;
-   end Of_Put;
-
    procedure Of_Accept_Character
      (Item         : Receiver;
       Pair         : Buffer_Pair;
@@ -386,36 +357,64 @@ package body Theorems.Results with SPARK_Mode is
         and then Outcome = Its_Like;
    end Of_Accept_Character;
 
-   procedure Of_Restart
-     (Item : Receiver;
-      Pair : Buffer_Pair;
-      Same : out Boolean)
-   is
-      One, Other        : Receiver := Item;
-      One_Pair, As_Well : Buffer_Pair := Pair;
-   begin
-      Restart (One, One_Pair);
-      Restart (Other, As_Well);
-      Same :=
-        One = Other
-        and then One_Pair = As_Well;
-   end Of_Restart;
+   --  What follows from equal parts is equal.
+   procedure Prove_Same_Board (One, Other : Board)
+   with
+     Global => null,
+     Pre    =>
+       Control_Of (One) = Control_Of (Other)
+       and then Receive_Pair (One) = Receive_Pair (Other)
+       and then Transmit_Pair (One) = Transmit_Pair (Other),
+     Post   => One = Other;
 
-   procedure Of_Send_Next
-     (Item   : Sender;
-      Data   : Block_Data;
-      Length : Block_Length;
-      Same   : out Boolean)
+   procedure Prove_Same_Informed
+     (Item       : Control;
+      What       : Event;
+      One, Other : Buffer_Pair;
+      Blocks     : Buffer_Pair)
+   with
+     Global => null,
+     Pre    => One = Other,
+     Post   =>
+       Informed (Item, What, One, Blocks) =
+         Informed (Item, What, Other, Blocks);
+
+   procedure Prove_Same_Said
+     (Item       : Control;
+      One, Other : Buffer_Pair)
+   with
+     Global => null,
+     Pre    =>
+       One = Other
+       and then Fits (Item, One)
+       and then Fits (Item, Other),
+     Post   =>
+       Output (Item, One) = Output (Item, Other)
+       and then Spoken (Item, One) = Spoken (Item, Other);
+
+   procedure Prove_Same_Board (One, Other : Board) is null;
+
+   procedure Prove_Same_Informed
+     (Item       : Control;
+      What       : Event;
+      One, Other : Buffer_Pair;
+      Blocks     : Buffer_Pair)
    is
-      One, Other       : Sender := Item;
-      Output, Its_Like : Byte;
+      pragma Unreferenced (Item, What, Blocks);
    begin
-      Send_Next (One, Data, Length, Output);
-      Send_Next (Other, Data, Length, Its_Like);
-      Same :=
-        One = Other
-        and then Output = Its_Like;
-   end Of_Send_Next;
+      pragma Assert (Both_Full (One) = Both_Full (Other));
+   end Prove_Same_Informed;
+
+   procedure Prove_Same_Said
+     (Item       : Control;
+      One, Other : Buffer_Pair)
+   is
+   begin
+      pragma Assert (Any_Full (One) = Any_Full (Other));
+      pragma Assert
+        (One.Slots (Item.Sender.Source).Data =
+           Other.Slots (Item.Sender.Source).Data);
+   end Prove_Same_Said;
 
    procedure Of_Accept_Character
      (Item         : Board;
@@ -424,9 +423,20 @@ package body Theorems.Results with SPARK_Mode is
       Same         : out Boolean)
    is
       One, Other : Board := Item;
+      Was        : constant Control := Control_Of (Item);
+      What       : constant Event := Heard (Item, Data, Parity_Error);
    begin
       Accept_Character (One, Data, Parity_Error);
       Accept_Character (Other, Data, Parity_Error);
+      if Is_Listening (Was) then
+         Prove_Same_Informed
+           ((Was with delta
+               Receiver => Receiver_After
+                 (Was.Receiver, Receive_Pair (Item), What.Kind, Data,
+                  Parity_Error)),
+            What, Receive_Pair (One), Receive_Pair (Other),
+            Transmit_Pair (Item));
+      end if;
       Same := One = Other;
    end Of_Accept_Character;
 
@@ -440,6 +450,12 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Next_Character (One, Send, Data);
       Next_Character (Other, As_Well, Its_Like);
+      Prove_Same_Said
+        (Prepared (Control_Of (Item), Transmit_Pair (Item)),
+         Transmit_Pair (One), Transmit_Pair (Other));
+      Prove_Same_Board (One, Other);
+      pragma Assert (Data = Its_Like);
+      pragma Assert (Send = As_Well);
       Same :=
         One = Other
         and then Send = As_Well

@@ -13,7 +13,6 @@ with Telemetry.Boards;
 with Telemetry.Headers;
 with Telemetry.Memory;
 with Telemetry.Receivers;
-with Telemetry.Senders;
 with Theorems.Alike_Schedulers;
 with URVOS;
 with URVOS.Arrangements;
@@ -37,7 +36,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use Telemetry.Headers;
    use Telemetry.Memory;
    use Telemetry.Receivers;
-   use Telemetry.Senders;
    use Theorems.Alike_Schedulers;
    use URVOS;
    use URVOS.Arrangements;
@@ -239,24 +237,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
 
    --  The telemetry board
 
-   procedure Of_Take (Pair : Buffer_Pair; Same : out Boolean)
-   with
-     Global => null,
-     Post   => Same;
-
-   procedure Of_Put
-     (Pair : Buffer_Pair;
-      Data : Block_Data;
-      Same : out Boolean)
-   with
-     Global => null,
-     Pre    =>
-       (for all Which in Slot =>
-          (if Pair.Slots (Which).Busy
-           then Pair.Slots (Which).Full
-             and then not Pair.Slots (Other (Which)).Busy)),
-     Post   => Same;
-
    procedure Of_Accept_Character
      (Item         : Receiver;
       Pair         : Buffer_Pair;
@@ -268,24 +248,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    => Fits (Item, Pair, Length),
-     Post   => Same;
-
-   procedure Of_Restart
-     (Item : Receiver;
-      Pair : Buffer_Pair;
-      Same : out Boolean)
-   with
-     Global => null,
-     Post   => Same;
-
-   procedure Of_Send_Next
-     (Item   : Sender;
-      Data   : Block_Data;
-      Length : Block_Length;
-      Same   : out Boolean)
-   with
-     Global => null,
-     Pre    => Fits (Item, Data, Length),
      Post   => Same;
 
    procedure Of_Accept_Character

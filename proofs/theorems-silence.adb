@@ -1,18 +1,80 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS; use URVOS;
+with Telemetry.Memory; use Telemetry.Memory;
+with URVOS;            use URVOS;
 
 package body Theorems.Silence with SPARK_Mode is
 
    procedure No_State_Is_Far (Item : Board) is null;
 
+   --  A board that is not at rest comes closer to it with each character,
+   --  or waits.
+   procedure Speaks_Or_Waits
+     (Item             : Control;
+      Waiting, On_Line : Buffer_Pair;
+      After            : Control)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then not Is_At_Rest (Item)
+       and then Fits (Prepared (Item, Waiting), On_Line)
+       and then Fits (After, On_Line)
+       and then After = Spoken (Prepared (Item, Waiting), On_Line),
+     Post   =>
+       Fits (Item, On_Line)
+       and then
+         (if After.Line_Taken
+          then Distance (After) < Distance (Item)
+          else Is_Waiting (After)
+            and then Distance (After) = Distance (Item));
+
+   --  A board that waits comes closer to rest with time.
+   procedure Waits_Not_For_Ever
+     (Item   : Control;
+      Blocks : Buffer_Pair;
+      After  : Control)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Is_Waiting (Item)
+       and then After = Elapsed (Item, 1, Blocks),
+     Post   => Distance (After) < Distance (Item);
+
+   procedure Speaks_Or_Waits
+     (Item             : Control;
+      Waiting, On_Line : Buffer_Pair;
+      After            : Control)
+   is
+      pragma Unreferenced (On_Line, After);
+   begin
+      pragma Assert (Prepared (Item, Waiting) = Item);
+   end Speaks_Or_Waits;
+
+   procedure Waits_Not_For_Ever
+     (Item   : Control;
+      Blocks : Buffer_Pair;
+      After  : Control)
+   is null;
+
    procedure Live_On (Item : in out Board) is
-      Send : Boolean;
-      Data : Byte;
+      Before  : constant Turns.Control := Control_Of (Item);
+      Waiting : constant Buffer_Pair   := Transmit_Pair (Item);
+      Send    : Boolean;
+      Data    : Byte;
    begin
       Next_Character (Item, Send, Data);
+      Speaks_Or_Waits
+        (Before, Waiting, Transmit_Pair (Item), Control_Of (Item));
       if not Send then
-         Elapse (Item, 1);
+         declare
+            Spoken  : constant Turns.Control := Control_Of (Item);
+            On_Line : constant Buffer_Pair   := Transmit_Pair (Item);
+         begin
+            Elapse (Item, 1);
+            Waits_Not_For_Ever (Spoken, On_Line, Control_Of (Item));
+         end;
       end if;
       pragma Unreferenced (Data);
    end Live_On;

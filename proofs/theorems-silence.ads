@@ -3,33 +3,28 @@
 --  A telemetry board left alone comes to rest: from whatever state, with a
 --  silent line, it is back at the start within a bounded time (LNK-9).
 
-with Telemetry;          use Telemetry;
-with Telemetry.Boards;   use Telemetry.Boards;
+with Telemetry;           use Telemetry;
+with Telemetry.Boards;    use Telemetry.Boards;
 with Telemetry.Receivers; use Telemetry.Receivers;
-with Telemetry.Senders;  use Telemetry.Senders;
+with Telemetry.Senders;   use Telemetry.Senders;
+with Telemetry.Turns;     use Telemetry.Turns;
 
 package Theorems.Silence with Pure, SPARK_Mode, Ghost is
 
-   --  The board is ready for whatever comes next: a message, a command, or
-   --  a block to send.
-   function At_Rest (Item : Board) return Boolean is
-     (Item.State = Ready
-      and then Item.Owed = None
-      and then Item.Receiver.State = At_Start);
-
    --  What is left of a wait of which some silence has passed.
-   function Rest_Of (Wait : Character_Times; Item : Board) return Positive is
+   function Rest_Of (Wait : Character_Times; Item : Control) return Positive
+   is
      (if Item.Line_Taken then Positive (Wait)
       elsif Item.Silence >= Wait then 1
       else Positive (Wait - Item.Silence))
    with Pre => Wait > 0;
 
    --  The ground idles after it has waited.
-   function Idle_After (Item : Board) return Natural is
+   function Idle_After (Item : Control) return Natural is
      (if Item.Role = Ground then Natural (Idle_Time) else 0);
 
    --  How many character times of silence the board is from rest, at most.
-   function Distance (Item : Board) return Natural is
+   function Distance (Item : Control) return Natural is
      (case Item.State is
          when Ready =>
            (if Item.Owed /= None then 1
@@ -44,7 +39,17 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
            Rest_Of (Dead_Space, Item) + Idle_After (Item),
          when Idling =>
            Rest_Of (Idle_Time, Item))
+   with
+     Pre =>
+       (if Item.State = Sending
+        then Item.Sender.Sent < Message_Length (Item.Transmit_Length));
+
+   function Distance (Item : Board) return Natural is
+     (Distance (Control_Of (Item)))
    with Pre => Is_Sound (Item);
+
+   function At_Rest (Item : Board) return Boolean is
+     (Is_At_Rest (Control_Of (Item)));
 
    --  No state is farther away than a whole message, the dead space and the
    --  idle time: 102 character times, 9.8 ms, for the longest block.
@@ -83,8 +88,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Is_Sound (Item)
-       and then Item.Role = Aircraft
-       and then not Is_Talking (Item),
+       and then Control_Of (Item).Role = Aircraft
+       and then not Is_Talking (Control_Of (Item)),
      Post   => Is_Sound (Item) and then At_Rest (Item);
 
 end Theorems.Silence;

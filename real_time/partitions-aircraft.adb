@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Real_Time;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Devices.CORE_Memory;
 with Host;                use Host;
@@ -8,10 +9,12 @@ with Host.Bench;
 with Host.Sensor_Scripts; use Host.Sensor_Scripts;
 with Partitions.Clocks;
 with Partitions.Columns;  use Partitions.Columns;
+with Partitions.Plant;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.PWM_Layout;
 with URV.Routing;
+with URVOS;               use URVOS;
 
 package body Partitions.Aircraft is
 
@@ -25,12 +28,21 @@ package body Partitions.Aircraft is
    function Servos return PWM_Buffer is
      (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
-   procedure Load (File : String) is
+   procedure Prepare (Chosen : Partitions.Options.Choices) is
+      use type Partitions.Options.Plant_Kind;
    begin
-      Load (Sensors, File);
-   end Load;
+      if Chosen.Script /= Null_Unbounded_String then
+         Load (Sensors, To_String (Chosen.Script));
+      end if;
+      if Chosen.Plant = Partitions.Options.JSBSim_Plant then
+         Plant.Start;
+      end if;
+   end Prepare;
 
-   procedure Sample (Words : out Channel_Words) is
+   --  What the bench's sensors show.
+   procedure Sample_Bench;
+
+   procedure Sample_Bench is
       Moved : Sensor_Words := Measured;
       Row   : Sensor_Words := Measured;
    begin
@@ -39,10 +51,22 @@ package body Partitions.Aircraft is
          Advance (Sensors, Row);
       end loop;
 
-      Words := (others => Neutral_Value);
       for Item in Sensor_Item loop
          Measured (Item) :=
            (if Is_Given (Sensors, Item) then Row (Item) else Moved (Item));
+      end loop;
+   end Sample_Bench;
+
+   procedure Sample (Words : out Channel_Words) is
+   begin
+      if Plant.Is_There then
+         Plant.Look (Measured);
+      else
+         Sample_Bench;
+      end if;
+
+      Words := (others => Neutral_Value);
+      for Item in Sensor_Item loop
          Words (URV.Routing.Channel_Of (Item)) := Measured (Item);
       end loop;
    end Sample;
@@ -67,6 +91,10 @@ package body Partitions.Aircraft is
          (Tally.Received, Tally.Bad, Tally.Sent, Tally.Scrapped,
           Tally.Resets));
       Append (To, Number (Servos_At));
+      To.Has_Truth := Plant.Is_There;
+      if To.Has_Truth then
+         To.Truth := Plant.Truth;
+      end if;
    end Append_Values;
 
    procedure Observe (Who : MCS.Task_Name) is
@@ -74,6 +102,7 @@ package body Partitions.Aircraft is
    begin
       if Who = MCS.PWM_Task then
          Servos_At := Clocks.Machine_Time (Ada.Real_Time.Clock);
+         Plant.Fly (Servos, Heard => MCS.Telemetry_Board.Tally.Received > 0);
       end if;
    end Observe;
 

@@ -2,15 +2,17 @@
 
 --  What is behind the aircraft's boards: surfaces that follow the servos
 --  with a lag, other sensors held, or any of them as a file says
---  (--sensors).
+--  (--sensors); or an aircraft in JSBSim (--plant jsbsim; GND-6).
 
 with MCS;
+with Partitions.Options;
 with Partitions.Rows; use Partitions.Rows;
 with URV.Buffers;     use URV.Buffers;
 
 package Partitions.Aircraft is
 
-   procedure Load (File : String);
+   --  Raises Host.Bad_Input.
+   procedure Prepare (Chosen : Partitions.Options.Choices);
 
    --  What the A/D board's channels see. Asked once for each scan: the
    --  surfaces have then moved for a major frame.

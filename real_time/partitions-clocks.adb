@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Partitions.System_Calls;
+
 package body Partitions.Clocks is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
@@ -79,6 +81,19 @@ package body Partitions.Clocks is
       Split (At_Time, Seconds, Rest);
       return Host.Microseconds (Seconds) * 1_000_000 + In_Microseconds (Rest);
    end Machine_Time;
+
+   function UTC return Octets.Number is
+      use type Octets.Number;
+
+      Now    : System_Calls.Time_Span;
+      Result : constant Integer :=
+        Integer
+          (System_Calls.Read_Clock (System_Calls.Universal_Time, Now));
+      pragma Unreferenced (Result);
+   begin
+      return Octets.Number (Now.Seconds) * 1_000_000
+        + Octets.Number (Now.Nanoseconds) / 1_000;
+   end UTC;
 
    function Tenths_Of_Microseconds
      (Span : Time_Span) return Measurements.Measure

@@ -7,6 +7,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 
 with Host;
 with Partitions.Measurements;
+with Partitions.Octets;
 with URVOS.Frames; use URVOS.Frames;
 
 package Partitions.Clocks is
@@ -41,6 +42,9 @@ package Partitions.Clocks is
 
    --  Since the machine was: what two partitions of one machine share.
    function Machine_Time (At_Time : Time) return Host.Microseconds;
+
+   --  Universal time, in us since 1970: what other programs go by, too.
+   function UTC return Octets.Number;
 
    --  For distributions; 0 when negative.
    function Tenths_Of_Microseconds

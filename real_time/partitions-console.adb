@@ -1,54 +1,140 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Real_Time;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
 with Devices.CORE_Memory;
 with GSC;
-with Host;               use Host;
-with Host.Stick_Scripts; use Host.Stick_Scripts;
+with Host.Complaints;
+with Host.Pilot;
+with Host.Stick_Scripts;     use Host.Stick_Scripts;
 with Partitions.Clocks;
-with Partitions.Columns; use Partitions.Columns;
+with Partitions.Columns;     use Partitions.Columns;
+with Partitions.Console_Port; use Partitions.Console_Port;
+with Partitions.Occurrences;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.Routing;
 
 package body Partitions.Console is
 
-   Sticks : Script;
+   Script : Host.Stick_Scripts.Script;
+
+   Has_Pilot : Boolean := False;
+
+   --  Of the flight that the pilot knows by heart, flown by him so far. Of
+   --  the converter alone.
+   Flown : Microseconds := 0;
 
    --  Read by the controller's tasks for the record, set by the converter.
    protected Present is
-      procedure Set (Words : Console_Words);
-      function Get return Console_Words;
+      procedure Set (Item : Sticks);
+      function Get return Sticks;
    private
-      Held : Console_Words := Neutral_Console;
+      Held : Sticks;
    end Present;
 
    protected body Present is
 
-      procedure Set (Words : Console_Words) is
+      procedure Set (Item : Sticks) is
       begin
-         Held := Words;
+         Held := Item;
       end Set;
 
-      function Get return Console_Words is (Held);
+      function Get return Sticks is (Held);
 
    end Present;
 
+   Helds    : Occurrences.Occurrence;
+   Neutrals : Occurrences.Occurrence;
+
+   --  Of the task that takes the record's rows.
+   In_Row : Sticks;
+
+   --  Of the environment task.
+   Told : Sticks;
+
+   --  What the script has by now.
+   procedure Follow_Script (Item : in out Sticks);
+
+   --  What the console's packets say.
+   procedure Follow_Port (Item : in out Sticks; Pilot_Wanted : out Boolean);
+
+   --  The pilot flies, or watches.
+   procedure Ask_Pilot (Item : in out Sticks; Pilot_Wanted : Boolean);
+
    procedure Load (File : String) is
    begin
-      Load (Sticks, File);
+      Load (Script, File);
    end Load;
 
-   procedure Sample (Words : out Channel_Words) is
-      Held : Console_Words := Present.Get;
+   procedure Take_Aboard (Pilot_Flight : String) is
    begin
-      while Next_Time (Sticks) <= Clocks.Elapsed loop
-         Advance (Sticks, Held);
+      if not Host.Pilot.Exists (Pilot_Flight) then
+         Complaints.Refuse
+           ("--pilot: " & Complaints.Quoted (Pilot_Flight)
+            & " is not a flight the pilot knows; there are "
+            & Host.Pilot.Names);
+      end if;
+      Host.Pilot.Start (Pilot_Flight);
+      Has_Pilot := True;
+   end Take_Aboard;
+
+   procedure Follow_Script (Item : in out Sticks) is
+   begin
+      while Next_Time (Script) <= Clocks.Elapsed loop
+         Advance (Script, Item.Words);
       end loop;
-      Present.Set (Held);
+   end Follow_Script;
+
+   procedure Follow_Port (Item : in out Sticks; Pilot_Wanted : out Boolean) is
+      Now : constant Situation := Seen (Ada.Real_Time.Clock);
+   begin
+      if Now.State /= Item.State then
+         if Now.State = Held then
+            Helds.Add (Clocks.Elapsed);
+         elsif Now.State = Neutral and then Item.State /= No_Console then
+            Neutrals.Add (Clocks.Elapsed);
+         end if;
+      end if;
+      Item.State := Now.State;
+      Item.Words := Now.Words;
+      Item.Sequence := Now.Sequence;
+      Pilot_Wanted := Now.Pilot_Flies;
+   end Follow_Port;
+
+   procedure Ask_Pilot (Item : in out Sticks; Pilot_Wanted : Boolean) is
+      Shown : constant Downlink_Buffer :=
+        URV.CORE_Layout.To_Buffer (GSC.CORE_Memory.Contents.Downlink);
+   begin
+      if Pilot_Wanted then
+         Host.Pilot.Move (Flown, Shown, Item.Words);
+         Flown := Flown + Major_Frame;
+         Item.Pilot := Flies;
+         Item.Sequence := 0;
+      else
+         Host.Pilot.Watch (Shown);
+         Item.Pilot := Hands_Off;
+      end if;
+   end Ask_Pilot;
+
+   procedure Sample (Words : out Channel_Words) is
+      Item         : Sticks  := Present.Get;
+      Pilot_Wanted : Boolean := True;
+   begin
+      if Console_Port.Is_Open then
+         Follow_Port (Item, Pilot_Wanted);
+      elsif not Has_Pilot then
+         Follow_Script (Item);
+      end if;
+      if Has_Pilot then
+         Ask_Pilot (Item, Pilot_Wanted);
+      end if;
+      Present.Set (Item);
 
       Words := (others => Neutral_Value);
-      for Item in Command_Item loop
-         Words (URV.Routing.Channel_Of (Item)) := Held (Item);
+      for Command in Command_Item loop
+         Words (URV.Routing.Channel_Of (Command)) := Item.Words (Command);
       end loop;
    end Sample;
 
@@ -64,7 +150,8 @@ package body Partitions.Console is
       Tally : constant Telemetry.Boards.Statistics :=
         GSC.Telemetry_Board.Tally;
    begin
-      Append_Console (To, Present.Get);
+      In_Row := Present.Get;
+      Append_Console (To, In_Row.Words);
       Append_Uplink (To, URV.CORE_Layout.To_Buffer (CORE.Uplink));
       Append_Downlink (To, URV.CORE_Layout.To_Buffer (CORE.Downlink));
       Append_Counts
@@ -72,5 +159,55 @@ package body Partitions.Console is
          (Tally.Sent, Tally.Scrapped, Tally.Received, Tally.Bad,
           Tally.Resets));
    end Append_Values;
+
+   function Recorded return Sticks is (In_Row);
+
+   function Times_Held return URVOS.Count is (Helds.Contents.Number);
+
+   function Times_Neutral return URVOS.Count is (Neutrals.Contents.Number);
+
+   function Next_News (Now : String) return String is
+      Item : constant Sticks := Present.Get;
+      Came : constant Boolean := Told.State /= No_Console;
+      News : Unbounded_String;
+
+      procedure Tell (What : String; Why : String := "");
+
+      procedure Tell (What : String; Why : String := "") is
+      begin
+         Append (News, (if News = "" then "" else "; "));
+         Append (News, What & " at " & Now & " s" & Why);
+      end Tell;
+
+   begin
+      if Item.State /= Told.State then
+         case Item.State is
+            when No_Console => null;
+            when Live       => Tell ("console live");
+            when Held       =>
+               Tell ("console held", ": no packet for 0.5 s");
+            when Neutral    =>
+               Tell
+                 ("console neutral",
+                  (if Came then ": no packet for 2 s"
+                   else ": no packet yet"));
+         end case;
+      end if;
+      if Item.Pilot /= Told.Pilot then
+         case Item.Pilot is
+            when No_Pilot  => null;
+            when Hands_Off => Tell ("pilot hands off");
+            when Flies     => Tell ("pilot flies");
+         end case;
+      end if;
+      Told := Item;
+      return To_String (News);
+   end Next_News;
+
+   procedure Put_Events (To : in out Host.Text_Output.Writer) is
+   begin
+      Occurrences.Write (To, Ground, "console_held", Helds.Contents);
+      Occurrences.Write (To, Ground, "console_neutral", Neutrals.Contents);
+   end Put_Events;
 
 end Partitions.Console;

@@ -1,14 +1,24 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The pilot's console: sticks and switches at rest, or as a file says
---  (--sticks).
+--  The pilot's console: sticks and switches at rest, as a file says
+--  (--sticks), as packets of another process say (--console), or as the
+--  simulated pilot moves them (--pilot; GND-3, GND-5).
 
+with Host;            use Host;
+with Host.Text_Output;
+with Partitions.Console_Port;
+with Partitions.Octets;
 with Partitions.Rows; use Partitions.Rows;
 with URV.Buffers;     use URV.Buffers;
+with URVOS;
 
 package Partitions.Console is
 
    procedure Load (File : String);
+
+   --  Who flies when no console does otherwise. Raises Host.Bad_Input when
+   --  the pilot does not know the flight.
+   procedure Take_Aboard (Pilot_Flight : String);
 
    --  What the A/D board's channels see.
    procedure Sample (Words : out Channel_Words);
@@ -16,5 +26,31 @@ package Partitions.Console is
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
+
+   type Pilot_State is (No_Pilot, Hands_Off, Flies);
+
+   --  What the converter saw last, and whose it was. Sequence is that of the
+   --  console packet, 0 when the words are of none.
+   type Sticks is record
+      Words    : Console_Words := Neutral_Console;
+      State    : Console_Port.Console_State := Console_Port.No_Console;
+      Pilot    : Pilot_State := No_Pilot;
+      Sequence : Octets.Number := 0;
+   end record;
+
+   --  Of the latest row. For who has the row taken.
+   function Recorded return Sticks;
+
+   --  How often the console fell silent.
+   function Times_Held return URVOS.Count;
+   function Times_Neutral return URVOS.Count;
+
+   --  What has become of the console and the pilot since it was last asked,
+   --  for people; nothing when all is as it was. It is now so many
+   --  seconds.
+   function Next_News (Now : String) return String;
+
+   --  Lines of --events.
+   procedure Put_Events (To : in out Host.Text_Output.Writer);
 
 end Partitions.Console;

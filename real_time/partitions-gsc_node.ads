@@ -5,6 +5,7 @@
 with GSC;
 with Partitions.Console;
 with Partitions.Nodes;
+with Partitions.Publisher;
 
 package Partitions.GSC_Node is new Partitions.Nodes
   (Tasks               => GSC.Tasks,
@@ -21,4 +22,5 @@ package Partitions.GSC_Node is new Partitions.Nodes
    TELOUT_Task         => GSC.TELOUT_Task,
    CORE_Task           => GSC.CORE_Task,
    Sample              => Partitions.Console.Sample,
-   Append_Values       => Partitions.Console.Append_Values);
+   Append_Values       => Partitions.Console.Append_Values,
+   Publish             => Partitions.Publisher.Publish);

@@ -3,6 +3,7 @@
 with Ada.Real_Time; use Ada.Real_Time;
 
 with Host.Memory_Hardware;
+with Host.Text_Numbers;
 with Partitions.Clocks; use Partitions.Clocks;
 with Partitions.Converter;
 with Partitions.Guarded_Call;
@@ -45,8 +46,12 @@ package body Partitions.Nodes is
    --  A transaction is over.
    procedure Observe_Step (Who : Tasks.Task_Name);
 
-   --  The frame's words are in CORE: a row of the record.
+   --  The frame's words are in CORE: a row of the record. A transaction so
+   --  late that it ends in a later frame may find that frame's row still to
+   --  come, or made: each frame has one.
    procedure Observe_Frame;
+
+   First_Without_Row : Host.Text_Numbers.Number := 0;
 
    --  Boards
 
@@ -149,6 +154,10 @@ package body Partitions.Nodes is
       Node.Inspect_Clock (Now);
       Node.Inspect_Overruns (Late);
       Frame := Number (Now / Ticks_Per_Major_Frame);
+      if Frame < First_Without_Row then
+         return;
+      end if;
+      First_Without_Row := Frame + 1;
       Append (Item, Frame);
       Append
         (Item,
@@ -157,6 +166,7 @@ package body Partitions.Nodes is
       Append (Item, Number (Late));
       Append (Item, Number (Machine_Time (Clock)));
       Queue.Put (Item);
+      Publish (Item);
    end Observe_Frame;
 
    procedure Observe_Tick (Late : Time_Span) is

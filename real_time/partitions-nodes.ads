@@ -53,6 +53,9 @@ generic
    with procedure Sample (Words : out Channel_Words);
    with procedure Append_Values (To : in out Row);
 
+   --  The row has been taken.
+   with procedure Publish (Item : Row) is null;
+
    --  Another transaction is over.
    with procedure Observe (Who : Tasks.Task_Name) is null;
 package Partitions.Nodes is

@@ -3,6 +3,7 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints;   use Host.Complaints;
+with Host.Pilot;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with URVOS.Frames;      use URVOS.Frames;
 
@@ -12,8 +13,16 @@ package body Partitions.Options is
 
    type Option is
      (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
-      Script_Option, Record_Option, Summary_Option, Events_Option,
+      Script_Option, Console_Option, Pilot_Option, Publish_Option,
+      Plant_Option, Record_Option, Summary_Option, Events_Option,
       Quiet_Option);
+
+   --  Some have one node only.
+   function Exists (This : Node; Which : Option) return Boolean is
+     (case Which is
+         when Console_Option .. Publish_Option => This = Ground,
+         when Plant_Option                     => This = Aircraft,
+         when others                           => True);
 
    type Option_Set is array (Option) of Boolean;
 
@@ -27,6 +36,10 @@ package body Partitions.Options is
          when Processors_Option => "--processors",
          when Script_Option     => (if This = Ground then "--sticks"
                                     else "--sensors"),
+         when Console_Option    => "--console",
+         when Pilot_Option      => "--pilot",
+         when Publish_Option    => "--publish",
+         when Plant_Option      => "--plant",
          when Record_Option     => "--record",
          when Summary_Option    => "--summary",
          when Events_Option     => "--events",
@@ -42,6 +55,12 @@ package body Partitions.Options is
      (Chosen : in out Choices;
       Which  : Option;
       Value  : String);
+
+   --  Another place to publish at.
+   procedure Add_Place (Chosen : in out Choices; Given : Unbounded_String);
+
+   --  Refuses options that do not go together.
+   procedure Check (This : Node; Given : Option_Set; Chosen : Choices);
 
    --  An option and, if it is in the same argument, its value.
    procedure Split
@@ -94,14 +113,67 @@ package body Partitions.Options is
             end if;
             Chosen.Processors := Processor_Number (Amount);
 
+         when Plant_Option =>
+            if Value = "bench" then
+               Chosen.Plant := Bench_Plant;
+            elsif Value = "jsbsim" then
+               Chosen.Plant := JSBSim_Plant;
+            else
+               Refuse
+                 ("--plant: " & Quoted (Value)
+                  & " is neither ""bench"" nor ""jsbsim""");
+            end if;
+
+         when Publish_Option => Add_Place (Chosen, Given);
          when Link_Option    => Chosen.Link := Given;
          when Script_Option  => Chosen.Script := Given;
+         when Console_Option => Chosen.Console := Given;
+         when Pilot_Option   => Chosen.Pilot := Given;
          when Record_Option  => Chosen.Outputs (Record_File) := Given;
          when Summary_Option => Chosen.Outputs (Summary_File) := Given;
          when Events_Option  => Chosen.Outputs (Events_File) := Given;
          when Quiet_Option   => Chosen.Quiet := True;
       end case;
    end Choose;
+
+   procedure Add_Place (Chosen : in out Choices; Given : Unbounded_String) is
+   begin
+      for Place of Chosen.Publish loop
+         if Place = Null_Unbounded_String then
+            Place := Given;
+            return;
+         end if;
+      end loop;
+      Refuse
+        ("--publish is given more than" & Integer'Image (Most_Places)
+         & " times");
+   end Add_Place;
+
+   procedure Check (This : Node; Given : Option_Set; Chosen : Choices) is
+
+      procedure Refuse_Both (Another : Option; Value : String := "")
+        with No_Return;
+
+      procedure Refuse_Both (Another : Option; Value : String := "") is
+      begin
+         Refuse
+           (Name (This, Script_Option) & " and " & Name (This, Another)
+            & Value & " do not go together");
+      end Refuse_Both;
+
+   begin
+      if not Given (Link_Option) then
+         Refuse ("--link is missing; ""--help"" explains it");
+      elsif not Given (Script_Option) then
+         return;
+      elsif Given (Console_Option) then
+         Refuse_Both (Console_Option);
+      elsif Given (Pilot_Option) then
+         Refuse_Both (Pilot_Option);
+      elsif Chosen.Plant = JSBSim_Plant then
+         Refuse_Both (Plant_Option, " jsbsim");
+      end if;
+   end Check;
 
    procedure Split
      (This  : Node;
@@ -114,7 +186,9 @@ package body Partitions.Options is
          Equal := Equal + 1;
       end loop;
       for Candidate in Option loop
-         if Name (This, Candidate) = Text (Text'First .. Equal - 1) then
+         if Exists (This, Candidate)
+           and then Name (This, Candidate) = Text (Text'First .. Equal - 1)
+         then
             Which := Candidate;
             return;
          end if;
@@ -144,7 +218,7 @@ package body Partitions.Options is
             end if;
 
             Split (This, Text, Which, Equal);
-            if Given (Which) then
+            if Given (Which) and then Which /= Publish_Option then
                Refuse (Name (This, Which) & " is given twice");
             end if;
             Given (Which) := True;
@@ -171,9 +245,7 @@ package body Partitions.Options is
          Index := Index + 1;
       end loop;
 
-      if not Given (Link_Option) then
-         Refuse ("--link is missing; ""--help"" explains it");
-      end if;
+      Check (This, Given, Chosen);
       return Chosen;
    end Parsed;
 
@@ -226,10 +298,30 @@ package body Partitions.Options is
       if This = Ground then
          Put_Line
            ("  --sticks FILE          the pilot's console input");
+         Put_Line
+           ("  --console udp:HOST:PORT");
+         Put_Line
+           ("                         the same from a console's packets; HOST"
+            & " is this");
+         Put_Line
+           ("                         machine's loopback");
+         Put_Line
+           ("  --pilot NAME           the simulated pilot flies while no"
+            & " console does:");
+         Put_Line
+           ("                         " & Host.Pilot.Names);
+         Put_Line
+           ("  --publish udp:HOST:PORT");
+         Put_Line
+           ("                         sends there what CORE has each frame;"
+            & " up to" & Integer'Image (Most_Places) & " times");
       else
          Put_Line
            ("  --sensors FILE         sensor words; else surfaces follow"
             & " the servos");
+         Put_Line
+           ("  --plant PLANT          bench, or jsbsim: an aircraft in"
+            & " flight; else bench");
       end if;
       Put_Line
         ("  --record FILE          a row for each major frame");
@@ -243,8 +335,11 @@ package body Partitions.Options is
       New_Line;
       Put_Line
         ("Exit status: 0 run; 1 an output cannot be written, or an internal"
-         & " fault;");
-      Put_Line ("2 a bad command line, input file or link.");
+         & " fault"
+         & (if This = Ground then ";" else ", or the"));
+      Put_Line
+        ((if This = Ground then "" else "plant has died; ")
+         & "2 a bad command line, input file or link.");
    end Print_Usage;
 
 end Partitions.Options;

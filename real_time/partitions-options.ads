@@ -16,11 +16,21 @@ package Partitions.Options is
    type Output_File is (Record_File, Summary_File, Events_File);
    type Output_Names is array (Output_File) of Unbounded_String;
 
+   --  Where the ground's frames are sent; empty after the last one.
+   Most_Places : constant := 8;
+   type Place_List is array (1 .. Most_Places) of Unbounded_String;
+
+   type Plant_Kind is (Bench_Plant, JSBSim_Plant);
+
    --  Names are empty, and Frames is 0, when they were not given.
    type Choices is record
       Help    : Boolean := False;
       Link    : Unbounded_String;
       Script  : Unbounded_String;
+      Publish : Place_List;
+      Console : Unbounded_String;
+      Pilot   : Unbounded_String;
+      Plant   : Plant_Kind := Bench_Plant;
       Outputs : Output_Names;
       Quiet   : Boolean := False;
       Frames  : URVOS.Count := 0;

@@ -12,20 +12,20 @@ package body Partitions.Peer_Watch is
    begin
       Change := Nothing_New;
       if Received /= This.Former then
-         Change := (if This.Present = Is_Heard then Nothing_New else Heard);
-         This.Present := Is_Heard;
+         Change := (if This.Now = Is_Heard then Nothing_New else Heard);
+         This.Now := Is_Heard;
          This.Former := Received;
          This.Heard_At := Frame;
-      elsif This.Present = Is_Heard
+      elsif This.Now = Is_Heard
         and then Frame > This.Heard_At + Longest_Silence
       then
          Change := Lost;
-         This.Present := Is_Lost;
+         This.Now := Is_Lost;
       end if;
    end Look;
 
    function State (This : Watch) return String is
-     (case This.Present is
+     (case This.Now is
          when Never_Heard => "never heard",
          when Is_Heard    => "heard",
          when Is_Lost     => "lost");

@@ -24,17 +24,21 @@ package Partitions.Peer_Watch is
       Frame    : Number;
       Change   : out News);
 
+   type Peer_State is (Never_Heard, Is_Heard, Is_Lost);
+
+   function Present (This : Watch) return Peer_State;
+
    --  "never heard", "heard" or "lost".
    function State (This : Watch) return String;
 
 private
 
-   type Peer_State is (Never_Heard, Is_Heard, Is_Lost);
-
    type Watch is limited record
-      Present  : Peer_State := Never_Heard;
+      Now      : Peer_State := Never_Heard;
       Former   : Count      := 0;
       Heard_At : Number     := 0;
    end record;
+
+   function Present (This : Watch) return Peer_State is (This.Now);
 
 end Partitions.Peer_Watch;

@@ -3,6 +3,7 @@
 --  The rows of the flight record on their way from the controller to the
 --  file: the controller never waits for a disk.
 
+with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Numbers;
 with URVOS; use URVOS;
 
@@ -14,9 +15,12 @@ package Partitions.Rows is
    type Column is range 0 .. Most_Columns;
    type Values is array (Column range 1 .. Most_Columns) of Number;
 
+   --  With an aircraft in JSBSim, what it really does.
    type Row is record
-      Length : Column := 0;
-      Value  : Values := (others => 0);
+      Length    : Column      := 0;
+      Value     : Values      := (others => 0);
+      Has_Truth : Boolean     := False;
+      Truth     : Shown_State := (others => 0.0);
    end record;
 
    procedure Append (To : in out Row; Value : Number)

@@ -11,7 +11,7 @@ with Host.Complaints;
 with Host.Event_Log;
 with Host.Names;
 with Host.Text_Numbers;
-with Host.Text_Output;
+with Host.Truth_Columns;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
@@ -19,7 +19,6 @@ with Partitions.Notes;
 with Partitions.Options;    use Partitions.Options;
 with Partitions.Outputs;    use Partitions.Outputs;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
-with Partitions.Reports;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
 with URVOS;
@@ -100,6 +99,13 @@ procedure Partitions.Run is
               ("peer lost at " & Seconds (Frames)
                & " s: no good message for 1 s");
       end case;
+      declare
+         News : constant String := Next_News (Seconds (Frames));
+      begin
+         if News /= "" then
+            Note (News);
+         end if;
+      end;
       if This_Node.Pauses > Told_Pauses then
          Told_Pauses := This_Node.Pauses;
          Note
@@ -110,6 +116,7 @@ procedure Partitions.Run is
 
    procedure Leave (Status : Integer) is
    begin
+      Stop;
       GNAT.OS_Lib.OS_Exit (Status);
    end Leave;
 
@@ -129,6 +136,10 @@ procedure Partitions.Run is
                end if;
                Put (Files (Record_File), Item.Value (Place));
             end loop;
+            if Item.Has_Truth then
+               Host.Truth_Columns.Put_Values
+                 (Files (Record_File), Item.Truth);
+            end if;
             New_Line (Files (Record_File));
          end if;
          exit when Last_Frame > 0 and then Frames >= Last_Frame;
@@ -209,6 +220,7 @@ procedure Partitions.Run is
       Reports.Put_Field (Result, To, "stood_still", Number (This_Node.Pauses));
       Reports.Put_Field
         (Result, To, "exceptions", Number (Exceptions.Number));
+      Put_Counts (Result, To);
       Put_Results (Result, To);
       Reports.End_Report (Result, To);
    end Write_Summary;
@@ -248,15 +260,16 @@ begin
       Leave (0);
    end if;
 
-   if Chosen.Script /= Null_Unbounded_String then
-      Load_Script (To_String (Chosen.Script));
-   end if;
+   Prepare (Chosen);
    Links.Open (To_String (Chosen.Link));
    Outputs.Open (Files, Chosen.Outputs);
    if Is_Open (Files (Record_File)) then
       Put
         (Files (Record_File),
          "frame,time_ms" & Column_Names & ",overruns,clock_us");
+      if Has_Truth then
+         Host.Truth_Columns.Put_Names (Files (Record_File));
+      end if;
       New_Line (Files (Record_File));
    end if;
 
@@ -274,10 +287,15 @@ begin
    if Is_Open (Files (Events_File)) then
       Host.Event_Log.Write
         (Files (Events_File), Host.Names.Name (This), This_Node.Log, 0);
+      Put_Events (Files (Events_File));
    end if;
    Outputs.Close (Files);
    if not Chosen.Quiet then
       Print_Summary;
+   end if;
+   if Failure /= "" then
+      Notes.Print (Failure);
+      Leave (1);
    end if;
    if Exceptions.Number > 0 then
       Notes.Print ("internal fault: " & Exceptions.First);

@@ -5,15 +5,39 @@
 --  While it runs it says on standard error when the other node is heard and
 --  when it is lost.
 --
---  Exit status: 0 run, 1 an internal fault, 2 a bad command line, input file
---  or link.
+--  Exit status: 0 run, 1 an internal fault or a dead plant, 2 a bad command
+--  line, input file or link.
 
 with Host;
+with Host.Text_Output;
 with Partitions.Nodes;
+with Partitions.Options;
+with Partitions.Reports;
 
 generic
    This : Host.Node;
    with package This_Node is new Partitions.Nodes (<>);
-   with procedure Load_Script (File : String);
+
+   --  Opens what the command line asks for. Raises Host.Bad_Input.
+   with procedure Prepare (Chosen : Options.Choices);
    with function Column_Names return String;
+
+   --  Rows have an aircraft's truth.
+   with function Has_Truth return Boolean;
+
+   --  What is new around the node, for people, or nothing. It is now so
+   --  many seconds.
+   with function Next_News (Now : String) return String;
+
+   --  For the summary and the events.
+   with procedure Put_Counts
+     (Result : in out Reports.Report;
+      To     : in out Host.Text_Output.Writer);
+   with procedure Put_Events (To : in out Host.Text_Output.Writer);
+
+   --  Why the run was no good; nothing when it was.
+   with function Failure return String;
+
+   --  The last thing.
+   with procedure Stop is null;
 procedure Partitions.Run;

@@ -14,8 +14,15 @@ package body Partitions.Sockets is
    package Addresses is new
      System.Address_To_Access_Conversions (Address_Info);
 
-   --  Refuses the link with the reason that the operating system gives.
-   procedure Refuse_Link (Places : String; What : String) with No_Return;
+   UDP_Prefix : constant String := "udp:";
+
+   --  Refuses what was asked for with the reason that the operating system
+   --  gives. Asked is the option and its value, for people.
+   procedure Refuse_Socket (Asked : String; What : String) with No_Return;
+
+   --  As people read it.
+   function Asked_For (Option, Place : String) return String is
+     (Option & ": " & Quoted (Place));
 
    --  Takes the next part of the places off.
    procedure Take_Part
@@ -30,18 +37,27 @@ package body Partitions.Sockets is
 
    --  Calls for the addresses of a host.
    procedure Look_Up
-     (Places : String;
+     (Asked  : String;
       Host   : String;
       Port   : String;
       Local  : Boolean;
       Family : int;
       Found  : out Address);
 
-   procedure Refuse_Link (Places : String; What : String) is
+   --  Where udp:HOST:PORT is.
+   procedure Look_Up_Place
+     (Option : String;
+      Place  : String;
+      Local  : Boolean;
+      Found  : out Address);
+
+   function Is_Loopback (There : Address_Info) return Boolean;
+
+   procedure Refuse_Socket (Asked : String; What : String) is
       Reason : constant String := GNAT.OS_Lib.Errno_Message;
    begin
-      Refuse ("--link: " & Quoted ("udp:" & Places) & What & ": " & Reason);
-   end Refuse_Link;
+      Refuse (Asked & What & ": " & Reason);
+   end Refuse_Socket;
 
    procedure Take_Part
      (Places : String;
@@ -77,7 +93,7 @@ package body Partitions.Sockets is
    end Is_Port;
 
    procedure Look_Up
-     (Places : String;
+     (Asked  : String;
       Host   : String;
       Port   : String;
       Local  : Boolean;
@@ -90,9 +106,7 @@ package body Partitions.Sockets is
          others => <>);
    begin
       if Get_Address (To_C (Host), To_C (Port), Hints, Found) /= 0 then
-         Refuse
-           ("--link: " & Quoted ("udp:" & Places) & ": there is no host "
-            & Quoted (Host));
+         Refuse (Asked & ": there is no host " & Quoted (Host));
       end if;
    end Look_Up;
 
@@ -105,6 +119,7 @@ package body Partitions.Sockets is
       Last  : Bounds   := (others => 0);
       Whole : Boolean  := True;
 
+      Asked : constant String := Asked_For ("--link", UDP_Prefix & Places);
       Own   : Address;
       Peer  : Address;
       Made  : File;
@@ -116,35 +131,33 @@ package body Partitions.Sockets is
          Take_Part (Places, Next, First (Which), Last (Which), Whole);
       end loop;
       if not Whole or else Next <= Places'Last + 1 then
-         Refuse
-           ("--link: " & Quoted ("udp:" & Places)
-            & " is not udp:HOST:PORT:PEER_HOST:PEER_PORT");
+         Refuse (Asked & " is not udp:HOST:PORT:PEER_HOST:PEER_PORT");
       end if;
       for Which in Part loop
          if Which in Port | Peer_Port and then not Is_Port (Text (Which)) then
             Refuse
-              ("--link: " & Quoted ("udp:" & Places) & ": "
-               & Quoted (Text (Which)) & " is not a port from 1 to 65535");
+              (Asked & ": " & Quoted (Text (Which))
+               & " is not a port from 1 to 65535");
          end if;
       end loop;
 
       Look_Up
-        (Places, Text (Peer_Host), Text (Peer_Port), False, Any_Family, Peer);
+        (Asked, Text (Peer_Host), Text (Peer_Port), False, Any_Family, Peer);
       declare
          There : Address_Info renames Addresses.To_Pointer (Peer).all;
       begin
          Look_Up
-           (Places, Text (Host), Text (Port), True, There.Family, Own);
+           (Asked, Text (Host), Text (Port), True, There.Family, Own);
          declare
             Here : Address_Info renames Addresses.To_Pointer (Own).all;
          begin
-            Made := Socket (There.Family, Datagram, 0);
+            Made := Socket (There.Family, Datagram + Close_On_Exec, 0);
             if Made = Invalid then
-               Refuse_Link (Places, " cannot be opened");
+               Refuse_Socket (Asked, " cannot be opened");
             elsif Bind (Made, Here.Where, Here.Length) /= 0 then
-               Refuse_Link (Places, " cannot be bound to its port");
+               Refuse_Socket (Asked, " cannot be bound to its port");
             elsif Connect (Made, There.Where, There.Length) /= 0 then
-               Refuse_Link (Places, " cannot reach its peer");
+               Refuse_Socket (Asked, " cannot reach its peer");
             end if;
          end;
       end;
@@ -152,5 +165,99 @@ package body Partitions.Sockets is
       Free_Address (Peer);
       return Made;
    end Opened;
+
+   procedure Look_Up_Place
+     (Option : String;
+      Place  : String;
+      Local  : Boolean;
+      Found  : out Address)
+   is
+      Asked      : constant String := Asked_For (Option, Place);
+      Next       : Positive := Place'First + UDP_Prefix'Length;
+      Host_First : Positive;
+      Port_First : Positive;
+      Host_Last  : Natural;
+      Port_Last  : Natural;
+      Whole      : Boolean :=
+        Place'Length > UDP_Prefix'Length
+        and then Place (Place'First .. Next - 1) = UDP_Prefix;
+   begin
+      if Whole then
+         Take_Part (Place, Next, Host_First, Host_Last, Whole);
+         Take_Part (Place, Next, Port_First, Port_Last, Whole);
+      end if;
+      if not Whole or else Next <= Place'Last + 1 then
+         Refuse (Asked & " is not udp:HOST:PORT");
+      elsif not Is_Port (Place (Port_First .. Port_Last)) then
+         Refuse
+           (Asked & ": " & Quoted (Place (Port_First .. Port_Last))
+            & " is not a port from 1 to 65535");
+      end if;
+      Look_Up
+        (Asked, Place (Host_First .. Host_Last),
+         Place (Port_First .. Port_Last), Local, Any_Family, Found);
+   end Look_Up_Place;
+
+   function Sender (Option, Place : String) return File is
+      Asked : constant String := Asked_For (Option, Place);
+      Found : Address;
+      Made  : File;
+   begin
+      Look_Up_Place (Option, Place, False, Found);
+      declare
+         There : Address_Info renames Addresses.To_Pointer (Found).all;
+      begin
+         Made := Socket (There.Family, Datagram + Close_On_Exec, 0);
+         if Made = Invalid then
+            Refuse_Socket (Asked, " cannot be opened");
+         elsif Connect (Made, There.Where, There.Length) /= 0 then
+            Refuse_Socket (Asked, " cannot be reached");
+         end if;
+      end;
+      Free_Address (Found);
+      return Made;
+   end Sender;
+
+   function Is_Loopback (There : Address_Info) return Boolean is
+      --  struct sockaddr_in, sockaddr_in6: family, port; of the second four
+      --  bytes of flow; the address.
+      First_4 : constant := 5;
+      First_6 : constant := 9;
+
+      Bytes : Address_Bytes (1 .. Positive (There.Length))
+        with Import, Convention => C, Address => There.Where;
+   begin
+      return
+        (There.Family = Internet_4 and then Bytes (First_4) = 127)
+        or else
+        (There.Family = Internet_6
+         and then Bytes (First_6 .. First_6 + 14)
+                  = Address_Bytes'(1 .. 15 => 0)
+         and then Bytes (First_6 + 15) = 1);
+   end Is_Loopback;
+
+   function Loopback_Receiver (Option, Place : String) return File is
+      Asked : constant String := Asked_For (Option, Place);
+      Found : Address;
+      Made  : File;
+   begin
+      Look_Up_Place (Option, Place, True, Found);
+      declare
+         Here : Address_Info renames Addresses.To_Pointer (Found).all;
+      begin
+         if not Is_Loopback (Here) then
+            Refuse
+              (Asked & " is not a loopback of this machine: 127.0.0.1, [::1]");
+         end if;
+         Made := Socket (Here.Family, Datagram + Close_On_Exec, 0);
+         if Made = Invalid then
+            Refuse_Socket (Asked, " cannot be opened");
+         elsif Bind (Made, Here.Where, Here.Length) /= 0 then
+            Refuse_Socket (Asked, " cannot be bound to its port");
+         end if;
+      end;
+      Free_Address (Found);
+      return Made;
+   end Loopback_Receiver;
 
 end Partitions.Sockets;

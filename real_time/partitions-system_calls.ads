@@ -46,6 +46,11 @@ package Partitions.System_Calls is
       Nanoseconds : long;
    end record with Convention => C;
 
+   Universal_Time : constant := 0;
+
+   function Read_Clock (Which : int; Now : out Time_Span) return int
+   with Import, Convention => C, External_Name => "clock_gettime";
+
    function Poll
      (Requests : System.Address;
       Length   : unsigned_long;
@@ -68,6 +73,7 @@ package Partitions.System_Calls is
    Any_Family      : constant := 0;
    Datagram        : constant := 2;
    To_Listen       : constant := 1;
+   Leave_There     : constant := 2;
    Dont_Wait       : constant := 16#40#;
    No_Signal       : constant := 16#4000#;
 
@@ -92,6 +98,29 @@ package Partitions.System_Calls is
 
    procedure Free_Address (Found : System.Address)
    with Import, Convention => C, External_Name => "freeaddrinfo";
+
+   --  The family, port and address that Bind and Connect take.
+   type Address_Bytes is array (Positive range <>) of unsigned_char
+   with Convention => C;
+
+   Internet_4 : constant := 2;
+   Internet_6 : constant := 10;
+
+   --  Two connected sockets of this machine.
+
+   Local_Family  : constant := 1;
+   Stream        : constant := 1;
+   Close_On_Exec : constant := 8#2_000_000#;
+
+   type File_Pair is array (1 .. 2) of File with Convention => C;
+
+   function Socket_Pair
+     (Family, Kind, Protocol : int; Made : out File_Pair) return int
+   with Import, Convention => C, External_Name => "socketpair";
+
+   --  Another number of the same file, which a new program inherits.
+   function Duplicate (This : File) return File
+   with Import, Convention => C, External_Name => "dup";
 
    function Socket (Family, Kind, Protocol : int) return File
    with Import, Convention => C, External_Name => "socket";

@@ -7,7 +7,7 @@ with System;
 with Partitions.Exceptions;
 with Partitions.Links; use Partitions.Links;
 with Telemetry;        use Telemetry;
-with Telemetry.Boards; use Telemetry.Boards;
+with Telemetry.Turns;  use Telemetry.Turns;
 
 package body Partitions.Telemetry_Processor is
 

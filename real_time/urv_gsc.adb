@@ -4,7 +4,9 @@
 
 with Host;
 with Partitions.Console;
+with Partitions.Ground_Station;
 with Partitions.GSC_Node;
+with Partitions.Publisher;
 with Partitions.Run;
 
 procedure Urv_GSC is
@@ -12,8 +14,14 @@ procedure Urv_GSC is
    procedure Run is new Partitions.Run
      (This         => Host.Ground,
       This_Node    => Partitions.GSC_Node,
-      Load_Script  => Partitions.Console.Load,
-      Column_Names => Partitions.Console.Column_Names);
+      Prepare      => Partitions.Ground_Station.Prepare,
+      Column_Names => Partitions.Console.Column_Names,
+      Has_Truth    => Partitions.Ground_Station.Has_Truth,
+      Next_News    => Partitions.Console.Next_News,
+      Put_Counts   => Partitions.Ground_Station.Put_Counts,
+      Put_Events   => Partitions.Console.Put_Events,
+      Failure      => Partitions.Ground_Station.Failure,
+      Stop         => Partitions.Publisher.Finish);
 
 begin
    Run;

@@ -5,6 +5,7 @@
 with Host;
 with Partitions.Aircraft;
 with Partitions.MCS_Node;
+with Partitions.Plant;
 with Partitions.Run;
 
 procedure Urv_MCS is
@@ -12,8 +13,14 @@ procedure Urv_MCS is
    procedure Run is new Partitions.Run
      (This         => Host.Aircraft,
       This_Node    => Partitions.MCS_Node,
-      Load_Script  => Partitions.Aircraft.Load,
-      Column_Names => Partitions.Aircraft.Column_Names);
+      Prepare      => Partitions.Aircraft.Prepare,
+      Column_Names => Partitions.Aircraft.Column_Names,
+      Has_Truth    => Partitions.Plant.Is_There,
+      Next_News    => Partitions.Plant.Next_News,
+      Put_Counts   => Partitions.Plant.Put_Counts,
+      Put_Events   => Partitions.Plant.Put_Events,
+      Failure      => Partitions.Plant.Failure,
+      Stop         => Partitions.Plant.Stop);
 
 begin
    Run;

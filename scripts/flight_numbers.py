@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The times and lengths of a flight, and the names of its words, as
-`urv_sim numbers` and `urv_sim items` print them.
+`urv_sim numbers` and `urv_sim items` print them: a script that asks here need
+not be changed with them (EVI-12).
 
     from flight_numbers import NUMBERS, SENSORS
     NUMBERS.frame_us

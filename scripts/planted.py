@@ -112,7 +112,8 @@ def faults_of(root, planted):
 
 def renew_copy(root, copy):
     """The copy has what the tree has, and keeps the times of what has not
-    changed, so that little is built anew."""
+    changed, so that little is built anew. Likely changes are tried in one,
+    too (EVI-12)."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others",
          "--exclude-standard"],

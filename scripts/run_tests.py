@@ -7,8 +7,9 @@
 
 The parts: that every source of src and proofs builds without a warning; unit
 tests in Ada, with and without their contracts executed; the tests in Python of
-the simulation and of the real-time partitions; the links of the requirements,
-the static data of each node, the proof record.
+the simulation, of the real-time partitions and of the ground station; likely
+changes, built, tested and flown in a copy; the links of the requirements, the
+static data of each node, the proof record.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same. Before the last line stand the slowest tests, the
 failed ones, and each part with its result and time (EVI-11).
@@ -98,13 +99,18 @@ def unit_tests(mode):
     return tuple(map(int, totals.groups()))
 
 
-def python_tests(project, mode, name, without=()):
-    if not build(project, mode):
+def python_tests(projects, name, without=(), at_once="auto"):
+    """Build what the tests of a folder fly, then run them: those of one file
+    one after another, those of several files at once, as many as there are
+    processors."""
+    if not all([build(project, mode) for project, mode in projects]):
         return BROKEN
     report = RESULTS / f"{name}.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
+    pytest += ["-n", at_once, "--dist", "loadfile",
+               "--no-loadscope-reorder"]
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
@@ -132,16 +138,30 @@ def python_test(case):
                 f"{place}.py::{case.get('name')}")
 
 
+SIMULATION = ("sim/urv_sim.gpr", "host")
+PARTITIONS = ("real_time/urv_real_time.gpr", "flight")
+
+
 def simulation_tests():
-    return python_tests("sim/urv_sim.gpr", "host", "simulation")
+    return python_tests([SIMULATION], "simulation")
 
 
 def quick_simulation_tests():
-    return python_tests("sim/urv_sim.gpr", "host", "simulation", SLOW)
+    return python_tests([SIMULATION], "simulation", SLOW)
 
 
 def real_time_tests():
-    return python_tests("real_time/urv_real_time.gpr", "flight", "real_time")
+    # Nobody but the partitions keeps the processors busy.
+    return python_tests([PARTITIONS], "real_time", at_once="0")
+
+
+def ground_tests():
+    return python_tests([SIMULATION, PARTITIONS], "ground", at_once="0")
+
+
+def change_tests():
+    """Each builds its own copy."""
+    return python_tests([], "changes", at_once="0")
 
 
 def one_test(*command):
@@ -178,6 +198,8 @@ PARTS = {
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
     "real time": real_time_tests,
+    "ground station": ground_tests,
+    "likely changes": change_tests,
     "links of the requirements": links,
     "static data": node_size,
     "proof record is of these sources": record_is_current,

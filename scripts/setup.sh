@@ -3,8 +3,10 @@
 
 # Installs what one target of the Makefile lacks, and nothing else (EVI-11).
 #
-#   scripts/setup.sh fly|test|check|prove|size|bench|campaign|explore|fuzz|
-#                    trace|mutate|real_time|timing|coverage|independence
+#   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
+#                    fuzz|trace|mutate|real_time|timing|coverage|independence
+#
+# With Python packages of ground/ it also makes bin/urv.
 #
 # On Debian 12 and 13 as root it installs packages; as anyone else it names the
 # command that does. Elsewhere the tools must be there: alire.toml lists them.
@@ -34,12 +36,23 @@ esac
 
 case $target in
    fly)   packages="$build python3 python3-venv"
-          requirements="sim/jsbsim/requirements.txt" ;;
+          requirements="sim/jsbsim/requirements.txt
+                        ground/report-requirements.txt" ;;
+   ground)
+          packages="$build python3 python3-venv default-jre-headless maven"
+          requirements="sim/jsbsim/requirements.txt
+                        ground/report-requirements.txt
+                        ground/requirements.txt" ;;
    test | check)
           packages="$build $aunit afl++ binutils gcc python3
                     python3-venv socat"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
-                        scripts/trace/requirements.txt" ;;
+                        scripts/trace/requirements.txt
+                        ground/report-requirements.txt
+                        ground/requirements.txt"
+          # The browser that looks at the station's page.
+          [ "$target" = check ] ||
+             packages="$packages chromium fonts-dejavu-core" ;;
    mutate)
           packages="$build $aunit binutils git python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
@@ -183,3 +196,29 @@ for list in $requirements; do
       cp "$list" "$done_list"
    fi
 done
+
+case $requirements in
+   *ground/*)
+      mkdir -p bin
+      ln -sf ../ground/urv.sh bin/urv ;;
+esac
+
+# Yamcs, with what it needs, when the list of it changed. The tests look at it
+# where there are Java and Maven; only the station itself asks for them.
+case $target in
+   ground | test)
+      jars=obj/yamcs
+      if command -v mvn >/dev/null 2>&1 && command -v java >/dev/null 2>&1 &&
+         ! cmp -s ground/yamcs/pom.xml "$jars/pom.xml"
+      then
+         echo "$target: getting Yamcs with Maven"
+         rm -rf "$jars"
+         if ! mvn -B -q -f ground/yamcs/pom.xml \
+            dependency:copy-dependencies -DoutputDirectory="$PWD/$jars/lib" \
+            >"$log" 2>&1 </dev/null
+         then
+            failed Maven "Yamcs: ground/yamcs/pom.xml"
+         fi
+         cp ground/yamcs/pom.xml "$jars/pom.xml"
+      fi ;;
+esac

@@ -22,6 +22,7 @@ import csv
 import json
 import os
 import random
+import re
 import shutil
 import socket
 import subprocess
@@ -29,6 +30,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import ada_source
 from flight_numbers import NUMBERS
 from machine_pauses import Pauses, Watchers, SHORTEST_US
 
@@ -59,12 +61,14 @@ LINK_ERRORS = {
 # each to come through.
 CHANGE_US = 213_700
 
-OFFSETS = {
-    "ad_task": 0, "telin_task": 0,
-    "mdcin_task": 1, "mdcout_task": 1, "gdcin_task": 1, "gdcout_task": 1,
-    "pwm_task": 2, "telout_task": 2, "core_task": 4, "log_task": 5,
-    "self_test_task": 6,
-}
+
+
+def offsets(node):
+    """The minor frame of each task's release, as the node's list has it."""
+    code = ada_source.code_of(
+        (ROOT / "src" / "nodes" / f"{node}.ads").read_text(encoding="utf-8"))
+    return {name.lower(): int(offset) for name, offset in re.findall(
+        r"\b(\w+) => \(Offset => (\d+)", code)}
 
 
 def ordinary_user():
@@ -299,8 +303,9 @@ def response_table(summaries):
     for node, summary in summaries.items():
         cost, response = summary["cost_us"], summary["response_us"]
         jitter = summary["release_jitter_us"]
-        for minor in sorted(set(OFFSETS[task] for task in cost)):
-            tasks = [task for task in cost if OFFSETS[task] == minor]
+        released = offsets(node)
+        for minor in sorted(set(released[task] for task in cost)):
+            tasks = [task for task in cost if released[task] == minor]
             last = response[tasks[-1]]
             row = [node, minor,
                    ", ".join(task.removesuffix("_task") for task in tasks)]

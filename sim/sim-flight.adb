@@ -7,6 +7,8 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
 with Host.Event_Log;
 with Host.Names;
+with Host.Pilot;
+with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
 with Host.Text_Output;
@@ -18,7 +20,6 @@ with Sim.JSBSim;
 with Sim.Latency;
 with Sim.Nodes;
 with Sim.Outputs;         use Sim.Outputs;
-with Sim.Pilot;
 with Sim.Progress;
 with Sim.Signals;
 with Sim.Summary;
@@ -48,8 +49,8 @@ package body Sim.Flight is
 
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
-   Truth    : JSBSim.Flight_State;
-   Shown    : JSBSim.Shown_State := (others => 0.0);
+   Truth    : Flight_State;
+   Shown    : Shown_State := (others => 0.0);
    Delays   : Latency.Collector;
 
    procedure Load_Inputs (Chosen : Choices);
@@ -98,8 +99,8 @@ package body Sim.Flight is
 
    --  From new commands for the servos to the next end of the ground's
    --  frame, when a row is written.
-   function Steps_To_Row (Chosen : Choices) return JSBSim.Step_Count is
-     (JSBSim.Step_Count
+   function Steps_To_Row (Chosen : Choices) return Step_Count is
+     (Step_Count
         ((Major_Frame - (Lag_Of (Chosen) + PWM_Offset) mod Major_Frame)
          / Tick_Time));
 

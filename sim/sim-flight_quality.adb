@@ -23,7 +23,7 @@ package body Sim.Flight_Quality is
 
    type Observations is record
       Any               : Boolean := False;
-      First, Last       : JSBSim.Flight_State;
+      First, Last       : Flight_State;
       Wanted            : Pilot.Targets;
       Altitude          : Tally;
       Airspeed          : Tally;
@@ -64,7 +64,7 @@ package body Sim.Flight_Quality is
 
    procedure Observe
      (Time   : Microseconds;
-      Truth  : JSBSim.Flight_State;
+      Truth  : Flight_State;
       Wanted : Pilot.Targets)
    is
       Too_High : constant Long_Float := Truth.Altitude - Wanted.Altitude;
@@ -98,7 +98,7 @@ package body Sim.Flight_Quality is
    end Observe;
 
    function Result return Quality is
-      Now    : JSBSim.Flight_State renames Seen.Last;
+      Now    : Flight_State renames Seen.Last;
       Wanted : Pilot.Targets renames Seen.Wanted;
    begin
       return

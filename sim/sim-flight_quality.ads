@@ -3,8 +3,8 @@
 --  How well the simulated pilot flew: what the aircraft really did against
 --  what the pilot wanted.
 
-with Sim.JSBSim;
-with Sim.Pilot;
+with Host.Pilot;
+with Host.Plant_Messages; use Host.Plant_Messages;
 with Sim.Summary;
 
 package Sim.Flight_Quality is
@@ -49,7 +49,7 @@ package Sim.Flight_Quality is
    --  and heading are those that gain and turns count from.
    procedure Observe
      (Time   : Microseconds;
-      Truth  : JSBSim.Flight_State;
+      Truth  : Flight_State;
       Wanted : Pilot.Targets);
 
    --  Of what was observed so far.

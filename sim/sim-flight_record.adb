@@ -1,11 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Characters.Handling;
-
 with Host.Names;        use Host.Names;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Host.Text_Output;  use Host.Text_Output;
-with Sim.JSBSim;        use Sim.JSBSim;
+with Host.Truth_Columns;
 
 package body Sim.Flight_Record is
 
@@ -50,15 +48,6 @@ package body Sim.Flight_Record is
    package Link_Columns is new Columns
      (Link_Item, Count, Link_Counts);
 
-   --  A hundredth of a foot or a knot, a thousandth of a degree.
-   function Decimals_Of (Item : Shown_Item) return Positive is
-     (case Item is
-         when Altitude_Ft | North_Ft | East_Ft | Airspeed_Kt => 2,
-         when Bank_Deg .. Beta_Deg                           => 3);
-
-   function Name (Item : Shown_Item) return String is
-     (Ada.Characters.Handling.To_Lower (Item'Image));
-
    --  Writes a time in milliseconds.
    procedure Put_Time (To : in out Writer; Time : Microseconds);
 
@@ -87,9 +76,7 @@ package body Sim.Flight_Record is
       Downlink_Columns.Put_Names (To, "gsc.downlink");
       Link_Columns.Put_Names (To, "link");
       if Has_Truth then
-         for Item in Shown_Item loop
-            Put (To, ",truth." & Name (Item));
-         end loop;
+         Truth_Columns.Put_Names (To);
       end if;
       New_Line (To);
    end Write_Header;
@@ -107,10 +94,7 @@ package body Sim.Flight_Record is
       Downlink_Columns.Put_Values (To, This.GSC_Downlink);
       Link_Columns.Put_Values (To, This.Link);
       if This.Has_Truth then
-         for Item in Shown_Item loop
-            Put (To, ',');
-            Put (To, This.Truth (Item), Decimals_Of (Item));
-         end loop;
+         Truth_Columns.Put_Values (To, This.Truth);
       end if;
       New_Line (To);
    end Write_Row;

@@ -3,10 +3,10 @@
 --  The flight record: one row for each major frame of the ground node,
 --  taken as that frame ends (--record).
 
+with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;
-with Sim.JSBSim;
-with URV.Buffers; use URV.Buffers;
-with URVOS;       use URVOS;
+with URV.Buffers;         use URV.Buffers;
+with URVOS;               use URVOS;
 
 package Sim.Flight_Record is
 
@@ -25,7 +25,7 @@ package Sim.Flight_Record is
 
       --  Where an aircraft flies, what it really does.
       Has_Truth    : Boolean;
-      Truth        : JSBSim.Shown_State;
+      Truth        : Shown_State;
    end record;
 
    --  Writes the line with the names of the columns.

@@ -2,8 +2,8 @@
 
 with Devices.AD_Board;
 with Telemetry;
-with Telemetry.Boards;
 with Telemetry.Senders; use Telemetry.Senders;
+with Telemetry.Turns;
 with URV.Buffers;       use URV.Buffers;
 with URVOS.Frames;      use URVOS.Frames;
 
@@ -43,8 +43,8 @@ package body Sim.Numbers is
       --  The ground answers a downlink that it has asked for.
       Put ("exchange_up_characters", Up + 2);
       Put ("exchange_down_characters", Down + 1);
-      Put ("dead_space_characters", Natural (Telemetry.Boards.Dead_Space));
-      Put ("idle_characters", Natural (Telemetry.Boards.Idle_Time));
+      Put ("dead_space_characters", Natural (Telemetry.Turns.Dead_Space));
+      Put ("idle_characters", Natural (Telemetry.Turns.Idle_Time));
       Text_Output.New_Line (To);
       Text_Output.Put_Line (To, "}");
    end Print;

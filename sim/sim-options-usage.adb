@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Host.Pilot;
+with Host.Text_Numbers;
 with Sim.Faults;
-with Sim.Pilot;
 
 package body Sim.Options.Usage is
 
@@ -49,7 +50,8 @@ package body Sim.Options.Usage is
          Put ("  --faults FILE     what goes wrong (nothing)");
          Put ("  --seed N          for random faults (1)");
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
-              & Phase_Ticks'Last'Image & " (3)");
+              & Phase_Ticks'Last'Image & " ("
+              & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
          Put ("  --processors N    of each node, 1 or 2 (1)");
          Put ("  --record FILE     flight record, CSV");
          Put ("  --summary FILE    result, JSON");
@@ -75,8 +77,9 @@ package body Sim.Options.Usage is
       procedure Put_Items is
       begin
          Put ("items prints a line for each word of the uplink, the downlink");
-         Put ("and the PWM board: name, buffer, position, unit, and what the");
-         Put ("words 0 and 4095 stand for");
+         Put ("and the PWM board: name, buffer, position, unit, what words 0");
+         Put ("and 4095 stand for, the limits of warnings and cautions, what");
+         Put ("a word is worth, and the word that stands for zero");
       end Put_Items;
 
       procedure Put_Numbers is

@@ -3,9 +3,9 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints;   use Host.Complaints;
+with Host.Pilot;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Sim.Options.Usage;
-with Sim.Pilot;
 
 package body Sim.Options is
 

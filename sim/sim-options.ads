@@ -45,7 +45,7 @@ package Sim.Options is
       Inputs  : Input_Names;
       Outputs : Output_Names;
       Seed    : Seed_Number := 1;
-      Phase   : Phase_Ticks := 3;
+      Phase   : Phase_Ticks := Usual_Phase;
       Pace    : Pace_Kind := Max;
       Quiet   : Boolean := False;
 

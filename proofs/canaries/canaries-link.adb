@@ -24,14 +24,19 @@ package body Canaries.Link with SPARK_Mode is
    end Last_Byte_Fills_The_Buffer;
 
    procedure Every_Character_Is_Data
-     (Item   : in out Sender;
+     (Item   : Sender;
       Data   : Block_Data;
-      Output : out Byte)
-   is
-   begin
-      Send_Next (Item, Data, 28, Output);
-   end Every_Character_Is_Data;
+      Output : Byte) is null;
 
    procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair) is null;
+
+   procedure Nothing_Is_Overwritten
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+   begin
+      Accept_Character (Item, Data, Parity_Error);
+   end Nothing_Is_Overwritten;
 
 end Canaries.Link;

@@ -9,6 +9,7 @@ with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Memory;    use Telemetry.Memory;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Senders;   use Telemetry.Senders;
+with Telemetry.Turns;     use Telemetry.Turns;
 with Theorems.Link;       use Theorems.Link;
 with Theorems.Silence;    use Theorems.Silence;
 with URVOS;               use URVOS;
@@ -38,8 +39,8 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Is_Sound (Item)
-       and then Item.Role = Aircraft
-       and then not Is_Talking (Item),
+       and then Control_Of (Item).Role = Aircraft
+       and then not Is_Talking (Control_Of (Item)),
      Post   =>
        Is_Sound (Item)
        and then At_Rest (Item);  --  VC_POSTCONDITION
@@ -63,18 +64,19 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
 
    --  The header comes first, and every byte of the data one place later.
    procedure Every_Character_Is_Data
-     (Item   : in out Sender;
+     (Item   : Sender;
       Data   : Block_Data;
-      Output : out Byte)
+      Output : Byte)
    with
      Global => null,
      Pre    =>
        Fits (Item, Data, Length => 28)
        and then Item.Sent <= 28
-       and then Data (1) = 16#1E#,
+       and then Data (1) = 16#1E#
+       and then Output = Next_Byte (Item, Data, Length => 28),
      Post   =>
-       Output = (if Item.Sent <= 2 then 16#1E#  --  VC_POSTCONDITION
-                 else Data (Byte_Index (Item.Sent)));
+       Output = (if Item.Sent <= 1 then 16#1E#  --  VC_POSTCONDITION
+                 else Data (Byte_Index (Item.Sent + 1)));
 
    --  Of two full buffers, one is filled anew.
    procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair)
@@ -82,5 +84,17 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    => not Pair.Slots (Pair.Newest).Busy,
      Post   => not Pair.Slots (To_Fill (Pair)).Full;  --  VC_POSTCONDITION
+
+   --  Of two blocks that are not taken, the older one gives way.
+   procedure Nothing_Is_Overwritten
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item) and then Receive_Pair (Item).Slots (First).Full,
+     Post   =>
+       Receive_Pair (Item).Slots (First).Full;  --  VC_POSTCONDITION
 
 end Canaries.Link;

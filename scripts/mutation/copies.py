@@ -11,8 +11,8 @@ import subprocess
 from fates import ROOT
 
 WORKPLACE = ROOT / "obj" / "mutation"
-COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "scripts",
-          "urv.gpr", "ravenscar.adc")
+COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "ground",
+          "scripts", "urv.gpr", "ravenscar.adc")
 
 # A mutant may have a condition that is always true. What only helps to debug
 # would cost building time.

@@ -30,12 +30,13 @@ FLYING = ["data_path", "items", "wire", "events", "latency", "determinism",
 AIRCRAFT = ["aircraft", "truth", "pilot", "flight"]
 IN_REAL_TIME = ["partition_arguments", "partition_peers", "partition_safety",
                 "partition_signals", "partition_reports", "partition_flights",
-                "partition_input"]
+                "partition_input", "partition_plant", "partition_station"]
 
 # The tests for a changed file: those of the first pattern that it matches.
 TESTS = {
     "sim/jsbsim/*": AIRCRAFT,
-    "sim/sim-pilot*": AIRCRAFT[::-1] + FLYING,
+    "host/host-pilot*": AIRCRAFT[::-1] + FLYING,
+    "host/host-plant*": AIRCRAFT + FLYING,
     "sim/sim-jsbsim*": AIRCRAFT + FLYING,
     "sim/sim-flight_quality*": AIRCRAFT[::-1] + FLYING,
     "sim/*": FLYING + AIRCRAFT,

@@ -15,7 +15,8 @@ SRC = ("src",)
 PROOFS = ("proofs",)
 PROGRAMS = ("host", "sim", "real_time")
 UNIT_TESTS = "tests/unit"
-PYTHON_TESTS = ("tests/simulation", "tests/real_time")
+PYTHON_TESTS = ("tests/simulation", "tests/real_time", "tests/ground",
+                "tests/changes")
 
 
 class Repository:

@@ -15,7 +15,8 @@ from ada_source import (  # noqa: E402
 
 # A family of requirements, and so what looks like one of their names.
 FAMILIES = ("FRM INI TST BUF KRN MBX SEM ADI AD COR TIN TOU MDI MDO GDI GDO"
-            " PWM SET LNK SIM EXT RTP EVI SAF D").split()
+            " PWM SET LNK SIM EXT RTP EVI SAF GND"
+            " D").split()
 FAMILY = "|".join(FAMILIES)
 IDENTIFIER = rf"(?<![\w-])(?:{FAMILY})-\d+\b"
 RANGE = re.compile(rf"(?<![\w-])({FAMILY})-(\d+) to \1-(\d+)\b")

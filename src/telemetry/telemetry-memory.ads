@@ -71,19 +71,15 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Pre    => Any_Full (Pair),
      Post   => Pair.Slots (Newest_Full'Result).Full;
 
-   --  What becomes of a pair.
+   --  What becomes of a pair. These functions are the code: what takes a
+   --  turn of the protocol assigns their results.
 
    --  Nobody holds a buffer any more.
    function Released (Pair : Buffer_Pair) return Buffer_Pair is
      ((Pair with delta
          Slots => (First  => (Pair.Slots (First) with delta Busy => False),
                    Second => (Pair.Slots (Second) with delta Busy => False))))
-   with
-     Ghost,
-     Global => null,
-     Post   =>
-       (if not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy
-        then Released'Result = Pair);
+   with Global => null;
 
    --  The block in one buffer is done with.
    function Emptied (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
@@ -91,22 +87,36 @@ package Telemetry.Memory with Pure, SPARK_Mode is
          Slots => (Pair.Slots with delta
            Which => (Pair.Slots (Which) with delta
              Full => False, Busy => False, Attempts => 0))))
-   with
-     Ghost,
-     Global => null;
+   with Global => null;
 
-   --  The block in one buffer was transmitted and not confirmed. After the
-   --  second time it is scrapped (LNK-6).
-   function Refused (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
-     (if Pair.Slots (Which).Attempts = Attempt_Count'Last
+   --  How the transmission of a block ended, if it has.
+   type Fate is (Open, Confirmed, Failed);
+
+   --  A block that failed twice is scrapped (LNK-6).
+   function Is_Scrapped
+     (Pair  : Buffer_Pair;
+      Which : Slot;
+      Block : Fate) return Boolean
+   is
+     (Block = Failed
+      and then Pair.Slots (Which).Attempts = Attempt_Count'Last)
+   with Global => null;
+
+   --  The block in one buffer was transmitted. If it failed once it stays,
+   --  to be tried again.
+   function Settled
+     (Pair  : Buffer_Pair;
+      Which : Slot;
+      Block : Fate) return Buffer_Pair
+   is
+     (if Block = Open then Pair
+      elsif Block = Confirmed or else Is_Scrapped (Pair, Which, Block)
       then Emptied (Pair, Which)
       else
         (Pair with delta
            Slots => (Pair.Slots with delta
              Which => (Pair.Slots (Which) with delta Busy => False))))
-   with
-     Ghost,
-     Global => null;
+   with Global => null;
 
    --  The block in one buffer is transmitted once more; the other is
    --  cleared if it is full (LNK-7).
@@ -123,7 +133,6 @@ package Telemetry.Memory with Pure, SPARK_Mode is
                 then 0
                 else Pair.Slots (Other (Which)).Attempts)))))
    with
-     Ghost,
      Global => null,
      Pre    => Pair.Slots (Which).Attempts < Attempt_Count'Last;
 
@@ -132,9 +141,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      ((Pair with delta
          Slots => (First  => (Pair.Slots (First) with delta Full => False),
                    Second => (Pair.Slots (Second) with delta Full => False))))
-   with
-     Ghost,
-     Global => null;
+   with Global => null;
 
    --  The controller has put a block into a transmit pair.
    function Filled
@@ -145,46 +152,13 @@ package Telemetry.Memory with Pure, SPARK_Mode is
        Slots  => (Pair.Slots with delta
          To_Fill (Pair) =>
            (Full => True, Busy => False, Attempts => 0, Data => Data))))
-   with
-     Ghost,
-     Global => null;
+   with Global => null;
 
-   --  The controller takes the newest block out of a receive pair; an older
-   --  one is dropped. Fresh is False, and the pair left as it is, when there
-   --  is none.
-   procedure Take
-     (Pair  : in out Buffer_Pair;
-      Data  : out Block_Data;
-      Fresh : out Boolean)
-   with
-     Global => null,
-     Post   =>
-       Fresh = Any_Full (Pair'Old)
-       and then not Any_Full (Pair)
-       and then (if Fresh
-                 then Data = Pair'Old.Slots (Newest_Full (Pair'Old)).Data
-                 else Data = (Data'Range => 0))
-
-       --  Nothing else changes.
-       and then Pair = Taken (Pair'Old);
-
-   --  The controller puts a block into a transmit pair. Overwrote tells
-   --  that it replaced one that was not transmitted yet.
-   procedure Put
-     (Pair      : in out Buffer_Pair;
-      Data      : Block_Data;
-      Overwrote : out Boolean)
-   with
-     Global => null,
-     Pre    =>
-       --  The board sends one block at a time, and only full ones.
-       (for all Which in Slot =>
-          (if Pair.Slots (Which).Busy
-           then Pair.Slots (Which).Full
-             and then not Pair.Slots (Other (Which)).Busy)),
-     Post   =>
-       Overwrote = Both_Full (Pair'Old)
-       and then not Pair'Old.Slots (Pair.Newest).Busy
-       and then Pair = Filled (Pair'Old, Data);
+   --  The block that the controller takes from a receive pair: the newest,
+   --  or zeros if there is none. An older one is dropped.
+   function Contents (Pair : Buffer_Pair) return Block_Data is
+     (if Any_Full (Pair) then Pair.Slots (Newest_Full (Pair)).Data
+      else (others => 0))
+   with Global => null;
 
 end Telemetry.Memory;

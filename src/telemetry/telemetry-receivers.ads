@@ -9,8 +9,10 @@
 --  parity error.
 --
 --  After a first byte that is no header the receiver is out of step: it can
---  not know where the next message begins, and listens to nothing until
---  someone calls Restart.
+--  not know where the next message begins, and listens to nothing until the
+--  board puts it back at the start.
+--
+--  These functions are the code: Accept_Character assigns their results.
 
 with Telemetry.Checksum;
 with Telemetry.Headers; use Telemetry.Headers;
@@ -118,9 +120,13 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                else Block_Bad),
             others => False),
          when Out_Of_Step => (others => <>))
-   with
-     Ghost,
-     Global => null;
+   with Global => null;
+
+   --  The character is a byte of the block.
+   function Is_Stored (Item : Receiver; Outcome : Event_Kind) return Boolean
+   is
+     (Item.State = In_Data and then Outcome = Nothing)
+   with Global => null;
 
    --  The receiver after a character that brought this.
    function Receiver_After
@@ -141,7 +147,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
             Sum      => Checksum.Next (Checksum.First_Value, Data),
             Damaged  => False),
          when Nothing                =>
-           (if Item.State = In_Data
+           (if Is_Stored (Item, Outcome)
             then
               (Item with delta
                  Received => Item.Received + 1,
@@ -153,48 +159,48 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
               State   => At_Start,
               Damaged => Item.Damaged or Parity_Error))
    with
-     Ghost,
      Global => null,
-     Pre    => Item.State /= In_Data
-       or else Outcome /= Nothing
-       or else Item.Received < Longest_Block;
+     Pre    =>
+       (if Is_Stored (Item, Outcome) then Item.Received < Longest_Block);
 
-   --  And its buffers. One is claimed when a message begins: it is busy, and
-   --  no longer full. It is full again only after a good one.
+   --  Its buffers after anything but a byte of the block. One is claimed
+   --  when a message begins: it is busy, and no longer full. It is full
+   --  again only after a good one.
    function Pair_After
      (Item    : Receiver;
       Pair    : Buffer_Pair;
-      Outcome : Event_Kind;
-      Data    : Byte) return Buffer_Pair
+      Outcome : Event_Kind) return Buffer_Pair
    is
      (case Outcome is
-         when Lost_Step | Command | Status => Pair,
-         when Block_Begun                  =>
+         when Nothing | Lost_Step | Command | Status => Pair,
+         when Block_Begun                            =>
            (Pair with delta
               Slots => (Pair.Slots with delta
                 To_Fill (Pair) => (Pair.Slots (To_Fill (Pair)) with delta
                   Busy => True, Full => False))),
-         when Nothing                      =>
-           (if Item.State = In_Data
-            then
-              (Pair with delta
-                 Slots => (Pair.Slots with delta
-                   Item.Target => (Pair.Slots (Item.Target) with delta
-                     Data => (Pair.Slots (Item.Target).Data with delta
-                       Item.Received + 1 => Data))))
-            else Pair),
-         when Block_Good | Block_Bad       =>
+         when Block_Good | Block_Bad                 =>
            (Newest =>
               (if Outcome = Block_Good then Item.Target else Pair.Newest),
             Slots  => (Pair.Slots with delta
               Item.Target => (Pair.Slots (Item.Target) with delta
                 Busy => False, Full => Outcome = Block_Good))))
+   with Global => null;
+
+   --  And after a byte of the block.
+   function Pair_With_Byte
+     (Item : Receiver;
+      Pair : Buffer_Pair;
+      Data : Byte) return Buffer_Pair
+   is
+     ((Pair with delta
+         Slots => (Pair.Slots with delta
+           Item.Target => (Pair.Slots (Item.Target) with delta
+             Data => (Pair.Slots (Item.Target).Data with delta
+               Item.Received + 1 => Data)))))
    with
      Ghost,
      Global => null,
-     Pre    => Item.State /= In_Data
-       or else Outcome /= Nothing
-       or else Item.Received < Longest_Block;
+     Pre    => Item.Received < Longest_Block;
 
    --  A character has come.
    procedure Accept_Character
@@ -214,39 +220,9 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
          (Item'Old, Length, Wants_Data, Data, Parity_Error)
        and then Item = Receiver_After
          (Item'Old, Pair'Old, Outcome.Kind, Data, Parity_Error)
-       and then Pair = Pair_After
-         (Item'Old, Pair'Old, Outcome.Kind, Data)
-
-       --  A buffer is full only if the checksum is that of the header and
-       --  the bytes in it (LNK-5).
-       and then
-         (if Outcome.Kind = Block_Good
-          then Data = Checksum.Of_Message
-            (Data_Header (Length), Pair.Slots (Item.Target).Data, Length))
-       and then
-         (for all Which in Slot =>
-            (if Pair.Slots (Which).Full
-               and then not Pair'Old.Slots (Which).Full
-             then Outcome.Kind = Block_Good
-               and then Which = Item.Target
-               and then Pair.Newest = Which))
-
-       --  It is no longer full when another message goes into it.
-       and then
-         (for all Which in Slot =>
-            (if Pair'Old.Slots (Which).Full
-               and then not Pair.Slots (Which).Full
-             then Outcome.Kind = Block_Begun
-               and then Which = To_Fill (Pair'Old)));
-
-   --  Gives up the message that was coming in, if any, and its buffer.
-   procedure Restart
-     (Item : in out Receiver;
-      Pair : in out Buffer_Pair)
-   with
-     Global => null,
-     Post   =>
-       Item = (Item'Old with delta State => At_Start)
-       and then Pair = Released (Pair'Old);
+       and then Pair =
+         (if Is_Stored (Item'Old, Outcome.Kind)
+          then Pair_With_Byte (Item'Old, Pair'Old, Data)
+          else Pair_After (Item'Old, Pair'Old, Outcome.Kind));
 
 end Telemetry.Receivers;

@@ -2,7 +2,7 @@
 
 --  The transmitting half of the board's software, for one block: header,
 --  data, checksum, character by character (report, appendix A.3;
---  LNK-3).
+--  LNK-3). These functions are the code: the board assigns their results.
 
 with Telemetry.Checksum;
 with Telemetry.Headers; use Telemetry.Headers;
@@ -25,23 +25,6 @@ package Telemetry.Senders with Pure, SPARK_Mode is
      (Character_Count (Length) + 2)
    with Global => null;
 
-   --  What stands at a place of the message, from 1.
-   function Message_Byte
-     (Data   : Block_Data;
-      Length : Block_Length;
-      Place  : Character_Count) return Byte
-   is
-     (if Place = 1
-      then Encode ((Headers.Data, Length))
-      elsif Place <= Character_Count (Length) + 1
-      then Data (Byte_Index (Place - 1))
-      else Checksum.Of_Message
-             (Encode ((Headers.Data, Length)), Data, Length))
-   with
-     Ghost,
-     Global => null,
-     Pre    => Place in 1 .. Message_Length (Length);
-
    --  The message is not finished, and the checksum is that of its part
    --  already sent.
    function Fits
@@ -58,8 +41,27 @@ package Telemetry.Senders with Pure, SPARK_Mode is
                  Byte_Count (Item.Sent - 1))))
    with Global => null;
 
-   --  The sender after one more character: it sums up the header and the
-   --  data as they go.
+   --  The next character of the message: its header, its data, and last the
+   --  checksum of both.
+   function Next_Byte
+     (Item   : Sender;
+      Data   : Block_Data;
+      Length : Block_Length) return Byte
+   is
+     (if Item.Sent = 0
+      then Encode ((Headers.Data, Length))
+      elsif Item.Sent <= Character_Count (Length)
+      then Data (Byte_Index (Item.Sent))
+      else Item.Sum)
+   with
+     Global => null,
+     Pre    => Fits (Item, Data, Length),
+     Post   =>
+       (if Item.Sent > Character_Count (Length)
+        then Next_Byte'Result = Checksum.Of_Message
+          (Encode ((Headers.Data, Length)), Data, Length));
+
+   --  The sender after it: it sums up the header and the data as they go.
    function Advanced
      (Item   : Sender;
       Data   : Block_Data;
@@ -69,30 +71,19 @@ package Telemetry.Senders with Pure, SPARK_Mode is
          Sent => Item.Sent + 1,
          Sum  =>
            (if Item.Sent <= Character_Count (Length)
-            then Checksum.Of_Message
-                   (Encode ((Headers.Data, Length)),
-                    Data,
-                    Byte_Count (Item.Sent))
+            then Checksum.Next
+              ((if Item.Sent = 0 then Checksum.First_Value else Item.Sum),
+               Next_Byte (Item, Data, Length))
             else Item.Sum)))
-   with
-     Ghost,
-     Global => null,
-     Pre    => Item.Sent < Message_Length (Length);
-
-   --  The next character of the message.
-   procedure Send_Next
-     (Item   : in out Sender;
-      Data   : Block_Data;
-      Length : Block_Length;
-      Output : out Byte)
    with
      Global => null,
      Pre    => Fits (Item, Data, Length),
      Post   =>
-       Item = Advanced (Item'Old, Data, Length)
-       and then Output = Message_Byte (Data, Length, Item.Sent)
-       and then
-         (if Item.Sent < Message_Length (Length)
-          then Fits (Item, Data, Length));
+       (if Item.Sent = 0
+        then Advanced'Result.Sum = Checksum.Of_Message
+          (Encode ((Headers.Data, Length)), Data, 0)
+        elsif Item.Sent <= Character_Count (Length)
+        then Advanced'Result.Sum = Checksum.Of_Message
+          (Encode ((Headers.Data, Length)), Data, Byte_Count (Item.Sent)));
 
 end Telemetry.Senders;

@@ -61,7 +61,7 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          Time_Left := Boards.Time_Left (Item);
       end Next_Character;
 
-      function Tally return Statistics is (Item.Tally);
+      function Tally return Statistics is (Boards.Tally (Item));
 
    end Shared_Board;
 

@@ -57,7 +57,8 @@ package Telemetry.Shared_Boards with SPARK_Mode is
       function Tally return Statistics;
 
    private
-      Item : Sound_Board (Role, Transmit_Length, Receive_Length);
+      Item : Sound_Board :=
+        New_Board (Role, Transmit_Length, Receive_Length);
    end Shared_Board;
 
 end Telemetry.Shared_Boards;

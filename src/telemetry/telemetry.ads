@@ -3,7 +3,7 @@
 --  The telemetry board's software (report, appendix A).
 --
 --  This package has the bytes of a block, the unit of the board's timer,
---  and who is who on the link.
+--  who is who on the link, and what a board counts.
 
 with URVOS; use URVOS;
 
@@ -32,5 +32,23 @@ package Telemetry with Pure, SPARK_Mode is
    Microseconds_Per_Character : constant := 96;
 
    type Character_Times is range 0 .. 1_000;
+
+   type Statistics is record
+      Sent      : Count := 0;   --  data messages, retries included
+      Received  : Count := 0;   --  data messages with a good checksum
+      Bad       : Count := 0;   --  data messages that came bad or cut short
+      Scrapped  : Count := 0;   --  blocks given up after two transmissions
+      Cleared   : Count := 0;   --  blocks cleared for a newer one
+      Resets    : Count := 0;   --  dead space resets
+
+      --  Blocks received that the controller had not taken when the next
+      --  one came. It never will: of two full buffers it gets the newer.
+      Not_Taken : Count := 0;
+   end record;
+
+   --  Value, one higher if something is so.
+   function Counted (Value : Count; If_So : Boolean) return Count is
+     (if If_So then Incremented (Value) else Value)
+   with Global => null;
 
 end Telemetry;

@@ -17,22 +17,24 @@ import socket
 import threading
 import time
 
+from flight_numbers import NUMBERS
+
 COMMAND = 0x4B
 GOOD, GOOD_WANTS = 0xD2, 0x2D
 BAD, BAD_WANTS = 0xCC, 0x33
 UPLINK, DOWNLINK = 0x1E, 0x87
-WORDS = {UPLINK: 14, DOWNLINK: 28}
+WORDS = {UPLINK: NUMBERS.uplink_words, DOWNLINK: NUMBERS.downlink_words}
 
 # In the last word: the others are those of an earlier scan.
 STALE = 1
 
-CHARACTER_S = 96e-6
-DEAD_SPACE_S = 20 * CHARACTER_S
-IDLE_S = 24 * CHARACTER_S
-FRAME_S = 0.020
+CHARACTER_S = NUMBERS.character_us / 1e6
+DEAD_SPACE_S = NUMBERS.dead_space_characters * CHARACTER_S
+IDLE_S = NUMBERS.idle_characters * CHARACTER_S
+FRAME_S = NUMBERS.frame_us / 1e6
 
 # A node that says nothing for so long is not there.
-PATIENCE_S = 60
+PATIENCE_S = 300
 
 
 def be_prompt():

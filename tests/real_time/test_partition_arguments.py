@@ -4,12 +4,15 @@ runs.
 """
 
 import os
+import re
 import socket
 import subprocess
 
 import pytest
 
-from conftest import PROGRAMS, free_ports, of_the_link, udp
+from conftest import (
+    PROGRAMS, ROOT, TIME_LIMIT_S, free_ports, of_the_link, udp,
+)
 
 NODES = ("mcs", "gsc")
 
@@ -17,7 +20,7 @@ NODES = ("mcs", "gsc")
 def run(node, *arguments):
     return subprocess.run(
         [PROGRAMS[node], *map(str, arguments)],
-        capture_output=True, text=True, timeout=20, check=False,
+        capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False,
     )
 
 
@@ -87,9 +90,71 @@ def test_a_bad_option_is_refused(node, options, what):
     assert_refused(run(node, *options), node, what)
 
 
-def test_each_node_has_its_own_script():
-    assert_refused(run("mcs", "--sticks", "s"), "mcs", "unknown option")
-    assert_refused(run("gsc", "--sensors", "s"), "gsc", "unknown option")
+@pytest.mark.parametrize("node, options", [
+    ("mcs", ("--sticks", "--console", "--pilot", "--publish")),
+    ("gsc", ("--sensors", "--plant")),
+])
+def test_each_node_has_options_of_its_own(node, options):
+    for option in options:
+        assert_refused(run(node, option, "s"), node, "unknown option")
+
+
+PLACE = "udp:127.0.0.1:6009"
+
+
+@pytest.mark.parametrize("node, options, what", [
+    ("gsc", ("--console", PLACE, "--sticks", "s"),
+     "--sticks and --console do not go together"),
+    ("gsc", ("--pilot", "level", "--sticks", "s"),
+     "--sticks and --pilot do not go together"),
+    ("gsc", ("--pilot", "ace"), "there are standard, level"),
+    ("gsc", ("--console", "127.0.0.1:6009"), "is not udp:HOST:PORT"),
+    ("gsc", ("--console", "udp:127.0.0.1"), "is not udp:HOST:PORT"),
+    ("gsc", ("--console", "udp:127.0.0.1:x"), "is not a port from 1"),
+    ("gsc", ("--console", PLACE + ":1"), "is not udp:HOST:PORT"),
+    ("gsc", ("--console", "udp:no-such.invalid:1"), "there is no host"),
+    ("gsc", ("--console", "udp:0.0.0.0:6009"), "is not a loopback"),
+    ("gsc", ("--console", "udp:192.0.2.1:6009"), "is not a loopback"),
+    ("gsc", ("--console", "udp:[::]:6009"), "is not a loopback"),
+    ("gsc", ("--publish", "udp:127.0.0.1:0"), "is not a port from 1"),
+    ("gsc", ("--publish", "serial:x"), "is not udp:HOST:PORT"),
+    ("gsc", ("--publish", PLACE) * 9, "more than 8 times"),
+    ("mcs", ("--plant", "brick"), 'neither "bench" nor "jsbsim"'),
+    ("mcs", ("--plant", "jsbsim", "--sensors", "s"),
+     "--sensors and --plant jsbsim do not go together"),
+])
+def test_gnd3_gnd6_what_the_station_cannot_have_is_refused(
+    node, options, what
+):
+    own, other = free_ports(2)
+    assert_refused(run(node, "--link", udp(own, other), *options), node, what)
+
+
+def test_gnd3_a_console_s_port_in_use_is_refused():
+    own, other, port = free_ports(3)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", port))
+        result = run("gsc", "--link", udp(own, other),
+                     "--console", f"udp:127.0.0.1:{port}")
+    assert_refused(result, "gsc", "--console", "in use")
+
+
+def test_gnd6_a_plant_without_a_python_is_refused(monkeypatch):
+    monkeypatch.setenv("URV_PYTHON", "/no/such/python")
+    own, other = free_ports(2)
+    assert_refused(
+        run("mcs", "--link", udp(own, other), "--plant", "jsbsim"), "mcs",
+        "--plant jsbsim: no Python at /no/such/python")
+
+
+def test_the_page_and_the_help_have_the_same_options():
+    page = (ROOT / "docs" / "real-time.md").read_text(encoding="utf-8")
+    told = set(re.findall(r"^\| `(--[a-z]+)", page, re.M))
+    helped = {node: set(re.findall(r"^  (--[a-z]+)", run(
+        node, "--help").stdout, re.M)) for node in NODES}
+    assert told == helped["gsc"] | helped["mcs"]
+    assert helped["gsc"] - helped["mcs"] == {
+        "--sticks", "--console", "--pilot", "--publish"}
 
 
 @pytest.mark.parametrize("node, option", [
@@ -164,7 +229,8 @@ def test_a_full_standard_output_is_said_in_a_line(node, arguments):
     with open("/dev/full", "w", encoding="utf-8") as full:
         result = subprocess.run(
             [PROGRAMS[node], *arguments], stdout=full,
-            stderr=subprocess.PIPE, text=True, timeout=20, check=False)
+            stderr=subprocess.PIPE, text=True, timeout=TIME_LIMIT_S,
+            check=False)
     assert result.returncode == 1
     assert result.stderr.splitlines()[-1] == (
         f"urv_{node}: standard output {NO_SPACE}")

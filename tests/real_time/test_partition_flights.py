@@ -10,6 +10,7 @@ from conftest import (
     assert_in_order, different_rows, flies_again, free_ports, in_turn, need, script,
     script_seconds, udp,
 )
+from peer import NUMBERS
 
 STICKS = different_rows(24, len(COMMANDS), 1)
 MEASURED = different_rows(24, len(SENSORS), 2)
@@ -130,20 +131,20 @@ def test_frm1_each_frame_has_its_row(start_both):
 @flies_again
 def test_rtp2_the_times_of_the_summary_are_those_of_the_record(start):
     """The record has when the servos were commanded: in each frame as long
-    after its beginning, but for what the summary calls the response. So from
-    the soonest to the median it is as far in both. A few late frames change
-    neither."""
+    after the tick in which they are, as the summary calls the response. A few
+    late frames do not change the median."""
     own, other = free_ports(2)
     mcs = start("mcs", udp(own, other), "--seconds", 5).end()
     commanded = [(row["servos_us"], row["frame"]) for row in mcs.rows]
+    tick_us = NUMBERS.servo_tick * NUMBERS.tick_us
+    on_us = mcs.summary["switched_on_us"]
     at = [
-        time - FRAME_US * frame
+        time - FRAME_US * frame - on_us - tick_us
         for (time, frame), (before, _) in zip(commanded[1:], commanded)
         if time != before
     ]
     response = mcs.summary["response_us"]["pwm_task"]
-    found = statistics.median(at) - min(at)
-    written = response["median"] - response["min"]
+    found, written = statistics.median(at), response["median"]
     need(found / 1.5 - 10 <= written <= found * 1.5 + 10, mcs)
 
     cost = mcs.summary["cost_us"]["pwm_task"]

@@ -11,18 +11,18 @@ import pytest
 from conftest import ROOT
 
 TIME_LIMIT_S = 600
-BOARDS = "src/telemetry/telemetry-boards.ads"
+TURNS = "src/telemetry/telemetry-turns.ads"
 
 # Name: file, text, what stands there instead, what the exploration says.
 CANARIES = {
     "the ground does not wait in its reset": (
-        BOARDS,
+        TURNS,
         "Idle_Time  : constant Character_Times := 24;",
         "Idle_Time  : constant Character_Times := 1;",
         "back in step: TOO LATE",
     ),
     "the aircraft waits longer than the ground ever does": (
-        BOARDS,
+        TURNS,
         "(if Item.State = Idling then Idle_Time else Dead_Space)",
         "(if Item.State = Idling then Idle_Time\n"
         "      elsif Item.Role = Aircraft then 50 else Dead_Space)",

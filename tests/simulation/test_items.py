@@ -1,21 +1,38 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`urv_sim items` and the table in docs/items.md say the same (BUF-1, BUF-2,
-PWM-2)."""
+"""`urv_sim items` and the tables in docs/items.md say the same (BUF-1, BUF-2,
+PWM-2, GND-11)."""
 
 from conftest import COMMANDS, ROOT, SENSORS, SERVOS
 
 COLUMNS = ["name", "buffer", "position", "unit", "at_0", "at_4095"]
+LIMITS = ["warning_low", "caution_low", "caution_high", "warning_high"]
+
+
+def tables():
+    """The rows of the page's tables."""
+    page = (ROOT / "docs" / "items.md").read_text(encoding="utf-8")
+    for line in page.splitlines():
+        if line.startswith("|"):
+            yield [cell.strip() for cell in line[1:].split("|")]
 
 
 def documented():
-    """The rows of the page's tables, without what a column is about."""
-    rows = []
-    page = (ROOT / "docs" / "items.md").read_text(encoding="utf-8")
-    for line in page.splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if line.startswith("|") and cells[2].isdecimal():
-            rows.append(cells[:6])
-    return rows
+    """Those of items, without what a column is about."""
+    return [cells[:6] for cells in tables()
+            if cells[1] in ("uplink", "downlink", "pwm")]
+
+
+def documented_limits():
+    """Name and unit of each item that has limits, and those."""
+    rows = iter(tables())
+    for cells in rows:
+        if cells[2:6] == LIMITS:
+            next(rows)
+            break
+    for cells in rows:
+        if cells[1] == "word":
+            return
+        yield [*cells[:2], *cells[2:6]]
 
 
 def printed(urv_sim):
@@ -26,9 +43,34 @@ def printed(urv_sim):
 
 def test_items_are_those_of_the_page(urv_sim):
     header, *rows = printed(urv_sim)
-    assert header == COLUMNS
+    assert header == [*COLUMNS, *LIMITS, "per_word", "zero_word"]
     for got, wanted in zip(rows, documented(), strict=True):
-        assert got == wanted
+        assert got[:6] == wanted
+
+
+def test_gnd11_limits_are_those_of_the_page(urv_sim):
+    limited = [[row[0], row[3], *row[6:10]] for row in printed(urv_sim)[1:]
+               if any(row[6:10])]
+    assert len(limited) > 10
+    assert limited == list(documented_limits())
+
+
+def test_gnd11_limits_of_an_item_rise_within_its_scale(urv_sim):
+    for row in printed(urv_sim)[1:]:
+        limits = [float(cell) for cell in row[6:10] if cell]
+        assert limits == sorted(set(limits)), row
+        assert all(float(row[4]) < limit < float(row[5])
+                   for limit in limits), row
+
+
+def test_gnd11_both_ways_to_write_a_scale_are_the_same_line(urv_sim):
+    scaled = [row for row in printed(urv_sim)[1:] if row[3]]
+    assert len(scaled) > 50
+    for row in scaled:
+        per_word, zero_word = float(row[10]), int(row[11])
+        for word, wanted in ((0, row[4]), (4095, row[5])):
+            value = per_word * (word - zero_word)
+            assert abs(value - float(wanted)) <= 0.5001E-4, row
 
 
 def test_items_stand_in_the_order_of_figure_4(urv_sim):

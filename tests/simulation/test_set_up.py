@@ -26,7 +26,9 @@ def set_up(tmp_path):
     (tmp_path / "scripts").mkdir()
     shutil.copy(ROOT / "scripts" / "setup.sh", tmp_path / "scripts")
     for name in ("sim/jsbsim/requirements.txt", "tests/requirements.txt",
-                 "scripts/trace/requirements.txt"):
+                 "scripts/trace/requirements.txt",
+                 "ground/report-requirements.txt",
+                 "ground/requirements.txt"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     commands = tmp_path / "commands"
@@ -71,7 +73,7 @@ def test_what_test_needs_is_enough_to_fly(set_up):
             for target in ("fly", "test", "check")}
     needed = {target: set(text.split("recommends ")[1].split())
               for target, text in told.items()}
-    assert needed["fly"] < needed["test"] == needed["check"]
+    assert needed["fly"] < needed["check"] < needed["test"]
 
 
 @on_debian

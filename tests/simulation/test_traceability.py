@@ -93,8 +93,8 @@ PLANTED = {
 def copied(tmp_path_factory):
     """A copy of what is looked at."""
     folder = tmp_path_factory.mktemp("trace")
-    for name in ("src", "proofs", "host", "sim", "real_time", "tests",
-                 "docs", "scripts"):
+    for name in ("src", "proofs", "host", "sim", "real_time", "ground",
+                 "tests", "docs", "scripts"):
         if (ROOT / name).exists():
             shutil.copytree(
                 ROOT / name, folder / name,
@@ -138,7 +138,7 @@ def test_each_file_that_is_no_test_is_needed_by_one():
         if path.stem != "urv_tests" and not path.stem.endswith("_tests"):
             assert any(re.search(rf"^with {path.stem}\b", text, re.M)
                        for text in texts), path
-    python = [path for folder in ("simulation", "real_time")
+    python = [path for folder in ("simulation", "real_time", "ground")
               for path in (ROOT / "tests" / folder).glob("*.py")]
     texts = [path.read_text(encoding="utf-8") for path in python]
     for path in python:

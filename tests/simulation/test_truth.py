@@ -6,14 +6,19 @@ import math
 import re
 
 import pytest
-from conftest import FRAME_US, fly_in
+from conftest import FRAME_MS, FRAMES_PER_S, NUMBERS, TICK_US, fly_in
 from test_flight import has_jsbsim
 
 NAMES = [f"truth.{name}" for name in (
     "altitude_ft", "airspeed_kt", "bank_deg", "pitch_deg", "heading_deg",
     "alpha_deg", "beta_deg", "north_ft", "east_ft")]
 
-FRAME_S = FRAME_US / 1e6
+FRAME_S = FRAME_MS / 1000
+TICK_MS = TICK_US / 1000
+
+# The aircraft waits a frame, and until the tick in which the servos get their
+# commands.
+WAITS_MS = FRAME_MS + NUMBERS.servo_tick * TICK_MS
 FT_S_PER_KT = 1.68781
 
 # At 1800 ft above the sea the air is thinner than calibrated airspeed takes
@@ -115,10 +120,10 @@ def test_it_begins_as_documented(flight):
 
 def test_left_is_negative_and_down_the_heading(flight):
     """In the middle of the left turn, 25 degrees of bank."""
-    turn = flight.rows[50 * 20]
+    turn = flight.rows[20 * FRAMES_PER_S]
     assert -30 < turn["truth.bank_deg"] < -15
     assert 20 < turn["truth.heading_deg"] < 80
-    assert flight.rows[50 * 50]["truth.bank_deg"] > 15
+    assert flight.rows[50 * FRAMES_PER_S]["truth.bank_deg"] > 15
 
 
 @pytest.mark.parametrize("phase", range(10))
@@ -128,7 +133,7 @@ def test_the_truth_is_that_of_the_row_s_time(tmp_path, phase):
     flight = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "2",
                     "--phase", phase)
     # The aircraft waits until the servos have had their first commands.
-    begins_ms = 2 * phase + 20 + 4
+    begins_ms = WAITS_MS + TICK_MS * phase
     speed = 70 * TRUE_OF_CALIBRATED * FT_S_PER_KT
     for row in flight.rows[10:]:
         flown_ms = row["truth.east_ft"] / speed * 1000
@@ -148,9 +153,10 @@ def test_the_time_of_a_crash_is_that_of_the_last_change(tmp_path):
     while truths[still - 1] == truths[-1]:
         still -= 1
     # Before it stands still an aircraft moves every frame.
-    assert 50 * 20 < still < 50 * 40
+    assert 20 * FRAMES_PER_S < still < 40 * FRAMES_PER_S
     assert all(a != b for a, b in zip(
-        truths[50:still], truths[51:still + 1], strict=True))
+        truths[FRAMES_PER_S:still], truths[FRAMES_PER_S + 1:still + 1],
+        strict=True))
     # The frame after the one that is the same for ever is the crash's.
     assert quality["crashed_at_s"] == \
         flight.record["time_ms"][still + 1] / 1000
@@ -177,8 +183,8 @@ def test_saf1_before_the_first_commands_it_flies_on_the_safe_words(
     flight = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "1",
                     "--phase", phase)
     # A row shows what the board holds as the ground's frame ends.
-    flies_from_ms = 20 + 4 + 2 * phase
-    commands_from_ms = flies_from_ms + (20 if phase < 4 else 0)
+    flies_from_ms = WAITS_MS + TICK_MS * phase
+    commands_from_ms = flies_from_ms + (FRAME_MS if phase < 4 else 0)
     for row in flight.rows:
         time_ms = row["time_ms"]
         safe = (row["pwm.throttle"], row["pwm.brake"]) == (0, 0xFFF)

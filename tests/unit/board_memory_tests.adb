@@ -20,6 +20,16 @@ package body Board_Memory_Tests is
 
    procedure Expect is new Expect_Value (Slot);
 
+   --  What a board does with its buffers for the controller.
+   procedure Take
+     (Item  : in out Buffer_Pair;
+      Data  : out Block_Data;
+      Fresh : out Boolean);
+   procedure Put
+     (Item      : in out Buffer_Pair;
+      Data      : Block_Data;
+      Overwrote : out Boolean);
+
    --  Something to recognise a block by.
    function Block (Mark : Byte) return Block_Data is ((others => Mark));
 
@@ -97,6 +107,27 @@ package body Board_Memory_Tests is
          end;
       end loop;
    end Where_To_Fill;
+
+   procedure Take
+     (Item  : in out Buffer_Pair;
+      Data  : out Block_Data;
+      Fresh : out Boolean)
+   is
+   begin
+      Fresh := Any_Full (Item);
+      Data := Contents (Item);
+      Item := Taken (Item);
+   end Take;
+
+   procedure Put
+     (Item      : in out Buffer_Pair;
+      Data      : Block_Data;
+      Overwrote : out Boolean)
+   is
+   begin
+      Overwrote := Both_Full (Item);
+      Item := Filled (Item, Data);
+   end Put;
 
    procedure Takes is
       Data  : Block_Data;

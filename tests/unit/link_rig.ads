@@ -27,8 +27,9 @@ package Link_Rig is
 
    type Character_Counts is array (Station) of Natural;
 
-   --  Blocks are known by a mark from 1. The last one that came out at the
-   --  other end is kept, so that none may come out that is older.
+   --  Blocks are known by a mark from 1. The last one that was given is kept,
+   --  and the last one that came out at the other end, so that none may come
+   --  out that is older.
    type Last_Marks is array (Station) of Byte;
 
    --  Who sent how many characters in a row.
@@ -45,9 +46,12 @@ package Link_Rig is
    type Trace_List is array (1 .. Longest_Trace) of Transmission;
 
    type Link is record
-      Ground_Board   : Board (Ground, Uplink_Length, Downlink_Length);
-      Aircraft_Board : Board (Aircraft, Downlink_Length, Uplink_Length);
+      Ground_Board   : Board :=
+        New_Board (Ground, Uplink_Length, Downlink_Length);
+      Aircraft_Board : Board :=
+        New_Board (Aircraft, Downlink_Length, Uplink_Length);
       Sent           : Character_Counts := (others => 0);
+      Given          : Last_Marks := (others => 0);
       Came_Out       : Last_Marks := (others => 0);
 
       --  The turns since the link was made, as many as there is room for.
@@ -55,12 +59,13 @@ package Link_Rig is
       Turns          : Natural := 0;
    end record;
 
-   --  Character times of a major frame: 20 ms at 96 us.
-   Frame : constant := 208;
+   --  Character times of the report's major frame (D-4). A frame of these
+   --  tests is as long whatever the nodes' is: a retry has room in it.
+   Frame : constant := 20_000 / Microseconds_Per_Character;
 
    --  Dead space resets of both boards.
    function Resets (Item : Link) return Count is
-     (Item.Ground_Board.Tally.Resets + Item.Aircraft_Board.Tally.Resets);
+     (Tally (Item.Ground_Board).Resets + Tally (Item.Aircraft_Board).Resets);
 
    --  Lets some character times pass.
    procedure Run
@@ -73,7 +78,8 @@ package Link_Rig is
 
    --  A station's controller takes the block that came in; Mark is 0 if
    --  there is none. The test fails if the block is not one that was given,
-   --  or older than the one before.
+   --  or older than the one before. A wrong block that the checksum lets pass
+   --  counts as the one that it was (D-7).
    procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte);
 
 end Link_Rig;

@@ -8,6 +8,7 @@ with URVOS;            use URVOS;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards; use Telemetry.Boards;
 with Telemetry.Memory; use Telemetry.Memory;
+with Telemetry.Turns;  use Telemetry.Turns;
 
 package body Link_Tests is
 
@@ -195,8 +196,8 @@ package body Link_Tests is
    begin
       Fly (Item, 2, 101, Phase => 40);
       Before := Resets (Item);
-      Up     := Item.Aircraft_Board.Messages;
-      Down   := Item.Ground_Board.Messages;
+      Up     := Control_Of (Item.Aircraft_Board).Messages;
+      Down   := Control_Of (Item.Ground_Board).Messages;
       for Number in Byte range 103 .. 105 loop
          Give (Item, Ground, Number);
          Give (Item, Aircraft, Number);
@@ -206,8 +207,12 @@ package body Link_Tests is
          Take (Item, Ground, Mark);
          Expect (What & ": block down", Mark, Number);
       end loop;
-      Expect (What & ": blocks up", Item.Aircraft_Board.Messages - Up, 3);
-      Expect (What & ": blocks down", Item.Ground_Board.Messages - Down, 3);
+      Expect
+        (What & ": blocks up",
+         Control_Of (Item.Aircraft_Board).Messages - Up, 3);
+      Expect
+        (What & ": blocks down",
+         Control_Of (Item.Ground_Board).Messages - Down, 3);
       Expect (What & ": resets", Resets (Item), Before);
    end Expect_Recovered;
 
@@ -263,10 +268,10 @@ package body Link_Tests is
             Fly (Item, Frames, 1, Phase);
             Expect
               ("phase" & Phase'Image & ", blocks up",
-               Item.Aircraft_Board.Messages, Frames);
+               Control_Of (Item.Aircraft_Board).Messages, Frames);
             Expect
               ("phase" & Phase'Image & ", less than half the blocks down",
-               Item.Ground_Board.Messages < Frames / 2, False);
+               Control_Of (Item.Ground_Board).Messages < Frames / 2, False);
             Expect ("phase" & Phase'Image & ", resets", Resets (Item), 0);
          end;
       end loop;
@@ -278,7 +283,7 @@ package body Link_Tests is
       Give (Item, Ground, 1);
       Run (Item, Up_Data);
       Expect_Number ("before the status", Item.Sent (Aircraft), 0);
-      Expect ("block received", Item.Aircraft_Board.Messages, 1);
+      Expect ("block received", Control_Of (Item.Aircraft_Board).Messages, 1);
       Run (Item, 1);
       Expect_Number ("with the status", Item.Sent (Aircraft), 1);
    end At_Once;
@@ -287,19 +292,19 @@ package body Link_Tests is
       Item : Link;
    begin
       Give (Item, Ground, 1);
-      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), True);
+      Expect ("full", Any_Full (Transmit_Pair (Item.Ground_Board)), True);
       Run (Item, Up_Data);
       Expect
-        ("full before the status", Any_Full (Item.Ground_Board.Transmit_Pair),
-         True);
+        ("full before the status",
+         Any_Full (Transmit_Pair (Item.Ground_Board)), True);
       Run (Item, 1);
       Expect
-        ("full after the status", Any_Full (Item.Ground_Board.Transmit_Pair),
+        ("full after the status", Any_Full (Transmit_Pair (Item.Ground_Board)),
          False);
       for Which in Slot loop
          Expect
            ("busy after the status",
-            Item.Ground_Board.Transmit_Pair.Slots (Which).Busy, False);
+            Transmit_Pair (Item.Ground_Board).Slots (Which).Busy, False);
       end loop;
    end Good_Status;
 
@@ -318,10 +323,10 @@ package body Link_Tests is
         (Item,
          ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
       Expect_Block (Item, Aircraft, 1);
-      Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
-      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
-      Expect ("bad", Item.Aircraft_Board.Tally.Bad, 1);
-      Expect ("received", Item.Aircraft_Board.Tally.Received, 1);
+      Expect ("sent", Tally (Item.Ground_Board).Sent, 2);
+      Expect ("scrapped", Tally (Item.Ground_Board).Scrapped, 0);
+      Expect ("bad", Tally (Item.Aircraft_Board).Bad, 1);
+      Expect ("received", Tally (Item.Aircraft_Board).Received, 1);
    end Retry;
 
    procedure No_Answer is
@@ -338,10 +343,10 @@ package body Link_Tests is
       Expect_Turns
         (Item,
          ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
-      Expect ("sent", Item.Ground_Board.Tally.Sent, 2);
-      Expect ("reset", Item.Ground_Board.Tally.Resets, 1);
-      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 0);
-      Expect ("received", Item.Aircraft_Board.Tally.Received, 2);
+      Expect ("sent", Tally (Item.Ground_Board).Sent, 2);
+      Expect ("reset", Tally (Item.Ground_Board).Resets, 1);
+      Expect ("scrapped", Tally (Item.Ground_Board).Scrapped, 0);
+      Expect ("received", Tally (Item.Aircraft_Board).Received, 2);
    end No_Answer;
 
    procedure Scrap is
@@ -361,14 +366,14 @@ package body Link_Tests is
         (Item,
          ((Ground, Up_Data), (Aircraft, 1), (Ground, Up_Data), (Aircraft, 1)));
       Expect_Block (Item, Aircraft, 0);
-      Expect ("scrapped", Item.Ground_Board.Tally.Scrapped, 1);
-      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
+      Expect ("scrapped", Tally (Item.Ground_Board).Scrapped, 1);
+      Expect ("full", Any_Full (Transmit_Pair (Item.Ground_Board)), False);
 
       --  The next block goes as if nothing had been.
       Give (Item, Ground, 2);
       Run (Item, Frame);
       Expect_Block (Item, Aircraft, 2);
-      Expect ("sent", Item.Ground_Board.Tally.Sent, 3);
+      Expect ("sent", Tally (Item.Ground_Board).Sent, 3);
    end Scrap;
 
    procedure Scrap_Downlink is
@@ -389,7 +394,7 @@ package body Link_Tests is
           (Ground, 2),       --  bad status, command again
           (Aircraft, Down_Data), (Ground, 1)));
       Expect_Block (Item, Ground, 9);
-      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 0);
+      Expect ("scrapped", Tally (Item.Aircraft_Board).Scrapped, 0);
 
       --  Now twice.
       Give (Item, Ground, 2);
@@ -398,7 +403,7 @@ package body Link_Tests is
       Last_Spoilt  := First_Spoilt + Down_Data;
       Run (Item, Frame, Spoil'Access);
       Expect_Block (Item, Ground, 0);
-      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
+      Expect ("scrapped", Tally (Item.Aircraft_Board).Scrapped, 1);
 
       Give (Item, Ground, 3);
       Give (Item, Aircraft, 11);
@@ -427,7 +432,7 @@ package body Link_Tests is
          ((Ground, Up_Data), (Aircraft, 1), (Ground, 1), (Aircraft, Down_Data),
           (Ground, 2), (Aircraft, Down_Data),
           (Ground, 1)));     --  bad status, and no command
-      Expect ("scrapped", Item.Aircraft_Board.Tally.Scrapped, 1);
+      Expect ("scrapped", Tally (Item.Aircraft_Board).Scrapped, 1);
       Expect ("resets", Resets (Item), 0);
    end Ask_Twice;
 
@@ -436,13 +441,14 @@ package body Link_Tests is
    begin
       Give (Item, Ground, 1);
       Give (Item, Ground, 2);
-      Expect ("both full", Both_Full (Item.Ground_Board.Transmit_Pair), True);
+      Expect
+        ("both full", Both_Full (Transmit_Pair (Item.Ground_Board)), True);
       Run (Item, Frame);
       Expect_Number ("characters", Item.Sent (Ground), Up_Data);
       Expect_Block (Item, Aircraft, 2);
-      Expect ("sent", Item.Ground_Board.Tally.Sent, 1);
-      Expect ("cleared", Item.Ground_Board.Tally.Cleared, 1);
-      Expect ("full", Any_Full (Item.Ground_Board.Transmit_Pair), False);
+      Expect ("sent", Tally (Item.Ground_Board).Sent, 1);
+      Expect ("cleared", Tally (Item.Ground_Board).Cleared, 1);
+      Expect ("full", Any_Full (Transmit_Pair (Item.Ground_Board)), False);
    end Two_Full;
 
    procedure Not_Taken is
@@ -456,16 +462,16 @@ package body Link_Tests is
          Run (Item, Frame);
          Expect
            ("not taken after block" & Block'Image,
-            Item.Aircraft_Board.Tally.Not_Taken, Count (Block) - 1);
+            Tally (Item.Aircraft_Board).Not_Taken, Count (Block) - 1);
       end loop;
-      Expect ("received", Item.Aircraft_Board.Tally.Received, 3);
+      Expect ("received", Tally (Item.Aircraft_Board).Received, 3);
       Take (Item, Aircraft, Mark);
       Expect ("the newest", Mark, 3);
 
       --  One that was taken in time is not counted.
       Give (Item, Ground, 4);
       Run (Item, Frame);
-      Expect ("not taken", Item.Aircraft_Board.Tally.Not_Taken, 2);
+      Expect ("not taken", Tally (Item.Aircraft_Board).Not_Taken, 2);
       Expect_Block (Item, Aircraft, 4);
    end Not_Taken;
 
@@ -477,7 +483,7 @@ package body Link_Tests is
       for Time in 1 .. Up_Data loop
          Run (Item, 1);
          Busy := 0;
-         for Each of Item.Ground_Board.Transmit_Pair.Slots loop
+         for Each of Transmit_Pair (Item.Ground_Board).Slots loop
             Busy := Busy + (if Each.Busy then 1 else 0);
          end loop;
          Expect_Number ("busy buffers at" & Time'Image, Busy, 1);
@@ -561,6 +567,7 @@ package body Link_Tests is
 
       procedure Expect_Kept (What : String; Now : Board) is
          Left      : constant Character_Times := Time_Left (Now);
+         Before    : constant Control         := Control_Of (Now);
          Then_Item : Board                    := Now;
       begin
          if Left = Character_Times'Last then
@@ -570,18 +577,23 @@ package body Link_Tests is
          end if;
 
          Expect (What & " has time left", Left > 0, True);
-         if Now.State = Idling then
+         if Before.State = Idling then
             Idle := Character_Times'Max (Idle, Left);
          else
-            Dead (Now.Role) := Character_Times'Max (Dead (Now.Role), Left);
+            Dead (Before.Role) :=
+              Character_Times'Max (Dead (Before.Role), Left);
          end if;
          Elapse (Then_Item, Left - 1);
-         Expect (What & " waits", Then_Item.State = Now.State, True);
+         Expect
+           (What & " waits", Control_Of (Then_Item).State = Before.State,
+            True);
          Expect_Number
-           (What & " has been silent", Integer (Then_Item.Silence),
-            Integer (Now.Silence + Left) - 1);
+           (What & " has been silent",
+            Integer (Control_Of (Then_Item).Silence),
+            Integer (Before.Silence + Left) - 1);
          Elapse (Then_Item, 1);
-         Expect (What & " starts afresh", Then_Item.Silence, 0);
+         Expect
+           (What & " starts afresh", Control_Of (Then_Item).Silence, 0);
       end Expect_Kept;
 
       Item : Link;
@@ -611,7 +623,9 @@ package body Link_Tests is
       for Number in Count range 1 .. 20 loop
          Give (Item, Ground, Byte (Number));
          Run (Item, Frame);
-         Expect ("messages", Item.Aircraft_Board.Messages, Number);
+         Expect
+           ("messages", Control_Of (Item.Aircraft_Board).Messages,
+            Number);
       end loop;
       Take (Item.Aircraft_Board, Data, Fresh, Ever);
       Expect ("fresh", Fresh, True);
@@ -706,10 +720,14 @@ package body Link_Tests is
                   --  A board that starts is silent for a while.
                   Elapse (Item.Aircraft_Board, Idle_Time);
                   Start (Item.Ground_Board);
-                  Expect ("messages", Item.Ground_Board.Messages, 0);
+                  Expect
+                    ("messages", Control_Of (Item.Ground_Board).Messages,
+                     0);
                else
                   Start (Item.Aircraft_Board);
-                  Expect ("messages", Item.Aircraft_Board.Messages, 0);
+                  Expect
+                    ("messages", Control_Of (Item.Aircraft_Board).Messages,
+                     0);
                end if;
                Expect_Recovered (Who'Image & " started at" & Time'Image, Item);
             end;
@@ -723,20 +741,23 @@ package body Link_Tests is
       Broken_Off : Natural := 0;
 
       procedure Clear (What : String; Item : in out Board) is
-         Before : constant Turn := Item.State;
+         Before : constant Control := Control_Of (Item);
       begin
          Clear_Transmit_Half (Item);
          Expect
-           (What & ", empty", Item.Transmit_Pair = Empty_Pair, True);
-         if Before in Sending | Awaiting_Status then
+           (What & ", empty", Transmit_Pair (Item) = Empty_Pair, True);
+         if Has_Block_Out (Before) then
             Broken_Off := Broken_Off + 1;
             Expect
               (What & ", at rest",
-               Item.State = (if Item.Role = Ground then Idling else Ready),
+               Control_Of (Item).State =
+                 (if Before.Role = Ground then Idling else Ready),
                True);
-            Expect (What & ", silence", Item.Silence, 0);
+            Expect (What & ", silence", Control_Of (Item).Silence, 0);
          else
-            Expect (What & ", as before", Item.State = Before, True);
+            Expect
+              (What & ", as before", Control_Of (Item).State = Before.State,
+               True);
          end if;
       end Clear;
    begin

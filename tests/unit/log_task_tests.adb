@@ -5,7 +5,6 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.Shared_CORE_Memory;
 with Expectations;        use Expectations;
 with Telemetry;           use Telemetry;
-with Telemetry.Boards;    use Telemetry.Boards;
 with Telemetry.Checksum;
 with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Receivers; use Telemetry.Receivers;

@@ -110,6 +110,7 @@ package body Node_Rig is
    begin
       GSC.Telemetry_Board.Next_Character (1, Up_Sent, Up, Unused_Time);
       MCS.Telemetry_Board.Next_Character (1, Down_Sent, Down, Unused_Time);
+      Silence := (if Up_Sent or Down_Sent then 0 else Silence + 1);
       if Up_Sent and not Link_Is_Cut then
          MCS.Telemetry_Board.Accept_Character (0, Up, False, Unused_Flag);
       end if;

@@ -40,6 +40,9 @@ package Node_Rig is
    --  One tick of both nodes, and what the boards and the line do in it.
    procedure Clock_Tick_Of_Both;
 
+   --  Character times since the last character on the line.
+   Silence : Natural := 0;
+
    --  Both nodes for some major frames.
    procedure Fly (Frames : Positive);
 

@@ -9,6 +9,7 @@ with MCS.Virtual_Time;
 with Node_Rig;            use Node_Rig;
 with Telemetry.Boards;
 with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
 with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
@@ -322,7 +323,12 @@ package body Nodes_Tests is
         ("no resets before",
          Logs.History_Of (Log, Link_Reset).Occurrences, 0);
 
-      --  The cut begins with frame 6 of the ground.
+      --  The cut begins with frame 6 of the ground, before its data, and
+      --  breaks nothing off: answers come at once.
+      for Number in 1 .. Ticks_Per_Major_Frame loop
+         exit when Silence > 2;
+         Clock_Tick_Of_Both;
+      end loop;
       Link_Is_Cut := True;
       Fly (4);
       Log := Log_Of (Telemetry.Aircraft);

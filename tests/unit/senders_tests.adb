@@ -22,21 +22,29 @@ package body Senders_Tests is
       Item   : Sender;
       Output : Byte;
       Sum    : Byte;
+
+      procedure Send (Length : Block_Length);
+
+      procedure Send (Length : Block_Length) is
+      begin
+         Output := Next_Byte (Item, Data, Length);
+         Item := Advanced (Item, Data, Length);
+      end Send;
    begin
       for I in Data'Range loop
          Data (I) := 3 * Byte (I) + 1;
       end loop;
       for Length of Lengths loop
          Item := (others => <>);
-         Send_Next (Item, Data, Length, Output);
+         Send (Length);
          Expect ("header", Output, Encode ((Telemetry.Headers.Data, Length)));
          Sum := Checksum.Next (Checksum.First_Value, Output);
          for I in 1 .. Length loop
-            Send_Next (Item, Data, Length, Output);
+            Send (Length);
             Expect ("byte" & I'Image, Output, Data (I));
             Sum := Checksum.Next (Sum, Output);
          end loop;
-         Send_Next (Item, Data, Length, Output);
+         Send (Length);
          Expect ("checksum", Output, Sum);
          Expect_Number
            ("characters", Integer (Item.Sent),

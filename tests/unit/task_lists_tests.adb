@@ -83,12 +83,14 @@ package body Task_Lists_Tests is
       Of_Ground ("ground");
 
       --  On one processor that is all of them, and then the end.
-      for Which in TCB_Number range 1 .. 8 loop
+      for Which in TCB_Number range 1 .. GSC.Task_List'Length loop
          Expect
            ("header" & Which'Image, GSC.Tasks.Tree_Of (1, 1, 0) (Which).Id,
             Task_Id (Which));
       end loop;
-      Expect ("end", GSC.Tasks.Tree_Of (1, 1, 0) (9).Id, No_Task);
+      Expect
+        ("end", GSC.Tasks.Tree_Of (1, 1, 0) (GSC.Task_List'Length + 1).Id,
+         No_Task);
       Expect ("none on a second", GSC.Tasks.Tree_Of (1, 2, 0) (1).Id, No_Task);
    end Trees;
 
@@ -105,10 +107,11 @@ package body Task_Lists_Tests is
       end loop;
       for Id in Task_Id loop
          Expect
-           ("is a task:" & Id'Image, MCS.Tasks.Is_Task (Id), Id in 1 .. 9);
+           ("is a task:" & Id'Image, MCS.Tasks.Is_Task (Id),
+            Id in 1 .. MCS.Task_List'Length);
          Expect
            ("is one of the ground:" & Id'Image, GSC.Tasks.Is_Task (Id),
-            Id in 1 .. 8);
+            Id in 1 .. GSC.Task_List'Length);
       end loop;
    end Numbers;
 

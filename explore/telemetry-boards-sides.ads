@@ -1,0 +1,55 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  One board with what it has on the line: every state it can be in, and
+--  where a character time leads from each.
+--
+--  The states are records of type Board, and every step is a call of its
+--  operations. As a child this package sees what a board is made of. Results
+--  are kept, so that each is called once for each state. Two boards that
+--  differ only in what can never make a difference outside (Normal) are one
+--  state; Check_Normal verifies that.
+
+with Explore; use Explore;
+
+generic
+   Role : Station;
+package Telemetry.Boards.Sides is
+
+   --  Finds every state that any input whatever can lead to: any character
+   --  at any time with or without parity error, time passing or not, blocks
+   --  put, polls, the board and its controller reset.
+   procedure Explore_Alone;
+
+   function Boards_Found return Natural;
+   function Sides_Found return Natural;
+   function Calls_Made return Natural;
+
+   function On_Line (Item : Side) return Symbol;
+
+   --  Nothing on the line or owed, and nothing waited for but the end of
+   --  the ground's idle time.
+   function Is_Quiet (Item : Side) return Boolean;
+
+   --  The last character of a data message is on the line, of one followed
+   --  if Fresh.
+   function Ends_Block (Item : Side; Fresh : Boolean) return Boolean;
+
+   --  The outcomes of a character time at whose end Heard comes in, in every
+   --  order of what happens in it: First to Last of Nth.
+   procedure Step
+     (From        : Side;
+      Heard       : Symbol;
+      Controller  : Controller_Act;
+      First, Last : out Natural)
+   with Inline;
+
+   function Nth (Index : Positive) return Outcome with Inline;
+
+   function Image (Item : Side) return String;
+
+   --  Explores the board once more with everything in it but its counts and
+   --  data nobody reads, and verifies that Normal loses nothing: same
+   --  output, and the same normal state after any operation.
+   procedure Check_Normal (States : out Natural; Is_Exact : out Boolean);
+
+end Telemetry.Boards.Sides;

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The station's log in the archive of a Yamcs, as its events (GND-30).
+
+Yamcs is another program: it may be slow, die or come later. Nobody waits for
+it here, and its absence is told.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+import aiohttp
+
+if TYPE_CHECKING:
+    from urv.controls import Controls
+    from urv.relay import Relay
+    from urv.view import Line, View
+
+INSTANCE = "urv"
+LINK = "frames"
+SEVERITY = {"info": "INFO", "caution": "WARNING", "warning": "CRITICAL"}
+WAITING = 1000
+PATIENCE = aiohttp.ClientTimeout(total=5.0)
+LOOKS_S = 1.0
+STARTS_S = 30.0
+"""Yamcs may take so long to start before its absence is an alert."""
+
+
+class Archive:
+    """Hands lines to Yamcs, in their order."""
+
+    def __init__(self, url: str) -> None:
+        self._url = url.rstrip("/")
+        self._lines: deque[Line] = deque()
+        self._dropped = 0
+
+    def take(self, line: Line) -> None:
+        """A line that Yamcs shall have, when it can."""
+        if len(self._lines) >= WAITING:
+            self._lines.popleft()
+            self._dropped += 1
+        self._lines.append(line)
+
+    async def run(self, view: View, controls: Controls,
+                  relay: Relay | None) -> None:
+        """Without end."""
+        loop = asyncio.get_running_loop()
+        began = loop.time()
+        there = False
+        async with aiohttp.ClientSession(timeout=PATIENCE) as session:
+            while True:
+                try:
+                    count = await self._count(session)
+                    while self._lines:
+                        await self._hand_over(session, self._lines[0])
+                        self._lines.popleft()
+                except (aiohttp.ClientError, TimeoutError, ValueError,
+                        KeyError):
+                    controls.archive = {"text": "no Yamcs", "lost": True}
+                    if there or loop.time() - began > STARTS_S:
+                        view.alerts.report(
+                            "archive", "caution", "ARCHIVE",
+                            "Yamcs does not answer",
+                            int(datetime.now(UTC).timestamp() * 1e6))
+                else:
+                    if not there and view.alerts.active("archive"):
+                        view.note("info", "archive", "Yamcs answers again")
+                    there = True
+                    text = f"{count} frames"
+                    for lost, what in ((self._dropped, "events"),
+                                       (relay.lost if relay else 0,
+                                        "frames")):
+                        if lost:
+                            text += f", {lost} {what} lost"
+                    controls.archive = {"text": text, "lost": False}
+                    view.alerts.away("archive", view.now(), 0.0)
+                await asyncio.sleep(LOOKS_S)
+
+    async def _count(self, session: aiohttp.ClientSession) -> int:
+        """Frames that Yamcs has taken since it started."""
+        async with session.get(
+                f"{self._url}/api/links/{INSTANCE}/{LINK}") as answer:
+            answer.raise_for_status()
+            return int((await answer.json()).get("dataInCount", 0))
+
+    async def _hand_over(self, session: aiohttp.ClientSession,
+                         line: Line) -> None:
+        at = datetime.fromtimestamp(line.time_us / 1e6, UTC)
+        async with session.post(
+                f"{self._url}/api/archive/{INSTANCE}/events",
+                json={"source": "station", "type": line.kind,
+                      "message": line.text,
+                      "severity": SEVERITY[line.level],
+                      "sequenceNumber": line.number,
+                      "time": at.isoformat().replace("+00:00", "Z")},
+        ) as answer:
+            if answer.status >= 500:
+                answer.raise_for_status()

@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The display of a flight for Yamcs: attitude, air data, surfaces, engine and
+electrical, link health (GND-32).
+
+An .opi file, which Yamcs's pages show. Units, ranges and limits are those of
+urv.items; what Yamcs finds out of date or beyond a limit it frames itself.
+"""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+from urv import items, packets
+
+BACK, TEXT, DIM = (18, 23, 28), (242, 245, 247), (163, 175, 186)
+AMBER, RED, WHITE = (255, 176, 0), (255, 116, 104), (242, 245, 247)
+TRACK = (39, 48, 58)
+WIDTH, HEIGHT = 1240, 700
+WIDGETS = "org.csstudio.opibuilder.widgets."
+KINDS = {"Label": "Label", "Rectangle": "Rectangle", "gauge": "Gauge",
+         "TextUpdate": "Text Update", "progressbar": "Progress Bar"}
+SURFACES = ("left_flap_2", "left_flap_1", "left_aileron", "left_elevator",
+            "left_rudder", "right_rudder", "right_elevator", "right_aileron",
+            "right_flap_1", "right_flap_2")
+# What an instrument shows is what flies, not what a word can hold.
+RANGES = {"airspeed": (0, 130), "altitude": (0, 2000), "rpm": (0, 8000),
+          "battery_volts": (16, 34), "alternator_volts": (16, 34),
+          "roll_attitude": (-90, 90), "pitch_attitude": (-45, 45)}
+
+
+def flight() -> str:
+    """The text of the file."""
+    display = _Display()
+    display.box(8, 8, 300, 684, "Link health")
+    rows = [("link", "/URV/link_state"), ("console", "/URV/console_state"),
+            ("pilot", "/URV/pilot"),
+            ("age of downlink, frames", "/URV/downlink_age"),
+            ("frame", "/URV/sequence")]
+    rows += [(name.replace("_", " "), f"/URV/link/{name}")
+             for name in packets.LINK_COUNTS]
+    for row, (label, name) in enumerate(rows):
+        display.row(20, 44 + 36 * row, 276, label, name)
+    signal = "uplink_signal_strength"
+    display.row(20, 44 + 36 * len(rows), 276, "signal", down(signal), signal)
+
+    display.box(316, 8, 450, 330, "Attitude")
+    display.gauge(326, 40, 210, "roll_attitude", "roll")
+    display.gauge(546, 40, 210, "pitch_attitude", "pitch")
+    for at, name in enumerate(("roll_rate", "pitch_rate", "yaw_rate")):
+        display.row(326 + 145 * (at % 3), 292, 140,
+                    name.replace("_", " "), down(name), name, 74)
+
+    display.box(774, 8, 458, 330, "Air data")
+    display.gauge(784, 40, 210, "airspeed", "airspeed")
+    display.gauge(1014, 40, 210, "altitude", "altitude")
+    for at, name in enumerate(("alpha", "beta", "vertical_acceleration")):
+        label = {"vertical_acceleration": "load"}.get(name, name)
+        display.row(784 + 148 * (at % 3), 292, 142, label, down(name), name,
+                    50)
+
+    display.box(316, 346, 450, 346, "Engine and electrical")
+    for at, name in enumerate(("rpm", "battery_volts", "alternator_volts")):
+        display.gauge(326 + 147 * at, 378, 132, name,
+                      name.replace("_volts", ""))
+    for at, name in enumerate(("throttle", "brake")):
+        item = items.COLUMNS[f"gsc.uplink.{name}"]
+        y = 574 + 36 * at
+        display.label(326, y, 80, 28, f"{name} up")
+        display.bar(416, y, 220, 28, f"/URV/gsc/uplink/{name}",
+                    0, item.at_4095)
+        display.value(640, y, 116, 28, f"/URV/gsc/uplink/{name}", 0)
+    display.row(326, 648, 430, "field", down("altitude_offset"),
+                "altitude_offset", 80)
+
+    display.box(774, 346, 458, 346, "Surfaces")
+    for at, name in enumerate(SURFACES):
+        item = items.COLUMNS[f"gsc.downlink.{name}"]
+        y = 376 + 31 * at
+        most = max(-item.at_0, item.at_4095)
+        display.label(784, y, 116, 26, name.replace("_", " "))
+        display.bar(900, y, 220, 26, down(name), -most, most, marker=True)
+        display.value(1128, y, 98, 26, down(name), 1)
+    return display.text()
+
+
+def down(name: str) -> str:
+    """The parameter of a word of the downlink."""
+    return f"/URV/gsc/downlink/{name}"
+
+
+class _Display:
+    def __init__(self) -> None:
+        self.root = ElementTree.Element(
+            "display", typeId="org.csstudio.opibuilder.Display",
+            version="1.0.0")
+        self._set(self.root, name="Flight", widget_type="Display",
+                  width=WIDTH, height=HEIGHT, x=0, y=0,
+                  auto_zoom_to_fit_all="true", show_grid="false",
+                  show_ruler="false")
+        self._common(self.root)
+        self._colour(self.root, "background_color", BACK)
+        self._colour(self.root, "foreground_color", TEXT)
+
+    def text(self) -> str:
+        ElementTree.indent(self.root)
+        return ('<?xml version="1.0" encoding="UTF-8"?>\n'
+                + ElementTree.tostring(self.root, encoding="unicode") + "\n")
+
+    def box(self, x: int, y: int, width: int, height: int,
+            title: str) -> None:
+        widget = self._widget("Rectangle", x, y, width, height, title)
+        self._set(widget, line_width=1, line_style=0, transparent="false",
+                  fill_level=0, horizontal_fill="true", gradient="false")
+        self._colour(widget, "background_color", BACK)
+        for name in ("line_color", "bg_gradient_color", "fg_gradient_color"):
+            self._colour(widget, name, (70, 82, 94))
+        self.label(x + 10, y + 4, width - 20, 28, title, 14, bold=True)
+
+    def label(self, x: int, y: int, width: int, height: int, text: str,
+              size: int = 10, bold: bool = False) -> None:
+        widget = self._widget("Label", x, y, width, height, text)
+        self._set(widget, text=text, transparent="true",
+                  horizontal_alignment=0, vertical_alignment=1,
+                  auto_size="false", wrap_words="false")
+        self._font(widget, size, bold)
+        self._colour(widget, "foreground_color", TEXT if bold else DIM)
+
+    def row(self, x: int, y: int, width: int, label: str, name: str,
+            item: str | None = None, labelled: int = 180) -> None:
+        self.label(x, y, labelled, 28, label)
+        places = (items.COLUMNS[f"gsc.downlink.{item}"].decimals
+                  if item else 0)
+        self.value(x + labelled, y, width - labelled, 28, name,
+                   min(places, 2))
+
+    def value(self, x: int, y: int, width: int, height: int, name: str,
+              places: int) -> None:
+        widget = self._widget("TextUpdate", x, y, width, height, name)
+        self._set(widget, pv_name=name, text="--", precision=places,
+                  precision_from_pv="false", show_units="true",
+                  format_type=1 if places else 0, horizontal_alignment=2,
+                  vertical_alignment=1, transparent="false",
+                  border_alarm_sensitive="true",
+                  forecolor_alarm_sensitive="true", wrap_words="false",
+                  auto_size="false")
+        self._font(widget, 10, True)
+        self._colour(widget, "foreground_color", TEXT)
+        self._colour(widget, "background_color", BACK)
+
+    def gauge(self, x: int, y: int, size: int, item: str,
+              label: str) -> None:
+        low, high = RANGES[item]
+        name = down(item)
+        widget = self._widget("gauge", x, y, size, size, name)
+        self._set(widget, pv_name=name, minimum=low, maximum=high,
+                  limits_from_pv="false", show_scale="true",
+                  show_minor_ticks="false", major_tick_step_hint=50,
+                  show_value_label="false", effect_3d="false",
+                  transparent_background="true", ramp_gradient="false",
+                  border_alarm_sensitive="true", log_scale="false",
+                  value_label_format="")
+        limits = items.COLUMNS[f"gsc.downlink.{item}"].limits
+        markers = False
+        for level, limit, colour in (
+                ("lolo", "warning_low", RED), ("lo", "caution_low", AMBER),
+                ("hi", "caution_high", AMBER), ("hihi", "warning_high", RED)):
+            there = limit in limits and low < limits[limit] < high
+            markers = markers or there
+            self._set(widget, **{f"show_{level}": str(there).lower(),
+                                 f"level_{level}": limits.get(limit, low)})
+            self._colour(widget, f"color_{level}", colour)
+        self._set(widget, show_markers=str(markers).lower())
+        self._colour(widget, "needle_color", WHITE)
+        self._colour(widget, "foreground_color", TEXT)
+        self._colour(widget, "background_color", TRACK)
+        self._font(widget, 8, False)
+        places = min(items.COLUMNS[f"gsc.downlink.{item}"].decimals, 2)
+        # A small one has its value below its name.
+        wide = size > 150
+        self.label(x + 2, y + size + 6 * wide, 84, 28, label)
+        self.value(x + (size - 110) * wide, y + size + (6 if wide else 28),
+                   108 if wide else size, 28, name, places)
+
+    def bar(self, x: int, y: int, width: int, height: int, name: str,
+            low: float, high: float, marker: bool = False) -> None:
+        widget = self._widget("progressbar", x, y, width, height, name)
+        self._set(widget, pv_name=name, minimum=low, maximum=high,
+                  limits_from_pv="false", show_scale="false",
+                  show_label="false", show_markers="false", effect_3d="false",
+                  horizontal="true", origin=0, origin_ignored="false",
+                  indicator_mode=str(marker).lower(), border_alarm_sensitive="true",
+                  log_scale="false", transparent_background="true",
+                  show_minor_ticks="false", major_tick_step_hint=50,
+                  scale_format="", value_label_format="")
+        for level in ("lolo", "lo", "hi", "hihi"):
+            self._set(widget, **{f"show_{level}": "false",
+                                 f"level_{level}": low})
+            self._colour(widget, f"color_{level}", AMBER)
+        self._colour(widget, "fill_color", WHITE)
+        self._font(widget, 8, False, "scale_font")
+        self._colour(widget, "color_fillbackground", TRACK)
+        self._colour(widget, "foreground_color", TEXT)
+        self._colour(widget, "background_color", BACK)
+        self._font(widget, 8, False)
+
+    def _widget(self, kind: str, x: int, y: int, width: int, height: int,
+                name: str) -> ElementTree.Element:
+        widget = ElementTree.SubElement(
+            self.root, "widget", typeId=WIDGETS + kind, version="1.0.0")
+        self._set(widget, widget_type=KINDS[kind], name=name, x=x, y=y, width=width,
+                  height=height, visible="true", enabled="true", tooltip="",
+                  wuid=f"urv:{len(self.root)}", border_style=0,
+                  border_width=1)
+        self._colour(widget, "border_color", DIM)
+        self._common(widget)
+        scales = ElementTree.SubElement(widget, "scale_options")
+        self._set(scales, width_scalable="true", height_scalable="true",
+                  keep_wh_ratio="false")
+        return widget
+
+    @staticmethod
+    def _common(element: ElementTree.Element) -> None:
+        """What the pages of Yamcs want to be there, though empty."""
+        for name in ("scripts", "rules"):
+            ElementTree.SubElement(element, name)
+        ElementTree.SubElement(element, "actions", hook="false",
+                               hook_all="false")
+        macros = ElementTree.SubElement(element, "macros")
+        ElementTree.SubElement(macros, "include_parent_macros").text = "true"
+
+    @staticmethod
+    def _set(element: ElementTree.Element, **values: object) -> None:
+        for name, value in values.items():
+            ElementTree.SubElement(element, name).text = str(value)
+
+    @staticmethod
+    def _colour(element: ElementTree.Element, name: str,
+                colour: tuple[int, int, int]) -> None:
+        red, green, blue = map(str, colour)
+        ElementTree.SubElement(
+            ElementTree.SubElement(element, name), "color",
+            red=red, green=green, blue=blue)
+
+    @staticmethod
+    def _font(element: ElementTree.Element, size: int, bold: bool,
+              name: str = "font") -> None:
+        ElementTree.SubElement(
+            ElementTree.SubElement(element, name), "opifont.name",
+            fontName="Liberation Sans", height=str(size),
+            style="1" if bold else "0").text = "URV"

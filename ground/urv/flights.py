@@ -1,0 +1,363 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A flight in memory, in engineering units, with its gaps (GND-14).
+
+Words of the downlink are those of the ground's CORE, or of the aircraft's in
+the aircraft's own record. While they are stale, and before the first ones
+came, there are none: `values` has NaN there.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy
+
+from urv import faults, items, packets, records
+
+
+STICKS = ("roll", "pitch", "yaw", "throttle", "brake")
+SERVOS = ("left_aileron", "left_elevator", "left_rudder", "throttle", "brake")
+
+LONGEST_LATENCY_FRAMES = 25
+
+SAME_EXCEEDANCE_S = 0.5
+"""What is out of limits again so soon has not been within them."""
+
+CLOSE_S = 2.0
+"""What happened so close to something happened around it."""
+
+FEET_PER_NAUTICAL_MILE = 6076.12
+
+
+@dataclass(frozen=True)
+class Span:
+    """From the first to the last row of something, in seconds."""
+
+    begin: float
+    end: float
+
+    @property
+    def seconds(self):
+        return self.end - self.begin
+
+    def is_close_to(self, other):
+        return (self.begin - CLOSE_S <= other.end
+                and other.begin <= self.end + CLOSE_S)
+
+
+@dataclass(frozen=True)
+class Exceedance:
+    """An item beyond a limit for a while."""
+
+    item: items.Item
+    level: str
+    span: Span
+    worst: float
+    at: float
+
+    @property
+    def limit(self):
+        """The one that the worst value is beyond."""
+        side = "high" if self.worst > (
+            getattr(self.item, f"{self.level}_high")
+            if getattr(self.item, f"{self.level}_high") is not None
+            else float("inf")) else "low"
+        return getattr(self.item, f"{self.level}_{side}")
+
+
+@dataclass(frozen=True)
+class Event:
+    """A kind of error of a node's log."""
+
+    node: str
+    kind: str
+    count: int
+    span: Span
+
+
+class Flight:
+    """The numbers of a record, a column each."""
+
+    def __init__(self, path, columns, cut_short=None):
+        self.path = Path(path)
+        self.columns = columns
+        self.cut_short = cut_short
+        self.seconds = columns["time_ms"] / 1000.0
+        self.rows = len(self.seconds)
+
+    def __contains__(self, name):
+        return name in self.columns
+
+    @property
+    def frames(self):
+        """How many were flown, also those without a row."""
+        frame = self.columns["frame"]
+        return int(frame[-1] - frame[0]) + 1
+
+    def has_all(self, *names):
+        return all(name in self.columns for name in names)
+
+    @cached_property
+    def downlink(self):
+        """The group whose words of the downlink are shown."""
+        for group in ("gsc.downlink", "mcs.downlink"):
+            if f"{group}.error" in self.columns:
+                return group
+        return None
+
+    @cached_property
+    def is_stale(self):
+        """The rows whose words of the downlink are not of their frame."""
+        if self.downlink is None:
+            return numpy.zeros(self.rows, bool)
+        error = self.columns[f"{self.downlink}.error"].astype(int)
+        words = [self.columns[f"{self.downlink}.{item.name}"]
+                 for item in items.of_buffer("downlink")
+                 if f"{self.downlink}.{item.name}" in self.columns]
+        # CORE is cleared at a cold start: all words 0 is no flight.
+        has_none = numpy.all([word == 0 for word in words], axis=0)
+        return (error & items.STALE != 0) | has_none
+
+    def values(self, name):
+        """A column in its unit, with NaN in gaps."""
+        column = self.columns[name]
+        item = records.item_of(name)
+        if item is None:
+            return column
+        values = item.value(column) if item.is_scaled else column
+        if name.startswith(f"{self.downlink}."):
+            return numpy.where(self.is_stale, numpy.nan, values)
+        return values
+
+    def sensor(self, name):
+        """A word of the downlink by its item's name, or nothing."""
+        column = f"{self.downlink}.{name}"
+        return self.values(column) if column in self.columns else None
+
+    @cached_property
+    def breaks(self):
+        """The rows before which at least one is missing."""
+        if self.rows < 2:
+            return numpy.array([], int)
+        steps = numpy.diff(self.seconds)
+        return numpy.flatnonzero(
+            (steps > 1.5 * packets.FRAME_S) | (steps < 0)) + 1
+
+    @cached_property
+    def silences(self):
+        """When no fresh words of the downlink came, and no rows; without
+        the time before the first ones."""
+        fresh = numpy.flatnonzero(~self.is_stale)
+        if not len(fresh) or self.downlink is None:
+            return []
+        ends = self.seconds[fresh]
+        found = [Span(begin, end) for begin, end
+                 in zip(ends[:-1], ends[1:], strict=True)
+                 if end - begin > 1.5 * packets.FRAME_S]
+        if self.seconds[-1] > ends[-1]:
+            found.append(Span(ends[-1], self.seconds[-1]))
+        return found
+
+    @cached_property
+    def downlink_age_ms(self):
+        """For how long the words have not been fresh; NaN before they come."""
+        fresh = numpy.where(self.is_stale, numpy.nan, self.seconds)
+        last = numpy.fmax.accumulate(fresh) if self.rows else fresh
+        return numpy.round(1000.0 * (self.seconds - last), 3)
+
+    @cached_property
+    def latencies(self):
+        """Times in s, and ms from the console to the servos, of each change
+        of the sticks that got there: whole frames, as a record has them."""
+        console = [f"console.{name}" for name in STICKS]
+        servos = [f"pwm.{name}" for name in SERVOS]
+        if not self.has_all(*console, *servos) or self.rows < 2:
+            return numpy.array([]), numpy.array([])
+        asked = numpy.stack([self.columns[name] for name in console], axis=1)
+        done = numpy.stack([self.columns[name] for name in servos], axis=1)
+        is_new = numpy.r_[False, numpy.any(asked[1:] != asked[:-1], axis=1)]
+        moved = numpy.flatnonzero(
+            numpy.r_[False, numpy.any(done[1:] != done[:-1], axis=1)])
+        found = numpy.full(len(moved), -1)
+        for frames in range(LONGEST_LATENCY_FRAMES, 0, -1):
+            before = numpy.maximum(moved - frames, 0)
+            fits = is_new[before] & numpy.all(
+                asked[before] == done[moved], axis=1)
+            found = numpy.where(fits, before, found)
+        moved, found = moved[found >= 0], found[found >= 0]
+        return (self.seconds[moved],
+                1000.0 * (self.seconds[moved] - self.seconds[found]))
+
+    @cached_property
+    def exceedances(self):
+        """What was out of limits, in the order it began."""
+        found = []
+        for item in items.of_buffer("downlink"):
+            column = f"{self.downlink}.{item.name}"
+            if item.limits and column in self.columns:
+                values = self.values(column)
+                for level, low, high in self.levels(item):
+                    found += self.beyond(item, level, values, low, high)
+        return sorted(found, key=lambda each: (each.span.begin,
+                                               each.item.position))
+
+    @cached_property
+    def excursions(self):
+        """The same, but a caution that became a warning is that alone."""
+        warnings = [each for each in self.exceedances
+                    if each.level == "warning"]
+        return [each for each in self.exceedances
+                if each.level == "warning"
+                or not any(each.item.name == other.item.name
+                           and each.span.begin <= other.span.begin
+                           and other.span.end <= each.span.end
+                           for other in warnings)]
+
+    @staticmethod
+    def levels(item):
+        """Each level that an item has, with its limits."""
+        for level in ("caution", "warning"):
+            low = getattr(item, f"{level}_low")
+            high = getattr(item, f"{level}_high")
+            if low is not None or high is not None:
+                yield (level, -numpy.inf if low is None else low,
+                       numpy.inf if high is None else high)
+
+    def beyond(self, item, level, values, low, high):
+        """The times an item was beyond the limits of a level."""
+        # Comparisons with NaN are false: a gap is not out of limits.
+        outside = numpy.flatnonzero(
+            (values < low - 1e-6) | (values > high + 1e-6))
+        if not len(outside):
+            return
+        cuts = numpy.flatnonzero(
+            numpy.diff(self.seconds[outside]) > SAME_EXCEEDANCE_S) + 1
+        for rows in numpy.split(outside, cuts):
+            how_far = numpy.maximum(low - values[rows], values[rows] - high)
+            worst = rows[numpy.argmax(how_far)]
+            yield Exceedance(
+                item, level,
+                Span(self.seconds[rows[0]], self.seconds[rows[-1]]),
+                values[worst], self.seconds[worst])
+
+    @cached_property
+    def switch_changes(self):
+        """Time and words of each: "switch 8 on"."""
+        found = []
+        for item in items.of_group("console")[5:]:
+            name = f"console.{item.name}"
+            if name not in self.columns:
+                continue
+            is_on = self.columns[name] >= 0x800
+            for row in numpy.flatnonzero(is_on[1:] != is_on[:-1]) + 1:
+                found.append((self.seconds[row], f"{item.label} "
+                              f"{'on' if is_on[row] else 'off'}"))
+        return sorted(found)
+
+    @cached_property
+    def reckoned_track(self):
+        """East and north in ft, reckoned from airspeed and heading rate, from
+        the first heading on; NaN in gaps, from which on it starts anew where
+        it was. Nothing when a sensor is missing."""
+        sensors = [self.sensor(name) for name in (
+            "airspeed", "altitude", "altitude_offset", "roll_attitude",
+            "pitch_attitude", "pitch_rate", "yaw_rate")]
+        if self.downlink is None or any(each is None for each in sensors):
+            return None
+        speed, altitude, offset, bank, pitch, q, r = sensors
+        has_all = ~numpy.any(numpy.isnan(sensors), axis=0)
+        if not numpy.any(has_all):
+            return None
+        # The standard atmosphere makes of calibrated airspeed the true one.
+        density = (1.0 - 6.8756e-6 * (altitude + offset)) ** 4.2559
+        knots = speed / numpy.sqrt(density)
+        bank, pitch, q, r = map(numpy.radians, (bank, pitch, q, r))
+        turn = ((q * numpy.sin(bank) + r * numpy.cos(bank))
+                / numpy.maximum(numpy.cos(pitch), 0.05))
+        step = numpy.r_[0.0, numpy.diff(self.seconds)]
+        # Nothing is known of what happens in a gap.
+        step[~has_all | (step > 1.5 * packets.FRAME_S) | (step < 0)] = 0.0
+        heading = (numpy.radians(self.first_heading)
+                   + numpy.cumsum(numpy.where(has_all, turn, 0.0) * step))
+        feet = (numpy.where(has_all, knots * numpy.cos(pitch), 0.0)
+                * FEET_PER_NAUTICAL_MILE / 3600.0 * step)
+        east = numpy.cumsum(feet * numpy.sin(heading))
+        north = numpy.cumsum(feet * numpy.cos(heading))
+        return (numpy.where(has_all, east, numpy.nan),
+                numpy.where(has_all, north, numpy.nan))
+
+    @cached_property
+    def first_heading(self):
+        """In deg. There is no compass; without the truth, north."""
+        if "truth.heading_deg" in self.columns and self.rows:
+            return self.columns["truth.heading_deg"][0]
+        return 0.0
+
+
+def read(path, progress):
+    """The flight of a record. A line cut short at its end is left out."""
+    blocks = []
+    with records.opened(path, forgiving=True) as record:
+        for rows in record.blocks():
+            blocks.append(rows)
+            progress(record)
+        if not blocks:
+            raise faults.Refused(
+                f"{faults.quoted(path)}: the record has no rows")
+        table = numpy.concatenate(blocks)
+        columns = {name: numpy.ascontiguousarray(table[:, place])
+                   for place, name in enumerate(record.names)}
+        return Flight(path, columns, getattr(record, "cut_short", None))
+
+
+def _text(path):
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except OSError as fault:
+        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
+                             f" {faults.reason(fault)}") from fault
+    except UnicodeDecodeError as fault:
+        raise faults.Refused(f"{faults.quoted(path)}: not a text file"
+                             ) from fault
+
+
+def read_events(path):
+    """The events of a file of JSON lines, as urv_sim writes it."""
+    found = []
+    for number, line in enumerate(_text(path).splitlines(), 1):
+        where = f"{faults.quoted(path)[1:-1]}:{number}"
+        try:
+            event = json.loads(line)
+            found.append(Event(
+                _word(event["node"]), _word(event["kind"]),
+                int(event["count"]),
+                Span(float(event["first_ms"]) / 1000.0,
+                     float(event["last_ms"]) / 1000.0)))
+        except KeyError as fault:
+            raise faults.Refused(
+                f"{where}: the event has no {fault.args[0]}") from fault
+        except (ValueError, TypeError) as fault:
+            raise faults.Refused(f"{where}: no event") from fault
+    return found
+
+
+def _word(value):
+    if not isinstance(value, str):
+        raise TypeError(value)
+    return value
+
+
+def read_summary(path):
+    """A summary, as urv_sim writes it."""
+    where = faults.quoted(path)[1:-1]
+    try:
+        summary = json.loads(_text(path))
+    except json.JSONDecodeError as fault:
+        raise faults.Refused(
+            f"{where}:{fault.lineno}: not JSON: {fault.msg}") from fault
+    if not isinstance(summary, dict) or "frames" not in summary:
+        raise faults.Refused(f"{where}:1: no summary of a flight")
+    return summary

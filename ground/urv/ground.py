@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv ground: a flight in real time with everything around it (GND-31).
+
+Both nodes, the aircraft, the station and a Yamcs, each a process of its own.
+What ends the flight ends them all; who of the others dies is told, and the
+rest flies on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+import typer
+
+from urv import faults, packets
+
+ROOT = Path(__file__).resolve().parents[2]
+YAMCS = ROOT / "ground" / "yamcs"
+JARS = ROOT / "obj" / "yamcs" / "lib"
+DISPLAY = "flight.opi"
+
+LOOKS_S = 0.1
+ENDS_S = 10.0
+"""Who has not ended by then is killed."""
+STARTS_S = 30.0
+LATER_BY = 10
+"""Yamcs is so much nicer than who flies."""
+DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
+
+
+def ground(
+    seconds: float | None = typer.Option(
+        None, min=0.0, help="Ends the flight after so long."),
+    folder: Path = typer.Option(
+        Path("flight/ground"), metavar="FOLDER",
+        help="For records, logs and Yamcs's archive."),
+    pilot: str = typer.Option(
+        "standard", metavar="NAME",
+        help="The simulated pilot who flies until a page takes the sticks;"
+        " \"none\": nobody."),
+    yamcs: bool = typer.Option(
+        True, help="Whether a Yamcs is started."),
+    mavlink: str | None = typer.Option(
+        None, metavar="udp:HOST:PORT",
+        help="Where the flight goes as MAVLink 2, too: QGroundControl hears"
+        " udp:127.0.0.1:14550."),
+    page_port: int = typer.Option(8090, min=1, max=65535,
+                                  help="Of the station's page."),
+    yamcs_port: int = typer.Option(8092, min=1, max=65535,
+                                   help="Of Yamcs's pages."),
+    ports: int = typer.Option(
+        6001, min=1, max=65531,
+        help="The first of five ports of this machine between the"
+        " programs."),
+):
+    """Fly in real time, with page and Yamcs."""
+    for program in ("urv_gsc", "urv_mcs"):
+        if not (ROOT / "bin" / program).exists():
+            raise faults.Refused(f"bin/{program} is not built; make ground"
+                                 " builds it")
+    if yamcs and not (shutil.which("java") and JARS.is_dir()):
+        raise faults.Refused(
+            "there is no Yamcs; scripts/setup.sh ground gets it, --no-yamcs"
+            " goes without")
+    folder.mkdir(parents=True, exist_ok=True)
+    # A shell has programs in the background begin deaf to it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    flight = Flight(folder.resolve(), ports, page_port, yamcs_port)
+    try:
+        flight.start(pilot, yamcs, mavlink, seconds)
+        status = flight.watch()
+    except KeyboardInterrupt:
+        status = 0
+    finally:
+        flight.end()
+    if status:
+        raise faults.Failed("a node has ended by itself: see"
+                            f" {faults.quoted(folder)}")
+
+
+def as_event(line: dict) -> dict:
+    """A line of the station's log as bin/urv_sim writes an event. What was
+    typed loses what a page could take for markup."""
+    at = line["frame"] * packets.FRAME_US // 1000
+    text = line["text"].translate(str.maketrans("<>&", "\u2039\u203a+"))
+    if line["kind"] == "alert":
+        text = f"{line['level']} {text.partition(':')[0]}"
+    else:
+        text = f"mark: {text}"
+    return {"node": "station", "kind": text, "count": 1,
+            "first_frame": line["frame"], "last_frame": line["frame"],
+            "first_ms": at, "last_ms": at, "last_detail": 0}
+
+
+class Flight:
+    """The processes, in the order in which they were started."""
+
+    def __init__(self, folder: Path, ports: int, page_port: int,
+                 yamcs_port: int) -> None:
+        self.folder = folder
+        # Each flight has events of its own; the archive goes on.
+        (folder / "station.jsonl").unlink(missing_ok=True)
+        (self.gsc_link, self.mcs_link, self.frames, self.console,
+         self.relay) = range(ports, ports + 5)
+        self.page_port, self.yamcs_port = page_port, yamcs_port
+        self.running: dict[str, subprocess.Popen] = {}
+        self.groups: list[int] = []
+        self.nodes = ("urv_gsc", "urv_mcs")
+        self.began = time.monotonic()
+
+    def start(self, pilot: str, yamcs: bool, mavlink: str | None,
+              seconds: float | None) -> None:
+        here = "127.0.0.1"
+        archive = f"http://{here}:{self.yamcs_port}"
+        station = [sys.executable, "-B", "-m", "urv", "station",
+                   "--port", self.page_port,
+                   "--frames", f"udp:{here}:{self.frames}",
+                   "--console", f"udp:{here}:{self.console}",
+                   "--events", self.folder / "station.jsonl"]
+        if yamcs:
+            station += ["--relay", f"tcp:{here}:{self.relay}",
+                        "--yamcs", archive]
+        # Who takes the frames is there before the first one.
+        self.run("station", *station, tells=True)
+        self.await_station()
+        publish = ["--publish", f"udp:{here}:{self.frames}"]
+        if mavlink is not None:
+            publish += ["--publish", self.start_mavlink(mavlink)]
+        lasts = [] if seconds is None else ["--seconds", seconds]
+        up = f"udp:{here}:{self.gsc_link}:{here}:{self.mcs_link}"
+        down = f"udp:{here}:{self.mcs_link}:{here}:{self.gsc_link}"
+        # The ground ends the flight; the aircraft is there until then.
+        self.run("urv_mcs", ROOT / "bin" / "urv_mcs", "--link", down,
+                 "--phase", 3, "--plant", "jsbsim",
+                 *self.outputs("aircraft"))
+        flies = [] if pilot == "none" else ["--pilot", pilot]
+        self.run("urv_gsc", ROOT / "bin" / "urv_gsc", "--link", up,
+                 "--phase", 0, *flies, *lasts,
+                 *publish,
+                 "--console", f"udp:{here}:{self.console}",
+                 *self.outputs("ground"))
+        print(f"ground: page to fly and watch by: http://{here}:"
+              f"{self.page_port}/", flush=True)
+        if yamcs:
+            self.start_yamcs()
+            threading.Thread(target=self.await_yamcs, args=(archive,),
+                             daemon=True).start()
+
+    def outputs(self, name: str) -> list:
+        """The files that a node leaves."""
+        return ["--record", self.folder / f"{name}.csv",
+                "--summary", self.folder / f"{name}.json",
+                "--events", self.folder / f"{name}.jsonl"]
+
+    def start_yamcs(self) -> None:
+        for name in ("mdb", "displays", "etc"):
+            (self.folder / name).mkdir(exist_ok=True)
+        from urv import display, xtce
+        (self.folder / "mdb" / "urv.xml").write_text(
+            xtce.mission_database(), encoding="utf-8")
+        (self.folder / "displays" / DISPLAY).write_text(
+            display.flight(), encoding="utf-8")
+        for source in (YAMCS / "etc").glob("*.yaml"):
+            text = source.read_text("utf-8")
+            text = text.replace("port: 8092", f"port: {self.yamcs_port}")
+            text = text.replace("port: 6005", f"port: {self.relay}")
+            (self.folder / "etc" / source.name).write_text(text, "utf-8")
+        # A small machine has other things to do than to compile well.
+        self.run("yamcs", "java", "-Xmx512m", "-XX:+UseSerialGC",
+                 "-XX:TieredStopAtLevel=1", "-cp", f"{JARS}/*",
+                 "org.yamcs.YamcsServer", "--no-color", "--log", "1",
+                 "--etc-dir", self.folder / "etc",
+                 "--data-dir", self.folder / "yamcs-data", later=LATER_BY)
+
+    def run(self, name: str, *command, tells: bool = False,
+            later: int = 0) -> None:
+        """Starts a program that ends with this one, whatever ends it."""
+        parent = os.getpid()
+        library = ctypes.CDLL(None)
+
+        def become() -> None:
+            library.prctl(DEATH_SIGNAL, signal.SIGTERM)
+            os.nice(later)
+            if os.getppid() != parent:
+                os._exit(1)
+
+        log = (self.folder / f"{name}.log").open("w", encoding="utf-8")
+        self.running[name] = subprocess.Popen(
+            list(map(str, command)), cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE if tells else log, stderr=log,
+            # A Ctrl-C at the terminal is for this program alone: it ends the
+            # others in their order.
+            start_new_session=True, preexec_fn=become, text=True,
+            env=os.environ | {
+                "PYTHONPATH": str(ROOT / "ground"),
+                "URV_PYTHON": sys.executable})
+        log.close()
+        self.groups.append(self.running[name].pid)
+
+    def await_station(self) -> None:
+        """Until it says where it takes frames."""
+        self.await_line("station", "frames at")
+
+    def start_mavlink(self, to: str) -> str:
+        """Where it takes frames."""
+        self.run("mavlink", sys.executable, "-B", "-m", "urv", "mavlink",
+                 "--listen", "udp:127.0.0.1:0", "--to", to, tells=True)
+        return self.await_line("mavlink", "mavlink: from ").split()[2]
+
+    def await_line(self, name: str, what: str) -> str:
+        """The first one that has this."""
+        process = self.running[name]
+        for line in process.stdout:
+            if what in line:
+                return line
+        process.wait()
+        said = (self.folder / f"{name}.log").read_text("utf-8").strip()
+        raise faults.Failed(re.sub(r"^urv: ", "", said)
+                            or f"{name} has ended at once")
+
+    def await_yamcs(self, archive: str) -> None:
+        """Says when its pages are there."""
+        while "yamcs" in self.running:
+            try:
+                with urllib.request.urlopen(f"{archive}/api/links/urv",
+                                            timeout=2.0):
+                    break
+            except (urllib.error.URLError, OSError):
+                time.sleep(0.3)
+        else:
+            return
+        print(f"ground: Yamcs: {archive}/telemetry/displays/files/{DISPLAY}"
+              "?c=urv__realtime", flush=True)
+        print(f"ground: live after {time.monotonic() - self.began:.0f} s;"
+              " Ctrl-C ends it", flush=True)
+
+    def watch(self) -> int:
+        """Until the flight is over; 0 when it ended as it should."""
+        while True:
+            time.sleep(LOOKS_S)
+            for name, process in list(self.running.items()):
+                status = process.poll()
+                if status is None:
+                    continue
+                del self.running[name]
+                if name == "urv_gsc" and status == 0:
+                    return 0
+                how = (f"status {status}" if status > 0 else
+                       signal.Signals(-status).name if status else "status 0")
+                print(f"ground: {name} has ended, {how}"
+                      + ("" if name in self.nodes else
+                         "; the flight goes on"), flush=True)
+                if name in self.nodes:
+                    return 1
+
+    def end(self) -> None:
+        """Nobody is left running. The nodes end first, with their records
+        whole, then who took their frames."""
+        # A second Ctrl-C must not leave half of them.
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, signal.SIG_IGN)
+        for names in (self.nodes, ("station", "mavlink"), ("yamcs",)):
+            group = {name: self.running.pop(name)
+                     for name in names if name in self.running}
+            for process in group.values():
+                process.send_signal(signal.SIGTERM)
+            late = time.monotonic() + ENDS_S
+            for name, process in group.items():
+                try:
+                    process.wait(max(0.0, late - time.monotonic()))
+                except subprocess.TimeoutExpired:
+                    print(f"ground: {name} did not end and was killed",
+                          flush=True)
+                    os.killpg(process.pid, signal.SIGKILL)
+                    process.wait()
+        self.end_groups()
+        self.collect_events()
+        print(f"ground: records and logs are in {self.shown()}", flush=True)
+
+    def end_groups(self) -> None:
+        """Waits for what the programs have started, the aircraft of a node
+        that was killed among them."""
+        late = time.monotonic() + ENDS_S
+        for group in self.groups:
+            with contextlib.suppress(ProcessLookupError):
+                while True:
+                    os.killpg(group, 0 if time.monotonic() < late
+                              else signal.SIGKILL)
+                    time.sleep(LOOKS_S / 10)
+
+    def collect_events(self) -> None:
+        """The ground's error log with marks and alerts, for the report."""
+        try:
+            lines = (self.folder / "ground.jsonl").read_text("utf-8")
+            told = (self.folder / "station.jsonl").read_text("utf-8")
+            for line in map(json.loads, told.splitlines()):
+                if (line["kind"] in ("mark", "alert")
+                        and line["frame"] is not None):
+                    lines += json.dumps(as_event(line)) + "\n"
+            (self.folder / "events.jsonl").write_text(lines, "utf-8")
+        except (OSError, ValueError) as error:
+            print(f"ground: no events.jsonl: {error}", flush=True)
+
+    def shown(self) -> str:
+        try:
+            return str(self.folder.relative_to(Path.cwd()))
+        except ValueError:
+            return str(self.folder)

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each word means: the one table of the station (GND-11).
+
+    items.COLUMNS["gsc.downlink.battery_volts"].value(2760)     27.6
+    items.COLUMNS["gsc.downlink.battery_volts"].level(23.0)     "warning"
+
+items.csv is what `bin/urv_sim items` prints, and a test compares the two.
+Displays, reports, the mission database and what goes out as MAVLink take
+units, scales and limits from here.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+TABLE = Path(__file__).with_name("items.csv")
+
+LARGEST_WORD = 4095
+"""Of a converter."""
+
+STALE = 1
+"""The bit of an error word: the words before it are of an earlier frame."""
+
+GROUPS = {
+    "console": "uplink",
+    "gsc.uplink": "uplink",
+    "mcs.uplink": "uplink",
+    "pwm": "pwm",
+    "mcs.downlink": "downlink",
+    "gsc.downlink": "downlink",
+}
+"""The groups of the record's columns, in its order, each with its buffer."""
+
+_LIMITS = ("warning_low", "caution_low", "caution_high", "warning_high")
+
+
+@dataclass(frozen=True)
+class Item:
+    """A word of a buffer. What has no unit is bits, without a scale."""
+
+    name: str
+    buffer: str
+    position: int
+    unit: str
+    at_0: float | None
+    at_4095: float | None
+    warning_low: float | None
+    caution_low: float | None
+    caution_high: float | None
+    warning_high: float | None
+    per_word: float | None
+    zero_word: int | None
+
+    @property
+    def is_scaled(self) -> bool:
+        return self.per_word is not None
+
+    @property
+    def label(self) -> str:
+        """For people: "battery volts", "switch 1"."""
+        words = self.name.replace("_", " ")
+        if words[-1].isdigit() and words[-2] != " ":
+            words = f"{words[:-1]} {words[-1]}"
+        return words
+
+    @property
+    def decimals(self) -> int:
+        """How many are worth showing: a step of the last one is ten words
+        at most."""
+        if not self.is_scaled or self.unit == "on":
+            return 0
+        return next(places for places in range(5)
+                    if 10.0 ** -places <= 10.0 * self.per_word)
+
+    def value(self, word):
+        """In the item's unit; of an array of words, each."""
+        return self.per_word * (word - self.zero_word)
+
+    def word(self, value: float) -> int:
+        """The nearest one."""
+        nearest = round(value / self.per_word + self.zero_word)
+        return min(max(nearest, 0), LARGEST_WORD)
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """Those that there are, from the lowest to the highest."""
+        found = {name: getattr(self, name) for name in _LIMITS}
+        return {name: at for name, at in found.items() if at is not None}
+
+    def level(self, value: float) -> str:
+        """"warning", "caution", or nothing within the limits. A value at a
+        limit is within, however a multiplication rounds it."""
+        value = round(value, 6)
+        for name in ("warning", "caution"):
+            low = getattr(self, f"{name}_low")
+            high = getattr(self, f"{name}_high")
+            if low is not None and value < low:
+                return name
+            if high is not None and value > high:
+                return name
+        return ""
+
+
+def _read():
+    def number(text):
+        return float(text) if text else None
+
+    with TABLE.open(newline="", encoding="utf-8") as table:
+        for row in csv.DictReader(table):
+            zero = row["zero_word"]
+            yield Item(
+                row["name"], row["buffer"], int(row["position"]), row["unit"],
+                *(number(row[name]) for name in (
+                    "at_0", "at_4095", *_LIMITS, "per_word")),
+                int(zero) if zero else None)
+
+
+ITEMS = tuple(_read())
+
+
+def of_buffer(buffer: str) -> list[Item]:
+    """Its words, in order."""
+    return [item for item in ITEMS if item.buffer == buffer]
+
+
+def of_group(group: str) -> list[Item]:
+    """The words of a group of columns; the console has no error word."""
+    return [item for item in of_buffer(GROUPS[group])
+            if (group, item.name) != ("console", "error")]
+
+
+COLUMNS = {f"{group}.{item.name}": item
+           for group in GROUPS for item in of_group(group)}
+"""The words of the record, by their column, in its order."""

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv: the ground station's commands, a module for each (GND-10).
+
+A command's module imports at its top only what every set-up has: typer and
+Python's own. What `scripts/setup.sh fly` leaves out is imported where it is
+used, so that help is quick, and one command needs nothing of another's.
+
+Exit status, as bin/urv_sim's: 0 done; 1 an output cannot be written, or
+something failed; 2 bad command line or bad input; 130 interrupted.
+"""
+
+import os
+import signal
+import sys
+from pathlib import Path
+
+import typer
+
+from urv import (convert, faults, ground, mavlink, pictures, report, station,
+                 xtce)
+
+ROOT = Path(__file__).resolve().parents[2]
+
+app = typer.Typer(
+    name="urv", invoke_without_command=True, add_completion=False,
+    rich_markup_mode=None, pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]})
+
+
+def choices(context):
+    return "there are " + ", ".join(
+        [*context.command.list_commands(context), "--help", "--version"])
+
+
+def show_version(asked: bool):
+    """What alire.toml calls this version."""
+    if asked:
+        for line in (ROOT / "alire.toml").read_text("utf-8").splitlines():
+            if line.startswith("version = "):
+                print("urv", line.split('"')[1])
+        raise typer.Exit
+
+
+@app.callback()
+def urv(
+    context: typer.Context,
+    version: bool = typer.Option(
+        False, "--version", callback=show_version, is_eager=True,
+        help="Print the program's version."),
+):
+    """The ground station: records, reports, displays."""
+    if context.invoked_subcommand is None:
+        raise faults.Refused(f"no command; {choices(context)}")
+
+
+app.command()(convert.convert)
+app.command()(report.report)
+app.command()(xtce.xtce)
+app.command()(station.station)
+app.command()(mavlink.mavlink)
+app.command()(ground.ground)
+app.command()(pictures.pictures)
+
+
+def interrupt(_signal, _frame):
+    raise KeyboardInterrupt
+
+
+def complain(text):
+    """A line on standard error, should there still be one."""
+    try:
+        print(f"urv: {text}", file=sys.stderr, flush=True)
+    except OSError:
+        pass
+
+
+def drop_standard_output():
+    """What is still to be written cannot be: Python need not try again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def misused(fault):
+    """What is wrong with the command line, with the choices."""
+    said = fault.format_message().rstrip(".")
+    context = getattr(fault, "ctx", None)
+    if said.startswith("No such command") and context:
+        said += f"; {choices(context)}"
+    return "".join(letter if letter.isprintable() else ascii(letter)[1:-1]
+                   for letter in " ".join(said.split()))
+
+
+def main(arguments=None):
+    """Run one command; return its exit status."""
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        status = app(args=arguments, prog_name="urv", standalone_mode=False)
+        sys.stdout.flush()
+        return status or 0
+    except (faults.Refused, faults.Failed) as fault:
+        complain(fault)
+        return fault.status
+    except typer.TyperException as fault:
+        complain(misused(fault))
+        return fault.exit_code
+    except KeyboardInterrupt:
+        complain("interrupted")
+        return 130
+    except BrokenPipeError:
+        drop_standard_output()
+        complain("standard output cannot be written: Broken pipe")
+        return 1
+    except OSError as fault:
+        drop_standard_output()
+        what = (faults.quoted(fault.filename) if fault.filename
+                else "standard output")
+        complain(f"{what}: {faults.reason(fault)}")
+        return 1
+    except ModuleNotFoundError as fault:
+        if fault.name.split(".")[0] == "urv":
+            raise
+        complain(f"the package {fault.name} is missing:"
+                 " scripts/setup.sh ground installs it")
+        return 1

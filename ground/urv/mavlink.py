@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
+(GND-40, GND-41).
+
+docs/mavlink.md says which item goes where. Nothing comes in this way: what a
+station sends back is not heard.
+"""
+
+from __future__ import annotations
+
+import math
+import socket
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from urv import faults, items, packets, station, view
+from urv.packets import FramePacket, LinkState, Pilot
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+FRAMES_PER_S = 50
+
+# Every so many frames.
+HEARTBEAT = 50
+ATTITUDE = 2
+VFR_HUD = 5
+SERVOS = 5
+STATUS = 25
+RADIO = 50
+
+# A kind of error is told so often at most; then how often it came.
+ERRORS = 50
+
+SYSTEM_ID = 1
+COMPONENT_ID = 1
+
+M_PER_S_PER_KNOT = 1852 / 3600
+M_PER_FT = 0.3048
+FT_PER_MIN_TO_M_PER_S = M_PER_FT / 60
+
+# What a field of so many bits says when nobody knows.
+UNKNOWN_8 = 255
+UNKNOWN_16 = 65_535
+NO_HEADING = -1
+
+# A surface's whole travel is 1000 us of a servo's pulse, its middle 1500.
+PULSE_MIDDLE_US = 1500
+WORDS_PER_US = 4.096
+
+# In the order of the servos that move them.
+SURFACES = (
+    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
+    "left_rudder", "right_rudder", "left_flap_1", "right_flap_1",
+    "left_flap_2", "right_flap_2")
+
+# The scale of a SiK radio, which ground stations turn back into dBm.
+RSSI_PER_DB = 1.9
+RSSI_ZERO_DB = -127.0
+
+ROM_OR_SELF_TEST = 6
+"""Bits of the downlink's error word."""
+
+MOST_TEXT = 50
+
+
+def mavlink(
+    listen: str = typer.Option(
+        "udp:127.0.0.1:6005", metavar="udp:HOST:PORT",
+        help="Where frame packets come: urv_gsc --publish. HOST is this"
+        " machine's loopback."),
+    to: str = typer.Option(
+        "udp:127.0.0.1:14550", metavar="udp:HOST:PORT",
+        help="Where MAVLink goes."),
+):
+    """Send the flight as MAVLink 2, until interrupted."""
+    from urv import web
+
+    here = station.address("--listen", listen)
+    there = station.address("--to", to)
+    if not web.is_loopback(here[0]):
+        raise faults.Refused(
+            f"--listen {faults.quoted(listen)}: not this machine's loopback")
+    receiver = station.bound(socket.SOCK_DGRAM, *here, "--listen")
+    receiver.setblocking(True)
+    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+    bridge = Bridge(Sender(there))
+    print(f"mavlink: from udp:{here[0]}:{receiver.getsockname()[1]}"
+          f" to udp:{there[0]}:{there[1]}", flush=True)
+    if not web.is_loopback(there[0]):
+        print("mavlink: whoever is on that network can read it", flush=True)
+    try:
+        while True:
+            bridge.datagram(receiver.recv(4096))
+    except KeyboardInterrupt:
+        print(f"mavlink: {bridge.frames} frames, {bridge.missing} missing,"
+              f" {bridge.bad} bad, {bridge.sender.sent} messages,"
+              f" {bridge.sender.not_sent} not sent", flush=True)
+
+
+class Sender:
+    """A file to write datagrams to, which keeps nobody waiting."""
+
+    def __init__(self, there: tuple[str, int]) -> None:
+        try:
+            family, kind, _, _, self._there = socket.getaddrinfo(
+                *there, type=socket.SOCK_DGRAM)[0]
+        except OSError as error:
+            raise faults.Refused(
+                f"--to: there is no host {faults.quoted(there[0])}"
+            ) from error
+        self._socket = socket.socket(family, kind)
+        self._socket.setblocking(False)
+        self.sent = 0
+        self.not_sent = 0
+
+    def write(self, data: bytes) -> None:
+        try:
+            self._socket.sendto(data, self._there)
+            self.sent += 1
+        except OSError:
+            self.not_sent += 1
+
+
+class Bridge:
+    """Frame packets in, MAVLink out."""
+
+    def __init__(self, sender: Any) -> None:
+        from pymavlink.dialects.v20 import common
+
+        self.sender = sender
+        self.frames = 0
+        self.bad = 0
+        self.missing = 0
+        self._flight = Flight(common)
+        self._newest: FramePacket | None = None
+        self._link = common.MAVLink(
+            sender, srcSystem=SYSTEM_ID, srcComponent=COMPONENT_ID)
+
+    def datagram(self, data: bytes) -> None:
+        """Sends what is due with the frame in it, if there is one."""
+        try:
+            frame = FramePacket.decode(data)
+        except packets.PacketError:
+            self.bad += 1
+            return
+        newest = self._newest
+        if newest is not None and newest.run == frame.run:
+            if frame.sequence <= newest.sequence:
+                self.bad += 1
+                return
+            self.missing += frame.sequence - newest.sequence - 1
+        elif newest is not None:
+            self._flight = Flight(self._flight.dialect)
+        self._newest = frame
+        self.frames += 1
+        for message in self._flight.messages(frame):
+            self._link.send(message)
+
+
+@dataclass
+class Due:
+    """What is sent every so many frames."""
+
+    every: int
+    _next: int = 0
+
+    def now(self, sequence: int) -> bool:
+        """Whether it is due, and is done then. After a gap the rhythm is
+        the one before."""
+        if sequence < self._next:
+            return False
+        self._next = sequence - sequence % self.every + self.every
+        return True
+
+
+@dataclass
+class Flight:
+    """One run of the ground's node, and what has been told of it."""
+
+    dialect: Any
+    _heartbeat: Due = field(default_factory=lambda: Due(HEARTBEAT))
+    _attitude: Due = field(default_factory=lambda: Due(ATTITUDE))
+    _hud: Due = field(default_factory=lambda: Due(VFR_HUD))
+    _servos: Due = field(default_factory=lambda: Due(SERVOS))
+    _status: Due = field(default_factory=lambda: Due(STATUS))
+    _radio: Due = field(default_factory=lambda: Due(RADIO))
+    _told: dict[tuple[str, str], tuple[int, int]] = field(
+        default_factory=dict)
+    _state: LinkState = LinkState.NEVER_HEARD
+    _frames: int = 0
+    _stale: int = 0
+
+    def messages(self, frame: FramePacket) -> Iterator[Any]:
+        """What is due with this frame. What the aircraft says is sent only
+        with a frame that is fresh: the first one from when it is due."""
+        self._frames += 1
+        self._stale += not frame.is_fresh
+        value = {
+            name: items.COLUMNS[name].value(word)
+            for name, word in frame.columns.items()
+            if items.COLUMNS[name].is_scaled}
+        sequence = frame.sequence
+        if (frame.link_state == LinkState.HEARD
+                and self._heartbeat.now(sequence)):
+            yield self.heartbeat(frame)
+        if frame.is_fresh:
+            if self._attitude.now(sequence):
+                yield self.attitude(frame, value)
+            if self._servos.now(sequence):
+                yield self.servos(frame)
+            if self._hud.now(sequence):
+                yield self.hud(value)
+        if self._status.now(sequence):
+            yield self.status(frame, value)
+        if self._radio.now(sequence):
+            yield self.radio(frame, value)
+        yield from self.texts(frame)
+
+    def heartbeat(self, frame: FramePacket) -> Any:
+        """The aircraft is heard."""
+        mav = self.dialect
+        broken = frame.columns["gsc.downlink.error"] & ROM_OR_SELF_TEST
+        mode = (mav.MAV_MODE_FLAG_AUTO_ENABLED
+                if frame.pilot == Pilot.FLIES
+                else mav.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED)
+        return mav.MAVLink_heartbeat_message(
+            mav.MAV_TYPE_FIXED_WING, mav.MAV_AUTOPILOT_GENERIC, mode, 0,
+            mav.MAV_STATE_CRITICAL if broken else mav.MAV_STATE_ACTIVE, 3)
+
+    def attitude(self, frame: FramePacket, value: dict[str, float]) -> Any:
+        """There is no compass: the heading is no number."""
+        down = "gsc.downlink.{}".format
+        return self.dialect.MAVLink_attitude_message(
+            boot_ms(frame),
+            math.radians(value[down("roll_attitude")]),
+            math.radians(value[down("pitch_attitude")]), math.nan,
+            *(math.radians(value[down(name)])
+              for name in ("roll_rate", "pitch_rate", "yaw_rate")))
+
+    def servos(self, frame: FramePacket) -> Any:
+        """Where the surfaces are, as pulses that would hold them there."""
+        pulses = [pulse_us(frame.columns[f"gsc.downlink.{name}"])
+                  for name in SURFACES]
+        return self.dialect.MAVLink_servo_output_raw_message(
+            frame.sequence * packets.FRAME_US % 2 ** 32, 0,
+            *pulses, *[0] * (16 - len(pulses)))
+
+    def hud(self, value: dict[str, float]) -> Any:
+        """Speeds and heights. Ground speed and heading nobody knows."""
+        down = "gsc.downlink.{}".format
+        climb = view.derive(value)["vertical_speed"]
+        return self.dialect.MAVLink_vfr_hud_message(
+            value[down("airspeed")] * M_PER_S_PER_KNOT, math.nan,
+            NO_HEADING, round(value["gsc.uplink.throttle"]),
+            (value[down("altitude")] + value[down("altitude_offset")])
+            * M_PER_FT,
+            climb * FT_PER_MIN_TO_M_PER_S)
+
+    def status(self, frame: FramePacket, value: dict[str, float]) -> Any:
+        """Sensors, battery, and how many frames were not fresh since the
+        last time."""
+        mav = self.dialect
+        battery = items.COLUMNS["gsc.downlink.battery_volts"]
+        volts = value["gsc.downlink.battery_volts"]
+        air = (mav.MAV_SYS_STATUS_SENSOR_3D_GYRO
+               | mav.MAV_SYS_STATUS_SENSOR_3D_ACCEL
+               | mav.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
+               | mav.MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE
+               | mav.MAV_SYS_STATUS_AHRS)
+        power = mav.MAV_SYS_STATUS_SENSOR_BATTERY
+        healthy = 0
+        if frame.is_fresh:
+            healthy = air | (0 if battery.level(volts) == "warning"
+                             else power)
+        dropped = 10_000 * self._stale // self._frames
+        self._frames = self._stale = 0
+        errors = {node: sum(event.row.count for event in frame.events
+                            if event.node == node)
+                  for node in packets.NODES}
+        return mav.MAVLink_sys_status_message(
+            air | power, air | power, healthy, 0,
+            round(volts * 1000) if frame.is_fresh else UNKNOWN_16, -1, -1,
+            dropped, in_16(frame.link["downlink_bad"]),
+            in_16(errors["mcs"]), in_16(errors["gsc"]),
+            in_16(frame.link["resets"]), in_16(frame.link["overruns"]))
+
+    def radio(self, frame: FramePacket, value: dict[str, float]) -> Any:
+        """The uplink at the aircraft's receiver is the remote side."""
+        level = UNKNOWN_8
+        if frame.is_fresh:
+            level = rssi(value["gsc.downlink.uplink_signal_strength"])
+        return self.dialect.MAVLink_radio_status_message(
+            UNKNOWN_8, level, 100, UNKNOWN_8, UNKNOWN_8,
+            in_16(frame.link["downlink_bad"]), 0)
+
+    def texts(self, frame: FramePacket) -> Iterator[Any]:
+        """What is new in the error logs, and of the link."""
+        mav = self.dialect
+        if frame.link_state != self._state:
+            self._state = frame.link_state
+            if self._state == LinkState.LOST:
+                yield self.text(mav.MAV_SEVERITY_CRITICAL, "link lost")
+            elif self._state == LinkState.HEARD:
+                yield self.text(mav.MAV_SEVERITY_INFO, "link heard")
+        for event in frame.events:
+            key = event.node, event.kind
+            count, told = self._told.get(key, (0, -ERRORS))
+            if (event.row.count <= count
+                    or frame.sequence - told < ERRORS):
+                continue
+            self._told[key] = event.row.count, frame.sequence
+            severity = (
+                mav.MAV_SEVERITY_CRITICAL
+                if event.kind in view.WARNING_KINDS else
+                mav.MAV_SEVERITY_WARNING
+                if event.kind in view.CAUTION_KINDS else
+                mav.MAV_SEVERITY_INFO)
+            yield self.text(
+                severity, f"{event.node} {event.kind}: {event.row.count}")
+
+    def text(self, severity: int, text: str) -> Any:
+        return self.dialect.MAVLink_statustext_message(
+            severity, text.encode("ascii")[:MOST_TEXT])
+
+
+def boot_ms(frame: FramePacket) -> int:
+    """The frame's beginning, in the time of the ground's node."""
+    return frame.sequence * (packets.FRAME_US // 1000) % 2 ** 32
+
+
+def pulse_us(word: int) -> int:
+    """1000 to 2000."""
+    middle = items.COLUMNS["gsc.downlink.left_aileron"].zero_word
+    return round(PULSE_MIDDLE_US + (word - middle) / WORDS_PER_US)
+
+
+def rssi(dbm: float) -> int:
+    """Of a SiK radio; the last value means that nobody knows."""
+    return max(0, min(UNKNOWN_8 - 1,
+                      round(RSSI_PER_DB * (dbm - RSSI_ZERO_DB))))
+
+
+def in_16(count: int) -> int:
+    """The last one also stands for more."""
+    return min(count, 2 ** 16 - 1)

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Records as MCAP, for Foxglove and the like (GND-15).
+
+A topic for each group of columns, /gsc/downlink and so on, with a message for
+each frame: `raw` has the words, `value` the same in their units, not a number
+where they are stale. Counts, times and the truth are numbers of their own.
+The messages are protobuf with fixed places for everything, so that a thousand
+of them are made, and read again, at once.
+"""
+
+from __future__ import annotations
+
+import struct
+from contextlib import contextmanager
+
+import numpy
+import zstandard
+from google.protobuf import descriptor_pb2
+from mcap.exceptions import McapError
+from mcap.reader import make_reader
+from mcap.writer import CompressionType, Writer as McapWriter
+
+from urv import faults, items, records
+
+MARK = "urv.record"
+VERSION = "1"
+OTHERS = "frame"
+"""The topic of columns without a group: frame, time_ms and such."""
+
+_TYPES = descriptor_pb2.FieldDescriptorProto
+_FIXED_32, _FIXED_64, _NESTED = 5, 1, 2
+
+NANOSECONDS_PER_MS = 1_000_000
+
+
+def varint(number):
+    """As protobuf writes a tag or a length."""
+    found = bytearray()
+    while number > 0x7F:
+        found.append(number & 0x7F | 0x80)
+        number >>= 7
+    found.append(number)
+    return bytes(found)
+
+
+class Layout:
+    """The messages of a topic: their schema, and where in them each column
+    stands."""
+
+    def __init__(self, group, names, places, decimals):
+        self.group = group
+        self.topic = "/" + group.replace(".", "/")
+        self.places = dict(zip(names, places, strict=True))
+        self.template = bytearray()
+        self.offsets = {}
+        self.message = descriptor_pb2.DescriptorProto(
+            name="".join(part.capitalize() for part in group.split(".")))
+        words = [name for name in names if name in items.COLUMNS]
+        self.values = [name for name in words
+                       if items.COLUMNS[name].is_scaled]
+        if words:
+            self.nested(1, "raw", [
+                (name, name, _TYPES.TYPE_FIXED32, "<u4") for name in words])
+            self.nested(2, "value", [
+                (name, f"{name}.value", _TYPES.TYPE_DOUBLE, "<f8")
+                for name in self.values])
+        number = 3
+        for name in names:
+            if name not in words:
+                kind, code = ((_TYPES.TYPE_DOUBLE, "<f8")
+                              if decimals[self.places[name]]
+                              else (_TYPES.TYPE_SFIXED64, "<i8"))
+                self.template += self.field(
+                    self.message, number, name, kind)
+                self.place(self.template, name, code)
+                number += 1
+        self.kind = numpy.dtype({
+            "names": list(self.offsets),
+            "formats": [code for _, code in self.offsets.values()],
+            "offsets": [offset for offset, _ in self.offsets.values()],
+            "itemsize": len(self.template)})
+
+    @staticmethod
+    def field(message, number, name, kind, type_name=None):
+        """Declare a field; its tag."""
+        message.field.add(
+            name=records.group_of(name)[1], number=number, type=kind,
+            type_name=type_name, label=_TYPES.LABEL_OPTIONAL)
+        wire = {_TYPES.TYPE_FIXED32: _FIXED_32,
+                _TYPES.TYPE_MESSAGE: _NESTED}.get(kind, _FIXED_64)
+        return varint(number << 3 | wire)
+
+    def place(self, text, key, code, base=0):
+        """Room for a number."""
+        self.offsets[key] = (base + len(text), code)
+        text += bytes(int(code[-1]))
+
+    def nested(self, number, name, fields):
+        """A message within, and the room it takes."""
+        inner = self.message.nested_type.add(name=name.capitalize())
+        text = bytearray()
+        found = []
+        for place, (column, key, kind, code) in enumerate(fields, 1):
+            text += self.field(inner, place, column, kind)
+            found.append((key, len(text), code))
+            text += bytes(int(code[-1]))
+        head = self.field(self.message, number, name, _TYPES.TYPE_MESSAGE,
+                          f".urv.{self.message.name}.{inner.name}")
+        head += varint(len(text))
+        base = len(self.template) + len(head)
+        self.template += head + text
+        for key, offset, code in found:
+            self.offsets[key] = (base + offset, code)
+
+    @property
+    def schema(self):
+        """As MCAP has it."""
+        file = descriptor_pb2.FileDescriptorProto(
+            name=f"urv/{self.group}.proto", package="urv", syntax="proto3",
+            message_type=[self.message])
+        return descriptor_pb2.FileDescriptorSet(
+            file=[file]).SerializeToString()
+
+    def blank(self, many):
+        """Room for messages, and the numbers in it. What stands between
+        these is in the room alone: numpy copies no padding."""
+        room = bytearray(self.template) * many
+        return room, numpy.frombuffer(room, dtype=self.kind)
+
+    def encoded(self, rows, stale):
+        """A message for each row."""
+        room, made = self.blank(len(rows))
+        for name, place in self.places.items():
+            made[name] = rows[:, place]
+        for name in self.values:
+            values = items.COLUMNS[name].value(rows[:, self.places[name]])
+            if stale is not None:
+                values[stale] = numpy.nan
+            made[f"{name}.value"] = values
+        size = self.kind.itemsize
+        text = bytes(room)
+        return [text[at:at + size] for at in range(0, len(text), size)]
+
+    def decoded(self, messages, rows):
+        """The messages' columns, into rows; whether all were such."""
+        size = self.kind.itemsize
+        if any(len(message) != size for message in messages):
+            return False
+        text = b"".join(messages)
+        read = numpy.frombuffer(text, dtype=self.kind)
+        for name, place in self.places.items():
+            rows[:, place] = read[name]
+        # All but the numbers is as in the template.
+        room, numbers = self.blank(len(messages))
+        for name in self.kind.names:
+            numbers[name] = read[name]
+        return room == text
+
+
+def layouts(columns):
+    """Those of a record's topics."""
+    groups = {}
+    for place, name in enumerate(columns.names):
+        group = records.group_of(name)[0] or OTHERS
+        groups.setdefault(group, []).append((name, place))
+    return [Layout(group, *zip(*members, strict=True), columns.decimals)
+            for group, members in groups.items()]
+
+
+class Writer:
+    """Writes rows as messages."""
+
+    def __init__(self, path, columns):
+        self.names = columns.names
+        self.frame = columns.names.index("frame")
+        self.time = columns.names.index("time_ms")
+        self.stream = open(path, "wb")  # noqa: SIM115 - closed by close
+        self.file = McapWriter(
+            self.stream, compression=CompressionType.ZSTD)
+        self.file.start(profile="", library="bin/urv")
+        self.file.add_metadata(MARK, {
+            "version": VERSION, "columns": ",".join(columns.names),
+            "decimals": ",".join(map(str, columns.decimals))})
+        self.layouts = layouts(columns)
+        self.channels = []
+        for layout in self.layouts:
+            schema = self.file.register_schema(
+                f"urv.{layout.message.name}", "protobuf", layout.schema)
+            self.channels.append(self.file.register_channel(
+                layout.topic, "protobuf", schema))
+
+    def write(self, rows):
+        stale = records.stale_rows(self.names, rows)
+        frames = (rows[:, self.frame].astype(numpy.int64) & 0xFFFFFFFF
+                  ).tolist()
+        times = numpy.rint(
+            rows[:, self.time] * NANOSECONDS_PER_MS).astype(int).tolist()
+        messages = [layout.encoded(rows, stale.get(layout.group))
+                    for layout in self.layouts]
+        add = self.file.add_message
+        for row, (frame, time) in enumerate(zip(frames, times, strict=True)):
+            for channel, of_topic in zip(
+                    self.channels, messages, strict=True):
+                add(channel, time, of_topic[row], time, frame)
+
+    def close(self, is_whole):
+        with self.stream:
+            if is_whole:
+                self.file.finish()
+
+
+class Record:
+    """A record in an MCAP file that bin/urv has written."""
+
+    def __init__(self, path, stream):
+        self.path = path
+        self.stream = stream
+        self.size = path.stat().st_size
+        self.reader = make_reader(stream, validate_crcs=True)
+        summary = self.reader.get_summary()
+        mark = next((each for each in self.reader.iter_metadata()
+                     if each.name == MARK), None)
+        if mark is None or mark.metadata.get("version") != VERSION:
+            raise faults.Refused(
+                f"{faults.quoted(path)}: no record: bin/urv convert has not"
+                " written it")
+        names = mark.metadata["columns"].split(",")
+        records.check_names(names, faults.quoted(path))
+        self.columns = records.Columns(
+            names, map(int, mark.metadata["decimals"].split(",")))
+        self.names, self.decimals = names, self.columns.decimals
+        self.layouts = layouts(self.columns)
+        self.many = summary.statistics.message_count if summary else None
+
+    @property
+    def position(self):
+        return self.stream.tell()
+
+    def blocks(self):
+        waiting = {layout.topic: [] for layout in self.layouts}
+        last = self.layouts[-1].topic
+        for _, channel, message in self.reader.iter_messages(
+                topics=list(waiting), log_time_order=False):
+            waiting[channel.topic].append(message.data)
+            if (channel.topic == last
+                    and len(waiting[last]) == records.ROWS_PER_BLOCK):
+                yield self.rows(waiting)
+                waiting = {topic: [] for topic in waiting}
+        if any(waiting.values()):
+            yield self.rows(waiting)
+
+    def rows(self, waiting):
+        many = {len(messages) for messages in waiting.values()}
+        if len(many) != 1:
+            raise faults.Refused(
+                f"{faults.quoted(self.path)}: messages of some topics are"
+                " missing")
+        rows = numpy.empty((many.pop(), len(self.names)))
+        for layout in self.layouts:
+            if not layout.decoded(waiting[layout.topic], rows):
+                raise faults.Refused(
+                    f"{faults.quoted(self.path)}: {layout.topic}: messages"
+                    " are not as bin/urv convert writes them")
+        return rows
+
+
+@contextmanager
+def opened(path):
+    """A record to be read."""
+    try:
+        stream = path.open("rb")
+    except OSError as fault:
+        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
+                             f" {faults.reason(fault)}") from fault
+    with stream:
+        try:
+            yield Record(path, stream)
+        except (McapError, EOFError, ValueError, KeyError, struct.error,
+                zstandard.ZstdError) as fault:
+            raise faults.Refused(
+                f"{faults.quoted(path)}: no MCAP file, or one that is"
+                " damaged") from fault

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The packets between the ground's node and the station (GND-1).
+
+docs/station-packets.md has their layouts. A frame packet goes from urv_gsc
+to the station each major frame, a console packet from the station to
+urv_gsc. What is not such a packet raises PacketError, which says why.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from enum import IntEnum, IntFlag
+
+from urv import items
+
+FRAME_US = 20_000
+"""A major frame of the nodes."""
+FRAME_S = FRAME_US / 1e6
+
+VERSION = 1
+NEVER = 0xFFFF_FFFF
+"""The age of a downlink that has not come yet."""
+
+COLUMNS = tuple(
+    column for column in items.COLUMNS
+    if column.startswith(("console.", "gsc.")))
+"""The words of a frame packet, as the record names them, in its order."""
+
+COMMANDS = tuple(item.name for item in items.of_group("console"))
+
+LINK_COUNTS = (
+    "uplink_sent", "uplink_scrapped", "downlink_received", "downlink_bad",
+    "resets", "bytes_discarded", "overruns", "publish_not_sent",
+    "console_packets", "console_bad")
+
+STATUS = (
+    "start_condition", "cold_starts", "warm_resets", "processor_restarts",
+    "self_test_result", "rom_passes", "rom_failures", "error_total_high",
+    "error_total_low", "last_error", "last_error_frame_high",
+    "last_error_frame_low")
+
+NODES = ("gsc", "mcs")
+KINDS = (
+    "ad_no_scan", "ad_unexpected_interrupt", "scan_not_consumed",
+    "image_not_consumed", "telin_no_block", "input_not_consumed",
+    "no_input", "input_out_of_range", "no_image", "uplink_not_consumed",
+    "downlink_not_consumed", "output_not_consumed", "no_output",
+    "telout_overwrote_block", "commands_not_consumed", "no_commands",
+    "core_no_uplink", "core_no_downlink", "link_block_bad",
+    "link_block_not_taken", "link_block_scrapped", "link_block_cleared",
+    "link_reset", "task_overrun", "semaphore_not_claimed",
+    "semaphore_not_owned", "warm_reset", "processor_restart",
+    "self_test_failed", "rom_check_failed")
+"""The kinds of errors, in the order of their rows."""
+
+ROWS_PER_LOG = 32
+
+_FRAME_MAGIC = int.from_bytes(b"URVF")
+_FRAME_HEAD = struct.Struct(">IHHIIQIHHI")
+_COUNTS = struct.Struct(f">{len(LINK_COUNTS)}I")
+_WORDS = struct.Struct(f">{len(COLUMNS)}H")
+_ROW = struct.Struct(">IIIH")
+_LOG_LENGTH = ROWS_PER_LOG * _ROW.size
+_TAIL = struct.Struct(f">{len(STATUS)}HH")
+_COUNTS_AT = _FRAME_HEAD.size
+WORDS_AT = _COUNTS_AT + _COUNTS.size
+LOGS_AT = WORDS_AT + _WORDS.size
+TAIL_AT = LOGS_AT + len(NODES) * _LOG_LENGTH
+FRAME_LENGTH = TAIL_AT + _TAIL.size
+
+_CONSOLE_MAGIC = int.from_bytes(b"URVC")
+_CONSOLE = struct.Struct(f">IHHIIQ{len(COMMANDS)}HH")
+CONSOLE_LENGTH = _CONSOLE.size
+
+
+class PacketError(ValueError):
+    """These bytes are not such a packet, or such a packet cannot be."""
+
+
+class ConsoleState(IntEnum):
+    """Whose words the converter sees."""
+
+    NONE = 0
+    LIVE = 1
+    HELD = 2
+    NEUTRAL = 3
+
+
+class LinkState(IntEnum):
+    """What has become of the aircraft's node."""
+
+    NEVER_HEARD = 0
+    HEARD = 1
+    LOST = 2
+
+
+class Pilot(IntEnum):
+    """What the simulated pilot does."""
+
+    NONE = 0
+    HANDS_OFF = 1
+    FLIES = 2
+
+
+class ConsoleFlags(IntFlag):
+    """What a console packet asks for."""
+
+    PILOT_FLIES = 1
+
+
+@dataclass(frozen=True)
+class LogRow:
+    """What a node's error log has of one kind."""
+
+    count: int = 0
+    first_frame: int = 0
+    last_frame: int = 0
+    detail: int = 0
+
+
+@dataclass(frozen=True)
+class Event:
+    """A kind of error that has happened, with its row of the log."""
+
+    node: str
+    kind: str
+    row: LogRow
+
+
+@dataclass(frozen=True)
+class FramePacket:
+    """What GSC CORE has at the end of a major frame."""
+
+    run: int
+    sequence: int
+    time_us: int
+    downlink_age: int
+    console_state: ConsoleState
+    link_state: LinkState
+    console_sequence: int
+    counts: tuple[int, ...]
+    words: tuple[int, ...]
+    logs: tuple[tuple[LogRow, ...], ...]
+    status: tuple[int, ...]
+    pilot: Pilot
+
+    @property
+    def columns(self) -> dict[str, int]:
+        """The words by their column of the record."""
+        return dict(zip(COLUMNS, self.words, strict=True))
+
+    @property
+    def link(self) -> dict[str, int]:
+        """The link counts by name."""
+        return dict(zip(LINK_COUNTS, self.counts, strict=True))
+
+    @property
+    def core_status(self) -> dict[str, int]:
+        """The words of CORE's status area by name."""
+        return dict(zip(STATUS, self.status, strict=True))
+
+    @property
+    def is_fresh(self) -> bool:
+        """The words of the downlink are of this frame."""
+        return self.downlink_age == 0
+
+    @property
+    def events(self) -> list[Event]:
+        """What has gone wrong so far, the ground's log first."""
+        return [Event(node, kind, row)
+                for node, log in zip(NODES, self.logs, strict=True)
+                for kind, row in zip(KINDS, log)  # noqa: B905 - rows to spare
+                if row.count > 0]
+
+    def encode(self) -> bytes:
+        """The datagram."""
+        if (len(self.logs) != len(NODES)
+                or any(len(log) != ROWS_PER_LOG for log in self.logs)):
+            raise PacketError(
+                f"frame packet: logs are {len(NODES)} of "
+                f"{ROWS_PER_LOG} rows")
+        try:
+            return b"".join((
+                _FRAME_HEAD.pack(
+                    _FRAME_MAGIC, VERSION, FRAME_LENGTH, self.run,
+                    self.sequence, self.time_us, self.downlink_age,
+                    self.console_state, self.link_state,
+                    self.console_sequence),
+                _COUNTS.pack(*self.counts),
+                _WORDS.pack(*self.words),
+                *(_ROW.pack(row.count, row.first_frame, row.last_frame,
+                            row.detail)
+                  for log in self.logs for row in log),
+                _TAIL.pack(*self.status, self.pilot)))
+        except struct.error as error:
+            raise PacketError(f"frame packet: {error}") from error
+
+    @classmethod
+    def decode(cls, data: bytes) -> FramePacket:
+        """The packet in a datagram."""
+        _check("frame packet", data, _FRAME_MAGIC, FRAME_LENGTH)
+        (_, _, _, run, sequence, time_us, age, console_state, link_state,
+         console_sequence) = _FRAME_HEAD.unpack_from(data)
+        rows = [LogRow(*values) for values
+                in _ROW.iter_unpack(data[LOGS_AT:TAIL_AT])]
+        *status, pilot = _TAIL.unpack_from(data, TAIL_AT)
+        return cls(
+            run=run,
+            sequence=sequence,
+            time_us=time_us,
+            downlink_age=age,
+            console_state=_member(ConsoleState, console_state),
+            link_state=_member(LinkState, link_state),
+            console_sequence=console_sequence,
+            counts=_COUNTS.unpack_from(data, _COUNTS_AT),
+            words=_WORDS.unpack_from(data, WORDS_AT),
+            logs=tuple(tuple(rows[first:first + ROWS_PER_LOG])
+                       for first in range(0, len(rows), ROWS_PER_LOG)),
+            status=tuple(status),
+            pilot=_member(Pilot, pilot))
+
+
+@dataclass(frozen=True)
+class ConsolePacket:
+    """What the pilot's sticks and switches say."""
+
+    run: int
+    sequence: int
+    time_us: int
+    words: tuple[int, ...]
+    flags: ConsoleFlags = ConsoleFlags(0)
+
+    @property
+    def columns(self) -> dict[str, int]:
+        """The words by their column of the record, the first of all."""
+        return dict(zip(COLUMNS, self.words, strict=False))
+
+    def encode(self) -> bytes:
+        """The datagram."""
+        self._check_words()
+        try:
+            return _CONSOLE.pack(
+                _CONSOLE_MAGIC, VERSION, CONSOLE_LENGTH, self.run,
+                self.sequence, self.time_us, *self.words, self.flags)
+        except struct.error as error:
+            raise PacketError(f"console packet: {error}") from error
+
+    @classmethod
+    def decode(cls, data: bytes) -> ConsolePacket:
+        """The packet in a datagram."""
+        _check("console packet", data, _CONSOLE_MAGIC, CONSOLE_LENGTH)
+        (_, _, _, run, sequence, time_us, *words, flags) = (
+            _CONSOLE.unpack(data))
+        if flags & ~int(ConsoleFlags.PILOT_FLIES):
+            raise PacketError(f"console packet: unknown flags {flags:04x}h")
+        packet = cls(run, sequence, time_us, tuple(words),
+                     ConsoleFlags(flags))
+        packet._check_words()
+        return packet
+
+    def _check_words(self) -> None:
+        if len(self.words) != len(COMMANDS):
+            raise PacketError(
+                f"console packet: {len(self.words)} words, not "
+                f"{len(COMMANDS)}")
+        for name, word in zip(COMMANDS, self.words, strict=True):
+            if not 0 <= word <= items.LARGEST_WORD:
+                raise PacketError(
+                    f"console packet: {name} is {word}, not 0 to "
+                    f"{items.LARGEST_WORD}")
+
+
+def _check(what: str, data: bytes, magic: int, length: int) -> None:
+    """Refuses a datagram that is not of this kind."""
+    if len(data) != length:
+        raise PacketError(f"{what}: {len(data)} bytes, not {length}")
+    found, version, told = struct.unpack_from(">IHH", data)
+    if found != magic:
+        raise PacketError(f"{what}: it begins with {found:08x}h, not "
+                          f"{magic:08x}h")
+    if version != VERSION:
+        raise PacketError(f"{what}: version {version}, not {VERSION}")
+    if told != length:
+        raise PacketError(f"{what}: it says that it has {told} bytes, "
+                          f"not {length}")
+
+
+def _member(kind: type[IntEnum], value: int) -> IntEnum:
+    try:
+        return kind(value)
+    except ValueError as error:
+        raise PacketError(
+            f"frame packet: {value} is no {kind.__name__}") from error

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page: hears the station, keeps the ages (GND-25), draws when there is
+// news.
+
+import { byId, put, say } from "./draw.js";
+import { Flight } from "./flight.js";
+import { Hands, store, stored } from "./hands.js";
+import { showAlerts, showLines } from "./panels.js";
+import { Systems } from "./systems.js";
+
+const OLD = 40;
+const LOST = 500;
+// States come every 40 ms; one is late only after that.
+const BETWEEN = 60;
+const AGAIN = 500;
+const BARS = 5;
+const FRAMES_A_SECOND = 50;
+
+let socket = null;
+// What the station said first, kept when it falls silent.
+let hello = null;
+let there = false;
+let state = null;
+let came = 0;
+let closed = performance.now();
+let drawing = false;
+
+const send = (message) => {
+  if (socket?.readyState === WebSocket.OPEN) {
+    socket.send(JSON.stringify(message));
+  }
+};
+
+const flight = new Flight();
+const systems = new Systems();
+const hands = new Hands(send);
+const acknowledge = (key) => send({ t: "seen", key });
+
+function connect() {
+  socket = new WebSocket(`ws://${location.host}/ws`);
+  socket.addEventListener("message", (event) => {
+    const message = JSON.parse(event.data);
+    if (message.t === "state") {
+      state = message;
+      came = performance.now();
+      if (hello) draw_soon();
+    } else if (message.t === "hello") {
+      hello = message;
+      there = true;
+      byId("lines").replaceChildren();
+      flight.learn(hello.items);
+      systems.learn(hello.items);
+    } else if (message.t === "alerts") {
+      showAlerts(message.alerts, acknowledge);
+    } else if (message.t === "log") {
+      showLines(message.lines);
+    }
+  });
+  socket.addEventListener("close", () => {
+    hands.holding = false;
+    if (there) closed = performance.now();
+    there = false;
+    draw_soon();
+    setTimeout(connect, AGAIN);
+  });
+}
+
+function draw_soon() {
+  if (drawing) return;
+  drawing = true;
+  requestAnimationFrame(() => {
+    drawing = false;
+    draw();
+  });
+}
+
+const aged = (age) =>
+  age === null ? "never" : age >= LOST ? "lost" : age >= OLD ? "old"
+    : "fresh";
+
+function draw() {
+  const now = performance.now();
+  const late = Math.max(0, now - came - BETWEEN);
+  const frame = state === null || state.age_ms === null ? null
+    : Math.max(0, state.age_ms - 20) + late;
+  const down = state === null || state.down_ms === null ? null
+    : state.down_ms + late;
+  const body = document.body;
+  body.dataset.station = there ? "there" : "lost";
+  body.dataset.frame = there ? aged(frame) : "lost";
+  body.dataset.down = there ? aged(frame === null ? null : down) : "lost";
+  show_lost(now, frame, down);
+  if (state === null || state.values === undefined || hello === null) return;
+  const value = {};
+  const words = {};
+  hello.columns.forEach((column, at) => {
+    value[column] = state.values[at];
+    words[column] = state.words[at];
+  });
+  hands.state(state, hello.console, words);
+  const lost = body.dataset.down === "lost" || body.dataset.down === "never";
+  const silent = body.dataset.frame === "lost";
+  if (!lost) flight.draw(value, state.derived);
+  systems.draw(value, words, lost);
+  hands.draw(value, words, silent);
+  show_status(value, lost, silent);
+  show_holder(silent);
+  body.dataset.seq = state.seq;
+  body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
+}
+
+function show_lost(now, frame, down) {
+  let what = "";
+  let age = null;
+  if (!there) {
+    what = "STATION LOST";
+    age = now - closed;
+  } else if (frame === null) {
+    what = "NO FRAMES YET";
+  } else if (frame >= LOST) {
+    what = "NO FRAMES";
+    age = frame;
+  } else if (down === null) {
+    what = "NO DOWNLINK YET";
+  } else if (down >= LOST) {
+    what = "LINK LOST";
+    age = down;
+  }
+  byId("lost").hidden = what === "";
+  say(byId("lost_what"), what);
+  say(byId("lost_for"), age === null ? ""
+    : `for ${(age / 1000).toFixed(1)} s`);
+}
+
+const bars = Array.from({ length: BARS }, (_, at) => {
+  const bar = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+  for (const [name, amount] of Object.entries({ x: at * 9, width: 6,
+    y: 12 - at * 3, height: 4 + at * 3 })) bar.setAttribute(name, amount);
+  byId("bars").append(bar);
+  return bar;
+});
+
+function show_status(value, lost, silent) {
+  const fresh = silent ? 0 : Math.min(state.fresh, FRAMES_A_SECOND);
+  bars.forEach((bar, at) => put(bar, "class",
+    fresh > FRAMES_A_SECOND * at / BARS ? "on" : ""));
+  say(byId("fresh"), silent ? "--/--" : `${String(fresh).padStart(2, "\u2007")}/`
+    + `${FRAMES_A_SECOND}`);
+  for (const shown of document.querySelectorAll("output[data-column]")) {
+    const column = shown.dataset.column;
+    const item = hello.items[column];
+    const now = value[column];
+    say(shown, lost || now === null ? `\u2013\u2013 ${item.unit}`
+      : `${now.toFixed(1).replace("-", "\u2212")} ${item.unit}`);
+    shown.classList.toggle("gone", lost);
+  }
+  say(byId("stick_ms"), silent || state.stick_ms === null ? "\u2013\u2013 ms"
+    : `${state.stick_ms.toFixed(0).padStart(3, "\u2007")} ms`);
+  say(byId("bad"), String(state.counts.downlink_bad));
+  say(byId("scrapped"), String(state.counts.uplink_scrapped));
+  say(byId("resets"), String(state.counts.resets));
+  const seconds = Math.floor(state.seq / FRAMES_A_SECOND);
+  const two = (number) => String(number).padStart(2, "0");
+  say(byId("clock"), `${two(Math.floor(seconds / 3600))}:`
+    + `${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`);
+  const archive = byId("archive");
+  say(archive, !there ? "\u2013\u2013"
+    : state.archive === null ? "none" : state.archive.text);
+  archive.classList.toggle("caution", state.archive?.lost ?? false);
+}
+
+function flies(silent) {
+  if (silent) {
+    return ["warning", "\u25b2 not known", "\u25b2 who flies is not known"];
+  }
+  const mine = state.holder === hello.console;
+  if (state.pilot === "flies") return ["", "sim pilot", "simulated pilot flies"];
+  if (state.holder !== null && state.live) {
+    return mine ? ["mine", "YOU", `YOU fly (console ${hello.console})`]
+      : ["", `console ${state.holder}`, `console ${state.holder} flies`];
+  }
+  const holds = state.holder === null ? "nobody"
+    : mine ? "you, not live" : `console ${state.holder}, not live`;
+  const by = { held: ["caution", `\u25c6 ${holds}: HELD`,
+    `\u25c6 ${holds}: sticks HELD`],
+  neutral: ["warning", `\u25b2 ${holds}: NEUTRAL`,
+    `\u25b2 ${holds}: sticks NEUTRAL`],
+  none: ["", "script", "a script flies, no console"],
+  live: [mine ? "mine" : "", holds, holds] };
+  return by[state.console] ?? ["", holds, holds];
+}
+
+function show_holder(silent) {
+  const [kind, short, long] = flies(silent);
+  const who = byId("who");
+  say(who, short);
+  put(who, "class", kind);
+  const holder = byId("holder");
+  say(holder, long);
+  put(holder, "class", kind);
+  const mine = state.holder === hello.console;
+  const [caution, source] = hands.source();
+  const asks = state.asker === hello.console;
+  say(byId("source"), source || (asks
+    ? `asked console ${state.holder}: ${state.left.toFixed(0)} s`
+    : `you are console ${hello.console}`));
+  put(byId("source"), "class", caution);
+  byId("asked").hidden = !hands.asked;
+  if (hands.asked) {
+    say(byId("asking"), `console ${state.asker} asks for the sticks: `
+      + `${state.left.toFixed(0)} s`);
+  }
+  byId("take").disabled = !there || !hello.can_fly || asks
+    || (mine && hands.blocked === "");
+  byId("pilot").disabled = state.pilot !== "hands_off"
+    || !(mine || state.holder === null);
+  byId("disconnect").disabled = !(mine || (state.pilot === "flies"
+    && state.holder === null));
+}
+
+// What is clicked and typed
+
+byId("take").addEventListener("click", () => hands.take());
+byId("pilot").addEventListener("click", () => send({ t: "pilot" }));
+byId("disconnect").addEventListener("click",
+  () => send({ t: "disconnect" }));
+byId("give").addEventListener("click", () => hands.answer(true));
+byId("keep").addEventListener("click", () => hands.answer(false));
+byId("seen").addEventListener("click", () => acknowledge(null));
+byId("help").addEventListener("click", () => byId("keys").showModal());
+byId("marking").addEventListener("submit", (event) => {
+  event.preventDefault();
+  send({ t: "mark", text: byId("mark").value });
+  byId("mark").value = "";
+  byId("mark").blur();
+});
+byId("mark").addEventListener("keydown", (event) => {
+  if (event.key === "Escape") byId("mark").blur();
+});
+addEventListener("keydown", (event) => {
+  if (event.target === byId("mark") || event.repeat || event.ctrlKey
+    || event.metaKey || event.altKey) return;
+  if (event.key === "m" || event.key === "M") {
+    byId("mark").focus();
+    event.preventDefault();
+  } else if (event.key === "k" || event.key === "K") {
+    acknowledge(null);
+  } else if (event.key === "l" || event.key === "L") {
+    turn_theme();
+  } else if (event.key === "?") {
+    byId("keys").showModal();
+  }
+});
+
+// Dark, unless the system or the button says light.
+
+const system_light = matchMedia("(prefers-color-scheme: light)");
+let theme = stored("theme", "");
+
+function show_theme() {
+  if (theme) document.documentElement.dataset.theme = theme;
+  const light = theme ? theme === "light" : system_light.matches;
+  say(byId("theme"), light ? "dark" : "light");
+}
+
+function turn_theme() {
+  const light = theme ? theme === "light" : system_light.matches;
+  theme = light ? "dark" : "light";
+  store("theme", theme);
+  show_theme();
+}
+byId("theme").addEventListener("click", turn_theme);
+system_light.addEventListener("change", show_theme);
+
+show_theme();
+connect();
+// Ages go on when nothing comes.
+setInterval(() => {
+  if (performance.now() - came > BETWEEN) draw_soon();
+}, 100);
+draw_soon();

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a report draws: a panel for each subject, all on one time axis, and the
+numbers behind them, packed (GND-14).
+
+A series is sent as its words, with the scale to make values of them: nothing
+is left out, and the browser draws, for the time shown, the least and the most
+of what falls on a pixel. So no peak is lost, however long the flight.
+"""
+
+from __future__ import annotations
+
+import base64
+import zlib
+from dataclasses import dataclass
+
+import numpy
+
+from urv import items, verdicts
+
+# Roles, which the page has a colour and a dash for. Cyan is what was asked
+# for; amber and red are for limits alone.
+ASKED, TRUTH = "asked", "truth"
+COLOURS = ("first", "second", "third", "fourth", "fifth")
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A series in a panel."""
+
+    column: str
+    label: str
+    role: str
+    is_step: bool = False
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A plot."""
+
+    title: str
+    unit: str
+    traces: tuple
+    note: str = ""
+    limits: tuple = ()
+    """Instead of those of the items: from warning low to warning high."""
+
+
+def sensors(*names, roles=COLOURS):
+    """Traces of words of the downlink; the flight says of which group."""
+    return tuple(Trace(f"DOWNLINK.{name}", label_of("gsc.downlink", name),
+                       role)
+                 for name, role in zip(names, roles, strict=False))
+
+
+def label_of(group, name):
+    return items.COLUMNS[f"{group}.{name}"].label
+
+
+def surface(title, *names):
+    """Commands of the servos and the positions that came down."""
+    traces = [Trace(f"pwm.{name}", f"{label_of('pwm', name)}, command",
+                    ASKED, is_step=True) for name in names[:1]]
+    traces += [Trace(f"DOWNLINK.{name}", f"{label_of('pwm', name)}, position",
+                     role)
+               for name, role in zip(names, COLOURS, strict=False)
+               if name != "steering"]
+    if "steering" in names:
+        traces.append(Trace("pwm.steering", "steering, command", "third",
+                            is_step=True))
+    return Panel(title, "deg", tuple(traces))
+
+
+SWITCHES = "Switches"
+
+PANELS = (
+    Panel("Sticks", "%", tuple(
+        Trace(f"console.{name}", name, role, is_step=True)
+        for name, role in zip(("roll", "pitch", "yaw", "throttle", "brake"),
+                              COLOURS, strict=True))),
+    Panel(SWITCHES, "", tuple(
+        Trace(f"console.switch{n}", f"switch {n}", COLOURS[n % 5],
+              is_step=True) for n in range(1, 9)),
+        note="those that were thrown"),
+    surface("Ailerons", "left_aileron", "right_aileron"),
+    surface("Elevators", "left_elevator", "right_elevator"),
+    surface("Rudders and nose wheel", "left_rudder", "right_rudder",
+            "steering"),
+    surface("Flaps", "left_flap_1", "right_flap_1", "left_flap_2",
+            "right_flap_2"),
+    Panel("Roll attitude", "deg", (
+        *sensors("roll_attitude"),
+        Trace("truth.bank_deg", "bank, true", TRUTH))),
+    Panel("Pitch attitude", "deg", (
+        *sensors("pitch_attitude"),
+        Trace("truth.pitch_deg", "pitch, true", TRUTH))),
+    Panel("Roll rate", "deg/s", sensors("roll_rate")),
+    Panel("Pitch rate", "deg/s", sensors("pitch_rate")),
+    Panel("Yaw rate", "deg/s", sensors("yaw_rate")),
+    Panel("Altitude above the field", "ft", (
+        *sensors("altitude"),
+        Trace("truth.altitude_ft", "altitude, true", TRUTH))),
+    Panel("Airspeed, calibrated", "kt", (
+        *sensors("airspeed"),
+        Trace("truth.airspeed_kt", "airspeed, true state", TRUTH))),
+    Panel("Angle of attack", "deg", (
+        *sensors("alpha"), Trace("truth.alpha_deg", "alpha, true", TRUTH))),
+    Panel("Sideslip", "deg", (
+        *sensors("beta"), Trace("truth.beta_deg", "beta, true", TRUTH))),
+    Panel("Load factor", "g", sensors("vertical_acceleration")),
+    Panel("Lateral acceleration", "g", sensors("lateral_acceleration")),
+    Panel("Longitudinal acceleration", "g",
+          sensors("longitudinal_acceleration")),
+    Panel("Engine", "rev/min", sensors("rpm")),
+    Panel("Throttle and brake at the servos", "%", (
+        Trace("pwm.throttle", "throttle", "first", is_step=True),
+        Trace("pwm.brake", "brake", "second", is_step=True))),
+    Panel("Battery", "V", sensors("battery_volts")),
+    Panel("Alternator", "V", sensors("alternator_volts")),
+    Panel("Uplink signal at the aircraft", "dBm",
+          sensors("uplink_signal_strength")),
+    Panel("Messages in the last second", "1/s", (
+        Trace("RATE.link.uplink_received", "up, received", "first"),
+        Trace("RATE.link.downlink_received", "down, received", "second"),
+        Trace("RATE.link.uplink_bad", "up, damaged", "third"),
+        Trace("RATE.link.downlink_bad", "down, damaged", "fourth")),
+        note="50 are sent each way"),
+    Panel("Link, since the start", "messages", (
+        Trace("link.uplink_scrapped", "up, given up", "first"),
+        Trace("link.downlink_scrapped", "down, given up", "second"),
+        Trace("link.gsc_resets", "resets, ground", "third"),
+        Trace("link.mcs_resets", "resets, aircraft", "fourth"))),
+    Panel("Age of the downlink", "ms", (
+        Trace("AGE", "since fresh words came", "first"),),
+        limits=(None, None, None, 1000.0 * verdicts.LONGEST_SILENCE_S)),
+    Panel("Stick to servo", "ms", (
+        Trace("LATENCY", "of each change that got there", "first"),),
+        note="in whole frames of 20 ms",
+        limits=(None, None, verdicts.LONGEST_LATENCY_MS, None)),
+)
+
+
+def column_of(trace, flight):
+    """Its column in the flight."""
+    return trace.column.replace("DOWNLINK", flight.downlink or "none")
+
+
+def rate(flight, column):
+    """How much a count rose in the last second, at each row."""
+    seconds, count = flight.seconds, flight.columns[column]
+    before = numpy.searchsorted(seconds, seconds - 1.0 + 1e-6) - 1
+    risen = count - count[numpy.maximum(before, 0)]
+    return numpy.where(before < 0, numpy.nan, risen)
+
+
+class Pack:
+    """Numbers of flights for the page, in one piece."""
+
+    def __init__(self):
+        self.parts = []
+        self.length = 0
+
+    def add(self, values, kind):
+        """Where they are: begin and number, with their type."""
+        data = numpy.ascontiguousarray(values, dtype=f"<{kind}").tobytes()
+        # A typed array begins at a multiple of its numbers' size.
+        data += bytes(-len(data) % 8)
+        place = {"at": self.length, "many": len(values), "type": kind}
+        self.parts.append(data)
+        self.length += len(data)
+        return place
+
+    def text(self):
+        return base64.b64encode(
+            zlib.compress(b"".join(self.parts), 6)).decode("ascii")
+
+
+def series(flight, trace, pack, shift=0):
+    """One of a flight's, as the page reads it; nothing when there is none.
+
+    `at`, `many`, `type` say where the numbers are, `per` and `zero` make
+    values of them: per * (number - zero). `gaps` says that stale rows are
+    gaps of it.
+    """
+    if trace.column == "AGE":
+        if flight.downlink is None:
+            return None
+        age = flight.downlink_age_ms
+        milliseconds = numpy.where(numpy.isnan(age), -1, numpy.rint(age))
+        return {**pack.add(milliseconds, "i4"), "per": 1, "zero": 0,
+                "missing": -1, "decimals": 0}
+    if trace.column == "LATENCY":
+        seconds, milliseconds = flight.latencies
+        if not len(seconds):
+            return None
+        return {**pack.add(numpy.rint(milliseconds), "i4"), "per": 1,
+                "zero": 0, "decimals": 0,
+                "times": pack.add(seconds, "f8")}
+    if trace.column.startswith("RATE."):
+        column = trace.column[len("RATE."):]
+        if column not in flight:
+            return None
+        per_second = rate(flight, column)
+        return {**pack.add(numpy.nan_to_num(per_second, nan=-1), "i4"),
+                "per": 1, "zero": 0, "missing": -1, "decimals": 0}
+    column = column_of(trace, flight)
+    if column not in flight:
+        return None
+    numbers = flight.columns[column]
+    item = items.COLUMNS.get(column)
+    if item is not None and item.is_scaled:
+        fits = numpy.clip(numbers, 0, 0xFFFF)
+        # Switches stand above each other, with room between.
+        per = item.per_word * (0.7 if item.unit == "on" else 1.0)
+        return {**pack.add(fits, "u2"), "per": per,
+                "zero": item.zero_word - shift / per,
+                "gaps": column.startswith(f"{flight.downlink}."),
+                "decimals": item.decimals + 1}
+    if not column.startswith("truth."):
+        return {**pack.add(numbers, "i4"), "per": 1, "zero": 0, "decimals": 0}
+    # The truth stands with two decimals or three.
+    return {**pack.add(numpy.rint(numbers * 1000), "i4"), "per": 0.001,
+            "zero": 0, "decimals": 2}
+
+
+def moved(flight, trace):
+    """Whether a switch was ever thrown."""
+    column = trace.column
+    return column in flight and numpy.ptp(flight.columns[column]) > 0
+
+
+def drawn(flights, pack):
+    """The panels that have something to show, as the page reads them."""
+    found = []
+    for panel in PANELS:
+        traces, levels = [], []
+        for trace in panel.traces:
+            if panel.title == SWITCHES:
+                if not any(moved(flight, trace) for flight in flights):
+                    continue
+                levels.append(trace.label)
+            of_flights = [
+                series(flight, trace, pack, max(len(levels) - 1, 0))
+                for flight in flights]
+            if any(of_flights):
+                traces.append({
+                    "label": trace.label, "role": trace.role,
+                    "step": trace.is_step, "series": of_flights})
+        if traces:
+            found.append({
+                "title": panel.title, "unit": panel.unit, "note": panel.note,
+                "levels": levels, "traces": traces,
+                "limits": list(panel.limits or limits(panel))})
+    return found
+
+
+def limits(panel):
+    """Of a panel whose items have all the same: then they are bands."""
+    found = set()
+    for trace in panel.traces:
+        item = items.COLUMNS.get(
+            trace.column.replace("DOWNLINK", "gsc.downlink"))
+        if item is not None and trace.role != ASKED:
+            found.add((item.warning_low, item.caution_low, item.caution_high,
+                       item.warning_high))
+    only = found.pop() if len(found) == 1 else (None,) * 4
+    return () if only == (None,) * 4 else only
+
+
+def track(flights, pack):
+    """East and north of each flight, reckoned and true, in ft."""
+    found = []
+    for flight in flights:
+        one = {}
+        if flight.reckoned_track is not None:
+            one["reckoned"] = [
+                {**pack.add(numpy.nan_to_num(axis, nan=-1e9), "f4"),
+                 "missing": -1e9} for axis in flight.reckoned_track]
+        if flight.has_all("truth.east_ft", "truth.north_ft"):
+            one["truth"] = [
+                pack.add(flight.columns[name], "f4")
+                for name in ("truth.east_ft", "truth.north_ft")]
+        found.append(one)
+    return found
+
+
+def timing(flight, pack):
+    """Times of the rows, which of them are stale, and before which some are
+    missing."""
+    return {"times": pack.add(flight.seconds, "f8"),
+            "stale": pack.add(flight.is_stale, "u1"),
+            "breaks": pack.add(flight.breaks, "u4")}

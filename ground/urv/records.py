@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A flight's record, block by block, so that it may be longer than memory.
+
+    with records.opened("record.csv") as record:
+        for rows in record.blocks():        arrays, a row for each frame
+            record.names, record.decimals   of their columns
+
+A record has whole numbers, and columns of decimals with always as many places
+(`truth.*`). So its text can be made again from its numbers. That it can is
+tried, for every block: what is not exactly as urv_sim would write it is
+refused with its line (GND-13).
+"""
+
+from __future__ import annotations
+
+import re
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy
+
+from urv import faults, items
+
+ROWS_PER_BLOCK = 2_000
+"""Of a file that is read: half a minute, some MB."""
+
+LARGEST_WORD = 0xFFFF
+
+LARGEST = 2 ** 53
+"""Beyond it a number need not be exact."""
+
+NUMBER = re.compile(r"-?[0-9]+(?:\.([0-9]+))?")
+
+
+class Columns:
+    """Names of a record's columns, and how many decimals each has."""
+
+    def __init__(self, names, decimals):
+        self.names = list(names)
+        self.decimals = list(decimals)
+        self.row_format = ",".join(
+            f"%.{places}f" if places else "%d"
+            for places in self.decimals) + "\n"
+
+    def text(self, rows):
+        """The lines of CSV of some rows."""
+        row_format = self.row_format
+        return "".join([row_format % tuple(row) for row in rows.tolist()])
+
+    @property
+    def header(self):
+        return ",".join(self.names) + "\n"
+
+
+def check_names(names, where):
+    """Refuse what is not a record."""
+    seen = set()
+    for name in names:
+        if not name or not name.isprintable() or '"' in name:
+            raise faults.Refused(
+                f"{where}: {faults.quoted(name)} is no name of a column")
+        if name in seen:
+            raise faults.Refused(
+                f"{where}: the column {faults.quoted(name)} stands twice")
+        seen.add(name)
+    missing = [name for name in ("frame", "time_ms") if name not in seen]
+    if missing:
+        raise faults.Refused(
+            f"{where}: not a flight's record: it has no column"
+            f" {' and no '.join(missing)}")
+
+
+class CsvRecord:
+    """A record as urv_sim and the partitions write it."""
+
+    def __init__(self, path, file, forgiving=False):
+        self.path = path
+        self.file = file
+        self.forgiving = forgiving
+        self.size = path.stat().st_size if path.is_file() else None
+        self.cut_short = None
+        """The number of the last line, when it is not whole."""
+
+        header = self.next_line(1)
+        if header is None:
+            raise faults.Refused(f"{self.where(1)}: the file is empty")
+        names = header[:-1].split(",")
+        check_names(names, self.where(1))
+        self.first = self.next_line(2)
+        self.columns = Columns(names, self.kinds(names))
+        self.words = [place for place, name in enumerate(names)
+                      if name in items.COLUMNS]
+
+    @property
+    def names(self):
+        return self.columns.names
+
+    @property
+    def decimals(self):
+        return self.columns.decimals
+
+    @property
+    def position(self):
+        """How many bytes have been read; of `size`."""
+        return self.file.buffer.tell()
+
+    def where(self, line):
+        return f"{faults.quoted(self.path)[1:-1]}:{line}"
+
+    def lines(self, many):
+        """As many lines as there are, up to that."""
+        try:
+            return [line for _, line in zip(range(many), self.file)]
+        except UnicodeDecodeError as fault:
+            raise faults.Refused(
+                f"{self.where('?')}: not a text file: byte"
+                f" {fault.object[fault.start]:02x}h") from fault
+
+    def next_line(self, number):
+        """A line, or nothing at the end."""
+        found = self.lines(1)
+        if found and not found[0].endswith("\n"):
+            if number == 2 and self.forgiving:
+                self.cut_short = number
+                return None
+            raise faults.Refused(
+                f"{self.where(number)}: the last line has no end: the record"
+                " was cut short")
+        return found[0] if found else None
+
+    def kinds(self, names):
+        """How many decimals each column has, as its first row shows."""
+        if self.first is None:
+            return [0] * len(names)
+        cells = self.first[:-1].split(",")
+        self.check_cells(2, self.first, [None] * len(names), names)
+        return [len(NUMBER.fullmatch(cell)[1] or "") for cell in cells]
+
+    def blocks(self):
+        """Arrays of rows, in order."""
+        if self.first is None:
+            return
+        lines, number = [self.first], 2
+        while True:
+            lines += self.lines(ROWS_PER_BLOCK - len(lines))
+            if not lines:
+                return
+            if not lines[-1].endswith("\n"):
+                last = number + len(lines) - 1
+                if not self.forgiving:
+                    raise faults.Refused(
+                        f"{self.where(last)}: the last line has no end: the"
+                        " record was cut short")
+                self.cut_short = last
+                lines.pop()
+                if not lines:
+                    return
+            yield self.numbers(number, lines)
+            number += len(lines)
+            lines = []
+
+    def numbers(self, number, lines):
+        """The rows of some lines; refuses what would not be written so."""
+        text = "".join(lines)
+        width = len(self.names)
+        try:
+            values = numpy.array(
+                text.replace("\n", ",").split(",")[:-1], dtype=object)
+            rows = values.astype(numpy.float64).reshape(len(lines), width)
+            words = rows[:, self.words]
+            if (self.columns.text(rows) == text
+                    and ((words >= 0) & (words <= LARGEST_WORD)).all()):
+                return rows
+        except (ValueError, OverflowError):
+            pass
+        for place, line in enumerate(lines):
+            self.check_cells(number + place, line, self.decimals, self.names)
+        raise faults.Refused(f"{self.where(number)}: cannot be read")
+
+    def check_cells(self, number, line, decimals, names):
+        """Refuse the first cell that is wrong."""
+        cells = line[:-1].split(",")
+        if len(cells) != len(names):
+            raise faults.Refused(
+                f"{self.where(number)}: {len(cells)} cells, the header has"
+                f" {len(names)}")
+        for cell, name, places in zip(cells, names, decimals, strict=True):
+            found = NUMBER.fullmatch(cell)
+            here = f"{self.where(number)}: {name}: {faults.quoted(cell)}"
+            if not found:
+                raise faults.Refused(f"{here} is no number")
+            fine = len(found[1] or "")
+            if places is not None and fine != places:
+                raise faults.Refused(
+                    f"{here} has {fine} decimals, the rows before have"
+                    f" {places}")
+            if name in items.COLUMNS and (
+                    fine or not 0 <= int(cell) <= LARGEST_WORD):
+                raise faults.Refused(
+                    f"{here} is no word, 0 to {LARGEST_WORD}")
+            if (f"{float(cell):.{fine}f}" != cell
+                    or abs(float(cell)) * 10 ** fine >= LARGEST):
+                raise faults.Refused(
+                    f"{here} is not written as a record's numbers are")
+
+
+class CsvWriter:
+    """Writes a record as urv_sim would."""
+
+    def __init__(self, path, columns):
+        self.columns = columns
+        self.file = path.open("w", newline="", encoding="utf-8")
+        self.file.write(columns.header)
+
+    def write(self, rows):
+        self.file.write(self.columns.text(rows))
+
+    def close(self, _is_whole):
+        self.file.close()
+
+
+KINDS = (".csv", ".mcap", ".parquet")
+ENDINGS = "a record's name ends with .csv, .mcap or .parquet"
+
+
+@contextmanager
+def opened(path, forgiving=False):
+    """A record to be read, of whichever kind its name says.
+
+    A forgiving reader leaves out a last line that was cut short.
+    """
+    path = Path(path)
+    kind = path.suffix.lower()
+    if kind == ".csv":
+        with _opened_text(path) as file:
+            yield CsvRecord(path, file, forgiving)
+    elif kind in KINDS:
+        with _module(kind).opened(path) as record:
+            yield record
+    else:
+        raise faults.Refused(f"{faults.quoted(path)}: {ENDINGS}")
+
+
+@contextmanager
+def written(path, kind, record):
+    """A record of some kind to write rows to, with another's columns."""
+    writer = CsvWriter if kind == ".csv" else _module(kind).Writer
+    out = writer(path, record.columns)
+    is_whole = False
+    try:
+        yield out
+        is_whole = True
+    finally:
+        out.close(is_whole)
+
+
+def _module(kind):
+    """What reads and writes a kind; it needs packages of its own."""
+    if kind == ".parquet":
+        from urv import parquet_files
+        return parquet_files
+    from urv import mcap_files
+    return mcap_files
+
+
+@contextmanager
+def _opened_text(path):
+    try:
+        file = path.open(newline="\n", encoding="utf-8")
+    except OSError as fault:
+        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
+                             f" {faults.reason(fault)}") from fault
+    with file:
+        try:
+            yield file
+        except IsADirectoryError as fault:
+            raise faults.Refused(f"{faults.quoted(path)} is a folder"
+                                 ) from fault
+
+
+def group_of(name):
+    """The group of a column and its name there; none before a dot."""
+    group, _, item = name.rpartition(".")
+    return group, item
+
+
+def item_of(name):
+    """What a column's word means; nothing for what is no word."""
+    return items.COLUMNS.get(name)
+
+
+def stale_rows(names, rows):
+    """By group of columns with an error word: the rows whose words are of an
+    earlier frame, or of none. CORE is cleared at a cold start: a downlink of
+    zeros has not come yet."""
+    found = {}
+    for place, name in enumerate(names):
+        group, item = group_of(name)
+        if item == "error" and name in items.COLUMNS:
+            stale = rows[:, place].astype(numpy.int64) & items.STALE != 0
+            if group.endswith("downlink"):
+                words = [at for at, each in enumerate(names)
+                         if group_of(each)[0] == group]
+                stale |= ~rows[:, words].any(axis=1)
+            found[group] = stale
+    return found

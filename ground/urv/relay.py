@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Good frame packets, over TCP to the one who keeps them (GND-30).
+
+Yamcs connects here. Its own link over UDP hears whoever sends to any address
+of the machine, and loses what it is too slow for.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+
+WAITING = 15_000
+"""Frames kept for a client that is slow or not there yet: five minutes."""
+STUCK_S = 20.0
+
+
+class Relay:
+    """The frames that nobody has taken yet, and who takes them."""
+
+    def __init__(self) -> None:
+        self.lost = 0
+        self.sent = 0
+        self._frames: deque[bytes] = deque()
+        self._came = asyncio.Event()
+        self._taken = False
+
+    def put(self, frame: bytes) -> None:
+        """A frame, in its order."""
+        if len(self._frames) >= WAITING:
+            self._frames.popleft()
+            self.lost += 1
+        self._frames.append(frame)
+        self._came.set()
+
+    async def serve(self, reader: asyncio.StreamReader,
+                    writer: asyncio.StreamWriter) -> None:
+        """One client after the other; a second one at a time is refused."""
+        if self._taken:
+            writer.transport.abort()
+            return
+        self._taken = True
+        gone = asyncio.create_task(self._until_gone(reader))
+        try:
+            while not gone.done():
+                while self._frames and not gone.done():
+                    writer.write(self._frames[0])
+                    await asyncio.wait_for(writer.drain(), STUCK_S)
+                    self._frames.popleft()
+                    self.sent += 1
+                self._came.clear()
+                came = asyncio.create_task(self._came.wait())
+                await asyncio.wait({came, gone},
+                                   return_when=asyncio.FIRST_COMPLETED)
+                came.cancel()
+        except (ConnectionError, TimeoutError):
+            pass
+        finally:
+            self._taken = False
+            gone.cancel()
+            writer.transport.abort()
+
+    @staticmethod
+    async def _until_gone(reader: asyncio.StreamReader) -> None:
+        try:
+            while await reader.read(4096):
+                pass
+        except ConnectionError:
+            pass

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv report: a flight as one page of HTML (GND-14)."""
+
+from pathlib import Path
+from typing import Annotated, Optional
+
+import typer
+
+from urv import faults
+
+
+def report(
+    record: Annotated[Path, typer.Argument(
+        metavar="RECORD", help="Record of the flight: .csv, .mcap, .parquet.")
+    ],
+    output: Annotated[Path, typer.Option(
+        "-o", "--output", metavar="FILE", help="The page to write.")],
+    compare: Annotated[Optional[Path], typer.Option(
+        metavar="RECORD", help="Another flight, laid over it.")] = None,
+    events: Annotated[Optional[Path], typer.Option(
+        metavar="FILE", help="The flight's events, as --events wrote them.")
+    ] = None,
+    summary: Annotated[Optional[Path], typer.Option(
+        metavar="FILE", help="The flight's summary, as --summary wrote it.")
+    ] = None,
+):
+    """Make a report of a flight, as HTML.
+
+    One page that needs no network.
+    """
+    from urv import flights, progress, report_page
+
+    with progress.bar("reading") as told:
+        pages_events = flights.read_events(events) if events else []
+        pages_summary = flights.read_summary(summary) if summary else None
+        read = [flights.read(record, told)]
+        if compare:
+            read.append(flights.read(compare, told))
+    text = report_page.page(read, pages_events, pages_summary)
+    try:
+        output.write_text(text, encoding="utf-8")
+    except OSError as fault:
+        raise faults.Failed(f"{faults.quoted(output)} cannot be written:"
+                            f" {faults.reason(fault)}") from fault

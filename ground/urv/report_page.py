@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of a report: one file, with everything in it (GND-14).
+
+Drawn by plotly.js, from the wheel of PyPI's plotly: vector graphics, so that
+it prints well, and zoom by mouse and touch. Compressed it is 1.5 MB, which the
+browser unpacks. The page's policy forbids it any address: it needs no network
+and can tell nobody anything.
+"""
+
+from __future__ import annotations
+
+import base64
+import importlib.util
+import json
+import zlib
+from html import escape
+from pathlib import Path
+
+from urv import faults, panels, verdicts
+
+FOLDER = Path(__file__).parent
+
+POLICY = ("default-src 'none'; script-src 'unsafe-inline'; style-src"
+          " 'unsafe-inline'; img-src data: blob:; base-uri 'none';"
+          " form-action 'none'")
+
+MARKS = {verdicts.WELL: ("\N{CHECK MARK}", "within limits"),
+         verdicts.CAUTION: ("\N{BLACK UP-POINTING TRIANGLE}", "caution"),
+         verdicts.WARNING: ("\N{BLACK SQUARE}", "warning")}
+
+MOST_EXCEEDANCES = 100
+"""In the table; a flight with more of them has another problem."""
+
+
+def page(flights, events, summary):
+    """The text of the page."""
+    flight = flights[0]
+    pack = panels.Pack()
+    data = {
+        "names": [each.path.name for each in flights],
+        "timing": [panels.timing(each, pack) for each in flights],
+        "panels": panels.drawn(flights, pack),
+        "track": panels.track(flights, pack),
+        "happened": happened(flight, events),
+        "headings": [each.first_heading for each in flights],
+    }
+    quality = (summary or {}).get("flight_quality")
+    answers = [
+        verdicts.flown(flight, quality if isinstance(quality, dict) else None),
+        verdicts.link(flight, summary), verdicts.limits(flight)]
+    other = None
+    if len(flights) > 1:
+        other = [verdicts.flown(flights[1], None),
+                 verdicts.link(flights[1], None), verdicts.limits(flights[1])]
+    return "".join((
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+        "<meta charset=\"utf-8\">\n"
+        f"<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width,"
+        " initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n"
+        f"<title>Flight report: {escape(flight.path.name)}</title>\n"
+        "<style>\n", (FOLDER / "report.css").read_text("utf-8"),
+        "</style>\n</head>\n<body>\n",
+        head(flights), summary_of(answers, other),
+        exceedances(flight, events), PLOTS, foot(flights),
+        f"<script type=\"application/json\" id=\"data\">{script(data)}"
+        "</script>\n",
+        f"<script type=\"text/plain\" id=\"numbers\">{pack.text()}</script>\n",
+        f"<script type=\"text/plain\" id=\"plotly\">{library()}</script>\n",
+        "<script>\n", (FOLDER / "report.js").read_text("utf-8"),
+        "</script>\n</body>\n</html>\n"))
+
+
+def library():
+    """plotly.js, compressed."""
+    found = importlib.util.find_spec("plotly")
+    if found is None:
+        raise faults.Failed("the package plotly is missing:"
+                            " scripts/setup.sh fly installs it")
+    path = Path(found.origin).parent / "package_data" / "plotly.min.js"
+    return base64.b64encode(
+        zlib.compress(path.read_bytes(), 6)).decode("ascii")
+
+
+def script(data):
+    """JSON that ends no script, whatever the names in it."""
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False,
+                      default=float)
+    return text.replace("<", "\\u003c").replace("&", "\\u0026")
+
+
+def seconds(value):
+    return verdicts.number(value, 2, "s")
+
+
+def head(flights):
+    """The title and which flights these are."""
+    rows = []
+    for letter, flight in zip("AB", flights, strict=False):
+        mark = f"{letter}: " if len(flights) > 1 else ""
+        cut = (f"; its line {flight.cut_short} is cut short and left out"
+               if flight.cut_short else "")
+        begin, end = flight.seconds[0], flight.seconds[-1]
+        rows.append(
+            f"<p>{mark}<b>{escape(flight.path.name)}</b>: {flight.rows}"
+            f" frames, {seconds(begin)} to {seconds(end)},"
+            f" {len(flight.columns)} columns{cut}</p>\n")
+    return f"<header>\n<h1>Flight report</h1>\n{''.join(rows)}</header>\n"
+
+
+def mark(level):
+    """A shape and a word: never colour alone."""
+    shape, word = MARKS[level]
+    return (f"<span class=\"mark {level}\" title=\"{word}\">{shape}"
+            f"<span class=\"word\"> {word}</span></span>")
+
+
+def summary_of(answers, other):
+    """The answers, then the numbers below them."""
+    parts = ["<main>\n<section id=\"summary\">\n"]
+    for place, answer in enumerate(answers):
+        compared = other[place] if other else None
+        parts.append(
+            f"<article class=\"{answer.level}\">\n"
+            f"<h2>{escape(answer.question)}</h2>\n"
+            f"<p class=\"answer\">{'A: ' if compared else ''}"
+            f"{mark(answer.level)} {escape(answer.text)}</p>\n")
+        if compared:
+            parts.append(
+                f"<p class=\"answer\">B: {mark(compared.level)}"
+                f" {escape(compared.text)}</p>\n")
+        parts.append("</article>\n")
+    parts.append("</section>\n<section id=\"numbers-of-it\">\n")
+    for place, answer in enumerate(answers):
+        parts.append(table(answer, other[place] if other else None))
+    parts.append("</section>\n")
+    return "".join(parts)
+
+
+def table(answer, compared):
+    """Each number with its unit and its limit."""
+    if not answer.lines and not (compared and compared.lines):
+        return ""
+    of_b = {line.name: line for line in compared.lines} if compared else {}
+    names = list(dict.fromkeys(
+        [line.name for line in answer.lines] + list(of_b)))
+    of_a = {line.name: line for line in answer.lines}
+    columns = ("<th scope=\"col\">A</th><th scope=\"col\">B</th>" if compared
+               else "<th scope=\"col\">value</th>")
+    rows = []
+    for name in names:
+        limit = (of_a.get(name) or of_b[name]).limit
+        cells = cell(of_a.get(name))
+        if compared:
+            cells += cell(of_b.get(name))
+        rows.append(f"<tr><th scope=\"row\">{escape(name)}</th>{cells}"
+                    f"<td class=\"limit\">{escape(limit)}</td></tr>\n")
+    return (f"<div class=\"wide\"><table>\n<caption>{escape(answer.title)}"
+            "</caption>\n<thead><tr><th scope=\"col\">what</th>"
+            f"{columns}<th scope=\"col\">limit</th></tr></thead>\n"
+            f"<tbody>\n{''.join(rows)}</tbody>\n</table></div>\n")
+
+
+def cell(line):
+    if line is None:
+        return "<td></td>"
+    shown = f"{mark(line.level)} " if line.level != verdicts.WELL else ""
+    return f"<td class=\"{line.level}\">{shown}{escape(line.value)}</td>"
+
+
+def exceedances(flight, events):
+    """When each was out of limits, and what happened around it."""
+    found = flight.excursions
+    if not found:
+        return ""
+    rows = []
+    for each in found[:MOST_EXCEEDANCES]:
+        decimals = each.item.decimals + 1
+        near = verdicts.around(flight, events, each)
+        rows.append(
+            f"<tr data-begin=\"{each.span.begin:.3f}\""
+            f" data-end=\"{each.span.end:.3f}\">"
+            f"<td>{mark(each.level)}</td>"
+            f"<th scope=\"row\">{escape(each.item.label)}</th>"
+            f"<td><button type=\"button\">{seconds(each.span.begin)} to"
+            f" {seconds(each.span.end)}</button></td>"
+            "<td data-name=\"worst\">"
+            + verdicts.number(each.worst, decimals, each.item.unit)
+            + "</td><td data-name=\"limit\">"
+            + verdicts.number(each.limit, decimals, each.item.unit)
+            + f"</td><td class=\"around\">{escape('; '.join(near))}</td>"
+            "</tr>\n")
+    more = len(found) - MOST_EXCEEDANCES
+    note = (f"<p>And {more} more, which the plots show.</p>\n"
+            if more > 0 else "")
+    return (
+        "<section id=\"exceedances\">\n<h2>When, and what happened around"
+        " it</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
+        "<th scope=\"col\">level</th><th scope=\"col\">what</th>"
+        "<th scope=\"col\">when</th><th scope=\"col\">worst</th>"
+        "<th scope=\"col\">limit</th><th scope=\"col\">within 2 s of it</th>"
+        f"</tr></thead>\n<tbody>\n{''.join(rows)}</tbody>\n</table></div>\n"
+        f"{note}</section>\n")
+
+
+def happened(flight, events):
+    """What the plot of events shows, a line for each kind."""
+    found = []
+    for event in events:
+        found.append({
+            "label": f"{event.node} {event.kind}", "level": "event",
+            "spans": [[event.span.begin, event.span.end]],
+            "text": f"{event.count} times"})
+    gaps = [[each.begin, each.end] for each in flight.silences]
+    if gaps:
+        found.append({"label": "no fresh data", "level": "gap",
+                      "spans": gaps, "text": ""})
+    for level in (verdicts.CAUTION, verdicts.WARNING):
+        by_item = {}
+        for each in flight.exceedances:
+            if each.level == level:
+                by_item.setdefault(each.item.label, []).append(
+                    [each.span.begin, each.span.end])
+        found += [{"label": f"{label}, {level}", "level": level,
+                   "spans": spans, "text": ""}
+                  for label, spans in by_item.items()]
+    return found
+
+
+PLOTS = """\
+<section id="plots">
+<div id="bar">
+<h2>The flight</h2>
+<button type="button" id="whole">Whole flight</button>
+<span id="range" role="status"></span>
+<span class="hint">Drag across a plot: all of them zoom.</span>
+</div>
+<noscript><p>The plots need JavaScript.</p></noscript>
+<p id="trouble" hidden></p>
+<div id="panels"></div>
+</section>
+"""
+
+
+def foot(flights):
+    """How to read it."""
+    compared = ("<p>A is drawn with full lines, B with dashed ones.</p>\n"
+                if len(flights) > 1 else "")
+    stale = ("<p>Words of the downlink that are marked stale, and rows that"
+             " are missing, are gaps: nothing is drawn over them. Bands are"
+             " limits: amber from where the pilot should look, red from where"
+             " he must act.</p>\n")
+    return f"<footer>\n{compared}{stale}</footer>\n</main>\n"

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv station: the pilot's and the engineer's page (GND-20, GND-24)."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import secrets
+import signal
+import socket
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from urv import faults, packets
+
+if TYPE_CHECKING:
+    from urv.view import Line
+
+PUSHES_S = 0.04
+IDLE_PUSH_S = 0.1
+
+
+def station(
+    port: int = typer.Option(
+        8090, min=0, max=65535, help="Of the page; 0 takes a free one."),
+    listen: str = typer.Option(
+        "127.0.0.1", metavar="ADDRESS",
+        help="Where the page is served. Another one than this machine's"
+        " loopback demands a token."),
+    token: str | None = typer.Option(
+        None, envvar="URV_TOKEN", show_envvar=True, metavar="WORD",
+        help="What a page has to show. Without it one is made up where"
+        " one is demanded."),
+    frames: str = typer.Option(
+        "udp:127.0.0.1:6003", metavar="udp:HOST:PORT",
+        help="Where frame packets come: urv_gsc --publish."),
+    console: str = typer.Option(
+        "udp:127.0.0.1:6004", metavar="udp:HOST:PORT",
+        help="Where console packets go: urv_gsc --console. \"none\": the"
+        " pages only watch."),
+    relay: str | None = typer.Option(
+        None, metavar="tcp:HOST:PORT",
+        help="Where one client, a Yamcs, can fetch the good frame packets."),
+    events: Path | None = typer.Option(
+        None, metavar="FILE",
+        help="Marks, alerts, errors and hand-overs as JSON lines."),
+    yamcs: str | None = typer.Option(
+        None, metavar="URL",
+        help="A Yamcs that gets the same as its events."),
+    seconds: float | None = typer.Option(
+        None, min=0.0, help="Ends the station after so long."),
+):
+    """Serve the page to fly and to watch by."""
+    from urv import web
+
+    if not web.is_loopback(listen) and token is None:
+        token = secrets.token_urlsafe(16)
+    if token is not None and len(token) < 8:
+        raise faults.Refused("--token: shorter than 8 characters")
+    if yamcs is not None and not yamcs.startswith("http://"):
+        raise faults.Refused(
+            f"--yamcs {faults.quoted(yamcs)}: not http://HOST:PORT")
+    asyncio.run(until_ended(serve(
+        listen, port, token, address("--frames", frames),
+        None if console == "none" else address("--console", console),
+        None if relay is None else address("--relay", relay, "tcp"),
+        events, yamcs, seconds)))
+
+
+async def until_ended(work):
+    """Carries it out until it is done or a signal ends it, which is how a
+    station ends."""
+    task = asyncio.ensure_future(work)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        asyncio.get_running_loop().add_signal_handler(number, task.cancel)
+    try:
+        await task
+    except asyncio.CancelledError:
+        pass
+
+
+def address(option: str, given: str, wanted: str = "udp"
+            ) -> tuple[str, int]:
+    """The host and port of udp:HOST:PORT."""
+    kind, _, rest = given.partition(":")
+    host, _, port = rest.rpartition(":")
+    if kind != wanted or not host or not port.isdecimal() or (
+            not 0 <= int(port) <= 65535):
+        raise faults.Refused(
+            f"{option} {faults.quoted(given)}: not {wanted}:HOST:PORT")
+    return host.strip("[]"), int(port)
+
+
+class Frames(asyncio.DatagramProtocol):
+    """Takes frame packets."""
+
+    def __init__(self, take) -> None:
+        self._take = take
+
+    def datagram_received(self, data: bytes, addr) -> None:
+        self._take(data)
+
+    def error_received(self, exc: Exception) -> None:
+        """Nobody listens at the other end: no concern of ours."""
+
+
+def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
+    """A socket at that address, or a word why not."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    made = socket.socket(family, kind)
+    try:
+        if kind == socket.SOCK_STREAM:
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        made.bind((host, port))
+    except OSError as error:
+        made.close()
+        raise faults.Refused(f"{what} {faults.quoted(host)}, port {port}:"
+                             f" {faults.reason(error)}") from error
+    made.setblocking(False)
+    return made
+
+
+async def serve(listen, port, token, frames, console, relay, events, yamcs,
+                seconds):
+    """The station, until it is ended."""
+    from aiohttp import web as http
+
+    from urv import archive, relay as relays, web
+    from urv.controls import Controls
+    from urv.view import View
+
+    loop = asyncio.get_running_loop()
+    keeper = archive.Archive(yamcs) if yamcs else None
+    kept = events.open("a", encoding="utf-8") if events else None
+
+    def told(line: Line) -> None:
+        if keeper is not None:
+            keeper.take(line)
+        if kept is not None:
+            keep(line)
+
+    def keep(line: Line) -> None:
+        nonlocal kept
+        try:
+            kept.write(json.dumps(line.shown()) + "\n")
+            kept.flush()
+        except OSError as error:
+            # A full disk must not stop who flies.
+            kept = None
+            view.alerts.report(
+                "events file", "caution", "EVENTS FILE",
+                f"not written any more: {faults.reason(error)}",
+                line.time_us)
+
+    view = View(told)
+    receiver = bound(socket.SOCK_DGRAM, *frames, "--frames")
+    fetched = None if relay is None else bound(
+        socket.SOCK_STREAM, *relay, "--relay")
+    door = bound(socket.SOCK_STREAM, listen, port, "--listen")
+    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+    sender = None
+    if console is not None:
+        family = socket.AF_INET6 if ":" in console[0] else socket.AF_INET
+        sender = socket.socket(family, socket.SOCK_DGRAM)
+        sender.setblocking(False)
+
+    def send(packet: bytes) -> None:
+        try:
+            sender.sendto(packet, console)
+        except OSError:
+            # The node is not there, or the machine does not take it. The
+            # frames tell that no packet arrives.
+            pass
+
+    controls = Controls(view, None if sender is None else send)
+    page = web.Station(controls, token)
+    runner = http.AppRunner(page.application, access_log=None,
+                            keepalive_timeout=5.0, lingering_time=1.0,
+                            handler_cancellation=True, shutdown_timeout=1.0)
+    await runner.setup()
+    page.door = web.Door(runner.server)
+    pushed = 0.0
+    keeps = None
+    if fetched is not None:
+        keeps = relays.Relay()
+        fetching = await asyncio.start_server(
+            keeps.serve, sock=fetched, backlog=4)
+
+    def take(data: bytes) -> None:
+        nonlocal pushed
+        if view.datagram(data):
+            if keeps is not None:
+                keeps.put(data)
+            now = loop.time()
+            # Every second frame, as it comes; the next if that is missing.
+            if view.frame.sequence % 2 == 0 or now - pushed >= PUSHES_S:
+                pushed = now
+                page.push()
+
+    await loop.create_datagram_endpoint(
+        lambda: Frames(take), sock=receiver)
+    server = await loop.create_server(page.door, sock=door, backlog=64)
+    host, at = door.getsockname()[:2]
+    told_at = f"http://{f'[{host}]' if ':' in host else host}:{at}/"
+    if token is None:
+        print(f"station: {told_at}", flush=True)
+    else:
+        print(f"station: {told_at}?token={token}", flush=True)
+        if not web.is_loopback(listen):
+            print(f"station: other machines reach it at {listen}; what goes"
+                  " over the network can be read there", flush=True)
+    print(f"station: frames at udp:{frames[0]}:"
+          f"{receiver.getsockname()[1]}", flush=True)
+    tasks = []
+    if keeper is not None:
+        tasks.append(asyncio.create_task(keeper.run(view, controls, keeps)))
+    ends = None if seconds is None else loop.time() + seconds
+    looked = 0.0
+    try:
+        while ends is None or loop.time() < ends:
+            await asyncio.sleep(packets.FRAME_S)
+            controls.tick()
+            now = loop.time()
+            if now - pushed >= IDLE_PUSH_S:
+                pushed = now
+                page.push()
+            if now - looked >= 1.0:
+                looked = now
+                page.door.look(now)
+    finally:
+        for task in tasks:
+            task.cancel()
+        server.close()
+        if keeps is not None:
+            fetching.close()
+        # Who has gone already, or does not answer, holds nobody up.
+        await asyncio.gather(*(
+            asyncio.wait_for(one.socket.close(
+                code=1001, message=b"the station ends"), 1.0)
+            for one in list(page.pages.values())), return_exceptions=True)
+        await runner.cleanup()
+        if kept is not None:
+            kept.close()

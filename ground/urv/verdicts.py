@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The answers at the head of a report: was it flown well, was the link well,
+what was out of limits (GND-14).
+
+Each number stands with its unit and its limit. A flight was flown well when
+the pilot kept to the field's tolerances for such manoeuvres (FAA Airman
+Certification Standards: 100 ft, 10 kt, 10 deg of heading, 5 deg of bank) and
+nothing reached a warning's limit. A link was well that delivered nearly all,
+was never silent for long, and as quick as the design says.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy
+
+from urv import flights, items
+
+WELL, CAUTION, WARNING = "well", "caution", "warning"
+
+# Beyond these it is a warning.
+DELIVERED_AT_LEAST = 99.0
+LONGEST_SILENCE_S = 0.5
+# From the console's change to the servos without faults (docs/design.md).
+LONGEST_LATENCY_MS = 70.0
+FRAMES_ON_THE_WAY = 4
+
+SHOWN_SILENCE_S = 0.05
+MOST_AROUND = 8
+
+# Of flight_quality: name, what it is, unit, limit on both sides.
+QUALITY = (
+    ("altitude_rms_ft", "altitude in holds, RMS off", "ft", 100.0),
+    ("altitude_max_ft", "altitude in holds, most off", "ft", 100.0),
+    ("airspeed_rms_kt", "airspeed in holds, RMS off", "kt", 10.0),
+    ("airspeed_max_kt", "airspeed in holds, most off", "kt", 10.0),
+    ("bank_rms_deg", "bank in holds, RMS off", "deg", 5.0),
+    ("bank_max_deg", "bank in holds, most off", "deg", 5.0),
+    ("turn_altitude_rms_ft", "altitude in turns, RMS off", "ft", 100.0),
+    ("turn_altitude_max_ft", "altitude in turns, most off", "ft", 100.0),
+    ("climb_ft", "climb", "ft", None),
+    ("final_altitude_error_ft", "altitude at the end, off", "ft", 100.0),
+    ("final_airspeed_error_kt", "airspeed at the end, off", "kt", 10.0),
+    ("final_bank_error_deg", "bank at the end, off", "deg", 5.0),
+    ("final_heading_error_deg", "heading at the end, off", "deg", 10.0),
+)
+
+# What of the aircraft tells how it was flown.
+FLOWN = ("altitude", "airspeed", "alpha", "beta", "vertical_acceleration",
+         "roll_attitude", "pitch_attitude")
+
+WAYS = (("uplink", "commands up"), ("downlink", "data down"))
+
+
+@dataclass(frozen=True)
+class Line:
+    """A number with its unit and its limit, as people read them."""
+
+    name: str
+    value: str
+    limit: str
+    level: str = WELL
+
+
+@dataclass(frozen=True)
+class Answer:
+    """To one of the questions."""
+
+    question: str
+    title: str
+    level: str
+    text: str
+    lines: list
+
+
+def worst(levels):
+    """The worst of some levels."""
+    levels = set(levels)
+    return next((level for level in (WARNING, CAUTION) if level in levels),
+                WELL)
+
+
+def number(value, decimals, unit=""):
+    """With its unit; a zero has no sign."""
+    text = f"{value:.{decimals}f}"
+    if float(text) == 0:
+        text = text.lstrip("-")
+    text = text.replace("-", "\N{MINUS SIGN}")
+    return f"{text}\N{NO-BREAK SPACE}{unit}" if unit else text
+
+
+def limits_of(item):
+    """In words: "55 to 110 kt, warning 48 to 120"."""
+
+    def between(low, high):
+        if low is None and high is None:
+            return ""
+        if low is None:
+            return f"at most {number(high, places(high))}"
+        if high is None:
+            return f"at least {number(low, places(low))}"
+        return f"{number(low, places(low))} to {number(high, places(high))}"
+
+    def places(limit):
+        return 0 if limit == int(limit) else 1
+
+    caution = between(item.caution_low, item.caution_high)
+    warning = between(item.warning_low, item.warning_high)
+    if not caution and not warning:
+        return "no limit"
+    text = f"{caution or warning}\N{NO-BREAK SPACE}{item.unit}"
+    return f"{text}; warning {warning}" if caution and warning else text
+
+
+def flown(flight, quality):
+    """Was it flown well?"""
+    lines = []
+    if quality:
+        lines += quality_lines(quality)
+    for name in FLOWN:
+        values = flight.sensor(name)
+        if values is None or numpy.all(numpy.isnan(values)):
+            continue
+        item = items.COLUMNS[f"{flight.downlink}.{name}"]
+        low, high = numpy.nanmin(values), numpy.nanmax(values)
+        level = worst([item.level(low) or WELL, item.level(high) or WELL])
+        decimals = item.decimals
+        lines.append(Line(
+            item.label, f"{number(low, decimals)} to"
+            f" {number(high, decimals, item.unit)}", limits_of(item), level))
+    level = worst(line.level for line in lines)
+    if not lines:
+        text = "The record does not tell: it has no words of the downlink."
+        level = CAUTION
+    elif level == WELL:
+        text = "Yes: everything stayed within its limits."
+    else:
+        beyond = [line.name for line in lines if line.level == level]
+        text = (f"{'With remarks' if level == CAUTION else 'No'}: "
+                f"{'; '.join(beyond)}.")
+    if lines and not quality:
+        text += (" What the pilot wanted is not known (no flight_quality in a"
+                 " summary): only limits are judged.")
+    return Answer("Was it flown well?", "Flight quality", level, text, lines)
+
+
+def quality_lines(quality):
+    """What the summary says of the simulated pilot."""
+    crashed = quality.get("crashed")
+    if crashed is not None:
+        at = quality.get("crashed_at_s")
+        yield Line("crashed", "no" if not crashed else "yes" + (
+            f", at {number(at, 2, 's')}" if is_number(at) else ""),
+            "no", WARNING if crashed else WELL)
+    level = quality.get("ended_level")
+    if level is not None:
+        yield Line("ended level, within 30 ft of the wanted altitude",
+                   "yes" if level else "no", "yes",
+                   WELL if level else WARNING)
+    for name, label, unit, limit in QUALITY:
+        value = quality.get(name)
+        if is_number(value):
+            yield Line(
+                label, number(value, 2, unit),
+                "no limit" if limit is None else
+                f"at most {number(limit, 0, unit)}",
+                WARNING if limit is not None and abs(value) > limit else WELL)
+    for name, label in (("bank_left_deg", "steepest bank to the left"),
+                        ("bank_right_deg", "steepest bank to the right")):
+        value = quality.get(name)
+        if is_number(value):
+            roll = items.COLUMNS["gsc.downlink.roll_attitude"]
+            yield Line(
+                label, number(value, 1, "deg"),
+                f"at most {number(roll.caution_high, 0)} deg;"
+                f" warning {number(roll.warning_high, 0)}",
+                roll.level(value) or WELL)
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def link(flight, summary):
+    """Was the link well?"""
+    lines = []
+    last = {name: int(flight.columns[f"link.{name}"][-1])
+            for name in (f"{way}_{count}" for way, _ in WAYS
+                         for count in ("sent", "received", "bad", "scrapped"))
+            if f"link.{name}" in flight}
+    for way, label in WAYS:
+        sent, received = last.get(f"{way}_sent"), last.get(f"{way}_received")
+        if received is not None:
+            # One a frame; the first ones and the last are on their way.
+            share = min(100.0, 100.0 * received / max(
+                flight.frames - FRAMES_ON_THE_WAY, 1))
+            lines.append(Line(
+                f"delivery of {label}",
+                f"{number(share, 2, '%')} of {flight.frames} frames",
+                f"at least {number(DELIVERED_AT_LEAST, 0, '%')}",
+                WELL if share >= DELIVERED_AT_LEAST else WARNING))
+        if sent is not None:
+            lines.append(Line(f"{label}, sent, with repeats",
+                              f"{sent} messages", "no limit"))
+        for count, words in (("bad", "came damaged"),
+                             ("scrapped", "given up")):
+            many = last.get(f"{way}_{count}")
+            if many is not None:
+                lines.append(Line(
+                    f"{label}, {words}", counted(many, "message"), "none",
+                    CAUTION if many else WELL))
+    for node, label in (("gsc", "ground"), ("mcs", "aircraft")):
+        name = f"link.{node}_resets"
+        if name in flight:
+            many = int(flight.columns[name][-1])
+            lines.append(Line(f"resets of the link, {label}", str(many),
+                              "none", CAUTION if many else WELL))
+    if flight.downlink:
+        silence = max(flight.silences, key=lambda each: each.seconds,
+                      default=None)
+        seconds = silence.seconds if silence else 0.0
+        lines.append(Line(
+            "longest time without fresh data", number(seconds, 2, "s") + (
+                f", at {number(silence.begin, 2, 's')}" if silence else ""),
+            f"at most {number(LONGEST_SILENCE_S, 1, 's')}",
+            WARNING if seconds > LONGEST_SILENCE_S
+            else CAUTION if silence else WELL))
+    lines += latency_lines(flight, summary)
+    if not lines:
+        return Answer("Was the link well?", "Link", CAUTION,
+                      "The record does not tell.", [])
+    level = worst(line.level for line in lines)
+    beyond = [line.name for line in lines if line.level == level]
+    text = {WELL: "Yes: nothing was lost and nothing came late.",
+            CAUTION: "With remarks: " + "; ".join(beyond) + ".",
+            WARNING: "No: " + "; ".join(beyond) + "."}[level]
+    return Answer("Was the link well?", "Link", level, text, lines)
+
+
+def latency_lines(flight, summary):
+    """From the console to the servos: the summary's, which is exact, or that
+    of the record, in whole frames."""
+    limit = f"at most {number(LONGEST_LATENCY_MS, 0, 'ms')}"
+    latency = summary.get("latency_ms") if summary else None
+    if isinstance(latency, dict):
+        named = [(name, latency.get(field)) for name, field in (
+            ("median", "median"), ("99th percentile", "p99"),
+            ("at most", "max"))]
+    else:
+        _, milliseconds = flight.latencies
+        if not len(milliseconds):
+            return
+        named = [("median, in whole frames", numpy.median(milliseconds)),
+                 ("at most, in whole frames", numpy.max(milliseconds))]
+    for name, value in named:
+        if is_number(value):
+            yield Line(f"stick to servo, {name}", number(value, 1, "ms"),
+                       limit, CAUTION if value > LONGEST_LATENCY_MS else WELL)
+
+
+def limits(flight):
+    """What was out of limits?"""
+    found = flight.excursions
+    warnings = sum(each.level == WARNING for each in found)
+    cautions = len(found) - warnings
+    if not found:
+        text = ("Nothing: all that has limits stayed within them."
+                if flight.downlink else
+                "The record does not tell: it has no words of the downlink.")
+        level = WELL if flight.downlink else CAUTION
+    else:
+        names = list(dict.fromkeys(each.item.label for each in found))
+        text = (f"{counted(warnings, 'warning')},"
+                f" {counted(cautions, 'caution')}: {', '.join(names)}.")
+        level = WARNING if warnings else CAUTION
+    return Answer("What was out of limits?", "Limits", level, text, [])
+
+
+def counted(many, what):
+    return f"{many} {what}{'' if many == 1 else 's'}"
+
+
+def around(flight, events, exceedance):
+    """What happened close to it, in words, in the order of time."""
+    span = exceedance.span
+    found = []
+
+    def close(at):
+        return span.begin - flights.CLOSE_S <= at <= span.end + flights.CLOSE_S
+
+    for event in events:
+        times = dict.fromkeys([event.span.begin, event.span.end])
+        found += [(at, f"{event.node} {event.kind}"
+                   + (f" (one of {event.count})" if event.count > 1 else ""))
+                  for at in times if close(at)][:1]
+    for silence in flight.silences:
+        if silence.is_close_to(span) and silence.seconds > SHOWN_SILENCE_S:
+            found.append((silence.begin, "no fresh data for "
+                          + number(silence.seconds, 2, "s")))
+    for other in flight.excursions:
+        if other.item.name != exceedance.item.name and close(
+                other.span.begin):
+            found.append((other.span.begin,
+                          f"{other.item.label} {other.level}"))
+    found += [(at, change) for at, change in flight.switch_changes
+              if close(at)]
+    texts = [f"{number(at, 2, 's')} {what}"
+             for at, what in dict.fromkeys(sorted(found))]
+    if len(texts) > MOST_AROUND:
+        texts[MOST_AROUND:] = [f"and {len(texts) - MOST_AROUND} more"]
+    return texts

@@ -1,0 +1,358 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the frame packets say, made ready to be looked at (GND-20, GND-26).
+
+Age comes before value (GND-25): every value is told with how old it is,
+nothing is made up for a frame that is missing.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from urv import items, packets
+from urv.alerts import Alerts
+
+LOST_S = 0.5
+"""Older than this a word is crossed out, and the link counts as lost."""
+
+KNOT_FT_MIN = 6076.12 / 60
+LOG_LINES = 500
+FLOOD_S = 5.0
+"""A kind of error gets a line of the log so often at most."""
+
+WARNING_KINDS = {"self_test_failed", "rom_check_failed"}
+CAUTION_KINDS = {"warm_reset", "processor_restart", "task_overrun",
+                 "link_reset", "link_block_bad", "link_block_scrapped",
+                 "input_out_of_range", "ad_no_scan"}
+ALERT_KINDS = {"self_test_failed", "rom_check_failed", "warm_reset",
+               "processor_restart"}
+ERROR_BITS = ((2, "ROM", "its ROM differs from what was loaded"),
+              (4, "SELF-TEST", "its self-test has failed"))
+INFO, CAUTION, WARNING = "info", "caution", "warning"
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of the station's log."""
+
+    number: int
+    time_us: int
+    frame: int | None
+    level: str
+    kind: str
+    text: str
+
+    def shown(self) -> dict[str, Any]:
+        """For pages, the file and the archive."""
+        return dict(vars(self))
+
+
+@dataclass
+class View:
+    """The newest state of the flight, its alerts and its log."""
+
+    told: Callable[[Line], None] = lambda line: None
+    now: Callable[[], float] = time.monotonic
+    frame: packets.FramePacket | None = None
+    values: list[float | None] = field(
+        default_factory=lambda: [None] * len(packets.COLUMNS))
+    derived: dict[str, float | None] = field(default_factory=dict)
+    alerts: Alerts = field(default_factory=Alerts)
+    log: deque[Line] = field(default_factory=lambda: deque(maxlen=LOG_LINES))
+    frames: int = 0
+    bad: int = 0
+    missing: int = 0
+    late: int = 0
+    stick_ms: float | None = None
+    _lines: int = 0
+    _began: float = 0.0
+    _came: float = float("-inf")
+    _second: deque[tuple[float, bool]] = field(default_factory=deque)
+    _kinds: dict[tuple[str, str], tuple[int, float]] = field(
+        default_factory=dict)
+    _sent: deque[tuple[int, float]] = field(
+        default_factory=lambda: deque(maxlen=500))
+
+    def __post_init__(self) -> None:
+        self._began = self.now()
+
+    # What comes in
+
+    def datagram(self, data: bytes) -> bool:
+        """Whether it is a frame packet, and a new one."""
+        try:
+            frame = packets.FramePacket.decode(data)
+        except packets.PacketError as error:
+            self.bad += 1
+            if self.bad == 1:
+                self.note(CAUTION, "packet", f"dropped, and others as they"
+                          f" come: {error}")
+            return False
+        old = self.frame
+        if old is not None and old.run == frame.run:
+            if frame.sequence <= old.sequence:
+                self.late += 1
+                return False
+            gap = frame.sequence - old.sequence - 1
+            if gap > 0:
+                self.missing += gap
+                self.alerts.report(
+                    "frames", CAUTION, "FRAMES",
+                    f"{gap} missing before frame {frame.sequence}",
+                    frame.time_us)
+        elif old is None or frame.time_us > old.time_us:
+            # The counts of another run begin anew.
+            self._kinds.clear()
+            self._sent.clear()
+        else:
+            self.late += 1
+            return False
+        now = self.now()
+        first = old is None or old.run != frame.run
+        self.frame = frame
+        self.frames += 1
+        self._came = now
+        self._second.append((now, frame.is_fresh))
+        if first:
+            self.note(INFO, "run", f"the ground's node runs, frame"
+                      f" {frame.sequence}")
+        self._calibrate(frame)
+        self._limits(frame, now)
+        self._states(frame, old, now)
+        self._errors(frame, now)
+        self._latency(frame, now)
+        self.look(now)
+        return True
+
+    def sent(self, sequence: int) -> None:
+        """A console packet has left, to be seen again in a frame."""
+        self._sent.append((sequence, self.now()))
+
+    def look(self, now: float) -> None:
+        """What the passing of time alone changes."""
+        age = self.age_s(now)
+        while self._second and now - self._second[0][0] > 1.0:
+            self._second.popleft()
+        silent = age is None and now - self._began > LOST_S
+        if silent or (age is not None and age >= LOST_S):
+            self.alerts.report("silent", WARNING, "NO FRAMES",
+                               "nothing comes from the ground's node",
+                               time.time_ns() // 1000)
+        else:
+            self.alerts.away("silent", now)
+        down = self.downlink_s(now)
+        if down is not None and down >= LOST_S:
+            self.alerts.report("link", WARNING, "LINK LOST",
+                               f"no downlink for {LOST_S} s",
+                               time.time_ns() // 1000)
+        else:
+            self.alerts.away("link", now)
+        # A gap is a moment: it is over when the frames come again.
+        if age is not None and age < LOST_S:
+            self.alerts.away("frames", now, 5.0)
+        for alert in self.alerts.raised:
+            self.note(alert.level, "alert", f"{alert.name}: {alert.text}",
+                      alert.came_us)
+        self.alerts.raised.clear()
+
+    def note(self, level: str, kind: str, text: str,
+             time_us: int | None = None) -> Line:
+        """A new line of the log."""
+        self._lines += 1
+        line = Line(self._lines,
+                    time.time_ns() // 1000 if time_us is None else time_us,
+                    None if self.frame is None else self.frame.sequence,
+                    level, kind, text)
+        self.log.append(line)
+        self.told(line)
+        return line
+
+    # Ages
+
+    def age_s(self, now: float) -> float | None:
+        """Since the newest frame packet came; None before the first."""
+        return None if self.frame is None else max(0.0, now - self._came)
+
+    def downlink_s(self, now: float) -> float | None:
+        """How old the words of the downlink are; None before the first."""
+        if self.frame is None or self.frame.downlink_age == packets.NEVER:
+            return None
+        waited = max(0.0, now - self._came - packets.FRAME_S)
+        return self.frame.downlink_age * packets.FRAME_S + waited
+
+    def shown(self) -> dict[str, Any]:
+        """The state as a page gets it, 25 times a second."""
+        now = self.now()
+        age = self.age_s(now)
+        down = self.downlink_s(now)
+        state: dict[str, Any] = {
+            "age_ms": None if age is None else round(age * 1000),
+            "down_ms": None if down is None else round(down * 1000),
+            "packets": {"frames": self.frames, "bad": self.bad,
+                        "missing": self.missing, "late": self.late},
+            "fresh": sum(fresh for _, fresh in self._second),
+            "rate": len(self._second)}
+        if self.frame is None:
+            return state
+        return state | {
+            "seq": self.frame.sequence,
+            "time_us": self.frame.time_us,
+            "link": self.frame.link_state.name.lower(),
+            "console": self.frame.console_state.name.lower(),
+            "pilot": self.frame.pilot.name.lower(),
+            "counts": self.frame.link,
+            "stick_ms": self.stick_ms,
+            "words": self.frame.words,
+            "values": self.values,
+            "derived": self.derived}
+
+    # What a frame says
+
+    def _calibrate(self, frame: packets.FramePacket) -> None:
+        never = frame.downlink_age == packets.NEVER
+        self.values = []
+        for column, word in zip(packets.COLUMNS, frame.words, strict=True):
+            item = items.COLUMNS[column]
+            missing = never and column.startswith("gsc.downlink")
+            self.values.append(
+                None if missing or not item.is_scaled else
+                round(item.value(word), 4))
+        value = dict(zip(packets.COLUMNS, self.values, strict=True))
+        self.derived = derive(value)
+
+    def _limits(self, frame: packets.FramePacket, now: float) -> None:
+        if not frame.is_fresh:
+            return
+        for column, value in zip(packets.COLUMNS, self.values, strict=True):
+            item = items.COLUMNS[column]
+            if value is None or not column.startswith("gsc.downlink"):
+                continue
+            found = item.level(value)
+            for level in (CAUTION, WARNING):
+                key = f"{column} {level}"
+                if found == level:
+                    self.alerts.report(
+                        key, level, heading(item.name),
+                        f"{value:.{item.decimals}f} {item.unit}"
+                        f" ({limit_of(item, level, value)})", frame.time_us)
+                else:
+                    self.alerts.away(key, now)
+
+    def _states(self, frame: packets.FramePacket,
+                old: packets.FramePacket | None, now: float) -> None:
+        alerts = self.alerts
+        held = frame.console_state == packets.ConsoleState.HELD
+        neutral = (frame.console_state == packets.ConsoleState.NEUTRAL
+                   and frame.pilot != packets.Pilot.FLIES)
+        if held and frame.pilot != packets.Pilot.FLIES:
+            alerts.report("held", CAUTION, "STICKS HELD",
+                          "no console for 0.5 s: its last words stay",
+                          frame.time_us)
+        else:
+            alerts.away("held", now, 0.0)
+        # Before anybody has flown, neutral is no news.
+        if neutral and frame.counts[packets.LINK_COUNTS.index(
+                "console_packets")] > 0:
+            alerts.report("neutral", WARNING, "STICKS NEUTRAL",
+                          "no console for 2 s: the safe words fly",
+                          frame.time_us)
+        else:
+            alerts.away("neutral", now, 0.0)
+        for node, column in (("mcs", "gsc.downlink.error"),
+                             ("gsc", "gsc.uplink.error")):
+            word = frame.words[packets.COLUMNS.index(column)]
+            for bit, name, text in ERROR_BITS:
+                key = f"{node} {name}"
+                if word & bit:
+                    alerts.report(key, WARNING, f"{name} {node.upper()}",
+                                  f"{node}: {text}", frame.time_us)
+                else:
+                    alerts.away(key, now)
+        if old is not None and old.run == frame.run:
+            for name, before, after in (
+                    ("the console", old.console_state, frame.console_state),
+                    ("the link", old.link_state, frame.link_state),
+                    ("the simulated pilot", old.pilot, frame.pilot)):
+                if before != after:
+                    word = after.name.lower().replace("_", " ")
+                    self.note(INFO, "state", f"{name}: {word}")
+
+    def _errors(self, frame: packets.FramePacket, now: float) -> None:
+        for event in frame.events:
+            key = (event.node, event.kind)
+            before, told = self._kinds.get(key, (0, float("-inf")))
+            new = event.row.count - before
+            if new == 0 or now - told < FLOOD_S:
+                continue
+            self._kinds[key] = (event.row.count, now)
+            level = (WARNING if event.kind in WARNING_KINDS else
+                     CAUTION if event.kind in CAUTION_KINDS else INFO)
+            what = f"{event.node} {event.kind}"
+            detail = f", detail {event.row.detail}" if event.row.detail else ""
+            self.note(level, "error", f"{what}: {event.row.count} times, last"
+                      f" in its frame {event.row.last_frame}{detail}",
+                      frame.time_us)
+            if event.kind in ALERT_KINDS:
+                # It happened: each time is an alert of its own.
+                self.alerts.away(what, now, 0.0)
+                self.alerts.report(
+                    what, level,
+                    f"{heading(event.kind)} {event.node.upper()}",
+                    f"{event.row.count} times, last in frame"
+                    f" {event.row.last_frame}", frame.time_us)
+
+    def _latency(self, frame: packets.FramePacket, now: float) -> None:
+        if frame.console_state != packets.ConsoleState.LIVE:
+            self.stick_ms = None
+            return
+        while self._sent and self._sent[0][0] <= frame.console_sequence:
+            sequence, at = self._sent.popleft()
+            if sequence == frame.console_sequence:
+                self.stick_ms = round((now - at) * 1000, 1)
+
+
+def heading(name: str) -> str:
+    """An item's or a kind's name as it stands on an alert."""
+    short = name
+    for long in ("_volts", "_strength", "_attitude", "uplink_"):
+        short = short.replace(long, "")
+    return short.replace("_", " ").upper()
+
+
+def limit_of(item: items.Item, level: str, value: float) -> str:
+    """The limit that the value has passed, in words."""
+    low = item.limits.get(f"{level}_low")
+    if low is not None and value < low:
+        return f"below {low:g} {item.unit}"
+    return f"above {item.limits[f'{level}_high']:g} {item.unit}"
+
+
+def derive(value: dict[str, float | None]) -> dict[str, float | None]:
+    """What no sensor says, from those that do.
+
+    The air is taken to stand still, and calibrated airspeed for true: at a
+    few hundred feet they differ by a hundredth.
+    """
+    names = ("roll_attitude", "pitch_attitude", "alpha", "beta", "pitch_rate",
+             "yaw_rate", "airspeed")
+    found = [value[f"gsc.downlink.{name}"] for name in names]
+    if None in found:
+        return {"vertical_speed": None, "heading_rate": None,
+                "flight_path": None}
+    roll, pitch, alpha, beta = (math.radians(x) for x in found[:4])
+    pitch_rate, yaw_rate, airspeed = found[4:]
+    climb = (math.cos(alpha) * math.cos(beta) * math.sin(pitch)
+             - math.sin(beta) * math.sin(roll) * math.cos(pitch)
+             - math.sin(alpha) * math.cos(beta) * math.cos(roll)
+             * math.cos(pitch))
+    upright = max(abs(math.cos(pitch)), 0.05)
+    rate = (pitch_rate * math.sin(roll) + yaw_rate * math.cos(roll)) / upright
+    return {"vertical_speed": round(airspeed * KNOT_FT_MIN * climb, 1),
+            "heading_rate": round(rate, 3),
+            "flight_path": round(math.degrees(math.asin(
+                max(-1.0, min(1.0, climb)))), 3)}

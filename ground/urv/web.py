@@ -1,0 +1,391 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The station's page over HTTP, its state and sticks over a WebSocket.
+
+Nothing outside is trusted: a foreign origin is refused (GND-23), sizes and
+rates have limits, and a slow or silent client is dropped, never waited for
+(GND-24). What is typed is made one plain line (GND-27).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import ipaddress
+import json
+import socket
+import unicodedata
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+from aiohttp import WSMsgType, web
+
+from urv import items, packets
+from urv.controls import Controls
+
+PAGE = Path(__file__).resolve().parent / "page"
+TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript",
+         ".svg": "image/svg+xml"}
+COOKIE = "urv_token"
+
+MOST_CONNECTIONS = 64
+MOST_PAGES = 16
+LONGEST_MESSAGE = 4096
+LONGEST_MARK = 200
+MESSAGES_A_SECOND = 150.0
+MOST_BAD_MESSAGES = 20
+PATIENCE_S = 10.0
+"""A client that has not asked for anything by then, or does not take its
+answer, is dropped."""
+SLOW_S = 2.0
+"""A page that does not take its state is dropped."""
+
+HEADERS = {
+    "Content-Security-Policy":
+        "default-src 'none'; script-src 'self'; style-src 'self';"
+        " img-src 'self'; connect-src 'self'; base-uri 'none';"
+        " form-action 'none'; frame-ancestors 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Cache-Control": "no-store",
+}
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
+def is_own_host(host: str | None) -> bool:
+    """Whether Host names this machine in a way that no foreign name server
+    can: by address, as localhost, or by the machine's own name."""
+    if not host:
+        return False
+    try:
+        name = urlsplit(f"//{host}").hostname
+    except ValueError:
+        return False
+    if name is None:
+        return False
+    if name in ("localhost", socket.gethostname().lower()):
+        return True
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def is_loopback(address: str) -> bool:
+    """Whether only this machine can reach the address."""
+    if address == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(address).is_loopback
+    except ValueError:
+        return False
+
+
+class Door:
+    """Makes a connection's protocol, and shuts those that hang about.
+
+    A request is answered and its connection closed within PATIENCE_S; only a
+    WebSocket stays longer.
+    """
+
+    def __init__(self, server: web.Server) -> None:
+        self._server = server
+        self._coming: set[Any] = set()
+        self._since: dict[Any, float] = {}
+
+    def __call__(self) -> asyncio.BaseProtocol:
+        loop = asyncio.get_running_loop()
+        self.look(loop.time())
+        if len(self._coming) + len(self._since) >= MOST_CONNECTIONS:
+            return Refusal()
+        protocol = self._server()
+        self._coming.add(protocol)
+        # The transport is made in the loop's next turn.
+        loop.call_soon(loop.call_soon, self._has_come, protocol)
+        return protocol
+
+    def _has_come(self, protocol: Any) -> None:
+        self._coming.discard(protocol)
+        self._since[protocol] = asyncio.get_running_loop().time()
+
+    def stays(self, protocol: Any) -> None:
+        """It has become a WebSocket, which has limits of its own."""
+        self._since.pop(protocol, None)
+
+    def look(self, now: float) -> None:
+        """Forgets what has ended, and shuts what has been open for too
+        long."""
+        for protocol, since in list(self._since.items()):
+            if protocol.transport is None:
+                del self._since[protocol]
+            elif now - since > PATIENCE_S:
+                protocol.transport.abort()
+                del self._since[protocol]
+
+
+class Refusal(asyncio.Protocol):
+    """One connection too many."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        transport.abort()  # type: ignore[attr-defined]
+
+
+class Page:
+    """One page that is open: a console, with its number."""
+
+    def __init__(self, number: int, socket: web.WebSocketResponse) -> None:
+        self.number = number
+        self.socket = socket
+        self.alerts = -1
+        self.line = 0
+        self.state: str | None = None
+        self.wake = asyncio.Event()
+        self.credit = 2 * MESSAGES_A_SECOND
+        self.filled = 0.0
+        self.bad = 0
+
+    def allowed(self, now: float) -> bool:
+        """Whether it may say one more thing already."""
+        self.credit = min(2 * MESSAGES_A_SECOND, self.credit
+                          + (now - self.filled) * MESSAGES_A_SECOND)
+        self.filled = now
+        self.credit -= 1
+        return self.credit >= 0
+
+
+class Station:
+    """The web side of the station."""
+
+    def __init__(self, controls: Controls, token: str | None = None) -> None:
+        self.controls = controls
+        self.token = token
+        self.door: Door | None = None
+        self.pages: dict[int, Page] = {}
+        self._numbers = 0
+        self.application = web.Application(
+            middlewares=[self._guard], client_max_size=1)
+        self.application.router.add_get("/", self._index)
+        self.application.router.add_get("/page/{name}", self._file)
+        self.application.router.add_get("/api/state", self._state)
+        self.application.router.add_get("/ws", self._socket)
+
+    # HTTP
+
+    @web.middleware
+    async def _guard(self, request: web.Request,
+                     handler: Handler) -> web.StreamResponse:
+        refused = self._refused(request)
+        if refused is not None:
+            self.controls.refused += 1
+            answer: web.StreamResponse = web.Response(
+                status=403, text=f"refused: {refused}\n")
+        elif not self._has_token(request):
+            answer = self._welcome(request)
+        else:
+            try:
+                answer = await handler(request)
+            except web.HTTPException as error:
+                answer = web.Response(status=error.status,
+                                      text=f"{error.reason}\n")
+        if not answer.prepared:
+            answer.headers.update(HEADERS)
+            answer.force_close()
+        return answer
+
+    def _refused(self, request: web.Request) -> str | None:
+        host = request.headers.get("Host")
+        if not is_own_host(host):
+            return "Host is not this machine's"
+        origin = request.headers.get("Origin")
+        if origin is not None and origin != f"http://{host}":
+            return "foreign Origin"
+        site = request.headers.get("Sec-Fetch-Site", "none")
+        opened = (request.headers.get("Sec-Fetch-Mode") == "navigate"
+                  and request.headers.get("Sec-Fetch-Dest") == "document")
+        if site not in ("same-origin", "none") and not opened:
+            return "asked for by a foreign page"
+        return None
+
+    def _has_token(self, request: web.Request) -> bool:
+        if self.token is None:
+            return True
+        given = request.cookies.get(COOKIE, "")
+        bearer = request.headers.get("Authorization", "")
+        return (hmac.compare_digest(given.encode(), self.token.encode())
+                or hmac.compare_digest(
+                    bearer.encode(), f"Bearer {self.token}".encode()))
+
+    def _welcome(self, request: web.Request) -> web.Response:
+        """Takes the token from the address into a cookie."""
+        given = request.query.get("token", "")
+        if (self.token is None or request.path != "/"
+                or not hmac.compare_digest(given.encode(),
+                                           self.token.encode())):
+            self.controls.refused += 1
+            return web.Response(
+                status=401, text="a token is needed: open the address that"
+                " the station printed\n")
+        answer = web.Response(status=303, headers={"Location": "/"})
+        answer.set_cookie(COOKIE, self.token, httponly=True,
+                          samesite="Strict")
+        return answer
+
+    async def _index(self, _request: web.Request) -> web.StreamResponse:
+        return self._read("index.html")
+
+    async def _file(self, request: web.Request) -> web.StreamResponse:
+        return self._read(request.match_info["name"])
+
+    @staticmethod
+    def _read(name: str) -> web.Response:
+        # Only names that are there: no path can lead elsewhere.
+        known = {file.name: file for file in PAGE.iterdir()
+                 if file.suffix in TYPES}
+        if name not in known:
+            raise web.HTTPNotFound
+        return web.Response(body=known[name].read_bytes(),
+                            content_type=TYPES[known[name].suffix],
+                            charset="utf-8")
+
+    async def _state(self, _request: web.Request) -> web.StreamResponse:
+        return web.json_response(
+            {"columns": packets.COLUMNS} | self.controls.shown()
+            | {"alerts": self.controls.view.alerts.shown()})
+
+    # WebSocket
+
+    async def _socket(self, request: web.Request) -> web.StreamResponse:
+        if len(self.pages) >= MOST_PAGES:
+            raise web.HTTPServiceUnavailable
+        answer = web.WebSocketResponse(
+            max_msg_size=LONGEST_MESSAGE, heartbeat=4.0, compress=False)
+        await answer.prepare(request)
+        if self.door is not None:
+            self.door.stays(request.protocol)
+        self._numbers += 1
+        page = Page(self._numbers, answer)
+        page.filled = asyncio.get_running_loop().time()
+        self.pages[page.number] = page
+        self.controls.view.note("info", "console", f"console {page.number} opened")
+        writer = asyncio.create_task(self._write(page, request))
+        try:
+            await self._listen(page)
+        finally:
+            del self.pages[page.number]
+            self.controls.gone(page.number)
+            writer.cancel()
+        return answer
+
+    async def _listen(self, page: Page) -> None:
+        loop = asyncio.get_running_loop()
+        async for message in page.socket:
+            if not page.allowed(loop.time()):
+                await self._drop(page, "too many messages")
+                return
+            if message.type != WSMsgType.TEXT:
+                said = None
+            else:
+                said = understood(message.data)
+            if said is None:
+                self.controls.bad_messages += 1
+                page.bad += 1
+                if page.bad > MOST_BAD_MESSAGES:
+                    await self._drop(page, "messages nobody understands")
+                    return
+            else:
+                self.controls.hears(page.number, said)
+
+    async def _drop(self, page: Page, why: str) -> None:
+        self.controls.view.note("caution", "console",
+                            f"console {page.number} dropped: {why}")
+        try:
+            await asyncio.wait_for(
+                page.socket.close(code=1008, message=why.encode()), 1.0)
+        except TimeoutError:
+            pass
+
+    async def _write(self, page: Page, request: web.Request) -> None:
+        """Sends the newest of everything; a state that could not go in time
+        is never sent late."""
+        try:
+            await self._send(page, self.controls.hello(page.number))
+            while True:
+                await page.wake.wait()
+                page.wake.clear()
+                alerts = self.controls.view.alerts
+                if page.alerts != alerts.changed:
+                    page.alerts = alerts.changed
+                    await self._send(page, json.dumps(
+                        {"t": "alerts", "alerts": alerts.shown()}))
+                lines = [line.shown() for line in self.controls.view.log
+                         if line.number > page.line][-200:]
+                if lines:
+                    page.line = lines[-1]["number"]
+                    await self._send(page, json.dumps(
+                        {"t": "log", "lines": lines}))
+                state, page.state = page.state, None
+                if state is not None:
+                    await self._send(page, state)
+        except (ConnectionError, RuntimeError):
+            # It has gone; whoever listens to it knows.
+            pass
+        except TimeoutError:
+            self.controls.view.note("caution", "console",
+                                f"console {page.number} dropped: too slow")
+            if request.transport is not None:
+                request.transport.abort()
+
+    @staticmethod
+    async def _send(page: Page, text: str) -> None:
+        await asyncio.wait_for(page.socket.send_str(text), SLOW_S)
+
+    def push(self) -> None:
+        """The newest state is for every page."""
+        if not self.pages:
+            return
+        state = json.dumps({"t": "state"} | self.controls.shown(),
+                           separators=(",", ":"))
+        for page in self.pages.values():
+            page.state = state
+            page.wake.set()
+
+
+def understood(text: str) -> dict[str, Any] | None:
+    """What a page said, if it can be what a page says."""
+    try:
+        said = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(said, dict):
+        return None
+    match said:
+        case {"t": "sticks", "words": list(words)} if (
+                len(words) == len(packets.COMMANDS)
+                and all(type(word) is int
+                        and 0 <= word <= items.LARGEST_WORD
+                        for word in words)):
+            return {"t": "sticks", "words": tuple(words)}
+        case {"t": "answer", "yes": bool(yes)}:
+            return {"t": "answer", "yes": yes}
+        case {"t": "mark", "text": str(note)} if len(note) <= LONGEST_MARK:
+            return {"t": "mark", "text": plain(note)}
+        case {"t": "seen", "key": str() | None as key}:
+            return {"t": "seen", "key": key}
+        case {"t": "lost", "what": "hidden" | "gamepad" as what}:
+            return {"t": "lost", "what": what}
+        case {"t": "take" | "disconnect" | "pilot" as what}:
+            return {"t": what}
+    return None
+
+
+def plain(text: str) -> str:
+    """A note in one line, without what moves the cursor or the eye."""
+    return " ".join("".join(
+        " " if unicodedata.category(letter)[0] in "CZ" else letter
+        for letter in text).split())

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv xtce: the frame packet as a mission database (GND-12).
+
+XTCE, as Yamcs reads it. The packet's layout is that of urv.packets; units,
+calibrators and limits are those of urv.items.
+
+A caution is WARNING there and a warning CRITICAL: XTCE's names for the same.
+Words of the downlink are taken only while they are fresh. So what is old goes
+out of date, and is judged by no limit.
+"""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from urv import faults, items, packets
+
+SYSTEM = "URV"
+CONTAINER = "frame"
+
+# Yamcs calls a parameter out of date that has not come for 1.9 times the
+# expected time between two packets: here after 0.475 s.
+EXPECTED_EVERY_S = 0.25
+
+HEADER = (
+    ("magic", 32, "55525646h"), ("version", 16, "of the packet"),
+    ("length", 16, "of the packet, in bytes"),
+    ("run", 32, "another number with each start of the ground's program"),
+    ("sequence", 32, "the major frame, from 0"))
+
+# Those of an error word, from the last one, and the level when set.
+ERROR_BITS = (
+    ("stale", "WATCH", "the words before are those of an earlier scan"),
+    ("rom_differs", "CRITICAL", "the ROM differs from what was loaded"),
+    ("self_test_failed", "CRITICAL", "before the start"))
+
+LOG_ROW = (("count", 32, "how often"), ("first_frame", 32, "of its node"),
+           ("last_frame", 32, "of its node"),
+           ("detail", 16, "of the last one"))
+ROW_BITS = sum(bits for _, bits, _ in LOG_ROW)
+
+
+def xtce(
+    output: Annotated[Path, typer.Option(
+        "-o", "--output", metavar="FILE", help="Where to write it.")],
+):
+    """Write the mission database, for Yamcs.
+
+    The frame packet as XTCE: every field, calibrated, with limits.
+    """
+    text = mission_database()
+    try:
+        output.write_text(text, encoding="utf-8")
+    except OSError as fault:
+        raise faults.Failed(f"{faults.quoted(output)} cannot be written:"
+                            f" {faults.reason(fault)}") from fault
+
+
+def mission_database() -> str:
+    """The text of the file."""
+    from yamcs import pymdb
+
+    system = pymdb.System(
+        SYSTEM, short_description="Flight controller and ground station")
+    pymdb.Container(
+        system, CONTAINER, list(_Entries(pymdb, system)),
+        bits=8 * packets.FRAME_LENGTH, rate=EXPECTED_EVERY_S,
+        short_description="What GSC CORE has at the end of a major frame")
+    return system.dumps(top_comment="bin/urv xtce wrote this.") + "\n"
+
+
+class _Entries:
+    """The entries of the packet, in order. Parameters belong to a subsystem
+    for each group of the record's columns, and for link, log and status."""
+
+    def __init__(self, pymdb, system):
+        self.pymdb = pymdb
+        self.system = system
+        self.age = None
+
+    def __iter__(self):
+        yield from self.header()
+        yield from self.whole_numbers("link", 32, packets.LINK_COUNTS)
+        for column in packets.COLUMNS:
+            yield from self.word(column)
+        for node in packets.NODES:
+            yield from self.log(node)
+        yield from self.whole_numbers("status", 16, packets.STATUS,
+                                      bitpos=8 * packets.TAIL_AT)
+        yield self.choice("pilot", packets.Pilot)
+
+    def subsystem(self, path):
+        """The one of that name, of dots, made when there is none."""
+        found = self.system
+        for name in path.split("."):
+            there = {each.name: each for each in found.subsystems}
+            found = there.get(name) or self.pymdb.Subsystem(found, name)
+        return found
+
+    def encoding(self, bits):
+        return self.pymdb.IntegerEncoding(bits=bits)
+
+    def whole_number(self, system, name, bits, description=None, bitpos=None):
+        return self.pymdb.ParameterEntry(self.pymdb.IntegerParameter(
+            system, name, signed=False, short_description=description,
+            encoding=self.encoding(bits)), bitpos=bitpos)
+
+    def whole_numbers(self, path, bits, names, bitpos=None):
+        system = self.subsystem(path)
+        for name in names:
+            yield self.whole_number(system, name, bits, bitpos=bitpos)
+            bitpos = None
+
+    def choice(self, name, choices):
+        return self.pymdb.ParameterEntry(self.pymdb.EnumeratedParameter(
+            self.system, name,
+            [(each.value, each.name.lower().replace("_", " "))
+             for each in choices],
+            encoding=self.encoding(16)))
+
+    def header(self):
+        for name, bits, description in HEADER:
+            yield self.whole_number(self.system, name, bits, description)
+        yield self.pymdb.ParameterEntry(self.pymdb.AbsoluteTimeParameter(
+            self.system, "time", self.pymdb.Epoch.UNIX,
+            short_description="UTC, when the frame's words were taken",
+            encoding=self.pymdb.IntegerTimeEncoding(bits=64, scale=1e-6)))
+        age = self.whole_number(
+            self.system, "downlink_age", 32,
+            "frames since the downlink's words were fresh")
+        self.age = age.parameter
+        yield age
+        yield self.choice("console_state", packets.ConsoleState)
+        yield self.choice("link_state", packets.LinkState)
+        yield self.whole_number(
+            self.system, "console_sequence", 32,
+            "of the console packet whose words are at the converter")
+
+    def word(self, column):
+        group, _, name = column.rpartition(".")
+        item = items.COLUMNS[column]
+        system = self.subsystem(group)
+        if not item.is_scaled:
+            at = self.position(column)
+            yield self.whole_number(system, name, 16, "bits", bitpos=at)
+            yield from self.error_bits(system, at)
+            return
+        alarm = None
+        if item.limits:
+            alarm = self.pymdb.ThresholdAlarm(
+                critical_low=item.warning_low, warning_low=item.caution_low,
+                warning_high=item.caution_high,
+                critical_high=item.warning_high)
+        is_downlink = group == "gsc.downlink"
+        parameter = self.pymdb.FloatParameter(
+            system, name, bits=64, units=item.unit,
+            short_description=item.label, alarm=alarm,
+            encoding=self.encoding(16),
+            calibrator=self.pymdb.Polynomial(
+                [0.0 - item.per_word * item.zero_word, item.per_word]))
+        yield self.pymdb.ParameterEntry(
+            parameter, bitpos=self.position(column),
+            condition=(self.pymdb.eq(self.age, 0) if is_downlink else None))
+
+    @staticmethod
+    def position(column):
+        """In bits. Said of each word: Yamcs goes on from the last entry that
+        was there."""
+        return 8 * (packets.WORDS_AT + 2 * packets.COLUMNS.index(column))
+
+    def error_bits(self, system, word_at):
+        """Each for itself, out of the word again."""
+        for bit, (name, level, meaning) in enumerate(ERROR_BITS):
+            yield self.pymdb.ParameterEntry(
+                self.pymdb.EnumeratedParameter(
+                    system, name, [(0, "no"), (1, "yes")],
+                    short_description=meaning,
+                    alarm=self.pymdb.EnumerationAlarm(
+                        {"yes": self.pymdb.AlarmLevel[level]}),
+                    encoding=self.encoding(1)),
+                bitpos=word_at + 15 - bit)
+
+    def log(self, node):
+        """A row for each kind of error; the last ones of the packet are
+        empty."""
+        system = self.subsystem(f"log.{node}")
+        node_at = packets.LOGS_AT * 8 + (
+            packets.NODES.index(node) * packets.ROWS_PER_LOG * ROW_BITS)
+        for place, kind in enumerate(packets.KINDS):
+            yield self.pymdb.ParameterEntry(
+                self.pymdb.AggregateParameter(system, kind, [
+                    self.pymdb.IntegerMember(
+                        name, signed=False, short_description=description,
+                        encoding=self.encoding(bits))
+                    for name, bits, description in LOG_ROW]),
+                bitpos=node_at + place * ROW_BITS)
+

@@ -1,0 +1,19 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The flights that the pilot knows by heart.
+
+private package Host.Pilot.Flights is
+
+   type Flight is (Standard_Flight, Level_Flight);
+
+   function Name (Of_Flight : Flight) return String is
+     (case Of_Flight is
+         when Standard_Flight => "standard",
+         when Level_Flight    => "level");
+
+   function Length (Of_Flight : Flight) return Microseconds;
+
+   function Targets_At (Of_Flight : Flight; Time : Microseconds)
+                        return Targets;
+
+end Host.Pilot.Flights;

@@ -1,0 +1,168 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Characters.Latin_1;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Unchecked_Conversion;
+with Interfaces;            use Interfaces;
+
+with Host.Names;        use Host.Names;
+with Host.Scaling;      use Host.Scaling;
+with Host.Text_Numbers; use Host.Text_Numbers;
+
+package body Host.Plant_Messages is
+
+   Line_Feed : constant Character := Ada.Characters.Latin_1.LF;
+
+   --  The fields of Flight_State, in order.
+   type Truth_Item is
+     (Altitude, Airspeed, Bank, Pitch, Heading, Climb, Crashed);
+
+   Truth_Names : constant String :=
+     "truth,altitude,ft" & Line_Feed
+     & "truth,airspeed,kt" & Line_Feed
+     & "truth,bank,deg" & Line_Feed
+     & "truth,pitch,deg" & Line_Feed
+     & "truth,heading,deg" & Line_Feed
+     & "truth,climb,ft/s" & Line_Feed
+     & "truth,crashed,yes" & Line_Feed;
+
+   Shown_Names : constant String :=
+     "shown,altitude,ft" & Line_Feed
+     & "shown,airspeed,kt" & Line_Feed
+     & "shown,bank,deg" & Line_Feed
+     & "shown,pitch,deg" & Line_Feed
+     & "shown,heading,deg" & Line_Feed
+     & "shown,alpha,deg" & Line_Feed
+     & "shown,beta,deg" & Line_Feed
+     & "shown,north,ft" & Line_Feed
+     & "shown,east,ft" & Line_Feed;
+
+   pragma Assert
+     (Truth_Item'Pos (Truth_Item'Last) + 1 = Truth_Count);
+
+   function To_Bits is new Ada.Unchecked_Conversion (Long_Float, Unsigned_64);
+   function To_Number is
+     new Ada.Unchecked_Conversion (Unsigned_64, Long_Float);
+
+   procedure Put
+     (Message : in out Stream_Element_Array;
+      Last    : in out Stream_Element_Offset;
+      Value   : Long_Float);
+
+   procedure Get
+     (Message : Stream_Element_Array;
+      Last    : in out Stream_Element_Offset;
+      Value   : out Long_Float);
+
+   function Time_Line (Name : String; Value : Positive; Unit : String)
+                       return String
+   is ("time," & Name & ',' & Image (Long_Long_Integer (Value)) & ' ' & Unit
+       & Line_Feed);
+
+   procedure Put
+     (Message : in out Stream_Element_Array;
+      Last    : in out Stream_Element_Offset;
+      Value   : Long_Float)
+   is
+      Bits : Unsigned_64 := To_Bits (Value);
+   begin
+      for Index in reverse Last + 1 .. Last + Bytes_Per_Number loop
+         Message (Index) := Stream_Element (Bits and 16#FF#);
+         Bits := Shift_Right (Bits, 8);
+      end loop;
+      Last := Last + Bytes_Per_Number;
+   end Put;
+
+   procedure Get
+     (Message : Stream_Element_Array;
+      Last    : in out Stream_Element_Offset;
+      Value   : out Long_Float)
+   is
+      Bits : Unsigned_64 := 0;
+   begin
+      for Index in Last + 1 .. Last + Bytes_Per_Number loop
+         Bits := Shift_Left (Bits, 8) or Unsigned_64 (Message (Index));
+      end loop;
+      Last  := Last + Bytes_Per_Number;
+      Value := To_Number (Bits);
+   end Get;
+
+   procedure Read
+     (Message : State_Message;
+      Sensors : out Sensor_Words;
+      Truth   : out Flight_State;
+      Shown   : out Shown_State)
+   is
+      Last    : Stream_Element_Offset := 0;
+      Value   : Long_Float;
+      Numbers : array (Truth_Item) of Long_Float;
+   begin
+      for Item in Sensor_Item loop
+         Get (Message, Last, Value);
+         Sensors (Item) := To_Word (Value, Scaling.Sensors (Item));
+      end loop;
+      for Number of Numbers loop
+         Get (Message, Last, Number);
+      end loop;
+      Truth :=
+        (Altitude => Numbers (Altitude),
+         Airspeed => Numbers (Airspeed),
+         Bank     => Numbers (Bank),
+         Pitch    => Numbers (Pitch),
+         Heading  => Numbers (Heading),
+         Climb    => Numbers (Climb),
+         Crashed  => Numbers (Crashed) /= 0.0);
+      for Number of Shown loop
+         Get (Message, Last, Number);
+      end loop;
+   end Read;
+
+   function Introduction (Shown_After : Step_Count)
+                          return Stream_Element_Array
+   is
+      Text : Unbounded_String;
+   begin
+      for Item in Servo_Item loop
+         Append
+           (Text,
+            "servo," & Name (Item) & ','
+            & Symbol (Servos (Item).Measured_In) & Line_Feed);
+      end loop;
+      for Item in Sensor_Item loop
+         Append
+           (Text,
+            "sensor," & Name (Item) & ','
+            & Symbol (Sensors (Item).Measured_In) & Line_Feed);
+      end loop;
+      Append
+        (Text,
+         Truth_Names & Shown_Names
+         & Time_Line ("tick", Microseconds_Per_Tick, "us")
+         & Time_Line ("frame", Ticks_Per_Major_Frame, "ticks")
+         & Time_Line ("scan", Ticks_To_Scan, "ticks")
+         & Time_Line ("shown", Shown_After, "ticks")
+         & Line_Feed);
+
+      return Bytes : Stream_Element_Array
+        (1 .. Stream_Element_Offset (Length (Text)))
+      do
+         for Index in Bytes'Range loop
+            Bytes (Index) :=
+              Character'Pos (Element (Text, Positive (Index)));
+         end loop;
+      end return;
+   end Introduction;
+
+   function To_Message (Servos : PWM_Buffer) return Command_Message is
+      Last : Stream_Element_Offset := 0;
+   begin
+      return Message : Command_Message do
+         for Item in Servo_Item loop
+            Put
+              (Message, Last,
+               To_Unit (Servos (Item), Scaling.Servos (Item)));
+         end loop;
+      end return;
+   end To_Message;
+
+end Host.Plant_Messages;

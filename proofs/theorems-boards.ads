@@ -1,0 +1,132 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What follows from what a telemetry board does: when a buffer becomes full
+--  and when it is overwritten (LNK-4 to LNK-7, LNK-10). Each theorem is
+--  about any sound board, whatever happens to it.
+
+with Telemetry;           use Telemetry;
+with Telemetry.Boards;    use Telemetry.Boards;
+with Telemetry.Checksum;
+with Telemetry.Memory;    use Telemetry.Memory;
+with Telemetry.Receivers; use Telemetry.Receivers;
+with Telemetry.Turns;     use Telemetry.Turns;
+with URVOS;               use URVOS;
+
+package Theorems.Boards with Pure, SPARK_Mode, Ghost is
+
+   --  A buffer that has become full.
+   function Is_Filled (Before, After : Buffer_Pair; Which : Slot)
+     return Boolean
+   is
+     (After.Slots (Which).Full and then not Before.Slots (Which).Full);
+
+   --  Nothing has been put into a buffer, and no block has come back.
+   function Nothing_Put (Before, After : Buffer_Pair) return Boolean is
+     (for all Which in Slot =>
+        After.Slots (Which).Data = Before.Slots (Which).Data
+        and then
+          (if After.Slots (Which).Full
+           then Before.Slots (Which).Full
+             and then After.Slots (Which).Attempts =
+               Before.Slots (Which).Attempts));
+
+   --  A receive buffer becomes full only with a data message whose checksum
+   --  matched; that one is counted, and owed a good status.
+   procedure Full_Only_When_Right
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       (for all Which in Slot =>
+          (if Is_Filled
+             (Receive_Pair (Item'Old), Receive_Pair (Item), Which)
+           then not Parity_Error
+             and then Control_Of (Item'Old).Receiver.State = In_Data
+             and then Control_Of (Item'Old).Receiver.Target = Which
+             and then Control_Of (Item'Old).Receiver.Received =
+               Control_Of (Item).Receive_Length
+             and then not Control_Of (Item'Old).Receiver.Damaged
+             and then Data = Checksum.Of_Message
+               (Data_Header (Control_Of (Item).Receive_Length),
+                Receive_Pair (Item).Slots (Which).Data,
+                Control_Of (Item).Receive_Length)
+             and then Receive_Pair (Item).Newest = Which
+             and then Control_Of (Item).Owed = Good))
+
+       --  The counter counts exactly those.
+       and then Control_Of (Item).Messages =
+         (if (for some Which in Slot =>
+                Is_Filled
+                  (Receive_Pair (Item'Old), Receive_Pair (Item), Which))
+          then Incremented (Control_Of (Item'Old).Messages)
+          else Control_Of (Item'Old).Messages);
+
+   --  A block that the controller has not taken is overwritten only when
+   --  both buffers are full, and then it is the older one (LNK-4). That one
+   --  is not taken is counted when the newer one is full.
+   procedure Older_Is_Overwritten
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       (for all Which in Slot =>
+          (if Receive_Pair (Item'Old).Slots (Which).Full
+             and then not Receive_Pair (Item).Slots (Which).Full
+           then Both_Full (Receive_Pair (Item'Old))
+             and then Which = Other (Receive_Pair (Item'Old).Newest)))
+       and then Tally (Item).Not_Taken =
+         (if Both_Full (Receive_Pair (Item))
+            and then not Both_Full (Receive_Pair (Item'Old))
+          then Incremented (Tally (Item'Old).Not_Taken)
+          else Tally (Item'Old).Not_Taken);
+
+   --  Nothing is ever put into a transmit buffer but by the controller: what
+   --  was scrapped does not come back. Not by a character,
+   procedure Character_Puts_Nothing
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Nothing_Put (Transmit_Pair (Item'Old), Transmit_Pair (Item));
+
+   --  nor by time.
+   procedure Time_Puts_Nothing (Item : in out Board; Time : Character_Times)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Nothing_Put (Transmit_Pair (Item'Old), Transmit_Pair (Item));
+
+   --  The block that the controller puts is the newest, and the block on
+   --  its way stays as it is (LNK-7).
+   procedure Put_Is_Newest (Item : in out Board; Data : Block_Data)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       Any_Full (Transmit_Pair (Item))
+       and then Newest_Full (Transmit_Pair (Item)) =
+         Transmit_Pair (Item).Newest
+       and then Transmit_Pair (Item).Slots
+         (Transmit_Pair (Item).Newest).Data = Data
+       and then
+         (for all Which in Slot =>
+            (if Transmit_Pair (Item'Old).Slots (Which).Busy
+             then Transmit_Pair (Item).Slots (Which) =
+               Transmit_Pair (Item'Old).Slots (Which)));
+
+   --  The controller takes a block once.
+   procedure Taken_Once (Item : in out Board)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => not Any_Full (Receive_Pair (Item));
+
+end Theorems.Boards;

@@ -1,0 +1,160 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Interfaces;                   use Interfaces;
+with Interfaces.C;                 use Interfaces.C;
+
+with Partitions.Clocks;
+with Partitions.Console_Packets; use Partitions.Console_Packets;
+with Partitions.Sockets;
+with Partitions.System_Calls;    use Partitions.System_Calls;
+with URV.Buffers;                use URV.Buffers;
+
+package body Partitions.Console_Port is
+
+   use type Octets.Number;
+
+   Port : File := Invalid;
+   Gate : Suspension_Object;
+
+   --  After an error of the operating system.
+   Rest : constant Ada.Real_Time.Time_Span := Milliseconds (10);
+
+   --  What means the safe outputs (D-13).
+   Safe_Words : constant Console_Words :=
+     (Throttle    => Neutral_Uplink (Throttle),
+      Brake       => Neutral_Uplink (Brake),
+      Switch_Item => 0,
+      others      => Neutral_Value);
+
+   protected Latest is
+
+      --  The packet is the latest, unless another one keeps the sticks. It
+      --  was made so long ago.
+      procedure Take
+        (Item : Packet; Now : Time; Age : Ada.Real_Time.Time_Span);
+
+      procedure Drop;
+
+      function Contents (Now : Time) return Situation;
+
+      function Number_Taken return Count;
+      function Number_Dropped return Count;
+
+   private
+      Item    : Packet;
+      Made_At : Time    := Time_First;
+      Any     : Boolean := False;
+      Good    : Count   := 0;
+      Bad     : Count   := 0;
+   end Latest;
+
+   protected body Latest is
+
+      procedure Take
+        (Item : Packet; Now : Time; Age : Ada.Real_Time.Time_Span)
+      is
+         Follows : constant Boolean :=
+           (if Latest.Any and then Item.Run = Latest.Item.Run
+            then Item.Sequence > Latest.Item.Sequence
+            else Item.Sequence > 0
+              and then (not Latest.Any
+                        or else Now - Latest.Made_At >= Longest_Silence));
+      begin
+         if Follows then
+            Latest.Item := Item;
+            Latest.Made_At := Now - Age;
+            Latest.Any := True;
+            Good := Incremented (Good);
+         else
+            Bad := Incremented (Bad);
+         end if;
+      end Take;
+
+      procedure Drop is
+      begin
+         Bad := Incremented (Bad);
+      end Drop;
+
+      function Contents (Now : Time) return Situation is
+         Silence : constant Ada.Real_Time.Time_Span :=
+           (if Any then Now - Made_At else Time_Span_Last);
+      begin
+         return
+           (if Silence >= Longest_Hold
+            then
+              (State       => Neutral,
+               Words       => Safe_Words,
+               Sequence    => 0,
+               Pilot_Flies => not Any or else Item.Pilot_Flies)
+            else
+              (State       =>
+                 (if Silence >= Longest_Silence then Held else Live),
+               Words       => Item.Words,
+               Sequence    => Item.Sequence,
+               Pilot_Flies => Item.Pilot_Flies));
+      end Contents;
+
+      function Number_Taken return Count is (Good);
+
+      function Number_Dropped return Count is (Bad);
+
+   end Latest;
+
+   procedure Open (Place : String) is
+   begin
+      Port := Sockets.Loopback_Receiver ("--console", Place);
+      Set_True (Gate);
+   end Open;
+
+   function Is_Open return Boolean is (Port /= Invalid);
+
+   --  A datagram has come.
+   procedure Take_In (Datagram : Octets.Octet_Array);
+
+   procedure Take_In (Datagram : Octets.Octet_Array) is
+      Item     : Packet;
+      Is_Valid : Boolean;
+      Now      : constant Octets.Number := Clocks.UTC;
+      Way      : Octets.Number;
+   begin
+      Read (Datagram, Item, Is_Valid);
+      Way := (if Now > Item.Made_At then Now - Item.Made_At
+              else Item.Made_At - Now);
+      if Is_Valid and then Way <= Octets.Number (Longest_Way) then
+         Latest.Take
+           (Item, Clock,
+            (if Now > Item.Made_At
+             then Ada.Real_Time.Microseconds (Integer (Way))
+             else Time_Span_Zero));
+      else
+         Latest.Drop;
+      end if;
+   end Take_In;
+
+   task Listener;
+
+   task body Listener is
+      --  Room for more than a packet: a longer datagram is none.
+      Datagram : Octets.Octet_Array (1 .. 2 * Console_Packets.Length);
+      Length   : Byte_Total;
+   begin
+      Suspend_Until_True (Gate);
+      loop
+         Length := Receive (Port, Datagram'Address, Datagram'Length, 0);
+         if Length >= 0 then
+            Take_In (Datagram (1 .. Natural (Length)));
+         else
+            delay until Clock + Rest;
+         end if;
+      end loop;
+   end Listener;
+
+   function Seen (At_Time : Time) return Situation is
+     (Latest.Contents (At_Time));
+
+   function Taken return Count is (Latest.Number_Taken);
+
+   function Dropped return Count is (Latest.Number_Dropped);
+
+end Partitions.Console_Port;

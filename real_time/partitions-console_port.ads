@@ -1,0 +1,48 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Where a console of another process sends its packets (--console; GND-3,
+--  GND-4).
+--
+--  Whoever can send here flies, so the port is one of the machine's
+--  loopback. What cannot be taken is dropped and counted.
+
+with Ada.Real_Time; use Ada.Real_Time;
+
+with Host;  use Host;
+with Partitions.Octets;
+with URVOS; use URVOS;
+
+package Partitions.Console_Port is
+
+   --  Held: no packet for Longest_Silence, its words stand still. Neutral:
+   --  none for Longest_Hold, or none ever.
+   type Console_State is (No_Console, Live, Held, Neutral);
+
+   Longest_Silence : constant Time_Span := Milliseconds (500);
+   Longest_Hold    : constant Time_Span := Milliseconds (2_000);
+
+   --  A packet that was made longer ago than this has waited somewhere.
+   Longest_Way : constant Host.Microseconds := 500_000;
+
+   --  What the port has of the console.
+   type Situation is record
+      State       : Console_State := No_Console;
+      Words       : Console_Words := Neutral_Console;
+      Sequence    : Octets.Number := 0;
+      Pilot_Flies : Boolean       := False;
+   end record;
+
+   --  Listens at udp:HOST:PORT. Raises Host.Bad_Input.
+   procedure Open (Place : String);
+
+   function Is_Open return Boolean;
+
+   --  How things stand at that time. Where no packet has come yet the
+   --  simulated pilot flies, if there is one.
+   function Seen (At_Time : Time) return Situation;
+
+   --  How many packets were taken, and how many datagrams were not.
+   function Taken return Count;
+   function Dropped return Count;
+
+end Partitions.Console_Port;

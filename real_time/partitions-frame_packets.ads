@@ -1,0 +1,46 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The frame packet: what GSC CORE has at the end of a major frame, in one
+--  datagram (GND-2). docs/station-packets.md has its layout.
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Partitions.Octets;   use Partitions.Octets;
+
+package Partitions.Frame_Packets is
+
+   Length : constant := 1_108;
+
+   subtype Packet is Octet_Array (1 .. Length);
+
+   --  The age of a downlink that has not come yet.
+   Never : constant := 16#FFFF_FFFF#;
+
+   type Link_Count is
+     (Uplink_Sent, Uplink_Scrapped, Downlink_Received, Downlink_Bad, Resets,
+      Bytes_Discarded, Overruns, Publish_Not_Sent, Console_Packets,
+      Console_Bad);
+   type Link_Counts is array (Link_Count) of Number;
+
+   --  The console's words, the uplink's and the downlink's, as in the record.
+   Word_Count : constant := 13 + 14 + 28;
+   type Word_List is array (1 .. Word_Count) of Number;
+
+   type Frame is record
+      Run              : Number;
+      Sequence         : Number;
+      Time             : Number;
+      Downlink_Age     : Number;
+      Console_State    : Number;
+      Link_State       : Number;
+      Console_Sequence : Number;
+      Counts           : Link_Counts;
+      Words            : Word_List;
+      Log              : Log_Rows;
+      Aircraft_Log     : Log_Rows;
+      Status           : Status_Words;
+      Pilot            : Number;
+   end record;
+
+   function To_Packet (Item : Frame) return Packet;
+
+end Partitions.Frame_Packets;

@@ -1,0 +1,44 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Partitions.Console;
+with Partitions.Console_Port;
+with Partitions.Publisher;
+with Partitions.Reports; use Partitions.Reports;
+
+package body Partitions.Ground_Station is
+
+   procedure Prepare (Chosen : Partitions.Options.Choices) is
+   begin
+      if Chosen.Script /= Null_Unbounded_String then
+         Console.Load (To_String (Chosen.Script));
+      end if;
+      if Chosen.Pilot /= Null_Unbounded_String then
+         Console.Take_Aboard (To_String (Chosen.Pilot));
+      end if;
+      if Chosen.Console /= Null_Unbounded_String then
+         Console_Port.Open (To_String (Chosen.Console));
+      end if;
+      for Place of Chosen.Publish loop
+         exit when Place = Null_Unbounded_String;
+         Publisher.Open (To_String (Place));
+      end loop;
+   end Prepare;
+
+   procedure Put_Counts
+     (Result : in out Partitions.Reports.Report;
+      To     : in out Host.Text_Output.Writer) is
+   begin
+      Put_Field
+        (Result, To, "publish_not_sent", Reports.Number (Publisher.Not_Sent));
+      Begin_Group (Result, To, "console");
+      Put_Field (Result, To, "packets", Reports.Number (Console_Port.Taken));
+      Put_Field (Result, To, "bad", Reports.Number (Console_Port.Dropped));
+      Put_Field (Result, To, "held", Reports.Number (Console.Times_Held));
+      Put_Field
+        (Result, To, "neutral", Reports.Number (Console.Times_Neutral));
+      End_Group (Result, To);
+   end Put_Counts;
+
+end Partitions.Ground_Station;

@@ -1,0 +1,24 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the ground's partition has besides its node: where the sticks come
+--  from, and who is sent what CORE has (GND-2, GND-3).
+
+with Host.Text_Output;
+with Partitions.Options;
+with Partitions.Reports;
+
+package Partitions.Ground_Station is
+
+   --  Raises Host.Bad_Input.
+   procedure Prepare (Chosen : Partitions.Options.Choices);
+
+   function Has_Truth return Boolean is (False);
+
+   function Failure return String is ("");
+
+   --  For the summary.
+   procedure Put_Counts
+     (Result : in out Partitions.Reports.Report;
+      To     : in out Host.Text_Output.Writer);
+
+end Partitions.Ground_Station;

@@ -1,0 +1,59 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Host.Names;
+with Host.Text_Numbers; use Host.Text_Numbers;
+with Host.Text_Output;  use Host.Text_Output;
+
+package body Partitions.Occurrences is
+
+   protected body Occurrence is
+
+      procedure Add (At_Time : Microseconds) is
+      begin
+         if Told.Number = 0 then
+            Told.First := At_Time;
+         end if;
+         Told.Last := At_Time;
+         Told.Number := Incremented (Told.Number);
+      end Add;
+
+      function Contents return History is (Told);
+
+   end Occurrence;
+
+   procedure Write
+     (To   : in out Host.Text_Output.Writer;
+      Who  : Node;
+      Kind : String;
+      Item : History)
+   is
+      procedure Put_Field (Name : String; Value : Long_Long_Integer);
+
+      procedure Put_Field (Name : String; Value : Long_Long_Integer) is
+      begin
+         Put (To, ",""" & Name & """:" & Image (Value));
+      end Put_Field;
+
+      function Milliseconds (Time : Microseconds) return Long_Long_Integer is
+        (Long_Long_Integer (Time / Microseconds_Per_Millisecond));
+
+      function Frame (Time : Microseconds) return Long_Long_Integer is
+        (Long_Long_Integer (Time / Major_Frame));
+   begin
+      if Item.Number > 0 then
+         Put
+           (To,
+            "{""node"":""" & Host.Names.Name (Who) & """,""kind"":"""
+            & Kind & '"');
+         Put_Field ("count", Long_Long_Integer (Item.Number));
+         Put_Field ("first_frame", Frame (Item.First));
+         Put_Field ("last_frame", Frame (Item.Last));
+         Put_Field ("first_ms", Milliseconds (Item.First));
+         Put_Field ("last_ms", Milliseconds (Item.Last));
+         Put_Field ("last_detail", 0);
+         Put (To, '}');
+         New_Line (To);
+      end if;
+   end Write;
+
+end Partitions.Occurrences;

@@ -1,0 +1,359 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Streams;              use Ada.Streams;
+with Ada.Characters.Latin_1;
+with Ada.Strings.Unbounded;    use Ada.Strings.Unbounded;
+with GNAT.OS_Lib;              use GNAT.OS_Lib;
+with Interfaces.C;             use Interfaces.C;
+
+with Host.Plant_Program;
+with MCS;
+with Partitions.Clocks;
+with Partitions.Occurrences;
+with Partitions.Reports;       use Partitions.Reports;
+with Partitions.System_Calls;  use Partitions.System_Calls;
+with URVOS;                    use URVOS;
+
+package body Partitions.Plant is
+
+   Line    : File       := Invalid;
+   Process : Process_Id := Invalid_Pid;
+
+   --  From new commands for the servos to the row of the record.
+   Shown_After : constant Step_Count :=
+     Step_Count (MCS.Task_List (MCS.CORE_Task).Offset) - Servo_Tick;
+
+   type Plant_State is (In_Time, Is_Late, Is_Dead);
+
+   protected Aircraft is
+
+      procedure Settle (Words : Sensor_Words; State : Shown_State);
+
+      --  The node has new words for the servos.
+      procedure Ask (Servos : PWM_Buffer);
+
+      --  Waits for them.
+      entry Await_Servos (Servos : out PWM_Buffer);
+
+      procedure Answer (Words : Sensor_Words; State : Shown_State);
+
+      --  A scan begins. Missed tells that it has the words of the one
+      --  before.
+      procedure Look (Words : out Sensor_Words; Missed : out Boolean);
+
+      --  Is_News is False when that is known.
+      procedure Die (Is_News : out Boolean);
+
+      function State return Plant_State;
+      function Frames return URVOS.Count;
+      function Present return Shown_State;
+
+   private
+      Shown    : Shown_State  := (others => 0.0);
+      Sensors  : Sensor_Words := Neutral_Sensors;
+      Commands : PWM_Buffer   := Safe_Outputs;
+      Wanted   : Boolean      := False;   --  commands not taken yet
+      Flying   : Boolean      := False;   --  an answer is to come
+      Now      : Plant_State  := In_Time;
+      Flown    : URVOS.Count  := 0;
+   end Aircraft;
+
+   Lates  : Occurrences.Occurrence;
+   Deaths : Occurrences.Occurrence;
+
+   --  Of the environment task.
+   Told : Plant_State := In_Time;
+
+   protected body Aircraft is
+
+      procedure Settle (Words : Sensor_Words; State : Shown_State) is
+      begin
+         Shown := State;
+         Sensors := Words;
+      end Settle;
+
+      --  One frame at a time: what it is not done with yet, it goes on with.
+      procedure Ask (Servos : PWM_Buffer) is
+      begin
+         if not Flying and then Now /= Is_Dead then
+            Commands := Servos;
+            Wanted := True;
+            Flying := True;
+         end if;
+      end Ask;
+
+      entry Await_Servos (Servos : out PWM_Buffer) when Wanted is
+      begin
+         Servos := Commands;
+         Wanted := False;
+      end Await_Servos;
+
+      procedure Answer (Words : Sensor_Words; State : Shown_State) is
+      begin
+         Shown := State;
+         Sensors := Words;
+         Flying := False;
+         Flown := Incremented (Flown);
+      end Answer;
+
+      procedure Look (Words : out Sensor_Words; Missed : out Boolean) is
+      begin
+         Words := Sensors;
+         Missed := Flying and then Now /= Is_Dead;
+         if Now /= Is_Dead then
+            Now := (if Missed then Is_Late else In_Time);
+         end if;
+      end Look;
+
+      procedure Die (Is_News : out Boolean) is
+      begin
+         Is_News := Now /= Is_Dead;
+         Now := Is_Dead;
+      end Die;
+
+      function State return Plant_State is (Now);
+
+      function Frames return URVOS.Count is (Flown);
+
+      function Present return Shown_State is (Shown);
+
+   end Aircraft;
+
+   --  Is_Good is False when the process has ended.
+   procedure Send (Message : Stream_Element_Array; Is_Good : out Boolean);
+   procedure Receive
+     (Message : out Stream_Element_Array; Is_Good : out Boolean);
+
+   --  What comes up to the next line feed.
+   procedure Receive_Line
+     (Text : out Unbounded_String; Is_Good : out Boolean);
+
+   procedure Send (Message : Stream_Element_Array; Is_Good : out Boolean) is
+      Next : Stream_Element_Offset := Message'First;
+      Sent : Byte_Total;
+   begin
+      while Next <= Message'Last loop
+         Sent := System_Calls.Send
+           (Line, Message (Next)'Address, size_t (Message'Last - Next + 1),
+            No_Signal);
+         exit when Sent <= 0;
+         Next := Next + Stream_Element_Offset (Sent);
+      end loop;
+      Is_Good := Next > Message'Last;
+   end Send;
+
+   procedure Receive
+     (Message : out Stream_Element_Array; Is_Good : out Boolean)
+   is
+      Next : Stream_Element_Offset := Message'First;
+      Came : Byte_Total;
+   begin
+      Message := (others => 0);
+      while Next <= Message'Last loop
+         Came := System_Calls.Receive
+           (Line, Message (Next)'Address, size_t (Message'Last - Next + 1),
+            0);
+         exit when Came <= 0;
+         Next := Next + Stream_Element_Offset (Came);
+      end loop;
+      Is_Good := Next > Message'Last;
+   end Receive;
+
+   procedure Receive_Line
+     (Text : out Unbounded_String; Is_Good : out Boolean)
+   is
+      Next : Stream_Element_Array (1 .. 1);
+   begin
+      Text := Null_Unbounded_String;
+      loop
+         Receive (Next, Is_Good);
+         exit when not Is_Good
+           or else Character'Val (Next (1)) = Ada.Characters.Latin_1.LF;
+         Append (Text, Character'Val (Next (1)));
+      end loop;
+   end Receive_Line;
+
+   --  The process with its end of a connection. It inherits that and not
+   --  ours: so each side sees when the other one has ended.
+   procedure Spawn;
+
+   procedure Spawn is
+      Made   : File_Pair;
+      Theirs : File;
+      Closed : int;
+   begin
+      if Socket_Pair (Local_Family, Stream + Close_On_Exec, 0, Made)
+           = Failed
+      then
+         Host.Plant_Program.Refuse ("no connection: " & Errno_Message);
+      end if;
+      Line := Made (1);
+      Theirs := Duplicate (Made (2));
+      Host.Plant_Program.Spawn (Natural (Theirs), Process);
+      Closed := int'Min (Close (Theirs), Close (Made (2)));
+      pragma Unreferenced (Closed);
+   end Spawn;
+
+   procedure Start is
+      Answer  : Unbounded_String;
+      Message : State_Message;
+      Sensors : Sensor_Words;
+      State   : Flight_State;
+      Shown   : Shown_State;
+      Is_Good : Boolean;
+   begin
+      Spawn;
+      Send (Introduction (Shown_After), Is_Good);
+      if Is_Good then
+         Receive_Line (Answer, Is_Good);
+      end if;
+      if Is_Good and then Answer /= Ready then
+         Host.Plant_Program.Refuse (To_String (Answer));
+      end if;
+      if Is_Good then
+         Receive (Message, Is_Good);
+      end if;
+      if not Is_Good then
+         Host.Plant_Program.Refuse ("plant.py has failed");
+      end if;
+      Read (Message, Sensors, State, Shown);
+      pragma Unreferenced (State);
+      Aircraft.Settle (Sensors, Shown);
+   end Start;
+
+   function Is_There return Boolean is (Line /= Invalid);
+
+   function Truth return Shown_State is (Aircraft.Present);
+
+   procedure Fly (Servos : PWM_Buffer; Heard : Boolean) is
+   begin
+      if Is_There and then Heard then
+         Aircraft.Ask (Servos);
+      end if;
+   end Fly;
+
+   procedure Look (Sensors : out Sensor_Words) is
+      Missed : Boolean;
+   begin
+      Aircraft.Look (Sensors, Missed);
+      if Missed then
+         Lates.Add (Clocks.Elapsed);
+      end if;
+   end Look;
+
+   --  The process has ended.
+   procedure Note_Death;
+
+   procedure Note_Death is
+      Is_News : Boolean;
+   begin
+      Aircraft.Die (Is_News);
+      if Is_News then
+         Deaths.Add (Clocks.Elapsed);
+      end if;
+   end Note_Death;
+
+   --  A frame in the air.
+   procedure Fly_Frame (Servos : PWM_Buffer; Is_Good : out Boolean);
+
+   procedure Fly_Frame (Servos : PWM_Buffer; Is_Good : out Boolean) is
+      Message : State_Message;
+      Sensors : Sensor_Words;
+      State   : Flight_State;
+      Shown   : Shown_State;
+   begin
+      Send (To_Message (Servos), Is_Good);
+      if Is_Good then
+         Receive (Message, Is_Good);
+      end if;
+      if Is_Good then
+         Read (Message, Sensors, State, Shown);
+         pragma Unreferenced (State);
+         Aircraft.Answer (Sensors, Shown);
+      end if;
+   end Fly_Frame;
+
+   task Flight;
+
+   task body Flight is
+      Servos  : PWM_Buffer;
+      Is_Good : Boolean;
+   begin
+      loop
+         Aircraft.Await_Servos (Servos);
+         Fly_Frame (Servos, Is_Good);
+         if not Is_Good then
+            Note_Death;
+         end if;
+      end loop;
+   end Flight;
+
+   --  A plant that is asked nothing, because the ground is not heard, can
+   --  have died, too.
+   procedure Look_After_Plant;
+
+   procedure Look_After_Plant is
+      Next : Stream_Element_Array (1 .. 1);
+   begin
+      if Is_There
+        and then System_Calls.Receive
+          (Line, Next'Address, Next'Length, Leave_There + Dont_Wait) = 0
+      then
+         Note_Death;
+      end if;
+   end Look_After_Plant;
+
+   function Next_News (Now : String) return String is
+      State   : Plant_State;
+      Changed : Boolean;
+   begin
+      Look_After_Plant;
+      State := Aircraft.State;
+      Changed := State /= Told;
+      Told := State;
+      return
+        (if not Changed then ""
+         else
+           (case State is
+               when In_Time => "plant in time again at " & Now & " s",
+               when Is_Late => "plant late at " & Now
+                               & " s: the sensors stand still",
+               when Is_Dead => "plant has died at " & Now
+                               & " s: the sensors stand still"));
+   end Next_News;
+
+   function Failure return String is
+     (if Aircraft.State = Is_Dead
+      then "--plant jsbsim: JSBSim's process has ended"
+      else "");
+
+   procedure Put_Counts
+     (Result : in out Partitions.Reports.Report;
+      To     : in out Host.Text_Output.Writer) is
+   begin
+      if Is_There then
+         Begin_Group (Result, To, "plant");
+         Put_Field (Result, To, "frames", Reports.Number (Aircraft.Frames));
+         Put_Field
+           (Result, To, "late", Reports.Number (Lates.Contents.Number));
+         Put_Field
+           (Result, To, "died", Reports.Number (Deaths.Contents.Number));
+         End_Group (Result, To);
+      end if;
+   end Put_Counts;
+
+   procedure Put_Events (To : in out Host.Text_Output.Writer) is
+   begin
+      Occurrences.Write (To, Host.Aircraft, "plant_late", Lates.Contents);
+      Occurrences.Write (To, Host.Aircraft, "plant_died", Deaths.Contents);
+   end Put_Events;
+
+   procedure Stop is
+   begin
+      if Process /= Invalid_Pid then
+         Kill (Process);
+         Process := Invalid_Pid;
+      end if;
+   end Stop;
+
+end Partitions.Plant;

@@ -1,0 +1,248 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Interfaces.C;  use Interfaces.C;
+
+with Devices.CORE_Memory;      use Devices.CORE_Memory;
+with GSC;
+with Host.Complaints;
+with Partitions.Clocks;
+with Partitions.Console;
+with Partitions.Console_Port;
+with Partitions.Frame_Packets; use Partitions.Frame_Packets;
+with Partitions.Links;
+with Partitions.Octets;
+with Partitions.Peer_Watch;    use Partitions.Peer_Watch;
+with Partitions.Sockets;
+with Partitions.System_Calls;  use Partitions.System_Calls;
+with URV.Buffers;              use URV.Buffers;
+
+package body Partitions.Publisher is
+
+   use type Octets.Number;
+
+   --  Where a row has what the packet takes from it: see
+   --  Partitions.Nodes.Observe_Frame and Partitions.Console.Append_Values.
+   Frame_Column          : constant Column := 1;
+   First_Word_Column     : constant Column := 3;
+   Downlink_Error_Column : constant Column := First_Word_Column + Word_Count
+                                              - 1;
+   First_Count_Column    : constant Column := Downlink_Error_Column + 1;
+   Received_Column       : constant Column := First_Count_Column + 2;
+   Overruns_Column       : constant Column := First_Count_Column + 5;
+
+   Places : array (1 .. Most_Places) of File := (others => Invalid);
+   Number_Of_Places : Natural := 0;
+
+   --  Of the task that takes the rows.
+   Peer     : Watch;
+   Fresh_At : Octets.Number := 0;
+   Is_Seen  : Boolean := False;
+
+   Run : constant Octets.Number := Clocks.UTC / 1_000 mod 2 ** 32;
+
+   Unsent : Count := 0 with Atomic;
+
+   --  On the way to the sender: enough for a second.
+   Capacity : constant := 50;
+   type Slot is mod Capacity;
+   type Packet_Array is array (Slot) of Packet;
+
+   protected Queue is
+
+      --  Is_Taken is False when there is no room.
+      procedure Put (Item : Packet; Is_Taken : out Boolean);
+
+      --  To be followed by Done, when the packet has been sent.
+      entry Take (Item : out Packet);
+      procedure Done;
+
+      function Is_Empty return Boolean;
+
+   private
+      Packets : Packet_Array;
+      First   : Slot    := 0;
+      Length  : Natural := 0;
+      Ready   : Boolean := False;
+      Sending : Boolean := False;
+   end Queue;
+
+   protected Missing is
+      procedure Add (Number : Count);
+   end Missing;
+
+   protected body Queue is
+
+      procedure Put (Item : Packet; Is_Taken : out Boolean) is
+      begin
+         Is_Taken := Length < Capacity;
+         if Is_Taken then
+            Packets (First + Slot'Mod (Length)) := Item;
+            Length := Length + 1;
+            Ready := True;
+         end if;
+      end Put;
+
+      entry Take (Item : out Packet) when Ready is
+      begin
+         Item := Packets (First);
+         First := First + 1;
+         Length := Length - 1;
+         Ready := Length > 0;
+         Sending := True;
+      end Take;
+
+      procedure Done is
+      begin
+         Sending := False;
+      end Done;
+
+      function Is_Empty return Boolean is (Length = 0 and then not Sending);
+
+   end Queue;
+
+   protected body Missing is
+
+      procedure Add (Number : Count) is
+      begin
+         for Each in 1 .. Number loop
+            Unsent := Incremented (Unsent);
+         end loop;
+      end Add;
+
+   end Missing;
+
+   procedure Open (Place : String) is
+   begin
+      if Number_Of_Places = Most_Places then
+         Host.Complaints.Refuse
+           ("--publish is given more than"
+            & Integer'Image (Most_Places) & " times");
+      end if;
+      Places (Number_Of_Places + 1) := Sockets.Sender ("--publish", Place);
+      Number_Of_Places := Number_Of_Places + 1;
+   end Open;
+
+   --  For how many frames the downlink has not been fresh.
+   procedure Look_At_Downlink (Item : Row; Age : out Octets.Number);
+
+   function Counts_In (Item : Row) return Link_Counts;
+
+   procedure Look_At_Downlink (Item : Row; Age : out Octets.Number) is
+      Frame    : constant Octets.Number := Item.Value (Frame_Column);
+      Is_Fresh : constant Boolean :=
+        (Item.Value (Downlink_Error_Column)
+         and Octets.Number (Stale_Data)) = 0
+        and then Item.Value (Received_Column) > 0;
+   begin
+      if Is_Fresh then
+         Is_Seen := True;
+         Fresh_At := Frame;
+      end if;
+      Age := (if Is_Seen then Octets.Number'Min (Frame - Fresh_At, Never - 1)
+              else Never);
+   end Look_At_Downlink;
+
+   function Counts_In (Item : Row) return Link_Counts is
+      function At_Place (Offset : Column) return Octets.Number is
+        (Item.Value (First_Count_Column + Offset));
+   begin
+      return
+        (Uplink_Sent       => At_Place (0),
+         Uplink_Scrapped   => At_Place (1),
+         Downlink_Received => At_Place (2),
+         Downlink_Bad      => At_Place (3),
+         Resets            => At_Place (4),
+         Bytes_Discarded   => Octets.Number (Links.Discarded),
+         Overruns          => Item.Value (Overruns_Column),
+         Publish_Not_Sent  => Octets.Number (Unsent),
+         Console_Packets   => Octets.Number (Console_Port.Taken),
+         Console_Bad       => Octets.Number (Console_Port.Dropped));
+   end Counts_In;
+
+   procedure Publish (Item : Row) is
+      CORE     : constant Memory         := GSC.CORE_Memory.Contents;
+      Sticks   : constant Console.Sticks := Console.Recorded;
+      Age      : Octets.Number;
+      Change   : Peer_Watch.News;
+      Words    : Word_List;
+      Is_Taken : Boolean;
+   begin
+      if Number_Of_Places = 0 then
+         return;
+      end if;
+      Look_At_Downlink (Item, Age);
+      Look
+        (Peer, Count (Item.Value (Received_Column)),
+         Item.Value (Frame_Column), Change);
+      pragma Unreferenced (Change);
+      for Place in Words'Range loop
+         Words (Place) := Item.Value (First_Word_Column + Column (Place) - 1);
+      end loop;
+      Queue.Put
+        (To_Packet
+           ((Run              => Run,
+             Sequence         => Item.Value (Frame_Column),
+             Time             => Clocks.UTC,
+             Downlink_Age     => Age,
+             Console_State    =>
+               Console_Port.Console_State'Pos (Sticks.State),
+             Link_State       => Peer_State'Pos (Present (Peer)),
+             Console_Sequence => Sticks.Sequence,
+             Counts           => Counts_In (Item),
+             Words            => Words,
+             Log              => CORE.Log,
+             Aircraft_Log     => CORE.Aircraft_Log,
+             Status           => CORE.Status,
+             Pilot            => Console.Pilot_State'Pos (Sticks.Pilot))),
+         Is_Taken);
+      if not Is_Taken then
+         Missing.Add (Count (Number_Of_Places));
+      end if;
+   end Publish;
+
+   procedure Send_All (Item : Packet);
+
+   procedure Send_All (Item : Packet) is
+      Sent : Byte_Total;
+   begin
+      for Place of Places (1 .. Number_Of_Places) loop
+
+         --  A socket first reports that an earlier datagram was refused:
+         --  nobody listened.
+         for Attempt in 1 .. 2 loop
+            Sent := Send
+              (Place, Item'Address, Item'Length, Dont_Wait + No_Signal);
+            exit when Sent >= 0;
+         end loop;
+         if Sent /= Item'Length then
+            Missing.Add (1);
+         end if;
+      end loop;
+   end Send_All;
+
+   task Sender;
+
+   task body Sender is
+      Item : Packet;
+   begin
+      loop
+         Queue.Take (Item);
+         Send_All (Item);
+         Queue.Done;
+      end loop;
+   end Sender;
+
+   procedure Finish is
+      Look_Again : constant Ada.Real_Time.Time_Span := Milliseconds (2);
+      Looks      : constant := 500;
+   begin
+      for Look in 1 .. Looks loop
+         exit when Queue.Is_Empty;
+         delay until Clock + Look_Again;
+      end loop;
+   end Finish;
+
+   function Not_Sent return Count is (Unsent);
+
+end Partitions.Publisher;

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a likely change costs (EVI-12): each patch beside this file is applied
+to a copy of the tree, which is built, tested and flown.
+
+A patch may touch 4 files of the product, the requirements and one file of
+tests; nothing else has to change.
+"""
+
+import csv
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import planted  # noqa: E402
+
+HERE = Path(__file__).resolve().parent
+COPIES = ROOT / "obj" / "changes"
+
+PRODUCT = ("src/", "host/", "sim/", "real_time/", "ground/")
+REQUIREMENTS = "docs/requirements.sdoc"
+MOST = {"product": 4, "requirements": 1, "tests": 1, "else": 0}
+
+# What is built, and in which mode.
+PROJECTS = {"tests/urv_tests.gpr": "host", "sim/urv_sim.gpr": "host",
+            "urv.gpr": "flight", "real_time/urv_real_time.gpr": "flight"}
+SECONDS = 10
+TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, 0 skipped$", re.M)
+
+
+def part_of(name):
+    if name == REQUIREMENTS:
+        return "requirements"
+    if name.startswith(PRODUCT):
+        return "product"
+    return "tests" if name.startswith("tests/") else "else"
+
+
+class Change:
+    """A patch, and a copy of the tree that has it."""
+
+    def __init__(self, name):
+        self.path = HERE / f"{name}.patch"
+        self.text = self.path.read_text(encoding="utf-8")
+        self.copy = COPIES / name
+        planted.renew_copy(ROOT, self.copy)
+        said = planted.git_apply(self.copy, self.path)
+        assert said == "", f"{self.path.name} no longer applies: {said}"
+
+    def files(self):
+        """What it touches, by part."""
+        found = {part: [] for part in MOST}
+        for name in planted.CHANGED.findall(self.text):
+            found[part_of(name)].append(name)
+        return found
+
+    def lines(self, name, sign):
+        """What it adds to a file (+), or takes away from it (-)."""
+        part = self.text.partition(f"+++ b/{name}\n")[2]
+        part = part.partition("\n--- a/")[0].partition("\n--- /dev/null")[0]
+        return [line[1:] for line in part.splitlines()
+                if line.startswith(sign)]
+
+    def run(self, *command):
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith("URV_")}
+        return subprocess.run(command, cwd=self.copy, text=True,
+                              capture_output=True, check=False,
+                              env=environment)
+
+    def build(self, project, *options):
+        """Warnings are errors. Only what a source says counts, not when it
+        was written; the optimiser has nothing to add."""
+        return self.run("gprbuild", "-q", "-p", "-j0", "-m2", "-P", project,
+                        f"-XURV_Mode={PROJECTS[project]}", *options,
+                        "-cargs:Ada", "-O0")
+
+    def expect_cost(self):
+        for part, names in self.files().items():
+            assert len(names) <= MOST[part], (part, names)
+
+    def expect_built_and_tested(self):
+        for project in PROJECTS:
+            result = self.build(project)
+            assert result.returncode == 0, result.stdout + result.stderr
+        said = self.run("bin/urv_tests_host").stdout
+        totals = TOTALS.search(said)
+        assert totals, f"ended early: {said[-500:]}"
+        assert int(totals[1]) > 0 and int(totals[2]) == 0, said
+        links = self.run(sys.executable, "scripts/trace/run.py", "check")
+        assert links.returncode == 0, links.stdout
+
+    def fly(self, *options):
+        """A flight without an error: its record, a dictionary a row, and its
+        summary."""
+        result = self.run("bin/urv_sim", "fly", "--quiet",
+                          "--seconds", str(SECONDS), "--record", "record.csv",
+                          "--summary", "summary.json", *options)
+        assert result.returncode == 0, result.stderr
+        summary = json.loads((self.copy / "summary.json").read_text("utf-8"))
+        # Every start has these until the first message.
+        assert {kind.partition(".")[2] for kind in summary["events"]} == {
+            "no_input"}
+        assert sum(summary["events"].values()) <= 5
+        link = summary["link"]
+        assert [link[name] for name in link if name.endswith(
+            ("bad", "scrapped", "resets"))] == [0] * 6
+        assert link["downlink_received"] > summary["frames"] - 5
+        assert summary["overruns"] == 0
+        with (self.copy / "record.csv").open(encoding="utf-8",
+                                             newline="") as file:
+            return list(csv.DictReader(file)), summary
+
+    def fly_aircraft(self):
+        return self.fly("--plant", "jsbsim", "--pilot", "standard")
+
+
+def test_one_more_sensor_word():
+    """It comes down from the plant to CORE of the ground."""
+    change = Change("sensor")
+    change.expect_cost()
+    change.expect_built_and_tested()
+    rows, _ = change.fly_aircraft()
+    # 15 degrees, less a little for the height, of 0.05 each from 0800h.
+    assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
+
+
+@pytest.fixture(scope="module")
+def task():
+    return Change("task")
+
+
+def test_one_more_task(task):
+    """It tells the ground of what it sees in CORE."""
+    task.expect_cost()
+    task.expect_built_and_tested()
+    tables = task.run(sys.executable, "-B", "-m", "pytest", "-q",
+                      "tests/simulation/test_interface_tables.py")
+    assert tables.returncode == 0, tables.stdout
+    task.fly_aircraft()
+    (task.copy / "sensors.csv").write_text(
+        "time_ms,battery_volts\n0,1100\n5000,900\n", encoding="utf-8")
+    rows, summary = task.fly("--sensors", "sensors.csv")
+    battery_low = 8
+    told = [int(row["gsc.downlink.error"]) & battery_low for row in rows]
+    before = [bit for row, bit in zip(rows, told, strict=True)
+              if float(row["time_ms"]) <= 5_000]
+    assert set(before) == {0}
+    frames = summary["frames"] // SECONDS
+    assert set(told[len(before) + frames // 10:]) == {battery_low}
+
+
+def test_a_task_that_is_left_out_does_not_build(task):
+    """Its name, its row and its step are lines of the patch of one more task,
+    each left out by itself."""
+    checked = 0
+    for name in ("src/nodes/mcs.ads", "src/nodes/mcs.adb"):
+        path = task.copy / name
+        whole = path.read_text(encoding="utf-8")
+        for line in task.lines(name, "+"):
+            if not re.match(r" +(when )?BATTERY_Task\b", line):
+                continue
+            checked += 1
+            without = whole.replace(line + "\n", "")
+            assert without != whole
+            try:
+                path.write_text(without, encoding="utf-8")
+                result = task.build("urv.gpr", "-u", "-c", "mcs.adb")
+            finally:
+                path.write_text(whole, encoding="utf-8")
+            assert result.returncode != 0, line
+            assert "battery_task" in result.stderr.lower(), result.stderr
+    assert checked == 3
+
+
+def test_frames_of_10_ms():
+    change = Change("hundred-hertz")
+    change.expect_cost()
+    [name] = change.files()["product"]
+    assert len(change.lines(name, "+")) == len(change.lines(name, "-")) == 1
+    change.expect_built_and_tested()
+    rows, summary = change.fly_aircraft()
+    assert len(rows) == summary["frames"] == 100 * SECONDS
+    assert float(rows[-1]["time_ms"]) == 1_000 * SECONDS

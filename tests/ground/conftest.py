@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs bin/urv for the tests, and the simulation whose flights it reads.
+
+    def test_something(urv, flight):
+        result = urv("convert", flight / "record.csv", "record.mcap")
+        assert result.returncode == 0
+
+Both run in a folder of the test's own. `standard` is the flight of `make fly`,
+flown once for all tests of a run.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+URV = ROOT / "bin" / "urv"
+SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
+
+sys.path.insert(0, str(ROOT / "ground"))
+
+# Far longer than anything of the tests takes; a hung program is a failure.
+TIME_LIMIT_S = 300
+
+
+def run(folder, program, *arguments, **more):
+    return subprocess.run(
+        [program, *map(str, arguments)], cwd=folder, check=False,
+        stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S,
+        **{"capture_output": True, "text": True, **more})
+
+
+@pytest.fixture
+def urv(tmp_path):
+    """Runs bin/urv in the test's folder."""
+    def run_it(*arguments, **more):
+        return run(tmp_path, URV, *arguments, **more)
+    return run_it
+
+
+def fly(folder, *arguments):
+    """Fly, and leave record.csv, summary.json and events.jsonl."""
+    result = run(folder, SIMULATION, "fly", "--quiet", "--record",
+                 "record.csv", "--summary", "summary.json", "--events",
+                 "events.jsonl", *arguments)
+    assert (result.returncode, result.stderr) == (0, "")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def standard(tmp_path_factory):
+    """The folder of the flight of `make fly`."""
+    return fly(tmp_path_factory.mktemp("standard"), "--plant", "jsbsim",
+               "--pilot", "standard")
+
+
+CHROMIUM = (os.environ.get("URV_CHROMIUM") or shutil.which("chromium")
+            or shutil.which("chromium-browser"))
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """A headless Chromium of the system, one for all tests: playwright can be
+    started once only."""
+    if CHROMIUM is None:
+        pytest.skip("there is no Chromium: chromium is a Debian package")
+    playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as tool:
+        browser = tool.chromium.launch(
+            executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield browser
+        browser.close()

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stands for urv_gsc: replays a record as frame packets, hears a console.
+
+    with FakeNode(record, to=("127.0.0.1", 6003)) as node:
+        node.words["gsc.downlink.battery_volts"] = 2200
+
+As a program it replays one until it is ended:
+
+    fake_node.py RECORD [FRAMES_PORT [CONSOLE_PORT]]
+"""
+
+import csv
+import socket
+import sys
+import threading
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "ground"))
+
+from urv import packets  # noqa: E402 - found by the line above
+
+START = 10
+HELD_S, NEUTRAL_S = 0.5, 2.0
+SAFE = (2048, 2048, 2048, 0, 4095, *[0] * 8)
+NO_LOG = (packets.LogRow(),) * packets.ROWS_PER_LOG
+
+
+def read(record):
+    with open(record, newline="", encoding="ascii") as file:
+        rows = [[int(row[column]) for column in packets.COLUMNS]
+                for row in csv.DictReader(file)]
+    # Before the first downlink there is nothing to see.
+    return rows[START:]
+
+
+class FakeNode(threading.Thread):
+    """words replaces words of the record, cut stops the downlink, silent all
+    packets; speed 0 stands still at a row. sent is the newest packet."""
+
+    def __init__(self, record, to, console_port=0, row=0, pilot=False):
+        super().__init__(daemon=True)
+        self.rows = read(record)
+        self.to = to
+        self.row = row
+        self.words = {}
+        self.cut = self.silent = False
+        self.speed = 1
+        self.logs = [list(NO_LOG), list(NO_LOG)]
+        self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
+        self.pilot = (packets.Pilot.HANDS_OFF if pilot
+                      else packets.Pilot.NONE)
+        self.sent = None
+        self.history = []
+        self.heard = []
+        self.sequence = 0
+        self.run_number = int(time.time() * 1000) & 0xFFFF_FFFF
+        self._old = None
+        self._age = 0
+        self._ends = threading.Event()
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.bind(("127.0.0.1", console_port))
+        self.socket.setblocking(False)
+        self.console_port = self.socket.getsockname()[1]
+
+    def __enter__(self):
+        self.start()
+        return self
+
+    def __exit__(self, *_):
+        self._ends.set()
+        self.join()
+        self.socket.close()
+
+    def hear(self):
+        while True:
+            try:
+                data = self.socket.recv(2048)
+            except BlockingIOError:
+                return
+            try:
+                packet = packets.ConsolePacket.decode(data)
+            except packets.PacketError:
+                self.counts["console_bad"] += 1
+                continue
+            self.counts["console_packets"] += 1
+            self.heard.append((time.monotonic(), packet))
+            if self.pilot != packets.Pilot.NONE:
+                self.pilot = (
+                    packets.Pilot.FLIES if packet.flags
+                    else packets.Pilot.HANDS_OFF)
+
+    def console(self):
+        """State, words and sequence number at the converter."""
+        states = packets.ConsoleState
+        if not self.heard:
+            return states.NONE, None, 0
+        came, packet = self.heard[-1]
+        silence = time.monotonic() - came
+        if silence >= NEUTRAL_S:
+            return states.NEUTRAL, SAFE, packet.sequence
+        state = states.HELD if silence >= HELD_S else states.LIVE
+        return state, packet.words, packet.sequence
+
+    def frame(self):
+        words = dict(zip(packets.COLUMNS, self.rows[self.row], strict=True))
+        state, sticks, sequence = self.console()
+        if sticks is not None and self.pilot != packets.Pilot.FLIES:
+            for name, word in zip(packets.COMMANDS, sticks, strict=True):
+                words[f"console.{name}"] = words[f"gsc.uplink.{name}"] = word
+        words |= self.words
+        down = {name: word for name, word in words.items()
+                if name.startswith("gsc.downlink")}
+        if self.cut:
+            self._age += 1
+            words |= self._old or {}
+        else:
+            self._age = 0
+            self._old = down
+            self.counts["downlink_received"] += 1
+        link = (packets.LinkState.LOST if self._age >= 50
+                else packets.LinkState.HEARD)
+        return packets.FramePacket(
+            run=self.run_number, sequence=self.sequence,
+            time_us=time.time_ns() // 1000, downlink_age=self._age,
+            console_state=state, link_state=link,
+            console_sequence=sequence, counts=tuple(self.counts.values()),
+            words=tuple(words[column] for column in packets.COLUMNS),
+            logs=tuple(tuple(log) for log in self.logs),
+            status=(0,) * len(packets.STATUS), pilot=self.pilot)
+
+    def run(self):
+        due = time.monotonic()
+        while not self._ends.is_set():
+            self.hear()
+            if not self.silent:
+                self.sent = self.frame()
+                self.history.append(self.sent)
+                del self.history[:-500]
+                self.socket.sendto(self.sent.encode(), self.to)
+            self.sequence += 1
+            self.row = (self.row + self.speed) % len(self.rows)
+            due = max(due + packets.FRAME_S, time.monotonic() - 0.1)
+            self._ends.wait(max(0.0, due - time.monotonic()))
+
+
+if __name__ == "__main__":
+    ports = [*map(int, sys.argv[2:]), *(6003, 6004)[len(sys.argv) - 2:]]
+    with FakeNode(sys.argv[1], ("127.0.0.1", ports[0]), ports[1],
+                  pilot=True) as node:
+        node.join()

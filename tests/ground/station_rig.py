@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A station with a stand-in of the ground's node, for tests.
+
+    with Station(record, tmp_path) as station:
+        state = station.wait(lambda state: state["rate"] >= 40)
+        page = station.console()
+        page.say({"t": "take"})
+"""
+
+import json
+import random
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import websocket
+
+ROOT = Path(__file__).resolve().parents[2]
+# However slow the machine: what must come has come by then.
+PATIENCE_S = 150
+
+sys.path.insert(0, str(ROOT / "ground"))
+
+from fake_node import FakeNode  # noqa: E402 - finds the packages
+
+
+def until(condition, what, patience=PATIENCE_S):
+    """The first thing that is so, or the test fails."""
+    ends = time.monotonic() + patience
+    while True:
+        found = condition()
+        if found:
+            return found
+        assert time.monotonic() < ends, f"never came: {what}"
+        time.sleep(0.02)
+
+
+class Station:
+    def __init__(self, record, folder, *options, **node):
+        self.record, self.options, self.more = record, options, node
+        self.events = folder / "events.jsonl"
+        self.log = folder / "station.log"
+
+    def __enter__(self):
+        keeper = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        keeper.bind(("127.0.0.1", 0))
+        console_port = keeper.getsockname()[1]
+        keeper.close()
+        self.errors = self.log.open("w")
+        self.process = subprocess.Popen(
+            [ROOT / "bin" / "urv", "station", "--port", "0", "--frames",
+             "udp:127.0.0.1:0", "--console",
+             f"udp:127.0.0.1:{console_port}", "--events", self.events,
+             *self.options], stdout=subprocess.PIPE, stderr=self.errors,
+            text=True, stdin=subprocess.DEVNULL)
+        self.said = []
+        for line in self.process.stdout:
+            self.said.append(line.strip())
+            if "frames at" in line:
+                break
+        assert self.said and "frames at" in self.said[-1], (
+            self.log.read_text())
+        self.url = re.search(r"http://\S+", self.said[0]).group()
+        self.port = int(re.search(r":(\d+)/", self.url).group(1))
+        self.frames = ("127.0.0.1", int(self.said[-1].rpartition(":")[2]))
+        self.node = FakeNode(self.record, self.frames, console_port,
+                             **self.more)
+        self.node.__enter__()
+        return self
+
+    def __exit__(self, *_):
+        self.node.__exit__()
+        self.process.send_signal(signal.SIGTERM)
+        status = self.process.wait(PATIENCE_S)
+        self.process.stdout.close()
+        self.errors.close()
+        assert (status, self.log.read_text()) == (0, "")
+
+    def get(self, path="/", **headers):
+        """Status and body of an answer."""
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{self.port}{path}",
+            headers={name.replace("_", "-"): value
+                     for name, value in headers.items()})
+        try:
+            with urllib.request.urlopen(request, timeout=PATIENCE_S) as answer:
+                return answer.status, answer.read().decode()
+        except urllib.error.HTTPError as error:
+            return error.code, error.read().decode()
+
+    def state(self):
+        return json.loads(self.get("/api/state")[1])
+
+    def wait(self, condition, what="a state", patience=PATIENCE_S):
+        def look():
+            state = self.state()
+            return state if condition(state) else None
+        return until(look, what, patience)
+
+    def flying(self):
+        """The state once frames come."""
+        return self.wait(lambda state: state.get("words"), "a frame")
+
+    def console(self, **more):
+        return Console(self.port, **more)
+
+    def lines(self):
+        """What the station has logged."""
+        if not self.events.exists():
+            return []
+        return [json.loads(line)
+                for line in self.events.read_text("utf-8").splitlines()]
+
+
+class Console:
+    """A page without a browser."""
+
+    def __init__(self, port, **more):
+        self.socket = websocket.create_connection(
+            f"ws://127.0.0.1:{port}/ws", timeout=PATIENCE_S, **more)
+        self.hello = self.next("hello")
+        self.number = self.hello["console"]
+
+    def say(self, message):
+        self.socket.send(json.dumps(message))
+
+    def sticks(self, roll=2048):
+        self.say({"t": "sticks", "words": [roll, 2048, 2048, 2048, 2048,
+                                           *[0] * 8]})
+
+    def next(self, kind):
+        """The next message of that kind."""
+        while True:
+            text = self.socket.recv()
+            if not text:
+                raise OSError("the station has closed this page")
+            message = json.loads(text)
+            if message["t"] == kind:
+                return message
+
+    def until(self, condition, what):
+        """The first state in which it is so."""
+        ends = time.monotonic() + PATIENCE_S
+        while True:
+            state = self.next("state")
+            if condition(state):
+                return state
+            assert time.monotonic() < ends, f"never came: {what}"
+
+    def close(self):
+        self.socket.close()
+
+
+def free_ports(count):
+    """The first of so many ports in a row that nobody has."""
+    for first in random.sample(range(20_000, 32_000, 10), 100):
+        held = []
+        try:
+            for port in range(first, first + count):
+                for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
+                    one = socket.socket(socket.AF_INET, kind)
+                    held.append(one)
+                    one.bind(("127.0.0.1", port))
+            return first
+        except OSError:
+            continue
+        finally:
+            for one in held:
+                one.close()
+    raise AssertionError("no free ports")

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-10: what bin/urv says to whom, and its exit status."""
+
+import io
+import re
+import sys
+import time
+
+import pytest
+from conftest import ROOT
+
+from urv import progress
+
+
+def test_gnd10_help_names_every_command_and_each_has_help(urv):
+    result = urv("--help")
+    assert (result.returncode, result.stderr) == (0, "")
+    commands = re.findall(
+        r"^  ([a-z]+) ", result.stdout.partition("Commands:")[2], re.M)
+    for command in commands:
+        help_of_it = urv(command, "--help")
+        assert help_of_it.returncode == 0, command
+        assert help_of_it.stdout.startswith(f"Usage: urv {command}"), command
+
+
+def test_gnd10_without_a_command_the_choices_are_told(urv):
+    result = urv()
+    assert (result.returncode, result.stdout) == (2, "")
+    assert result.stderr.startswith("urv: no command; there are ")
+
+
+def test_gnd10_version_is_the_product_s(urv):
+    assert urv("--version").stdout == "urv 0.1.0-dev\n"
+    assert 'version = "0.1.0-dev"' in (ROOT / "alire.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize("arguments", [["flie"], ["--flie"], ["-q"],
+                                       ["\x1b[31mred"]])
+def test_gnd10_what_is_mistyped_gives_one_line(urv, arguments):
+    result = urv(*arguments)
+    assert (result.returncode, result.stdout) == (2, "")
+    assert len(result.stderr.splitlines()) == 1
+    assert result.stderr.startswith("urv: No such ")
+    assert "\x1b" not in result.stderr
+
+
+def test_gnd10_an_output_that_cannot_be_written_gives_one_line(urv):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        result = urv("--help", stdout=full, capture_output=False, stderr=-1)
+    assert result.returncode == 1
+    assert result.stderr == ("urv: standard output: No space left on device"
+                             "\n")
+
+
+class Terminal(io.StringIO):
+    """A standard error that someone looks at."""
+
+    def isatty(self):
+        return True
+
+
+class Record:
+    size, position = 1000, 250
+
+
+@pytest.mark.parametrize("seconds, is_shown", [(1.9, False), (2.1, True)])
+def test_gnd10_a_bar_is_shown_after_two_seconds(
+        monkeypatch, seconds, is_shown):
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setenv("TERM", "xterm")
+    now = time.monotonic()
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now)
+    with progress.bar("converting") as told:
+        now += seconds
+        told(Record)
+    assert ("converting" in terminal.getvalue()) == is_shown
+    assert ("25%" in terminal.getvalue()) == is_shown
+
+
+def test_gnd10_where_nobody_looks_there_is_no_bar(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", io.StringIO())
+    monkeypatch.setattr(progress, "BEFORE_IT_IS_SHOWN_S", 0)
+    with progress.bar("converting") as told:
+        told(Record)
+    assert sys.stderr.getvalue() == ""

@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv ground: the whole station in real time (GND-30 to GND-32)."""
+
+import csv
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import time
+import urllib.request
+from collections import Counter
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from station_rig import PATIENCE_S, ROOT, Console, free_ports, until
+
+from urv import display, items, packets
+
+needs_yamcs = pytest.mark.skipif(
+    not (shutil.which("java") and (ROOT / "obj/yamcs/lib").is_dir()),
+    reason="there is no Yamcs: scripts/setup.sh ground gets it with Maven")
+
+
+class Ground:
+    """bin/urv ground with ports of its own."""
+
+    def __init__(self, folder, *options):
+        self.folder = folder / "flight"
+        self.options = options
+        self.log = folder / "ground.log"
+
+    def __enter__(self):
+        ports = free_ports(7)
+        self.page_port, self.yamcs_port = ports + 5, ports + 6
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(
+                [ROOT / "bin" / "urv", "ground", "--folder", self.folder,
+                 "--ports", str(ports), "--page-port", str(self.page_port),
+                 "--yamcs-port", str(self.yamcs_port), *self.options],
+                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        until(lambda: "page to fly" in self.said() or self.process.poll()
+              is not None, "a station", 2 * PATIENCE_S)
+        assert self.process.poll() is None, self.said()
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        self.status = self.process.wait(PATIENCE_S)
+        assert self.left() == []
+
+    def said(self):
+        return self.log.read_text("utf-8")
+
+    def left(self):
+        """Processes that this flight has started."""
+        found = []
+        for process in Path("/proc").glob("[0-9]*"):
+            try:
+                if Path(os.readlink(process / "cwd")) == self.folder:
+                    found.append(int(process.name))
+            except OSError:
+                continue
+        return found
+
+    def named(self, word):
+        """The process of the flight with that word in its command line."""
+        for process in self.left():
+            line = Path(f"/proc/{process}/cmdline").read_bytes()
+            if word.encode() in line:
+                return process
+        raise AssertionError(f"no process {word}")
+
+    def state(self):
+        with urllib.request.urlopen(
+                f"http://127.0.0.1:{self.page_port}/api/state",
+                timeout=PATIENCE_S) as answer:
+            return json.load(answer)
+
+    def wait(self, condition, what):
+        def look():
+            state = self.state()
+            return state if condition(state) else None
+        return until(look, what, 3 * PATIENCE_S)
+
+    def record(self, name="ground"):
+        with (self.folder / f"{name}.csv").open(newline="") as file:
+            return list(csv.DictReader(file))
+
+
+def test_gnd31_a_flight_ends_by_itself_with_its_records(tmp_path):
+    with Ground(tmp_path, "--no-yamcs", "--seconds", "4") as ground:
+        ground.process.wait(3 * PATIENCE_S)
+    assert ground.status == 0, ground.said()
+    frames = [int(row["frame"]) for row in ground.record()]
+    assert frames == sorted(frames) and len(frames) > 100
+    assert len(ground.record("aircraft")) > 100
+    lines = [json.loads(line) for line in
+             (ground.folder / "station.jsonl").read_text().splitlines()]
+    assert "run" in {line["kind"] for line in lines}
+
+
+def test_gnd31_what_the_station_showed_is_the_record(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        shown = {}
+        for _ in range(20):
+            state = ground.wait(
+                lambda state: state.get("link") == "heard"
+                and state["seq"] not in shown, "another frame")
+            shown[state["seq"]] = state["words"]
+        last = state["seq"]
+        ground.wait(lambda state: state["seq"] > last + 5, "later frames")
+    assert ground.status == 0, ground.said()
+    rows = {int(row["frame"]): row for row in ground.record()}
+    for frame, words in shown.items():
+        assert [int(rows[frame][column]) for column in packets.COLUMNS
+                ] == words
+
+
+def test_gnd31_a_dead_station_is_told_and_the_flight_goes_on(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        frames = len(ground.record())
+        os.kill(ground.named("station"), signal.SIGKILL)
+        until(lambda: "station has ended, SIGKILL; the flight goes on"
+              in ground.said(), "a word of it")
+        until(lambda: len(ground.record()) > frames + 100, "more frames",
+              3 * PATIENCE_S)
+        assert ground.process.poll() is None
+    assert ground.status == 0
+
+
+def test_gnd31_a_dead_node_ends_the_flight(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        os.kill(ground.named("urv_mcs"), signal.SIGKILL)
+        ground.process.wait(PATIENCE_S)
+    assert ground.status == 1
+    assert "urv_mcs has ended, SIGKILL" in ground.said()
+
+
+def test_gnd31_killed_itself_it_leaves_nobody(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.process.kill()
+        ground.process.wait(PATIENCE_S)
+        until(lambda: ground.left() == [], "nobody left")
+
+
+def test_gnd31_an_interrupt_ends_it_in_the_background_too(tmp_path):
+    """A shell that is not interactive starts programs with SIGINT off."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        ground = Ground(tmp_path, "--no-yamcs").__enter__()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    ground.__exit__()
+    assert ground.status == 0
+
+
+def test_gnd31_a_port_that_is_taken_is_told(tmp_path, urv):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        result = urv("ground", "--no-yamcs", "--folder", tmp_path / "other",
+                     "--page-port", ground.page_port,
+                     "--ports", free_ports(5))
+        assert result.returncode == 1
+        assert "in use" in result.stderr
+        assert len(result.stderr.splitlines()) == 1
+
+
+def test_gnd21_a_stick_moved_on_the_page_moves_the_servos(
+        tmp_path, browser):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("pilot") == "flies"
+                    and state["link"] == "heard", "the pilot flies")
+        page = browser.new_page()
+        errors = []
+        page.on("console", lambda message: errors.append(message.text)
+                if message.type == "error" else None)
+        page.set_default_timeout(PATIENCE_S * 1000)
+        page.goto(f"http://127.0.0.1:{ground.page_port}/")
+        page.locator("#holder", has_text="simulated pilot").wait_for()
+        page.keyboard.press("t")
+        page.wait_for_selector("#holder.mine")
+        page.keyboard.down("Shift")
+        page.keyboard.down("ArrowRight")
+        ground.wait(lambda state: state["words"][
+            packets.COLUMNS.index("gsc.uplink.roll")] == 4095, "full roll")
+        until(lambda: any(row["pwm.left_aileron"] == "4095"
+                          for row in ground.record("aircraft")[-500:]
+                          if row["pwm.left_aileron"]), "it at the servo")
+        page.keyboard.up("ArrowRight")
+        page.keyboard.up("Shift")
+        page.locator("#pilot").click()
+        ground.wait(lambda state: state["pilot"] == "flies", "pilot again")
+        page.close()
+        assert errors == []
+    assert ground.status == 0
+
+
+def test_gnd24_garbage_at_every_port_loses_no_frame(tmp_path):
+    chance = random.Random(3)
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        first = ground.page_port - 5
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            for _ in range(400):
+                for port in range(first, first + 5):
+                    sender.sendto(chance.randbytes(chance.randrange(1500)),
+                                  ("127.0.0.1", port))
+                time.sleep(0.005)
+        for _ in range(20):
+            with socket.create_connection(
+                    ("127.0.0.1", ground.page_port)) as client:
+                client.sendall(chance.randbytes(1000))
+        state = ground.wait(
+            lambda state: state["packets"]["bad"] > 300
+            and state["counts"]["console_bad"] > 300, "all counted")
+        ground.wait(lambda now: now["seq"] > state["seq"] + 50
+                    and now["link"] == "heard", "it flies on")
+    assert ground.status == 0
+    # A frame is left out only where the machine ran the node late.
+    rows = [int(row["frame"]) for row in ground.record()]
+    summary = json.loads((ground.folder / "ground.json").read_text())
+    gaps = sum(after - before - 1
+               for before, after in zip(rows, rows[1:], strict=False))
+    assert gaps <= summary["overruns"]
+    assert summary["exceptions"] == 0
+
+
+def test_gnd27_marks_and_alerts_are_events_for_the_report(tmp_path, urv):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        console = Console(ground.page_port)
+        console.say({"t": "mark", "text": "gear <b>up</b>"})
+        ground.wait(lambda state: state["seq"] > 50, "some frames")
+        console.close()
+    events = [json.loads(line) for line in
+              (ground.folder / "events.jsonl").read_text().splitlines()]
+    [mark] = [event for event in events if "mark" in event["kind"]]
+    assert mark["kind"] == "mark: gear \u2039b\u203aup\u2039/b\u203a"
+    assert mark["first_ms"] == 20 * mark["first_frame"]
+    made = urv("report", ground.folder / "ground.csv", "--events",
+               ground.folder / "events.jsonl", "-o", "report.html")
+    assert made.returncode == 0, made.stderr
+
+
+# Yamcs
+
+def test_gnd32_the_display_shows_what_there_is():
+    text = display.flight()
+    shown = set(re.findall(r"<pv_name>(.*?)</pv_name>", text))
+    for name in ("roll_attitude", "pitch_attitude", "airspeed", "altitude",
+                 "alpha", "rpm", "battery_volts", "alternator_volts",
+                 *display.SURFACES):
+        assert f"/URV/gsc/downlink/{name}" in shown
+    assert {f"/URV/link/{name}" for name in packets.LINK_COUNTS} <= shown
+    from urv import xtce
+    database = xtce.mission_database()
+    for name in shown:
+        assert f'name="{name.rpartition("/")[2]}"' in database, name
+
+
+def calibrated(column, row):
+    return items.COLUMNS[column].value(int(row[column]))
+
+
+def assert_local(process):
+    """It listens at no address that other machines reach."""
+    sockets = {os.readlink(link) for link in
+               Path(f"/proc/{process}/fd").iterdir() if link.is_symlink()}
+    found = 0
+    for table in ("tcp", "tcp6", "udp", "udp6"):
+        lines = Path(f"/proc/{process}/net/{table}").read_text().splitlines()
+        for line in lines[1:]:
+            fields = line.split()
+            listens = fields[3] in ("0A", "07")
+            if listens and f"socket:[{fields[9]}]" in sockets:
+                address = fields[1].partition(":")[0]
+                assert address.endswith("0100007F"), (table, line)
+                found += 1
+    assert found > 0
+
+
+@needs_yamcs
+def test_gnd30_yamcs_has_every_frame_as_the_record_has_it(tmp_path):
+    from yamcs.client import YamcsClient, YamcsError
+
+    with Ground(tmp_path) as ground:
+        until(lambda: "live after" in ground.said(), "Yamcs",
+              5 * PATIENCE_S)
+        console = Console(ground.page_port)
+        console.say({"t": "mark", "text": "gear <up>"})
+        ground.wait(lambda state: state["seq"] > 600, "600 frames")
+        client = YamcsClient(f"localhost:{ground.yamcs_port}")
+        archive = client.get_archive("urv")
+        now = datetime.now(UTC)
+        span = {"start": now - timedelta(hours=1),
+                "stop": now + timedelta(hours=1)}
+
+        def archived(last):
+            found = [(packet.sequence_number, packet.generation_time)
+                     for packet in archive.list_packets(
+                         name="/URV/frame", page_size=500, **span)]
+            return found if found and max(found)[0] >= last else None
+        last = ground.state()["seq"]
+        stored = until(lambda: archived(last), "the last frame")
+        columns = ("gsc.downlink.airspeed", "gsc.downlink.battery_volts",
+                   "gsc.downlink.roll_attitude", "gsc.uplink.throttle")
+
+        def archived_values(column):
+            name = "/URV/" + column.replace(".", "/")
+            try:
+                return {
+                    value.generation_time: value.eng_value for value in
+                    archive.list_parameter_values(name, page_size=500,
+                                                  **span)}
+            except YamcsError:
+                # It does not like to be read while it writes.
+                return None
+        values = {column: until(lambda column=column: archived_values(column),
+                                "values")
+                  for column in columns}
+        until(lambda: [event for event in archive.list_events(**span)
+                       if event.message == "gear <up>"], "the mark")
+        kinds = {event.event_type for event in archive.list_events(**span)}
+        assert {"run", "mark", "error"} <= kinds
+
+        assert_local(ground.named("YamcsServer"))
+
+        # A killed Yamcs is told, and everything else flies on.
+        os.kill(ground.named("YamcsServer"), signal.SIGKILL)
+        until(lambda: "yamcs has ended, SIGKILL; the flight goes on"
+              in ground.said(), "a word of it")
+        state = ground.wait(lambda state: state["archive"]["lost"]
+                            and state["alerts"], "a caution")
+        assert "ARCHIVE" in {alert["name"] for alert in state["alerts"]}
+        ground.wait(lambda now: now["seq"] > state["seq"] + 100, "frames")
+        console.close()
+    assert ground.status == 0, ground.said()
+
+    rows = {int(row["frame"]): row for row in ground.record()}
+    sequences = sorted(sequence for sequence, _ in stored)
+    assert sequences == [frame for frame in sorted(rows)
+                         if frame <= sequences[-1]]
+    # Of two frames in one millisecond a list of values has one.
+    times = Counter(time for _, time in stored)
+    at = {time: sequence for sequence, time in stored if times[time] == 1}
+    for column in columns:
+        compared = 0
+        for time in at.keys() & values[column].keys():
+            row = rows[at[time]]
+            assert values[column][time] == pytest.approx(
+                calibrated(column, row), abs=1e-4)
+            compared += 1
+        assert compared > 400, column

@@ -1,0 +1,406 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-40, GND-41: the flight as MAVLink 2, as the client pymavlink receives
+it. The frames are those of the standard flight's record, sent as fast as the
+client takes them: rates are counted in frames."""
+
+import csv
+import math
+import os
+import random
+import signal
+import socket
+import subprocess
+import time
+
+import pytest
+from conftest import TIME_LIMIT_S, URV
+from test_ground import Ground
+
+os.environ["MAVLINK20"] = "1"
+
+from pymavlink import mavutil  # noqa: E402 - after the version is chosen
+from pymavlink.dialects.v20 import common  # noqa: E402
+
+from urv import items, mavlink, packets  # noqa: E402
+from urv.packets import (  # noqa: E402
+    NEVER, ConsoleState, FramePacket, LinkState, LogRow, Pilot)
+
+KNOT = 1852 / 3600
+FEET = 0.3048
+NO_LOG = (LogRow(),) * packets.ROWS_PER_LOG
+FLOWN_S = 60
+FRAMES = 50 * FLOWN_S
+
+# The flight of make fly turns from its 15th second on.
+FIRST = 500
+
+
+def frame_of(row, sequence, **changes):
+    """The packet of a row, with a good link."""
+    words = tuple(int(row[name]) for name in packets.COLUMNS)
+    return FramePacket(**{
+        "run": 1, "sequence": sequence, "time_us": sequence * 20_000,
+        "downlink_age": 0, "console_state": ConsoleState.NONE,
+        "link_state": LinkState.HEARD, "console_sequence": 0,
+        "counts": (0,) * len(packets.LINK_COUNTS), "words": words,
+        "logs": (NO_LOG, NO_LOG), "status": (0,) * len(packets.STATUS),
+        "pilot": Pilot.NONE, **changes})
+
+
+@pytest.fixture(scope="module")
+def rows(standard):
+    with (standard / "record.csv").open(encoding="ascii") as file:
+        return list(csv.DictReader(file))[FIRST:FIRST + FRAMES]
+
+
+def heed_signals():
+    """Whoever runs the tests may have them ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+class Client:
+    """A ground station of somebody else's, and bin/urv mavlink beside it."""
+
+    def __init__(self):
+        self.link = mavutil.mavlink_connection("udpin:127.0.0.1:0")
+        port = self.link.port.getsockname()[1]
+        self.program = subprocess.Popen(
+            [URV, "mavlink", "--listen", "udp:127.0.0.1:0",
+             "--to", f"udp:127.0.0.1:{port}"],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            preexec_fn=heed_signals)
+        said = self.program.stdout.readline()
+        self.to = ("127.0.0.1", int(said.split()[2].rpartition(":")[2]))
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.messages = []
+
+    def send(self, data):
+        self.socket.sendto(data, self.to)
+
+    def await_message(self, shows):
+        """Takes what comes up to the message that shows it."""
+        deadline = time.monotonic() + TIME_LIMIT_S
+        while True:
+            message = self.link.recv_match(blocking=True, timeout=1)
+            assert time.monotonic() < deadline, "it does not come"
+            if message is not None:
+                self.messages.append(message)
+                if shows(message):
+                    return message
+
+    def fly(self, frames):
+        """Sends frames, and waits now and then until what is due with them
+        has come: a datagram that finds no room is lost."""
+        for frame in frames:
+            self.send(frame.encode())
+            if frame.sequence % 20 == 0:
+                self.await_message(
+                    lambda message: message.get_type() == "ATTITUDE"
+                    and message.time_boot_ms == frame.sequence * 20)
+
+    def of(self, name):
+        return [message for message in self.messages
+                if message.get_type() == name]
+
+    def end(self):
+        self.program.send_signal(signal.SIGINT)
+        out, err = self.program.communicate(timeout=TIME_LIMIT_S)
+        assert (self.program.returncode, err) == (0, "")
+        return out
+
+    def close(self):
+        if self.program.poll() is None:
+            self.program.kill()
+            self.program.communicate()
+        self.socket.close()
+        self.link.close()
+
+
+@pytest.fixture
+def client():
+    made = Client()
+    yield made
+    made.close()
+
+
+class Messages:
+    """Stands for the network: what was sent, as pymavlink reads it."""
+
+    def __init__(self):
+        self.all = []
+        self._reader = common.MAVLink(None)
+
+    def write(self, data):
+        self.all += self._reader.parse_buffer(bytes(data)) or []
+
+    def take(self, kind=None):
+        """Those since the last time."""
+        taken, self.all = self.all, []
+        return [message for message in taken
+                if kind in (None, message.get_type())]
+
+
+@pytest.fixture
+def sent():
+    return Messages()
+
+
+@pytest.fixture
+def bridge(sent):
+    return mavlink.Bridge(sent)
+
+
+def value(row, name, group="gsc.downlink"):
+    column = f"{group}.{name}"
+    return items.COLUMNS[column].value(int(row[column]))
+
+
+def assert_attitude(message, row):
+    for angle, name in ((message.roll, "roll_attitude"),
+                        (message.pitch, "pitch_attitude"),
+                        (message.rollspeed, "roll_rate"),
+                        (message.pitchspeed, "pitch_rate"),
+                        (message.yawspeed, "yaw_rate")):
+        assert math.degrees(angle) == pytest.approx(
+            value(row, name), abs=1e-5, rel=1e-6), name
+    assert math.isnan(message.yaw)
+
+
+def assert_servos(message, row):
+    pulses = [getattr(message, f"servo{place}_raw") for place in range(1, 17)]
+    for pulse, name in zip(pulses, (
+            "left_aileron", "right_aileron", "left_elevator",
+            "right_elevator", "left_rudder", "right_rudder", "left_flap_1",
+            "right_flap_1", "left_flap_2", "right_flap_2")):
+        word = int(row[f"gsc.downlink.{name}"])
+        assert abs((pulse - 1500) * 4.096 - (word - 2048)) <= 2.1, name
+    assert pulses[10:] == [0] * 6
+
+
+def assert_hud(message, row):
+    assert message.airspeed == pytest.approx(
+        KNOT * value(row, "airspeed"), rel=1e-6)
+    assert message.alt == pytest.approx(
+        FEET * (value(row, "altitude") + value(row, "altitude_offset")),
+        rel=1e-6)
+    throttle = value(row, "throttle", "gsc.uplink")
+    assert abs(message.throttle - throttle) <= 0.5
+    assert math.isnan(message.groundspeed)
+    assert message.heading == -1
+
+
+def assert_status(message, row):
+    assert abs(message.voltage_battery / 1000
+               - value(row, "battery_volts")) <= 0.0005 + 1e-9
+    assert message.drop_rate_comm == 0
+    assert (message.onboard_control_sensors_health
+            == message.onboard_control_sensors_present != 0)
+
+
+def assert_radio(message, row):
+    assert abs(message.remrssi / 1.9 - 127
+               - value(row, "uplink_signal_strength")) <= 0.5 / 1.9 + 1e-9
+    assert message.rssi == 255
+
+
+def test_gnd40_every_kind_comes_at_its_rate_with_the_record_s_values(
+    rows, client
+):
+    client.fly([frame_of(row, sequence)
+                for sequence, row in enumerate(rows)][:-19])
+    flown = FRAMES - 19
+    assert client.of("BAD_DATA") == []
+    numbers = [message.get_seq() for message in client.messages]
+    assert numbers == [place % 256 for place in range(len(numbers))]
+    for name, every in (("HEARTBEAT", 50), ("ATTITUDE", 2), ("VFR_HUD", 5),
+                        ("SERVO_OUTPUT_RAW", 5), ("SYS_STATUS", 25),
+                        ("RADIO_STATUS", 50)):
+        assert abs(len(client.of(name)) - flown / every) <= 1, name
+
+    # What has no time of its own follows one of its frame that has.
+    seen, place = {"BAD_DATA"}, 0
+    for message in client.messages:
+        name = message.get_type()
+        seen.add(name)
+        if name == "ATTITUDE":
+            place = message.time_boot_ms // 20
+            assert_attitude(message, rows[place])
+        elif name == "SERVO_OUTPUT_RAW":
+            place = message.time_usec // 20_000
+            assert_servos(message, rows[place])
+        elif name == "VFR_HUD":
+            assert_hud(message, rows[place])
+        elif name == "SYS_STATUS":
+            assert_status(message, rows[place])
+        elif name == "RADIO_STATUS":
+            assert_radio(message, rows[place])
+        elif name == "HEARTBEAT":
+            assert message.type == common.MAV_TYPE_FIXED_WING
+            assert message.system_status == common.MAV_STATE_ACTIVE
+        assert message.get_srcSystem() == 1
+    assert seen == {"BAD_DATA", "HEARTBEAT", "ATTITUDE", "VFR_HUD",
+                    "SERVO_OUTPUT_RAW", "SYS_STATUS", "RADIO_STATUS",
+                    "STATUSTEXT"}
+    bank = [math.degrees(message.roll) for message in client.of("ATTITUDE")]
+    climb = [message.climb for message in client.of("VFR_HUD")]
+    assert min(bank) < -20 and max(bank) > 20
+    assert max(climb) - min(climb) > 0.5
+    said = client.end()
+    assert f" {flown} frames, 0 missing, 0 bad, " in said
+    assert said.endswith(" messages, 0 not sent\n")
+
+
+def test_gnd40_a_flight_in_real_time_comes_whole(tmp_path):
+    """bin/urv ground starts it: what arrives is what the record has."""
+    link = mavutil.mavlink_connection("udpin:127.0.0.1:0")
+    port = link.port.getsockname()[1]
+    taken, seen = [], set()
+    with Ground(tmp_path, "--no-yamcs",
+                "--mavlink", f"udp:127.0.0.1:{port}") as ground:
+        deadline = time.monotonic() + TIME_LIMIT_S
+        while len(taken) < 250 or len(seen) < 7:
+            assert time.monotonic() < deadline, seen
+            message = link.recv_match(blocking=True, timeout=1)
+            if message is not None:
+                taken.append(message)
+                seen.add(message.get_type())
+    link.close()
+    assert ground.status == 0, ground.said()
+    assert seen == {"HEARTBEAT", "ATTITUDE", "VFR_HUD", "SERVO_OUTPUT_RAW",
+                    "SYS_STATUS", "RADIO_STATUS", "STATUSTEXT"}
+    flown = {int(row["frame"]): row for row in ground.record()}
+    for message in taken:
+        if message.get_type() == "ATTITUDE":
+            assert_attitude(message, flown[message.time_boot_ms // 20])
+        elif message.get_type() == "SERVO_OUTPUT_RAW":
+            assert_servos(message, flown[message.time_usec // 20_000])
+
+
+def test_gnd40_the_climb_is_that_of_the_path(rows, bridge, sent):
+    """In the middle of the standard flight it climbs 720 ft/min."""
+    heights = []
+    for sequence, row in enumerate(rows):
+        bridge.datagram(frame_of(row, sequence).encode())
+    huds = sent.take("VFR_HUD")
+    for message in huds:
+        heights.append(message.alt)
+    # Over ten seconds the reckoned and the measured climb agree.
+    for first in range(0, len(huds) - 100, 50):
+        reckoned = sum(message.climb for message
+                       in huds[first:first + 100]) / 100
+        measured = (heights[first + 100] - heights[first]) / 10
+        assert abs(reckoned - measured) < 0.4
+
+
+def test_gnd41_what_is_stale_is_not_sent_as_fresh(rows, bridge, sent):
+    row = rows[0]
+    told = {"HEARTBEAT", "SYS_STATUS", "RADIO_STATUS", "ATTITUDE", "VFR_HUD",
+            "SERVO_OUTPUT_RAW", "STATUSTEXT"}
+    for sequence in range(100):
+        bridge.datagram(frame_of(row, sequence).encode())
+    assert {message.get_type() for message in sent.take()} == told
+
+    for sequence in range(100, 200):
+        age = sequence - 99
+        bridge.datagram(frame_of(
+            row, sequence, downlink_age=age,
+            link_state=LinkState.HEARD if age <= 50 else LinkState.LOST,
+        ).encode())
+    stale = sent.take()
+    assert {message.get_type() for message in stale} == {
+        "HEARTBEAT", "SYS_STATUS", "RADIO_STATUS", "STATUSTEXT"}
+    for message in stale:
+        if message.get_type() == "SYS_STATUS":
+            assert message.voltage_battery == 65_535
+            assert message.onboard_control_sensors_health == 0
+        elif message.get_type() == "RADIO_STATUS":
+            assert message.remrssi == 255
+    assert stale[-2].get_type() != "HEARTBEAT"
+    assert [message.get_type() for message in stale].count("HEARTBEAT") == 1
+    assert [message.drop_rate_comm for message in stale
+            if message.get_type() == "SYS_STATUS"][-1] == 10_000
+    assert [(message.severity, message.text) for message in stale
+            if message.get_type() == "STATUSTEXT"] == [(2, "link lost")]
+
+    # With the first fresh frame all is there again.
+    bridge.datagram(frame_of(row, 201).encode())
+    assert {message.get_type() for message in sent.take()} >= {
+        "ATTITUDE", "VFR_HUD", "SERVO_OUTPUT_RAW", "HEARTBEAT"}
+
+
+def test_gnd41_nothing_is_known_before_the_first_downlink(
+    rows, bridge, sent
+):
+    for sequence in range(100):
+        bridge.datagram(frame_of(
+            rows[0], sequence, downlink_age=NEVER,
+            link_state=LinkState.NEVER_HEARD).encode())
+    assert {message.get_type() for message in sent.take()} == {
+        "SYS_STATUS", "RADIO_STATUS"}
+
+
+def test_gnd40_new_errors_are_told_with_their_severity(rows, bridge, sent):
+    def log(**counts):
+        return tuple(
+            LogRow(counts.get(kind, 0), 1, 1, 0) for kind in packets.KINDS
+        ) + (LogRow(),) * (packets.ROWS_PER_LOG - len(packets.KINDS))
+
+    def texts(sequence, gsc, mcs):
+        bridge.datagram(frame_of(
+            rows[0], sequence, logs=(log(**gsc), log(**mcs))).encode())
+        return [(message.severity, message.text)
+                for message in sent.take("STATUSTEXT")
+                if not message.text.startswith("link ")]
+
+    assert texts(0, {}, {}) == []
+    assert texts(1, {"no_input": 1}, {"rom_check_failed": 1}) == [
+        (6, "gsc no_input: 1"), (2, "mcs rom_check_failed: 1")]
+    assert texts(2, {"no_input": 1}, {"rom_check_failed": 1}) == []
+
+    # A flood of one kind is told once in a second, and all of it.
+    for sequence in range(3, 51):
+        assert texts(sequence, {"no_input": sequence}, {}) == []
+    assert texts(51, {"no_input": 77}, {"link_reset": 2}) == [
+        (6, "gsc no_input: 77"), (4, "mcs link_reset: 2")]
+    longest = max(packets.KINDS, key=len)
+    assert texts(200, {longest: 4_294_967_295}, {}) == [
+        (6, f"gsc {longest}: 4294967295")]
+
+
+def test_gnd40_another_run_of_the_node_begins_anew(rows, bridge, sent):
+    for sequence in range(100):
+        bridge.datagram(frame_of(rows[0], sequence).encode())
+    sent.take()
+    bridge.datagram(frame_of(rows[0], 0, run=2).encode())
+    assert [message.time_boot_ms for message in sent.take("ATTITUDE")] == [0]
+    assert bridge.missing == 0
+
+
+def test_gnd40_missing_and_old_frames_are_counted(rows, bridge, sent):
+    for sequence in (0, 1, 4, 3, 4, 5):
+        bridge.datagram(frame_of(rows[0], sequence).encode())
+    assert (bridge.frames, bridge.missing, bridge.bad) == (4, 2, 2)
+    assert [message.time_boot_ms for message
+            in sent.take("ATTITUDE")] == [0, 80]
+
+
+def test_gnd40_garbage_is_counted_and_harms_nothing(rows, client):
+    chance = random.Random(7)
+    for length in (0, 1, 2, 50, 1107, 1108, 1109, 4096, 9000):
+        client.send(chance.randbytes(length))
+    client.fly([frame_of(rows[0], sequence) for sequence in range(41)])
+    assert client.of("ATTITUDE")
+    assert " 41 frames, 0 missing, 9 bad, " in client.end()
+
+
+@pytest.mark.parametrize("arguments, what", [
+    (("--listen", "udp:0.0.0.0:6005"), "not this machine's loopback"),
+    (("--listen", "6005"), "not udp:HOST:PORT"),
+    (("--to", "serial:x"), "not udp:HOST:PORT"),
+    (("--listen", "udp:127.0.0.1:0", "--to", "udp:no-such.invalid:1"),
+     "there is no host"),
+])
+def test_gnd40_what_is_wrong_is_said(urv, arguments, what):
+    result = urv("mavlink", *arguments)
+    assert (result.returncode, result.stdout) == (2, "")
+    assert len(result.stderr.splitlines()) == 1 and what in result.stderr

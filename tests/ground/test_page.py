@@ -1,0 +1,473 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The pilot's page in a headless Chromium, beside a stand-in of the node.
+
+GND-25 values and their age, GND-26 alerts, GND-28 sizes and contrast.
+"""
+
+import re
+import signal
+
+import pytest
+from station_rig import PATIENCE_S, Station, until
+
+from urv import items, packets
+
+SIZES = [(1280, 800), (1920, 1080), (400, 800)]
+# "By then" of the issue, counted in the frames that the page has seen.
+SECOND_FRAMES = 50
+
+
+@pytest.fixture
+def record(standard):
+    return standard / "record.csv"
+
+
+@pytest.fixture
+def station(record, tmp_path):
+    with Station(record, tmp_path, row=100) as station:
+        station.flying()
+        yield station
+
+
+class Pages:
+    """Pages of one browser; none may say an error."""
+
+    def __init__(self, browser, station):
+        self.browser, self.station = browser, station
+        self.errors = []
+        self.contexts = []
+
+    def open(self, width=1280, height=800, scheme="dark", script=None):
+        context = self.browser.new_context(
+            viewport={"width": width, "height": height}, color_scheme=scheme)
+        context.set_default_timeout(PATIENCE_S * 1000)
+        self.contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: self.errors.append(message.text)
+                if message.type in ("error", "warning") else None)
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        if script:
+            page.add_init_script(script)
+        page.goto(self.station.url)
+        page.wait_for_selector("body[data-down=fresh]")
+        return page
+
+
+@pytest.fixture
+def pages(browser, station):
+    pages = Pages(browser, station)
+    yield pages
+    for context in pages.contexts:
+        context.close()
+    assert pages.errors == []
+
+
+def hold(page):
+    page.keyboard.press("t")
+    page.wait_for_selector("#holder.mine")
+
+
+def seen_frame(page):
+    return int(page.evaluate("document.body.dataset.seq"))
+
+
+def number(text):
+    return float(re.search(r"[\u2212-]?[\d.]+", text.replace("\u2007", ""))
+                 .group().replace("\u2212", "-"))
+
+
+METERS = ("rpm", "battery_volts", "alternator_volts", "vertical_acceleration",
+          "longitudinal_acceleration", "altitude_offset")
+SURFACES = ("left_flap_2", "left_flap_1", "left_aileron", "left_elevator",
+            "left_rudder", "right_rudder", "right_elevator", "right_aileron",
+            "right_flap_1", "right_flap_2")
+
+
+def test_gnd25_every_value_on_the_page_is_the_records(station, pages):
+    page = pages.open()
+    station.node.speed = 0
+    for row in (200, 1100, 1400, 3000, 4500, 7500):
+        station.node.row = row
+        shown = dict(zip(packets.COLUMNS, station.node.rows[row],
+                         strict=True))
+
+        def value(name, shown=shown):
+            column = f"gsc.downlink.{name}"
+            return items.COLUMNS[column].value(shown[column])
+        until(lambda shown=shown: station.state()["words"]
+              == list(shown.values()), "the row at the station")
+        frame = station.state()["seq"]
+        page.wait_for_function("seq => +document.body.dataset.seq > seq",
+                               arg=frame)
+        for name in METERS + SURFACES:
+            text = page.locator(f"#{name}").inner_text()
+            item = items.COLUMNS[f"gsc.downlink.{name}"]
+            places = 1 if name in SURFACES else item.decimals
+            assert number(text) == pytest.approx(
+                value(name), abs=0.51 * 10 ** -places), (row, name, text)
+            assert text.endswith(f" {item.unit}")
+        for panel, name in (("speed", "airspeed"), ("height", "altitude")):
+            exact = page.locator(f"#{panel} .exact").first.text_content()
+            assert number(exact) == pytest.approx(value(name), abs=0.051)
+        corners = page.locator("#attitude .corner").all_text_contents()
+        for text, name in zip(corners, ("pitch_attitude", "roll_attitude",
+                                        "alpha", "beta"), strict=True):
+            wanted = value(name)
+            assert number(text) in (
+                pytest.approx(wanted, abs=0.051),
+                pytest.approx(abs(wanted), abs=0.051)), (row, name, text)
+        bank = corners[1]
+        if abs(value("roll_attitude")) > 1:
+            assert ("R" if value("roll_attitude") > 0 else "L") in bank
+        rotation = page.locator("#attitude .ages > g").first.get_attribute(
+            "transform")
+        assert float(re.search(r"\((.*)\)", rotation).group(1)) == (
+            pytest.approx(-value("roll_attitude"), abs=1e-3))
+
+
+def test_gnd25_command_and_position_of_a_surface(station, pages):
+    """The mark of the command stands where the stick wants the surface."""
+    page = pages.open()
+    station.node.speed = 0
+    for word in (2048, 3000, 100):
+        for name in ("gsc.uplink.roll", "gsc.downlink.left_aileron"):
+            station.node.words[name] = word
+
+        def at(part):
+            return page.locator(
+                f".surface:has(#left_aileron) g{part}").first.get_attribute(
+                "transform")
+        until(lambda word=word: at(":has(> .picked)") == at(
+            ":has(> .position)") and station.state()["words"][
+                packets.COLUMNS.index("gsc.uplink.roll")] == word,
+            "both marks at one place")
+
+
+def test_gnd25_a_battery_sag_is_coloured_and_listed(station, pages):
+    page = pages.open()
+    item = items.COLUMNS["gsc.downlink.battery_volts"]
+    before = station.node.sequence
+    station.node.words["gsc.downlink.battery_volts"] = item.word(
+        item.warning_low - 1)
+    page.locator("#alert_list li.warning.unseen",
+                 has_text="WARNING BATTERY").wait_for()
+    page.locator(".meter.warning #battery_volts").wait_for()
+    frame = [line["frame"] for line in station.lines()
+             if "BATTERY" in line["text"]][0]
+    assert frame - before <= SECOND_FRAMES
+    assert "\u25b2" in page.locator("#battery_volts").inner_text()
+    colour = page.locator("#battery_volts").evaluate(
+        "element => getComputedStyle(element).color")
+    assert colour == "rgb(255, 116, 104)"
+    # It does not vanish, acknowledged or not.
+    page.keyboard.press("k")
+    page.locator("#alert_list li.warning:not(.unseen)",
+                 has_text="BATTERY").wait_for()
+    del station.node.words["gsc.downlink.battery_volts"]
+    page.locator("#alert_list li.warning.past",
+                 has_text="BATTERY").wait_for()
+
+
+def test_gnd25_a_cut_link_is_told_large_and_its_digits_go(station, pages):
+    page = pages.open()
+    station.node.cut = True
+    page.wait_for_selector("body[data-down=old], body[data-down=lost]")
+    page.wait_for_selector("body[data-down=lost]")
+    lost = page.locator("#lost")
+    lost.wait_for()
+    assert "LINK LOST" in lost.inner_text()
+    age = number(page.locator("#lost_for").inner_text())
+    assert age >= 0.5
+    for name in METERS + SURFACES:
+        assert not re.search(r"\d", page.locator(f"#{name}").inner_text())
+    assert page.locator("#speed .drums, #speed .exact").first.evaluate(
+        "element => getComputedStyle(element).visibility") == "hidden"
+    assert page.locator("#attitude .cross").evaluate(
+        "element => getComputedStyle(element).display") != "none"
+    page.locator("#alert_list li.warning", has_text="LINK LOST").wait_for()
+    first = [packet.sequence for packet in station.node.history
+             if packet.downlink_age == 1][-1]
+    told = [line["frame"] for line in station.lines()
+            if "LINK LOST" in line["text"]][0]
+    assert told - first <= SECOND_FRAMES
+    until(lambda: number(page.locator("#lost_for").inner_text()) > age,
+          "seconds that go on")
+    station.node.cut = False
+    page.wait_for_selector("body[data-down=fresh]")
+    lost.wait_for(state="hidden")
+
+
+def test_gnd25_without_frames_or_station_nothing_looks_alive(
+        station, pages):
+    page = pages.open()
+    station.node.silent = True
+    page.wait_for_selector("body[data-frame=lost][data-down=lost]")
+    assert "NO FRAMES" in page.locator("#lost").inner_text()
+    station.node.silent = False
+    page.wait_for_selector("body[data-down=fresh]")
+    station.process.send_signal(signal.SIGSTOP)
+    try:
+        page.wait_for_selector("body[data-frame=lost][data-down=lost]")
+        until(lambda: not re.search(r"\d", " ".join(
+            page.locator(".meter output, .surface output, figcaption output,"
+                         " #fresh, #stick_ms").all_inner_texts())),
+            "no digit of old words")
+        assert "not known" in page.locator("#holder").inner_text()
+    finally:
+        station.process.send_signal(signal.SIGCONT)
+    page.wait_for_selector("body[data-down=fresh]")
+
+
+def test_gnd21_keys_mouse_and_switches_fly(station, pages):
+    page = pages.open()
+    until(lambda: page.locator("#switch8").is_disabled(), "no switch yet")
+    throttle = station.node.sent.columns["console.throttle"]
+    hold(page)
+    heard = station.node.heard
+    until(lambda: heard, "a console packet")
+    first = heard[0][1].columns
+    assert abs(first["console.throttle"] - throttle) <= 2, (
+        "taking the sticks moves nothing")
+    page.keyboard.down("ArrowRight")
+    until(lambda: heard[-1][1].words[0] == 3072, "half a roll")
+    page.keyboard.up("ArrowRight")
+    until(lambda: heard[-1][1].words[0] == 2048, "the middle again")
+    page.keyboard.press("8")
+    until(lambda: heard[-1][1].columns["console.switch8"] == 4095, "flaps")
+    page.locator("#switch8.on", has_text="on").wait_for()
+    box = page.locator("#right_stick").bounding_box()
+    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.move(*middle)
+    page.mouse.down()
+    page.mouse.move(middle[0] - box["width"] / 4,
+                    middle[1] + box["height"] / 4)
+    until(lambda: heard[-1][1].words[0] < 1500 and heard[-1][1].words[1]
+          > 2600, "left and back")
+    page.mouse.up()
+    until(lambda: heard[-1][1].words[:2] == (2048, 2048), "let go")
+    page.keyboard.down("w")
+    until(lambda: heard[-1][1].columns["console.throttle"] == 4095, "full")
+    page.keyboard.up("w")
+    page.keyboard.press("x")
+    page.wait_for_selector("#holder:not(.mine)")
+    assert station.state()["holder"] is None
+
+
+def test_gnd21_packets_come_fifty_times_a_second(station, pages):
+    page = pages.open()
+    hold(page)
+    heard = station.node.heard
+    until(lambda: len(heard) > 300, "packets")
+    # Other programs may slow the page; nothing makes it faster.
+    sequences = [packet.sequence for _, packet in heard]
+    assert sequences == sorted(set(sequences))
+    took = heard[-1][0] - heard[0][0]
+    assert len(heard) / took < 110
+
+
+def test_gnd21_a_second_page_is_told_who_flies_and_asks(station, pages):
+    first, second = pages.open(), pages.open()
+    hold(first)
+    second.locator("#holder", has_text="console 1 flies").wait_for()
+    ask(station, first, second)
+    assert "console 2 asks" in first.locator("#asking").inner_text()
+    first.keyboard.press("n")
+    first.locator("#asked").wait_for(state="hidden")
+    second.locator("#take:enabled").wait_for()
+    ask(station, first, second)
+    first.locator("#give").click()
+    second.wait_for_selector("#holder.mine")
+    first.locator("#holder", has_text="console 2 flies").wait_for()
+
+
+def ask(station, first, second):
+    """The second page asks the first. A machine that stops the first for
+    longer than the rules allow has it tried again."""
+    for _ in range(10):
+        second.keyboard.press("t")
+        until(lambda: first.locator("#asked").is_visible()
+              or station.state()["holder"] == 2, "an answer")
+        if station.state()["holder"] == 1:
+            return
+        second.keyboard.press("x")
+        station.wait(lambda state: state["holder"] is None, "free sticks")
+        hold(first)
+    pytest.skip("this machine stops a page for seconds")
+
+
+GAMEPAD = """
+window.pad = {id: "test pad", connected: true, index: 0,
+  axes: [0, 0, 0, 0], mapping: "standard",
+  buttons: Array.from({length: 17}, () => ({pressed: false, value: 0}))};
+navigator.getGamepads = () => [window.pad];
+"""
+
+
+def test_gnd22_a_gamepad_flies_has_a_dead_zone_and_may_be_lost(
+        station, pages):
+    page = pages.open(script=GAMEPAD)
+    page.evaluate("pad.buttons[9] = {pressed: true, value: 1}")
+    page.wait_for_selector("#holder.mine")
+    heard = station.node.heard
+    page.evaluate("pad.axes[2] = 0.07")
+    until(lambda: len(heard) > 20, "packets")
+    assert {packet.words[0] for _, packet in heard} == {2048}
+    page.evaluate("pad.axes[2] = 1")
+    until(lambda: heard[-1][1].words[0] == 4095, "all the way")
+    page.evaluate("window.lost = pad; window.pad = null")
+    page.locator("#source.caution", has_text="gamepad lost").wait_for()
+    page.locator("#alert_list li.caution", has_text="GAMEPAD").wait_for()
+    station.wait(lambda state: state["console"] == "neutral", "neutral")
+    page.locator("#holder.warning", has_text="NEUTRAL").wait_for()
+    page.evaluate("window.pad = lost")
+    page.wait_for_selector("#holder.mine")
+
+
+def test_gnd22_a_hidden_page_lets_the_sticks_fall_silent(station, pages):
+    page = pages.open()
+    hold(page)
+    until(lambda: station.node.heard, "packets")
+    page.evaluate("""() => {
+        Object.defineProperty(document, "hidden", {get: () => true,
+          configurable: true});
+        document.dispatchEvent(new Event("visibilitychange"));
+    }""")
+    station.wait(lambda state: state["console"] == "neutral", "neutral")
+    assert "HIDDEN" in {
+        alert["name"] for alert in station.state()["alerts"]}
+
+
+EVIL = "<img src=x onerror=document.title='owned'><script>1</script>"
+
+
+def test_gnd27_what_is_typed_is_shown_and_never_run(station, pages):
+    page, other = pages.open(), pages.open()
+    page.keyboard.press("m")
+    page.keyboard.type(EVIL)
+    page.keyboard.press("Enter")
+    for one in (page, other):
+        line = one.locator("#lines li", has_text="mark").first
+        line.wait_for()
+        assert EVIL in line.inner_text()
+        assert one.locator("#lines img, #lines script").count() == 0
+        assert one.title() == "URV console"
+    # The keys of the note moved nothing else.
+    assert station.state()["holder"] is None
+
+
+def overlaps(page):
+    """Texts of one panel that lie over each other, or leave the page."""
+    return page.evaluate("""() => {
+      const seen = [...document.querySelectorAll(
+        "button, output, .name, .corner, #holder, #counted, #source")]
+        .filter(one => one.checkVisibility({visibilityProperty: true})
+          && one.textContent.trim() && !one.closest("#lost, dialog"));
+      const box = one => one.getBoundingClientRect();
+      const wrong = [];
+      seen.forEach((one, at) => {
+        const a = box(one);
+        if (a.left < -1 || a.top < -1 || a.right > innerWidth + 1
+          || a.bottom > innerHeight + 1) wrong.push(["out", one.textContent]);
+        if (one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0
+          && one.tagName === "BUTTON") wrong.push(["cut", one.textContent]);
+        for (const other of seen.slice(at + 1)) {
+          if (one.contains(other) || other.contains(one)) continue;
+          const b = box(other);
+          if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1
+            && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1) {
+            wrong.push([one.textContent, other.textContent]);
+          }
+        }
+      });
+      return wrong;
+    }""")
+
+
+@pytest.mark.parametrize("scheme", ["dark", "light"])
+def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
+        station, pages, scheme):
+    for width, height in SIZES:
+        page = pages.open(width, height, scheme)
+        assert page.evaluate("[document.documentElement.scrollWidth,"
+                             " document.documentElement.scrollHeight]") == [
+            width, height]
+        assert overlaps(page) == []
+        sticks = page.locator("#sticks").is_visible()
+        assert sticks == (width >= 900)
+        for shown in ("#attitude", "#speed", "#height", "#bars", "#alerts",
+                      "#who"):
+            assert page.locator(shown).is_visible(), (width, shown)
+    # The last is the small one: it cannot take the sticks.
+    page.keyboard.press("t")
+    page.wait_for_timeout(300)
+    assert station.state()["holder"] is None
+
+
+CONTRAST = """() => {
+  const light = text => {
+    const [r, g, b] = text.match(/[\\d.]+/g).map(Number).map(x => {
+      x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4;
+    });
+    return .2126 * r + .7152 * g + .0722 * b;
+  };
+  const behind = element => {
+    for (let one = element; one; one = one.parentElement) {
+      const colour = getComputedStyle(one).backgroundColor;
+      if (!/^rgba.*, 0\\)$/.test(colour)) return colour;
+    }
+  };
+  const wrong = [];
+  for (const one of document.querySelectorAll("body *")) {
+    const own = [...one.childNodes].some(
+      node => node.nodeType === 3 && node.data.trim());
+    if (!own || !one.checkVisibility({visibilityProperty: true})
+      || one.closest("#attitude")) continue;
+    const style = getComputedStyle(one);
+    const front = light(one instanceof SVGElement ? style.fill
+      : style.color);
+    const back = light(behind(one));
+    const ratio = (Math.max(front, back) + .05) / (Math.min(front, back)
+      + .05);
+    if (ratio < 4.5) wrong.push([one.outerHTML.slice(0, 80), ratio]);
+  }
+  return wrong;
+}"""
+
+
+@pytest.mark.parametrize("scheme", ["dark", "light"])
+def test_gnd28_every_text_has_contrast(station, pages, scheme):
+    low = items.COLUMNS["gsc.downlink.battery_volts"]
+    station.node.words["gsc.downlink.battery_volts"] = low.word(
+        low.caution_low - 0.2)
+    station.node.words["gsc.downlink.alternator_volts"] = 0
+    page = pages.open(scheme=scheme)
+    page.locator("#alert_list li.warning", has_text="ALTERNATOR").wait_for()
+    page.locator("#alert_list li.caution", has_text="BATTERY").wait_for()
+    hold(page)
+    assert page.evaluate(CONTRAST) == []
+    page.keyboard.press("k")
+    page.locator("#alert_list li.warning:not(.unseen)",
+                 has_text="ALTERNATOR").wait_for()
+    station.node.words.clear()
+    page.locator("#alert_list li.warning.past",
+                 has_text="ALTERNATOR").wait_for()
+    assert page.evaluate(CONTRAST) == []
+    page.keyboard.press("l")
+    assert page.evaluate("document.documentElement.dataset.theme") == (
+        "light" if scheme == "dark" else "dark")
+    page.wait_for_timeout(200)
+    assert page.evaluate(CONTRAST) == []
+
+
+def test_gnd25_pictures_follow_the_frames(station, pages):
+    """Each picture is of a newer frame, never of an older one."""
+    page = pages.open()
+    drawn = page.evaluate("""() => new Promise(done => {
+      const drawn = [];
+      new MutationObserver(() => {
+        drawn.push(+document.body.dataset.seq);
+        if (drawn.length === 50) done(drawn);
+      }).observe(document.body, {attributeFilter: ["data-seq"]});
+    })""")
+    assert drawn == sorted(drawn)
+    assert drawn[-1] - drawn[0] >= 50

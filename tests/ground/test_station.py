@@ -1,0 +1,529 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv station without a browser: frames, sticks, who may what."""
+
+import random
+import socket
+import struct
+import time
+
+import pytest
+import websocket
+from station_rig import PATIENCE_S, Station, until
+
+from urv import items, packets, web
+from urv.alerts import Alerts
+from urv.sticks import ASKED_S, LAPSED_S, SILENT_S, Sticks
+
+WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
+
+
+@pytest.fixture
+def record(standard):
+    return standard / "record.csv"
+
+
+@pytest.fixture
+def station(record, tmp_path):
+    with Station(record, tmp_path) as station:
+        station.flying()
+        yield station
+
+
+# Who holds the sticks
+
+def test_gnd21_the_first_who_takes_has_them():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    assert sticks.holder == 1
+    assert sticks.move(1, WORDS, 0.1)
+    assert not sticks.move(2, WORDS, 0.1)
+    assert sticks.live(0.1) == WORDS
+
+
+def test_gnd21_the_holder_is_asked_and_may_keep_them():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    sticks.take(2, 1.1)
+    assert (sticks.holder, sticks.asker) == (1, 2)
+    sticks.answer(2, True, 1.2)
+    assert sticks.holder == 1, "who asks cannot answer"
+    sticks.answer(1, False, 1.3)
+    assert (sticks.holder, sticks.asker) == (1, None)
+    sticks.move(1, WORDS, 1.4)
+    sticks.take(2, 1.5)
+    sticks.answer(1, True, 1.6)
+    assert sticks.holder == 2
+
+
+def test_gnd21_no_answer_gives_them_after_five_seconds():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    sticks.take(2, 1.0)
+    for tenth in range(10, int((1.0 + ASKED_S) * 10)):
+        sticks.move(1, WORDS, tenth / 10)
+        sticks.tick(tenth / 10)
+        assert sticks.holder == 1
+    sticks.tick(1.0 + ASKED_S)
+    assert sticks.holder == 2
+    assert sticks.live(1.0 + ASKED_S) is None, (
+        "the words of the last holder are not the next one's")
+
+
+def test_gnd21_a_third_does_not_push_in():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    sticks.take(2, 1.0)
+    sticks.take(3, 1.1)
+    assert sticks.asker == 2
+
+
+def test_gnd21_disconnect_never_asks_and_a_lapsed_holder_is_not_asked():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    sticks.release(1, "disconnected")
+    assert sticks.holder is None and sticks.live(1.0) is None
+    sticks.take(1, 2.0)
+    sticks.move(1, WORDS, 2.0)
+    sticks.take(2, 2.1 + LAPSED_S)
+    assert sticks.holder == 2
+
+
+def test_gnd21_who_asked_has_them_when_the_holder_goes():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    sticks.take(2, 1.1)
+    sticks.release(1, "its page has closed")
+    sticks.tick(1.2)
+    assert sticks.holder == 2
+
+
+def test_gnd22_a_silent_or_paused_holder_is_not_live():
+    sticks = Sticks()
+    sticks.take(1, 0.0)
+    sticks.move(1, WORDS, 1.0)
+    assert sticks.live(1.0 + SILENT_S - 0.001) == WORDS
+    assert sticks.live(1.001 + SILENT_S) is None
+    sticks.move(1, WORDS, 2.0)
+    sticks.pause(1)
+    assert sticks.live(2.0) is None
+
+
+def test_gnd21_over_sockets_a_second_console_cannot_take_them(station):
+    first, second = station.console(), station.console()
+    first.say({"t": "take"})
+    first.until(lambda state: state["holder"] == first.number, "first holds")
+    for number in range(200):
+        first.sticks(3000)
+        second.sticks(100)
+        if number == 50:
+            second.say({"t": "take"})
+        time.sleep(0.005)
+    state = station.state()
+    assert (state["holder"], state["asker"]) == (first.number, second.number)
+    assert {packet.words[0] for _, packet in station.node.heard} == {3000}
+    # The holder says nothing more: the sticks go to who asked.
+    second.until(lambda state: state["holder"] == second.number,
+                 "the sticks after five seconds")
+    texts = [line["text"] for line in station.lines()]
+    assert any("asks console" in text for text in texts)
+    assert any(f"console {second.number} has the sticks" in text
+               for text in texts)
+
+
+def test_gnd21_the_sticks_of_a_closed_page_are_free(station):
+    first, second = station.console(), station.console()
+    first.say({"t": "take"})
+    first.until(lambda state: state["holder"] == first.number, "first holds")
+    first.close()
+    second.until(lambda state: state["holder"] is None, "free sticks")
+    second.say({"t": "take"})
+    second.until(lambda state: state["holder"] == second.number, "taken")
+
+
+def test_gnd22_packets_stop_when_the_holder_falls_silent(station):
+    console = station.console()
+    console.say({"t": "take"})
+    for _ in range(40):
+        console.sticks(2500)
+        time.sleep(0.01)
+    until(lambda: station.node.heard, "a console packet")
+    silent = time.monotonic()
+    time.sleep(SILENT_S + 0.5)
+    late = [came for came, _ in station.node.heard
+            if came > silent + SILENT_S + 0.4]
+    assert not late
+    state = station.wait(lambda state: state["console"] == "held",
+                         "held sticks")
+    assert not state["live"]
+    names = {alert["name"] for alert in station.wait(
+        lambda state: state["console"] == "neutral")["alerts"]}
+    assert {"STICKS HELD", "STICKS NEUTRAL"} <= names
+
+
+@pytest.mark.parametrize(("what", "name"),
+                         [("hidden", "HIDDEN"), ("gamepad", "GAMEPAD")])
+def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
+        station, what, name):
+    console = station.console()
+    console.say({"t": "take"})
+    console.sticks()
+    console.say({"t": "lost", "what": what})
+    state = station.wait(lambda state: state["alerts"], "an alert")
+    [alert] = [alert for alert in state["alerts"] if alert["name"] == name]
+    assert (alert["level"], alert["active"]) == ("caution", True)
+    sent = len(station.node.heard)
+    time.sleep(0.3)
+    assert len(station.node.heard) <= sent + 1
+
+    def over(state):
+        return not [alert for alert in state["alerts"]
+                    if alert["name"] == name and alert["active"]]
+    console.sticks()
+    station.wait(over, "the end of it")
+    # Who has gone can be hidden no more.
+    console.say({"t": "lost", "what": what})
+    station.wait(lambda state: not over(state), "the caution again")
+    console.close()
+    station.wait(over, "the end of it")
+
+
+def test_gnd29_the_simulated_pilot_takes_over_and_gives_back(
+        record, tmp_path):
+    with Station(record, tmp_path, pilot=True) as station:
+        station.flying()
+        console = station.console()
+        console.say({"t": "take"})
+        console.until(lambda state: state["holder"], "the sticks")
+        console.sticks(2100)
+        console.say({"t": "pilot"})
+        console.until(lambda state: state["pilot"] == "flies"
+                      and state["holder"] is None, "the pilot flies")
+        sent = len(station.node.heard)
+        time.sleep(0.5)
+        assert len(station.node.heard) <= sent + 2, (
+            "nothing goes up while the pilot flies")
+        console.say({"t": "take"})
+        console.until(lambda state: state["holder"], "the sticks again")
+        assert station.state()["pilot"] == "flies", "not moved yet"
+        console.sticks(2200)
+        console.until(lambda state: state["pilot"] == "hands_off",
+                      "hands off")
+        console.say({"t": "pilot"})
+        console.until(lambda state: state["pilot"] == "flies", "flies")
+        console.say({"t": "disconnect"})
+        console.until(lambda state: state["pilot"] == "hands_off",
+                      "disconnected")
+
+
+# Frames
+
+def test_gnd20_every_frame_is_taken_and_calibrated(station):
+    state = station.wait(lambda state: state["rate"] >= 40)
+    sent = {packet.sequence: packet for packet in list(station.node.history)}
+    packet = sent[state["seq"]]
+    assert tuple(state["words"]) == packet.words
+    for column, word, value in zip(packets.COLUMNS, state["words"],
+                                   state["values"], strict=True):
+        item = items.COLUMNS[column]
+        if item.is_scaled:
+            assert value == pytest.approx(item.value(word), abs=1e-4)
+        else:
+            assert value is None
+    assert state["packets"]["missing"] == state["packets"]["bad"] == 0
+
+
+def test_gnd20_malformed_packets_are_counted_and_dropped(station):
+    chance = random.Random(1)
+    good = station.node.sent.encode()
+    bad = [chance.randbytes(length) for length in range(0, 1400, 7)]
+    bad += [good[:-1], good + b"\0", b"XXXX" + good[4:]]
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        for data in bad:
+            sender.sendto(data, station.frames)
+            time.sleep(0.002)
+    state = station.wait(
+        lambda state: state["packets"]["bad"] >= len(bad), "all counted")
+    assert state["packets"]["bad"] == len(bad)
+    before = state["seq"]
+    station.wait(lambda state: state["seq"] > before + 10, "frames go on")
+
+
+def test_gnd20_frames_that_are_missing_or_old_are_told(station):
+    old = station.node.sent.encode()
+    station.node.silent = True
+    skipped = station.node.sequence + 20
+    until(lambda: station.node.sequence > skipped, "frames not sent")
+    station.wait(lambda state: [alert for alert in state["alerts"]
+                                if alert["name"] == "NO FRAMES"
+                                and alert["active"]], "NO FRAMES")
+    station.node.silent = False
+    state = station.wait(lambda state: state["packets"]["missing"] > 0)
+    assert "FRAMES" in {alert["name"] for alert in state["alerts"]}
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        sender.sendto(old, station.frames)
+    station.wait(lambda state: state["packets"]["late"] == 1, "the old one")
+
+
+# Alerts, marks
+
+def test_gnd26_an_alert_stays_when_its_reason_goes():
+    alerts = Alerts()
+    alerts.report("a", "caution", "A", "first", 1)
+    alerts.report("b", "warning", "B", "second", 2)
+    assert [alert["name"] for alert in alerts.shown()] == ["B", "A"]
+    alerts.away("a", 1.0)
+    assert alerts.active("a"), "not away for long enough"
+    alerts.away("a", 2.5)
+    assert not alerts.active("a")
+    [_, old] = alerts.shown()
+    assert (old["name"], old["active"], old["seen"]) == ("A", False, False)
+    alerts.acknowledge("a")
+    alerts.report("a", "caution", "A", "again", 3)
+    newest = alerts.shown()[0]
+    assert (newest["name"], newest["count"], newest["seen"]) == ("A", 2, False)
+    alerts.acknowledge()
+    assert all(alert["seen"] for alert in alerts.shown())
+
+
+def test_gnd26_a_battery_sag_is_a_caution_then_a_warning(station):
+    column = "gsc.downlink.battery_volts"
+    item = items.COLUMNS[column]
+    low = {"caution": (item.warning_low + item.caution_low) / 2,
+           "warning": item.warning_low - 1}
+    for level, volts in low.items():
+        station.node.words[column] = item.word(volts)
+        state = station.wait(lambda state, level=level: [
+            alert for alert in state["alerts"] if alert["name"] == "BATTERY"
+            and alert["level"] == level and alert["active"]], level)
+        assert state["alerts"][0]["name"] == "BATTERY"
+    del station.node.words[column]
+    station.wait(lambda state: not any(
+        alert["active"] for alert in state["alerts"]), "the end")
+    assert len(station.state()["alerts"]) == 2
+
+
+def test_gnd26_errors_of_both_nodes_are_logged_once(station):
+    kind = packets.KINDS.index("processor_restart")
+    station.node.logs[1][kind] = packets.LogRow(1, 77, 77, 0)
+    state = station.wait(lambda state: state["alerts"], "an alert")
+    assert state["alerts"][0]["name"] == "PROCESSOR RESTART MCS"
+    time.sleep(0.5)
+    told = [line for line in station.lines() if line["kind"] == "error"]
+    assert [line["text"] for line in told] == [
+        "mcs processor_restart: 1 times, last in its frame 77"]
+
+
+def test_gnd27_a_mark_is_an_event_in_one_line(station):
+    console = station.console()
+    console.say({"t": "mark", "text": "gear\u001b[31m \n<b>up</b>\u202e"})
+    line = until(lambda: [line for line in station.lines()
+                          if line["kind"] == "mark"], "the mark")[0]
+    assert line["text"] == "gear [31m <b>up</b>"
+    assert line["frame"] is not None and line["time_us"] > 0
+    console.say({"t": "mark", "text": "x" * 201})
+    until(lambda: station.state()["station"]["bad"] == 1, "refused")
+
+
+# Safety
+
+FOREIGN = [
+    {"Origin": "http://evil.example"},
+    {"Origin": "http://127.0.0.1:1"},
+    {"Origin": "null"},
+    {"Host": "evil.example"},
+    {"Host": "127.0.0.1.evil.example:80"},
+    {"Sec_Fetch_Site": "cross-site", "Sec_Fetch_Mode": "no-cors"},
+]
+
+
+def test_gnd23_foreign_origins_are_refused(station):
+    for path in ("/", "/page/main.js", "/api/state", "/ws"):
+        for headers in FOREIGN:
+            assert station.get(path, **headers)[0] == 403, (path, headers)
+        own = {"Origin": f"http://localhost:{station.port}",
+               "Host": f"localhost:{station.port}",
+               "Sec_Fetch_Site": "same-origin"}
+        assert station.get(path, **own)[0] != 403
+
+
+def test_gnd23_a_foreign_page_gets_no_socket(station):
+    with pytest.raises(websocket.WebSocketBadStatusException) as refused:
+        station.console(origin="http://evil.example")
+    assert refused.value.status_code == 403
+    station.console(origin=f"http://127.0.0.1:{station.port}").close()
+
+
+def test_gnd23_nothing_else_is_served(station):
+    for path in ("/page/../station.py", "/page/%2e%2e%2fstation.py",
+                 "/page/", "/page//etc/passwd", "/etc/passwd",
+                 "/page/index.html%00.js"):
+        assert station.get(path)[0] in (400, 404), path
+
+
+def test_gnd23_headers_forbid_all_else(station):
+    with socket.create_connection(("127.0.0.1", station.port)) as client:
+        client.sendall(f"GET / HTTP/1.1\r\nHost: localhost:{station.port}"
+                       "\r\n\r\n".encode())
+        answer = b""
+        while data := client.recv(65536):
+            answer += data
+    head = answer.split(b"\r\n\r\n")[0].decode()
+    policy = next(line for line in head.splitlines()
+                  if line.startswith("Content-Security-Policy"))
+    assert "default-src 'none'" in policy
+    assert "unsafe" not in policy and "*" not in policy
+
+
+def test_gnd23_elsewhere_than_here_a_token_is_demanded(record, tmp_path):
+    with Station(record, tmp_path, "--listen", "0.0.0.0") as station:
+        assert any("other machines" in line for line in station.said) or (
+            "other machines" in station.process.stdout.readline())
+        token = station.url.partition("token=")[2]
+        assert len(token) >= 16
+        for path in ("/", "/api/state", "/ws", "/page/main.js",
+                     "/?token=wrong"):
+            assert station.get(path)[0] == 401
+        assert station.get("/api/state",
+                           Authorization=f"Bearer {token}")[0] == 200
+        assert station.get("/", Cookie=f"{web.COOKIE}={token}")[0] == 200
+        with pytest.raises(websocket.WebSocketBadStatusException):
+            station.console()
+        station.console(cookie=f"{web.COOKIE}={token}").close()
+
+
+@pytest.mark.parametrize("arguments", [
+    ("--frames", "udp:nowhere"), ("--frames", "tcp:127.0.0.1:1"),
+    ("--console", "udp:127.0.0.1:70000"), ("--port", "99999"),
+    ("--token", "short"), ("--yamcs", "https://127.0.0.1"),
+    ("--listen", "203.0.113.1")])
+def test_gnd23_bad_options_are_refused(urv, arguments):
+    result = urv("station", *arguments)
+    assert result.returncode == 2
+    assert result.stderr.startswith("urv: ")
+    assert len(result.stderr.splitlines()) == 1
+    assert arguments[0] in result.stderr
+
+
+def test_gnd24_garbage_at_the_page_stops_nobody(station):
+    chance = random.Random(2)
+    console = station.console()
+    for length in (0, 1, 10, 1000, 100_000):
+        with socket.create_connection(("127.0.0.1", station.port)) as client:
+            try:
+                client.sendall(chance.randbytes(length))
+                client.shutdown(socket.SHUT_WR)
+                client.recv(1000)
+            except OSError:
+                pass
+    before = station.state()["seq"]
+    console.until(lambda state: state["seq"] > before + 25, "frames go on")
+
+
+@pytest.mark.parametrize("message", [
+    "", "{", "[]", "1", '{"t": "sticks"}', '{"t": "sticks", "words": [1]}',
+    '{"t": "sticks", "words": [-1,0,0,0,0,0,0,0,0,0,0,0,0]}',
+    '{"t": "sticks", "words": [4096,0,0,0,0,0,0,0,0,0,0,0,0]}',
+    '{"t": "sticks", "words": [true,0,0,0,0,0,0,0,0,0,0,0,0]}',
+    '{"t": "sticks", "words": [1e3,0,0,0,0,0,0,0,0,0,0,0,0]}',
+    '{"t": "mark", "text": 7}', '{"t": "lost", "what": "x"}',
+    '{"t": "answer", "yes": 1}', '{"t": "nothing"}', "[" * 4000])
+def test_gnd24_what_no_page_says_is_not_understood(message):
+    assert web.understood(message) is None
+
+
+def test_gnd24_a_page_that_talks_nonsense_is_dropped(station):
+    console = station.console()
+    with pytest.raises((websocket.WebSocketException, OSError)):
+        for _ in range(1000):
+            console.socket.send("nonsense")
+            time.sleep(0.002)
+            console.next("state")
+    until(lambda: any("dropped: messages" in line["text"]
+                      for line in station.lines()), "a word of it")
+    station.console().close()
+
+
+def test_gnd24_a_page_that_floods_is_dropped(station):
+    console = station.console()
+    with pytest.raises((websocket.WebSocketException, OSError)):
+        for _ in range(100_000):
+            console.sticks()
+        console.next("hello")
+    until(lambda: any("dropped: too many" in line["text"]
+                      for line in station.lines()), "a word of it")
+
+
+def test_gnd24_one_too_large_message_ends_its_page(station):
+    console = station.console()
+    console.socket.send("x" * (web.LONGEST_MESSAGE + 1))
+    with pytest.raises((websocket.WebSocketException, OSError)):
+        while True:
+            if console.socket.recv() == "":
+                raise OSError("closed")
+
+
+def test_gnd24_a_page_that_takes_nothing_is_dropped(station):
+    console = station.console()
+    deaf = station.console()
+    deaf.socket.sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 2048)
+    # It reads no more; the others see each frame.
+    before = station.state()["seq"]
+    console.until(lambda state: state["seq"] > before + 50, "frames go on")
+    until(lambda: console.next("state") and any(
+        f"console {deaf.number} dropped" in line["text"]
+        or f"console {deaf.number} closed" in line["text"]
+        for line in station.lines()), "a word of it")
+
+
+def test_gnd24_half_open_and_slow_clients_do_not_hold_the_door(station):
+    idle = [socket.create_connection(("127.0.0.1", station.port))
+            for _ in range(web.MOST_CONNECTIONS * 2)]
+    try:
+        for number, client in enumerate(idle):
+            try:
+                client.sendall(b"GET / HTTP/1.1\r\nHost: lo"[:number % 25])
+            except OSError:
+                pass
+        # All doors are held, for a while.
+        def asked():
+            try:
+                return station.get("/")[0] == 200
+            except OSError:
+                return False
+        until(asked, "a page, once the idle ones are shut",
+              web.PATIENCE_S + PATIENCE_S)
+    finally:
+        for client in idle:
+            client.close()
+
+
+def test_gnd24_connections_that_have_ended_take_no_place(station):
+    """More of them, one after the other, than there are places."""
+    for _ in range(200):
+        assert station.state()["seq"] is not None
+
+
+def test_gnd24_a_full_disk_under_the_events_stops_nobody(record, tmp_path):
+    with Station(record, tmp_path, "--events", "/dev/full") as station:
+        state = station.wait(lambda state: state["alerts"], "an alert")
+        assert "EVENTS FILE" in {alert["name"] for alert in state["alerts"]}
+        before = station.state()["seq"]
+        station.wait(lambda state: state["seq"] > before + 25, "frames go on")
+
+
+def test_gnd24_it_ends_well_with_pages_open_that_do_not_answer(
+        record, tmp_path):
+    with Station(record, tmp_path) as station:
+        station.flying()
+        silent = [station.console() for _ in range(3)]
+        reset = station.console()
+        reset.socket.sock.setsockopt(
+            socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        reset.socket.sock.close()
+    for console in silent:
+        console.socket.sock.close()

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-6: the JSBSim aircraft behind the boards of the aircraft's partition, in
+lock-step with its frames; and what becomes of the node when it is late or
+dead."""
+
+import os
+import signal
+import time
+from pathlib import Path
+
+import pytest
+
+from conftest import (
+    COMMANDS, ROOT, SENSORS, TIME_LIMIT_S, flies_again, free_ports, in_turn,
+    need, of_the_link, udp,
+)
+
+pytestmark = pytest.mark.skipif(
+    not (ROOT / ".venv" / "bin" / "python").exists()
+    and "URV_PYTHON" not in os.environ,
+    reason="no Python with JSBSim")
+
+JSBSIM = ("--plant", "jsbsim")
+
+# Right stick, half throttle, brake off.
+BANKING = (2600, 2048, 2048, 2048, 2048) + (0,) * 8
+HEADER = "time_ms," + ",".join(COMMANDS) + "\n"
+
+
+def children(run):
+    """The processes that a partition has started."""
+    tasks = Path(f"/proc/{run.program.pid}/task").iterdir()
+    return {int(pid) for task in tasks
+            for pid in (task / "children").read_text("ascii").split()}
+
+
+def plant_of(run):
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while not (found := children(run)):
+        assert time.monotonic() < deadline and run.program.poll() is None
+        time.sleep(0.02)
+    return found.pop()
+
+
+def wait_for_line(run, what):
+    """It says so, some time."""
+    while what not in (line := run.say_line()):
+        pass
+    return line
+
+
+@flies_again
+def test_gnd6_sticks_move_the_aircraft_in_lock_step(start, write):
+    up, down = free_ports(2)
+    sticks = write("sticks.csv", HEADER + ",".join(map(str, (0, *BANKING))))
+    mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
+    mcs.words_move = True
+    wait_for_line(mcs, "listening at")
+    gsc = start("gsc", udp(down, up), "--phase", 0, "--sticks", sticks,
+                "--seconds", 4)
+    gsc = gsc.end()
+    mcs.send(signal.SIGTERM)
+    mcs.program.communicate(timeout=TIME_LIMIT_S)
+    assert mcs.program.returncode == 0
+    mcs = mcs.outputs
+
+    rows = mcs.rows
+    heard = [row for row in rows if row["link.uplink_received"] > 0]
+    before = [row for row in rows if row["link.uplink_received"] == 0]
+
+    # It waits for the ground, in level flight: 70 kt, 1000 ft.
+    name = "mcs.downlink.{}".format
+    for row in before[5:]:
+        assert abs(row[name("roll_attitude")] - 2048) <= 2
+        assert abs(row[name("airspeed")] - 2240) <= 8
+        assert abs(row[name("altitude")] - 2000) <= 2
+
+    # As many frames were flown as the servos had commands: one for each.
+    plant = mcs.summary["plant"]
+    frames = heard[-1]["frame"] - heard[0]["frame"]
+    assert plant["frames"] <= frames + 4
+    need(plant["frames"] >= frames - plant["late"] - 4, mcs)
+    assert plant["died"] == 0
+
+    # The record has what it really does, as the sensors do a frame later.
+    assert list(rows[0])[-9:] == [
+        f"truth.{item}" for item in (
+            "altitude_ft", "airspeed_kt", "bank_deg", "pitch_deg",
+            "heading_deg", "alpha_deg", "beta_deg", "north_ft", "east_ft")]
+    for row in before[5:]:
+        assert abs(row["truth.altitude_ft"] - 1000) < 2
+        assert abs(row["truth.airspeed_kt"] - 70) < 0.5
+        assert abs(row["truth.heading_deg"] - 90) < 1
+    assert rows[-1]["truth.east_ft"] > 100
+    for row in heard[10:]:
+        sensed = (row[name("roll_attitude")] - 2048) * 360 / 4096
+        need(abs(sensed - row["truth.bank_deg"]) < 2, mcs)
+
+    # Ailerons follow their servo; the aircraft banks to the right.
+    need(len(heard) > 150, mcs, gsc)
+    aileron = [row[name("right_aileron")] for row in heard]
+    bank = [row[name("roll_attitude")] for row in heard]
+    need(max(aileron) > 2300 and max(bank) > 2048 + 100, mcs, gsc)
+    assert min(bank) > 2048 - 20
+
+
+@flies_again
+def test_gnd6_a_killed_plant_is_told_and_the_node_flies_on(start):
+    mcs = start("mcs", udp(*free_ports(2)), *JSBSIM, quiet=False)
+    mcs.words_move = True
+    wait_for_line(mcs, "listening at")
+    plant = plant_of(mcs)
+    os.kill(plant, signal.SIGKILL)
+    wait_for_line(mcs, "plant has died at ")
+    rows = len((mcs.outputs.folder / "record.csv").read_bytes())
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while len((mcs.outputs.folder / "record.csv").read_bytes()) == rows:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    mcs.send(signal.SIGTERM)
+    _, said = mcs.program.communicate(timeout=TIME_LIMIT_S)
+    assert mcs.program.returncode == 1
+    assert of_the_link(said) == [
+        "urv_mcs: --plant jsbsim: JSBSim's process has ended"]
+    assert mcs.outputs.summary["plant"]["died"] == 1
+    died = mcs.outputs.events["plant_died"]
+    assert (died["node"], died["count"]) == ("mcs", 1)
+
+    # The sensors stand still, those of level flight.
+    last = in_turn(mcs.outputs.words("mcs.downlink", SENSORS))[-1]
+    assert abs(last[SENSORS.index("altitude")] - 2000) <= 2
+
+
+@flies_again
+def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
+    start, write
+):
+    up, down = free_ports(2)
+    sticks = write("sticks.csv", HEADER + ",".join(map(str, (0, *BANKING))))
+    mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
+    mcs.words_move = True
+    wait_for_line(mcs, "listening at")
+    gsc = start("gsc", udp(down, up), "--phase", 0, "--sticks", sticks)
+    wait_for_line(mcs, "peer heard at")
+    plant = plant_of(mcs)
+    os.kill(plant, signal.SIGSTOP)
+    wait_for_line(mcs, "plant late at ")
+    os.kill(plant, signal.SIGCONT)
+    wait_for_line(mcs, "plant in time again at ")
+    gsc.stop()
+    mcs.send(signal.SIGTERM)
+    mcs.program.communicate(timeout=TIME_LIMIT_S)
+    assert mcs.program.returncode == 0
+    late = mcs.outputs.events["plant_late"]
+    assert late["count"] == mcs.outputs.summary["plant"]["late"] > 0
+    assert mcs.outputs.summary["plant"]["died"] == 0
+
+
+def test_gnd6_no_plant_outlives_its_partition(start):
+    mcs = start("mcs", udp(*free_ports(2)), *JSBSIM, quiet=False)
+    mcs.words_move = True
+    wait_for_line(mcs, "listening at")
+    plant = plant_of(mcs)
+    mcs.program.kill()
+    mcs.program.wait()
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while Path(f"/proc/{plant}/cmdline").exists():
+        state = Path(f"/proc/{plant}/stat").read_text("ascii")
+        if state.rpartition(")")[2].split()[0] == "Z":
+            break
+        assert time.monotonic() < deadline, "the plant goes on"
+        time.sleep(0.05)

@@ -1,0 +1,392 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-2: GSC CORE goes out in frame packets. GND-3, GND-4: sticks come in
+console packets, and a console that falls silent is held, then neutral.
+GND-5: the simulated pilot aboard the ground's partition."""
+
+import random
+import re
+import signal
+import struct
+
+import pytest
+
+from conftest import (
+    COMMANDS, RanLate, TIME_LIMIT_S, assert_in_order, different_rows,
+    flies_again, free_ports, in_turn, need, of_the_link, script,
+    script_seconds, udp,
+)
+from safe_words import transformed
+from station import Console, Frames, utc_us
+from urv.packets import (
+    NEVER, ConsoleFlags, ConsoleState, LinkState, Pilot,
+)
+
+STICKS = different_rows(12, len(COMMANDS), 21)
+ONE, OTHER, THIRD = STICKS[:3]
+
+# D-13: throttle idle, brake full on.
+SAFE = (0x800, 0x800, 0x800, 0, 0xFFF) + (0,) * 8
+
+STALE = 1
+
+# A row is taken two ticks after its scan and as late as the machine is.
+FRAME_US = 20_000
+
+
+@pytest.fixture
+def station():
+    """Makes what sits at the station, for each flight of a test anew."""
+    made = []
+
+    def make(kind):
+        made.append(Frames() if kind is Frames else Console(*free_ports(1)))
+        return made[-1]
+
+    yield make
+    for each in made:
+        each.close()
+
+
+def moving(*runs):
+    """The bench's surfaces and the pilot's sticks move in each frame."""
+    for run in runs:
+        run.words_move = True
+    return runs
+
+
+def sticks_of(packet):
+    return packet.words[:len(COMMANDS)]
+
+
+def assert_like_the_record(packets, rows):
+    """Every row was sent once, as it stands there."""
+    sent = {packet.sequence: packet for packet in packets}
+    assert len(sent) == len(packets)
+    assert [packet.sequence for packet in packets] == sorted(sent)
+    assert len({packet.run for packet in packets}) == 1
+    for row in rows:
+        packet = sent[row["frame"]]
+        for name, word in packet.columns.items():
+            assert word == row[name], (name, packet.sequence)
+        for name, column in (
+                ("uplink_sent", "link.uplink_sent"),
+                ("uplink_scrapped", "link.uplink_scrapped"),
+                ("downlink_received", "link.downlink_received"),
+                ("downlink_bad", "link.downlink_bad"),
+                ("resets", "link.gsc_resets"), ("overruns", "overruns")):
+            assert packet.link[name] == row[column]
+
+
+@flies_again
+def test_gnd2_the_published_words_are_the_record_s(start_both, write, station):
+    frames = station(Frames)
+    sticks = write("sticks.csv", script(COMMANDS, STICKS))
+    seconds = script_seconds(STICKS)
+    again = station(Frames)
+    begun_us = utc_us()
+    mcs, gsc = moving(*start_both(
+        mcs=("--seconds", seconds),
+        gsc=("--seconds", seconds, "--sticks", sticks,
+             "--publish", frames.place, "--publish", again.place)))
+    mcs, gsc = mcs.end(), gsc.end()
+    frames.finish()
+    again.finish()
+    need(gsc.summary["rows_left_out"] == gsc.summary["publish_not_sent"] == 0,
+         gsc)
+    assert_like_the_record(frames.all, gsc.rows)
+    assert_like_the_record(again.all, gsc.rows)
+    times = [packet.time_us for packet in frames.all]
+    assert begun_us < times[0] and times == sorted(times)
+    assert times[-1] < utc_us()
+    need(gsc.rows[-1]["frame"] > 50, gsc)
+    assert all(packet.console_state == ConsoleState.NONE
+               and packet.pilot == Pilot.NONE for packet in frames.all)
+
+
+@flies_again
+def test_gnd2_the_downlink_s_age_and_the_link_s_state_are_told(start, station):
+    frames = station(Frames)
+    ground, aircraft = free_ports(2)
+    gsc = start("gsc", udp(ground, aircraft), "--publish", frames.place)
+    frames.wait_for(5)
+    mcs = start("mcs", udp(aircraft, ground))
+    frames.wait_until(lambda packet: packet.is_fresh)
+    frames.wait_for(20)
+    mcs.stop()
+    frames.wait_until(lambda packet: packet.link_state == LinkState.LOST)
+    outputs = gsc.stop()
+
+    fresh_at, received, heard_at = None, 0, None
+    for packet in frames.all:
+        link = packet.link
+        if link["downlink_received"] != received:
+            received, heard_at = link["downlink_received"], packet.sequence
+        if received and not packet.columns["gsc.downlink.error"] & STALE:
+            fresh_at = packet.sequence
+        age = NEVER if fresh_at is None else packet.sequence - fresh_at
+        assert packet.downlink_age == age
+        assert packet.link_state == (
+            LinkState.NEVER_HEARD if heard_at is None
+            else LinkState.LOST if packet.sequence > heard_at + 50
+            else LinkState.HEARD)
+    assert frames.all[0].downlink_age == NEVER
+    need(frames.all[-1].downlink_age > 50, outputs)
+
+
+@flies_again
+def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
+    frames = station(Frames)
+    mcs, gsc = start_both(gsc=("--publish", frames.place))
+    frames.wait_until(lambda packet: packet.is_fresh)
+    mcs.send(signal.SIGUSR2)
+    told = frames.wait_until(lambda packet: any(
+        (event.node, event.kind) == ("mcs", "warm_reset")
+        for event in packet.events))
+    mcs, gsc = mcs.stop(), gsc.stop()
+    for event in told.events:
+        log = (mcs if event.node == "mcs" else gsc).events[event.kind]
+        assert event.row.first_frame == log["first_frame"]
+        assert event.row.count <= log["count"]
+        assert event.row.last_frame <= log["last_frame"]
+    assert mcs.events["warm_reset"]["count"] == 1
+    assert told.core_status["cold_starts"] == 1
+
+
+@flies_again
+def test_gnd2_a_node_whose_frames_nobody_takes_flies_on(start_both):
+    closed, = free_ports(1)
+    place = ("--publish", f"udp:127.0.0.1:{closed}")
+    mcs, gsc = start_both(mcs=("--seconds", 1),
+                          gsc=("--seconds", 1, *place))
+    mcs, gsc = mcs.end(), gsc.end()
+    need(gsc.summary["frames"] == 50, gsc)
+    need(gsc.summary["link"]["downlink_received"] > 40, gsc, mcs)
+
+
+@flies_again
+def test_gnd3_a_moved_stick_reaches_the_servos(start_both, station):
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = moving(*start_both(
+        gsc=("--publish", frames.place, "--console", console.place)))
+    frames.wait_until(lambda packet: packet.is_fresh)
+    for words in STICKS:
+        console.move(words)
+        frames.wait_until(lambda packet: sticks_of(packet) == words)
+        frames.wait_for(10)
+    mcs, gsc = mcs.stop(), gsc.stop()
+    frames.finish()
+
+    for packet in frames.all:
+        if packet.console_sequence:
+            sent = console.sent[packet.console_sequence]
+            assert sticks_of(packet) == sent.words
+            assert packet.console_state in (
+                ConsoleState.LIVE, ConsoleState.HELD)
+        else:
+            assert sticks_of(packet) == SAFE
+            assert packet.console_state == ConsoleState.NEUTRAL
+    assert_like_the_record(frames.all, gsc.rows)
+
+    expected = [tuple(transformed(words)) for words in (SAFE, *STICKS)]
+    servos = in_turn([
+        tuple(word for name, word in row.items() if name.startswith("pwm."))
+        for row in mcs.rows])
+    need(expected[0] in servos, mcs, gsc)
+    servos = servos[servos.index(expected[0]):]
+    # A machine that stood still for 2 s has had the safe words in between.
+    if gsc.summary["console"]["neutral"]:
+        raise RanLate
+    assert_in_order(servos, expected)
+    need(servos == expected, mcs, gsc)
+
+
+@flies_again
+def test_gnd4_a_silent_console_is_held_and_then_neutral(start, station):
+    frames = station(Frames)
+    console = station(Console)
+    ports = free_ports(2)
+    gsc = start("gsc", udp(*ports), "--publish", frames.place,
+                "--console", console.place, quiet=False)
+    # The record begins with the second scan: all is as it was then.
+    frames.wait_for(3)
+    console.move(ONE)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.LIVE)
+    last = console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.NEUTRAL)
+    console.move(OTHER)
+    frames.wait_until(lambda packet: sticks_of(packet) == OTHER)
+    gsc.send(signal.SIGTERM)
+    _, said = gsc.program.communicate(timeout=TIME_LIMIT_S)
+    outputs = gsc.outputs
+    frames.finish()
+
+    states = in_turn([packet.console_state for packet in frames.all])
+    if ConsoleState.HELD not in states or len(states) > 5:
+        # The machine or the console's own thread stood still.
+        raise RanLate
+    assert states == [ConsoleState.NEUTRAL, ConsoleState.LIVE,
+                      ConsoleState.HELD, ConsoleState.NEUTRAL,
+                      ConsoleState.LIVE]
+    for state, words, after_s in ((ConsoleState.HELD, ONE, 0.5),
+                                  (ConsoleState.NEUTRAL, SAFE, 2)):
+        first = next(
+            packet for packet in frames.all
+            if packet.console_state == state and packet.time_us
+            > last.time_us)
+        silent_us = first.time_us - last.time_us
+        assert silent_us >= after_s * 1_000_000
+        need(silent_us <= after_s * 1_000_000 + 2 * FRAME_US, outputs)
+        assert sticks_of(first) == words
+    held = [packet for packet in frames.all
+            if packet.console_state == ConsoleState.HELD]
+    assert {sticks_of(packet) for packet in held} == {ONE}
+    assert {packet.console_sequence for packet in held} == {last.sequence}
+
+    # It is said, it is counted, and it is among the events.
+    lines = of_the_link(said)[1:]
+    for line, what in zip(lines, (
+            "console neutral at .*: no packet yet", "console live at",
+            "console held at .*: no packet for 0.5 s",
+            "console neutral at .*: no packet for 2 s", "console live at"),
+            strict=True):
+        assert re.match(f"urv_gsc: {what}", line), line
+    counted = outputs.summary["console"]
+    assert (counted["held"], counted["neutral"]) == (1, 1)
+    assert (frames.all[-1].link["console_packets"] <= counted["packets"]
+            <= len(console.sent))
+    for kind, packet in (("console_held", held[0]),):
+        event = outputs.events[kind]
+        assert event["count"] == 1
+        assert abs(event["first_frame"] - packet.sequence) <= 1
+    assert outputs.events["console_neutral"]["count"] == 1
+
+
+def wrong_packets(console):
+    """What is no console packet, each with its reason."""
+    good = console.send(sequence=1).encode()
+    now = utc_us()
+
+    def put(offset, form, value):
+        data = bytearray(good)
+        struct.pack_into(">I", data, 12, 1_000_000)
+        struct.pack_into(">Q", data, 16, now)
+        struct.pack_into(f">{form}", data, offset, value)
+        return bytes(data)
+
+    yield "magic", put(0, "I", 0x55525646)
+    yield "version", put(4, "H", 2)
+    yield "length told", put(6, "H", 51)
+    yield "another run", put(8, "I", 99)
+    yield "sequence 0", put(12, "I", 0)
+    yield "old sequence", put(12, "I", 1)
+    yield "old", put(16, "Q", now - 2_000_000)
+    yield "of the future", put(16, "Q", now + 60_000_000)
+    yield "time 0", put(16, "Q", 0)
+    yield "last time", put(16, "Q", 2 ** 64 - 1)
+    for place in range(13):
+        yield f"word {place}", put(24 + 2 * place, "H", 0x1000)
+    yield "flags", put(50, "H", 2)
+    yield "short", put(0, "I", 0x55525643)[:-1]
+    yield "long", put(0, "I", 0x55525643) + b"\0"
+
+
+def test_gnd3_what_is_no_console_packet_is_counted_and_dropped(
+    start, station
+):
+    frames = station(Frames)
+    console = station(Console)
+    gsc = start("gsc", udp(*free_ports(2)), "--publish", frames.place,
+                "--console", console.place)
+    # The record begins with the second scan: all is as it was then.
+    frames.wait_for(3)
+    console.move(ONE)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.LIVE)
+    begun = len(frames.all) - 1
+    bad = frames.all[-1].link["console_bad"]
+    chance = random.Random(3)
+    cases = [*wrong_packets(console), ("empty", b""), *(
+        (f"{length} bytes", chance.randbytes(length))
+        for length in (1, 8, 51, 52, 53, 104, 105, 1_400, 9_000))]
+    # The good one that they are made from is an old one.
+    bad += 1
+    for why, data in cases:
+        console.send_bytes(data)
+        bad += 1
+        found = frames.wait_until(
+            lambda packet: packet.link["console_bad"] >= bad)
+        assert found.link["console_bad"] == bad, why
+    for packet in frames.all[begun:]:
+        assert sticks_of(packet) in (ONE, SAFE)
+        if packet.console_state == ConsoleState.LIVE:
+            assert sticks_of(packet) == ONE
+    outputs = gsc.stop()
+    assert outputs.summary["console"]["bad"] == bad
+
+
+def test_gnd3_the_first_console_keeps_the_sticks_while_it_is_there(
+    start, station
+):
+    frames = station(Frames)
+    console = station(Console)
+    gsc = start("gsc", udp(*free_ports(2)), "--publish", frames.place,
+                "--console", console.place)
+    frames.wait_for(3)
+    console.move(ONE)
+    frames.wait_until(lambda packet: sticks_of(packet) == ONE)
+    second = Console(int(console.place.rpartition(":")[2]), run=2)
+    second.move(OTHER)
+    frames.wait_until(lambda packet: packet.link["console_bad"] >= 20)
+    first = console.fall_silent()
+    taken = frames.wait_until(lambda packet: sticks_of(packet) == OTHER)
+    second.close()
+    gsc.stop()
+    silent = next(packet for packet in frames.all
+                  if sticks_of(packet) == OTHER)
+    assert taken.console_state == ConsoleState.LIVE
+    # The console's own thread may have stood still; never is it earlier.
+    gap_us = silent.time_us - first.time_us
+    sent = sorted(packet.time_us for packet in console.sent.values())
+    longest = max(later - earlier for earlier, later in zip(sent, sent[1:]))
+    assert gap_us >= 500_000 or longest >= 400_000
+
+
+def test_gnd5_the_pilot_flies_until_a_console_takes_the_sticks(
+    start_both, station
+):
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = moving(*start_both(gsc=(
+        "--publish", frames.place, "--console", console.place,
+        "--pilot", "level")))
+    begun = frames.wait_until(lambda packet: packet.pilot == Pilot.FLIES)
+    assert sticks_of(begun) != SAFE
+    console.move(ONE)
+    frames.wait_until(lambda packet: packet.pilot == Pilot.HANDS_OFF)
+    frames.wait_for(5)
+    console.move(OTHER, ConsoleFlags.PILOT_FLIES)
+    frames.wait_until(lambda packet: packet.pilot == Pilot.FLIES)
+    frames.wait_for(5)
+    console.move(THIRD)
+    frames.wait_until(lambda packet: sticks_of(packet) == THIRD)
+    # It flies on when a console that has handed over falls silent.
+    console.move(OTHER, ConsoleFlags.PILOT_FLIES)
+    frames.wait_until(lambda packet: packet.pilot == Pilot.FLIES)
+    console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.NEUTRAL
+        and packet.pilot == Pilot.FLIES)
+    mcs.stop()
+    gsc = gsc.stop()
+    frames.finish()
+    assert_like_the_record(frames.all, gsc.rows)
+    for packet in frames.all:
+        if packet.pilot == Pilot.FLIES:
+            assert packet.console_sequence == 0
+            assert sticks_of(packet) not in (ONE, OTHER, THIRD)
+        else:
+            assert packet.pilot == Pilot.HANDS_OFF
+            assert sticks_of(packet) in (ONE, THIRD, SAFE)
