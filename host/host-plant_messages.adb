@@ -15,7 +15,8 @@ package body Host.Plant_Messages is
 
    --  The fields of Flight_State, in order.
    type Truth_Item is
-     (Altitude, Airspeed, Bank, Pitch, Heading, Climb, Crashed);
+     (Altitude, Airspeed, Bank, Pitch, Heading, Climb, North, East, Wheels,
+      Crashed);
 
    Truth_Names : constant String :=
      "truth,altitude,ft" & Line_Feed
@@ -24,6 +25,9 @@ package body Host.Plant_Messages is
      & "truth,pitch,deg" & Line_Feed
      & "truth,heading,deg" & Line_Feed
      & "truth,climb,ft/s" & Line_Feed
+     & "truth,north,ft" & Line_Feed
+     & "truth,east,ft" & Line_Feed
+     & "truth,wheels,on ground" & Line_Feed
      & "truth,crashed,yes" & Line_Feed;
 
    Shown_Names : constant String :=
@@ -91,7 +95,8 @@ package body Host.Plant_Messages is
      (Message : State_Message;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
-      Shown   : out Shown_State)
+      Shown   : out Shown_State;
+      Errors  : Sensor_Values := Exact)
    is
       Last    : Stream_Element_Offset := 0;
       Value   : Long_Float;
@@ -99,7 +104,8 @@ package body Host.Plant_Messages is
    begin
       for Item in Sensor_Item loop
          Get (Message, Last, Value);
-         Sensors (Item) := To_Word (Value, Scaling.Sensors (Item));
+         Sensors (Item) :=
+           To_Word (Value + Errors (Item), Scaling.Sensors (Item));
       end loop;
       for Number of Numbers loop
          Get (Message, Last, Number);
@@ -111,14 +117,18 @@ package body Host.Plant_Messages is
          Pitch    => Numbers (Pitch),
          Heading  => Numbers (Heading),
          Climb    => Numbers (Climb),
+         North    => Numbers (North),
+         East     => Numbers (East),
+         Wheels   => Numbers (Wheels),
          Crashed  => Numbers (Crashed) /= 0.0);
       for Number of Shown loop
          Get (Message, Last, Number);
       end loop;
    end Read;
 
-   function Introduction (Shown_After : Step_Count)
-                          return Stream_Element_Array
+   function Introduction
+     (Shown_After : Step_Count;
+      Further     : String := "") return Stream_Element_Array
    is
       Text : Unbounded_String;
    begin
@@ -141,7 +151,7 @@ package body Host.Plant_Messages is
          & Time_Line ("frame", Ticks_Per_Major_Frame, "ticks")
          & Time_Line ("scan", Ticks_To_Scan, "ticks")
          & Time_Line ("shown", Shown_After, "ticks")
-         & Line_Feed);
+         & Further & Line_Feed);
 
       return Bytes : Stream_Element_Array
         (1 .. Stream_Element_Offset (Length (Text)))

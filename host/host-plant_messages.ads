@@ -20,6 +20,11 @@ package Host.Plant_Messages is
       Heading  : Long_Float := 0.0;      --  deg, 0 up to 360, true
       Climb    : Long_Float := 0.0;      --  ft/s
 
+      --  From where the flight begins, and the wheels on the ground.
+      North    : Long_Float := 0.0;      --  ft
+      East     : Long_Float := 0.0;      --  ft
+      Wheels   : Long_Float := 0.0;
+
       --  It has touched the ground with something other than its wheels.
       --  From then on neither state nor sensors change.
       Crashed  : Boolean := False;
@@ -35,10 +40,17 @@ package Host.Plant_Messages is
    --  A step is a tick long.
    subtype Step_Count is Positive range 1 .. Ticks_Per_Major_Frame;
 
+   --  What is wrong with what the sensors measure, in their scales' units.
+   type Sensor_Values is array (Sensor_Item) of Long_Float;
+
+   Exact : constant Sensor_Values := (others => 0.0);
+
    --  The names and units of all numbers to be sent and received, and the
-   --  times. What is shown is taken after so many steps.
-   function Introduction (Shown_After : Step_Count)
-                          return Stream_Element_Array;
+   --  times. What is shown is taken after so many steps. Further lines say
+   --  what else the plant has to know.
+   function Introduction
+     (Shown_After : Step_Count;
+      Further     : String := "") return Stream_Element_Array;
 
    --  The line that answers an introduction, if nothing is wrong.
    Ready : constant String := "ready";
@@ -50,7 +62,7 @@ package Host.Plant_Messages is
      Stream_Element_Array
        (1 .. (Servo_Item'Pos (Servo_Item'Last) + 1) * Bytes_Per_Number);
 
-   Truth_Count : constant := 7;
+   Truth_Count : constant := 10;
 
    subtype State_Message is
      Stream_Element_Array
@@ -61,11 +73,12 @@ package Host.Plant_Messages is
    function To_Message (Servos : PWM_Buffer) return Command_Message;
 
    --  Sensors are those Ticks_To_Scan after the frame's beginning, when the
-   --  aircraft's next scan begins; Truth is at its end.
+   --  aircraft's next scan begins, with their errors; Truth is at its end.
    procedure Read
      (Message : State_Message;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
-      Shown   : out Shown_State);
+      Shown   : out Shown_State;
+      Errors  : Sensor_Values := Exact);
 
 end Host.Plant_Messages;

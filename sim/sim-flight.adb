@@ -12,6 +12,7 @@ with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
 with Host.Text_Output;
+with Sim.Conditions;
 with Sim.Engine;
 with Sim.Faults;
 with Sim.Flight_Quality;
@@ -19,6 +20,7 @@ with Sim.Flight_Record;
 with Sim.JSBSim;
 with Sim.Latency;
 with Sim.Nodes;
+with Sim.Noise;
 with Sim.Outputs;         use Sim.Outputs;
 with Sim.Progress;
 with Sim.Signals;
@@ -42,18 +44,22 @@ package body Sim.Flight is
    --  Everything that a flight reads, writes and remembers. There is one
    --  flight.
 
-   Sticks  : Stick_Scripts.Script;
-   Sensors : Sensor_Scripts.Script;
-   Faults  : Sim.Faults.Script;
-   Files   : File_Set;
+   Sticks     : Stick_Scripts.Script;
+   Sensors    : Sensor_Scripts.Script;
+   Faults     : Sim.Faults.Script;
+   Conditions : Sim.Conditions.Script;
+   Files      : File_Set;
 
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
+   Chance   : Noise.Source;
    Truth    : Flight_State;
    Shown    : Shown_State := (others => 0.0);
    Delays   : Latency.Collector;
 
    procedure Load_Inputs (Chosen : Choices);
+
+   procedure Start_Aircraft (Chosen : Choices);
 
    --  The console's words change, at Time.
    procedure Move_Console (Words : Console_Words; Time : Microseconds);
@@ -104,6 +110,20 @@ package body Sim.Flight is
         ((Major_Frame - (Lag_Of (Chosen) + PWM_Offset) mod Major_Frame)
          / Tick_Time));
 
+   procedure Start_Aircraft (Chosen : Choices) is
+      Begins : constant Sim.Conditions.Start_Place :=
+        Sim.Conditions.Place
+          (Conditions, Otherwise => Sim.Conditions.In_The_Air);
+      Errors : Sensor_Values;
+   begin
+      Chance := Noise.Seeded (Chosen.Seed, Noise.The_Sensors);
+      Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
+      JSBSim.Start
+        (Steps_To_Row (Chosen),
+         Sim.Conditions.Introduction (Conditions, Chosen.Seed, Begins),
+         Errors, Measured, Truth, Shown);
+   end Start_Aircraft;
+
    procedure Load_Inputs (Chosen : Choices) is
    begin
       if Given (Chosen.Inputs (Stick_File)) then
@@ -115,6 +135,10 @@ package body Sim.Flight is
       end if;
       if Given (Chosen.Inputs (Fault_File)) then
          Sim.Faults.Load (Faults, To_String (Chosen.Inputs (Fault_File)));
+      end if;
+      if Given (Chosen.Inputs (Condition_File)) then
+         Sim.Conditions.Load
+           (Conditions, To_String (Chosen.Inputs (Condition_File)));
       end if;
    end Load_Inputs;
 
@@ -136,6 +160,7 @@ package body Sim.Flight is
    procedure Step_Plant (Chosen : Choices; Time : Microseconds) is
       Servos : constant PWM_Buffer := Nodes.Servos;
       Moved  : Sensor_Words := Measured;
+      Errors : Sensor_Values;
    begin
       Latency.PWM_Written (Delays, Time, Servos);
 
@@ -149,7 +174,8 @@ package body Sim.Flight is
             end loop;
 
          when JSBSim_Plant =>
-            Sim.JSBSim.Step (Servos, Measured, Truth, Shown);
+            Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
+            Sim.JSBSim.Step (Servos, Errors, Measured, Truth, Shown);
       end case;
       Engine.Set_Sensors (Measured);
    end Step_Plant;
@@ -352,7 +378,7 @@ package body Sim.Flight is
          Seed       => Chosen.Seed,
          Processors => Chosen.Processors);
       if Chosen.Plant = JSBSim_Plant then
-         JSBSim.Start (Steps_To_Row (Chosen), Measured, Truth, Shown);
+         Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);
       else
          Bench.Start;

@@ -5,30 +5,34 @@ with Sim.JSBSim.Process;
 package body Sim.JSBSim is
 
    procedure Receive_State
-     (Sensors : out Sensor_Words;
+     (Errors  : Sensor_Values;
+      Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State);
 
    procedure Receive_State
-     (Sensors : out Sensor_Words;
+     (Errors  : Sensor_Values;
+      Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State)
    is
       Message : State_Message;
    begin
       Process.Receive (Message);
-      Read (Message, Sensors, Truth, Shown);
+      Read (Message, Sensors, Truth, Shown, Errors);
    end Receive_State;
 
    procedure Start
      (Shown_After : Step_Count;
+      Further     : String;
+      Errors      : Sensor_Values;
       Sensors     : out Sensor_Words;
       Truth       : out Flight_State;
       Shown       : out Shown_State) is
    begin
       Stop;
       Process.Spawn;
-      Process.Send (Introduction (Shown_After));
+      Process.Send (Introduction (Shown_After, Further));
       declare
          Answer : constant String := Process.Received_Line;
       begin
@@ -36,7 +40,7 @@ package body Sim.JSBSim is
             Process.Give_Up (Answer);
          end if;
       end;
-      Receive_State (Sensors, Truth, Shown);
+      Receive_State (Errors, Sensors, Truth, Shown);
    exception
       when Plant_Failure =>
          Process.Give_Up ("plant.py has failed");
@@ -44,12 +48,13 @@ package body Sim.JSBSim is
 
    procedure Step
      (Servos  : PWM_Buffer;
+      Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State) is
    begin
       Process.Send (To_Message (Servos));
-      Receive_State (Sensors, Truth, Shown);
+      Receive_State (Errors, Sensors, Truth, Shown);
    end Step;
 
    procedure Stop is

@@ -18,19 +18,24 @@ package Sim.JSBSim is
    Plant_Failure : exception;
 
    --  The aircraft, trimmed in level flight at 70 kt, 1000 ft above the
-   --  field, heading east, with neutral servos. Raises Bad_Input when the
-   --  interpreter, the script or JSBSim is missing.
+   --  field, heading east, with neutral servos, unless Further lines of the
+   --  introduction say otherwise. Raises Bad_Input when the interpreter, the
+   --  script or JSBSim is missing.
    procedure Start
      (Shown_After : Step_Count;
+      Further     : String;
+      Errors      : Sensor_Values;
       Sensors     : out Sensor_Words;
       Truth       : out Flight_State;
       Shown       : out Shown_State);
 
    --  The servos' words are held for a major frame. Sensors are those
    --  Ticks_To_Scan after its beginning, when the aircraft's next scan
-   --  begins; Truth is at its end, Shown after the steps that were chosen.
+   --  begins, with their errors; Truth is at its end, Shown after the steps
+   --  that were chosen.
    procedure Step
      (Servos  : PWM_Buffer;
+      Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State);

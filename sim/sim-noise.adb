@@ -45,6 +45,31 @@ package body Sim.Noise is
       return Source (Value);
    end Seeded;
 
+   function Seeded (Seed : Seed_Number; Whose : Observer) return Source is
+      Splitter : Source := Seeded (Seed, Direction'Last);
+      Value    : Unsigned_64;
+   begin
+      for Each in Observer'First .. Whose loop
+         Next (Splitter, Value);
+      end loop;
+      return Source (Value);
+   end Seeded;
+
+   procedure Draw (From : in out Source; Value : out Long_Float) is
+      Draws : constant := 12;
+      Units : Unsigned_64;
+      Sum   : Unsigned_64 := 0;
+   begin
+      for Each in 1 .. Draws loop
+         Next (From, Units);
+         Sum := Sum + Shift_Right (Units, 12);
+      end loop;
+      Value := Long_Float (Sum) / 2.0 ** 52 - Long_Float (Draws) / 2.0;
+   end Draw;
+
+   function To_Seed (From : Source) return Positive is
+     (1 + Positive (From mod 2 ** 30));
+
    function To_Level (Rate : Faults.Probability) return Level is
       Units : constant Unsigned_64 :=
         (if Rate >= 1.0 then Unsigned_64'Last

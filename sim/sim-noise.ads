@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Bit errors by chance (fault "ber"): each of the nine bits of a character
---  flips with the same probability, independent of all others.
+--  What happens by chance. Bit errors (fault "ber"): each of the nine bits of
+--  a character flips with the same probability, independent of all others.
+--  And errors of what is measured or seen.
 --
 --  The numbers come from SplitMix64 (Steele, Lea, Flood: Fast Splittable
 --  Pseudorandom Number Generators, 2014). All arithmetic is on whole
@@ -21,6 +22,19 @@ package Sim.Noise is
 
    --  Two directions of one seed have nothing to do with each other.
    function Seeded (Seed : Seed_Number; Way : Direction) return Source;
+
+   --  Whose errors are drawn besides. They have nothing to do with each
+   --  other, nor with a direction of the link.
+   type Observer is (The_Sensors, The_Eyes, The_Air);
+
+   function Seeded (Seed : Seed_Number; Whose : Observer) return Source;
+
+   --  A number near zero with a standard deviation of one: the sum of twelve
+   --  even ones. It is never beyond six.
+   procedure Draw (From : in out Source; Value : out Long_Float);
+
+   --  A whole number that seeds another program.
+   function To_Seed (From : Source) return Positive;
 
    --  What a probability comes to, in units of 2**-64. One becomes
    --  1 - 2**-64.

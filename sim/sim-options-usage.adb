@@ -2,6 +2,7 @@
 
 with Host.Pilot;
 with Host.Text_Numbers;
+with Sim.Conditions;
 with Sim.Faults;
 
 package body Sim.Options.Usage is
@@ -48,7 +49,9 @@ package body Sim.Options.Usage is
          Put ("                    (nobody); needs --plant jsbsim");
          Put ("  --sensors FILE    the bench's sensors, CSV (neutral)");
          Put ("  --faults FILE     what goes wrong (nothing)");
-         Put ("  --seed N          for random faults (1)");
+         Put ("  --conditions FILE wind, ballast, errors of sensors (none);");
+         Put ("                    needs --plant jsbsim");
+         Put ("  --seed N          of all that happens by chance (1)");
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
               & Phase_Ticks'Last'Image & " ("
               & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
@@ -67,6 +70,11 @@ package body Sim.Options.Usage is
          Put ("faults, one a line; # starts a comment");
          for Kind in Faults.Fault_Kind loop
             Put ("  " & Faults.Form_Of (Kind));
+         end loop;
+         Put ("");
+         Put ("conditions, one a line; # starts a comment");
+         for Kind in Conditions.Condition_Kind loop
+            Put ("  " & Conditions.Form_Of (Kind));
          end loop;
          Put ("");
          Put ("exit status: 0 flown, 1 an output cannot be written or an");

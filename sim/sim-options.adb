@@ -13,7 +13,8 @@ package body Sim.Options is
 
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
-      Sensors_Option, Faults_Option, Seed_Option, Phase_Option,
+      Sensors_Option, Faults_Option, Conditions_Option, Seed_Option,
+      Phase_Option,
       Processors_Option, Record_Option, Summary_Option, Wire_Option,
       Events_Option, Pace_Option, Quiet_Option);
 
@@ -30,6 +31,7 @@ package body Sim.Options is
          when Pilot_Option      => "--pilot",
          when Sensors_Option    => "--sensors",
          when Faults_Option     => "--faults",
+         when Conditions_Option => "--conditions",
          when Seed_Option       => "--seed",
          when Phase_Option      => "--phase",
          when Processors_Option => "--processors",
@@ -42,9 +44,10 @@ package body Sim.Options is
 
    function Name (File : Input_File) return String is
      (case File is
-         when Stick_File  => Name (Sticks_Option),
-         when Sensor_File => Name (Sensors_Option),
-         when Fault_File  => Name (Faults_Option));
+         when Stick_File     => Name (Sticks_Option),
+         when Sensor_File    => Name (Sensors_Option),
+         when Fault_File     => Name (Faults_Option),
+         when Condition_File => Name (Conditions_Option));
 
    function Name (File : Output_File) return String is
      (case File is
@@ -192,6 +195,8 @@ package body Sim.Options is
             Chosen.Inputs (Sensor_File) := To_Unbounded_String (Value);
          when Faults_Option  =>
             Chosen.Inputs (Fault_File) := To_Unbounded_String (Value);
+         when Conditions_Option =>
+            Chosen.Inputs (Condition_File) := To_Unbounded_String (Value);
          when Record_Option  =>
             Chosen.Outputs (Record_File) := To_Unbounded_String (Value);
          when Summary_Option =>
@@ -273,6 +278,11 @@ package body Sim.Options is
          Refuse
            (Name (Sensors_Option) & " and " & Name (Plant_Option)
             & " jsbsim do not go together");
+      elsif Given (Conditions_Option) and then Chosen.Plant /= JSBSim_Plant
+      then
+         Refuse
+           (Name (Conditions_Option) & " are those of an aircraft: add "
+            & Name (Plant_Option) & " jsbsim");
       elsif Given (Pilot_Option) then
          if not Pilot.Exists (To_String (Chosen.Pilot)) then
             Refuse_Value

@@ -27,7 +27,8 @@ package Sim.Options is
 
    subtype Seed_Number is Noise.Seed_Number;
 
-   type Input_File is (Stick_File, Sensor_File, Fault_File);
+   type Input_File is
+     (Stick_File, Sensor_File, Fault_File, Condition_File);
    type Output_File is (Record_File, Summary_File, Wire_File, Event_File);
 
    --  Names of files. An empty one was not given.

@@ -11,7 +11,8 @@ Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor,
 truth or shown, and an empty line. They are the numbers it will send and wants
 to receive, in that order. Lines time,NAME,VALUE UNIT say how long a tick is
 (tick, in us), and how many of them are a frame (frame) and pass until the
-sensors are measured (scan) and what is shown is taken (shown). The answer is
+sensors are measured (scan) and what is shown is taken (shown). Lines
+condition,NAME,VALUES say what is not as usual: see CONDITIONS. The answer is
 one line: "ready", or what is wrong.
 
 Then for every major frame: the servos' commands come in and are held for the
@@ -45,6 +46,21 @@ MIXTURE = 0.9
 
 START_ENGINE_S = 2
 SETTLE_S = 90
+
+# On the runway: the wheels' springs carry it at this height.
+STANDING_FT = 1.6
+STAND_S = 6
+
+# Conditions of a flight, and how many numbers each has. A start on the runway
+# has none: the aircraft stands there, brake on, and looks down it.
+# turbulence is Dryden's (MIL-F-8785C), given by the wind 20 ft above the
+# ground. ballast is a weight in lb and how far aft of the centre of gravity
+# it is in inches. seed is that of the turbulence.
+CONDITIONS = {"start": 0, "wind": 2, "turbulence": 1, "ballast": 2, "seed": 1}
+DRYDEN = 3
+SEVERITY = 3
+FPS_PER_KT = 1.0 / 0.592484
+CG_IN = 40.0
 
 DEG = math.degrees(1.0)
 KM_PER_FT = 0.3048e-3
@@ -108,6 +124,9 @@ TRUTH = {
     "pitch": ("deg", "attitude/theta-deg", 1.0, 0.0),
     "heading": ("deg", "attitude/psi-deg", 1.0, 0.0),
     "climb": ("ft/s", "velocities/h-dot-fps", 1.0, 0.0),
+    "north": ("ft", "plant/north-ft", 1.0, 0.0),
+    "east": ("ft", "plant/east-ft", 1.0, 0.0),
+    "wheels": ("on ground", "plant/wheels", 1.0, 0.0),
     "crashed": ("yes", "plant/crashed", 1.0, 0.0),
 }
 
@@ -163,23 +182,29 @@ class Times(NamedTuple):
 class Aircraft:
     """A settled aircraft, its servos' inputs and its sensors' outputs."""
 
-    def __init__(self, servos, sensors, truth, shown, times):
+    def __init__(self, servos, sensors, truth, shown, times, conditions=()):
         self.times = times
+        self.conditions = conditions
         self.fdm = fdm = load_jsbsim(times.tick / 1e6)
         self.tree = fdm.get_property_manager()
+        stands = "start" in conditions
         for name, value in (
                 ("ic/terrain-elevation-ft", FIELD_FT),
-                ("ic/h-sl-ft", FIELD_FT + START_ALTITUDE_FT),
-                ("ic/vc-kts", START_SPEED_KT),
+                ("ic/h-sl-ft", FIELD_FT + (
+                    STANDING_FT if stands else START_ALTITUDE_FT)),
+                ("ic/vc-kts", 0.0 if stands else START_SPEED_KT),
                 ("ic/psi-true-deg", START_HEADING_DEG),
                 ("fcs/mixture-cmd-norm", MIXTURE),
                 ("plant/crashed", 0.0),
                 ("plant/north-ft", 0.0),
                 ("plant/east-ft", 0.0),
+                ("plant/wheels", 0.0),
                 ("radio/uplink-dbm", 0.0)):
             fdm[name] = value
         if not fdm.run_ic():
             raise Refused("JSBSim does not accept the initial condition")
+        self.load_ballast()
+        self.blow()
 
         self.servos = [self.node(SERVOS, *item)[0] for item in servos]
         self.sensors = [self.node(SENSORS, *item) for item in sensors]
@@ -193,11 +218,18 @@ class Aircraft:
         self.crashed = self.tree.get_node("plant/crashed")
         self.flown = (self.tree.get_node("plant/north-ft"),
                       self.tree.get_node("plant/east-ft"))
-        self.settle()
+        self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
+                       for wheel in range(3)]
+        self.standing = self.tree.get_node("plant/wheels")
+        if stands:
+            self.stand()
+        else:
+            self.settle()
+        self.stir()
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
         self.measure_signal()
-        self.last = (self.read(self.sensors), self.read(self.truth),
+        self.last = (self.read(self.sensors), self.read_truth(),
                      self.read_shown())
 
     def node(self, table, name, unit):
@@ -217,11 +249,58 @@ class Aircraft:
         return [node.get_double_value() * factor + offset
                 for node, factor, offset in items]
 
-    def read_shown(self):
+    def find_place(self):
         for node, now, start in zip(
                 self.flown, (self.north, self.east), self.station):
             node.set_double_value(now.get_double_value() - start)
+
+    def read_shown(self):
+        self.find_place()
         return self.read(self.shown)
+
+    def read_truth(self):
+        self.find_place()
+        self.standing.set_double_value(
+            sum(wheel.get_double_value() for wheel in self.wheels))
+        return self.read(self.truth)
+
+    def load_ballast(self):
+        if "ballast" in self.conditions:
+            weight, aft = self.conditions["ballast"]
+            self.fdm["inertia/pointmass-weight-lbs"] = weight
+            self.fdm["inertia/pointmass-location-X-inches"] = CG_IN + aft
+
+    def blow(self):
+        """The wind blows from the beginning on."""
+        if "wind" in self.conditions:
+            heading, speed = self.conditions["wind"]
+            for axis, share in (("north", math.cos), ("east", math.sin)):
+                self.fdm[f"atmosphere/wind-{axis}-fps"] = (
+                    -speed * FPS_PER_KT * share(math.radians(heading)))
+
+    def stir(self):
+        """Turbulence comes when the aircraft has settled."""
+        if "turbulence" in self.conditions:
+            fdm = self.fdm
+            speed, = self.conditions["turbulence"]
+            for seed in self.conditions.get("seed", ()):
+                fdm["atmosphere/randomseed"] = seed
+            fdm["atmosphere/turb-type"] = DRYDEN
+            fdm["atmosphere/turbulence/milspec/severity"] = SEVERITY
+            fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = (
+                speed * FPS_PER_KT)
+
+    def stand(self):
+        """Starts the engine on the runway, with the brake on."""
+        fdm = self.fdm
+        fdm["propulsion/magneto_cmd"] = 3
+        fdm["propulsion/starter_cmd"] = 1
+        fdm["servo/brake-pct"] = 100.0
+        ticks = 1e6 / self.times.tick
+        for tick in range(round(STAND_S * ticks)):
+            if tick == round(START_ENGINE_S * ticks):
+                fdm["propulsion/starter_cmd"] = 0
+            fdm.run()
 
     def settle(self):
         """Starts the engine and flies level until nothing moves any more.
@@ -311,7 +390,7 @@ class Aircraft:
             sensors, truth, shown = self.last
             self.last = (sensors, truth[:-1] + [1.0], shown)
         else:
-            self.last = (sensors, self.read(self.truth), shown)
+            self.last = (sensors, self.read_truth(), shown)
         return self.last
 
 
@@ -328,7 +407,8 @@ def receive(link, length):
 
 def read_items(link):
     """What the other side sends and wants: {kind: [(name, unit)]}."""
-    items = {"servo": [], "sensor": [], "truth": [], "shown": [], "time": []}
+    items = {"servo": [], "sensor": [], "truth": [], "shown": [], "time": [],
+             "condition": []}
     with link.makefile("r", encoding="ascii", newline="\n") as lines:
         for line in lines:
             if line == "\n":
@@ -338,13 +418,25 @@ def read_items(link):
     raise Refused("the connection ended before the flight began")
 
 
+def read_conditions(items):
+    """The numbers of each condition by its name."""
+    found = {}
+    for name, values in items:
+        if name not in CONDITIONS:
+            raise Refused(f"the plant knows no condition {name}")
+        found[name] = ([float(value) for value in values.split()]
+                       if CONDITIONS[name] else [])
+    return found
+
+
 def serve(link):
     try:
         items = read_items(link)
         times = Times(**{name: int(value.split()[0])
                          for name, value in items["time"]})
         aircraft = Aircraft(items["servo"], items["sensor"], items["truth"],
-                            items["shown"], times)
+                            items["shown"], times,
+                            read_conditions(items["condition"]))
     except Refused as refusal:
         link.sendall(f"{refusal}\n".encode())
         return

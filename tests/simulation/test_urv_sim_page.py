@@ -41,7 +41,7 @@ def told(urv_sim):
 
 def test_the_page_has_every_option_and_no_other(told):
     of_help = re.findall(r"^  (--[a-z]+(?: [A-Z]+)?)", told, re.M)
-    assert len(of_help) == 15
+    assert len(of_help) == 16
     assert names_in("Options of `fly`") == of_help
     on_page = {option for code in [*CODE, *(text for _, text in BLOCKS)]
                for option in re.findall(r"(?<![\w-])--[a-z]+", code)}
@@ -53,6 +53,13 @@ def test_the_page_has_every_fault_and_no_other(told):
     of_help = re.findall(r"^  (TIME_MS .*)$", told, re.M)
     assert len(of_help) == 11
     assert [form.strip("`") for form, *_ in rows("Faults")[1:]] == of_help
+
+
+def test_the_page_has_every_condition_and_no_other(told):
+    listed = told.partition("\nconditions, one a line")[2].partition("\n\n")
+    of_help = [line.strip() for line in listed[0].splitlines()[1:]]
+    assert len(of_help) == 6
+    assert [form.strip("`") for form, *_ in rows("Conditions")[1:]] == of_help
 
 
 def test_the_page_has_every_column_and_field(tmp_path):

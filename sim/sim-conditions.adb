@@ -1,0 +1,367 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Host.Complaints;   use Host.Complaints;
+with Host.Names;
+with Host.Text_Input;   use Host.Text_Input;
+with Host.Text_Numbers; use Host.Text_Numbers;
+with URV.Buffers;       use URV.Buffers;
+
+package body Sim.Conditions is
+
+   use type Number;
+
+   --  A line has at most so many words; one more is too many of any kind.
+   Most_Words : constant := 4;
+   type Slice is record
+      First : Positive := 1;
+      Last  : Natural  := 0;
+   end record;
+   type Slice_List is array (1 .. Most_Words) of Slice;
+
+   Line_Feed : constant Character := ASCII.LF;
+
+   --  What has been said in the file, to find what is said twice.
+   type Sensor_Set is array (Sensor_Item) of Boolean;
+   type Kind_Set is array (Condition_Kind) of Boolean;
+   type Mentioned is record
+      Biases  : Sensor_Set := (others => False);
+      Spreads : Sensor_Set := (others => False);
+      Kinds   : Kind_Set   := (others => False);
+   end record;
+
+   function Name (Kind : Condition_Kind) return String is
+     (case Kind is
+         when Start      => "start",
+         when Wind       => "wind",
+         when Turbulence => "turbulence",
+         when Ballast    => "ballast",
+         when Bias       => "bias",
+         when Noisiness  => "noise");
+
+   function Name (Place : Start_Place) return String is
+     (case Place is
+         when In_The_Air    => "air",
+         when On_The_Runway => "runway");
+
+   --  What follows the name.
+   function Parameters (Kind : Condition_Kind) return String is
+     (case Kind is
+         when Start      => " air|runway",
+         when Wind       => " FROM_DEG KT",
+         when Turbulence => " KT",
+         when Ballast    => " LB INCHES_AFT",
+         when Bias       => " SENSOR VALUE",
+         when Noisiness  => " SENSOR VALUE");
+
+   function Parameter_Count (Kind : Condition_Kind) return Positive is
+     (case Kind is
+         when Start | Turbulence => 1,
+         when others             => 2);
+
+   function Form_Of (Kind : Condition_Kind) return String is
+     (Name (Kind) & Parameters (Kind));
+
+   function Names_From (Kind : Condition_Kind) return String is
+     (Name (Kind)
+      & (if Kind = Condition_Kind'Last then ""
+         else ", " & Names_From (Condition_Kind'Succ (Kind))));
+
+   function Sensors_From (Item : Sensor_Item) return String is
+     (Names.Name (Item)
+      & (if Item = Sensor_Item'Last then ""
+         else ", " & Sensors_From (Sensor_Item'Succ (Item))));
+
+   procedure Split
+     (Line  : String;
+      Words : out Slice_List;
+      Count : out Natural);
+
+   --  A number from Least to Most, with a sign before it or not.
+   procedure Read_Number
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      Least, Most : Integer;
+      Value       : out Long_Float);
+
+   procedure Read_Kind
+     (From : Reader; Word : String; Kind : out Condition_Kind);
+
+   procedure Read_Sensor
+     (From : Reader; Word : String; Item : out Sensor_Item);
+
+   procedure Read_Start
+     (From : Reader; Word : String; Loaded : in out Script);
+
+   --  A bias or a noise of a sensor.
+   procedure Read_Error
+     (From        : Reader;
+      Kind        : Condition_Kind;
+      Item, Value : String;
+      Before      : in out Sensor_Set;
+      Errors      : in out Sensor_Values)
+     with Pre => Kind in Bias | Noisiness;
+
+   procedure Read_Condition
+     (From   : Reader;
+      Line   : String;
+      Loaded : in out Script;
+      Before : in out Mentioned);
+
+   procedure Split
+     (Line  : String;
+      Words : out Slice_List;
+      Count : out Natural)
+   is
+      Inside : Boolean := False;
+   begin
+      Words := (others => <>);
+      Count := 0;
+      for Index in Line'Range loop
+         if Line (Index) in ' ' | ASCII.HT then
+            Inside := False;
+         else
+            if not Inside and then Count < Most_Words then
+               Count := Count + 1;
+               Words (Count).First := Index;
+            end if;
+            Inside := True;
+            Words (Count).Last := Index;
+         end if;
+      end loop;
+   end Split;
+
+   procedure Read_Number
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      Least, Most : Integer;
+      Value       : out Long_Float)
+   is
+      Decimals    : constant := 6;
+      Unit        : constant Long_Float := 10.0 ** Decimals;
+      Is_Negative : constant Boolean :=
+        Word'Length > 0 and then Word (Word'First) = '-';
+      Amount      : Number;
+      Is_Valid    : Boolean;
+   begin
+      Read_Decimal
+        (Word (Word'First + (if Is_Negative then 1 else 0) .. Word'Last),
+         Decimals, Amount, Is_Valid);
+      if Is_Valid and then Amount <= 2 ** 52 then
+         Value := Long_Float (Amount) / Unit;
+         if Is_Negative then
+            Value := -Value;
+         end if;
+         Is_Valid := Value in Long_Float (Least) .. Long_Float (Most);
+      else
+         Value := 0.0;
+         Is_Valid := False;
+      end if;
+      if not Is_Valid then
+         Refuse
+           (From,
+            What & ": " & Quoted (Word) & " is not a number from "
+            & Image (Long_Long_Integer (Least)) & " to "
+            & Image (Long_Long_Integer (Most)) & " with at most"
+            & Integer'Image (Decimals) & " decimals");
+      end if;
+   end Read_Number;
+
+   procedure Read_Kind
+     (From : Reader; Word : String; Kind : out Condition_Kind) is
+   begin
+      for Known in Condition_Kind loop
+         if Name (Known) = Word then
+            Kind := Known;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (From,
+         "unknown condition " & Quoted (Word) & "; there are "
+         & Names_From (Condition_Kind'First));
+   end Read_Kind;
+
+   procedure Read_Sensor
+     (From : Reader; Word : String; Item : out Sensor_Item) is
+   begin
+      for Known in Sensor_Item loop
+         if Names.Name (Known) = Word then
+            Item := Known;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (From,
+         "unknown sensor " & Quoted (Word) & "; there are "
+         & Sensors_From (Sensor_Item'First));
+   end Read_Sensor;
+
+   procedure Read_Start
+     (From : Reader; Word : String; Loaded : in out Script) is
+   begin
+      for Known in Start_Place loop
+         if Name (Known) = Word then
+            Loaded.Begins    := Known;
+            Loaded.Has_Start := True;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (From,
+         "start: " & Quoted (Word) & " is neither """ & Name (In_The_Air)
+         & """ nor """ & Name (On_The_Runway) & """");
+   end Read_Start;
+
+   procedure Read_Error
+     (From        : Reader;
+      Kind        : Condition_Kind;
+      Item, Value : String;
+      Before      : in out Sensor_Set;
+      Errors      : in out Sensor_Values)
+   is
+      --  More than any sensor measures.
+      Most   : constant := 10_000;
+      Least  : constant Integer := (if Kind = Bias then -Most else 0);
+      Sensor : Sensor_Item;
+   begin
+      Read_Sensor (From, Item, Sensor);
+      if Before (Sensor) then
+         Refuse
+           (From, Name (Kind) & " of " & Item & " is given twice");
+      end if;
+      Before (Sensor) := True;
+      Read_Number (From, "VALUE", Value, Least, Most, Errors (Sensor));
+   end Read_Error;
+
+   procedure Read_Condition
+     (From   : Reader;
+      Line   : String;
+      Loaded : in out Script;
+      Before : in out Mentioned)
+   is
+      Words  : Slice_List;
+      Count  : Natural;
+      Kind   : Condition_Kind;
+      Unused : Long_Float;
+
+      function Word (Index : Positive) return String is
+        (Line (Words (Index).First .. Words (Index).Last));
+
+      procedure Check (Index : Positive; What : String; Least, Most : Integer);
+
+      procedure Check (Index : Positive; What : String; Least, Most : Integer)
+      is
+      begin
+         Read_Number (From, What, Word (Index), Least, Most, Unused);
+      end Check;
+   begin
+      Split (Line, Words, Count);
+      Read_Kind (From, Word (1), Kind);
+      if Count - 1 /= Parameter_Count (Kind) then
+         Refuse
+           (From, "a condition of this kind is written " & Form_Of (Kind));
+      end if;
+
+      case Kind is
+         when Bias =>
+            Read_Error
+              (From, Kind, Word (2), Word (3), Before.Biases, Loaded.Biases);
+            return;
+         when Noisiness =>
+            Read_Error
+              (From, Kind, Word (2), Word (3), Before.Spreads,
+               Loaded.Spreads);
+            return;
+         when Start      => Read_Start (From, Word (2), Loaded);
+         when Wind       =>
+            Check (2, "FROM_DEG", 0, 360);
+            Check (3, "KT", 0, 60);
+         when Turbulence => Check (2, "KT", 0, 60);
+         when Ballast    =>
+            Check (2, "LB", -40, 40);
+            Check (3, "INCHES_AFT", -40, 40);
+      end case;
+
+      if Before.Kinds (Kind) then
+         Refuse (From, Name (Kind) & " is given twice");
+      end if;
+      Before.Kinds (Kind) := True;
+      if Kind /= Start then
+         Texts.Append
+           (Loaded.Lines,
+            "condition," & Name (Kind) & ',' & Word (2)
+            & (if Count > 2 then ' ' & Word (3) else "") & Line_Feed);
+      end if;
+   end Read_Condition;
+
+   procedure Load (Loaded : in out Script; File : String) is
+      From   : Reader;
+      Found  : Boolean;
+      Before : Mentioned;
+   begin
+      Loaded.Is_Given := True;
+      Open (From, File);
+      loop
+         Next_Line (From, Found);
+         exit when not Found;
+
+         declare
+            Text    : constant String := Line (From);
+            Comment : Positive := Text'First;
+         begin
+            while Comment <= Text'Last and then Text (Comment) /= '#' loop
+               Comment := Comment + 1;
+            end loop;
+
+            declare
+               Said : constant String :=
+                 Trimmed (Text (Text'First .. Comment - 1));
+            begin
+               if Said /= "" then
+                  Read_Condition (From, Said, Loaded, Before);
+               end if;
+            end;
+         end;
+      end loop;
+   end Load;
+
+   function Place
+     (Given : Script; Otherwise : Start_Place) return Start_Place
+   is (if Given.Has_Start then Given.Begins else Otherwise);
+
+   function Introduction
+     (Given : Script;
+      Seed  : Noise.Seed_Number;
+      From  : Start_Place) return String
+   is
+      Seeded : constant Positive :=
+        Noise.To_Seed (Noise.Seeded (Seed, Noise.The_Air));
+   begin
+      return
+        (if From = On_The_Runway
+         then "condition,start," & Name (From) & Line_Feed else "")
+        & (if Given.Is_Given
+           then Texts.To_String (Given.Lines) & "condition,seed,"
+                & Image (Long_Long_Integer (Seeded)) & Line_Feed
+           else "");
+   end Introduction;
+
+   procedure Draw_Errors
+     (Given  : Script;
+      From   : in out Noise.Source;
+      Errors : out Sensor_Values)
+   is
+      Drawn : Long_Float;
+   begin
+      Errors := Given.Biases;
+      for Item in Sensor_Item loop
+         if Given.Spreads (Item) > 0.0 then
+            Noise.Draw (From, Drawn);
+            Errors (Item) := Errors (Item) + Drawn * Given.Spreads (Item);
+         end if;
+      end loop;
+   end Draw_Errors;
+
+end Sim.Conditions;
