@@ -2,6 +2,8 @@
 
 package body Host.Bench is
 
+   use Surface_Faults;
+
    subtype Surface is Sensor_Item range Right_Flap_1 .. Left_Rudder;
 
    --  The servo that moves a surface.
@@ -19,7 +21,7 @@ package body Host.Bench is
 
    --  Positions are counted in parts of a converter word. In each tick a
    --  surface makes such a part of the way to go that it lags by 64 ms.
-   type Position is range 0 .. 4_095 * 2 ** 10;
+   type Position is range 0 .. 4_095 * 2 ** 20;
    Parts : constant := 2 ** 10;
    Lag   : constant := 64_000 / Microseconds_Per_Tick;
 
@@ -28,34 +30,114 @@ package body Host.Bench is
    Rest   : constant Position := Position (Neutral_Value) * Parts;
    Places : Place_Table       := (others => Rest);
 
+   --  What is wrong with a servo: it does not go where it is told, but to
+   --  its Place; or it moves at a part of its speed, in per cent.
+   Whole : constant := 100;
+   type Health is record
+      Obeys : Boolean  := True;
+      Place : Position := Rest;
+      Speed : Position := Whole;
+   end record;
+
+   Servos_Health : array (Servo_Item) of Health;
+
+   Script : List;
+   Next   : Positive    := 1;
+   Now    : Step_Number := 0;
+
    --  Moves by at least one part, so that it arrives.
-   function Moved (From, To : Position) return Position is
-     (if From < To then From + Position'Max (1, (To - From) / Lag)
-      elsif From > To then From - Position'Max (1, (From - To) / Lag)
+   function Moved (From, To, Speed : Position) return Position is
+     (if From < To
+      then From + Position'Max (1, (To - From) * Speed / (Lag * Whole))
+      elsif From > To
+      then From - Position'Max (1, (From - To) * Speed / (Lag * Whole))
       else From);
 
-   procedure Start is
+   --  The faults that act from now on.
+   procedure Begin_Faults;
+
+   --  The next step at which a fault begins.
+   function Next_Start return Step_Number is
+     (if Next <= Script.Last_Index then Script (Next).Start
+      else Step_Number'Last);
+
+   --  That many steps.
+   procedure Move (Servos : PWM_Buffer; Steps : Step_Number);
+
+   procedure Move_Surface
+     (Item : Surface; Servos : PWM_Buffer; Steps : Step_Number);
+
+   procedure Start
+     (Faults : Surface_Faults.List := Surface_Faults.None) is
    begin
       Places := (others => Rest);
+      Servos_Health := (others => <>);
+      Script := Faults;
+      Next := 1;
+      Now := 0;
    end Start;
 
-   procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words) is
-      Goal : Position;
+   procedure Begin_Faults is
    begin
-      for Item in Surface loop
-         Goal := Position (Servos (Servo_Of (Item))) * Parts;
-         if Places (Item) /= Goal then
-            for I in 1 .. Ticks_To_Scan loop
-               Places (Item) := Moved (Places (Item), Goal);
+      while Next_Start <= Now loop
+         declare
+            Fault : constant Surface_Faults.Fault := Script (Next);
+            Place : Position := Rest;
+         begin
+            for Item in Surface loop
+               if Servo_Of (Item) = Fault.Servo then
+                  Place := Places (Item);
+               end if;
             end loop;
-         end if;
-         Sensors (Item) := Word (Places (Item) / Parts);
-         if Places (Item) /= Goal then
-            for I in 1 .. Servo_Tick loop
-               Places (Item) := Moved (Places (Item), Goal);
-            end loop;
-         end if;
+            Servos_Health (Fault.Servo) :=
+              (case Fault.Kind is
+                  when Stuck_Here => (False, Place, Whole),
+                  when Stuck_At   =>
+                    (False, Position (Fault.Place) * Parts, Whole),
+                  when Floating   => (False, Rest, Whole),
+                  when Slow       => (True, Rest, Position (Fault.Speed)));
+         end;
+         Next := Next + 1;
       end loop;
+   end Begin_Faults;
+
+   procedure Move_Surface
+     (Item : Surface; Servos : PWM_Buffer; Steps : Step_Number)
+   is
+      Servo : constant Servo_Item := Servo_Of (Item);
+      State : Health renames Servos_Health (Servo);
+      Goal  : constant Position :=
+        (if State.Obeys then Position (Servos (Servo)) * Parts
+         else State.Place);
+   begin
+      if Places (Item) /= Goal then
+         for I in 1 .. Steps loop
+            Places (Item) := Moved (Places (Item), Goal, State.Speed);
+         end loop;
+      end if;
+   end Move_Surface;
+
+   procedure Move (Servos : PWM_Buffer; Steps : Step_Number) is
+      Stop : constant Step_Number := Now + Steps;
+      Upto : Step_Number;
+   begin
+      while Now < Stop loop
+         Begin_Faults;
+         Upto := Step_Number'Min (Stop, Next_Start);
+         for Item in Surface loop
+            Move_Surface (Item, Servos, Upto - Now);
+         end loop;
+         Now := Upto;
+      end loop;
+   end Move;
+
+   procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words) is
+   begin
+      Move (Servos, Ticks_To_Scan);
+      for Item in Surface loop
+         Sensors (Item) := Word (Places (Item) / Parts);
+      end loop;
+      Move (Servos, Servo_Tick);
    end Step;
 
 end Host.Bench;

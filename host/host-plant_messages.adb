@@ -48,6 +48,8 @@ package body Host.Plant_Messages is
    function To_Number is
      new Ada.Unchecked_Conversion (Unsigned_64, Long_Float);
 
+   function Fault_Line (Item : Surface_Faults.Fault) return String;
+
    procedure Put
      (Message : in out Stream_Element_Array;
       Last    : in out Stream_Element_Offset;
@@ -125,6 +127,29 @@ package body Host.Plant_Messages is
          Get (Message, Last, Number);
       end loop;
    end Read;
+
+   function Fault_Line (Item : Surface_Faults.Fault) return String is
+     ("fault," & Name (Item.Servo) & ','
+      & Image (Long_Long_Integer (Item.Start)) & ' '
+      & (case Item.Kind is
+            when Surface_Faults.Stuck_Here => "stuck",
+            when Surface_Faults.Stuck_At   =>
+              "stuck "
+              & Long_Float'Image
+                  (To_Unit (Item.Place, Scaling.Servos (Item.Servo))),
+            when Surface_Faults.Floating   => "float",
+            when Surface_Faults.Slow       =>
+              "slow " & Image (Long_Long_Integer (Item.Speed)))
+      & Line_Feed);
+
+   function Fault_Lines (Faults : Surface_Faults.List) return String is
+      Text : Unbounded_String;
+   begin
+      for Item of Faults loop
+         Append (Text, Fault_Line (Item));
+      end loop;
+      return To_String (Text);
+   end Fault_Lines;
 
    function Introduction
      (Shown_After : Step_Count;

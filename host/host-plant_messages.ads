@@ -9,6 +9,8 @@
 
 with Ada.Streams; use Ada.Streams;
 
+with Host.Surface_Faults;
+
 package Host.Plant_Messages is
 
    --  What the aircraft really does.
@@ -51,6 +53,9 @@ package Host.Plant_Messages is
    function Introduction
      (Shown_After : Step_Count;
       Further     : String := "") return Stream_Element_Array;
+
+   --  Further lines: what befalls the servos (SIM-5).
+   function Fault_Lines (Faults : Surface_Faults.List) return String;
 
    --  The line that answers an introduction, if nothing is wrong.
    Ready : constant String := "ready";

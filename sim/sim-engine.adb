@@ -174,7 +174,7 @@ package body Sim.Engine is
             Spoil_ROM (Memory_Of (Item.Where), Item.Byte_At, Item.Flips);
 
          when Faults.RAM_Harm =>
-            Stick_RAM (Memory_Of (Item.Where), Item.Word_At, Item.Stuck);
+            Stick_RAM (Memory_Of (Item.Where), Item.Word_At, Item.Zeros);
 
          when Faults.Bus_Error =>
             Fail_Next_Read (Memory_Of (Item.Where));

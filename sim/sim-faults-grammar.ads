@@ -4,14 +4,17 @@
 
 private package Sim.Faults.Grammar is
 
+   --  Before the name of a servo.
+   Servo_Word : constant String := "surface";
+
    --  What stands between the time and the kind.
-   type Subject is (Nothing, A_Way, A_Node);
+   type Subject is (Nothing, A_Way, A_Node, A_Servo);
 
    --  What may follow the kind.
    type Parameter is
      (None, A_Duration, A_Probability, An_Ordinal, A_Mask, A_Byte,
       A_Board, A_Restart, A_ROM_Address, A_ROM_Mask, A_RAM_Address,
-      A_RAM_Mask);
+      A_RAM_Mask, A_Place, A_Speed);
    type Parameter_List is array (1 .. 2) of Parameter;
 
    type Form is record
@@ -31,7 +34,14 @@ private package Sim.Faults.Grammar is
       Reset      => (A_Node, (A_Restart, None)),
       ROM_Harm   => (A_Node, (A_ROM_Address, A_ROM_Mask)),
       RAM_Harm   => (A_Node, (A_RAM_Address, A_RAM_Mask)),
-      Bus_Error  => (A_Node, (None, None)));
+      Bus_Error  => (A_Node, (None, None)),
+      Stuck      => (A_Servo, (A_Place, None)),
+      Float      => (A_Servo, (None, None)),
+      Slow       => (A_Servo, (A_Speed, None)));
+
+   --  A parameter that may be left out.
+   function Is_Optional (What : Parameter) return Boolean is
+     (What = A_Place);
 
    function Name (Kind : Fault_Kind) return String is
      (case Kind is
@@ -45,13 +55,17 @@ private package Sim.Faults.Grammar is
          when Reset      => "reset",
          when ROM_Harm   => "rom",
          when RAM_Harm   => "ram",
-         when Bus_Error  => "bus_error");
+         when Bus_Error  => "bus_error",
+         when Stuck      => "stuck",
+         when Float      => "float",
+         when Slow       => "slow");
 
    function Name (What : Subject) return String is
      (case What is
          when Nothing => "",
          when A_Way   => "up|down ",
-         when A_Node  => "mcs|gsc ");
+         when A_Node  => "mcs|gsc ",
+         when A_Servo => Servo_Word & " NAME ");
 
    --  How the parameter stands in a description of the form.
    function Name (What : Parameter) return String is
@@ -67,7 +81,9 @@ private package Sim.Faults.Grammar is
          when A_ROM_Address => " ADDRESS",
          when A_ROM_Mask    => " MASK",
          when A_RAM_Address => " ADDRESS",
-         when A_RAM_Mask    => " MASK");
+         when A_RAM_Mask    => " MASK",
+         when A_Place       => " [WORD]",
+         when A_Speed       => " PERCENT");
 
    --  The whole line of such a fault.
    function Image (Kind : Fault_Kind) return String is

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Host.Complaints;    use Host.Complaints;
+with Host.Names;
 with Host.Text_Input;    use Host.Text_Input;
 with Host.Text_Numbers;  use Host.Text_Numbers;
 with Sim.Faults.Grammar; use Sim.Faults.Grammar;
@@ -54,11 +55,31 @@ package body Sim.Faults is
       First, Last : Number;
       Value       : out Number);
 
+   --  A whole number from First to Last.
+   procedure Read_Number
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      First, Last : Number;
+      Value       : out Number);
+
    procedure Read_Parameter
      (From : Reader;
       What : Parameter;
       Word : String;
       Made : in out Fault);
+
+   procedure Read_Servo
+     (From  : Reader;
+      Word  : String;
+      Servo : out Servo_Item);
+
+   --  Two faults never stand on one line.
+   function Is_Before (Left, Right : Fault) return Boolean is
+     (if Left.Time = Right.Time then Left.Line < Right.Line
+      else Left.Time < Right.Time);
+
+   package Sorting is new Fault_Vectors.Generic_Sorting ("<" => Is_Before);
 
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
 
@@ -115,7 +136,7 @@ package body Sim.Faults is
       Choices : constant String :=
         (if Before = Nothing
          then Kinds_After (Nothing) & ", " & Kinds_After (A_Way) & ", "
-              & Kinds_After (A_Node)
+              & Kinds_After (A_Node) & ", " & Kinds_After (A_Servo)
          else Kinds_After (Before));
    begin
       for Known in Fault_Kind loop
@@ -189,6 +210,48 @@ package body Sim.Faults is
       end if;
    end Read_Bits;
 
+   procedure Read_Number
+     (From        : Reader;
+      What        : String;
+      Word        : String;
+      First, Last : Number;
+      Value       : out Number)
+   is
+      Is_Valid : Boolean;
+   begin
+      Read_Either (Word, Value, Is_Valid);
+      if not Is_Valid or else Value not in First .. Last then
+         Refuse
+           (From,
+            What & ": " & Quoted (Word) & " is not a whole number from"
+            & First'Image & " to" & Last'Image);
+      end if;
+   end Read_Number;
+
+   procedure Read_Servo
+     (From  : Reader;
+      Word  : String;
+      Servo : out Servo_Item)
+   is
+      --  The names from that one on.
+      function Names_From (Which : Servo_Item) return String is
+        (Host.Names.Name (Which)
+         & (if Which = Servo_Item'Last then ""
+            else ", " & Names_From (Servo_Item'Succ (Which))));
+   begin
+      for Known in Servo_Item loop
+         if Host.Names.Name (Known) = Word then
+            Servo := Known;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (From,
+         (if Word = "" then "no surface follows"
+          else "unknown surface " & Quoted (Word))
+         & "; there are " & Names_From (Servo_Item'First));
+   end Read_Servo;
+
    procedure Read_Parameter
      (From : Reader;
       What : Parameter;
@@ -247,7 +310,20 @@ package body Sim.Faults is
          when A_RAM_Mask =>
             Read_Bits
               (From, "MASK", Word, 1, Number (URVOS.Word'Last), Value);
-            Made.Stuck := URVOS.Word (Value);
+            Made.Zeros := URVOS.Word (Value);
+
+         when A_Place =>
+            Read_Number
+              (From, "WORD", Word, 0, Number (Converter_Value'Last), Value);
+            Made.Place := Converter_Value (Value);
+            Made.Stays := False;
+
+         when A_Speed =>
+            Read_Number
+              (From, "PERCENT", Word,
+               Number (Surface_Faults.Percentage'First),
+               Number (Surface_Faults.Percentage'Last), Value);
+            Made.Speed := Surface_Faults.Percentage (Value);
 
          when A_Board =>
             if Word = "adc" then
@@ -302,14 +378,21 @@ package body Sim.Faults is
          Before     := A_Node;
          Made.Where := (if Word (2) = "mcs" then Aircraft else Ground);
          Next       := 3;
+      elsif Word (2) = Servo_Word then
+         Before := A_Servo;
+         Read_Servo (From, Word (3), Made.Servo);
+         Next := 4;
       end if;
 
       Read_Kind (From, Before, Word (Next), Made.Kind);
 
       declare
          After  : constant Parameter_List := Forms (Made.Kind).After;
-         Wanted : constant Natural :=
+         Most   : constant Natural :=
            (if After (1) = None then 0 elsif After (2) = None then 1 else 2);
+         Wanted : constant Natural :=
+           (if Is_Optional (After (1)) and then Count = Next then 0
+            else Most);
       begin
          if Before /= Forms (Made.Kind).Before
            or else Count - Next /= Wanted
@@ -356,5 +439,37 @@ package body Sim.Faults is
          end;
       end loop;
    end Load;
+
+   function For_Plant
+     (From : Script; Begins : Microseconds) return Surface_Faults.List
+   is
+      use Surface_Faults;
+
+      --  The first step that does not begin before the time.
+      function Step_At (Time : Microseconds) return Step_Number is
+        (if Time <= Begins then 0
+         else Step_Number ((Time - Begins + Tick_Time - 1) / Tick_Time));
+      Ordered : Fault_Vectors.Vector := From.Faults;
+   begin
+      Sorting.Sort (Ordered);
+      return Found : Surface_Faults.List do
+         for Item of Ordered loop
+            if Item.Kind in Servo_Fault then
+               Found.Append
+                 (Surface_Faults.Fault'
+                    (Servo => Item.Servo,
+                     Start => Step_At (Item.Time),
+                     Kind  =>
+                       (case Servo_Fault (Item.Kind) is
+                           when Stuck =>
+                             (if Item.Stays then Stuck_Here else Stuck_At),
+                           when Float => Floating,
+                           when Slow  => Slow),
+                     Place => Item.Place,
+                     Speed => Item.Speed));
+            end if;
+         end loop;
+      end return;
+   end For_Plant;
 
 end Sim.Faults;

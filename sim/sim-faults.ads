@@ -1,9 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A script of what goes wrong in a flight, read from a file (--faults)
---  and checked before the flight begins (SIM-2).
+--  and checked before the flight begins (SIM-2, SIM-5).
 
 with Host.Memory_Hardware; use Host.Memory_Hardware;
+with Host.Surface_Faults;
+with URV.Buffers;          use URV.Buffers;
 with URVOS;                use URVOS;
 
 private with Ada.Containers.Vectors;
@@ -14,13 +16,19 @@ package Sim.Faults is
      (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset,
       ROM_Harm,      --  bits of a byte of the program memory change
       RAM_Harm,      --  bits of a RAM word read as 0
-      Bus_Error);    --  the next read of the program memory fails
+      Bus_Error,     --  the next read of the program memory fails
+      Stuck,         --  a servo stays where it is, or at a place
+      Float,         --  its linkage is broken
+      Slow);         --  it moves at a part of its speed
 
    --  How a line with such a fault is written, for help.
    function Form_Of (Kind : Fault_Kind) return String;
 
    --  Of a node's hardware, not of the line.
    subtype Node_Fault is Fault_Kind range Stall .. Bus_Error;
+
+   --  Of a servo of the aircraft.
+   subtype Servo_Fault is Fault_Kind range Stuck .. Slow;
 
    type Board is (ADC, Telemetry);
 
@@ -57,7 +65,11 @@ package Sim.Faults is
       Byte_At  : ROM_Address  := 0;
       Flips    : Byte         := 0;
       Word_At  : RAM_Address  := 0;
-      Stuck    : Word         := 0;
+      Zeros    : Word         := 0;
+      Servo    : Servo_Item   := Left_Aileron;
+      Stays    : Boolean      := True;    --  stuck where it is
+      Place    : Converter_Value := Neutral_Value;
+      Speed    : Surface_Faults.Percentage := 1;
    end record;
 
    type Script is limited private;
@@ -70,6 +82,11 @@ package Sim.Faults is
    function Length (From : Script) return Natural;
    function Element (From : Script; Index : Positive) return Fault
      with Pre => Index <= Length (From);
+
+   --  Those of servos, in the order of their times, for a plant whose first
+   --  step begins at that time.
+   function For_Plant
+     (From : Script; Begins : Microseconds) return Surface_Faults.List;
 
 private
 

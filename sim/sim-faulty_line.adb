@@ -90,7 +90,7 @@ package body Sim.Faulty_Line is
                   Made.Ways (Next.Way).Waiting.Append (Next);
                when Faults.Bit_Errors =>
                   Made.Ways (Next.Way).Noises.Append (Next);
-               when Faults.Node_Fault =>
+               when Faults.Node_Fault | Faults.Servo_Fault =>
                   null;
             end case;
          end;
@@ -121,7 +121,9 @@ package body Sim.Faulty_Line is
             if Meant.Copies < Most_Arrivals then
                Meant.Copies := Meant.Copies + 1;
             end if;
-         when Faults.Cut | Faults.Bit_Errors | Faults.Node_Fault =>
+         when Faults.Cut | Faults.Bit_Errors | Faults.Node_Fault
+            | Faults.Servo_Fault
+         =>
             --  Not of a single character.
             raise Program_Error;
       end case;

@@ -11,6 +11,7 @@ with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
+with Host.Surface_Faults;
 with Host.Text_Output;
 with Sim.Conditions;
 with Sim.Engine;
@@ -110,6 +111,13 @@ package body Sim.Flight is
         ((Major_Frame - (Lag_Of (Chosen) + PWM_Offset) mod Major_Frame)
          / Tick_Time));
 
+   --  Servos are commanded from the aircraft's first frame of tasks on.
+   function First_Commands (Chosen : Choices) return Microseconds is
+     (Lag_Of (Chosen) + Major_Frame + PWM_Offset);
+
+   function Servo_Faults (Chosen : Choices) return Surface_Faults.List is
+     (Sim.Faults.For_Plant (Faults, First_Commands (Chosen)));
+
    procedure Start_Aircraft (Chosen : Choices) is
       Begins : constant Sim.Conditions.Start_Place :=
         Sim.Conditions.Place
@@ -120,7 +128,8 @@ package body Sim.Flight is
       Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
       JSBSim.Start
         (Steps_To_Row (Chosen),
-         Sim.Conditions.Introduction (Conditions, Chosen.Seed, Begins),
+         Sim.Conditions.Introduction (Conditions, Chosen.Seed, Begins)
+         & Fault_Lines (Servo_Faults (Chosen)),
          Errors, Measured, Truth, Shown);
    end Start_Aircraft;
 
@@ -224,12 +233,10 @@ package body Sim.Flight is
       Length : Microseconds;
       Flown  : out Microseconds)
    is
-      Lag       : constant Microseconds := Lag_Of (Chosen);
       Began     : constant Ada.Calendar.Time := Clock;
       Frame_End : Microseconds := Major_Frame;
 
-      --  Servos are commanded from the aircraft's first frame of tasks on.
-      Next_PWM  : Microseconds := Lag + Major_Frame + PWM_Offset;
+      Next_PWM  : Microseconds := First_Commands (Chosen);
       Next      : Microseconds;
       Row       : Console_Words;
       Scripted  : Sensor_Words;
@@ -361,6 +368,7 @@ package body Sim.Flight is
 
    procedure Fly (Chosen : Choices; Flown : out Microseconds) is
       Length  : Microseconds;
+
       Began   : Time;
       Elapsed : Duration;
    begin
@@ -381,7 +389,7 @@ package body Sim.Flight is
          Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);
       else
-         Bench.Start;
+         Bench.Start (Servo_Faults (Chosen));
       end if;
       if Given (Chosen.Pilot) then
          Pilot.Start (To_String (Chosen.Pilot));

@@ -71,10 +71,11 @@ class Spans:
 
 
 def orders(text):
-    """The lines of a script, each as time and words."""
+    """The lines of a script, each as time and words; without those about the
+    aircraft's surfaces, which disturb no word."""
     for line in text.splitlines():
         words = line.split("#")[0].split()
-        if words:
+        if words and words[1:2] != ["surface"]:
             yield to_us(words[0]), words[1:]
 
 

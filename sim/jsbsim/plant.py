@@ -12,8 +12,10 @@ truth or shown, and an empty line. They are the numbers it will send and wants
 to receive, in that order. Lines time,NAME,VALUE UNIT say how long a tick is
 (tick, in us), and how many of them are a frame (frame) and pass until the
 sensors are measured (scan) and what is shown is taken (shown). Lines
-condition,NAME,VALUES say what is not as usual: see CONDITIONS. The answer is
-one line: "ready", or what is wrong.
+condition,NAME,VALUES say what is not as usual: see CONDITIONS. Lines
+fault,NAME,TICK FAULT say what befalls a servo from that tick of the flight on:
+stuck, stuck AT, float, slow PERCENT; they come in the order of their ticks. The
+answer is one line: "ready", or what is wrong.
 
 Then for every major frame: the servos' commands come in and are held for the
 frame, and the sensors, the truth at its end and what is shown go out. A number
@@ -145,6 +147,23 @@ SHOWN = {
 }
 
 
+# A surface with a broken linkage trails in the wind of its place, at this part
+# of the angle at which the wind meets the wing or the fin: a usual value for
+# plain surfaces. The ailerons' wind has the roll rate in it.
+TRAILS = 0.3
+AILERON_ARM_FT = 5.6
+# A lever's spring closes the throttle and lets go of the brake; a wheel
+# castors; a flap cannot go up and hangs at its stop.
+LOOSE = {
+    "left_aileron": lambda wind: -TRAILS * (wind.alpha - wind.rolling),
+    "right_aileron": lambda wind: TRAILS * (wind.alpha + wind.rolling),
+    "left_elevator": lambda wind: TRAILS * wind.alpha,
+    "right_elevator": lambda wind: TRAILS * wind.alpha,
+    "left_rudder": lambda wind: -TRAILS * wind.beta,
+    "right_rudder": lambda wind: -TRAILS * wind.beta,
+}
+
+
 class Refused(Exception):
     """The flight cannot begin; the text goes to the other side."""
 
@@ -179,10 +198,85 @@ class Times(NamedTuple):
     shown: int
 
 
+class Wind(NamedTuple):
+    """How the air meets the aircraft, in degrees."""
+
+    alpha: float
+    beta: float
+    rolling: float      # more alpha at the right aileron, from rolling
+
+
+class Servo:
+    """A servo and what befalls it."""
+
+    def __init__(self, tree, name):
+        _, path = SERVOS[name]
+        stem = path.rsplit("-", 1)[0]
+        self.command = tree.get_node(path)
+        self.place = tree.get_node(path.replace("servo/", "surface/"))
+        self.speed = [tree.get_node(f"{stem}-{each}")
+                      for each in ("lag", "rate")]
+        self.whole = [each.get_double_value() for each in self.speed]
+        self.loose = LOOSE.get(name, lambda wind: 0.0)
+        self.goal = None
+
+    def begin(self, kind, value=None):
+        """The fault acts from now on, instead of an earlier one."""
+        part = float(value) / 100 if kind == "slow" else 1.0
+        for node, whole in zip(self.speed, self.whole):
+            node.set_double_value(part * whole)
+        if kind == "slow":
+            self.goal = None
+        elif kind == "float":
+            self.goal = self.loose
+        else:
+            at = (self.place.get_double_value() if value is None
+                  else float(value))
+            self.goal = lambda wind: at
+
+    def move(self, wind):
+        """Whatever is commanded, a broken servo goes its own way."""
+        if self.goal:
+            self.command.set_double_value(self.goal(wind))
+
+
+class Faults:
+    """What befalls the servos of a flight, from (NAME, "TICK FAULT")."""
+
+    def __init__(self, tree, lines):
+        self.coming = [(int(tick), name, fault)
+                       for name, text in lines
+                       for tick, *fault in [text.split()]]
+        self.servos = {name: Servo(tree, name)
+                       for _, name, _ in self.coming}
+        self.alpha = tree.get_node("aero/alpha-deg")
+        self.beta = tree.get_node("aero/beta-deg")
+        self.roll_rate = tree.get_node("velocities/p-rad_sec")
+        self.airspeed = tree.get_node("velocities/vt-fps")
+        self.now = 0
+
+    def wind(self):
+        speed = max(self.airspeed.get_double_value(), 1.0)
+        rolling = self.roll_rate.get_double_value() * AILERON_ARM_FT / speed
+        return Wind(self.alpha.get_double_value(),
+                    self.beta.get_double_value(), DEG * math.atan(rolling))
+
+    def act(self):
+        """Before a tick of the flight."""
+        while self.coming and self.coming[0][0] <= self.now:
+            _, name, fault = self.coming.pop(0)
+            self.servos[name].begin(*fault)
+        wind = self.wind()
+        for servo in self.servos.values():
+            servo.move(wind)
+        self.now += 1
+
+
 class Aircraft:
     """A settled aircraft, its servos' inputs and its sensors' outputs."""
 
-    def __init__(self, servos, sensors, truth, shown, times, conditions=()):
+    def __init__(self, servos, sensors, truth, shown, times, conditions=(),
+                 faults=()):
         self.times = times
         self.conditions = conditions
         self.fdm = fdm = load_jsbsim(times.tick / 1e6)
@@ -221,6 +315,7 @@ class Aircraft:
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
+        self.faults = Faults(self.tree, faults) if faults else None
         if stands:
             self.stand()
         else:
@@ -379,6 +474,8 @@ class Aircraft:
         for node, command in zip(self.servos, commands):
             node.set_double_value(command)
         for step in range(1, self.times.frame + 1):
+            if self.faults:
+                self.faults.act()
             run()
             if step == self.times.scan:
                 self.measure_signal()
@@ -408,7 +505,7 @@ def receive(link, length):
 def read_items(link):
     """What the other side sends and wants: {kind: [(name, unit)]}."""
     items = {"servo": [], "sensor": [], "truth": [], "shown": [], "time": [],
-             "condition": []}
+             "condition": [], "fault": []}
     with link.makefile("r", encoding="ascii", newline="\n") as lines:
         for line in lines:
             if line == "\n":
@@ -436,7 +533,8 @@ def serve(link):
                          for name, value in items["time"]})
         aircraft = Aircraft(items["servo"], items["sensor"], items["truth"],
                             items["shown"], times,
-                            read_conditions(items["condition"]))
+                            read_conditions(items["condition"]),
+                            items["fault"])
     except Refused as refusal:
         link.sendall(f"{refusal}\n".encode())
         return

@@ -56,7 +56,7 @@ def refused(urv_sim, tmp_path):
 # --- command line ---------------------------------------------------------
 
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
-           "--faults", "--seed", "--phase", "--processors", "--record",
+           "--faults", "--conditions", "--seed", "--phase", "--processors", "--record",
            "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
@@ -225,7 +225,12 @@ def test_bad_sensors(refused, write, text, line, message):
 FORM = "a fault of this kind is written TIME_MS "
 LINE_FAULTS = "up|down ber|flip|drop|dup|insert"
 NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|bus_error"
-ANY_FAULT = f"cut, {LINE_FAULTS}, {NODE_FAULTS}"
+SURFACE_FAULTS = "surface NAME stuck|float|slow"
+ANY_FAULT = f"cut, {LINE_FAULTS}, {NODE_FAULTS}, {SURFACE_FAULTS}"
+SURFACES = (
+    "left_aileron, right_aileron, left_elevator, right_elevator, left_rudder,"
+    " right_rudder, steering, throttle, brake, left_flap_1, right_flap_1,"
+    " left_flap_2, right_flap_2")
 BAD_FAULTS = [
     ("", 1, "the file is empty"),
     ("soon cut 5\n", 1, f'TIME_MS: "soon" {TIME_RANGE}'),
@@ -241,7 +246,11 @@ BAD_FAULTS = [
           ("up gremlin 5", 'unknown fault "gremlin"', LINE_FAULTS),
           ("down", "no fault follows", LINE_FAULTS),
           ("gsc hang 5", 'unknown fault "hang"', NODE_FAULTS),
-          ("mcs", "no fault follows", NODE_FAULTS))),
+          ("mcs", "no fault follows", NODE_FAULTS),
+          ("surface brake", "no fault follows", SURFACE_FAULTS),
+          ("surface brake cutt", 'unknown fault "cutt"', SURFACE_FAULTS),
+          ("surface", "no surface follows", SURFACES),
+          ("surface rudder stuck", 'unknown surface "rudder"', SURFACES))),
     ("100 cut\n", 1, FORM + "cut DURATION_MS"),
     ("100 cut 5 5\n", 1, FORM + "cut DURATION_MS"),
     ("100 up cut 5\n", 1, FORM + "cut DURATION_MS"),
@@ -287,6 +296,15 @@ BAD_FAULTS = [
      'ADDRESS: "2000" is not a hexadecimal number from 0 to 1fff'),
     ("100 gsc ram 0 0\n", 1,
      'MASK: "0" is not a hexadecimal number from 1 to ffff'),
+    ("100 stuck 5\n", 1, FORM + "surface NAME stuck [WORD]"),
+    ("100 mcs float\n", 1, FORM + "surface NAME float"),
+    ("100 surface brake cut 5\n", 1, FORM + "cut DURATION_MS"),
+    ("100 surface brake stuck 1 2\n", 1, FORM + "surface NAME stuck [WORD]"),
+    ("100 surface brake slow\n", 1, FORM + "surface NAME slow PERCENT"),
+    ("100 surface brake slow 0\n", 1,
+     'PERCENT: "0" is not a whole number from 1 to 99'),
+    ("100 surface brake stuck 4096\n", 1,
+     'WORD: "4096" is not a whole number from 0 to 4095'),
     ("100 gsc bus_error 1\n", 1, FORM + "mcs|gsc bus_error"),
 ]
 
