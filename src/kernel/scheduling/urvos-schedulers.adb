@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URVOS.Schedulers.Lemmas; use URVOS.Schedulers.Lemmas;
+
 package body URVOS.Schedulers with SPARK_Mode is
 
    --  The place in the ready queue behind all of a priority.
@@ -32,103 +34,6 @@ package body URVOS.Schedulers with SPARK_Mode is
              then (Place_Number (S, Which) < Behind_Tick'Result)
                   = (Release_Of (S, Which) <= Release)));
 
-   --  One TCB was moved along the row. The others keep their order, and
-   --  those that it passed are on its other side.
-   procedure Prove_Order_After_Move
-     (Before, After : Scheduler;
-      Moved         : TCB_Number;
-      To            : Place)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       (for all Which in TCB_Number =>
-          Place_Of (After.Row, Which) =
-            Place_After_Move
-              (Place_Of (Before.Row, Which),
-               From => Place_Of (Before.Row, Moved),
-               To   => To))
-       and then Is_Sound (Before.Row),
-     Post   =>
-       Order_Is_Kept (Before, After, Except => Moved)
-       and then Place_Of (After.Row, Moved) = To
-       and then
-         (for all Other in TCB_Number =>
-            (if Other /= Moved
-             then Place_Of (Before.Row, Other) /=
-                    Place_Of (Before.Row, Moved)
-               and then Place_Of (After.Row, Other) /= To
-               and then Is_Ahead (After, Other, Moved) =
-                 (if Place_Of (Before.Row, Moved) < To
-                  then Place_Of (Before.Row, Other) <= To
-                  else Place_Of (Before.Row, Other) < To)));
-
-   --  The TCB stands in its queue where its priority or its tick says.
-   function Is_In_Its_Place
-     (S     : Scheduler;
-      Which : TCB_Number) return Boolean
-   is
-     (for all Other in TCB_Number =>
-        (if Other /= Which and then Queue_Of (S, Other) = Queue_Of (S, Which)
-         then
-           (if Queue_Of (S, Which) = Ready
-            then Is_Ahead (S, Other, Which) =
-                   (Priority_Of (S, Other) >= Priority_Of (S, Which))
-            elsif Queue_Of (S, Which) = Timer
-            then Is_Ahead (S, Other, Which) =
-                   (Release_Of (S, Other) <= Release_Of (S, Which)))))
-   with
-     Ghost,
-     Global => null;
-
-   --  If one TCB has changed its queue, and stands in its place there, the
-   --  queues are in order as before.
-   procedure Prove_Queues_In_Order
-     (Before, After : Scheduler;
-      Moved         : TCB_Number)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       Ready_In_Order (Before)
-       and then Timer_In_Order (Before)
-       and then Order_Is_Kept (Before, After, Except => Moved)
-       and then
-         (for all Which in TCB_Number =>
-            (if Which /= Moved
-             then Queue_Of (After, Which) = Queue_Of (Before, Which)
-               and then After.Blocks (Which) = Before.Blocks (Which)))
-       and then Is_In_Its_Place (After, Moved),
-     Post   => Ready_In_Order (After) and then Timer_In_Order (After);
-
-   --  The first of the ready queue has been given the processor.
-   function Is_Dispatched
-     (Before, After : Scheduler;
-      Chosen        : TCB_Number) return Boolean
-   is
-     (not Before.Busy
-      and then Before.Ready > 0
-      and then After.Busy
-      and then After.Ready = Before.Ready - 1
-      and then After.Sleeping = Before.Sleeping
-      and then After.Now = Before.Now
-      and then
-        (for all Which in TCB_Number =>
-           Place_Of (After.Row, Which) = Place_Of (Before.Row, Which)
-           and then (Place_Of (Before.Row, Which) = 1) = (Which = Chosen)
-           and then After.Blocks (Which) =
-             (Before.Blocks (Which) with delta
-                New_Release => Before.Blocks (Which).New_Release
-                  and then Which /= Chosen))
-      and then After.Late =
-        (if Before.Blocks (Chosen).New_Release
-           and then Before.Blocks (Chosen).Release < Before.Now
-         then Incremented (Before.Late)
-         else Before.Late))
-   with
-     Ghost,
-     Global => null;
-
    --  Gives the idle processor to the best ready task.
    procedure Choose (S : in out Scheduler)
    with
@@ -139,164 +44,6 @@ package body URVOS.Schedulers with SPARK_Mode is
        and then not Is_Idle (S)
        and then Is_Dispatched (S'Old, S, Running_TCB (S))
        and then Is_Best_Ready (S'Old, Running_TCB (S));
-
-   --  The caller has gone to its place in the ready queue, the best task
-   --  there runs instead.
-   procedure Prove_Handed_Over
-     (Before, Waiting, After : Scheduler;
-      Caller, Best           : TCB_Number)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       Best /= Caller
-       and then Waiting.Blocks = Before.Blocks
-       and then Waiting.Now = Before.Now
-       and then Waiting.Late = Before.Late
-       and then Queue_Of (Before, Caller) = Running
-       and then
-         (for all Which in TCB_Number =>
-            Queue_Of (Waiting, Which) =
-              (if Which = Caller then Ready else Queue_Of (Before, Which)))
-       and then Order_Is_Kept (Before, Waiting, Except => Caller)
-       and then Is_In_Its_Place (Waiting, Caller)
-       and then Is_Best_Ready (Waiting, Best)
-       and then Is_Dispatched (Waiting, After, Best),
-     Post   => Is_Handed_Over (Before, After, Caller, Best);
-
-   procedure Prove_Handed_Over
-     (Before, Waiting, After : Scheduler;
-      Caller, Best           : TCB_Number) is
-   begin
-      pragma Assert
-        (for all Which in TCB_Number =>
-           Queue_Of (After, Which) =
-             (if Which = Best then Running else Queue_Of (Waiting, Which)));
-      pragma Assert (Queue_Of (After, Caller) = Ready);
-      pragma Assert (Is_Best_Ready (Before, Best));
-   end Prove_Handed_Over;
-
-   procedure Prove_Order_After_Move
-     (Before, After : Scheduler;
-      Moved         : TCB_Number;
-      To            : Place) is null;
-
-   procedure Prove_Queues_In_Order
-     (Before, After : Scheduler;
-      Moved         : TCB_Number) is null;
-
-   --  A task's TCB is as it was loaded.
-   function Is_Loaded
-     (S      : Scheduler;
-      Which  : TCB_Number;
-      Header : Task_Header) return Boolean
-   is
-     (Id_Of (S, Which) = Header.Id
-      and then Priority_Of (S, Which) = Header.Initial_Priority
-      and then Release_Of (S, Which) = Header.Start_Time
-      and then Is_New_Release (S, Which)
-      and then Is_First_Run (S, Which)
-      and then Queue_Of (S, Which) =
-        (if Header.Start_Time <= Clock (S) then Ready else Timer))
-   with
-     Ghost,
-     Global => null;
-
-   --  The first Number tasks of the tree have the first TCBs, the others are
-   --  free.
-   function Is_Loaded_To
-     (S      : Scheduler;
-      Tree   : Task_Tree;
-      Number : TCB_Count) return Boolean
-   is
-     (Is_Sound (S)
-      and then Is_Idle (S)
-      and then Overruns (S) = 0
-      and then
-        (for all Which in TCB_Number =>
-           (if Integer (Which) <= Number
-            then Is_Loaded (S, Which, Tree (Which))
-            else Queue_Of (S, Which) = Free))
-      and then Equals_Are_In_Turn (S))
-   with
-     Ghost,
-     Global => null;
-
-   --  Of the free TCBs that with the lowest number is the first.
-   procedure Prove_Next_Free (S : Scheduler; Which : TCB_Number)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       Is_Sound (S)
-       and then Queue_Of (S, Which) = Free
-       and then
-         (for all Other in TCB_Number =>
-            (if Queue_Of (S, Other) = Free and then Other /= Which
-             then Is_Ahead (S, Which, Other))),
-     Post   => Has_Free_TCB (S) and then Next_Free_TCB (S) = Which;
-
-   procedure Prove_Next_Free (S : Scheduler; Which : TCB_Number) is
-      First : constant TCB_Number :=
-        TCB_At (S.Row, Place (Timer_Last (S) + 1));
-   begin
-      pragma Assert (Queue_Of (S, First) = Free);
-      pragma Assert (not Is_Ahead (S, Which, First));
-   end Prove_Next_Free;
-
-   --  The tasks of the tree have been loaded, and the best of them runs.
-   procedure Prove_Started
-     (Loaded, After : Scheduler;
-      Tree          : Task_Tree;
-      Best          : TCB_Number)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       (for all Which in TCB_Number =>
-          (if Is_In_Tree (Tree, Which)
-           then Is_Loaded (Loaded, Which, Tree (Which))
-           else Queue_Of (Loaded, Which) = Free))
-       and then Equals_Are_In_Turn (Loaded)
-       and then Is_Best_Ready (Loaded, Best)
-       and then Is_Dispatched (Loaded, After, Best),
-     Post   =>
-       (for all Which in TCB_Number =>
-          (if Is_In_Tree (Tree, Which)
-           then Id_Of (After, Which) = Tree (Which).Id
-             and then Priority_Of (After, Which) =
-                        Tree (Which).Initial_Priority
-             and then Release_Of (After, Which) = Tree (Which).Start_Time
-             and then Is_New_Release (After, Which) = (Which /= Best)
-             and then Is_First_Run (After, Which)
-             and then
-               (if Tree (Which).Start_Time <= Clock (After)
-                then Queue_Of (After, Which) in Ready | Running
-                else Queue_Of (After, Which) = Timer)
-           else Queue_Of (After, Which) = Free))
-       and then Equals_Are_In_Turn (After)
-       and then
-         (for all Which in TCB_Number =>
-            (if Queue_Of (After, Which) = Ready
-             then Priority_Of (After, Which) < Priority_Of (After, Best)
-               or else
-                 (Priority_Of (After, Which) = Priority_Of (After, Best)
-                  and then Which > Best)));
-
-   procedure Prove_Started
-     (Loaded, After : Scheduler;
-      Tree          : Task_Tree;
-      Best          : TCB_Number) is
-   begin
-      pragma Assert
-        (for all Which in TCB_Number =>
-           Queue_Of (After, Which) =
-             (if Which = Best then Running else Queue_Of (Loaded, Which)));
-      pragma Assert
-        (for all Which in TCB_Number =>
-           (if Is_In_Tree (Tree, Which)
-            then Id_Of (After, Which) = Tree (Which).Id));
-   end Prove_Started;
 
    --  Loads one more task of the tree.
    procedure Load_Next
@@ -329,29 +76,6 @@ package body URVOS.Schedulers with SPARK_Mode is
              else Queue_Of (S, Which) = Free))
        and then Equals_Are_In_Turn (S);
 
-   --  The head of the timer queue, if there is one, is due.
-   function Sleeper_Is_Due
-     (S   : Scheduler;
-      Now : Clock_Tick) return Boolean
-   is
-     (S.Sleeping > 0
-      and then
-        Release_Of (S, TCB_At (S.Row, Place (Ready_Last (S) + 1))) <= Now)
-   with
-     Global => null,
-     Pre    => Queues_Fit (S);
-
-   --  Who sleeps on is behind one that is not due.
-   procedure Prove_None_Is_Due (S : Scheduler; Now : Clock_Tick)
-   with
-     Ghost,
-     Global => null,
-     Pre    => Is_Sound (S) and then not Sleeper_Is_Due (S, Now),
-     Post   =>
-       (for all Which in TCB_Number =>
-          (if Queue_Of (S, Which) = Timer
-           then Release_Of (S, Which) > Now));
-
    --  The head of the timer queue goes to its place in the ready queue.
    procedure Wake_First (S : in out Scheduler; First : TCB_Number)
    with
@@ -379,56 +103,6 @@ package body URVOS.Schedulers with SPARK_Mode is
          (for all Which in TCB_Number =>
             (if Queue_Of (S, Which) = Timer
              then Is_Ahead (S'Old, First, Which)));
-
-   --  Some sleepers have been woken: the ready queue is in the order of
-   --  priorities, and within them as it was before, all the woken ones
-   --  being ahead of those that sleep on. Nobody else has moved.
-   function Is_In_Wake_Order (Before, After : Scheduler) return Boolean is
-     (for all A in TCB_Number =>
-        (for all B in TCB_Number =>
-           (if Queue_Of (After, A) = Ready and then Queue_Of (After, B) = Ready
-            then Is_Ahead (After, A, B) =
-              (Priority_Of (After, A) > Priority_Of (After, B)
-               or else (Priority_Of (After, A) = Priority_Of (After, B)
-                        and then Is_Ahead (Before, A, B)))
-            elsif Queue_Of (After, B) = Timer
-            then
-              (if Queue_Of (After, A) = Timer
-               then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B)
-               elsif Queue_Of (After, A) = Ready
-               then Is_Ahead (Before, A, B))
-            elsif Queue_Of (After, A) = Free
-              and then Queue_Of (After, B) = Free
-            then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
-   with
-     Ghost,
-     Global => null;
-
-   --  One more is woken.
-   procedure Prove_Wake_Order
-     (Before, Last, After : Scheduler;
-      First               : TCB_Number)
-   with
-     Ghost,
-     Global => null,
-     Pre    =>
-       Is_Sound (Before.Row)
-       and then Is_Sound (After.Row)
-       and then Is_In_Wake_Order (Before, Last)
-       and then Last.Blocks = After.Blocks
-       and then Queue_Of (Last, First) = Timer
-       and then Queue_Of (After, First) = Ready
-       and then
-         (for all Which in TCB_Number =>
-            (if Which /= First
-             then Queue_Of (After, Which) = Queue_Of (Last, Which)))
-       and then Order_Is_Kept (Last, After, Except => First)
-       and then Is_In_Its_Place (After, First)
-       and then
-         (for all Which in TCB_Number =>
-            (if Queue_Of (After, Which) = Timer
-             then Is_Ahead (Last, First, Which))),
-     Post   => Is_In_Wake_Order (Before, After);
 
    --  All who have slept long enough go to the ready queue. The clock is
    --  still to be set.
@@ -472,48 +146,6 @@ package body URVOS.Schedulers with SPARK_Mode is
        and then Order_Is_Kept (S'Old, S, Except => Running_TCB (S'Old))
        and then Is_In_Its_Place (S, Running_TCB (S'Old));
 
-   procedure Prove_None_Is_Due (S : Scheduler; Now : Clock_Tick) is
-   begin
-      if S.Sleeping > 0 then
-         declare
-            First : constant TCB_Number :=
-              TCB_At (S.Row, Place (Ready_Last (S) + 1));
-         begin
-            pragma Assert (Queue_Of (S, First) = Timer);
-            pragma Assert
-              (for all Which in TCB_Number =>
-                 (if Queue_Of (S, Which) = Timer and then Which /= First
-                  then Is_Ahead (S, First, Which)));
-            pragma Assert (Release_Of (S, First) > Now);
-         end;
-      end if;
-   end Prove_None_Is_Due;
-
-   procedure Prove_Wake_Order
-     (Before, Last, After : Scheduler;
-      First               : TCB_Number)
-   is
-   begin
-      pragma Assert
-        (for all A in TCB_Number =>
-           (for all B in TCB_Number =>
-              (if A /= First and then B /= First
-                 and then Queue_Of (After, A) = Ready
-                 and then Queue_Of (After, B) = Ready
-               then Is_Ahead (After, A, B) =
-                 (Priority_Of (After, A) > Priority_Of (After, B)
-                  or else (Priority_Of (After, A) = Priority_Of (After, B)
-                           and then Is_Ahead (Before, A, B))))));
-      pragma Assert
-        (for all A in TCB_Number =>
-           (if A /= First and then Queue_Of (Last, A) = Ready
-            then Is_Ahead (Before, A, First)));
-      pragma Assert
-        (for all A in TCB_Number =>
-           (if A /= First and then Queue_Of (After, A) = Ready
-            then Is_Ahead (After, First, A) = not Is_Ahead (After, A, First)));
-   end Prove_Wake_Order;
-
    function Behind_Priority
      (S     : Scheduler;
       Level : Priority) return Integer is
@@ -545,9 +177,6 @@ package body URVOS.Schedulers with SPARK_Mode is
       end loop;
       return Timer_Last (S) + 1;
    end Behind_Tick;
-
-   function Empty_Scheduler (Now : Clock_Tick) return Scheduler is
-     ((Now => Now, others => <>));
 
    procedure Load (S : in out Scheduler; Header : Task_Header) is
       Before : constant Scheduler := S with Ghost;

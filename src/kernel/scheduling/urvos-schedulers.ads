@@ -74,7 +74,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
    function Is_Settled (S : Scheduler) return Boolean is
      (if Is_Idle (S)
       then (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready))
-   with Global => null;
+   with Ghost, Global => null;
 
    function Has_Free_TCB (S : Scheduler) return Boolean is
      (for some Which in TCB_Number => Queue_Of (S, Which) = Free)
@@ -125,6 +125,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
       and then Priority_Of (After, Which) = Priority_Of (Before, Which)
       and then Release_Of (After, Which) = Release_Of (Before, Which))
    with
+     Ghost,
      Global   => null,
      Annotate => (GNATprove, Inline_For_Proof);
 
@@ -138,6 +139,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
       and then Is_New_Release (After, Which) = Is_New_Release (Before, Which)
       and then Is_First_Run (After, Which) = Is_First_Run (Before, Which))
    with
+     Ghost,
      Global   => null,
      Annotate => (GNATprove, Inline_For_Proof);
 
@@ -152,7 +154,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
               and then Queue_Of (After, A) = Queue_Of (After, B)
               and then Queue_Of (Before, A) = Queue_Of (Before, B)
             then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
-   with Global => null;
+   with Ghost, Global => null;
 
    --  The task is the one to be chosen from the ready queue: of the highest
    --  priority, and of several such the one that came first.
@@ -168,9 +170,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
               or else
                 (Priority_Of (S, Which) = Priority_Of (S, Other)
                  and then Is_Ahead (S, Which, Other)))))
-   with Global => null;
-
-   --  Starting
+   with Ghost, Global => null;
 
    --  Each queue is in its order, and equals in that of their numbers.
    function Equals_Are_In_Turn (S : Scheduler) return Boolean is
@@ -190,7 +190,9 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                        (Release_Of (S, A) = Release_Of (S, B)
                         and then A < B),
                   when Running | Free => A < B))))
-   with Global => null;
+   with Ghost, Global => null;
+
+   --  Starting
 
    --  All TCBs free.
    function Empty_Scheduler (Now : Clock_Tick) return Scheduler
@@ -398,7 +400,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
            and then Release_Of (After, Best) < Clock (After)
          then Incremented (Overruns (Before))
          else Overruns (Before)))
-   with Global => null;
+   with Ghost, Global => null;
 
    --  EXIT: the caller gives the processor to the best ready task, if one
    --  has a higher priority than its own, and goes behind those of its own
@@ -606,5 +608,20 @@ private
 
    function Running_TCB (S : Scheduler) return TCB_Number is
      (TCB_At (S.Row, 1));
+
+   function Empty_Scheduler (Now : Clock_Tick) return Scheduler is
+     ((Now => Now, others => <>));
+
+   --  The head of the timer queue, if there is one, is due.
+   function Sleeper_Is_Due
+     (S   : Scheduler;
+      Now : Clock_Tick) return Boolean
+   is
+     (S.Sleeping > 0
+      and then
+        Release_Of (S, TCB_At (S.Row, Place (Ready_Last (S) + 1))) <= Now)
+   with
+     Global => null,
+     Pre    => Queues_Fit (S);
 
 end URVOS.Schedulers;
