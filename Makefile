@@ -2,7 +2,7 @@
 
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly ground test check prove explore fuzz campaign theory bench size \
+.PHONY: help fly ground monte_carlo test check prove explore fuzz campaign theory bench size \
         trace mutate planted real_time timing coverage independence clean
 
 GPRBUILD := gprbuild -q -p -j0
@@ -21,6 +21,7 @@ help:
 	@echo "  make explore    explore both telemetry boards exhaustively"
 	@echo "  make campaign   spoil the link in every way, see it recover;"
 	@echo "                  CAMPAIGN=tiny|short|full JOBS=N"
+	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
 	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
@@ -53,6 +54,12 @@ ground:
 	@echo "ground: building bin/urv_gsc and bin/urv_mcs"
 	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
 	@exec bin/urv ground $(if $(GROUND_SECONDS),--seconds $(GROUND_SECONDS))
+
+FLIGHTS := 2000
+monte_carlo:
+	@scripts/setup.sh monte_carlo
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@bin/urv monte-carlo --flights $(FLIGHTS)
 
 test:
 	@scripts/setup.sh test

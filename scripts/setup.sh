@@ -4,7 +4,8 @@
 # Installs what one target of the Makefile lacks, and nothing else (EVI-11).
 #
 #   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
-#                    fuzz|trace|mutate|real_time|timing|coverage|independence
+#                    fuzz|trace|mutate|real_time|timing|coverage|independence|
+#                    monte_carlo
 #
 # With Python packages of ground/ it also makes bin/urv.
 #
@@ -42,14 +43,22 @@ case $target in
           packages="$build python3 python3-venv default-jre-headless maven"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
-                        ground/requirements.txt" ;;
+                        ground/requirements.txt
+                        ground/campaign-requirements.txt" ;;
+   monte_carlo)
+          packages="$build python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt
+                        ground/report-requirements.txt
+                        ground/requirements.txt
+                        ground/campaign-requirements.txt" ;;
    test | check)
           packages="$build $aunit afl++ binutils gcc python3
                     python3-venv socat"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt
                         ground/report-requirements.txt
-                        ground/requirements.txt"
+                        ground/requirements.txt
+                        ground/campaign-requirements.txt"
           # The browser that looks at the station's page.
           [ "$target" = check ] ||
              packages="$packages chromium fonts-dejavu-core" ;;

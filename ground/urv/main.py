@@ -16,8 +16,8 @@ from pathlib import Path
 
 import typer
 
-from urv import (convert, faults, ground, mavlink, pictures, report, station,
-                 xtce)
+from urv import (convert, faults, ground, mavlink, monte_carlo, pictures,
+                 report, station, xtce)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -60,6 +60,7 @@ app.command()(station.station)
 app.command()(mavlink.mavlink)
 app.command()(ground.ground)
 app.command()(pictures.pictures)
+app.command("monte-carlo")(monte_carlo.monte_carlo)
 
 
 def interrupt(_signal, _frame):

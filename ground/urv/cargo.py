@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What travels to a worker, and what it does there (SIM-6).
+
+A worker has Python and the packages of ground/campaign-requirements.txt and
+sim/jsbsim/requirements.txt, and nothing of this repository. The files travel
+as one archive with its hash; so does the code below, by value, which is why it
+imports nothing of its own package.
+"""
+
+import hashlib
+import io
+import json
+import os
+import subprocess
+import sys
+import tarfile
+import tempfile
+from pathlib import Path
+
+# Far longer than any flight of a campaign takes.
+TIME_LIMIT_S = 3600
+
+
+def packed(root, names):
+    """An archive of these files and folders, the same bytes for the same
+    contents."""
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w:xz") as archive:
+        for name in sorted(files_of(root, names)):
+            member = tarfile.TarInfo(name)
+            data = (root / name).read_bytes()
+            member.size = len(data)
+            member.mode = (root / name).stat().st_mode & 0o755
+            archive.addfile(member, io.BytesIO(data))
+    return out.getvalue()
+
+
+def files_of(root, names):
+    for name in names:
+        path = root / name
+        if path.is_dir():
+            yield from (str(each.relative_to(root))
+                        for each in path.rglob("*") if each.is_file()
+                        and "__pycache__" not in each.parts)
+        else:
+            path.stat()
+            yield name
+
+
+def digest(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+class Cargo:
+    """The archive, the hash that it must have, and the work: a function of
+    the unpacked folder and a job, whose result is JSON's."""
+
+    def __init__(self, archive, work):
+        self.archive = archive
+        self.hash = digest(archive)
+        self.work = work
+        self.name = f"cargo-{self.hash}"
+        self.folder = None
+
+    def setup(self, worker):
+        """Dask's worker calls this once, before its first job."""
+        if digest(self.archive) != self.hash:
+            raise RuntimeError("the cargo is not what was sent")
+        self.unpack(tempfile.mkdtemp(prefix="cargo-",
+                                     dir=worker.local_directory))
+        self.archive = b""
+
+    def unpack(self, folder):
+        self.folder = Path(folder)
+        with tarfile.open(fileobj=io.BytesIO(self.archive)) as archive:
+            for member in archive:
+                path = self.folder / member.name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(archive.extractfile(member).read())
+                path.chmod(member.mode)
+
+    def do(self, job):
+        return {"cargo": self.hash, **self.work(self.folder, job)}
+
+
+def fly(folder, job):
+    """Fly with these options and input files; what the summary says, or what
+    went wrong."""
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        for name, text in job["files"].items():
+            (Path(place) / name).write_text(text, encoding="utf-8")
+        result = subprocess.run(
+            [str(folder / "bin" / "urv_sim"), "fly", *job["options"],
+             "--quiet", "--summary", "summary.json"],
+            cwd=place, capture_output=True, text=True, check=False,
+            stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S,
+            env={**os.environ, "URV_PYTHON": sys.executable})
+        if result.returncode != 0:
+            return {"fault": result.stderr.strip()[-200:]
+                    or f"exit status {result.returncode}"}
+        text = (Path(place) / "summary.json").read_text("utf-8")
+        return {"summary": json.loads(text)}

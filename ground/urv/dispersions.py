@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is different from flight to flight, drawn from the flight's seed.
+
+    drawn = dispersions.draw(1234, "standard", 180)
+    drawn.conditions, drawn.faults      the files of urv_sim
+    drawn.values                        what was drawn, by name
+
+The same seed, pilot and length give the same flight, whichever flights are
+flown beside it.
+"""
+
+import math
+import random
+from typing import NamedTuple
+
+# Even between the two. A circuit begins towards the east, and like any pilot
+# this one takes off and lands into the wind.
+WIND_FROM_DEG = {"circuit": (0, 180)}
+EVERYWHERE_DEG = (0, 360)
+WIND_KT = {"circuit": (0, 10)}
+USUAL_WIND_KT = (0, 15)
+TURBULENCE_KT = (0, 15)
+BALLAST_LB = (-5, 15)
+BALLAST_AFT_IN = (-20, 20)
+
+# Standard deviations of what a sensor always has, in its unit.
+BIAS = {"alpha": 0.3, "beta": 0.3, "roll_attitude": 0.5,
+        "pitch_attitude": 0.5, "roll_rate": 0.1, "pitch_rate": 0.1,
+        "yaw_rate": 0.1, "airspeed": 1.0, "altitude": 5.0}
+
+# Standard deviations from measurement to measurement are between none and
+# this.
+NOISE = {"alpha": 0.2, "beta": 0.2, "roll_attitude": 0.1,
+         "pitch_attitude": 0.1, "roll_rate": 0.2, "pitch_rate": 0.2,
+         "yaw_rate": 0.2, "airspeed": 0.5, "altitude": 1.0}
+
+# Probability that a bit on the line is wrong, and how long the line is cut;
+# even in their logarithms.
+BIT_ERRORS = (1e-7, 1e-5)
+MOST_CUTS = 2
+CUT_MS = (20, 500)
+
+
+class Drawn(NamedTuple):
+    """A flight's input files, and what was drawn for them."""
+
+    conditions: str
+    faults: str
+    values: dict
+
+
+def draw(seed, pilot, seconds):
+    """The flight of that seed."""
+    chance = random.Random(f"{pilot} {seconds} {seed}")
+
+    def between(pair):
+        return round(chance.uniform(*pair), 3)
+
+    def even_in_logarithm(pair):
+        return math.exp(chance.uniform(*map(math.log, pair)))
+
+    values = {
+        "wind_from_deg": between(WIND_FROM_DEG.get(pilot, EVERYWHERE_DEG)),
+        "wind_kt": between(WIND_KT.get(pilot, USUAL_WIND_KT)),
+        "turbulence_kt": between(TURBULENCE_KT),
+        "ballast_lb": between(BALLAST_LB),
+        "ballast_aft_in": between(BALLAST_AFT_IN),
+    }
+    conditions = [
+        f"wind {values['wind_from_deg']} {values['wind_kt']}",
+        f"turbulence {values['turbulence_kt']}",
+        f"ballast {values['ballast_lb']} {values['ballast_aft_in']}"]
+    for sensor, spread in BIAS.items():
+        values[f"bias_{sensor}"] = round(chance.gauss(0.0, spread), 3)
+        conditions.append(f"bias {sensor} {values[f'bias_{sensor}']:.3f}")
+    for sensor, most in NOISE.items():
+        values[f"noise_{sensor}"] = between((0, most))
+        conditions.append(f"noise {sensor} {values[f'noise_{sensor}']:.3f}")
+
+    values["bit_error_rate"] = float(f"{even_in_logarithm(BIT_ERRORS):.3g}")
+    faults = [f"0 {way} ber {values['bit_error_rate']:.3g} {seconds * 1000}"
+              for way in ("up", "down")]
+    lengths = [round(even_in_logarithm(CUT_MS))
+               for _ in range(chance.randint(0, MOST_CUTS))]
+    for length in lengths:
+        faults.append(
+            f"{chance.randrange(1000, seconds * 1000)} cut {length}")
+    values["cuts"] = len(lengths)
+    values["cut_ms"] = sum(lengths)
+    return Drawn("\n".join(conditions) + "\n", "\n".join(faults) + "\n",
+                 values)

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv monte-carlo: flights by the thousand, each from its seed (SIM-6)."""
+
+import shlex
+import subprocess
+import time
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Annotated, Optional
+
+import typer
+
+from urv import faults
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# What travels to the workers.
+CARGO = ("bin/urv_sim", "sim/jsbsim")
+
+# The flights that the pilot knows, in s.
+LENGTHS = {"standard": 180, "level": 60}
+LONGEST_S = 3600
+
+OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
+           "--events", "events.jsonl")
+
+
+def monte_carlo(
+    count: Annotated[Optional[int], typer.Option(
+        "--flights", min=1, max=1_000_000, metavar="N",
+        help="How many flights.")] = None,
+    first: Annotated[int, typer.Option(
+        "--seed", min=0, max=2 ** 63 - 1, metavar="N",
+        help="Seed of the first; the others follow.")] = 1,
+    again: Annotated[Optional[int], typer.Option(
+        min=0, max=2 ** 63 - 1, metavar="SEED",
+        help="Fly the flight of that seed alone, here, and keep its"
+        " files.")] = None,
+    pilot: Annotated[str, typer.Option(
+        metavar="NAME", help="Who flies: "
+        + ", ".join(LENGTHS) + ".")] = "standard",
+    seconds: Annotated[Optional[int], typer.Option(
+        min=10, max=LONGEST_S, metavar="S",
+        help="Length of each flight; else the pilot's.")] = None,
+    scheduler: Annotated[Optional[str], typer.Option(
+        metavar="ADDRESS", help="Dask's scheduler, tcp://HOST:PORT; else"
+        " workers here.")] = None,
+    workers: Annotated[Optional[int], typer.Option(
+        min=1, max=1024, metavar="N",
+        help="Workers here; else one for each processor.")] = None,
+    output: Annotated[Path, typer.Option(
+        "-o", "--output", metavar="FOLDER",
+        help="Where the results go.")] = Path("flight/monte-carlo"),
+):
+    """Fly many flights in conditions by chance.
+
+    Leaves results.parquet and report.html in the folder.
+    """
+    if pilot not in LENGTHS:
+        raise faults.Refused(f"--pilot: {faults.quoted(pilot)} is nobody;"
+                             f" there are {', '.join(LENGTHS)}")
+    if scheduler is not None and workers is not None:
+        raise faults.Refused("--workers are workers here, and do not go"
+                             " together with --scheduler")
+    if (count is None) == (again is None):
+        raise faults.Refused("either --flights or --again is needed, and"
+                             " not both")
+    if not (ROOT / CARGO[0]).is_file():
+        raise faults.Failed("bin/urv_sim is not built: make fly builds it")
+    length = seconds or LENGTHS[pilot]
+    campaign = SimpleNamespace(
+        pilot=pilot, seconds=length, first=first, count=count,
+        output=output, scheduler=scheduler, workers=workers)
+    if again is not None:
+        fly_alone(campaign, again)
+    else:
+        fly_all(campaign)
+
+
+def job(campaign, seed):
+    """The files and options of the flight of that seed."""
+    from urv import dispersions
+
+    drawn = dispersions.draw(seed, campaign.pilot, campaign.seconds)
+    return {
+        "seed": seed, "values": drawn.values,
+        "files": {"conditions.txt": drawn.conditions,
+                  "faults.txt": drawn.faults},
+        "options": ["--plant", "jsbsim", "--pilot", campaign.pilot,
+                    "--seconds", str(campaign.seconds),
+                    "--seed", str(seed), "--conditions", "conditions.txt",
+                    "--faults", "faults.txt"]}
+
+
+def command_again(campaign, seed):
+    """What flies that flight again."""
+    return shlex.join(
+        ["bin/urv", "monte-carlo", "--again", str(seed), "--pilot",
+         campaign.pilot, "--seconds", str(campaign.seconds), "--output",
+         str(campaign.output)])
+
+
+def fly_alone(campaign, seed):
+    """Fly one here; its files stay."""
+    asked = job(campaign, seed)
+    folder = made(campaign.output / str(seed))
+    for name, text in asked["files"].items():
+        (folder / name).write_text(text, encoding="utf-8")
+    command = [str(ROOT / CARGO[0]), "fly", *asked["options"], *OUTPUTS]
+    print(f"cd {shlex.quote(str(folder))} && {shlex.join(command)}",
+          flush=True)
+    status = subprocess.run(command, cwd=folder, check=False,
+                            stdin=subprocess.DEVNULL).returncode
+    if status:
+        raise faults.Failed(f"urv_sim ended with status {status}")
+
+
+def made(folder):
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        raise faults.Failed(f"{faults.quoted(folder)} cannot be made:"
+                            f" {faults.reason(fault)}") from fault
+    return folder
+
+
+def fly_all(campaign):
+    import os
+
+    from urv import cargo, monte_carlo_page, monte_carlo_results, progress
+    from urv import workers as engine
+
+    made(campaign.output)
+    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.fly)
+    jobs = (job(campaign, campaign.first + place)
+            for place in range(campaign.count))
+    count = campaign.workers or os.cpu_count() or 1
+    found = []
+    began = time.monotonic()
+    with progress.bar("flying") as told:
+        for asked, result in engine.done(
+                sent, jobs, campaign.scheduler, count):
+            found.append(monte_carlo_results.flight(
+                campaign.pilot, asked, result))
+            told(SimpleNamespace(size=campaign.count, position=len(found)))
+    elapsed = time.monotonic() - began
+    found.sort(key=lambda flight: flight.seed)
+    monte_carlo_results.write(
+        campaign.output / "results.parquet", campaign, sent.hash, found)
+    page = monte_carlo_page.page(
+        campaign, sent.hash, found,
+        lambda seed: command_again(campaign, seed))
+    (campaign.output / "report.html").write_text(page, encoding="utf-8")
+    well = sum(flight.is_success for flight in found)
+    print(f"{well} of {len(found)} flights within all limits,"
+          f" {len(found) / elapsed:.2f} flights a second")

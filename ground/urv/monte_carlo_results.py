@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What comes back of a campaign's flights, and its Parquet.
+
+A row for each flight, by seed: what was drawn, what was measured, how much of
+each limit was used, and whether all was well. Nothing in it depends on who
+flew it or when.
+"""
+
+from typing import NamedTuple
+
+from urv import faults, success
+
+# What the summary says of the flight and its link.
+PARTS = ("flight_quality", "circuit")
+LINK = ("uplink_bad", "downlink_bad", "gsc_resets", "mcs_resets")
+
+
+class Flight(NamedTuple):
+    """One flight of the campaign."""
+
+    seed: int
+    drawn: dict
+    measured: dict
+    used: dict
+    fault: str
+
+    @property
+    def worst(self):
+        """The share of the limit that it used most of."""
+        return max(self.used.values())
+
+    @property
+    def is_success(self):
+        return self.worst <= 1.0
+
+
+def flight(pilot, job, result):
+    """A flight of its job and of what the worker answered."""
+    summary = result.get("summary", {})
+    measured = {}
+    for part in PARTS:
+        for name, value in (summary.get(part) or {}).items():
+            measured[name] = None if value is None else float(value)
+    for name in LINK:
+        if name in summary.get("link", {}):
+            measured[name] = float(summary["link"][name])
+    used = {limit.name: limit.used(summary)
+            for limit in success.limits(pilot)}
+    return Flight(job["seed"], job["values"], measured, used,
+                  result.get("fault", ""))
+
+
+def names(flights, part):
+    """Those that any flight has, in their order."""
+    return list(dict.fromkeys(
+        name for each in flights for name in getattr(each, part)))
+
+
+def write(path, campaign, cargo_hash, flights):
+    import pyarrow
+    import pyarrow.parquet
+
+    columns = {"seed": pyarrow.array(
+        [each.seed for each in flights], pyarrow.int64())}
+    for part, prefix in (("drawn", "drawn."), ("measured", ""),
+                         ("used", "used.")):
+        for name in names(flights, part):
+            columns[prefix + name] = pyarrow.array(
+                [getattr(each, part).get(name) for each in flights],
+                pyarrow.float64())
+    columns["success"] = pyarrow.array(
+        [each.is_success for each in flights], pyarrow.bool_())
+    columns["fault"] = pyarrow.array(
+        [each.fault for each in flights], pyarrow.string())
+    table = pyarrow.table(columns).replace_schema_metadata({
+        "urv.monte_carlo": "1", "urv.pilot": campaign.pilot,
+        "urv.seconds": str(campaign.seconds), "urv.cargo": cargo_hash})
+    try:
+        pyarrow.parquet.write_table(table, path, compression="zstd")
+    except OSError as fault:
+        raise faults.Failed(f"{faults.quoted(path)} cannot be written:"
+                            f" {faults.reason(fault)}") from fault

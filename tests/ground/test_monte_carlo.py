@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: Apache-2.0
+"""SIM-6: flights by the thousand. The same flight whoever flies it; a worker
+that is killed loses none; what the page and the table say is so."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from types import SimpleNamespace
+
+import pytest
+from conftest import ROOT
+
+from urv import cargo, dispersions, monte_carlo, success, workers
+
+pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
+distributed = pytest.importorskip("distributed")
+parquet = pytest.importorskip("pyarrow.parquet")
+
+SHORT = SimpleNamespace(pilot="level", seconds=10, output="out")
+FILES = ("conditions.txt", "faults.txt", "record.csv", "summary.json",
+         "events.jsonl")
+
+
+def jobs(count):
+    return [monte_carlo.job(SHORT, seed) for seed in range(1, count + 1)]
+
+
+@pytest.fixture(scope="module")
+def sent():
+    return cargo.Cargo(cargo.packed(ROOT, monte_carlo.CARGO), cargo.fly)
+
+
+def steady(result):
+    """A result without what the clock on the wall measured."""
+    return {**result, "summary": {**result["summary"], "speed": None}}
+
+
+@pytest.fixture(scope="module")
+def flown(sent, tmp_path_factory):
+    """What each of eight flights says, flown here one by one."""
+    here = cargo.Cargo(sent.archive, cargo.fly)
+    here.unpack(tmp_path_factory.mktemp("cargo"))
+    return {job["seed"]: steady(here.do(job)) for job in jobs(8)}
+
+
+# --- what is drawn ----------------------------------------------------------
+
+def test_a_seed_is_a_flight_and_nothing_else_is():
+    drawn = [dispersions.draw(seed, "standard", 180) for seed in (7, 8, 7)]
+    assert drawn[0] == drawn[2]
+    assert drawn[0].conditions != drawn[1].conditions
+    assert drawn[0].faults != drawn[1].faults
+
+
+def test_what_is_drawn_is_within_its_bounds_and_uses_them():
+    drawn = [dispersions.draw(seed, "standard", 180).values
+             for seed in range(400)]
+    for name, (least, most) in (("wind_kt", dispersions.USUAL_WIND_KT),
+                                ("turbulence_kt", dispersions.TURBULENCE_KT),
+                                ("ballast_lb", dispersions.BALLAST_LB),
+                                ("bit_error_rate", dispersions.BIT_ERRORS)):
+        values = [each[name] for each in drawn]
+        assert least <= min(values) < max(values) <= most
+        assert max(values) - min(values) > 0.9 * (most - least)
+    assert {each["cuts"] for each in drawn} == {0, 1, 2}
+
+
+# --- how sure a rate is -----------------------------------------------------
+
+@pytest.mark.parametrize(("well", "trials", "least", "most"), [
+    # Tables of Clopper and Pearson (1934) and of R's binom.test.
+    (0, 10, 0.0, 0.30850), (10, 10, 0.69150, 1.0), (5, 10, 0.18709, 0.81291),
+    (95, 100, 0.88717, 0.98357), (1999, 2000, 0.99722, 0.99999)])
+def test_bounds_are_those_of_clopper_and_pearson(well, trials, least, most):
+    assert success.clopper_pearson(well, trials) == pytest.approx(
+        (least, most), abs=1e-5)
+
+
+def test_a_flight_that_says_nothing_is_no_success():
+    for limit in success.limits("standard"):
+        assert limit.used({}) > 1.0
+    whole, bank, *_ = success.limits("standard")
+    assert whole.used({"flight_quality": {"crashed": True}}) > 1.0
+    assert whole.used({"flight_quality": {"crashed": False}}) == 0.0
+    assert bank.used({"flight_quality": {
+        "bank_left_deg": 30.0, "bank_right_deg": -90.0}}) == 1.5
+
+
+# --- whoever flies it -------------------------------------------------------
+
+def test_one_and_two_workers_find_the_same(urv, tmp_path, flown):
+    for count in ("1", "2"):
+        result = urv("monte-carlo", "--flights", 4, "--pilot", "level",
+                     "--seconds", 10, "--workers", count, "-o", count)
+        assert (result.returncode, result.stderr) == (0, "")
+        assert "4 of 4 flights within all limits" in result.stdout
+    files = [tmp_path / count / "results.parquet" for count in ("1", "2")]
+    assert files[0].read_bytes() == files[1].read_bytes()
+
+    table = parquet.read_table(files[0]).to_pylist()
+    assert [row["seed"] for row in table] == [1, 2, 3, 4]
+    for row in table:
+        quality = flown[row["seed"]]["summary"]["flight_quality"]
+        assert {name: row[name] for name in quality} == quality
+        assert row["success"]
+    page = (tmp_path / "1" / "report.html").read_text("utf-8")
+    assert "4 of 4" in page
+    # One minus the fourth root of 0.025.
+    assert "39.76 % to 100.00 %" in page
+    assert len(re.findall("bin/urv monte-carlo --again", page)) == 4
+    assert "<script" not in page
+
+
+def test_a_flight_is_flown_again_alone(urv, tmp_path, flown):
+    result = urv("monte-carlo", "--again", 3, "--pilot", "level",
+                 "--seconds", 10, "-o", "again")
+    assert result.returncode == 0, result.stderr
+    folder = tmp_path / "again" / "3"
+    assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
+    summary = json.loads((folder / "summary.json").read_text("utf-8"))
+    assert {**summary, "speed": None} == flown[3]["summary"]
+
+    # The printed command does it once more.
+    before = (folder / "record.csv").read_bytes()
+    (folder / "record.csv").unlink()
+    command = result.stdout.splitlines()[0]
+    subprocess.run(["sh", "-c", command], check=True, cwd=tmp_path,
+                   capture_output=True, timeout=60)
+    assert (folder / "record.csv").read_bytes() == before
+
+
+class Dask:
+    """A scheduler and workers as they are anywhere: Python with packages, an
+    empty folder, and no word of this repository."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.running = []
+        self.environment = {
+            name: value for name, value in os.environ.items()
+            if name not in ("PYTHONPATH", "URV_PYTHON", "URV_SIM")}
+
+    def start(self, name, *arguments):
+        place = self.folder / name
+        place.mkdir()
+        process = subprocess.Popen(
+            [sys.executable, "-m", "distributed.cli.dask_" + name.split(
+                "-")[0], *arguments], cwd=place, env=self.environment,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.running.append(process)
+        return process
+
+    def scheduler(self):
+        file = self.folder / "scheduler.json"
+        self.start("scheduler", "--host", "127.0.0.1", "--port", "0",
+                   "--no-dashboard", "--scheduler-file", str(file))
+        for _ in range(600):
+            try:
+                return json.loads(file.read_text("utf-8"))["address"]
+            except (OSError, ValueError):
+                time.sleep(0.1)
+        raise AssertionError("the scheduler did not start")
+
+    def stop(self):
+        for process in self.running:
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture
+def dask(tmp_path):
+    running = Dask(tmp_path)
+    yield running
+    running.stop()
+
+
+def kill_in_flight(worker, folder):
+    """Kill it while a flight's files are there."""
+    for _ in range(600):
+        worker.send_signal(signal.SIGSTOP)
+        if any(folder.rglob("cargo-*/tmp*")):
+            worker.send_signal(signal.SIGKILL)
+            return
+        worker.send_signal(signal.SIGCONT)
+        time.sleep(0.1)
+    raise AssertionError("the worker flew nothing")
+
+
+def test_a_killed_worker_costs_its_flights_a_second_try(
+        dask, sent, flown, tmp_path):
+    address = dask.scheduler()
+    team = [dask.start(f"worker-{n}", address, "--nthreads", "1",
+                       "--no-nanny", "--no-dashboard",
+                       "--local-directory", ".") for n in range(2)]
+    found = {}
+    for job, result in workers.done(sent, jobs(8), address):
+        assert job["seed"] not in found
+        found[job["seed"]] = steady(result)
+        if len(found) == 3:
+            kill_in_flight(team[0], tmp_path / "worker-0")
+    assert team[0].wait() == -signal.SIGKILL
+    assert found == flown
+
+
+def test_a_flight_that_cannot_be_flown_is_told(dask, sent, urv):
+    """And is no success; the next one flies."""
+    wrong, right = jobs(2)
+    wrong["files"]["conditions.txt"] = "wind 3\n"
+    address = dask.scheduler()
+    dask.start("worker-0", address, "--nthreads", "1", "--no-nanny",
+               "--no-dashboard", "--local-directory", ".")
+    found = {job["seed"]: result for job, result in workers.done(
+        sent, [wrong, right], address)}
+    assert found[1]["fault"].startswith("conditions.txt:1: a condition of")
+    assert found[2]["summary"]["flight_quality"]["crashed"] is False
+
+
+def test_cargo_that_changed_on_its_way_is_refused(sent, tmp_path):
+    spoilt = cargo.Cargo(sent.archive, cargo.fly)
+    spoilt.archive = sent.archive[:-1] + b"?"
+    with pytest.raises(RuntimeError, match="not what was sent"):
+        spoilt.setup(SimpleNamespace(local_directory=str(tmp_path)))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("options", "complaint"), [
+    ((), "either --flights or --again is needed, and not both"),
+    (("--flights", 2, "--again", 3),
+     "either --flights or --again is needed, and not both"),
+    (("--flights", 2, "--pilot", "ace"),
+     "--pilot: \"ace\" is nobody; there are standard, level"),
+    (("--flights", 2, "--workers", 2, "--scheduler", "tcp://127.0.0.1:1"),
+     "--workers are workers here, and do not go together with --scheduler"),
+])
+def test_what_is_asked_wrongly_is_said(urv, options, complaint):
+    result = urv("monte-carlo", *options)
+    assert result.returncode == 2
+    assert complaint in result.stderr
+
+
+def test_a_scheduler_that_is_not_there_is_said(urv):
+    result = urv("monte-carlo", "--flights", 1, "--scheduler",
+                 "tcp://127.0.0.1:1")
+    assert result.returncode == 1
+    assert result.stderr.startswith(
+        "urv: no scheduler at \"tcp://127.0.0.1:1\"")
