@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Host.Pilot.Circuits;
+
 package body Host.Pilot.Flights is
 
    Second : constant Microseconds := 1_000 * Microseconds_Per_Millisecond;
@@ -59,13 +61,15 @@ package body Host.Pilot.Flights is
    function Length (Of_Flight : Flight) return Microseconds is
      (case Of_Flight is
          when Standard_Flight => Standard_Length,
-         when Level_Flight    => Level_Length);
+         when Level_Flight    => Level_Length,
+         when Circuit_Flight  => Circuits.Length);
 
    function Targets_At (Of_Flight : Flight; Time : Microseconds)
                         return Targets
    is (case Of_Flight is
           when Standard_Flight => Targets_In (Standard_Legs, Time),
-          when Level_Flight    => Targets_In (Level_Legs, Time));
+          when Level_Flight    => Targets_In (Level_Legs, Time),
+          when Circuit_Flight  => (others => <>));
 
    function Targets_In (Legs : Leg_List; Time : Microseconds) return Targets
    is

@@ -4,12 +4,16 @@
 
 private package Host.Pilot.Flights is
 
-   type Flight is (Standard_Flight, Level_Flight);
+   type Flight is (Standard_Flight, Level_Flight, Circuit_Flight);
+
+   --  The last ones.
+   subtype Flight_By_Eye is Flight range Circuit_Flight .. Circuit_Flight;
 
    function Name (Of_Flight : Flight) return String is
      (case Of_Flight is
          when Standard_Flight => "standard",
-         when Level_Flight    => "level");
+         when Level_Flight    => "level",
+         when Circuit_Flight  => "circuit");
 
    function Length (Of_Flight : Flight) return Microseconds;
 

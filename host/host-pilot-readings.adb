@@ -28,6 +28,7 @@ package body Host.Pilot.Readings is
          Yaw_Rate   => Value (Yaw_Rate),
          Airspeed   => Value (Airspeed),
          Altitude   => Value (Altitude),
+         Load       => Value (Vertical_Acceleration),
          Flaps      =>
            (Value (Right_Flap_1) + Value (Left_Flap_1)
             + Value (Right_Flap_2) + Value (Left_Flap_2)) / 4.0);

@@ -10,6 +10,7 @@ private package Host.Pilot.Readings is
       Airspeed : Long_Float := 0.0;                           --  kt
       Altitude : Long_Float := 0.0;                           --  ft
       Flaps    : Long_Float := 0.0;                           --  deg
+      Load     : Long_Float := 1.0;                           --  g, upward
    end record;
 
    function Read (Downlink : Downlink_Buffer) return Reading;

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Host.Pilot.Circuits;
 with Host.Pilot.Flights;  use Host.Pilot.Flights;
 with Host.Pilot.Readings; use Host.Pilot.Readings;
 with Host.Scaling;        use Host.Scaling;
@@ -84,6 +85,8 @@ package body Host.Pilot is
       Pitch_Trim     : Long_Float      := 0.0;
       Stick_Trim     : Long_Float      := 0.0;
       Throttle_Trim  : Long_Float      := 0.0;
+      Sight          : Pilot.Sight;
+      Sight_Is_New   : Boolean         := False;
    end record;
 
    Mind : Memory;
@@ -99,7 +102,7 @@ package body Host.Pilot is
    function Named (Name : String) return Flight
      with Pre => Exists (Name);
 
-   function Names_From (First : Flight) return String;
+   function Names_From (First : Flight; By_Eye : Boolean) return String;
 
    function Bounded (Value, Most : Long_Float) return Long_Float is
      (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
@@ -125,12 +128,15 @@ package body Host.Pilot is
    function Exists (Name : String) return Boolean is
      (for some Known in Flight => Flights.Name (Known) = Name);
 
-   function Names_From (First : Flight) return String is
+   function Names_From (First : Flight; By_Eye : Boolean) return String is
      (Flights.Name (First)
-      & (if First = Flight'Last then ""
-         else ", " & Names_From (Flight'Succ (First))));
+      & (if First = Flight'Last
+           or else (not By_Eye and then Flight'Succ (First) in Flight_By_Eye)
+         then ""
+         else ", " & Names_From (Flight'Succ (First), By_Eye)));
 
-   function Names return String is (Names_From (Flight'First));
+   function Names (By_Eye : Boolean := True) return String is
+     (Names_From (Flight'First, By_Eye));
 
    function Named (Name : String) return Flight is
    begin
@@ -142,6 +148,9 @@ package body Host.Pilot is
       raise Program_Error with "no such flight";
    end Named;
 
+   function Is_By_Eye (Name : String) return Boolean is
+     (Named (Name) in Flight_By_Eye);
+
    function Length (Name : String) return Microseconds is
      (Flights.Length (Named (Name)));
 
@@ -149,7 +158,14 @@ package body Host.Pilot is
    begin
       Mind  := (Flown => Named (Name), others => <>);
       Hands := (others => <>);
+      Circuits.Start;
    end Start;
+
+   procedure See (Now : Sight) is
+   begin
+      Mind.Sight        := Now;
+      Mind.Sight_Is_New := True;
+   end See;
 
    function Present_Targets return Targets is (Mind.Wanted);
 
@@ -279,6 +295,12 @@ package body Host.Pilot is
    begin
       Mind.Wanted := Targets_At (Mind.Flown, Time);
       Look (Downlink);
+      if Mind.Flown in Flight_By_Eye then
+         Circuits.Move
+           (Now, Mind.Stale > 0, Mind.Sight, Mind.Sight_Is_New, Console);
+         Mind.Sight_Is_New := False;
+         return;
+      end if;
       if Mind.Has_Seen then
          Mind.Heading := Mind.Heading + Turn_Rate (Now) * Interval;
          if Mind.Stale > Patience then

@@ -70,11 +70,13 @@ package body Partitions.Console is
 
    procedure Take_Aboard (Pilot_Flight : String) is
    begin
-      if not Host.Pilot.Exists (Pilot_Flight) then
+      if not Host.Pilot.Exists (Pilot_Flight)
+        or else Host.Pilot.Is_By_Eye (Pilot_Flight)
+      then
          Complaints.Refuse
            ("--pilot: " & Complaints.Quoted (Pilot_Flight)
             & " is not a flight the pilot knows; there are "
-            & Host.Pilot.Names);
+            & Host.Pilot.Names (By_Eye => False));
       end if;
       Host.Pilot.Start (Pilot_Flight);
       Has_Pilot := True;

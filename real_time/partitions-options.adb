@@ -309,7 +309,7 @@ package body Partitions.Options is
            ("  --pilot NAME           the simulated pilot flies while no"
             & " console does:");
          Put_Line
-           ("                         " & Host.Pilot.Names);
+           ("                         " & Host.Pilot.Names (By_Eye => False));
          Put_Line
            ("  --publish udp:HOST:PORT");
          Put_Line

@@ -5,6 +5,7 @@ with Ada.Strings.Unbounded;
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
+with Host.Complaints;
 with Host.Event_Log;
 with Host.Names;
 with Host.Pilot;
@@ -13,8 +14,10 @@ with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
 with Host.Surface_Faults;
 with Host.Text_Output;
+with Sim.Circuit_Quality;
 with Sim.Conditions;
 with Sim.Engine;
+with Sim.Eyes;
 with Sim.Faults;
 with Sim.Flight_Quality;
 with Sim.Flight_Record;
@@ -37,6 +40,7 @@ with URVOS.Frames;        use URVOS.Frames;
 package body Sim.Flight is
 
    use Ada.Strings.Unbounded;
+   use type Sim.Conditions.Start_Place;
    use Options;
 
    --  When in the aircraft's frame the servos have new commands (FRM-2).
@@ -54,6 +58,7 @@ package body Sim.Flight is
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
    Chance   : Noise.Source;
+   Sight    : Noise.Source;
    Truth    : Flight_State;
    Shown    : Shown_State := (others => 0.0);
    Delays   : Latency.Collector;
@@ -84,6 +89,11 @@ package body Sim.Flight is
 
    function Given (Name : Unbounded_String) return Boolean is
      (Length (Name) > 0);
+
+   --  Whether the pilot stands beside the runway.
+   function Is_By_Eye (Chosen : Choices) return Boolean is
+     (Given (Chosen.Pilot)
+      and then Pilot.Is_By_Eye (To_String (Chosen.Pilot)));
 
    --  Whether the error is one of those with which every start begins: no
    --  message has come yet.
@@ -121,9 +131,19 @@ package body Sim.Flight is
    procedure Start_Aircraft (Chosen : Choices) is
       Begins : constant Sim.Conditions.Start_Place :=
         Sim.Conditions.Place
-          (Conditions, Otherwise => Sim.Conditions.In_The_Air);
+          (Conditions,
+           Otherwise =>
+             (if Is_By_Eye (Chosen) then Sim.Conditions.On_The_Runway
+              else Sim.Conditions.In_The_Air));
       Errors : Sensor_Values;
    begin
+      if Is_By_Eye (Chosen) and then Begins = Sim.Conditions.In_The_Air
+      then
+         Complaints.Refuse
+           ("--pilot " & To_String (Chosen.Pilot) & " and the condition"
+            & " ""start air"" do not go together");
+      end if;
+      Sight  := Noise.Seeded (Chosen.Seed, Noise.The_Eyes);
       Chance := Noise.Seeded (Chosen.Seed, Noise.The_Sensors);
       Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
       JSBSim.Start
@@ -193,6 +213,7 @@ package body Sim.Flight is
       Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
       Writer : Text_Output.Writer renames Files (Record_File);
       Words  : Console_Words;
+      Seen   : Pilot.Sight;
    begin
       if Text_Output.Is_Open (Writer) then
          Flight_Record.Write_Row
@@ -215,12 +236,18 @@ package body Sim.Flight is
       end if;
 
       if Given (Chosen.Pilot) then
+         if Is_By_Eye (Chosen) and then Frame mod Eyes.Frames_Between = 0 then
+            Eyes.Look (Shown, Sight, Seen);
+            Pilot.See (Seen);
+         end if;
          Pilot.Move
            (Time,
             URV.CORE_Layout.To_Buffer (Nodes.CORE (Ground).Downlink),
             Words);
          Move_Console (Words, Time);
-         if Chosen.Plant = JSBSim_Plant then
+         if Is_By_Eye (Chosen) then
+            Circuit_Quality.Observe (Time, Truth);
+         elsif Chosen.Plant = JSBSim_Plant then
             Flight_Quality.Observe (Time, Truth, Pilot.Present_Targets);
          end if;
       end if;
@@ -348,7 +375,9 @@ package body Sim.Flight is
          end;
       end loop;
 
-      if Chosen.Plant = JSBSim_Plant and then Given (Chosen.Pilot) then
+      if Is_By_Eye (Chosen) then
+         Circuit_Quality.Report (Further);
+      elsif Chosen.Plant = JSBSim_Plant and then Given (Chosen.Pilot) then
          Flight_Quality.Report (Further);
       end if;
 
@@ -394,6 +423,7 @@ package body Sim.Flight is
       if Given (Chosen.Pilot) then
          Pilot.Start (To_String (Chosen.Pilot));
          Flight_Quality.Start;
+         Circuit_Quality.Start;
       end if;
 
       Signals.Watch;

@@ -200,6 +200,11 @@ package body Sim.Summary is
           Fact   => Value));
    end Add_Quality;
 
+   procedure Name_Quality (To : in out Result; Part : String) is
+   begin
+      To.Part := Texts.To_Unbounded_String (Part);
+   end Name_Quality;
+
    procedure Put_Link (To : in out Writer; Link : Link_Counts) is
       Made : Object := (Depth => 2, others => <>);
    begin
@@ -332,7 +337,7 @@ package body Sim.Summary is
       End_Object (To, Known);
 
       if not Further.Qualities.Is_Empty then
-         Begin_Field (To, Made, "flight_quality");
+         Begin_Field (To, Made, Texts.To_String (Further.Part));
          Put_Quality (To, Further);
       end if;
       End_Object (To, Made);

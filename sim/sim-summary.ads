@@ -64,6 +64,9 @@ package Sim.Summary is
       Name  : String;
       Value : Boolean);
 
+   --  What the JSON object calls that part; else it is "flight_quality".
+   procedure Name_Quality (To : in out Result; Part : String);
+
    --  Writes the JSON object.
    procedure Write
      (To      : in out Text_Output.Writer;
@@ -124,6 +127,8 @@ private
       Statuses  : Status_Vectors.Vector;
       Known     : Known_Error_Vectors.Vector;
       Qualities : Quality_Vectors.Vector;
+      Part      : Texts.Unbounded_String :=
+        Texts.To_Unbounded_String ("flight_quality");
    end record;
 
 end Sim.Summary;

@@ -86,7 +86,7 @@ COMMAND_LINES = [
      '--pace: "fast" is neither "max" nor "realtime"'),
     (["fly", "--pilot", "nobody"],
      '--pilot: "nobody" is not a flight the pilot knows;'
-     " there are standard, level"),
+     " there are standard, level, circuit"),
     *((["fly", "--pilot", "standard", *more],
        "--pilot needs an aircraft to fly: add --plant jsbsim")
       for more in ([], ["--plant", "bench"])),

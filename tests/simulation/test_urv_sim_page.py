@@ -85,8 +85,13 @@ def test_the_page_has_every_column_and_field(tmp_path):
     for name in fields:
         assert name in CODE, name
     if has_jsbsim():
+        (tmp_path / "circuit").mkdir()
+        other = fly_in(tmp_path / "circuit", "--plant", "jsbsim", "--pilot",
+                       "circuit").summary
+        assert "flight_quality" not in other
         assert {*names_in("Summary")} == {
-            *summary, *summary["flight_quality"]}
+            *summary, *summary["flight_quality"],
+            "circuit", *other["circuit"]}
 
     assert names_in("Wire") == ["time_us", "direction", "byte"]
     event = next(iter(flight.events.values()))

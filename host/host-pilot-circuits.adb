@@ -1,0 +1,525 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Host.Pilot.Pictures; use Host.Pilot.Pictures;
+with Host.Runway;
+with Host.Scaling;        use Host.Scaling;
+
+package body Host.Pilot.Circuits is
+
+   Interval : constant Long_Float :=
+     Long_Float (Major_Frame) / Long_Float (Microseconds_Per_Second);
+
+   type Phase is
+     (Ready, Take_Off, Climb_Out, Crosswind_Leg, Downwind_Leg, Base_Leg,
+      Final_Leg, Flare, Roll_Out);
+   subtype On_The_Ground is Phase with
+     Static_Predicate => On_The_Ground in Ready | Take_Off | Roll_Out;
+
+   --  The circuit, in ft from where it begins.
+   Circuit_Height  : constant Long_Float := 400.0;
+   First_Turn_East : constant Long_Float := 2_400.0;
+   Downwind_North  : constant Long_Float := 2_000.0;
+   Base_East       : constant Long_Float := -4_600.0;
+   Lead            : constant Long_Float := 800.0;   --  of a turn
+
+   --  The path of the approach ends here, and would touch the ground.
+   Aim_East    : constant Long_Float := 250.0;
+   Path_Slope  : constant Long_Float := 0.079;
+   Flare_Below : constant Long_Float := 25.0;   --  ft
+
+   --  The aircraft as the pilot knows it.
+   Circuit_Speed  : constant Long_Float := 65.0;   --  kt
+   Base_Speed     : constant Long_Float := 60.0;
+   Approach_Speed : constant Long_Float := 56.0;
+   Landing_Speed  : constant Long_Float := 51.0;
+   Lift_Off_Speed : constant Long_Float := 50.0;
+   Lift_Off_Pitch : constant Long_Float := 8.0;    --  deg
+   Highest_Climb  : constant Long_Float := 11.0;   --  ft/s
+   Touch_Sink     : constant Long_Float := 0.9;    --  ft/s
+   Stick_Limit    : constant Long_Float := 95.0;   --  per cent
+
+   --  What the pilot remembers from move to move.
+   type Memory is record
+      Doing         : Phase := Ready;
+      Moves         : Natural := 0;     --  in this phase
+      Picture       : Pictures.Picture;
+      Bank_Wanted   : Long_Float := 0.0;
+      Roll_Trim     : Long_Float := 0.0;
+      Yaw_Trim      : Long_Float := 0.0;
+      Path_Trim     : Long_Float := 0.0;   --  deg of pitch
+      Stick_Trim    : Long_Float := 0.0;
+      Throttle_Trim : Long_Float := 0.0;
+      Flare_Sink    : Long_Float := 0.0;
+      Aligned       : Long_Float := 0.0;   --  0 with the air, 1 the runway
+      Low_Moves     : Natural    := 0;     --  without a break
+      Nose          : Long_Float := 0.0;   --  deg, where it is let down to
+   end record;
+
+   Mind : Memory;
+
+   --  In per cent.
+   type Levers is record
+      Roll, Pitch, Yaw : Long_Float := 0.0;
+      Throttle         : Long_Float := 0.0;
+      Brake            : Long_Float := 100.0;
+      Flaps_Down       : Boolean := False;
+   end record;
+
+   Hands : Levers;
+
+   function Bounded (Value, Most : Long_Float) return Long_Float is
+     (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
+
+   function Nearest (Angle : Long_Float) return Long_Float is
+     (Angle - 360.0 * Long_Float'Floor ((Angle + 180.0) / 360.0));
+
+   Degrees_Per_Radian : constant Long_Float := 57.295_779_5;
+
+   procedure Learn
+     (Trim : in out Long_Float; Per_Second, Most : Long_Float);
+
+   procedure Go_On_To (Next : Phase);
+
+   --  Whether this phase is over.
+   procedure Decide (Now : Reading);
+
+   --  The bank that follows a line with a course, or turns towards it.
+   function Bank_For
+     (Course, Right_Of_Line : Long_Float) return Long_Float;
+
+   --  The bank that keeps the aircraft over the centre line.
+   function Bank_Over_Runway (Now : Reading) return Long_Float;
+
+   procedure Bank_To (Wanted : Long_Float; Now : Reading);
+
+   --  The nose goes with the air, or, as it is aligned, with the runway.
+   procedure Fly_Yaw (Now : Reading);
+
+   --  Pitch for a climb rate, throttle for a speed. A climb rate that grows
+   --  wants more lift: so much of the weight.
+   procedure Fly_Path
+     (Climb, Speed : Long_Float;
+      Now          : Reading;
+      Rounding     : Long_Float := 0.0);
+   procedure Pitch_To (Wanted : Long_Float; Now : Reading);
+   procedure Push_Throttle (Climb, Speed : Long_Float; Now : Reading);
+
+   procedure Steer (Now : Reading);
+
+   --  What is done in each phase.
+   procedure Roll_Off (Now : Reading);
+   procedure Fly_Round (Now : Reading);
+   procedure Approach (Now : Reading);
+   procedure Touch_Down (Now : Reading);
+   procedure Brake (Now : Reading);
+
+   function On_Console return Console_Words;
+
+   function Path_Height return Long_Float is
+     ((Aim_East - Mind.Picture.East) * Path_Slope);
+
+   procedure Learn
+     (Trim : in out Long_Float; Per_Second, Most : Long_Float) is
+   begin
+      Trim := Bounded (Trim + Per_Second * Interval, Most);
+   end Learn;
+
+   procedure Go_On_To (Next : Phase) is
+   begin
+      Mind.Doing := Next;
+      Mind.Moves := 0;
+   end Go_On_To;
+
+   procedure Start is
+   begin
+      Mind  := (others => <>);
+      Hands := (others => <>);
+      Pictures.Start (Mind.Picture);
+   end Start;
+
+   procedure Decide (Now : Reading) is
+      Here : Picture renames Mind.Picture;
+   begin
+      Mind.Moves := Mind.Moves + 1;
+      case Mind.Doing is
+         when Ready =>
+            if Mind.Moves > 150 then
+               Go_On_To (Take_Off);
+            end if;
+         when Take_Off =>
+            if Here.Height > 4.0 and then Here.Climb > 1.0 then
+               Mind.Stick_Trim := 0.0;
+               Go_On_To (Climb_Out);
+            end if;
+         when Climb_Out =>
+            if Here.East > First_Turn_East and then Here.Height > 200.0 then
+               Go_On_To (Crosswind_Leg);
+            end if;
+         when Crosswind_Leg =>
+            if Here.North > Downwind_North - Lead then
+               Go_On_To (Downwind_Leg);
+            end if;
+         when Downwind_Leg =>
+            if Here.East < Base_East + Lead then
+               Go_On_To (Base_Leg);
+            end if;
+         when Base_Leg =>
+            if Here.North < Lead then
+               Go_On_To (Final_Leg);
+            end if;
+         when Final_Leg =>
+            if Here.Height < Flare_Below then
+               Mind.Flare_Sink :=
+                 Long_Float'Max (4.0, Long_Float'Min (9.0, -Here.Climb));
+               Go_On_To (Flare);
+            end if;
+         when Flare =>
+            --  The wheels stay on the ground.
+            Mind.Low_Moves :=
+              (if Here.Height < 0.5 and then abs Here.Climb < 0.5
+               then Mind.Low_Moves + 1 else 0);
+            if Mind.Low_Moves > 15 then
+               Mind.Nose := Now.Pitch;
+               Go_On_To (Roll_Out);
+            end if;
+         when Roll_Out =>
+            --  A gust has lifted it again.
+            if (Here.Height > 1.2 or else Here.Climb < -1.5)
+              and then Now.Airspeed > 38.0
+            then
+               Mind.Low_Moves := 0;
+               Go_On_To (Flare);
+            end if;
+      end case;
+   end Decide;
+
+   function Bank_For
+     (Course, Right_Of_Line : Long_Float) return Long_Float
+   is
+      Per_Foot   : constant Long_Float :=
+        (if Mind.Doing = Final_Leg and then Mind.Picture.Height < 150.0
+         then 0.2 else 0.08);
+      Per_Degree : constant Long_Float :=
+        (if Mind.Doing = Final_Leg then 1.4 else 1.0);
+      Here  : Picture renames Mind.Picture;
+      Angle : constant Long_Float := Nearest (Course);
+
+      --  The wind's part to the right of the course: one of four.
+      Wind  : constant Long_Float :=
+        (if abs Angle < 45.0 then Here.Wind_East
+         elsif abs Angle > 135.0 then -Here.Wind_East
+         elsif Angle > 0.0 then -Here.Wind_North
+         else Here.Wind_North);
+      Drift : constant Long_Float :=
+        Degrees_Per_Radian * Wind / Long_Float'Max (60.0, Here.Speed);
+      Nose  : constant Long_Float :=
+        Course - Bounded (Per_Foot * Right_Of_Line, 40.0) - Drift;
+   begin
+      return
+        Bounded (Per_Degree * Nearest (Nose - Here.Heading), 25.0);
+   end Bank_For;
+
+   function Bank_Over_Runway (Now : Reading) return Long_Float is
+      Here : Picture renames Mind.Picture;
+   begin
+      --  North is left of the line; the slip is held by a bank into it.
+      return
+        Bounded
+          (0.45 * Here.North + 1.5 * Here.North_Speed
+           + 0.34 * Mind.Aligned * Now.Beta,
+           Long_Float'Min (15.0, 9.0 + 0.4 * Here.Height));
+   end Bank_Over_Runway;
+
+   procedure Bank_To (Wanted : Long_Float; Now : Reading) is
+      Slower : constant Long_Float :=
+        Long_Float'Min (2.0, (70.0 / Long_Float'Max (45.0, Now.Airspeed)));
+      Lag    : Long_Float;
+
+      --  In a slip, and on the ground, the wind from aside lifts a wing.
+      Slip   : constant Long_Float :=
+        (if Mind.Doing not in On_The_Ground then Mind.Aligned
+         elsif Now.Airspeed > 20.0 then 1.0
+         else 0.0);
+   begin
+      Mind.Bank_Wanted :=
+        Mind.Bank_Wanted
+        + Bounded (Wanted - Mind.Bank_Wanted, 15.0 * Interval);
+      Lag := Mind.Bank_Wanted - Now.Bank;
+      if abs Lag < 3.0 then
+         Learn (Mind.Roll_Trim, 0.4 * Lag, 15.0);
+      end if;
+      Hands.Roll :=
+        Slower * (2.0 * Lag - 0.15 * Now.Roll_Rate) + Mind.Roll_Trim
+        + 4.2 * Slip * Bounded (Now.Beta, 20.0);
+   end Bank_To;
+
+   procedure Fly_Yaw (Now : Reading) is
+      Askew : constant Long_Float :=
+        Nearest (Runway.Heading - Mind.Picture.Heading);
+   begin
+      Learn
+        (Mind.Yaw_Trim,
+         (1.0 - Mind.Aligned) * Now.Beta
+         + 0.8 * Mind.Aligned * Bounded (Askew, 5.0),
+         20.0);
+      Hands.Yaw :=
+        Mind.Yaw_Trim
+        + Mind.Aligned
+          * (1.8 * Askew - 0.8 * Mind.Picture.Turn - 4.4 * Now.Beta);
+   end Fly_Yaw;
+
+   procedure Fly_Path
+     (Climb, Speed : Long_Float;
+      Now          : Reading;
+      Rounding     : Long_Float := 0.0)
+   is
+      Fast  : constant Long_Float := Long_Float'Max (60.0, Mind.Picture.Speed);
+
+      --  Lift over pressure and area, in radians of alpha.
+      Lift  : constant Long_Float :=
+        200.0 * (1.0 + Rounding) / (24.0 * 0.001_16 * Fast * Fast)
+        / Long_Float'Max (0.7, Cosine (Now.Bank));
+      Alpha : constant Long_Float :=
+        Bounded
+          ((Degrees_Per_Radian * (Lift - 0.3) - 1.15 * Now.Flaps) / 4.8,
+           11.0);
+      Lag   : constant Long_Float :=
+        Degrees_Per_Radian * (Climb - Mind.Picture.Climb) / Fast;
+
+      --  Near the ground it matters more.
+      Share    : constant Long_Float :=
+        (if Mind.Doing = Flare then 1.2 else 0.6);
+      Learning : constant Long_Float :=
+        (if Mind.Doing = Flare then 0.4 else 0.2);
+   begin
+      Learn (Mind.Path_Trim, Learning * Bounded (Lag, 3.0), 5.0);
+      Pitch_To
+        (Bounded
+           (Alpha + Degrees_Per_Radian * Climb / Fast + Share * Lag
+            + Mind.Path_Trim,
+            14.0),
+         Now);
+      Push_Throttle (Climb, Speed, Now);
+   end Fly_Path;
+
+   procedure Pitch_To (Wanted : Long_Float; Now : Reading) is
+      Weaker : constant Long_Float :=
+        (70.0 / Long_Float'Max (45.0, Now.Airspeed)) ** 2;
+      Extra  : constant Long_Float :=
+        1.0 / Long_Float'Max (0.5, Cosine (Now.Bank)) - 1.0;
+   begin
+      Learn (Mind.Stick_Trim, 1.2 * (Wanted - Now.Pitch), 35.0);
+      Hands.Pitch :=
+        Weaker
+        * (1.7 * (Wanted - Now.Pitch)
+           - 0.6 * (Now.Pitch_Rate - Turn_Rate (Now) * Sine (Now.Bank)))
+        + Mind.Stick_Trim + 30.0 * Extra;
+   end Pitch_To;
+
+   procedure Push_Throttle (Climb, Speed : Long_Float; Now : Reading) is
+      Slow : constant Long_Float := Speed - Now.Airspeed;
+   begin
+      if Hands.Throttle > 1.0 and then Hands.Throttle < 99.0 then
+         Learn (Mind.Throttle_Trim, 0.6 * Slow, 30.0);
+      end if;
+      Hands.Throttle :=
+        Long_Float'Max
+          (0.0,
+           Long_Float'Min
+             (100.0,
+              45.0 + Mind.Throttle_Trim + 5.0 * Slow + 3.0 * Climb
+              + 0.9 * Now.Flaps));
+   end Push_Throttle;
+
+   procedure Steer (Now : Reading) is
+      Here   : Picture renames Mind.Picture;
+      Fast   : constant Long_Float := Long_Float'Max (12.0, Here.Speed);
+
+      --  Back to the line in some seconds, then along it.
+      Nose   : constant Long_Float :=
+        Bounded (Degrees_Per_Radian * 0.35 * Here.North / Fast, 8.0);
+      Askew  : constant Long_Float :=
+        Nearest (Runway.Heading + Nose - Here.Heading);
+
+      --  A wheel base of 3.3 ft, and 0.1024 degrees a per cent.
+      Per_Turn : constant Long_Float := 3.33 / Fast / 0.102_4;
+
+      --  What the wind from aside wants, while it is fast.
+      By_Air   : constant Long_Float :=
+        Long_Float'Max
+          (0.0, Long_Float'Min (1.0, (Now.Airspeed - 15.0) / 20.0));
+   begin
+      --  While the nose comes down the rudders hold what they held.
+      Mind.Aligned :=
+        Long_Float'Max (0.0, Mind.Aligned - 0.5 * Interval);
+      Learn (Mind.Yaw_Trim, 0.5 * Bounded (Askew, 5.0), 15.0);
+      Hands.Yaw :=
+        Bounded
+          ((1.0 + 0.5 * Per_Turn) * Askew - 0.55 * Here.Turn
+           + Mind.Yaw_Trim
+           - By_Air * (1.6 + 2.6 * Mind.Aligned) * Bounded (Now.Beta, 20.0),
+           70.0);
+      Bank_To (0.0, Now);
+   end Steer;
+
+   procedure Roll_Off (Now : Reading) is
+   begin
+      Hands.Brake := 0.0;
+      Hands.Throttle :=
+        Long_Float'Min (100.0, Hands.Throttle + 40.0 * Interval);
+      Steer (Now);
+      if Now.Airspeed > Lift_Off_Speed then
+         Pitch_To (Lift_Off_Pitch, Now);
+      else
+         Hands.Pitch := 0.0;
+      end if;
+   end Roll_Off;
+
+   procedure Fly_Round (Now : Reading) is
+      Here  : Picture renames Mind.Picture;
+      Speed : constant Long_Float :=
+        (if Mind.Doing = Base_Leg then Base_Speed else Circuit_Speed);
+
+      --  No climb is worth the speed.
+      Fast  : constant Long_Float :=
+        Long_Float'Max (2.0, Highest_Climb + Now.Airspeed - (Speed - 6.0));
+      Climb : constant Long_Float :=
+        Long_Float'Max
+          (-8.0,
+           Long_Float'Min
+             (Long_Float'Min (Fast, Highest_Climb),
+              0.25 * (Circuit_Height - Here.Height)));
+   begin
+      Mind.Aligned := 0.0;
+      Hands.Flaps_Down := Mind.Doing = Base_Leg;
+      Fly_Path (Climb, Speed, Now);
+      Fly_Yaw (Now);
+      Bank_To
+        ((case Mind.Doing is
+             when Climb_Out     =>
+                Bank_For (Runway.Heading, -Here.North),
+             when Crosswind_Leg => Bank_For (0.0, 0.0),
+             when Downwind_Leg  =>
+                Bank_For (-90.0, Here.North - Downwind_North),
+             when others        => Bank_For (180.0, 0.0)),
+         Now);
+   end Fly_Round;
+
+   procedure Approach (Now : Reading) is
+      Here  : Picture renames Mind.Picture;
+      Above : constant Long_Float := Path_Height - Here.Height;
+      Climb : constant Long_Float :=
+        Long_Float'Max
+          (-11.0,
+           Long_Float'Min
+             (2.0,
+              (if Path_Height > Circuit_Height
+               then 0.25 * (Circuit_Height - Here.Height)
+               else -Path_Slope * Here.East_Speed + 0.25 * Above)));
+   begin
+      Hands.Flaps_Down := True;
+      if Here.Height < 60.0 then
+         Mind.Aligned :=
+           Long_Float'Min (1.0, Mind.Aligned + 0.25 * Interval);
+         Bank_To (Bank_Over_Runway (Now), Now);
+      else
+         Bank_To (Bank_For (Runway.Heading, -Here.North), Now);
+      end if;
+      Fly_Path (Climb, Approach_Speed, Now);
+      Fly_Yaw (Now);
+   end Approach;
+
+   procedure Touch_Down (Now : Reading) is
+      Here  : Picture renames Mind.Picture;
+      Share : constant Long_Float :=
+        Long_Float'Max (0.0, Here.Height / Flare_Below);
+      Sink  : constant Long_Float :=
+        Touch_Sink + (Mind.Flare_Sink - Touch_Sink) * Share;
+
+      --  How fast the sink is to become less, in weights.
+      Rounding : constant Long_Float :=
+        (if Here.Height > 0.0
+         then Sink * (Mind.Flare_Sink - Touch_Sink) / Flare_Below / 32.2
+         else 0.0);
+   begin
+      Mind.Aligned := Long_Float'Min (1.0, Mind.Aligned + 0.25 * Interval);
+      Bank_To (Bank_Over_Runway (Now), Now);
+      Fly_Path
+        (-Sink,
+         Landing_Speed + (Approach_Speed - Landing_Speed) * Share,
+         Now, Rounding);
+      Fly_Yaw (Now);
+      if Here.Height < 0.8 then
+         Hands.Throttle := 0.0;
+      end if;
+   end Touch_Down;
+
+   procedure Brake (Now : Reading) is
+   begin
+      Hands.Throttle := 0.0;
+      Steer (Now);
+
+      --  The nose comes down by itself, and is then held down; without the
+      --  flaps the wheels carry more.
+      Hands.Flaps_Down := False;
+      Mind.Nose := Long_Float'Max (-1.0, Mind.Nose - 6.0 * Interval);
+      Mind.Stick_Trim :=
+        Long_Float'Max (-12.0, Mind.Stick_Trim - 15.0 * Interval);
+      Hands.Pitch :=
+        Mind.Stick_Trim + 3.0 * Bounded (Mind.Nose - Now.Pitch, 5.0)
+        - 1.0 * Now.Pitch_Rate;
+      if Mind.Moves > 75 then
+         Hands.Brake :=
+           Long_Float'Min
+             ((if Mind.Moves > 750 then 100.0 else 40.0),
+              Hands.Brake + 25.0 * Interval);
+      end if;
+   end Brake;
+
+   function On_Console return Console_Words is
+
+      function Stick (Percent : Long_Float) return Word is
+        (To_Word (Bounded (Percent, Stick_Limit), Deflection));
+
+   begin
+      return Console : Console_Words := Neutral_Console do
+         Console (Roll)     := Stick (Hands.Roll);
+         Console (Pitch)    := Stick (Hands.Pitch);
+         Console (Yaw)      := Stick (Hands.Yaw);
+         Console (Throttle) := To_Word (Hands.Throttle, Lever);
+         Console (Brake)    := To_Word (Hands.Brake, Pedal);
+         if Hands.Flaps_Down then
+            Console (Switch_8) := Converter_Value'Last;
+         end if;
+      end return;
+   end On_Console;
+
+   procedure Move
+     (Now     : Reading;
+      Is_Old  : Boolean;
+      Seen    : Sight;
+      Is_New  : Boolean;
+      Console : out Console_Words) is
+   begin
+      if not Is_Old then
+         Reckon
+           (Mind.Picture, Now, On_Wheels => Mind.Doing in On_The_Ground);
+         if Is_New then
+            Correct
+              (Mind.Picture, Seen,
+               On_Wheels => Mind.Doing in On_The_Ground);
+         end if;
+         Decide (Now);
+         case Mind.Doing is
+            when Ready     => Set_Zero (Mind.Picture, Now);
+            when Take_Off  => Roll_Off (Now);
+            when Final_Leg => Approach (Now);
+            when Flare     => Touch_Down (Now);
+            when Roll_Out  => Brake (Now);
+            when others    => Fly_Round (Now);
+         end case;
+      end if;
+      Console := On_Console;
+   end Move;
+
+end Host.Pilot.Circuits;

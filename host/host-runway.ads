@@ -1,0 +1,24 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The runway that a circuit begins and ends on (SIM-7). Places are counted
+--  from where the aircraft stands at the beginning, on the centre line: East
+--  is along it, North is to its left.
+
+package Host.Runway is
+
+   Heading : constant Long_Float := 90.0;    --  deg, true
+
+   --  Where it begins and ends, and how far its edges are from the middle.
+   West_End   : constant Long_Float := -100.0;    --  ft
+   East_End   : constant Long_Float := 2_900.0;   --  ft
+   Half_Width : constant Long_Float := 40.0;      --  ft
+
+   --  Where one stands who looks on: beside the place of landing.
+   Observer_East  : constant Long_Float := 700.0;   --  ft
+   Observer_North : constant Long_Float := -80.0;   --  ft
+
+   function Is_On (North, East : Long_Float) return Boolean is
+     (East in West_End .. East_End
+      and then North in -Half_Width .. Half_Width);
+
+end Host.Runway;
