@@ -20,6 +20,8 @@ with Sim.Flight;
 with Sim.JSBSim;
 with Sim.Nodes;
 with Sim.Numbers;
+with Sim.One_Thread;
+pragma Unreferenced (Sim.One_Thread);
 with Sim.Options;
 with Sim.Signals;
 
