@@ -7,6 +7,7 @@ with System;
 
 with Host.Complaints;         use Host.Complaints;
 with Partitions.Error_Marks;
+with Partitions.Flood_Guards;
 with Partitions.Serial_Lines;
 with Partitions.Sockets;
 with Partitions.System_Calls; use Partitions.System_Calls;
@@ -55,8 +56,8 @@ package body Partitions.Links is
    function Limit_Of (Span : Ada.Real_Time.Time_Span)
                       return System_Calls.Time_Span;
 
-   --  Gives up to Room bytes of the input in Block. Length is not above 0
-   --  when there are none.
+   --  Gives up to Room bytes of the input in Block. Length is below 0 when
+   --  there are none. A datagram may have none, either.
    procedure Read_Block (Room : size_t; Length : out Byte_Total);
 
    function Limit_Of (Span : Ada.Real_Time.Time_Span)
@@ -76,20 +77,22 @@ package body Partitions.Links is
    begin
       if Is_Serial then
          Length := Read (Line, Block'Address, Room);
+         if Length = 0 then
+            Length := Failed;
+         end if;
          return;
       end if;
 
       --  An error is no character and does not end the input. A peer that
       --  is not there yet is one: the operating system then says that a
       --  datagram was refused. An empty datagram ends nothing either.
-      for Attempt in 1 .. Block_Length loop
-         Length := Receive (Line, Block'Address, Room, Dont_Wait);
-         exit when Length > 0
-           or else (Length < 0 and then GNAT.OS_Lib.Errno = Would_Block);
-      end loop;
+      Length := Receive (Line, Block'Address, Room, Dont_Wait);
+      if Length < 0 and then GNAT.OS_Lib.Errno /= Would_Block then
+         Length := 0;
+      end if;
    end Read_Block;
 
-   procedure Wait (Until_Time : Time) is
+   procedure Wait (Until_Time : Time; Look_At_Line : Boolean := True) is
       Span     : constant Ada.Real_Time.Time_Span := Until_Time - Clock;
       Requests : Poll_Requests :=
         ((Nudges, Input_Ready, 0), (Line, Input_Ready, 0));
@@ -98,7 +101,8 @@ package body Partitions.Links is
    begin
       --  A line that has no other end would be ready at once, for ever.
       Found := Poll
-        (Requests'Address, (if Is_Hung_Up then 1 else 2),
+        (Requests'Address,
+         (if Is_Hung_Up or else not Look_At_Line then 1 else 2),
          Limit_Of (Span), System.Null_Address);
       Is_Hung_Up :=
         not Is_Hung_Up
@@ -126,16 +130,19 @@ package body Partitions.Links is
       Length : Byte_Total;
    begin
       Heard.Length := 0;
+      Heard.Reads := 0;
       Heard.Emptied := False;
       loop
          Room := Character_Index'Last - Heard.Length;
-         exit when Room < Block_Length / 2;
+         exit when Room < Block_Length / 2
+           or else Heard.Reads = Read_Count'Last;
 
          Read_Block (size_t (Room), Length);
-         if Length <= 0 then
+         if Length < 0 then
             Heard.Emptied := True;
             exit;
          end if;
+         Heard.Reads := Heard.Reads + 1;
 
          for Each of Block (1 .. Integer (Length)) loop
             if Is_Serial then
@@ -157,6 +164,14 @@ package body Partitions.Links is
       end loop;
    end Receive;
 
+   procedure Throw_Away (Heard : in out Arrivals) is
+   begin
+      for Each in 1 .. Heard.Length loop
+         Thrown := Incremented (Thrown);
+      end loop;
+      Heard.Length := 0;
+   end Throw_Away;
+
    procedure Discard
      (Silence : Ada.Real_Time.Time_Span;
       At_Most : Ada.Real_Time.Time_Span)
@@ -166,9 +181,13 @@ package body Partitions.Links is
       Length   : Byte_Total;
    begin
       loop
-         loop
+         --  In a flood it rests now and then.
+         for Attempt in Read_Count loop
+            if Attempt = Read_Count'Last then
+               delay until Clock + Flood_Guards.Rest;
+            end if;
             Read_Block (Block_Length, Length);
-            exit when Length <= 0 or else Clock >= Ends;
+            exit when Length < 0;
             for Each in 1 .. Length loop
                Thrown := Incremented (Thrown);
             end loop;

@@ -24,8 +24,13 @@ package Partitions.Links is
 
    type Received_Array is array (Character_Index) of Character_Received;
 
+   --  How often the input was read, in a call of Receive at most.
+   Most_Reads : constant := 512;
+   type Read_Count is range 0 .. Most_Reads;
+
    --  Emptied tells that nothing more stands in the input.
    type Arrivals is record
+      Reads   : Read_Count := 0;
       Length  : Character_Count := 0;
       Items   : Received_Array;
       Emptied : Boolean := False;
@@ -38,13 +43,17 @@ package Partitions.Links is
    procedure Open (Argument : String);
 
    --  Returns when a character has arrived or Nudge was called, at the
-   --  latest at that time.
-   procedure Wait (Until_Time : Time);
+   --  latest at that time. It may not look at the line.
+   procedure Wait (Until_Time : Time; Look_At_Line : Boolean := True);
 
    procedure Nudge;
 
-   --  Everything that has arrived.
+   --  Everything that has arrived, as far as there is room and it takes no
+   --  more than Most_Reads.
    procedure Receive (Heard : in out Arrivals);
+
+   --  It is not used, and counts as discarded.
+   procedure Throw_Away (Heard : in out Arrivals);
 
    --  Throws away what stands in the input, and what comes until the line
    --  has been silent for so long: what others keep before the line comes

@@ -53,6 +53,13 @@ package body Partitions.Sockets is
 
    function Is_Loopback (There : Address_Info) return Boolean;
 
+   --  A socket of a family of addresses, and what it is bound and connected
+   --  to. Each refuses what cannot be done.
+   function Made_For (Asked : String; Family : int) return File;
+   procedure Bind_To (Asked : String; Made : File; Here : Address_Info);
+   procedure Connect_To
+     (Asked : String; Made : File; There : Address_Info; Failure : String);
+
    procedure Refuse_Socket (Asked : String; What : String) is
       Reason : constant String := GNAT.OS_Lib.Errno_Message;
    begin
@@ -110,6 +117,30 @@ package body Partitions.Sockets is
       end if;
    end Look_Up;
 
+   function Made_For (Asked : String; Family : int) return File is
+      Made : constant File := Socket (Family, Datagram + Close_On_Exec, 0);
+   begin
+      if Made = Invalid then
+         Refuse_Socket (Asked, " cannot be opened");
+      end if;
+      return Made;
+   end Made_For;
+
+   procedure Bind_To (Asked : String; Made : File; Here : Address_Info) is
+   begin
+      if Bind (Made, Here.Where, Here.Length) /= 0 then
+         Refuse_Socket (Asked, " cannot be bound to its port");
+      end if;
+   end Bind_To;
+
+   procedure Connect_To
+     (Asked : String; Made : File; There : Address_Info; Failure : String) is
+   begin
+      if Connect (Made, There.Where, There.Length) /= 0 then
+         Refuse_Socket (Asked, Failure);
+      end if;
+   end Connect_To;
+
    function Opened (Places : String) return File is
       type Part is (Host, Port, Peer_Host, Peer_Port);
       type Bounds is array (Part) of Natural;
@@ -151,14 +182,9 @@ package body Partitions.Sockets is
          declare
             Here : Address_Info renames Addresses.To_Pointer (Own).all;
          begin
-            Made := Socket (There.Family, Datagram + Close_On_Exec, 0);
-            if Made = Invalid then
-               Refuse_Socket (Asked, " cannot be opened");
-            elsif Bind (Made, Here.Where, Here.Length) /= 0 then
-               Refuse_Socket (Asked, " cannot be bound to its port");
-            elsif Connect (Made, There.Where, There.Length) /= 0 then
-               Refuse_Socket (Asked, " cannot reach its peer");
-            end if;
+            Made := Made_For (Asked, There.Family);
+            Bind_To (Asked, Made, Here);
+            Connect_To (Asked, Made, There, " cannot reach its peer");
          end;
       end;
       Free_Address (Own);
@@ -207,12 +233,8 @@ package body Partitions.Sockets is
       declare
          There : Address_Info renames Addresses.To_Pointer (Found).all;
       begin
-         Made := Socket (There.Family, Datagram + Close_On_Exec, 0);
-         if Made = Invalid then
-            Refuse_Socket (Asked, " cannot be opened");
-         elsif Connect (Made, There.Where, There.Length) /= 0 then
-            Refuse_Socket (Asked, " cannot be reached");
-         end if;
+         Made := Made_For (Asked, There.Family);
+         Connect_To (Asked, Made, There, " cannot be reached");
       end;
       Free_Address (Found);
       return Made;
@@ -249,12 +271,8 @@ package body Partitions.Sockets is
             Refuse
               (Asked & " is not a loopback of this machine: 127.0.0.1, [::1]");
          end if;
-         Made := Socket (Here.Family, Datagram + Close_On_Exec, 0);
-         if Made = Invalid then
-            Refuse_Socket (Asked, " cannot be opened");
-         elsif Bind (Made, Here.Where, Here.Length) /= 0 then
-            Refuse_Socket (Asked, " cannot be bound to its port");
-         end if;
+         Made := Made_For (Asked, Here.Family);
+         Bind_To (Asked, Made, Here);
       end;
       Free_Address (Found);
       return Made;

@@ -5,6 +5,7 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
 with Partitions.Exceptions;
+with Partitions.Flood_Guards; use Partitions.Flood_Guards;
 with Partitions.Links; use Partitions.Links;
 with Telemetry;        use Telemetry;
 with Telemetry.Turns;  use Telemetry.Turns;
@@ -48,6 +49,13 @@ package body Partitions.Telemetry_Processor is
    Time_Left : Character_Times := Character_Times'Last;
 
    Heard : Arrivals;
+
+   --  A flood is no line (RTP-3).
+   Guard : Flood_Guards.Guard;
+
+   --  Characters were lost, as by an overrun of the DUART: the next one is
+   --  told to the board as damaged.
+   Overrun : Boolean := False;
 
    --  Whatever stands in the input has come since then.
    Emptied_At : Time := Time_First;
@@ -93,6 +101,8 @@ package body Partitions.Telemetry_Processor is
       Time_Left := 0;
       Emptied_At := Clock;
       Told_Until := Emptied_At;
+      Overrun := False;
+      Start (Guard, Emptied_At);
    end Start_Anew;
 
    procedure Take_In (Now : Time) is
@@ -100,7 +110,8 @@ package body Partitions.Telemetry_Processor is
    begin
       for Item of Heard.Items (1 .. Heard.Length) loop
          Board.Accept_Character
-           (0, Item.Data, Item.Parity_Error, Unused);
+           (0, Item.Data, Item.Parity_Error or else Overrun, Unused);
+         Overrun := False;
       end loop;
       if Heard.Length > 0 then
          Told_Until := Now;
@@ -152,9 +163,17 @@ package body Partitions.Telemetry_Processor is
    procedure Run is
       Looked_At : constant Time := Clock;
       Now       : Time;
+      Is_Flood  : Boolean;
    begin
       Links.Receive (Heard);
       Now := Clock;
+      Take
+        (Guard, Now,
+         Amount'Max (Amount (Heard.Length), Amount (Heard.Reads)), Is_Flood);
+      if Is_Flood then
+         Links.Throw_Away (Heard);
+         Overrun := True;
+      end if;
       if Now - Emptied_At > Longest_Pause then
          Unasked := Incremented (Unasked);
          Board.Clear_Transmit_Half;
@@ -171,7 +190,11 @@ package body Partitions.Telemetry_Processor is
          Take_In (Now);
          Transmit_Due (Now);
       end if;
-      Links.Wait (Next_Instant (Now));
+      if Is_Flood then
+         Links.Wait (Now + Rest, Look_At_Line => False);
+      else
+         Links.Wait (Next_Instant (Now));
+      end if;
    exception
       when Error : others =>
          Exceptions.Tell (Error);

@@ -10,6 +10,7 @@ with CORE_Tests;
 with Error_Log_Tests;
 with Exchange_Tests;
 with Executives_Tests;
+with Flood_Tests;
 with Frames_Tests;
 with Guarded_Step_Tests;
 with Headers_Tests;
@@ -67,6 +68,7 @@ package body All_Tests is
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
+      Flood_Tests.Add_To (Result);
       Guarded_Step_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       Starts_Tests.Add_To (Result);

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""RTP-3: a flood from the peer's address. What a machine can take of it is
+its own affair: asserted is that nothing of it is obeyed and that afterwards
+the peer is, needed that the flood was one."""
+
+import contextlib
+
+from conftest import flies_again, need
+from test_partition_input import BEFORE, YOUNG, UDPEnd, acted_upon, command
+
+DATAGRAMS = 60_000
+
+
+@flies_again
+def test_rtp3_after_a_flood_the_peer_is_heard(start):
+    with contextlib.closing(UDPEnd()) as line:
+        run = start("mcs", line.link)
+        command(line, BEFORE)
+        for number in range(DATAGRAMS):
+            line.write(bytes([number % 256]))
+        command(line, YOUNG)
+        mcs = run.stop()
+    link = mcs.summary["link"]
+    need(link["bytes_discarded"] > 1_000, mcs)
+    need(acted_upon(mcs, BEFORE) and acted_upon(mcs, YOUNG), mcs)
