@@ -117,15 +117,16 @@ size:
 	@scripts/setup.sh size
 	@python3 scripts/node_size.py
 
-# HOSTS: more machines, as GNU parallel's --sshlogin names them.
+# SCHEDULER: of Dask, whose workers fly instead of processes here.
 CAMPAIGN := short
-JOBS     := 100%
-HOSTS    :=
+JOBS     :=
+SCHEDULER :=
 campaign:
 	@scripts/setup.sh campaign
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@python3 scripts/campaign/run.py $(CAMPAIGN) --jobs $(JOBS) \
-	   $(foreach host,$(HOSTS),--host $(host))
+	@.venv/bin/python scripts/campaign/run.py $(CAMPAIGN) \
+	   $(if $(JOBS),--jobs $(JOBS)) \
+	   $(if $(SCHEDULER),--scheduler $(SCHEDULER))
 
 theory:
 	@scripts/setup.sh campaign

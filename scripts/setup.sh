@@ -75,8 +75,9 @@ case $target in
    bench) packages="$build gcc python3"
           requirements="" ;;
    campaign)
-          packages="$build parallel python3"
-          requirements="" ;;
+          packages="$build python3 python3-venv"
+          requirements="ground/report-requirements.txt
+                        ground/campaign-requirements.txt" ;;
    real_time)
           packages="$build"
           requirements="" ;;

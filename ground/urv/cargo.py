@@ -83,6 +83,20 @@ class Cargo:
         return {"cargo": self.hash, **self.work(self.folder, job)}
 
 
+def run_python(folder, job):
+    """Run a script of the cargo; the JSON that it prints, or what went
+    wrong."""
+    result = subprocess.run(
+        [sys.executable, *job["command"]], cwd=folder, text=True,
+        capture_output=True, check=False, stdin=subprocess.DEVNULL,
+        timeout=TIME_LIMIT_S)
+    try:
+        return {"said": json.loads(result.stdout)}
+    except ValueError:
+        return {"fault": result.stderr.strip()[-200:]
+                or f"exit status {result.returncode}"}
+
+
 def fly(folder, job):
     """Fly with these options and input files; what the summary says, or what
     went wrong."""

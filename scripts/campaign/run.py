@@ -2,30 +2,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """Does things to the link and checks that it recovers.
 
-  run.py tiny|short|full [--jobs N] [--host HOST]...
+  run.py tiny|short|full [--jobs N] [--scheduler ADDRESS]
   run.py shard NAME          one shard, its result as one line of JSON
   run.py mix NUMBER FOLDER   leaves a random mix's files and record in the
                              folder, says how it is flown and what is wrong
 
-GNU parallel spreads the shards over cores and, with --host, over machines
-that have this repository at the same path, built. Results are left in
-campaign/. Exit status: 0 when every check of every shard held.
+Dask spreads the shards over processors here or, with --scheduler, over
+workers anywhere (docs/monte-carlo.md). Results are left in campaign/. Exit
+status: 0 when every check of every shard held.
 """
 
 import argparse
 import csv
 import json
 import math
+import os
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+sys.path[:0] = [str(ROOT / "scripts" / "safety"), str(ROOT / "ground")]
 
 import cases  # noqa: E402
 import checker  # noqa: E402
@@ -36,6 +38,10 @@ from flight_numbers import FRAMES_PER_S, NUMBERS  # noqa: E402
 
 PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
+
+# What travels to the workers.
+CARGO = ("bin/urv_sim", "scripts/campaign", "scripts/safety",
+         "scripts/flight_numbers.py")
 
 
 def fly(folder, phase, seed, frames, faults):
@@ -279,29 +285,27 @@ def report(results, size, seconds):
     return 1 if failures else 0
 
 
-def run_campaign(size, jobs, hosts):
+def run_campaign(size, jobs, scheduler):
+    from urv import cargo, progress, workers
+
     RESULTS.mkdir(exist_ok=True)
     names = list(cases.plan(size))
     began = time.monotonic()
-    command = ["parallel", "--will-cite", "--jobs", jobs, "--nice", "10",
-               "--workdir", str(ROOT),
-               "--joblog", str(RESULTS / "joblog")]
-    if sys.stderr.isatty():
-        command.append("--bar")
-    for host in hosts:
-        command += ["--sshlogin", host]
-    command += ["python3", "scripts/campaign/run.py", "shard", "{}"]
-    lines = subprocess.run(
-        command, input="\n".join(names), stdout=subprocess.PIPE, text=True,
-        check=False).stdout.splitlines()
+    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.run_python)
+    wanted = ({"name": name, "command": [
+        "scripts/campaign/run.py", "shard", name]} for name in names)
+    results = {}
+    with progress.bar("flying") as told:
+        for job, answer in workers.done(sent, wanted, scheduler, jobs):
+            results[job["name"]] = (
+                answer.get("said") or new_result(job["name"]) | {
+                    "failures": [f"{job['name']}: no result:"
+                                 f" {answer['fault']}"]})
+            told(SimpleNamespace(size=len(names), position=len(results)))
+    ordered = [results[name] for name in names]
     (RESULTS / "shards.jsonl").write_text(
-        "".join(f"{line}\n" for line in lines))
-    results = [json.loads(line) for line in lines]
-    missing = set(names) - {result["shard"] for result in results}
-    for name in sorted(missing):
-        results.append(new_result(name)
-                       | {"failures": [f"{name}: no result"]})
-    return report(results, size, time.monotonic() - began)
+        "".join(f"{json.dumps(result)}\n" for result in ordered))
+    return report(ordered, size, time.monotonic() - began)
 
 
 def main():
@@ -310,9 +314,10 @@ def main():
     parser.add_argument("name", nargs="?",
                         help="of the shard, or number of the mix")
     parser.add_argument("folder", nargs="?", type=Path, help="for the mix")
-    parser.add_argument("--jobs", default="100%", help="at once")
-    parser.add_argument("--host", action="append", default=[],
-                        help="as for parallel's --sshlogin; ':' is this one")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1,
+                        help="at once, here")
+    parser.add_argument("--scheduler", metavar="ADDRESS",
+                        help="of Dask, whose workers fly instead")
     given = parser.parse_args()
     if (given.size in ("shard", "mix")) != (given.name is not None):
         parser.error("a shard, and only a shard, has a name; a mix a number")
@@ -325,7 +330,7 @@ def main():
     if given.size == "shard":
         print(json.dumps(run_shard(given.name)), flush=True)
         return 0
-    return run_campaign(given.size, given.jobs, given.host)
+    return run_campaign(given.size, given.jobs, given.scheduler)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,8 @@ import cases  # noqa: E402
 import checker  # noqa: E402
 import run  # noqa: E402
 
+from urv import cargo, workers  # noqa: E402
+
 FRAMES = 60
 LAG = {"up": 3, "down": 4}
 
@@ -369,17 +371,40 @@ def test_a_shard_without_a_result_fails(
         monkeypatch, tmp_path, capsys, size, lost):
     names = list(cases.plan(size))
 
-    def parallel(command, input, **_):
-        assert input.split("\n") == names
-        lines = [json.dumps({
-            "shard": name, "cases": 1, "faults": 1, "frames": 1,
-            "recovered_within": [1] + [0] * checker.LONGEST, "wrong": 0,
-            "wrong_by_theory": 0.0, "failures": []})
-            for name in names[lost:]]
-        return subprocess.CompletedProcess(command, 0, "\n".join(lines), "")
+    def done(sent, jobs, scheduler, count):
+        assert (scheduler, count) == ("tcp://somewhere:1", 2)
+        jobs = list(jobs)
+        assert [job["name"] for job in jobs] == names
+        # In any order.
+        for place, job in reversed(list(enumerate(jobs))):
+            yield job, ({"fault": "KilledWorker"} if place < lost else {
+                "said": {
+                    "shard": job["name"], "cases": 1, "faults": 1,
+                    "frames": 1, "wrong": 0, "wrong_by_theory": 0.0,
+                    "recovered_within": [1] + [0] * checker.LONGEST,
+                    "failures": []}})
 
     monkeypatch.setattr(run, "RESULTS", tmp_path)
-    monkeypatch.setattr(run.subprocess, "run", parallel)
-    assert run.run_campaign(size, "1", []) == lost
+    monkeypatch.setattr(workers, "done", done)
+    assert run.run_campaign(size, 2, "tcp://somewhere:1") == lost
     said = capsys.readouterr().out
-    assert (f"FAILED {names[0]}: no result" in said) == (lost == 1)
+    assert (f"FAILED {names[0]}: no result: KilledWorker" in said) == (
+        lost == 1)
+    shards = [json.loads(line)["shard"] for line in (
+        tmp_path / "shards.jsonl").read_text("utf-8").splitlines()]
+    assert shards == names
+
+
+def test_workers_fly_shards_as_they_are_flown_here(tmp_path):
+    """From the cargo alone, unpacked elsewhere."""
+    there = cargo.Cargo(cargo.packed(run.ROOT, run.CARGO), cargo.run_python)
+    there.unpack(tmp_path)
+    name = next(name for name in cases.plan("tiny")
+                if not name.startswith("mix"))
+    answer = there.do({"name": name, "command": [
+        "scripts/campaign/run.py", "shard", name]})
+    assert answer == {"cargo": there.hash, "said": run.run_shard(name)}
+    wrong = there.do({"name": "x", "command": [
+        "scripts/campaign/run.py", "shard", "x"]})
+    assert "said" not in wrong
+    assert wrong["fault"]
