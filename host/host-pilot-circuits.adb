@@ -27,6 +27,9 @@ package body Host.Pilot.Circuits is
    Path_Slope  : constant Long_Float := 0.079;
    Flare_Below : constant Long_Float := 25.0;   --  ft
 
+   --  From here down the sink stays the same.
+   Held_Off    : constant Long_Float := 1.5;
+
    --  The aircraft as the pilot knows it.
    Circuit_Speed  : constant Long_Float := 65.0;   --  kt
    Base_Speed     : constant Long_Float := 60.0;
@@ -35,7 +38,7 @@ package body Host.Pilot.Circuits is
    Lift_Off_Speed : constant Long_Float := 50.0;
    Lift_Off_Pitch : constant Long_Float := 8.0;    --  deg
    Highest_Climb  : constant Long_Float := 11.0;   --  ft/s
-   Touch_Sink     : constant Long_Float := 0.9;    --  ft/s
+   Touch_Sink     : constant Long_Float := 1.2;    --  ft/s
    Stick_Limit    : constant Long_Float := 95.0;   --  per cent
 
    --  What the pilot remembers from move to move.
@@ -185,7 +188,7 @@ package body Host.Pilot.Circuits is
          when Roll_Out =>
             --  A gust has lifted it again.
             if (Here.Height > 1.2 or else Here.Climb < -1.5)
-              and then Now.Airspeed > 38.0
+              and then Mind.Moves < 50
             then
                Mind.Low_Moves := 0;
                Go_On_To (Flare);
@@ -286,17 +289,22 @@ package body Host.Pilot.Circuits is
       Lag   : constant Long_Float :=
         Degrees_Per_Radian * (Climb - Mind.Picture.Climb) / Fast;
 
+      --  A gust is felt before it has moved the aircraft.
+      Load  : constant Long_Float :=
+        Now.Load * Cosine (Now.Bank) * Cosine (Now.Pitch);
+      Lead  : constant Long_Float := (if Mind.Doing = Flare then 8.0 else 0.0);
+
       --  Near the ground it matters more.
       Share    : constant Long_Float :=
-        (if Mind.Doing = Flare then 1.2 else 0.6);
+        (if Mind.Doing = Flare then 1.5 else 0.6);
       Learning : constant Long_Float :=
-        (if Mind.Doing = Flare then 0.4 else 0.2);
+        (if Mind.Doing = Flare then 0.5 else 0.2);
    begin
       Learn (Mind.Path_Trim, Learning * Bounded (Lag, 3.0), 5.0);
       Pitch_To
         (Bounded
            (Alpha + Degrees_Per_Radian * Climb / Fast + Share * Lag
-            + Mind.Path_Trim,
+            - Lead * (Load - 1.0 - Rounding) + Mind.Path_Trim,
             14.0),
          Now);
       Push_Throttle (Climb, Speed, Now);
@@ -337,7 +345,7 @@ package body Host.Pilot.Circuits is
 
       --  Back to the line in some seconds, then along it.
       Nose   : constant Long_Float :=
-        Bounded (Degrees_Per_Radian * 0.35 * Here.North / Fast, 8.0);
+        Bounded (Degrees_Per_Radian * 0.25 * Here.North / Fast, 5.0);
       Askew  : constant Long_Float :=
         Nearest (Runway.Heading + Nose - Here.Heading);
 
@@ -355,7 +363,7 @@ package body Host.Pilot.Circuits is
       Learn (Mind.Yaw_Trim, 0.5 * Bounded (Askew, 5.0), 15.0);
       Hands.Yaw :=
         Bounded
-          ((1.0 + 0.5 * Per_Turn) * Askew - 0.55 * Here.Turn
+          ((1.0 + 0.5 * Per_Turn) * Askew - 0.7 * Here.Turn
            + Mind.Yaw_Trim
            - By_Air * (1.6 + 2.6 * Mind.Aligned) * Bounded (Now.Beta, 20.0),
            70.0);
@@ -432,14 +440,16 @@ package body Host.Pilot.Circuits is
    procedure Touch_Down (Now : Reading) is
       Here  : Picture renames Mind.Picture;
       Share : constant Long_Float :=
-        Long_Float'Max (0.0, Here.Height / Flare_Below);
+        Long_Float'Max
+          (0.0, (Here.Height - Held_Off) / (Flare_Below - Held_Off));
       Sink  : constant Long_Float :=
         Touch_Sink + (Mind.Flare_Sink - Touch_Sink) * Share;
 
       --  How fast the sink is to become less, in weights.
       Rounding : constant Long_Float :=
-        (if Here.Height > 0.0
-         then Sink * (Mind.Flare_Sink - Touch_Sink) / Flare_Below / 32.2
+        (if Share > 0.0
+         then Sink * (Mind.Flare_Sink - Touch_Sink)
+              / (Flare_Below - Held_Off) / 32.2
          else 0.0);
    begin
       Mind.Aligned := Long_Float'Min (1.0, Mind.Aligned + 0.25 * Interval);

@@ -71,7 +71,11 @@ def draw(seed, pilot, seconds):
         f"turbulence {values['turbulence_kt']}",
         f"ballast {values['ballast_lb']} {values['ballast_aft_in']}"]
     for sensor, spread in BIAS.items():
-        values[f"bias_{sensor}"] = round(chance.gauss(0.0, spread), 3)
+        bias = round(chance.gauss(0.0, spread), 3)
+        if sensor == "altitude" and pilot == "circuit":
+            # Below zero the altimeter shows zero: nobody takes off with it.
+            bias = abs(bias)
+        values[f"bias_{sensor}"] = bias
         conditions.append(f"bias {sensor} {values[f'bias_{sensor}']:.3f}")
     for sensor, most in NOISE.items():
         values[f"noise_{sensor}"] = between((0, most))
