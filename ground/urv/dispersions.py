@@ -2,6 +2,7 @@
 """What is different from flight to flight, drawn from the flight's seed.
 
     drawn = dispersions.draw(1234, "standard", 180)
+    drawn = dispersions.draw(1234, "standard", 180, surface_percent=5)
     drawn.conditions, drawn.faults      the files of urv_sim
     drawn.values                        what was drawn, by name
 
@@ -41,6 +42,14 @@ MOST_CUTS = 2
 CUT_MS = (20, 500)
 
 
+# One of them fails, in so many flights of a hundred as are asked for, at any
+# time but at the very beginning and end.
+SURFACES = tuple(f"{side}_{name}" for name in (
+    "aileron", "elevator", "rudder", "flap_1", "flap_2")
+    for side in ("left", "right"))
+CALM_S = 5
+
+
 class Drawn(NamedTuple):
     """A flight's input files, and what was drawn for them."""
 
@@ -49,7 +58,7 @@ class Drawn(NamedTuple):
     values: dict
 
 
-def draw(seed, pilot, seconds):
+def draw(seed, pilot, seconds, surface_percent=0):
     """The flight of that seed."""
     chance = random.Random(f"{pilot} {seconds} {seed}")
 
@@ -89,7 +98,22 @@ def draw(seed, pilot, seconds):
     for length in lengths:
         faults.append(
             f"{chance.randrange(1000, seconds * 1000)} cut {length}")
+    if surface_percent:
+        # Drawn last: all else is as without it.
+        failure, share = surface_failure(chance, seconds), chance.random()
+        values["surface_fault"] = float(share * 100 < surface_percent)
+        if values["surface_fault"]:
+            faults.append(failure)
     values["cuts"] = len(lengths)
     values["cut_ms"] = sum(lengths)
     return Drawn("\n".join(conditions) + "\n", "\n".join(faults) + "\n",
                  values)
+
+
+def surface_failure(chance, seconds):
+    """A line of the fault file."""
+    at_ms = chance.randrange(CALM_S * 1000, (seconds - CALM_S) * 1000 + 1)
+    how = chance.choice((
+        "stuck", f"stuck {chance.randrange(4096)}", "float",
+        f"slow {chance.randrange(1, 100)}"))
+    return f"{at_ms} surface {chance.choice(SURFACES)} {how}"

@@ -42,6 +42,9 @@ def monte_carlo(
     seconds: Annotated[Optional[int], typer.Option(
         min=10, max=LONGEST_S, metavar="S",
         help="Length of each flight; else the pilot's.")] = None,
+    surface_faults: Annotated[int, typer.Option(
+        min=0, max=100, metavar="PERCENT",
+        help="In so many flights of a hundred a surface fails.")] = 0,
     scheduler: Annotated[Optional[str], typer.Option(
         metavar="ADDRESS", help="Dask's scheduler, tcp://HOST:PORT; else"
         " workers here.")] = None,
@@ -70,7 +73,8 @@ def monte_carlo(
     length = seconds or LENGTHS[pilot]
     campaign = SimpleNamespace(
         pilot=pilot, seconds=length, first=first, count=count,
-        output=output, scheduler=scheduler, workers=workers)
+        output=output, scheduler=scheduler, workers=workers,
+        surface_percent=surface_faults)
     if again is not None:
         fly_alone(campaign, again)
     else:
@@ -81,7 +85,8 @@ def job(campaign, seed):
     """The files and options of the flight of that seed."""
     from urv import dispersions
 
-    drawn = dispersions.draw(seed, campaign.pilot, campaign.seconds)
+    drawn = dispersions.draw(seed, campaign.pilot, campaign.seconds,
+                             campaign.surface_percent)
     return {
         "seed": seed, "values": drawn.values,
         "files": {"conditions.txt": drawn.conditions,
@@ -96,8 +101,10 @@ def command_again(campaign, seed):
     """What flies that flight again."""
     return shlex.join(
         ["bin/urv", "monte-carlo", "--again", str(seed), "--pilot",
-         campaign.pilot, "--seconds", str(campaign.seconds), "--output",
-         str(campaign.output)])
+         campaign.pilot, "--seconds", str(campaign.seconds),
+         *(["--surface-faults", str(campaign.surface_percent)]
+           if campaign.surface_percent else []),
+         "--output", str(campaign.output)])
 
 
 def fly_alone(campaign, seed):

@@ -74,7 +74,8 @@ def write(path, campaign, cargo_hash, flights):
         [each.fault for each in flights], pyarrow.string())
     table = pyarrow.table(columns).replace_schema_metadata({
         "urv.monte_carlo": "1", "urv.pilot": campaign.pilot,
-        "urv.seconds": str(campaign.seconds), "urv.cargo": cargo_hash})
+        "urv.seconds": str(campaign.seconds), "urv.cargo": cargo_hash,
+        "urv.surface_percent": str(campaign.surface_percent)})
     try:
         pyarrow.parquet.write_table(table, path, compression="zstd")
     except OSError as fault:

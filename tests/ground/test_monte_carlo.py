@@ -20,7 +20,8 @@ pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
 distributed = pytest.importorskip("distributed")
 parquet = pytest.importorskip("pyarrow.parquet")
 
-SHORT = SimpleNamespace(pilot="level", seconds=10, output="out")
+SHORT = SimpleNamespace(pilot="level", seconds=10, output="out",
+                        surface_percent=0)
 FILES = ("conditions.txt", "faults.txt", "record.csv", "summary.json",
          "events.jsonl")
 
@@ -67,6 +68,32 @@ def test_what_is_drawn_is_within_its_bounds_and_uses_them():
         assert least <= min(values) < max(values) <= most
         assert max(values) - min(values) > 0.9 * (most - least)
     assert {each["cuts"] for each in drawn} == {0, 1, 2}
+
+
+def test_a_surface_fails_as_often_as_is_asked_for():
+    never, some, always = (
+        [dispersions.draw(seed, "standard", 180, percent)
+         for seed in range(400)] for percent in (0, 10, 100))
+    assert not any("surface" in drawn.faults for drawn in never)
+    assert 20 <= sum("surface" in drawn.faults for drawn in some) <= 60
+    assert all(drawn.faults.count(" surface ") == 1 for drawn in always)
+    assert {line.split()[2] for drawn in always
+            for line in drawn.faults.splitlines() if " surface " in line
+            } == set(dispersions.SURFACES)
+    # All else stays as it is.
+    for left, right in zip(never, always, strict=True):
+        assert left.conditions == right.conditions
+        assert right.faults.startswith(left.faults)
+
+
+def test_a_surface_fault_is_one_that_the_simulation_knows(sent, tmp_path):
+    here = cargo.Cargo(sent.archive, cargo.fly)
+    here.unpack(tmp_path)
+    for seed in range(6):
+        job = monte_carlo.job(
+            SimpleNamespace(**{**vars(SHORT), "surface_percent": 100}), seed)
+        job["options"][job["options"].index("--seconds") + 1] = "0.1"
+        assert "fault" not in here.do(job)
 
 
 # --- how sure a rate is -----------------------------------------------------
