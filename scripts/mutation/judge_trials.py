@@ -30,7 +30,8 @@ FLYING = ["data_path", "items", "wire", "events", "latency", "determinism",
 AIRCRAFT = ["aircraft", "truth", "pilot", "flight"]
 IN_REAL_TIME = ["partition_arguments", "partition_peers", "partition_safety",
                 "partition_signals", "partition_reports", "partition_flights",
-                "partition_input", "partition_plant", "partition_station"]
+                "partition_input", "partition_plant", "partition_station",
+                "partition_flood"]
 
 # The tests for a changed file: those of the first pattern that it matches.
 TESTS = {
@@ -47,6 +48,7 @@ TESTS = {
     "scripts/campaign/*": ["campaign_checker", "campaign", "link_theory",
                            "safety_mixes"],
     "scripts/flight_numbers.py": ["campaign_checker", "link_theory"],
+    "scripts/floods.py": ["partition_flood"],
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],
     "scripts/proof_canaries.py": ["canaries", "proof_record"],

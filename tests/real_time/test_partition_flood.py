@@ -4,8 +4,11 @@ its own affair: asserted is that nothing of it is obeyed and that afterwards
 the peer is, needed that the flood was one."""
 
 import contextlib
+import re
+import subprocess
+import sys
 
-from conftest import flies_again, need
+from conftest import ROOT, TIME_LIMIT_S, flies_again, need
 from test_partition_input import BEFORE, YOUNG, UDPEnd, acted_upon, command
 
 DATAGRAMS = 60_000
@@ -23,3 +26,17 @@ def test_rtp3_after_a_flood_the_peer_is_heard(start):
     link = mcs.summary["link"]
     need(link["bytes_discarded"] > 1_000, mcs)
     need(acted_upon(mcs, BEFORE) and acted_upon(mcs, YOUNG), mcs)
+
+
+def test_rtp3_the_script_of_floods_flies_beside_each():
+    """Three flights: beside nothing, beside a flood, and in one."""
+    said = subprocess.run(
+        [sys.executable, ROOT / "scripts" / "floods.py", "1"], text=True,
+        capture_output=True, check=True, timeout=TIME_LIMIT_S).stdout
+    rates = re.findall(r": (\d+) datagrams a second, (\d+) discarded, ticks "
+                       r"late \{'min'", said)
+    assert len(rates) == 3
+    assert rates[0] == ("0", "0")
+    assert int(rates[1][0]) > 0 and rates[1][1] == "0"
+    rate, discarded = map(int, rates[2])
+    assert discarded > 0 or rate < 30_000
