@@ -3,10 +3,13 @@
 --  The order of a frame (report, section 2.2, figure 3; FRM-2, SET-1): who
 --  consumes what another task has produced runs after it, in the same
 --  frame, on any schedule that keeps the releases, on one processor or two.
+--  The control laws alone run at the same tick as those they consume from:
+--  on the same processor, which runs them first because they stand first.
 
 with GSC;
 with MCS;
-with URVOS.Frames; use URVOS.Frames;
+with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package Theorems.Order with SPARK_Mode, Ghost is
 
@@ -44,7 +47,9 @@ package Theorems.Order with SPARK_Mode, Ghost is
      (case Consumer is
          when MCS.MDCIN_Task  => Producer = MCS.TELIN_Task,
          when MCS.MDCOUT_Task => Producer = MCS.AD_Task,
-         when MCS.PWM_Task    => Producer = MCS.MDCIN_Task,
+         when MCS.LAW_Task    =>
+           Producer in MCS.MDCIN_Task | MCS.MDCOUT_Task,
+         when MCS.PWM_Task    => Producer = MCS.LAW_Task,
          when MCS.TELOUT_Task => Producer = MCS.MDCOUT_Task,
          when MCS.CORE_Task   =>
            Producer in MCS.MDCIN_Task | MCS.MDCOUT_Task,
@@ -61,7 +66,16 @@ package Theorems.Order with SPARK_Mode, Ghost is
            Producer in GSC.GDCIN_Task | GSC.GDCOUT_Task,
          when others          => False);
 
-   --  Aircraft: every consumer runs at a later tick than its producer.
+   --  Released at one tick, the producer is chosen first: on one processor,
+   --  by its priority, which is its place in the list.
+   function Is_Chosen_First
+     (Producer, Consumer : MCS.Task_Name) return Boolean
+   is
+     (MCS.Task_List (Producer).Processor = MCS.Task_List (Consumer).Processor
+      and then Producer < Consumer);
+
+   --  Aircraft: every consumer but the laws runs at a later tick than its
+   --  producer; the laws no earlier, and after it.
    procedure Aircraft_Consumers_Follow_Producers
      (Schedule : MCS_Schedule;
       Now      : Clock_Tick)
@@ -72,7 +86,11 @@ package Theorems.Order with SPARK_Mode, Ghost is
        (for all Consumer in MCS.Task_Name =>
           (for all Producer in MCS.Task_Name =>
              (if Consumes (Consumer, Producer)
-              then Schedule (Consumer) > Schedule (Producer))));
+              then Schedule (Consumer) > Schedule (Producer)
+                or else
+                  (Consumer = MCS.LAW_Task
+                   and then Schedule (Consumer) = Schedule (Producer)
+                   and then Is_Chosen_First (Producer, Consumer)))));
 
    --  Ground: the same.
    procedure Ground_Consumers_Follow_Producers

@@ -12,6 +12,17 @@ package body Theorems.Safety with SPARK_Mode is
        URV.PWM_Layout.To_Data_Area (Transform (Item)) =
          URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
 
+   --  So have the brake, the flaps and the discretes where a law flies.
+   procedure Same_Switches
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Flown (Item, Scans, Scan, By_Law => True)
+       or else Is_Flown (Item, Scans, Scan, By_Law => False),
+     Post   =>
+       (for all Name in PWM_Item range Brake .. Discretes =>
+          Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
+
    --  The same outputs are the same data area.
    procedure Same_Area (One, Other : PWM_Buffer)
    with
@@ -65,6 +76,19 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Flap_Command (Item) = Flap_Command (Other));
       Same_Area (Transform (Item), Outputs_Of (Scans, Scan));
    end Same_Outputs;
+
+   procedure Same_Switches
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is
+      Other : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+   begin
+      pragma Assert
+        (for all Name in Switch_Item => Item (Name) = Other (Name));
+      pragma Assert (Item (Brake) = Other (Brake));
+      pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
+      pragma Assert (Flap_Command (Item) = Flap_Command (Other));
+   end Same_Switches;
 
    procedure Marked_Is_Of
      (Item  : Uplink_Buffer;
@@ -177,7 +201,29 @@ package body Theorems.Safety with SPARK_Mode is
        and then
          (if not Is_Fresh (Item'Old.TELIN)
           then Is_Old (Contents (Item.Uplink))
-            and then Is_Old (Contents (Item.PWM)));
+            and then Is_Old (Contents (Item.Commands)));
+
+   procedure Run_LAW
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if Is_Fresh (Item'Old.Commands)
+            and then
+              (not Set.On
+               or else URV.Laws.Is_Disconnected
+                 (Contents (Item'Old.Commands)))
+          then not Item.PWM_By_Law
+            and then Contents (Item.PWM) = Contents (Item'Old.Commands));
 
    procedure Run_PWM
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
@@ -333,10 +379,83 @@ package body Theorems.Safety with SPARK_Mode is
       Item.Uplink_From := Item.TELIN_From;
       pragma Assert
         (Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From));
-      Send (Item.PWM, Message, Unused_Success);
-      Item.PWM_From := Item.TELIN_From;
-      pragma Assert (Is_Of (Contents (Item.PWM), Scans, Item.PWM_From));
+      Send (Item.Commands, Message, Unused_Success);
+      Item.Commands_From := Item.TELIN_From;
+      pragma Assert
+        (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
    end Run_MDCIN;
+
+   procedure Run_LAW
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory)
+   is
+      Message        : Uplink_Buffer;
+      Flown          : Uplink_Buffer;
+      Kept           : URV.Laws.Memory;
+      Fresh          : Boolean;
+      Unused_Success : Boolean;
+   begin
+      Receive (Item.Commands, Message, Fresh);
+      pragma Assert (Item.Commands_From <= Done);
+      pragma Assert (Contents (Item.Commands) = Message);
+      pragma Assert (Is_Of (Message, Scans, Item.Commands_From));
+      pragma Assert
+        (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+      if Set.On then
+         if not Fresh then
+            Marked_Is_Of (Message, 0, Scans, Item.Commands_From);
+            Message := As_Old (Message);
+         end if;
+         Kept :=
+           (Law with delta
+              Heard => Item.Heard,
+              Link  => (Law.Link with delta State => Item.Law_Link));
+         Kept := URV.Laws.Next (Kept, Message, Sensors, Set.By);
+         pragma Assert
+           (if Item.Law_Link = Waiting and then Kept.Link.State /= Waiting
+            then not Is_Old (Message));
+         pragma Assert (if not Is_Old (Message) then Item.Commands_From > 0);
+         pragma Assert
+           (if Kept.Link.State /= Waiting and then Is_Old (Message)
+            then Item.Heard_From > 0);
+         Item.Law_Link := Kept.Link.State;
+         Item.Heard := Kept.Heard;
+         if not Is_Old (Message) then
+            Item.Heard_From := Item.Commands_From;
+         end if;
+         pragma Assert (Is_Of (Item.Heard, Scans, Item.Heard_From));
+         Flown := URV.Laws.Output (Kept, Message);
+         Item.PWM_By_Law := not URV.Laws.Is_All_Stick (Kept);
+         Item.PWM_From :=
+           (if Item.PWM_By_Law then Item.Heard_From
+            else Item.Commands_From);
+         pragma Assert
+           (Is_Flown (Flown, Scans, Item.PWM_From, Item.PWM_By_Law));
+         Send (Item.PWM, Flown, Unused_Success);
+         pragma Assert (Contents (Item.PWM) = Flown);
+         pragma Assert
+           (Is_Flown
+              (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law));
+         pragma Assert
+           (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+         pragma Assert (if Item.Law_Link /= Waiting then Item.Heard_From > 0);
+      elsif Fresh then
+         Item.PWM_By_Law := False;
+         Item.PWM_From := Item.Commands_From;
+         Send (Item.PWM, Message, Unused_Success);
+         pragma Assert (Contents (Item.PWM) = Message);
+         pragma Assert
+           (Is_Of (Contents (Item.PWM), Scans, Item.PWM_From));
+         pragma Assert
+           (Is_Flown (Contents (Item.PWM), Scans, Item.PWM_From, False));
+         pragma Assert
+           (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+      end if;
+   end Run_LAW;
 
    procedure Run_PWM
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
@@ -346,10 +465,13 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Receive (Item.PWM, Message, Fresh);
       pragma Assert (Item.PWM_From <= Done);
+      pragma Assert
+        (Is_Flown (Message, Scans, Item.PWM_From, Item.PWM_By_Law));
       if Fresh and then not Is_Old (Message) then
-         Same_Outputs (Message, Scans, Item.PWM_From);
          Item.Board := URV.PWM_Layout.To_Data_Area (Transform (Message));
+         Item.Board_Of := Message;
          Item.Board_From := Item.PWM_From;
+         Item.Board_By_Law := Item.PWM_By_Law;
       end if;
    end Run_PWM;
 
@@ -386,17 +508,26 @@ package body Theorems.Safety with SPARK_Mode is
          Item.TELIN_From := 0;
          Item.Uplink := Empty_Mailbox;
          Item.Uplink_From := 0;
+         Item.Commands := Empty_Mailbox;
+         Item.Commands_From := 0;
+         Item.Law_Link := Waiting;
+         Item.Heard := Neutral_Uplink;
+         Item.Heard_From := 0;
          Item.PWM := Empty_Mailbox;
          Item.PWM_From := 0;
+         Item.PWM_By_Law := False;
          Item.CORE := (others => 0);
          Item.CORE_From := 0;
          Item.Is_Cleared := True;
          Neutral_Is_Safe (Scans);
          Item.Board := URV.PWM_Layout.Safe_Area;
+         Item.Board_Of := Neutral_Uplink;
          Item.Board_From := 0;
+         Item.Board_By_Law := False;
       else
          Item.TELIN := Restarted (Item.TELIN);
          Item.Uplink := Restarted (Item.Uplink);
+         Item.Commands := Restarted (Item.Commands);
          Item.PWM := Restarted (Item.PWM);
       end if;
 
@@ -433,6 +564,8 @@ package body Theorems.Safety with SPARK_Mode is
             Run_TELIN (Aircraft, Line, Scans, Before, Now.Which);
          when MDCIN_Runs =>
             Run_MDCIN (Aircraft, Scans, Before);
+         when LAW_Runs =>
+            Run_LAW (Aircraft, Scans, Before, Now.Set, Now.Sensors, Now.Law);
          when PWM_Runs =>
             Run_PWM (Aircraft, Scans, Before);
          when CORE_Runs =>
@@ -474,13 +607,21 @@ package body Theorems.Safety with SPARK_Mode is
          TELIN_From  => 0,
          Uplink      => Empty_Mailbox,
          Uplink_From => 0,
+         Commands      => Empty_Mailbox,
+         Commands_From => 0,
+         Law_Link    => Waiting,
+         Heard       => Neutral_Uplink,
+         Heard_From  => 0,
          PWM         => Empty_Mailbox,
          PWM_From    => 0,
+         PWM_By_Law  => False,
          CORE        => (others => 0),
          CORE_From   => 0,
          Is_Cleared  => True,
-         Board       => URV.PWM_Layout.Safe_Area,
-         Board_From  => 0);
+         Board        => URV.PWM_Layout.Safe_Area,
+         Board_Of     => Neutral_Uplink,
+         Board_From   => 0,
+         Board_By_Law => False);
       pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
 
       for Step in Event_Number range 1 .. Upto loop
@@ -510,6 +651,20 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Neutral_Is_Safe (Scans);
       pragma Assert (Item.Board_From <= Done);
+      if not Item.Board_By_Law then
+         Same_Outputs (Item.Board_Of, Scans, Item.Board_From);
+      else
+         Same_Switches (Item.Board_Of, Scans, Item.Board_From);
+         for Name in PWM_Item range Brake .. Discretes loop
+            pragma Assert
+              (Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
+                 Transform (Item.Board_Of) (Name));
+            pragma Loop_Invariant
+              (for all Earlier in Brake .. Name =>
+                 Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
+                   Outputs_Of (Scans, Item.Board_From) (Earlier));
+         end loop;
+      end if;
    end Servos_Were_Asked_For;
 
    procedure Switches_Are_Off_Until_A_Scan_Says_On
@@ -523,6 +678,7 @@ package body Theorems.Safety with SPARK_Mode is
           (Stamped (Held (Scans, Item.Board_From), Fresh => True));
    begin
       pragma Assert (Item.Board_From <= Done);
+      Same_Switches (Item.Board_Of, Scans, Item.Board_From);
       pragma Assert (not Is_On (Commands (Switch)));
       pragma Assert
         ((Packed_Switches (Commands) / Switch_Bit (Switch)) mod 2 = 0);
@@ -535,7 +691,7 @@ package body Theorems.Safety with SPARK_Mode is
             pragma Assert (Transform (Commands) (Flap) = Flaps_Up);
             pragma Assert
               (Item.Board (URV.PWM_Layout.Channel_Of (Flap)) =
-                 Outputs_Of (Scans, Item.Board_From) (Flap));
+                 Transform (Item.Board_Of) (Flap));
             pragma Loop_Invariant
               (for all Earlier in Left_Flap_1 .. Flap =>
                  Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
@@ -543,6 +699,18 @@ package body Theorems.Safety with SPARK_Mode is
          end loop;
       end if;
    end Switches_Are_Off_Until_A_Scan_Says_On;
+
+   procedure No_Law_Flies_Unless_Asked
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory)
+   is
+   begin
+      Run_LAW (Item, Scans, Done, Set, Sensors, Law);
+   end No_Law_Flies_Unless_Asked;
 
    procedure Old_Commands_Move_Nothing
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)

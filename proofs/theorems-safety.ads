@@ -20,6 +20,8 @@ with URV.AD_Scans;        use URV.AD_Scans;
 with URV.Buffers;         use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Layout;
+with URV.Laws;
+with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Mailboxes;       use URV.Mailboxes;
 with URV.PWM_Layout;
 with URV.PWM_Transform;   use URV.PWM_Transform;
@@ -61,6 +63,23 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    function Outputs_Of
      (Scans : Scan_History; Scan : Scan_Count) return PWM_Buffer
    is (Transform (To_Uplink (Stamped (Held (Scans, Scan), Fresh => True))))
+   with Global => null;
+
+   --  The same where a law may have put other words in the place of the four
+   --  that it flies. Where there was no scan no law flies.
+
+   subtype Flown_Item is Command_Item range Roll .. Throttle;
+
+   function Is_Flown
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      By_Law : Boolean) return Boolean
+   is
+     ((for all Name in Command_Item =>
+         (if not By_Law or else Name not in Flown_Item
+          then Item (Name) = Held (Scans, Scan) (Channel_Of (Name))))
+      and then (if Scan = 0 then Is_Old (Item) and then not By_Law))
    with Global => null;
 
    --  The blocks that the ground gave its telemetry board.
@@ -133,13 +152,28 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       TELIN_From  : Scan_Count;
       Uplink      : For_Uplink.Boxes.Mailbox;
       Uplink_From : Scan_Count;
+      Commands      : For_Uplink.Boxes.Mailbox;
+      Commands_From : Scan_Count;
+
+      --  Of what the laws remember: the link's state, the commands that they
+      --  heard last, and their scan.
+      Law_Link    : Link_State;
+      Heard       : Uplink_Buffer;
+      Heard_From  : Scan_Count;
+
+      --  By_Law: a law may have put its own words in.
       PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
+      PWM_By_Law  : Boolean;
       CORE        : Uplink_Words;
       CORE_From   : Scan_Count;
       Is_Cleared  : Boolean;
-      Board       : Data_Area;
-      Board_From  : Scan_Count;
+
+      --  The servos' words, and the commands that they were made of.
+      Board        : Data_Area;
+      Board_Of     : Uplink_Buffer;
+      Board_From   : Scan_Count;
+      Board_By_Law : Boolean;
    end record;
 
    function Is_Sound
@@ -150,19 +184,28 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      (Item.Kept_From <= Done
       and then Item.TELIN_From <= Done
       and then Item.Uplink_From <= Done
+      and then Item.Commands_From <= Done
+      and then Item.Heard_From <= Done
       and then Item.PWM_From <= Done
       and then Item.CORE_From <= Done
       and then Item.Board_From <= Done
       and then Is_Of (Item.Kept, Scans, Item.Kept_From)
       and then Is_Of (Contents (Item.TELIN), Scans, Item.TELIN_From)
       and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
-      and then Is_Of (Contents (Item.PWM), Scans, Item.PWM_From)
+      and then Is_Of (Contents (Item.Commands), Scans, Item.Commands_From)
+      and then Is_Of (Item.Heard, Scans, Item.Heard_From)
+      and then (if Item.Law_Link /= Waiting
+                then Item.Heard_From > 0)
+      and then Is_Flown
+        (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law)
       and then
         (if not Item.Is_Cleared
          then Is_Of
            (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
       and then Item.Board =
-        URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Item.Board_From)))
+        URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of))
+      and then Is_Flown
+        (Item.Board_Of, Scans, Item.Board_From, Item.Board_By_Law))
    with Global => null;
 
    --  What may happen, in any order: a scan is complete, a task has its
@@ -171,15 +214,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      (Scan_Ends,
       AD_Runs, GDCOUT_Runs, TELOUT_Runs,
       Ground_Cold_Start, Ground_Warm_Start,
-      TELIN_Runs, MDCIN_Runs, PWM_Runs, CORE_Runs,
+      TELIN_Runs, MDCIN_Runs, LAW_Runs, PWM_Runs, CORE_Runs,
       Aircraft_Cold_Start, Aircraft_Warm_Start);
 
    --  Which is the block that TELIN finds, 0 for none; Bits are the node's
-   --  own of the error/status word.
+   --  own of the error/status word; Set are the laws' settings, Sensors what
+   --  they are given, Law what else they remember: anything.
    type Event is record
-      Kind  : Event_Kind;
-      Which : Block_Count;
-      Bits  : Word;
+      Kind    : Event_Kind;
+      Which   : Block_Count;
+      Bits    : Word;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory;
    end record;
 
    type Event_Number is range 1 .. Longest;
@@ -240,7 +287,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
          URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, 0));
 
    --  Each servo word is what figure 13 makes of the words of one scan that
-   --  the ground's converter held, or the safe word (SAF-2).
+   --  the ground's converter held, or the safe word (SAF-2). Where a law
+   --  flies, this holds of the brake, the flaps and the discretes.
    procedure Servos_Were_Asked_For
      (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -249,10 +297,38 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   =>
        (if Item.Board_From = 0
         then Item.Board = URV.PWM_Layout.Safe_Area
-        else Item.Board_From <= Done
+        elsif not Item.Board_By_Law
+        then Item.Board_From <= Done
           and then Item.Board =
             URV.PWM_Layout.To_Data_Area
-              (Outputs_Of (Scans, Item.Board_From)));
+              (Outputs_Of (Scans, Item.Board_From))
+        else Item.Board_From <= Done
+          and then
+            (for all Name in PWM_Item range Brake .. Discretes =>
+               Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
+                 Outputs_Of (Scans, Item.Board_From) (Name)));
+
+   --  With the laws off no law flies, nor with the disconnect switch on in
+   --  commands that are not marked as old, whatever the laws remember and
+   --  the sensors say: what the PWM task is given is what MDCIN gave.
+   procedure No_Law_Flies_Unless_Asked
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then Is_Fresh (Item.Commands)
+       and then
+         (not Set.On
+          or else URV.Laws.Is_Disconnected (Contents (Item.Commands))),
+     Post   =>
+       not Item.PWM_By_Law
+       and then Contents (Item.PWM) = Contents (Item'Old.Commands);
 
    --  A switch is off, at its discrete and at the flaps, until a scan says
    --  that it is on (SAF-3).
@@ -278,7 +354,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
             (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
                Item.Board (URV.PWM_Layout.Channel_Of (Flap)) = Flaps_Up));
 
-   --  Commands that are marked as old move nothing (SAF-3).
+   --  Commands that are marked as old move nothing (SAF-3): those that the
+   --  PWM task is given. A law that flies marks none.
    procedure Old_Commands_Move_Nothing
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -333,7 +410,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        Is_Sound (Item, Scans, Done) and then not Is_Fresh (Item.TELIN),
      Post   =>
        Is_Old (Contents (Item.Uplink))
-       and then Is_Old (Contents (Item.PWM));
+       and then Is_Old (Contents (Item.Commands));
 
    --  A scan is whole: the words that are sent are those that were
    --  converted since it began, one a channel.

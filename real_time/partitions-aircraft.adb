@@ -12,6 +12,7 @@ with Partitions.Columns;  use Partitions.Columns;
 with Partitions.Plant;
 with Telemetry.Boards;
 with URV.CORE_Layout;
+with URV.Laws;
 with URV.PWM_Layout;
 with URV.Routing;
 with URVOS;               use URVOS;
@@ -30,7 +31,10 @@ package body Partitions.Aircraft is
 
    procedure Prepare (Chosen : Partitions.Options.Choices) is
       use type Partitions.Options.Plant_Kind;
+      Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
    begin
+      Set.On := Chosen.Laws;
+      MCS.Law_Settings.Write (Set);
       if Chosen.Script /= Null_Unbounded_String then
          Load (Sensors, To_String (Chosen.Script));
       end if;

@@ -5,6 +5,9 @@ package body Partitions.Frame_Packets is
    Magic   : constant := 16#5552_5646#;
    Version : constant := 1;
 
+   --  The rows that a packet has.
+   subtype Told_Row is Log_Row_Number range 1 .. 32;
+
    function To_Packet (Item : Frame) return Packet is
       Result : Packet  := (others => 0);
       Last   : Natural := 0;
@@ -19,8 +22,8 @@ package body Partitions.Frame_Packets is
 
       procedure Put (Rows : Log_Rows) is
       begin
-         for Row of Rows loop
-            for Word of Row loop
+         for Which in Told_Row loop
+            for Word of Rows (Which) loop
                Put (Number (Word), 2);
             end loop;
          end loop;

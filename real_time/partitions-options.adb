@@ -14,14 +14,14 @@ package body Partitions.Options is
    type Option is
      (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
       Script_Option, Console_Option, Pilot_Option, Publish_Option,
-      Plant_Option, Record_Option, Summary_Option, Events_Option,
+      Plant_Option, Laws_Option, Record_Option, Summary_Option, Events_Option,
       Quiet_Option);
 
    --  Some have one node only.
    function Exists (This : Node; Which : Option) return Boolean is
      (case Which is
          when Console_Option .. Publish_Option => This = Ground,
-         when Plant_Option                     => This = Aircraft,
+         when Plant_Option | Laws_Option       => This = Aircraft,
          when others                           => True);
 
    type Option_Set is array (Option) of Boolean;
@@ -40,6 +40,7 @@ package body Partitions.Options is
          when Pilot_Option      => "--pilot",
          when Publish_Option    => "--publish",
          when Plant_Option      => "--plant",
+         when Laws_Option       => "--laws",
          when Record_Option     => "--record",
          when Summary_Option    => "--summary",
          when Events_Option     => "--events",
@@ -123,6 +124,14 @@ package body Partitions.Options is
                  ("--plant: " & Quoted (Value)
                   & " is neither ""bench"" nor ""jsbsim""");
             end if;
+
+         when Laws_Option =>
+            if Value not in "on" | "off" then
+               Refuse
+                 ("--laws: " & Quoted (Value)
+                  & " is neither ""on"" nor ""off""");
+            end if;
+            Chosen.Laws := Value = "on";
 
          when Publish_Option => Add_Place (Chosen, Given);
          when Link_Option    => Chosen.Link := Given;
@@ -322,6 +331,8 @@ package body Partitions.Options is
          Put_Line
            ("  --plant PLANT          bench, or jsbsim: an aircraft in"
             & " flight; else bench");
+         Put_Line
+           ("  --laws LAWS            the control laws, on or off; else off");
       end if;
       Put_Line
         ("  --record FILE          a row for each major frame");

@@ -31,6 +31,10 @@ package Partitions.Options is
       Console : Unbounded_String;
       Pilot   : Unbounded_String;
       Plant   : Plant_Kind := Bench_Plant;
+
+      --  The aircraft's control laws (EXT-3).
+      Laws    : Boolean := False;
+
       Outputs : Output_Names;
       Quiet   : Boolean := False;
       Frames  : URVOS.Count := 0;

@@ -129,8 +129,8 @@ def pure_procedures(root):
     """Those whose results Theorems.Results is about, as Package.Name."""
     for path in specifications(root):
         package = package_of(parsed(path.read_bytes()))
-        if package is None or "Pure" not in text_of(
-                child_of_type(package, "aspect_specification")):
+        given = package and child_of_type(package, "aspect_specification")
+        if not given or "Pure" not in text_of(given):
             continue
         for node in parts(package)[0]:
             if (node.type == "subprogram_declaration"

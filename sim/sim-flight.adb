@@ -33,6 +33,7 @@ with Sim.Wire_Log;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;
 with URV.Errors;          use URV.Errors;
+with URV.Law_Status;
 with URV.PWM_Transform;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
@@ -232,7 +233,11 @@ package body Sim.Flight is
                                (Nodes.CORE (Ground).Downlink),
              Link         => Engine.Link,
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
-             Truth        => Shown));
+             Truth        => Shown,
+             Has_Laws     => Has_Laws (Chosen),
+             Laws         => URV.Law_Status.To_Row (Nodes.Laws),
+             Laws_Told    => Nodes.CORE (Ground).Aircraft_Log
+                               (URV.Law_Status.Row_Number)));
       end if;
 
       if Given (Chosen.Pilot) then
@@ -409,6 +414,7 @@ package body Sim.Flight is
             then Pilot.Length (To_String (Chosen.Pilot))
             else Stick_Scripts.Length (Sticks)));
 
+      Nodes.Set_Laws (Has_Laws (Chosen));
       Engine.Start
         (Lag        => Lag_Of (Chosen),
          Script     => Faults,
@@ -431,7 +437,8 @@ package body Sim.Flight is
       if Text_Output.Is_Open (Files (Record_File)) then
          Flight_Record.Write_Header
            (Files (Record_File),
-            Has_Truth => Chosen.Plant = JSBSim_Plant);
+            Has_Truth => Chosen.Plant = JSBSim_Plant,
+            Has_Laws  => Has_Laws (Chosen));
       end if;
       if Text_Output.Is_Open (Files (Wire_File)) then
          Wire_Log.Write_Header (Files (Wire_File));

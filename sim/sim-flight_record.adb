@@ -63,9 +63,27 @@ package body Sim.Flight_Record is
       end if;
    end Put_Time;
 
+   --  The columns of the laws but the last.
+   procedure Put_Laws (To : in out Writer; Laws : Log_Row);
+
+   procedure Put_Laws (To : in out Writer; Laws : Log_Row) is
+      Modes : Word := Laws (Occurrences_High);
+   begin
+      for Part in 1 .. 4 loop
+         Put (To, ',');
+         Put (To, Number (Modes mod 16));
+         Modes := Modes / 16;
+      end loop;
+      for Which in Occurrences_Low .. First_Frame_Low loop
+         Put (To, ',');
+         Put (To, Number (Laws (Which)));
+      end loop;
+   end Put_Laws;
+
    procedure Write_Header
      (To        : in out Writer;
-      Has_Truth : Boolean) is
+      Has_Truth : Boolean;
+      Has_Laws  : Boolean) is
    begin
       Put (To, "frame,time_ms");
       Console_Columns.Put_Names (To, "console");
@@ -77,6 +95,11 @@ package body Sim.Flight_Record is
       Link_Columns.Put_Names (To, "link");
       if Has_Truth then
          Truth_Columns.Put_Names (To);
+      end if;
+      if Has_Laws then
+         Put (To, ",laws.lateral,laws.vertical,laws.power,laws.link"
+              & ",laws.invalid_low,laws.invalid_high,laws.silent"
+              & ",laws.told");
       end if;
       New_Line (To);
    end Write_Header;
@@ -95,6 +118,11 @@ package body Sim.Flight_Record is
       Link_Columns.Put_Values (To, This.Link);
       if This.Has_Truth then
          Truth_Columns.Put_Values (To, This.Truth);
+      end if;
+      if This.Has_Laws then
+         Put_Laws (To, This.Laws);
+         Put (To, ',');
+         Put (To, Number (This.Laws_Told (Occurrences_High)));
       end if;
       New_Line (To);
    end Write_Row;

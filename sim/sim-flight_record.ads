@@ -3,6 +3,7 @@
 --  The flight record: one row for each major frame of the ground node,
 --  taken as that frame ends (--record).
 
+with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;
 with URV.Buffers;         use URV.Buffers;
@@ -26,12 +27,19 @@ package Sim.Flight_Record is
       --  Where an aircraft flies, what it really does.
       Has_Truth    : Boolean;
       Truth        : Shown_State;
+
+      --  Where there are control laws, what they say of themselves, in the
+      --  aircraft and as the ground knows it.
+      Has_Laws     : Boolean;
+      Laws         : Log_Row;
+      Laws_Told    : Log_Row;
    end record;
 
    --  Writes the line with the names of the columns.
    procedure Write_Header
      (To        : in out Text_Output.Writer;
-      Has_Truth : Boolean)
+      Has_Truth : Boolean;
+      Has_Laws  : Boolean)
      with Pre => Text_Output.Is_Open (To);
 
    --  Writes one row. A time that is no whole number of milliseconds gets

@@ -69,6 +69,15 @@ package body Sim.Nodes is
          Complain (Which, Error);
    end Start;
 
+   procedure Set_Laws (On : Boolean) is
+      Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
+   begin
+      Set.On := On;
+      MCS.Law_Settings.Write (Set);
+   end Set_Laws;
+
+   function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents);
+
    procedure Restart_Telemetry (Which : Node) is
    begin
       case Which is

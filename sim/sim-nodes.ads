@@ -10,6 +10,7 @@ with Telemetry;
 with Telemetry.Boards;
 with URV.Buffers;  use URV.Buffers;
 with URV.Errors;
+with URV.Laws;
 with URVOS;        use URVOS;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
@@ -68,6 +69,9 @@ package Sim.Nodes is
       Data      : out Byte;
       Time_Left : out Telemetry.Character_Times);
 
+   --  The aircraft's control laws are there or not, from the next start on.
+   procedure Set_Laws (On : Boolean);
+
    --  What can be seen of a node.
 
    function Servos return PWM_Buffer;
@@ -79,6 +83,9 @@ package Sim.Nodes is
    function Errors (Which : Node) return URV.Errors.Error_Log;
 
    function Overruns (Which : Node) return Count;
+
+   --  What the aircraft's control laws remember.
+   function Laws return URV.Laws.Memory;
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;

@@ -56,6 +56,8 @@ package body Sim.Options.Usage is
               & Phase_Ticks'Last'Image & " ("
               & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
          Put ("  --processors N    of each node, 1 or 2 (1)");
+         Put ("  --laws LAWS       the aircraft's control laws, on or off");
+         Put ("                    (on with jsbsim, off with the bench)");
          Put ("  --record FILE     flight record, CSV");
          Put ("  --summary FILE    result, JSON");
          Put ("  --wire FILE       every byte on the serial link, CSV");

@@ -14,9 +14,8 @@ package body Sim.Options is
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Seed_Option,
-      Phase_Option,
-      Processors_Option, Record_Option, Summary_Option, Wire_Option,
-      Events_Option, Pace_Option, Quiet_Option);
+      Phase_Option, Processors_Option, Laws_Option, Record_Option,
+      Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
 
    Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
@@ -35,6 +34,7 @@ package body Sim.Options is
          when Seed_Option       => "--seed",
          when Phase_Option      => "--phase",
          when Processors_Option => "--processors",
+         when Laws_Option       => "--laws",
          when Record_Option     => "--record",
          when Summary_Option    => "--summary",
          when Wire_Option       => "--wire",
@@ -186,6 +186,15 @@ package body Sim.Options is
                Refuse_Value (Which, Value, "is neither 1 nor 2");
             end if;
             Chosen.Processors := Processor_Count (Amount);
+
+         when Laws_Option =>
+            if Value = "on" then
+               Chosen.Laws := On;
+            elsif Value = "off" then
+               Chosen.Laws := Off;
+            else
+               Refuse_Value (Which, Value, "is neither ""on"" nor ""off""");
+            end if;
 
          when Pilot_Option   =>
             Chosen.Pilot := To_Unbounded_String (Value);

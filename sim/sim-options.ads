@@ -23,6 +23,10 @@ package Sim.Options is
    --  As fast as possible, or as fast as the clock on the wall.
    type Pace_Kind is (Max, Realtime);
 
+   --  The aircraft's control laws: with a plant that they are for, or as the
+   --  user says.
+   type Law_Choice is (By_Plant, On, Off);
+
    subtype Processor_Count is Nodes.Processor_Count;
 
    subtype Seed_Number is Noise.Seed_Number;
@@ -53,6 +57,8 @@ package Sim.Options is
       --  Of the aircraft's node.
       Processors : Processor_Count := 1;
 
+      Laws : Law_Choice := By_Plant;
+
       --  The flight the simulated pilot flies; empty for nobody.
       Pilot : Unbounded_String;
 
@@ -62,6 +68,12 @@ package Sim.Options is
 
    --  What the program was called with.
    function Parsed return Choices;
+
+   function Has_Laws (Chosen : Choices) return Boolean is
+     (case Chosen.Laws is
+         when By_Plant => Chosen.Plant = JSBSim_Plant,
+         when On       => True,
+         when Off      => False);
 
    --  How long to fly, in whole frames: as --seconds says; else as long
    --  as the sticks or the pilot need, if that is not 0; else 60 s.

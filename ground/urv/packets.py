@@ -51,7 +51,8 @@ KINDS = (
     "link_block_not_taken", "link_block_scrapped", "link_block_cleared",
     "link_reset", "task_overrun", "semaphore_not_claimed",
     "semaphore_not_owned", "warm_reset", "processor_restart",
-    "self_test_failed", "rom_check_failed")
+    "self_test_failed", "rom_check_failed", "link_loss_state",
+    "sensor_not_valid")
 """The kinds of errors, in the order of their rows."""
 
 ROWS_PER_LOG = 32

@@ -49,6 +49,8 @@ from safe_words import (  # noqa: E402
     SENSORS,
     SERVOS,
     STALE,
+    is_by_law,
+    law_rows,
     orders_behind,
     orders_of,
     transformed,
@@ -100,6 +102,7 @@ class Record:
         self.counts = {
             name: [int(row[titles.index(name)]) for row in rows]
             for name in ("frame", "overruns") if name in titles}
+        self.by_law = law_rows(titles, rows)
         for name, group, items in BUFFERS:
             wanted = [f"{group}.{item}" for item in items]
             if wanted[0] not in titles:
@@ -248,7 +251,8 @@ class Checker:
         times = record.times
         for place, before, words in changes(record.pwm, SAFE_ROW):
             near = record.mcs_uplink[place:place + after + 1]
-            if len(near) < after + 1 or near_start(times[place]):
+            if len(near) < after + 1 or near_start(times[place]) or (
+                    record.by_law[place] and is_by_law(before, words, near)):
                 continue
             if not any((not is_stale(message) or is_blurred(place))
                        and transformed(message[:13]) == words
@@ -410,6 +414,9 @@ class Flight(Checker):
         floor = -ENDLESS
         for place, before, words in changes(self.record.pwm, SAFE_ROW):
             time = times[place]
+            if self.record.by_law[place] and is_by_law(
+                    before, words, uplink[place:place + 2]):
+                continue
             first = self.commands_from(time)
             orders = orders_behind(words)
             found = None if orders is None else self.orders.earliest_scan(

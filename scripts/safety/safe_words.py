@@ -62,3 +62,34 @@ def orders_behind(servos):
     made = transformed((*orders[:5],
                         *(LARGEST if on else 0 for on in orders[5:])))
     return orders if made == servos else None
+
+
+# The first servos are those that a control law flies: surfaces and throttle.
+# After it has let go they may be on their way to the sticks for a second.
+FLOWN = 8
+LETTING_GO_ROWS = 50
+
+
+def law_rows(titles, rows):
+    """For each row whether a control law may fly the servos in it."""
+    if "laws.link" not in titles:
+        return [False] * len(rows)
+    link = titles.index("laws.link")
+    modes = [titles.index("laws." + name)
+             for name in ("lateral", "vertical", "power")]
+    found, since = [], LETTING_GO_ROWS
+    for row in rows:
+        is_flown = int(row[link]) > 1 or any(row[at] != "0" for at in modes)
+        since = 0 if is_flown else since + 1
+        found.append(since <= LETTING_GO_ROWS)
+    return found
+
+
+def is_by_law(before, words, near):
+    """A law may have made of the first outputs these of the others: brake,
+    flaps and discretes stay, or are what a message says that is not old."""
+    return (max(words[:FLOWN]) <= LARGEST
+            and (words[FLOWN:] == before[FLOWN:]
+                 or any(not message[-1] & STALE
+                        and transformed(message[:13])[FLOWN:] == words[FLOWN:]
+                        for message in near)))

@@ -54,7 +54,8 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
 
    --  The error logs: a row for each kind of error, in the order of the
    --  kinds (EXT-1, SAF-7). All of it is 0 where there was none. Rows have
-   --  no type codes: their place says what they are.
+   --  no type codes: their place says what they are. The last row of the
+   --  aircraft's is the control laws' (EXT-3).
 
    type Log_Field is
      (Occurrences_High, Occurrences_Low,
@@ -66,7 +67,7 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
 
    No_Errors : constant Log_Row := (others => 0);
 
-   type Log_Row_Number is range 1 .. 32;
+   type Log_Row_Number is range 1 .. 40;
    type Log_Rows is array (Log_Row_Number) of Log_Row;
 
    type Memory is record

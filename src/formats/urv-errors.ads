@@ -56,7 +56,13 @@ package URV.Errors with Pure, SPARK_Mode is
       Warm_Reset,              --  the reset switch
       Processor_Restart,       --  an unexpected exception
       Self_Test_Failed,        --  before the start
-      ROM_Check_Failed);       --  in flight
+      ROM_Check_Failed,        --  in flight
+
+      --  Control laws. Detail of the first: the place of the state in
+      --  URV.Link_Loss.Link_State, from 0; of the second: the sensor's place
+      --  in the downlink, from 1.
+      Link_Loss_State,         --  the link was lost for so long, or is back
+      Sensor_Not_Valid);       --  range, rate or stuck
 
    package Logs is new URVOS.Error_Logs (Error_Kind);
 

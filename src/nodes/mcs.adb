@@ -1,22 +1,25 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URV.Log_Pieces; use URV.Log_Pieces;
+with URV.Laws;
 with URV.PWM_Layout;
 
 package body MCS with SPARK_Mode is
 
-   procedure Give_PWM (Item : Uplink_Buffer) is
+   procedure Give_Commands (Item : Uplink_Buffer) is
       Success : Boolean;
    begin
-      PWM_Variable.Send (Item, Success);
+      Commands_Variable.Send (Item, Success);
       if not Success then
          Errors.Report (Commands_Not_Consumed, 0);
       end if;
-   end Give_PWM;
+   end Give_Commands;
 
    procedure Add_Log_Piece (Item : in out Downlink_Buffer) is
-      Next : Piece;
+      Unused_Success : Boolean;
+      Next           : Piece;
    begin
+      Sensors_Variable.Send (Item, Unused_Success);
       Log_Sender.Next (Next);
       Item (Error_Status) := With_Piece (Item (Error_Status), Next);
    end Add_Log_Piece;
@@ -44,6 +47,7 @@ package body MCS with SPARK_Mode is
             when TELIN_Task     => TELIN.Run_Transaction;
             when MDCIN_Task     => MDCIN.Run_Transaction;
             when MDCOUT_Task    => MDCOUT.Run_Transaction;
+            when LAW_Task       => LAW.Run_Transaction;
             when PWM_Task       => PWM.Run_Transaction;
             when TELOUT_Task    => TELOUT.Run_Transaction;
             when CORE_Task      => CORE.Run_Transaction;
@@ -64,7 +68,10 @@ package body MCS with SPARK_Mode is
       Uplink_Variable.Reset;
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
+      Commands_Variable.Reset;
+      Sensors_Variable.Reset;
       PWM_Variable.Reset;
+      Law_Memory.Write (URV.Laws.At_Start);
    end Reset_Variables;
 
    procedure Restart_Variables is
@@ -75,6 +82,8 @@ package body MCS with SPARK_Mode is
       Uplink_Variable.Restart;
       Downlink_Variable.Restart;
       TELOUT_Variable.Restart;
+      Commands_Variable.Restart;
+      Sensors_Variable.Restart;
       PWM_Variable.Restart;
    end Restart_Variables;
 

@@ -23,6 +23,7 @@ with URV.Codecs;         use URV.Codecs;
 with URV.CORE_Task;
 with URV.Errors;         use URV.Errors;
 with URV.Input_Exchange_Task;
+with URV.LAW_Task;
 with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Mailboxes;      use URV.Mailboxes;
@@ -32,6 +33,7 @@ with URV.PWM_Task;
 with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
+with URV.Shared_Laws;
 with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
@@ -64,11 +66,19 @@ package MCS with SPARK_Mode is
    Uplink_Variable   : For_Uplink.Variable;
    Downlink_Variable : For_Downlink.Variable;
    TELOUT_Variable   : For_Downlink.Variable;
+   Commands_Variable : For_Uplink.Variable;
+   Sensors_Variable  : For_Downlink.Variable;
    PWM_Variable      : For_Uplink.Variable;
 
    Errors : URV.Shared_Errors.Shared_Log;
 
    Status : URV.Shared_Status.Status;
+
+   --  The control laws: off unless they are set on before a start (EXT-3).
+
+   Law_Settings : URV.Shared_Laws.Settings.Store;
+
+   Law_Memory : URV.Shared_Laws.Memories.Store;
 
    --  Tasks
 
@@ -87,8 +97,8 @@ package MCS with SPARK_Mode is
    function As_It_Is (Item : Uplink_Buffer) return Uplink_Buffer is (Item)
    with Global => null;
 
-   procedure Give_PWM (Item : Uplink_Buffer)
-   with Global => (In_Out => (PWM_Variable, Errors));
+   procedure Give_Commands (Item : Uplink_Buffer)
+   with Global => (In_Out => (Commands_Variable, Errors));
 
    package MDCIN is new URV.Input_Exchange_Task
      (Messages           => For_Uplink,
@@ -99,13 +109,18 @@ package MCS with SPARK_Mode is
       As_Old             => As_Old,
       First_Out_Of_Range => First_Out_Of_Range,
       For_CORE           => As_It_Is,
-      Deliver            => Give_PWM);
+      Deliver            => Give_Commands);
 
-   package Log_Sender is new URV.Log_Senders (Errors);
+   package Log_Sender is new URV.Log_Senders
+     (Errors, Law_Settings, Law_Memory);
 
-   --  A piece of the error log goes down along (SAF-7).
+   --  The laws get the sensors too. A piece of the error log goes down along
+   --  (SAF-7).
    procedure Add_Log_Piece (Item : in out Downlink_Buffer)
-   with Global => (Input => Errors, In_Out => Log_Sender.Progress);
+   with
+     Global =>
+       (Input  => (Errors, Law_Settings, Law_Memory),
+        In_Out => (Log_Sender.Progress, Sensors_Variable));
 
    package MDCOUT is new URV.Output_Exchange_Task
      (Images            => For_Sensor_Images,
@@ -120,6 +135,10 @@ package MCS with SPARK_Mode is
       Marked            => Marked,
       As_Old            => As_Old,
       Add_For_Link      => Add_Log_Piece);
+
+   package LAW is new URV.LAW_Task
+     (Commands_Variable, Sensors_Variable, PWM_Variable, Law_Settings,
+      Law_Memory, Errors);
 
    package PWM is new URV.PWM_Task (PWM_Variable, PWM_Board, Errors);
 
@@ -150,6 +169,7 @@ package MCS with SPARK_Mode is
       TELIN_Task,
       MDCIN_Task,
       MDCOUT_Task,
+      LAW_Task,
       PWM_Task,
       TELOUT_Task,
       CORE_Task,
@@ -163,6 +183,7 @@ package MCS with SPARK_Mode is
       TELIN_Task     => (Offset => 0, Processor => 1),
       MDCIN_Task     => (Offset => 1, Processor => 2),
       MDCOUT_Task    => (Offset => 1, Processor => 2),
+      LAW_Task       => (Offset => 1, Processor => 2),
       PWM_Task       => (Offset => 2, Processor => 1),
       TELOUT_Task    => (Offset => 2, Processor => 1),
       CORE_Task      => (Offset => 4, Processor => 2),

@@ -137,7 +137,10 @@ def test_gnd1_kinds_and_status_are_those_of_the_sources():
 
     assert literals(errors, "Error_Kind") == packets.KINDS
     assert literals(core, "Status_Item") == packets.STATUS
-    rows = re.search(r"Log_Row_Number is range 1 \.\. (\d+)", core)[1]
+    sender = (ROOT / "real_time/partitions-frame_packets.adb").read_text(
+        encoding="utf-8")
+    rows = re.search(
+        r"Told_Row is Log_Row_Number range 1 \.\. (\d+)", sender)[1]
     assert int(rows) == packets.ROWS_PER_LOG
 
 

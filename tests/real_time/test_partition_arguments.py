@@ -92,7 +92,7 @@ def test_a_bad_option_is_refused(node, options, what):
 
 @pytest.mark.parametrize("node, options", [
     ("mcs", ("--sticks", "--console", "--pilot", "--publish")),
-    ("gsc", ("--sensors", "--plant")),
+    ("gsc", ("--sensors", "--plant", "--laws")),
 ])
 def test_each_node_has_options_of_its_own(node, options):
     for option in options:
@@ -120,6 +120,7 @@ PLACE = "udp:127.0.0.1:6009"
     ("gsc", ("--publish", "serial:x"), "is not udp:HOST:PORT"),
     ("gsc", ("--publish", PLACE) * 9, "more than 8 times"),
     ("mcs", ("--plant", "brick"), 'neither "bench" nor "jsbsim"'),
+    ("mcs", ("--laws", "perhaps"), 'neither "on" nor "off"'),
     ("mcs", ("--plant", "jsbsim", "--sensors", "s"),
      "--sensors and --plant jsbsim do not go together"),
 ])

@@ -146,7 +146,7 @@ def test_the_worst_moment_of_a_cut_link_is_that_of_the_page(tmp_path):
         r" is (\d+) ft off", page).groups())
     (tmp_path / "faults.txt").write_text(f"{second}000 cut 10000\n")
     flown = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
-                   "--faults", "faults.txt")
+                   "--laws", "off", "--faults", "faults.txt")
     quality = flown.summary["flight_quality"]
     assert quality["bank_left_deg"] == pytest.approx(bank, rel=0.05)
     assert quality["turn_altitude_max_ft"] == pytest.approx(feet, rel=0.05)
@@ -161,7 +161,8 @@ def test_it_is_level_only_in_a_hold_and_at_its_height(
         tmp_path, seconds, fault, is_level):
     (tmp_path / "faults.txt").write_text(f"{fault}\n")
     flown = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
-                   "--seconds", seconds, "--faults", "faults.txt")
+                   "--seconds", seconds, "--laws", "off",
+                   "--faults", "faults.txt")
     quality = flown.summary["flight_quality"]
     assert quality["ended_level"] == is_level
     if fault:

@@ -31,6 +31,7 @@ PRODUCED = "global variables produced"
 OFF_BOARD = ("off-board variables consumed", "off-board variables produced")
 OFF_BOARD_CALLS = "calls of off-board variables"
 BESIDE = "calls beside the table"
+INSTEAD = "another in its place"
 
 
 def text_of(unit, ending=".ads"):
@@ -100,6 +101,8 @@ def wanted_of(table):
     calls = {*table[OFF_BOARD_CALLS], *table[BESIDE]}
     for kind, operation in ((CONSUMED, "Receive"), (PRODUCED, "Send")):
         for variable in table[kind]:
+            variable = table.get(INSTEAD, {}).get(
+                variable, {"name": variable})["name"]
             name = re.fullmatch(r"(\w+)_variable", variable)[1]
             calls.add(f"{name[0].upper()}{name[1:]}_Variable.{operation}")
     return calls

@@ -15,6 +15,7 @@ with Frames_Tests;
 with Guarded_Step_Tests;
 with Headers_Tests;
 with In_Flight_Tests;
+with Laws_Tests;
 with Link_Tests;
 with LOG_Task_Tests;
 with Mailboxes_Tests;
@@ -54,6 +55,7 @@ package body All_Tests is
       Start_Orders_Tests.Add_To (Result);
       Shared_Nodes_Tests.Add_To (Result);
       Real_Time_Nodes_Tests.Add_To (Result);
+      Laws_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
       Board_Memory_Tests.Add_To (Result);

@@ -50,7 +50,8 @@ package body Exchange_Tests is
         (What & ", to CORE", Up.Taken ("to CORE", MCS.Uplink_Variable),
          Expected);
       Expect_Buffer
-        (What & ", to PWM", Up.Taken ("to PWM", MCS.PWM_Variable), Expected);
+        (What & ", to PWM", Up.Taken ("to PWM", MCS.Commands_Variable),
+         Expected);
    end Expect_Commands_Sent;
 
    procedure Aircraft_In is
@@ -60,7 +61,7 @@ package body Exchange_Tests is
       MCS.MDCIN.Run_Transaction;
       Up.Expect_Counts ("received", MCS.TELIN_Variable, 1, 1);
       Up.Expect_Counts ("sent to CORE", MCS.Uplink_Variable, 1, 0);
-      Up.Expect_Counts ("sent to PWM", MCS.PWM_Variable, 1, 0);
+      Up.Expect_Counts ("sent to PWM", MCS.Commands_Variable, 1, 0);
       Expect_Commands_Sent ("fresh input", Uplink_Of (16#100#));
       Expect_Errors ("fresh input", MCS.Errors, None);
    end Aircraft_In;
@@ -71,7 +72,7 @@ package body Exchange_Tests is
       MCS.MDCIN.Run_Transaction;
       Up.Expect_Counts ("received", MCS.TELIN_Variable, 1, 1, Misses => 1);
       Up.Expect_Counts ("sent to CORE", MCS.Uplink_Variable, 2, 1);
-      Up.Expect_Counts ("sent to PWM", MCS.PWM_Variable, 2, 1);
+      Up.Expect_Counts ("sent to PWM", MCS.Commands_Variable, 2, 1);
       Expect_Commands_Sent ("old input", As_Old (Uplink_Of (16#100#)));
       Expect_Errors ("old input", MCS.Errors, (1 => No_Input));
    end Aircraft_In_Old;
@@ -87,7 +88,7 @@ package body Exchange_Tests is
       Expect_Errors
         ("CORE did not take", MCS.Errors, (1 => Uplink_Not_Consumed));
 
-      Up.Give (MCS.PWM_Variable, Uplink_Of (16#200#));
+      Up.Give (MCS.Commands_Variable, Uplink_Of (16#200#));
       Up.Give (MCS.TELIN_Variable, Uplink_Of (16#300#));
       MCS.MDCIN.Run_Transaction;
       Expect_Commands_Sent ("the newest to both", Uplink_Of (16#300#));

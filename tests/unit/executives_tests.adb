@@ -118,7 +118,8 @@ package body Executives_Tests is
       is
         (case Who is
             when MCS.AD_Task | MCS.TELIN_Task      => Offset = 0,
-            when MCS.MDCIN_Task | MCS.MDCOUT_Task  => Offset = 1,
+            when MCS.MDCIN_Task | MCS.MDCOUT_Task
+              | MCS.LAW_Task                       => Offset = 1,
             when MCS.PWM_Task | MCS.TELOUT_Task    => Offset = 2,
             when MCS.CORE_Task                     => Offset = 4,
             when MCS.LOG_Task                      => Offset = Of_The_Log,

@@ -17,6 +17,7 @@ with URV.Log_Receivers;
 with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Shared_Errors;
+with URV.Shared_Laws;
 
 package body LOG_Task_Tests is
 
@@ -43,7 +44,11 @@ package body LOG_Task_Tests is
 
    --  Both ends of the log's way.
 
-   package Log_Sender is new URV.Log_Senders (Errors);
+   Law_Settings : URV.Shared_Laws.Settings.Store;
+   Law_Memory   : URV.Shared_Laws.Memories.Store;
+
+   package Log_Sender is new URV.Log_Senders
+     (Errors, Law_Settings, Law_Memory);
 
    package Log_Receiver is new URV.Log_Receivers (CORE);
 
@@ -318,7 +323,7 @@ package body LOG_Task_Tests is
       Expect ("frame, high", Status (Last_Error_Frame_High), 0);
       Expect ("frame, low", Status (Last_Error_Frame_Low), 123);
 
-      Errors.Report_Several (ROM_Check_Failed, 65_536, 1);
+      Errors.Report_Several (Error_Kind'Last, 65_536, 1);
       Under_Test.Run_Transaction;
       Expect ("total, high", Status (Error_Total_High), 1);
       Expect ("total, low", Status (Error_Total_Low), 1);

@@ -222,6 +222,8 @@ package body Nodes_Tests is
       Expect ("MCS uplink_variable", MCS.Uplink_Variable);
       Expect ("MCS downlink_variable", MCS.Downlink_Variable);
       Expect ("MCS TELOUT_variable", MCS.TELOUT_Variable);
+      Expect ("MCS commands_variable", MCS.Commands_Variable);
+      Expect ("MCS sensors_variable", MCS.Sensors_Variable);
       Expect ("MCS PWM_variable", MCS.PWM_Variable);
       Expect ("GSC ADINT_variable", GSC.ADINT_Variable);
       Expect ("GSC AD_variable", GSC.AD_Variable);

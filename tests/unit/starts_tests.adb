@@ -361,6 +361,10 @@ package body Starts_Tests is
         (For_Downlink, MCS.Downlink_Variable);
       procedure TELOUT is new Expect_Variable
         (For_Downlink, MCS.TELOUT_Variable);
+      procedure Commands is new Expect_Variable
+        (For_Uplink, MCS.Commands_Variable);
+      procedure Measured is new Expect_Variable
+        (For_Downlink, MCS.Sensors_Variable);
       procedure PWM is new Expect_Variable
         (For_Uplink, MCS.PWM_Variable);
    begin
@@ -370,6 +374,8 @@ package body Starts_Tests is
       Uplink ("uplink_variable", Aircraft);
       Downlink ("downlink_variable", Aircraft);
       TELOUT ("TELOUT_variable", Aircraft);
+      Commands ("commands_variable", Aircraft);
+      Measured ("sensors_variable", Aircraft);
       PWM ("PWM_variable", Aircraft);
    end Variables_Of_Aircraft;
 

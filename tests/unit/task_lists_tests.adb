@@ -125,7 +125,8 @@ package body Task_Lists_Tests is
          Expect_Number
            ("aircraft, " & Who'Image,
             Integer (MCS.Tasks.Processor_Of (Who, 2)),
-            (if Who in MDCIN_Task | MDCOUT_Task | MCS.CORE_Task | MCS.LOG_Task
+            (if Who in MDCIN_Task | MDCOUT_Task | LAW_Task
+                       | MCS.CORE_Task | MCS.LOG_Task
              then 2 else 1));
       end loop;
       for Who in GSC.Task_Name loop

@@ -1,0 +1,226 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the control laws never do and always do (EXT-3, EXT-5), whatever the
+--  commands, the sensors and what they remember. They are about the code's
+--  own functions. That nothing in them overflows, and that each output is in
+--  its converter's range, is proved with their bodies.
+
+with URV.Buffers;       use URV.Buffers;
+with URV.Law_Axes;      use URV.Law_Axes;
+with URV.Law_Gains;     use URV.Law_Gains;
+with URV.Law_Units;     use URV.Law_Units;
+with URV.Laws;          use URV.Laws;
+with URV.Link_Loss;     use URV.Link_Loss;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
+with URVOS;             use URVOS;
+
+package Theorems.Laws with SPARK_Mode, Ghost is
+
+   --  With the disconnect switch on, the servos get what figure 13 makes of
+   --  the sticks, in the same frame.
+   procedure Disconnect_Is_Direct
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times)
+   with
+     Global => null,
+     Pre    =>
+       not Is_Old (Commands) and then Is_On (Commands (Switch_7)),
+     Post   =>
+       Output (Next (Item, Commands, Sensors, By), Commands) = Commands
+       and then
+         Transform
+           (Output (Next (Item, Commands, Sensors, By), Commands)) =
+             Transform (Commands);
+
+   --  The first frame of a mode is like any other: where a law has the
+   --  output, it is no further from the last one than the rate limit,
+   --  whatever flew before.
+   procedure A_Change_Of_Mode_Is_Bumpless
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times;
+      After    : Memory)
+   with
+     Global => null,
+     Pre    => After = Next (Item, Commands, Sensors, By),
+     Post   =>
+       (if not After.Is_Stick (Roll_Axis)
+        then abs (After.Last.Roll - Item.Last.Roll) <= Roll_Step)
+       and then
+         (if not After.Is_Stick (Pitch_Axis)
+          then abs (After.Last.Pitch - Item.Last.Pitch) <= Pitch_Step)
+       and then
+         (if not After.Is_Stick (Yaw_Axis)
+          then abs (After.Last.Yaw - Item.Last.Yaw) <= Yaw_Step)
+       and then
+         (if not After.Is_Stick (Throttle_Axis)
+          then abs (After.Last.Throttle - Item.Last.Throttle) <=
+                 Throttle_Step);
+
+   --  What flies bank or pitch stays within its authority.
+   procedure Authority_Is_Kept
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times;
+      After    : Memory)
+   with
+     Global => null,
+     Pre    => After = Next (Item, Commands, Sensors, By),
+     Post   =>
+       (if After.Flown.Lateral in Banked
+          and then abs Item.Last.Roll <= Roll_Authority
+        then abs After.Last.Roll <= Roll_Authority)
+       and then
+         (if After.Flown.Vertical in Pitched
+            and then abs Item.Last.Pitch <= Pitch_Authority
+          then abs After.Last.Pitch <= Pitch_Authority);
+
+   --  Rate damping moves a stick's output by no more than its authority.
+   procedure Damping_Is_Small (Stick : Demand; Extra : URV.Law_Axes.Damping)
+   with
+     Global => null,
+     Post   => abs (Plus (Stick, Extra) - Stick) <= Damping_Authority;
+
+   --  Integrators stand still in saturation; their types bound them.
+   procedure Saturated_Trims_Are_Frozen
+     (Roll  : Roll_Trim;
+      Pitch : Pitch_Trim;
+      Power : Power_Trim;
+      Error : Number)
+   with
+     Global => null,
+     Pre    => Error in -4_095 .. 4_095,
+     Post   =>
+       Next_Roll_Trim (Roll, Error, Is_Free => False) = Roll
+       and then Next_Pitch_Trim (Pitch, Error, Is_Free => False) = Pitch
+       and then Next_Power_Trim (Power, Error, Is_Free => False) = Power;
+
+   --  A law flies only with the sensors that it needs.
+   procedure Invalid_Sensors_Disengage
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times;
+      After    : Memory)
+   with
+     Global => null,
+     Pre    => After = Next (Item, Commands, Sensors, By),
+     Post   =>
+       (if not After.Checks (Roll_Rate).Is_Valid
+        then After.Flown.Lateral = Direct)
+       and then (if not After.Checks (Roll_Attitude).Is_Valid
+                 then After.Flown.Lateral not in Banked
+                   and then After.Flown.Vertical = Direct)
+       and then (if not After.Checks (Pitch_Rate).Is_Valid
+                 then After.Flown.Vertical = Direct)
+       and then (if not After.Checks (Pitch_Attitude).Is_Valid
+                 then After.Flown.Vertical not in Pitched)
+       and then (if not After.Checks (Altitude).Is_Valid
+                 then After.Flown.Vertical /= Hold_Altitude)
+       and then (if not After.Checks (Airspeed).Is_Valid
+                 then After.Flown.Power /= Hold_Airspeed);
+
+   --  A sensor that is out of range, or without a scan, in three frames one
+   --  after the other is not valid.
+   procedure Three_Bad_Scans_Are_Enough
+     (Item : Check; One, Two, Three, Witness : Word; By : Rule)
+   with
+     Global => null,
+     Pre    =>
+       not Is_In_Range (One, By)
+       and then not Is_In_Range (Two, By)
+       and then not Is_In_Range (Three, By),
+     Post   =>
+       not After_Scan
+         (After_Scan
+            (After_Scan (Item, One, Witness, By), Two, Witness, By),
+          Three, Witness, By).Is_Valid
+       and then not After_Gap (After_Gap (After_Gap (Item))).Is_Valid;
+
+   --  Loss of link. After so many silent frames one after the other, from
+   --  the last fresh uplink on, each state is reached in the very frame that
+   --  the times say.
+
+   function State_After (Silent : Frame_Count; By : Times) return Link_State
+   is
+     (if Silent < By.Hold then Linked
+      elsif Silent < By.Orbit then Holding
+      elsif Silent < By.Terminate_At then Orbiting
+      else Terminated)
+   with Global => null;
+
+   procedure Times_Are_Exact
+     (Silent : Frame_Count;
+      By     : Times;
+      After  : out Link_Memory)
+   with
+     Global => null,
+     Post   => After.State = State_After (Silent, By);
+
+   --  No state is skipped, and the link's own return is the only way back.
+   procedure Nothing_Is_Skipped
+     (Item : Link_Memory; Is_Fresh, Disconnect : Boolean; By : Times)
+   with
+     Global => null,
+     Post   =>
+       (case Item.State is
+           when Waiting    =>
+             Next (Item, Is_Fresh, Disconnect, By).State in Waiting | Linked,
+           when Linked     =>
+             Next (Item, Is_Fresh, Disconnect, By).State in Linked | Holding,
+           when Holding    =>
+             Next (Item, Is_Fresh, Disconnect, By).State in
+               Holding | Orbiting | Linked,
+           when Orbiting   =>
+             Next (Item, Is_Fresh, Disconnect, By).State in
+               Orbiting | Terminated | Linked,
+           when Terminated =>
+             Next (Item, Is_Fresh, Disconnect, By).State in
+               Terminated | Linked);
+
+   --  A lost link is back after a second of fresh uplinks without a gap, not
+   --  one frame earlier.
+   procedure A_Second_Brings_It_Back
+     (Item : Link_Memory; Fresh : Return_Count; After : out Link_Memory)
+   with
+     Global => null,
+     Pre    => Item.State in Holding | Orbiting and then Item.Fresh = 0,
+     Post   =>
+       (After.State = Linked) = (Fresh = Return_After)
+       and then (if Fresh < Return_After then After.State = Item.State);
+
+   --  Out of termination: a frame whose uplink is fresh with the disconnect
+   --  switch on, the last of a second of such, after a second with the
+   --  switch off. No other frame changes the state.
+   procedure Only_The_Order_Ends_Termination
+     (Item : Link_Memory; Is_Fresh, Disconnect : Boolean; By : Times)
+   with
+     Global => null,
+     Pre    => Item.State = Terminated,
+     Post   =>
+       (Next (Item, Is_Fresh, Disconnect, By).State = Linked) =
+         (Is_Fresh and then Disconnect
+          and then Item.Off = Return_After
+          and then Item.On >= Return_After - 1)
+       and then
+         (Next (Item, Is_Fresh, Disconnect, By).State in
+            Linked | Terminated)
+
+       --  A silent frame begins it anew; so does the switch, when the second
+       --  before was not full.
+       and then
+         (if not Is_Fresh
+          then Next (Item, Is_Fresh, Disconnect, By).Off = 0
+            and then Next (Item, Is_Fresh, Disconnect, By).On = 0)
+       and then
+         (if Is_Fresh and then Disconnect and then Item.Off < Return_After
+          then Next (Item, Is_Fresh, Disconnect, By).Off = 0
+            and then Next (Item, Is_Fresh, Disconnect, By).On = 0);
+
+end Theorems.Laws;

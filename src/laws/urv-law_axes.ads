@@ -1,0 +1,254 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The control laws' arithmetic, an axis at a time (EXT-3).
+--
+--  Each law makes of what was measured a target for its output. The output
+--  goes there no faster than its rate limit. An integrator learns only while
+--  the output is what the law wants: it stands still in saturation.
+
+with URV.Law_Gains; use URV.Law_Gains;
+with URV.Law_Units; use URV.Law_Units;
+
+package URV.Law_Axes with Pure, SPARK_Mode is
+
+   --  What the sensors say.
+   type Readings is record
+      Bank, Pitch                    : Angle;
+      Roll_Rate, Pitch_Rate, Yaw_Rate : Rate;
+      Altitude, Airspeed             : Level;
+   end record;
+
+   --  Integrators.
+   subtype Roll_Trim is Number range -Roll_Trim_Most .. Roll_Trim_Most;
+   subtype Pitch_Trim is Number range -Pitch_Trim_Most .. Pitch_Trim_Most;
+   subtype Height_Trim is Number range -Height_Trim_Most .. Height_Trim_Most;
+   subtype Power_Trim is Number range 0 .. Lever'Last * 1_000;
+
+   --  The filtered altitude, thousandths of half a foot.
+   subtype Smooth is Number range 0 .. Level'Last * 1_000;
+
+   subtype Reckoned is Number range -Reckoned_Bank .. Reckoned_Bank;
+   subtype Nose is Number range Lowest_Pitch .. Highest_Pitch;
+   subtype Climb is Number range -Most_Climb .. Most_Climb;
+
+   --  Each output's target, and where the law would have it: what is beyond
+   --  the target's limits is saturation.
+   subtype Wish is Number range -200_000 .. 200_000;
+
+   --  Bank as the laws reckon with it, and what a level turn with it needs.
+
+   function Reckoned_Of (Bank : Angle) return Reckoned is
+     (Within (Bank, -Reckoned_Bank, Reckoned_Bank))
+   with Global => null;
+
+   function Turn_Rate (Bank : Angle) return Rate is
+     (Reckoned_Of (Bank) / Per_Ten * Turn_For_Bank / 1_000)
+   with Global => null;
+
+   subtype Square is Number range 0 .. 360_000;
+
+   function Squared (Bank : Angle) return Square is
+     ((abs Reckoned_Of (Bank) / Tenths) * (abs Reckoned_Of (Bank) / Tenths))
+   with Global => null;
+
+   function Turn_Pitch_Rate (Bank : Angle) return Rate is
+     (Squared (Bank) / Square_Per_Rate)
+   with Global => null;
+
+   subtype Load is Number range 0 .. 1_000;
+
+   function Extra_Load (Bank : Angle) return Load is
+     (Squared (Bank) / Square_Per_Load)
+   with Global => null;
+
+   --  Rate damping: a word less for so much rate, within its authority.
+
+   subtype Damping is Number range -Damping_Authority .. Damping_Authority;
+
+   function Damped (Turning : Number; Gain : Number) return Damping is
+     (Within
+        (-(Turning * Gain / Per_Thousand),
+         -Damping_Authority, Damping_Authority))
+   with
+     Global => null,
+     Pre    => Turning in -250_000 .. 250_000 and then Gain in 0 .. 100;
+
+   function Roll_Damping_Of (Now : Readings) return Damping is
+     (Damped (Now.Roll_Rate, Roll_Damping))
+   with Global => null;
+
+   function Pitch_Damping_Of (Now : Readings) return Damping is
+     (Damped (Now.Pitch_Rate - Turn_Pitch_Rate (Now.Bank), Pitch_Damping))
+   with Global => null;
+
+   function Yaw_Damping_Of (Now : Readings) return Damping is
+     (Damped (Now.Yaw_Rate - Turn_Rate (Now.Bank), Yaw_Damping))
+   with Global => null;
+
+   --  A stick with damping.
+   function Plus (Stick : Demand; Extra : Damping) return Demand is
+     (Within (Stick + Extra, Demand'First, Demand'Last))
+   with Global => null;
+
+   --  Bank: the reference goes to what is asked for; the ailerons follow.
+
+   function Bank_Error (Reference : Reckoned; Now : Readings) return Number is
+     (Within (Reference - Now.Bank, -Reckoned_Bank, Reckoned_Bank))
+   with
+     Global => null,
+     Post   => Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
+
+   function Roll_Wish
+     (Reference : Reckoned; Now : Readings; Trim : Roll_Trim) return Wish
+   is
+     (Bank_Error (Reference, Now) * Roll_Gain / Per_Thousand
+      - Now.Roll_Rate * Roll_Damping / Per_Thousand
+      + Trim / 1_000)
+   with Global => null;
+
+   function Stick_Bank (Stick : Demand) return Reckoned is
+     (Stick * (Most_Bank / 8) / 256)
+   with Global => null;
+
+   --  At 3 deg/s, to the right.
+   function Orbit_Bank_At (Airspeed : Level) return Reckoned is
+     (Within (Airspeed, Least_Speed, Orbit_Fastest) * Orbit_Bank / 100)
+   with Global => null;
+
+   --  Pitch: the same.
+
+   function Pitch_Error (Reference : Nose; Now : Readings) return Number is
+     (Within (Reference - Now.Pitch, -Reckoned_Bank, Reckoned_Bank))
+   with
+     Global => null,
+     Post   => Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
+
+   function Pitch_Wish
+     (Reference : Nose; Now : Readings; Trim : Pitch_Trim) return Wish
+   is
+     (Pitch_Error (Reference, Now) * Pitch_Gain / Per_Thousand
+      - (Now.Pitch_Rate - Turn_Pitch_Rate (Now.Bank))
+        * Pitch_Damping / Per_Thousand
+      + Extra_Load (Now.Bank) * Stick_For_Load / Per_Ten
+      + Trim / 1_000)
+   with Global => null;
+
+   function As_Nose (Pitch : Number) return Nose is
+     (Within (Pitch, Lowest_Pitch, Highest_Pitch))
+   with Global => null;
+
+   function Stick_Nose (Stick : Demand) return Nose is
+     (As_Nose (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
+   with Global => null;
+
+   --  The glide, with an airspeed and without.
+
+   function Glide_Nose (Airspeed : Level) return Nose is
+     (As_Nose (Glide_Pitch + (Airspeed - Glide_Speed) * Glide_Gain))
+   with Global => null;
+
+   --  Altitude.
+
+   function Wanted_Climb (Target : Level; Now : Readings) return Climb is
+     (Within
+        ((Target - Now.Altitude) * Climb_Gain, -Most_Climb, Most_Climb))
+   with Global => null;
+
+   function Next_Smooth (Item : Smooth; Now : Level) return Smooth is
+     (Item + (Now * 1_000 - Item) / (1_000 / Filter_Share))
+   with Global => null;
+
+   function Climb_Rate (Item : Smooth; Now : Level) return Number is
+     (Within (Now * 1_000 - Item, -30_000, 30_000))
+   with
+     Global => null,
+     Post   => Climb_Rate'Result in -30_000 .. 30_000;
+
+   function Altitude_Nose
+     (Wanted : Climb;
+      Rising : Number;
+      Bank   : Angle;
+      Trim   : Height_Trim) return Nose
+   is
+     (As_Nose
+        (Level_Pitch + Trim / Per_Ten
+         + Wanted * Pitch_For_Climb / Per_Hundred
+         + (Wanted - Rising) * Pitch_For_Lag / Per_Hundred
+         + Extra_Load (Bank) * Pitch_For_Load / Per_Ten))
+   with
+     Global => null,
+     Pre    => Rising in -30_000 .. 30_000;
+
+   function Next_Height_Trim
+     (Trim : Height_Trim; Target : Level; Now : Readings) return Height_Trim
+   is
+     (if abs (Target - Now.Altitude) > Height_Learnt then Trim
+      else Within
+        (Trim + (Target - Now.Altitude) * Height_Learning,
+         -Height_Trim_Most, Height_Trim_Most))
+   with Global => null;
+
+   --  The nose is not above this, so that the speed stays.
+   function Guarded (Wanted : Nose; Airspeed : Level) return Nose is
+     (Integer'Min
+        (Wanted,
+         As_Nose (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain)))
+   with Global => null;
+
+   --  Throttle.
+
+   function Held_Speed (Airspeed : Level; Moved : Number) return Level is
+     (Within
+        (Airspeed + Moved * Speed_For_Lever / Per_Ten,
+         Least_Speed, Most_Speed))
+   with
+     Global => null,
+     Pre    => Moved in -4_095 .. 4_095;
+
+   function Throttle_Wish
+     (Target : Level; Now : Readings; Wanted : Climb; Trim : Power_Trim)
+      return Wish
+   is
+     ((Target - Now.Airspeed) * Speed_Gain
+      + Wanted * Speed_For_Climb / 1_000
+      + Trim / 1_000)
+   with Global => null;
+
+   --  Integrators: what is learnt of an error, unless the output is not what
+   --  the law wants.
+
+   function Next_Roll_Trim
+     (Trim : Roll_Trim; Error : Number; Is_Free : Boolean) return Roll_Trim
+   is
+     (if not Is_Free or else abs Error > Learnt_From then Trim
+      else Within
+        (Trim + Error * Roll_Learning / Per_Hundred,
+         -Roll_Trim_Most, Roll_Trim_Most))
+   with
+     Global => null,
+     Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
+     Post   => (if not Is_Free then Next_Roll_Trim'Result = Trim);
+
+   function Next_Pitch_Trim
+     (Trim : Pitch_Trim; Error : Number; Is_Free : Boolean) return Pitch_Trim
+   is
+     (if not Is_Free or else abs Error > Learnt_From then Trim
+      else Within
+        (Trim + Error * Pitch_Learning / Per_Hundred,
+         -Pitch_Trim_Most, Pitch_Trim_Most))
+   with
+     Global => null,
+     Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
+     Post   => (if not Is_Free then Next_Pitch_Trim'Result = Trim);
+
+   function Next_Power_Trim
+     (Trim : Power_Trim; Error : Number; Is_Free : Boolean) return Power_Trim
+   is
+     (if not Is_Free then Trim
+      else Within (Trim + Error * Speed_Learning, 0, Power_Trim'Last))
+   with
+     Global => null,
+     Pre    => Error in -4_095 .. 4_095,
+     Post   => (if not Is_Free then Next_Power_Trim'Result = Trim);
+
+end URV.Law_Axes;

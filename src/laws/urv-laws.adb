@@ -1,0 +1,462 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body URV.Laws with SPARK_Mode is
+
+   function Readings_Of (Checks : Check_Table) return Readings is
+     (Bank       => Roll_Angle_Of (Checks (Roll_Attitude).Used),
+      Pitch      => Pitch_Angle_Of (Checks (Pitch_Attitude).Used),
+      Roll_Rate  => Roll_Rate_Of (Checks (Roll_Rate).Used),
+      Pitch_Rate => Slow_Rate_Of (Checks (Pitch_Rate).Used),
+      Yaw_Rate   => Slow_Rate_Of (Checks (Yaw_Rate).Used),
+      Altitude   => Level_Of (Checks (Altitude).Used),
+      Airspeed   => Level_Of (Checks (Airspeed).Used))
+   with Global => null;
+
+   --  The sticks as a law reads them: at rest while the link is lost, the
+   --  rudder held as a trim.
+   type Sticks is record
+      Is_Pilot         : Boolean;
+      Roll, Pitch, Yaw : Demand;
+      Throttle         : Lever;
+   end record;
+
+   function Sticks_Of (Commands : Uplink_Buffer; Link : Link_State)
+                       return Sticks
+   is
+     (if Link in Lost
+      then (Is_Pilot => False,
+            Roll     => 0,
+            Pitch    => 0,
+            Yaw      =>
+              Within (Demand_Of (Commands (Yaw)), -Held_Yaw, Held_Yaw),
+            Throttle => Level_Of (Commands (Throttle)))
+      else (Is_Pilot => True,
+            Roll     => Demand_Of (Commands (Roll)),
+            Pitch    => Demand_Of (Commands (Pitch)),
+            Yaw      => Demand_Of (Commands (Yaw)),
+            Throttle => Level_Of (Commands (Throttle))))
+   with Global => null;
+
+   --  An axis that is the stick's stays so. One that a law has let go
+   --  becomes so when its output has come to the stick. None is while the
+   --  link is lost.
+   function Is_Stick_Again
+     (Was, Is_Direct, Is_Pilot : Boolean; Last, Stick : Number)
+      return Boolean
+   is
+     (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
+   with Global => null;
+
+   procedure Fly_Roll
+     (Item : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   with
+     Global => null,
+     Post   =>
+       Item = (Item'Old with delta
+                 Last        => Item.Last,
+                 Is_Stick    => Item.Is_Stick,
+                 Bank_Wanted => Item.Bank_Wanted,
+                 Roll_Trim   => Item.Roll_Trim)
+       and then Item.Last =
+         (Item.Last'Old with delta Roll => Item.Last.Roll)
+       and then Item.Is_Stick =
+         (Item.Is_Stick'Old with delta
+            Roll_Axis => Item.Is_Stick (Roll_Axis))
+       and then Item.Last.Pitch = Item.Last'Old.Pitch
+       and then Item.Is_Stick (Pitch_Axis) =
+         Item.Is_Stick'Old (Pitch_Axis)
+       and then Item.Last.Yaw = Item.Last'Old.Yaw
+       and then Item.Is_Stick (Yaw_Axis) =
+         Item.Is_Stick'Old (Yaw_Axis)
+       and then Item.Last.Throttle = Item.Last'Old.Throttle
+       and then Item.Is_Stick (Throttle_Axis) =
+         Item.Is_Stick'Old (Throttle_Axis)
+       and then Item.Flown = Item.Flown'Old
+       and then Item.Link = Item.Link'Old
+       and then
+         (if Item.Is_Stick'Old (Roll_Axis)
+            and then Item.Flown.Lateral = Direct
+            and then Hand.Is_Pilot
+          then Item.Is_Stick (Roll_Axis))
+       and then
+         (if not Item.Is_Stick (Roll_Axis)
+          then abs (Item.Last.Roll - Item.Last'Old.Roll) <= Roll_Step)
+       and then
+         (if Item.Flown.Lateral in Banked
+          then abs Item.Last.Roll <=
+                 Integer'Max
+                   (Roll_Authority, abs Item.Last'Old.Roll - Roll_Step));
+
+   procedure Fly_Yaw (Item : in out Memory; Now : Readings; Hand : Sticks)
+   with
+     Global => null,
+     Post   =>
+       Item = (Item'Old with delta
+                 Last     => Item.Last,
+                 Is_Stick => Item.Is_Stick)
+       and then Item.Last =
+         (Item.Last'Old with delta Yaw => Item.Last.Yaw)
+       and then Item.Is_Stick =
+         (Item.Is_Stick'Old with delta
+            Yaw_Axis => Item.Is_Stick (Yaw_Axis))
+       and then Item.Last.Roll = Item.Last'Old.Roll
+       and then Item.Is_Stick (Roll_Axis) =
+         Item.Is_Stick'Old (Roll_Axis)
+       and then Item.Last.Pitch = Item.Last'Old.Pitch
+       and then Item.Is_Stick (Pitch_Axis) =
+         Item.Is_Stick'Old (Pitch_Axis)
+       and then Item.Last.Throttle = Item.Last'Old.Throttle
+       and then Item.Is_Stick (Throttle_Axis) =
+         Item.Is_Stick'Old (Throttle_Axis)
+       and then Item.Flown = Item.Flown'Old
+       and then Item.Link = Item.Link'Old
+       and then
+         (if Item.Is_Stick'Old (Yaw_Axis)
+            and then Item.Flown.Lateral = Direct
+            and then Hand.Is_Pilot
+          then Item.Is_Stick (Yaw_Axis))
+       and then
+         (if not Item.Is_Stick (Yaw_Axis)
+          then abs (Item.Last.Yaw - Item.Last'Old.Yaw) <= Yaw_Step);
+
+   procedure Fly_Pitch
+     (Item   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number)
+   with
+     Global => null,
+     Pre    => Rising in -30_000 .. 30_000,
+     Post   =>
+       Item = (Item'Old with delta
+                 Last         => Item.Last,
+                 Is_Stick     => Item.Is_Stick,
+                 Pitch_Wanted => Item.Pitch_Wanted,
+                 Height_Held  => Item.Height_Held,
+                 Height_Trim  => Item.Height_Trim,
+                 Pitch_Trim   => Item.Pitch_Trim)
+       and then Item.Last =
+         (Item.Last'Old with delta Pitch => Item.Last.Pitch)
+       and then Item.Is_Stick =
+         (Item.Is_Stick'Old with delta
+            Pitch_Axis => Item.Is_Stick (Pitch_Axis))
+       and then Item.Last.Roll = Item.Last'Old.Roll
+       and then Item.Is_Stick (Roll_Axis) =
+         Item.Is_Stick'Old (Roll_Axis)
+       and then Item.Last.Yaw = Item.Last'Old.Yaw
+       and then Item.Is_Stick (Yaw_Axis) =
+         Item.Is_Stick'Old (Yaw_Axis)
+       and then Item.Last.Throttle = Item.Last'Old.Throttle
+       and then Item.Is_Stick (Throttle_Axis) =
+         Item.Is_Stick'Old (Throttle_Axis)
+       and then Item.Flown = Item.Flown'Old
+       and then Item.Link = Item.Link'Old
+       and then
+         (if Item.Is_Stick'Old (Pitch_Axis)
+            and then Item.Flown.Vertical = Direct
+            and then Hand.Is_Pilot
+          then Item.Is_Stick (Pitch_Axis))
+       and then
+         (if not Item.Is_Stick (Pitch_Axis)
+          then abs (Item.Last.Pitch - Item.Last'Old.Pitch) <= Pitch_Step)
+       and then
+         (if Item.Flown.Vertical in Pitched
+          then abs Item.Last.Pitch <=
+                 Integer'Max
+                   (Pitch_Authority, abs Item.Last'Old.Pitch - Pitch_Step));
+
+   procedure Fly_Throttle
+     (Item : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   with
+     Global => null,
+     Post   =>
+       Item = (Item'Old with delta
+                 Last       => Item.Last,
+                 Is_Stick   => Item.Is_Stick,
+                 Speed_Held => Item.Speed_Held,
+                 Lever_Held => Item.Lever_Held,
+                 Power_Trim => Item.Power_Trim)
+       and then Item.Last =
+         (Item.Last'Old with delta Throttle => Item.Last.Throttle)
+       and then Item.Is_Stick =
+         (Item.Is_Stick'Old with delta
+            Throttle_Axis => Item.Is_Stick (Throttle_Axis))
+       and then Item.Last.Roll = Item.Last'Old.Roll
+       and then Item.Is_Stick (Roll_Axis) =
+         Item.Is_Stick'Old (Roll_Axis)
+       and then Item.Last.Pitch = Item.Last'Old.Pitch
+       and then Item.Is_Stick (Pitch_Axis) =
+         Item.Is_Stick'Old (Pitch_Axis)
+       and then Item.Last.Yaw = Item.Last'Old.Yaw
+       and then Item.Is_Stick (Yaw_Axis) =
+         Item.Is_Stick'Old (Yaw_Axis)
+       and then Item.Flown = Item.Flown'Old
+       and then Item.Link = Item.Link'Old
+       and then
+         (if Item.Is_Stick'Old (Throttle_Axis)
+            and then Item.Flown.Power = Direct
+            and then Hand.Is_Pilot
+          then Item.Is_Stick (Throttle_Axis))
+       and then
+         (if not Item.Is_Stick (Throttle_Axis)
+          then abs (Item.Last.Throttle - Item.Last'Old.Throttle) <=
+                 Throttle_Step);
+
+   --------------
+   -- Fly_Roll --
+   --------------
+
+   procedure Fly_Roll
+     (Item : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   is
+      Target : Demand;
+      Wanted : Wish;
+   begin
+      case Item.Flown.Lateral is
+         when Direct =>
+            Wanted := Hand.Roll;
+            Target := Hand.Roll;
+         when Damping =>
+            Target := Plus (Hand.Roll, Roll_Damping_Of (Now));
+            Wanted := Target;
+         when Banked =>
+            if Was.Lateral not in Banked then
+               Item.Bank_Wanted := Reckoned_Of (Now.Bank);
+               Item.Roll_Trim := 0;
+            end if;
+            Item.Bank_Wanted := Stepped
+              (Item.Bank_Wanted,
+               (case Item.Flown.Lateral is
+                   when Bank_By_Stick => Stick_Bank (Hand.Roll),
+                   when Orbit         => Orbit_Bank_At (Now.Airspeed),
+                   when others        => 0),
+               Bank_Slew);
+            Wanted := Roll_Wish (Item.Bank_Wanted, Now, Item.Roll_Trim);
+            Target := Within (Wanted, -Roll_Authority, Roll_Authority);
+      end case;
+
+      Item.Is_Stick (Roll_Axis) := Is_Stick_Again
+        (Item.Is_Stick (Roll_Axis), Item.Flown.Lateral = Direct,
+         Hand.Is_Pilot, Item.Last.Roll, Hand.Roll);
+      Item.Last.Roll :=
+        (if Item.Is_Stick (Roll_Axis) then Hand.Roll
+         else Stepped (Item.Last.Roll, Target, Roll_Step));
+
+      if Item.Flown.Lateral in Banked then
+         Item.Roll_Trim := Next_Roll_Trim
+           (Item.Roll_Trim, Bank_Error (Item.Bank_Wanted, Now),
+            Is_Free => Item.Last.Roll = Wanted);
+      end if;
+   end Fly_Roll;
+
+   procedure Fly_Yaw (Item : in out Memory; Now : Readings; Hand : Sticks) is
+      Is_Direct : constant Boolean :=
+        Item.Flown.Lateral = Direct or else not Can_Damp_Yaw (Item.Checks);
+      Target    : constant Demand :=
+        (if Is_Direct then Hand.Yaw
+         else Plus (Hand.Yaw, Yaw_Damping_Of (Now)));
+   begin
+      Item.Is_Stick (Yaw_Axis) := Is_Stick_Again
+        (Item.Is_Stick (Yaw_Axis), Is_Direct, Hand.Is_Pilot, Item.Last.Yaw,
+         Hand.Yaw);
+      Item.Last.Yaw :=
+        (if Item.Is_Stick (Yaw_Axis) then Hand.Yaw
+         else Stepped (Item.Last.Yaw, Target, Yaw_Step));
+   end Fly_Yaw;
+
+   procedure Fly_Pitch
+     (Item   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number)
+   is
+      Target : Demand;
+      Wanted : Wish;
+      Aim    : Nose;
+   begin
+      case Item.Flown.Vertical is
+         when Direct =>
+            Wanted := Hand.Pitch;
+            Target := Hand.Pitch;
+         when Damping =>
+            Target := Plus (Hand.Pitch, Pitch_Damping_Of (Now));
+            Wanted := Target;
+         when Pitched =>
+            if Was.Vertical not in Pitched then
+               Item.Pitch_Wanted := As_Nose (Now.Pitch);
+               Item.Height_Trim := 0;
+               Item.Pitch_Trim :=
+                 Within
+                   (Item.Last.Pitch, -First_Pitch_Trim, First_Pitch_Trim)
+                 * 1_000;
+            end if;
+            if Was.Vertical /= Hold_Altitude then
+               Item.Height_Held := Now.Altitude;
+            end if;
+            case Item.Flown.Vertical is
+               when Hold_Altitude =>
+                  Aim := Altitude_Nose
+                    (Wanted_Climb (Item.Height_Held, Now), Rising, Now.Bank,
+                     Item.Height_Trim);
+                  Item.Height_Trim := Next_Height_Trim
+                    (Item.Height_Trim, Item.Height_Held, Now);
+               when Glide =>
+                  Aim :=
+                    (if Item.Checks (Airspeed).Is_Valid
+                     then Glide_Nose (Now.Airspeed) else Glide_Pitch);
+               when others =>
+                  Aim := Stick_Nose (Hand.Pitch);
+            end case;
+            if Item.Checks (Airspeed).Is_Valid then
+               Aim := Guarded (Aim, Now.Airspeed);
+            end if;
+            Item.Pitch_Wanted :=
+              Stepped (Item.Pitch_Wanted, Aim, Pitch_Slew);
+            Wanted := Pitch_Wish (Item.Pitch_Wanted, Now, Item.Pitch_Trim);
+            Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
+      end case;
+
+      Item.Is_Stick (Pitch_Axis) := Is_Stick_Again
+        (Item.Is_Stick (Pitch_Axis), Item.Flown.Vertical = Direct,
+         Hand.Is_Pilot, Item.Last.Pitch, Hand.Pitch);
+      Item.Last.Pitch :=
+        (if Item.Is_Stick (Pitch_Axis) then Hand.Pitch
+         else Stepped (Item.Last.Pitch, Target, Pitch_Step));
+
+      if Item.Flown.Vertical in Pitched then
+         Item.Pitch_Trim := Next_Pitch_Trim
+           (Item.Pitch_Trim, Pitch_Error (Item.Pitch_Wanted, Now),
+            Is_Free => Item.Last.Pitch = Wanted);
+      end if;
+   end Fly_Pitch;
+
+   procedure Fly_Throttle
+     (Item : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   is
+      Target : Lever;
+      Wanted : Wish;
+   begin
+      case Item.Flown.Power is
+         when Direct =>
+            Wanted := Hand.Throttle;
+            Target := Hand.Throttle;
+         when Idle =>
+            Wanted := 0;
+            Target := 0;
+         when Hold_Airspeed =>
+            if Was.Power /= Hold_Airspeed then
+               Item.Speed_Held := Now.Airspeed;
+               Item.Lever_Held := Hand.Throttle;
+               Item.Power_Trim := Item.Last.Throttle * 1_000;
+            end if;
+            Wanted := Throttle_Wish
+              (Held_Speed (Item.Speed_Held, Hand.Throttle - Item.Lever_Held),
+               Now,
+               (if Item.Flown.Vertical = Hold_Altitude
+                then Wanted_Climb (Item.Height_Held, Now) else 0),
+               Item.Power_Trim);
+            Target := Within (Wanted, 0, Lever'Last);
+      end case;
+
+      Item.Is_Stick (Throttle_Axis) := Is_Stick_Again
+        (Item.Is_Stick (Throttle_Axis), Item.Flown.Power = Direct,
+         Hand.Is_Pilot, Item.Last.Throttle, Hand.Throttle);
+      Item.Last.Throttle :=
+        (if Item.Is_Stick (Throttle_Axis) then Hand.Throttle
+         else Stepped (Item.Last.Throttle, Target, Throttle_Step));
+
+      if Item.Flown.Power = Hold_Airspeed then
+         Item.Power_Trim := Next_Power_Trim
+           (Item.Power_Trim,
+            Held_Speed (Item.Speed_Held, Hand.Throttle - Item.Lever_Held)
+              - Now.Airspeed,
+            Is_Free => Item.Last.Throttle = Wanted);
+      end if;
+   end Fly_Throttle;
+
+   function Next
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times) return Memory
+   is
+      Checks : constant Check_Table :=
+        Sensor_Checks.Next (Item.Checks, Sensors);
+      Heard  : constant Uplink_Buffer :=
+        (if Is_Old (Commands) then Item.Heard else Commands);
+      After  : Memory := Item;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+   begin
+      After.Link := Link_Loss.Next
+        (Item.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By);
+      After.Heard := Heard;
+      After.Checks := Checks;
+      Now := Readings_Of (Checks);
+      if not Item.Checks (Altitude).Is_Valid then
+         After.Smoothed := Now.Altitude * 1_000;
+      end if;
+      Rising := Climb_Rate (After.Smoothed, Now.Altitude);
+      After.Smoothed := Next_Smooth (After.Smoothed, Now.Altitude);
+      if After.Link.State not in Lost then
+         After.Is_Flying :=
+           not (After.Checks (Airspeed).Is_Valid
+                and then After.Checks (Altitude).Is_Valid
+                and then Now.Airspeed < Flying_Speed
+                and then Now.Altitude < Flying_Height);
+      end if;
+
+      After.Flown :=
+        (if Is_Disconnected (Commands) then All_Direct
+         else Allowed
+           (Wanted (After.Link.State, Heard, After.Is_Flying),
+            Checks));
+      if Is_Disconnected (Commands) or else After.Link.State = Waiting then
+         After.Is_Stick := (Axis => True);
+         Hand := Sticks_Of (Heard, Linked);
+      else
+         Hand := Sticks_Of (Heard, After.Link.State);
+      end if;
+
+      pragma Assert
+        (if Is_Disconnected (Commands) or else After.Link.State = Waiting
+         then Hand.Is_Pilot and then After.Flown = All_Direct);
+      Fly_Roll (After, Item.Flown, Now, Hand);
+      pragma Assert (After.Checks = Checks);
+      pragma Assert (After.Heard = Heard);
+      Fly_Yaw (After, Now, Hand);
+      pragma Assert (After.Checks = Checks);
+      pragma Assert (After.Heard = Heard);
+      Fly_Pitch (After, Item.Flown, Now, Hand, Rising);
+      pragma Assert (After.Checks = Checks);
+      pragma Assert (After.Heard = Heard);
+      Fly_Throttle (After, Item.Flown, Now, Hand);
+      pragma Assert (After.Checks = Checks);
+      pragma Assert (After.Heard = Heard);
+      pragma Assert
+        (if Is_Old (Commands) then After.Heard = Item.Heard
+         else After.Heard = Commands);
+
+      --  Above all else.
+      if Is_Disconnected (Commands) or else After.Link.State = Waiting then
+         After.Is_Stick := (others => True);
+      end if;
+      return After;
+   end Next;
+
+end URV.Laws;

@@ -1,0 +1,343 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The control laws: what stands between the pilot's commands and the servos
+--  (EXT-3, EXT-5). docs/control-laws.md says how they fly.
+--
+--     After := Next (Before, Commands, Sensors, By);
+--     Flown := Output (After, Commands);
+--
+--  A law replaces four of the commands: roll, pitch, yaw, throttle. Figure 13
+--  makes servo words of what comes out, as of the pilot's own commands. The
+--  brake and the switches, with them flaps and discretes, are those of the
+--  last commands that were not marked as old.
+
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.Law_Axes;      use URV.Law_Axes;
+with URV.Law_Gains;     use URV.Law_Gains;
+with URV.Law_Units;     use URV.Law_Units;
+with URV.Link_Loss;     use URV.Link_Loss;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
+
+package URV.Laws with Pure, SPARK_Mode is
+
+   --  What the node is set to: whether the laws are there at all, and when
+   --  a lost link means what.
+   type Settings is record
+      On : Boolean := False;
+      By : Times;
+   end record;
+
+   --  What flies each axis. Direct is the stick itself. Yaw goes with
+   --  Lateral.
+   type Lateral_Mode is (Direct, Damping, Bank_By_Stick, Wings_Level, Orbit);
+   type Vertical_Mode is
+     (Direct, Damping, Pitch_By_Stick, Hold_Altitude, Glide);
+   type Power_Mode is (Direct, Hold_Airspeed, Idle);
+
+   subtype Banked is Lateral_Mode range Bank_By_Stick .. Orbit;
+   subtype Pitched is Vertical_Mode range Pitch_By_Stick .. Glide;
+
+   type Modes is record
+      Lateral  : Lateral_Mode  := Direct;
+      Vertical : Vertical_Mode := Direct;
+      Power    : Power_Mode    := Direct;
+   end record;
+
+   All_Direct : constant Modes := (others => <>);
+
+   --  The outputs of a frame.
+   type Outputs is record
+      Roll, Pitch, Yaw : Demand := 0;
+      Throttle         : Lever  := 0;
+   end record;
+
+   --  Which outputs are the stick's own word again, after a law has let go.
+   type Axis is (Roll_Axis, Pitch_Axis, Yaw_Axis, Throttle_Axis);
+   type Axis_Flags is array (Axis) of Boolean;
+
+   type Memory is record
+      Link     : Link_Memory;
+      Checks   : Check_Table;
+      Flown    : Modes;
+      Is_Stick : Axis_Flags := (others => True);
+      Last     : Outputs;
+
+      --  The commands that were last not marked as old.
+      Heard    : Uplink_Buffer := Neutral_Uplink;
+
+      --  It flies: a lost link lets it fly on. On the ground it idles.
+      Is_Flying : Boolean := False;
+
+      --  References and integrators of the laws.
+      Bank_Wanted  : Reckoned    := 0;
+      Pitch_Wanted : Nose        := Level_Pitch;
+      Height_Held  : Level       := 0;
+      Speed_Held   : Level       := 0;
+      Lever_Held   : Lever       := 0;
+      Roll_Trim    : Law_Axes.Roll_Trim   := 0;
+      Pitch_Trim   : Law_Axes.Pitch_Trim  := 0;
+      Height_Trim  : Law_Axes.Height_Trim := 0;
+      Power_Trim   : Law_Axes.Power_Trim  := 0;
+      Smoothed     : Smooth      := 0;
+   end record;
+
+   --  After a cold start; and what the node is set to unless it is told.
+
+   function At_Start return Memory is
+     (Link         => (State => Waiting, others => 0),
+      Checks       =>
+        (others =>
+           (Is_Seen   => False,
+            Is_Valid  => False,
+            Used      => Neutral_Value,
+            Last      => Neutral_Value,
+            Bad       => 0,
+            Good      => 0,
+            Anchor    => Neutral_Value,
+            Witnessed => Neutral_Value,
+            Stuck     => 0)),
+      Flown        => (Direct, Direct, Direct),
+      Is_Stick     => (others => True),
+      Last         => (Roll => 0, Pitch => 0, Yaw => 0, Throttle => 0),
+      Heard        => Neutral_Uplink,
+      Is_Flying    => False,
+      Bank_Wanted  => 0,
+      Pitch_Wanted => Level_Pitch,
+      Height_Held  => 0,
+      Speed_Held   => 0,
+      Lever_Held   => 0,
+      Roll_Trim    => 0,
+      Pitch_Trim   => 0,
+      Height_Trim  => 0,
+      Power_Trim   => 0,
+      Smoothed     => 0)
+   with Global => null;
+
+   function Laws_Off return Settings is
+     (On => False,
+      By => (Hold         => Hold_After,
+             Orbit        => Orbit_After,
+             Terminate_At => Terminate_After))
+   with Global => null;
+
+   --  No law flies.
+   function Is_All_Stick (Item : Memory) return Boolean is
+     (for all Which in Axis => Item.Is_Stick (Which))
+   with Global => null;
+
+   --  The pilot's disconnect: direct, above all else.
+   function Is_Disconnected (Commands : Uplink_Buffer) return Boolean is
+     (not Is_Old (Commands) and then Is_On (Commands (Switch_7)))
+   with Global => null;
+
+   --  What the switches ask for, while the pilot flies.
+   function Asked (Commands : Uplink_Buffer) return Modes is
+     (if Is_On (Commands (Switch_7)) then All_Direct
+      else
+        (Lateral  =>
+           (if Is_On (Commands (Switch_4)) then Wings_Level
+            elsif Is_On (Commands (Switch_2))
+              or else Is_On (Commands (Switch_3))
+            then Bank_By_Stick
+            elsif Is_On (Commands (Switch_1)) then Damping
+            else Direct),
+         Vertical =>
+           (if Is_On (Commands (Switch_3))
+              and then abs Demand_Of (Commands (Pitch)) <= Stick_Rest
+            then Hold_Altitude
+            elsif Is_On (Commands (Switch_2))
+              or else Is_On (Commands (Switch_3))
+            then Pitch_By_Stick
+            elsif Is_On (Commands (Switch_1)) then Damping
+            else Direct),
+         Power    =>
+           (if Is_On (Commands (Switch_3)) then Hold_Airspeed
+            else Direct)))
+   with Global => null;
+
+   --  What a state of the link asks for.
+   function Wanted
+     (Link : Link_State; Commands : Uplink_Buffer; Is_Flying : Boolean)
+      return Modes
+   is
+     (case Link is
+         when Waiting    => All_Direct,
+         when Linked     => Asked (Commands),
+         when Holding    =>
+           (if Is_Flying then (Wings_Level, Hold_Altitude, Hold_Airspeed)
+            else (Direct, Direct, Idle)),
+         when Orbiting   =>
+           (if Is_Flying then (Orbit, Hold_Altitude, Hold_Airspeed)
+            else (Direct, Direct, Idle)),
+         when Terminated =>
+           (if Is_Flying then (Wings_Level, Glide, Idle)
+            else (Direct, Direct, Idle)))
+   with Global => null;
+
+   --  What can be flown with the sensors that are valid: each law needs its
+   --  own, and falls back to one that needs less.
+
+   function Can_Damp_Roll (Checks : Check_Table) return Boolean is
+     (Checks (Roll_Rate).Is_Valid)
+   with Global => null;
+
+   function Can_Bank (Checks : Check_Table) return Boolean is
+     (Checks (Roll_Rate).Is_Valid and then Checks (Roll_Attitude).Is_Valid)
+   with Global => null;
+
+   function Can_Damp_Pitch (Checks : Check_Table) return Boolean is
+     (Checks (Pitch_Rate).Is_Valid and then Checks (Roll_Attitude).Is_Valid)
+   with Global => null;
+
+   function Can_Pitch (Checks : Check_Table) return Boolean is
+     (Can_Damp_Pitch (Checks) and then Checks (Pitch_Attitude).Is_Valid)
+   with Global => null;
+
+   function Can_Damp_Yaw (Checks : Check_Table) return Boolean is
+     (Checks (Yaw_Rate).Is_Valid and then Checks (Roll_Attitude).Is_Valid)
+   with Global => null;
+
+   function Allowed (Item : Modes; Checks : Check_Table) return Modes is
+     (Lateral  =>
+        (case Item.Lateral is
+            when Banked  =>
+              (if Can_Bank (Checks) then Item.Lateral
+               elsif Can_Damp_Roll (Checks) then Damping
+               else Direct),
+            when Damping =>
+              (if Can_Damp_Roll (Checks) then Damping else Direct),
+            when Direct  => Direct),
+      Vertical =>
+        (case Item.Vertical is
+            when Pitched =>
+              (if Can_Pitch (Checks)
+               then
+                 (if Item.Vertical = Hold_Altitude
+                    and then not Checks (Altitude).Is_Valid
+                  then Pitch_By_Stick
+                  else Item.Vertical)
+               elsif Can_Damp_Pitch (Checks) then Damping
+               else Direct),
+            when Damping =>
+              (if Can_Damp_Pitch (Checks) then Damping else Direct),
+            when Direct  => Direct),
+      Power    =>
+        (if Item.Power = Hold_Airspeed
+           and then not Checks (Airspeed).Is_Valid
+         then Direct
+         else Item.Power))
+   with
+     Global => null,
+     Post   =>
+       (if Allowed'Result.Lateral /= Direct
+        then Checks (Roll_Rate).Is_Valid)
+       and then (if Allowed'Result.Lateral in Banked
+                 then Checks (Roll_Attitude).Is_Valid)
+       and then (if Allowed'Result.Vertical /= Direct
+                 then Checks (Pitch_Rate).Is_Valid
+                   and then Checks (Roll_Attitude).Is_Valid)
+       and then (if Allowed'Result.Vertical in Pitched
+                 then Checks (Pitch_Attitude).Is_Valid)
+       and then (if Allowed'Result.Vertical = Hold_Altitude
+                 then Checks (Altitude).Is_Valid)
+       and then (if Allowed'Result.Power = Hold_Airspeed
+                 then Checks (Airspeed).Is_Valid);
+
+   --  A frame: what is remembered after it. All that a law does is in it.
+   function Next
+     (Item     : Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times) return Memory
+   with
+     Global => null,
+     Post   =>
+       Next'Result.Link =
+         Link_Loss.Next
+           (Item.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By)
+       and then Next'Result.Checks = Sensor_Checks.Next (Item.Checks, Sensors)
+       and then (if Is_Old (Commands)
+                 then Next'Result.Heard = Item.Heard
+                 else Next'Result.Heard = Commands)
+       and then Next'Result.Flown =
+         (if Is_Disconnected (Commands) then All_Direct
+          else Allowed
+            (Wanted
+               (Next'Result.Link.State,
+                (if Is_Old (Commands) then Item.Heard else Commands),
+                Next'Result.Is_Flying),
+             Sensor_Checks.Next (Item.Checks, Sensors)))
+
+       --  Disconnected: the stick's own words, at once.
+       and then (if Is_Disconnected (Commands)
+                 then Is_All_Stick (Next'Result))
+
+       --  Before the first commands nobody flies.
+       and then (if Next'Result.Link.State = Waiting
+                 then Is_All_Stick (Next'Result))
+
+       --  Where an output is the law's, it has moved no further than its
+       --  rate limit, whatever the modes were.
+       and then
+         (if not Next'Result.Is_Stick (Roll_Axis)
+          then abs (Next'Result.Last.Roll - Item.Last.Roll) <= Roll_Step)
+       and then
+         (if not Next'Result.Is_Stick (Pitch_Axis)
+          then abs (Next'Result.Last.Pitch - Item.Last.Pitch) <= Pitch_Step)
+       and then
+         (if not Next'Result.Is_Stick (Yaw_Axis)
+          then abs (Next'Result.Last.Yaw - Item.Last.Yaw) <= Yaw_Step)
+       and then
+         (if not Next'Result.Is_Stick (Throttle_Axis)
+          then abs (Next'Result.Last.Throttle - Item.Last.Throttle) <=
+                 Throttle_Step)
+
+       --  A law that flies bank or pitch is within its authority, or on the
+       --  way there.
+       and then
+         (if Next'Result.Flown.Lateral in Banked
+          then abs Next'Result.Last.Roll <=
+                 Integer'Max
+                   (Roll_Authority, abs Item.Last.Roll - Roll_Step))
+       and then
+         (if Next'Result.Flown.Vertical in Pitched
+          then abs Next'Result.Last.Pitch <=
+                 Integer'Max
+                   (Pitch_Authority, abs Item.Last.Pitch - Pitch_Step));
+
+   --  The commands as the law would have them: those of the pilot where an
+   --  axis is his. When all are, the very message, with its mark; else
+   --  one that is not marked as old.
+   function Output (Item : Memory; Commands : Uplink_Buffer)
+                    return Uplink_Buffer
+   is
+     (if Is_All_Stick (Item) then Commands
+      else
+        (Item.Heard with delta
+           Roll         => (if Item.Is_Stick (Roll_Axis)
+                            then Item.Heard (Roll)
+                            else Word_Of (Item.Last.Roll)),
+           Pitch        => (if Item.Is_Stick (Pitch_Axis)
+                            then Item.Heard (Pitch)
+                            else Word_Of (Item.Last.Pitch)),
+           Yaw          => (if Item.Is_Stick (Yaw_Axis)
+                            then Item.Heard (Yaw)
+                            else Word_Of (Item.Last.Yaw)),
+           Throttle     => (if Item.Is_Stick (Throttle_Axis)
+                            then Item.Heard (Throttle)
+                            else Lever_Word_Of (Item.Last.Throttle)),
+           Error_Status => No_Error))
+   with
+     Global => null,
+     Post   =>
+       (if Is_All_Stick (Item)
+        then Output'Result = Commands
+        else not Is_Old (Output'Result)
+          and then Output'Result (Brake) = Item.Heard (Brake)
+          and then (for all Switch in Switch_Item =>
+                      Output'Result (Switch) = Item.Heard (Switch)));
+
+end URV.Laws;

@@ -1,0 +1,155 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the aircraft does about a lost link, as a state machine (EXT-5).
+--
+--      Waiting --fresh--> Linked --0.5 s--> Holding --5 s--> Orbiting
+--                           ^                  |                | 120 s
+--                           +---1 s fresh------+----------------+
+--                           |                                   v
+--                           +------the ground's order---- Terminated
+--
+--  A frame is silent when it has brought no fresh uplink. Once the link is
+--  lost, silent frames are counted until it is back: a frame that brought
+--  something is not counted, but only a second of them without a gap is the
+--  link's return.
+--
+--  The way out of Terminated is an order that no fault gives: for a second
+--  without a gap fresh uplinks with the disconnect switch off, then for a
+--  second without a gap with it on.
+
+with URV.Law_Gains; use URV.Law_Gains;
+
+package URV.Link_Loss with Pure, SPARK_Mode is
+
+   type Link_State is
+     (Waiting,      --  nothing was ever received: nobody flies
+      Linked,       --  the pilot flies
+      Holding,      --  wings level, altitude and airspeed held
+      Orbiting,     --  the same in a standard-rate turn
+      Terminated);  --  throttle idle, wings level, a glide
+
+   subtype Lost is Link_State range Holding .. Terminated;
+
+   Longest : constant := 1_000_000;
+   type Frame_Count is range 0 .. Longest;
+   subtype Return_Count is Frame_Count range 0 .. Return_After;
+
+   --  How many silent frames lead to each state. No state is passed over.
+   type Times is record
+      Hold      : Frame_Count := Hold_After;
+      Orbit     : Frame_Count := Orbit_After;
+      Terminate_At : Frame_Count := Terminate_After;
+   end record
+   with Predicate =>
+     Times.Hold >= 1
+     and then Times.Orbit > Times.Hold
+     and then Times.Terminate_At > Times.Orbit;
+
+   type Link_Memory is record
+      State  : Link_State   := Waiting;
+
+      --  Silent frames: one after the other while linked, all of them since
+      --  while lost.
+      Silent : Frame_Count  := 0;
+
+      --  Fresh frames one after the other, while lost; of the order's first
+      --  half and its second.
+      Fresh  : Return_Count := 0;
+      Off    : Return_Count := 0;
+      On     : Return_Count := 0;
+   end record;
+
+   --  A count of frames stops at its last.
+   function More (Item : Frame_Count) return Frame_Count is
+     (if Item = Frame_Count'Last then Item else Item + 1)
+   with Global => null;
+
+   function More_Of_Return (Item : Return_Count) return Return_Count is
+     (if Item = Return_Count'Last then Item else Item + 1)
+   with Global => null;
+
+   Linked_Again : constant Link_Memory :=
+     (State => Linked, Silent => 0, Fresh => 0, Off => 0, On => 0);
+
+   --  A frame without a fresh uplink.
+   function After_Silence
+     (Item : Link_Memory; By : Times) return Link_Memory
+   is
+     (State  =>
+        (case Item.State is
+            when Waiting    => Waiting,
+            when Linked     =>
+              (if More (Item.Silent) >= By.Hold then Holding else Linked),
+            when Holding    =>
+              (if More (Item.Silent) >= By.Orbit
+               then Orbiting else Holding),
+            when Orbiting   =>
+              (if More (Item.Silent) >= By.Terminate_At
+               then Terminated else Orbiting),
+            when Terminated => Terminated),
+      Silent => (if Item.State = Waiting then 0 else More (Item.Silent)),
+      Fresh  => 0,
+      Off    => 0,
+      On     => 0)
+   with Global => null;
+
+   --  The ground's order is complete with a frame more.
+   function Is_Ordered
+     (Item : Link_Memory; Disconnect : Boolean) return Boolean
+   is
+     (Disconnect
+      and then Item.Off = Return_After
+      and then Item.On >= Return_After - 1)
+   with Global => null;
+
+   --  A frame with a fresh uplink, and its disconnect switch.
+   function After_Uplink
+     (Item : Link_Memory; Disconnect : Boolean) return Link_Memory
+   is
+     (case Item.State is
+         when Waiting | Linked     => Linked_Again,
+         when Holding | Orbiting   =>
+           (if Item.Fresh >= Return_After - 1
+            then Linked_Again
+            else (Item with delta Fresh => Item.Fresh + 1)),
+         when Terminated           =>
+           (if Is_Ordered (Item, Disconnect)
+            then Linked_Again
+            elsif not Disconnect
+            then (Item with delta
+                    On  => 0,
+                    Off =>
+                      (if Item.On > 0 then 1
+                       else More_Of_Return (Item.Off)))
+            elsif Item.Off = Return_After
+            then (Item with delta On => More_Of_Return (Item.On))
+            else (Item with delta On => 0, Off => 0)))
+   with Global => null;
+
+   function Next
+     (Item       : Link_Memory;
+      Is_Fresh   : Boolean;
+      Disconnect : Boolean;
+      By         : Times) return Link_Memory
+   is
+     (if Is_Fresh then After_Uplink (Item, Disconnect)
+      else After_Silence (Item, By))
+   with
+     Global => null,
+     Post   =>
+
+       --  Nothing is skipped.
+       (if Next'Result.State /= Item.State
+        then (case Next'Result.State is
+                 when Waiting    => False,
+                 when Linked     => Is_Fresh,
+                 when Holding    => Item.State = Linked,
+                 when Orbiting   => Item.State = Holding,
+                 when Terminated => Item.State = Orbiting))
+
+       --  Out of termination by the ground's order alone.
+       and then
+         (if Item.State = Terminated and then Next'Result.State /= Terminated
+          then Is_Fresh and then Is_Ordered (Item, Disconnect));
+
+end URV.Link_Loss;

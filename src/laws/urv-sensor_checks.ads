@@ -1,0 +1,195 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Which sensors can be believed (EXT-3): each word is looked at in each
+--  scan, for three things.
+--
+--  range  the word is one that the sensor can give
+--  rate   it has not moved further since the last good one than it can
+--  stuck  it has not stood still while its witness, another sensor that
+--         cannot move alone, went away
+--
+--  A sensor is not valid after three bad scans one after the other, or when
+--  it is stuck; and valid again after a second of good ones. A scan that did
+--  not come is a bad one of every sensor. Until it is found not valid the
+--  last good word stands for it.
+
+with URVOS;         use URVOS;
+with URV.Buffers;   use URV.Buffers;
+with URV.Law_Gains; use URV.Law_Gains;
+
+package URV.Sensor_Checks with Pure, SPARK_Mode is
+
+   --  What a sensor's words are held to. A witness that is the sensor
+   --  itself is none.
+   type Rule is record
+      Least, Most : Converter_Value;
+      Step        : Converter_Value;
+      Witness     : Sensor_Item;
+      Travel      : Converter_Value;
+   end record;
+
+   type Rule_Table is array (Sensor_Item) of Rule;
+
+   Any : constant Converter_Value := Converter_Value'Last;
+
+   --  Surfaces move 100 deg/s at most, flaps 5; engine and electrics change
+   --  slowly, but their ends are the converter's own. The ends of the
+   --  attitude and the rates are not believed: 4095 and 0 are a broken wire.
+   Rules : constant Rule_Table :=
+     (Right_Flap_1  => (1, Any, 200, Right_Flap_1, Any),
+      Left_Flap_1   => (1, Any, 200, Left_Flap_1, Any),
+      Right_Flap_2  => (1, Any, 200, Right_Flap_2, Any),
+      Left_Flap_2   => (1, Any, 200, Left_Flap_2, Any),
+      Right_Aileron => (1, 4_094, 600, Right_Aileron, Any),
+      Left_Aileron  => (1, 4_094, 600, Left_Aileron, Any),
+      Right_Elevator => (1, 4_094, 600, Right_Elevator, Any),
+      Left_Elevator => (1, 4_094, 600, Left_Elevator, Any),
+      Right_Rudder  => (1, 4_094, 600, Right_Rudder, Any),
+      Left_Rudder   => (1, 4_094, 600, Left_Rudder, Any),
+      Alpha         => (1, 4_094, 600, Alpha, Any),
+      Beta          => (1, 4_094, 600, Beta, Any),
+      Altitude_Offset => (0, 4_000, 5, Altitude_Offset, Any),
+      Lateral_Acceleration      => (1, 4_094, Any, Lateral_Acceleration, Any),
+      Longitudinal_Acceleration =>
+        (1, 4_094, Any, Longitudinal_Acceleration, Any),
+      Vertical_Acceleration     => (1, 4_094, Any, Vertical_Acceleration, Any),
+      RPM              => (0, 4_000, 500, RPM, Any),
+      Battery_Volts    => (500, 4_000, 500, Battery_Volts, Any),
+      Alternator_Volts => (0, 4_000, 1_000, Alternator_Volts, Any),
+      Roll_Attitude    => (1, 4_094, 60, Roll_Rate, 100),
+      Pitch_Attitude   => (1, 4_094, 60, Pitch_Rate, 200),
+      Roll_Rate        => (1, 4_094, 400, Roll_Attitude, 340),
+      Pitch_Rate       => (1, 4_094, 800, Pitch_Attitude, 340),
+      Yaw_Rate         => (1, 4_094, 800, Roll_Attitude, 340),
+      Airspeed         => (0, 4_000, 320, Altitude, 400),
+      Altitude         => (0, 4_094, 60, Pitch_Attitude, 340),
+      Uplink_Signal_Strength => (0, Any, Any, Uplink_Signal_Strength, Any));
+
+   subtype Bad_Count is Natural range 0 .. Bad_Scans;
+   subtype Good_Count is Natural range 0 .. Good_Scans;
+   subtype Stuck_Count is Natural range 0 .. Stuck_Scans;
+
+   --  What is known of a sensor: its last good word, how many scans were
+   --  bad, then good; since when it has not moved, and where its witness
+   --  was then.
+   type Check is record
+      Is_Seen    : Boolean         := False;
+      Is_Valid   : Boolean         := False;
+      Used       : Converter_Value := Neutral_Value;
+      Last       : Word            := Neutral_Value;
+      Bad        : Bad_Count       := 0;
+      Good       : Good_Count      := 0;
+      Anchor     : Word            := Neutral_Value;
+      Witnessed  : Word            := Neutral_Value;
+      Stuck      : Stuck_Count     := 0;
+   end record;
+
+   type Check_Table is array (Sensor_Item) of Check;
+
+   function Distance (One, Other : Word) return Word is
+     (if One > Other then One - Other else Other - One)
+   with Global => null;
+
+   function Is_In_Range (Value : Word; By : Rule) return Boolean is
+     (Value in By.Least .. By.Most)
+   with Global => null;
+
+   --  From the last good word while the sensor is valid, so that what has
+   --  jumped away stays away; else from the last one.
+   function Is_Slow (Item : Check; Value : Word; By : Rule) return Boolean is
+     (Distance
+        (Value, (if Item.Is_Valid then Item.Used else Item.Last)) <=
+          By.Step * Word (1 + Item.Bad))
+   with Global => null;
+
+   function Has_Left (Item : Check; Witness : Word; By : Rule) return Boolean
+   is (Distance (Witness, Item.Witnessed) > By.Travel)
+   with Global => null;
+
+   --  Scans in which the witness was away and this did not move.
+   function Next_Stuck
+     (Item : Check; Value, Witness : Word; By : Rule) return Stuck_Count
+   is
+     (if not Item.Is_Seen
+        or else Value /= Item.Anchor
+        or else not Has_Left (Item, Witness, By)
+      then 0
+      elsif Item.Stuck = Stuck_Scans then Stuck_Scans
+      else Item.Stuck + 1)
+   with Global => null;
+
+   --  Nothing bad about the word.
+   function Is_Good
+     (Item : Check; Value, Witness : Word; By : Rule) return Boolean
+   is
+     (Is_In_Range (Value, By)
+      and then Is_Slow (Item, Value, By)
+      and then Next_Stuck (Item, Value, Witness, By) < Stuck_Scans)
+   with Global => null;
+
+   --  What is known after a frame without a scan, and with one.
+
+   function After_Gap (Item : Check) return Check is
+     ((Item with delta
+        Bad      => (if Item.Bad = Bad_Scans then Bad_Scans
+                     else Item.Bad + 1),
+        Good     => 0,
+        Is_Valid => Item.Is_Valid and then Item.Bad < Bad_Scans - 1))
+   with Global => null;
+
+   function After_Scan
+     (Item : Check; Value, Witness : Word; By : Rule) return Check
+   is
+     (Is_Seen   => True,
+      Is_Valid  =>
+        (if Is_Good (Item, Value, Witness, By)
+         then Item.Is_Valid or else Item.Good >= Good_Scans - 1
+         else Item.Is_Valid
+           and then Item.Bad < Bad_Scans - 1
+           and then Next_Stuck (Item, Value, Witness, By) < Stuck_Scans),
+      Used      =>
+        (if Is_Good (Item, Value, Witness, By)
+         then Value else Item.Used),
+      Last      => Value,
+      Bad       =>
+        (if Is_Good (Item, Value, Witness, By) then 0
+         elsif Item.Bad = Bad_Scans then Bad_Scans
+         else Item.Bad + 1),
+      Good      =>
+        (if not Is_Good (Item, Value, Witness, By) then 0
+         elsif Item.Good = Good_Scans then Good_Scans
+         else Item.Good + 1),
+      Anchor    => Value,
+      Witnessed =>
+        (if not Item.Is_Seen or else Value /= Item.Anchor
+         then Witness else Item.Witnessed),
+      Stuck     => Next_Stuck (Item, Value, Witness, By))
+   with Global => null;
+
+   --  All of a scan, or without one.
+
+   function Next (Items : Check_Table; Scan : Downlink_Buffer)
+                  return Check_Table
+   is
+     ((for Item in Sensor_Item =>
+         (if (Scan (Error_Status) and Stale_Data) /= 0
+          then After_Gap (Items (Item))
+          else After_Scan
+            (Items (Item), Scan (Item), Scan (Rules (Item).Witness),
+             Rules (Item)))))
+   with
+     Global => null,
+     Post   =>
+       (for all Item in Sensor_Item =>
+          (if Next'Result (Item).Is_Valid
+           then Items (Item).Is_Valid
+             or else Next'Result (Item).Good = Good_Scans));
+
+   --  A bit for each sensor that is not valid, the first in bit 0, in two
+   --  words.
+
+   type Half is range 0 .. 1;
+
+   function Invalid_Bits (Items : Check_Table; Which : Half) return Word;
+
+end URV.Sensor_Checks;

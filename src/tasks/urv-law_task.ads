@@ -1,0 +1,31 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  LAW task: the control laws, between MDCIN and PWM (EXT-3, EXT-5; the
+--  report leaves them for later versions). Released at minor frame 1, after
+--  those that it consumes from.
+--
+--  Consumes commands_variable and sensors_variable, produces PWM_variable.
+--  With the laws off it passes the commands on as they are. What happens to
+--  the link, and a sensor that is no longer valid, is reported.
+
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Laws;
+
+generic
+   Commands_Variable : in out For_Uplink.Variable;
+   Sensors_Variable  : in out For_Downlink.Variable;
+   PWM_Variable      : in out For_Uplink.Variable;
+   Law_Settings      : in out URV.Shared_Laws.Settings.Store;
+   Law_Memory        : in out URV.Shared_Laws.Memories.Store;
+   Errors            : in out Shared_Log;
+package URV.LAW_Task with SPARK_Mode is
+
+   procedure Run_Transaction
+   with
+     Global =>
+       (Input  => Law_Settings,
+        In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
+                   Law_Memory, Errors));
+
+end URV.LAW_Task;

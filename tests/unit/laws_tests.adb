@@ -1,0 +1,455 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Checks;            use Checks;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Expect_Value;
+with Expectations;      use Expectations;
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.Laws;          use URV.Laws;
+with URV.Law_Gains;
+with URV.Law_Status;
+with URV.Link_Loss;     use URV.Link_Loss;
+
+package body Laws_Tests is
+
+   --  The tests, in order.
+   procedure All_Off;
+   procedure Disconnected;
+   procedure Letting_Go;
+   procedure Signs;
+   procedure Falling_Back;
+   procedure Range_Check;
+   procedure Rate_Check;
+   procedure Stuck_Check;
+   procedure Stale_Scans;
+   procedure Times_Of_Loss;
+   procedure Way_Back;
+   procedure Way_Out;
+   procedure On_The_Ground;
+   procedure What_Is_Held;
+   procedure Told;
+
+   On_Word : constant Word := 16#FFF#;
+
+   --  Level at 1000 ft and 70 kt, sticks at rest.
+
+   Sticks : constant Uplink_Buffer :=
+     (Throttle     => 2_048,
+      Brake        => Neutral_Value,
+      Switch_Item  => 0,
+      Error_Status => No_Error,
+      others       => Neutral_Value);
+
+   Level : constant Downlink_Buffer :=
+     (Altitude     => 2_000,
+      Airspeed     => 2_240,
+      RPM          => 2_500,
+      Error_Status => No_Error,
+      others       => Neutral_Value);
+
+   Usual : constant Times := (others => <>);
+
+   procedure Expect_State is new Expect_Value (Link_State);
+
+   --  So many frames alike.
+   procedure Fly
+     (Item     : in out URV.Laws.Memory;
+      Frames   : Natural;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer := Level);
+
+   --  After a second and more of good scans.
+   function Warm
+     (Commands : Uplink_Buffer := Sticks;
+      Sensors  : Downlink_Buffer := Level) return URV.Laws.Memory;
+
+   --  The same commands with a switch on, or marked as old.
+
+   function With_On
+     (Which : Switch_Item; Commands : Uplink_Buffer := Sticks)
+      return Uplink_Buffer
+   is ((Commands with delta Which => On_Word));
+
+   function Old (Commands : Uplink_Buffer := Sticks) return Uplink_Buffer is
+     ((Commands with delta Error_Status => Stale_Data));
+
+   --  The same scan with another word.
+   function Measuring
+     (Which : Sensor_Item; Value : Word; Scan : Downlink_Buffer := Level)
+      return Downlink_Buffer
+   is ((Scan with delta Which => Value));
+
+   procedure Fly
+     (Item     : in out URV.Laws.Memory;
+      Frames   : Natural;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer := Level) is
+   begin
+      for Frame in 1 .. Frames loop
+         Item := Next (Item, Commands, Sensors, Usual);
+      end loop;
+   end Fly;
+
+   function Warm
+     (Commands : Uplink_Buffer := Sticks;
+      Sensors  : Downlink_Buffer := Level) return URV.Laws.Memory is
+   begin
+      return Item : URV.Laws.Memory do
+         Fly (Item, URV.Law_Gains.Good_Scans + 2, Commands, Sensors);
+      end return;
+   end Warm;
+
+   procedure All_Off is
+      Item     : URV.Laws.Memory;
+      Commands : Uplink_Buffer := Sticks;
+      Sensors  : Downlink_Buffer := Level;
+   begin
+      for Frame in 1 .. 200 loop
+         Commands (Roll) := Word (Frame * 97 mod 6_000);
+         Commands (Throttle) := Word (Frame * 331 mod 70_000 mod 4_096);
+         Commands (Switch_8) := Word (Frame mod 2) * On_Word;
+         Commands (Error_Status) := Word (Frame / 9 mod 2);
+         Sensors (Roll_Attitude) := Word (Frame * 771 mod 5_000);
+         Item := Next (Item, Commands, Sensors, Usual);
+         Expect ("the commands as they are",
+                 Output (Item, Commands) = Commands, True);
+      end loop;
+   end All_Off;
+
+   procedure Disconnected is
+      Rolling : constant Downlink_Buffer :=
+        Measuring (Roll_Attitude, 2_600, Measuring (Roll_Rate, 3_000));
+      Item    : URV.Laws.Memory := Warm (Sticks, Rolling);
+      Stick   : constant Uplink_Buffer :=
+        (With_On (Switch_7, With_On (Switch_3)) with delta
+           Roll => 300, Pitch => 4_000, Yaw => 9, Throttle => 3);
+   begin
+      Fly (Item, 30, With_On (Switch_3), Rolling);
+      Expect ("a law flies", Item.Flown.Lateral = Bank_By_Stick, True);
+      Fly (Item, 1, Stick, Rolling);
+      Expect ("the sticks in one frame", Output (Item, Stick) = Stick, True);
+
+      --  The link was lost for long: it holds nevertheless.
+      Item := Warm (Sticks, Rolling);
+      Fly (Item, 7_000, Old, Rolling);
+      Expect_State ("after long", Item.Link.State, Terminated);
+      Fly (Item, 1, Stick, Rolling);
+      Expect ("the sticks again", Output (Item, Stick) = Stick, True);
+      Expect_State ("but not yet ordered out", Item.Link.State, Terminated);
+   end Disconnected;
+
+   procedure Letting_Go is
+      Banked : constant Downlink_Buffer := Measuring (Roll_Attitude, 2_500);
+      Item   : URV.Laws.Memory := Warm (Sticks, Banked);
+      Before : Integer;
+   begin
+      Fly (Item, 60, With_On (Switch_2), Banked);
+      Expect ("ailerons against the bank", Item.Last.Roll < -300, True);
+      Before := Item.Last.Roll;
+      Fly (Item, 1, Sticks, Banked);
+      Expect_Number
+        ("one step towards the stick", Item.Last.Roll,
+         Before + URV.Law_Gains.Roll_Step);
+      Expect ("not yet the stick's", Item.Is_Stick (Roll_Axis), False);
+      Fly (Item, 20, Sticks, Banked);
+      Expect ("all direct again",
+              Output (Item, Sticks) = Sticks, True);
+   end Letting_Go;
+
+   procedure Signs is
+
+      --  The output against what the sensor says, after some frames.
+      procedure Expect_Against
+        (What    : String;
+         Switch  : Switch_Item;
+         Sensor  : Sensor_Item;
+         Value   : Word;
+         Which   : Uplink_Item;
+         Is_More : Boolean);
+
+      procedure Expect_Against
+        (What    : String;
+         Switch  : Switch_Item;
+         Sensor  : Sensor_Item;
+         Value   : Word;
+         Which   : Uplink_Item;
+         Is_More : Boolean)
+      is
+         Commands : constant Uplink_Buffer := With_On (Switch);
+         Rest     : URV.Laws.Memory := Warm (Commands);
+         Moved    : URV.Laws.Memory := Warm (Commands);
+      begin
+         Fly (Rest, 30, Commands);
+         Fly (Moved, 30, Commands, Measuring (Sensor, Value));
+         Expect
+           (What,
+            (if Is_More
+             then Output (Moved, Commands) (Which) >
+                    Output (Rest, Commands) (Which)
+             else Output (Moved, Commands) (Which) <
+                    Output (Rest, Commands) (Which)),
+            True);
+      end Expect_Against;
+
+   begin
+      Expect_Against ("roll rate, damped", Switch_1, Roll_Rate, 2_148, Roll,
+                      Is_More => False);
+      Expect_Against ("pitch rate, damped", Switch_1, Pitch_Rate, 2_148,
+                      Pitch, Is_More => False);
+      Expect_Against ("yaw rate, damped", Switch_1, Yaw_Rate, 2_148, Yaw,
+                      Is_More => False);
+      Expect_Against ("bank, held", Switch_2, Roll_Attitude, 2_100, Roll,
+                      Is_More => False);
+      Expect_Against ("nose, held", Switch_2, Pitch_Attitude, 2_100, Pitch,
+                      Is_More => False);
+      Expect_Against ("wings, level", Switch_4, Roll_Attitude, 2_000, Roll,
+                      Is_More => True);
+      Expect_Against ("above the altitude", Switch_3, Altitude, 2_040, Pitch,
+                      Is_More => False);
+      Expect_Against ("too slow", Switch_3, Airspeed, 2_200, Throttle,
+                      Is_More => True);
+   end Signs;
+
+   procedure Falling_Back is
+      Commands : constant Uplink_Buffer := With_On (Switch_3);
+      Item     : URV.Laws.Memory := Warm (Commands);
+   begin
+      Expect ("altitude is held", Item.Flown =
+                (Bank_By_Stick, Hold_Altitude, Hold_Airspeed), True);
+      Fly (Item, 3, Commands, Measuring (Altitude, 9_999));
+      Expect ("without it attitude", Item.Flown =
+                (Bank_By_Stick, Pitch_By_Stick, Hold_Airspeed), True);
+      Item := Warm (Commands);
+      Fly (Item, 3, Commands, Measuring (Airspeed, 9_999));
+      Expect ("without a speed the lever", Item.Flown =
+                (Bank_By_Stick, Hold_Altitude, Direct), True);
+      Item := Warm (Commands);
+      Fly (Item, 3, Commands, Measuring (Roll_Attitude, 0));
+      Expect ("without bank damping of roll", Item.Flown =
+                (Damping, Direct, Hold_Airspeed), True);
+      Fly (Item, 3, Commands,
+           Measuring (Roll_Rate, 0, Measuring (Roll_Attitude, 0)));
+      Expect ("without both the stick", Item.Flown =
+                (Direct, Direct, Hold_Airspeed), True);
+   end Falling_Back;
+
+   procedure Range_Check is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 2, Sticks, Measuring (Pitch_Rate, 4_095));
+      Expect ("two may be wrong", Item.Checks (Pitch_Rate).Is_Valid, True);
+      Expect ("the good one stands", Item.Checks (Pitch_Rate).Used,
+              Neutral_Value);
+      Fly (Item, 1, Sticks, Measuring (Pitch_Rate, 4_095));
+      Expect ("three may not", Item.Checks (Pitch_Rate).Is_Valid, False);
+      Expect ("the others are well", Item.Checks (Roll_Rate).Is_Valid, True);
+      Fly (Item, 49, Sticks);
+      Expect ("not a frame too early",
+              Item.Checks (Pitch_Rate).Is_Valid, False);
+      Fly (Item, 1, Sticks);
+      Expect ("a second of good ones", Item.Checks (Pitch_Rate).Is_Valid,
+              True);
+   end Range_Check;
+
+   procedure Rate_Check is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 1, Sticks, Measuring (Roll_Attitude, 3_000));
+      Expect ("jumped away", Item.Checks (Roll_Attitude).Used,
+              Neutral_Value);
+      Fly (Item, 2, Sticks, Measuring (Roll_Attitude, 3_000));
+      Expect ("and stayed away", Item.Checks (Roll_Attitude).Is_Valid,
+              False);
+   end Rate_Check;
+
+   procedure Stuck_Check is
+      Item  : URV.Laws.Memory := Warm;
+      Scan  : Downlink_Buffer := Level;
+      Count : Natural := 0;
+   begin
+      --  The bank goes away, the roll rate says that nothing rolls.
+      while Item.Checks (Roll_Rate).Is_Valid and then Count < 100 loop
+         Count := Count + 1;
+         Scan (Roll_Attitude) := Neutral_Value + Word (Count) * 20;
+         Fly (Item, 1, Sticks, Scan);
+      end loop;
+      Expect_Number ("341 words in 18 scans, then ten", Count, 18 + 9);
+      Expect ("the bank is well", Item.Checks (Roll_Attitude).Is_Valid, True);
+   end Stuck_Check;
+
+   procedure Stale_Scans is
+      Item : URV.Laws.Memory := Warm (With_On (Switch_2));
+   begin
+      Fly (Item, 2, With_On (Switch_2),
+           (Level with delta Error_Status => Stale_Data));
+      Expect ("for two frames it flies on", Item.Flown.Lateral in Banked,
+              True);
+      Fly (Item, 1, With_On (Switch_2),
+           (Level with delta Error_Status => Stale_Data));
+      Expect ("then nobody but the pilot", Item.Flown = All_Direct, True);
+      Expect ("all sensors", URV.Law_Status.To_Row (Item) (Occurrences_Low),
+              16#FFFF#);
+   end Stale_Scans;
+
+   procedure Times_Of_Loss is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 24, Old);
+      Expect_State ("after 24 frames", Item.Link.State, Linked);
+      Expect ("and no law flies", Item.Flown = All_Direct, True);
+      Fly (Item, 1, Old);
+      Expect_State ("after 25 frames", Item.Link.State, Holding);
+      Expect ("level", Item.Flown =
+                (Wings_Level, Hold_Altitude, Hold_Airspeed), True);
+      Fly (Item, 224, Old);
+      Expect_State ("after 249 frames", Item.Link.State, Holding);
+      Fly (Item, 1, Old);
+      Expect_State ("after 250 frames", Item.Link.State, Orbiting);
+      Expect ("turning", Item.Flown =
+                (Orbit, Hold_Altitude, Hold_Airspeed), True);
+      Fly (Item, 5_749, Old);
+      Expect_State ("after 5999 frames", Item.Link.State, Orbiting);
+      Fly (Item, 1, Old);
+      Expect_State ("after 6000 frames", Item.Link.State, Terminated);
+      Expect ("gliding", Item.Flown = (Wings_Level, Glide, Idle), True);
+      Fly (Item, 60, Old);
+      Expect_Number ("throttle idle", Item.Last.Throttle, 0);
+   end Times_Of_Loss;
+
+   procedure Way_Back is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 100, Old);
+      Fly (Item, 49, Sticks);
+      Expect_State ("after 49 fresh frames", Item.Link.State, Holding);
+      Fly (Item, 1, Old);
+      Fly (Item, 49, Sticks);
+      Expect_State ("49 again after a gap", Item.Link.State, Holding);
+      Fly (Item, 1, Sticks);
+      Expect_State ("after 50", Item.Link.State, Linked);
+      Fly (Item, 24, Old);
+      Expect_State ("the count begins anew", Item.Link.State, Linked);
+
+      --  Nothing was ever heard.
+      Item := (others => <>);
+      Fly (Item, 7_000, Old);
+      Expect_State ("nobody has ever flown", Item.Link.State, Waiting);
+      Expect ("so nothing flies", Output (Item, Old) = Old, True);
+   end Way_Back;
+
+   procedure Way_Out is
+      Off  : constant Uplink_Buffer := Sticks;
+      On   : constant Uplink_Buffer := With_On (Switch_7);
+      Long : URV.Laws.Memory := Warm;
+      Item : URV.Laws.Memory;
+   begin
+      Fly (Long, 6_000, Old);
+
+      Item := Long;
+      Fly (Item, 1_000, Off);
+      Expect_State ("the link alone", Item.Link.State, Terminated);
+      Fly (Item, 49, On);
+      Expect_State ("49 frames on", Item.Link.State, Terminated);
+      Fly (Item, 1, On);
+      Expect_State ("50 frames on", Item.Link.State, Linked);
+
+      Item := Long;
+      Fly (Item, 1_000, On);
+      Expect_State ("a switch left on", Item.Link.State, Terminated);
+
+      Item := Long;
+      Fly (Item, 49, Off);
+      Fly (Item, 100, On);
+      Expect_State ("49 frames off are too few", Item.Link.State, Terminated);
+
+      Item := Long;
+      Fly (Item, 60, Off);
+      Fly (Item, 30, On);
+      Fly (Item, 1, Old (On));
+      Fly (Item, 60, On);
+      Expect_State ("a gap spoils it", Item.Link.State, Terminated);
+
+      Item := Long;
+      Fly (Item, 60, Off);
+      Fly (Item, 30, On);
+      Fly (Item, 1, Off);
+      Fly (Item, 60, On);
+      Expect_State ("so does a switch that goes to and fro",
+                    Item.Link.State, Terminated);
+   end Way_Out;
+
+   procedure On_The_Ground is
+      Standing : constant Downlink_Buffer :=
+        Measuring (Altitude, 4, Measuring (Airspeed, 0));
+      Item     : URV.Laws.Memory;
+   begin
+      Fly (Item, 60, Sticks, Standing);
+      Fly (Item, 400, Old, Standing);
+      Expect ("it idles", Item.Flown = (Direct, Direct, Idle), True);
+      Expect_Number ("throttle", Item.Last.Throttle, 0);
+      Expect_Number ("elevator at rest", Item.Last.Pitch, 0);
+   end On_The_Ground;
+
+   procedure What_Is_Held is
+      Item  : URV.Laws.Memory := Warm (With_On (Switch_8));
+      Other : constant Uplink_Buffer :=
+        (Brake => On_Word, Error_Status => Stale_Data, others => 0);
+   begin
+      --  The ground has started anew: its old words are others.
+      Fly (Item, 60, Other);
+      Expect_State ("the link is lost", Item.Link.State, Holding);
+      Expect ("the brake as last heard", Output (Item, Other) (Brake),
+              Neutral_Value);
+      Expect ("the flaps as last heard", Output (Item, Other) (Switch_8),
+              On_Word);
+      Expect ("not marked", Output (Item, Other) (Error_Status), No_Error);
+   end What_Is_Held;
+
+   procedure Told is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 300, Old);
+      Fly (Item, 3, Old, Measuring (Yaw_Rate, 0));
+      Expect ("orbit, altitude, airspeed, orbiting",
+              URV.Law_Status.To_Row (Item) (Occurrences_High), 16#3134#);
+      Expect ("yaw rate is bit 7 of the second",
+              URV.Law_Status.To_Row (Item) (First_Frame_High), 16#80#);
+      Expect ("silent frames",
+              URV.Law_Status.To_Row (Item) (First_Frame_Low), 303);
+   end Told;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "EXT-3 with the law switches off all passes as it is",
+           All_Off'Access);
+      Add (Suite, "EXT-3 disconnect is direct in one frame",
+           Disconnected'Access);
+      Add (Suite, "EXT-3 an axis goes back to its stick at the rate limit",
+           Letting_Go'Access);
+      Add (Suite, "EXT-3 each law acts against what it measures",
+           Signs'Access);
+      Add (Suite, "EXT-3 a law whose sensor is not valid falls back",
+           Falling_Back'Access);
+      Add (Suite, "EXT-3 three words out of range are not valid",
+           Range_Check'Access);
+      Add (Suite, "EXT-3 a word that jumps away is not believed",
+           Rate_Check'Access);
+      Add (Suite, "EXT-3 a sensor that does not follow its witness is stuck",
+           Stuck_Check'Access);
+      Add (Suite, "EXT-3 without scans no law flies", Stale_Scans'Access);
+      Add (Suite, "EXT-5 each state of loss comes in its very frame",
+           Times_Of_Loss'Access);
+      Add (Suite, "EXT-5 a second of fresh uplinks is the link's return",
+           Way_Back'Access);
+      Add (Suite, "EXT-5 only the ground's order ends a termination",
+           Way_Out'Access);
+      Add (Suite, "EXT-5 on the ground a lost link idles",
+           On_The_Ground'Access);
+      Add (Suite, "EXT-5 brake and switches stay as last heard",
+           What_Is_Held'Access);
+      Add (Suite, "EXT-5 the ground is told what flies and why",
+           Told'Access);
+   end Add_To;
+
+end Laws_Tests;
