@@ -41,7 +41,7 @@ def told(urv_sim):
 
 def test_the_page_has_every_option_and_no_other(told):
     of_help = re.findall(r"^  (--[a-z]+(?: [A-Z]+)?)", told, re.M)
-    assert len(of_help) == 16
+    assert len(of_help) == 17
     assert names_in("Options of `fly`") == of_help
     on_page = {option for code in [*CODE, *(text for _, text in BLOCKS)]
                for option in re.findall(r"(?<![\w-])--[a-z]+", code)}
@@ -67,11 +67,14 @@ def test_the_page_has_every_column_and_field(tmp_path):
     (tmp_path / "faults.txt").write_text("17000 cut 60000\n")
     options = ["--faults", "faults.txt"]
     if has_jsbsim():
-        options += ["--plant", "jsbsim", "--pilot", "standard"]
+        options += ["--plant", "jsbsim", "--pilot", "standard",
+                    "--laws", "off"]
     flight = fly_in(tmp_path, *options)
+    (tmp_path / "laws").mkdir()
+    lawful = fly_in(tmp_path / "laws", "--seconds", "1", "--laws", "on")
 
     groups = [name for name in names_in("Record") if name.endswith(".*")]
-    for column in flight.record:
+    for column in (*flight.record, *lawful.record):
         assert column in CODE or any(
             column.startswith(group[:-1]) for group in groups), column
     if has_jsbsim():
