@@ -3,7 +3,7 @@
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
 .PHONY: help fly ground monte_carlo test check prove explore fuzz campaign theory bench size \
-        trace mutate planted real_time timing coverage independence clean
+        trace mutate planted real_time timing coverage independence margins clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -29,6 +29,7 @@ help:
 	@echo "  make independence  other switches, compilers, provers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
+	@echo "  make margins    poles and margins of the control laws [RENEW]"
 	@echo "  make bench      compare the simulation's speed with C's"
 	@echo "  make size       static data of each node's flight software"
 	@echo "  make trace      requirements with their links, in trace/"
@@ -107,6 +108,11 @@ timing: real_time
 	@scripts/setup.sh timing
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@python3 scripts/timing.py --seconds $(SECONDS) $(RENEW)
+
+margins:
+	@scripts/setup.sh margins
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@.venv/bin/python scripts/laws/margins.py $(RENEW)
 
 bench:
 	@scripts/setup.sh bench

@@ -5,7 +5,7 @@
 #
 #   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
 #                    fuzz|trace|mutate|real_time|timing|coverage|independence|
-#                    monte_carlo
+#                    monte_carlo|margins
 #
 # With Python packages of ground/ it also makes bin/urv.
 #
@@ -72,6 +72,10 @@ case $target in
    independence)
           packages="$build $aunit python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
+   margins)
+          packages="$build python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt
+                        scripts/laws/requirements.txt" ;;
    bench) packages="$build gcc python3"
           requirements="" ;;
    campaign)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbers of URV.Law_Gains, and what a page about them is of (EXT-7)."""
+
+import hashlib
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+ROOT = Path(__file__).resolve().parents[2]
+GAINS = ROOT / "src/laws/urv-law_gains.ads"
+AIRCRAFT = (ROOT / "sim/jsbsim/aircraft/lambda/lambda.xml",
+            *sorted((ROOT / "sim/jsbsim/engine").glob("*.xml")))
+CONSTANT = re.compile(r"^ +(\w+) *: constant :=\s+([^;]+);", re.M)
+WHOLE = re.compile(r"-?[0-9_]+|[A-Za-z]\w*")
+
+
+def number(text, known):
+    """A product or a quotient of whole numbers and names before it."""
+    value, sign = None, "*"
+    for part in re.findall(r"-?\w+|[*/]", text):
+        if part in "*/":
+            sign = part
+            continue
+        if not WHOLE.fullmatch(part):
+            raise ValueError(f"no number: {text}")
+        this = (known[part] if part[0].isalpha()
+                else int(part.replace("_", "")))
+        value = (this if value is None else
+                 value * this if sign == "*" else value // this)
+    return value
+
+
+def gains(path=GAINS):
+    """The package's numbers by name."""
+    known = {}
+    for name, value in CONSTANT.findall(path.read_text(encoding="utf-8")):
+        known[name] = number(value, known)
+    return SimpleNamespace(**known)
+
+
+def mark():
+    """Of these gains and of this aircraft."""
+    every = "\n".join(f"{name} {value}"
+                      for name, value in vars(gains()).items())
+    data = every.encode() + b"".join(path.read_bytes() for path in AIRCRAFT)
+    return hashlib.sha256(data).hexdigest()[:16]
