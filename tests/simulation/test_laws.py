@@ -2,15 +2,10 @@
 """EXT-3, EXT-5: the aircraft's control laws in flight."""
 
 import re
-import sys
 
 import pytest
 from conftest import ROOT, fly_in
 from test_flight import has_jsbsim
-
-sys.path.insert(0, str(ROOT / "scripts"))
-
-import link_cuts  # noqa: E402
 
 PILOT = ("--plant", "jsbsim", "--pilot", "standard")
 FLOWN = ("laws.lateral", "laws.vertical", "laws.power")
@@ -125,13 +120,6 @@ def test_ext5_a_cut_of_10_s_at_17_s_is_that_of_the_page(tmp_path):
     assert {word >> 12 for word in told[linked + 40:]} == {LINKED}
     assert {word >> 12 for word in told[28 * 50:linked]} <= {LINKED, ORBITING,
                                                              HOLDING}
-
-
-@pytest.mark.parametrize("second", [1, 17, 46, 77, 113, 149])
-def test_ext5_a_minute_without_link_is_survived(second):
-    """A sample of scripts/link_cuts.py, which flies them all."""
-    flown = link_cuts.fly(second, 60)
-    assert link_cuts.is_well(flown), flown
 
 
 def test_ext5_after_its_time_it_glides_and_the_link_alone_is_no_way_out(
