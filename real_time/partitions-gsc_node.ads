@@ -16,6 +16,7 @@ package Partitions.GSC_Node is new Partitions.Nodes
    AD_Board            => GSC.AD_Board,
    Telemetry_Board     => GSC.Telemetry_Board,
    Errors              => GSC.Errors,
+   Sealing             => GSC.Sealing,
    Processor_Board     => GSC.Processor_Board,
    Handle_AD_Interrupt => GSC.ADINT.Handle_Interrupt,
    AD_Task             => GSC.AD_Task,

@@ -200,6 +200,14 @@ package body Partitions.Nodes is
    function Board_Starts return Count is
      (Telemetry_Hardware.Starts_Unasked);
 
+   procedure Seal_Link
+     (Format : URV.Seals.Format_Number;
+      Keys   : URV.Seals.Key_List;
+      Start  : URV.Seal_Blocks.Nonce) is
+   begin
+      Sealing.Configure (Format, Keys, Start);
+   end Seal_Link;
+
    procedure Switch_On (Processors : Processor_Number) is
    begin
       Signals.Listen;

@@ -17,7 +17,10 @@ with URVOS.Task_Lists;
 with URVOS.Task_Trees;        use URVOS.Task_Trees;
 with URV.Buffers;             use URV.Buffers;
 with URV.Errors;
+with URV.Seal_Blocks;
+with URV.Seals;
 with URV.Shared_Errors;
+with URV.Shared_Seals;
 
 generic
    --  The node: see URVOS.Real_Time_Nodes.
@@ -40,6 +43,7 @@ generic
    AD_Board        : in out Devices.Shared_AD_Board.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Errors          : in out URV.Shared_Errors.Shared_Log;
+   Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Processor_Board : Devices.Memory_Bus.Board_Number;
    with procedure Handle_AD_Interrupt;
 
@@ -69,6 +73,12 @@ package Partitions.Nodes is
 
    --  How late the clock ticked, in tenths of microseconds.
    Lateness : Distribution;
+
+   --  Before it is switched on: see URV.Shared_Seals.
+   procedure Seal_Link
+     (Format : URV.Seals.Format_Number;
+      Keys   : URV.Seals.Key_List;
+      Start  : URV.Seal_Blocks.Nonce);
 
    --  Power up of every board.
    procedure Switch_On (Processors : Processor_Number);

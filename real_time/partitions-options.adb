@@ -3,6 +3,7 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints;   use Host.Complaints;
+with Host.Key_Files;
 with Host.Pilot;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with URVOS.Frames;      use URVOS.Frames;
@@ -13,9 +14,9 @@ package body Partitions.Options is
 
    type Option is
      (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
-      Script_Option, Console_Option, Pilot_Option, Publish_Option,
-      Plant_Option, Laws_Option, Record_Option, Summary_Option, Events_Option,
-      Quiet_Option);
+      Format_Option, Key_Option, Script_Option, Console_Option,
+      Pilot_Option, Publish_Option, Plant_Option, Laws_Option,
+      Record_Option, Summary_Option, Events_Option, Quiet_Option);
 
    --  Some have one node only.
    function Exists (This : Node; Which : Option) return Boolean is
@@ -34,6 +35,8 @@ package body Partitions.Options is
          when Seconds_Option    => "--seconds",
          when Phase_Option      => "--phase",
          when Processors_Option => "--processors",
+         when Format_Option     => "--format",
+         when Key_Option        => "--key",
          when Script_Option     => (if This = Ground then "--sticks"
                                     else "--sensors"),
          when Console_Option    => "--console",
@@ -133,6 +136,10 @@ package body Partitions.Options is
             end if;
             Chosen.Laws := Value = "on";
 
+         when Format_Option =>
+            Chosen.Format := Key_Files.Format_Of (Value);
+
+         when Key_Option     => Chosen.Key := Given;
          when Publish_Option => Add_Place (Chosen, Given);
          when Link_Option    => Chosen.Link := Given;
          when Script_Option  => Chosen.Script := Given;
@@ -173,7 +180,9 @@ package body Partitions.Options is
    begin
       if not Given (Link_Option) then
          Refuse ("--link is missing; ""--help"" explains it");
-      elsif not Given (Script_Option) then
+      end if;
+      Key_Files.Check (Chosen.Format, Given (Key_Option));
+      if not Given (Script_Option) then
          return;
       elsif Given (Console_Option) then
          Refuse_Both (Console_Option);
@@ -304,6 +313,11 @@ package body Partitions.Options is
          & " ms of the machine's clock; else at once");
       Put_Line
         ("  --processors N         so many of the node, 1 or 2; else 1");
+      Put_Line
+        ("  --format N             of the messages, 1 or 2, which is sealed;"
+         & " else 1");
+      Put_Line
+        ("  --key FILE             the keys of format 2");
       if This = Ground then
          Put_Line
            ("  --sticks FILE          the pilot's console input");

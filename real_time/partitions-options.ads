@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Host;  use Host;
 with Host.Text_Output;
+with URV.Seals;
 with URVOS;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 
@@ -45,6 +46,10 @@ package Partitions.Options is
       Phase    : Phase_Ticks := 0;
 
       Processors : Processor_Number := 1;
+
+      --  Of the messages; the file of keys is empty in format 1.
+      Format : URV.Seals.Format_Number := 1;
+      Key    : Unbounded_String;
    end record;
 
    function Parsed (This : Node) return Choices;

@@ -9,6 +9,7 @@ with GNAT.OS_Lib;
 with Host;                  use Host;
 with Host.Complaints;
 with Host.Event_Log;
+with Host.Key_Files;
 with Host.Names;
 with Host.Text_Numbers;
 with Host.Truth_Columns;
@@ -21,10 +22,12 @@ with Partitions.Outputs;    use Partitions.Outputs;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
+with URV.Seals;
 with URVOS;
 
 procedure Partitions.Run is
 
+   use type URV.Seals.Format_Number;
    use Host.Text_Output;
    use type Number;
    use type URVOS.Count;
@@ -260,6 +263,11 @@ begin
       Leave (0);
    end if;
 
+   if Chosen.Format = 2 then
+      This_Node.Seal_Link
+        (2, Host.Key_Files.Keys_From (To_String (Chosen.Key)),
+         Host.Key_Files.Random_Nonce);
+   end if;
    Prepare (Chosen);
    Links.Open (To_String (Chosen.Link));
    Outputs.Open (Files, Chosen.Outputs);

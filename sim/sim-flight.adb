@@ -7,6 +7,7 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
 with Host.Complaints;
 with Host.Event_Log;
+with Host.Key_Files;
 with Host.Names;
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
@@ -35,6 +36,8 @@ with URV.CORE_Layout;
 with URV.Errors;          use URV.Errors;
 with URV.Law_Status;
 with URV.PWM_Transform;
+with URV.Seal_Blocks;
+with URV.Seals;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 
@@ -55,6 +58,7 @@ package body Sim.Flight is
    Faults     : Sim.Faults.Script;
    Conditions : Sim.Conditions.Script;
    Files      : File_Set;
+   Keys       : URV.Seals.Key_List := (others => (others => <>));
 
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
@@ -156,6 +160,9 @@ package body Sim.Flight is
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
+      if Given (Chosen.Key) then
+         Keys := Key_Files.Keys_From (To_String (Chosen.Key));
+      end if;
       if Given (Chosen.Inputs (Stick_File)) then
          Stick_Scripts.Load (Sticks, To_String (Chosen.Inputs (Stick_File)));
       end if;
@@ -415,6 +422,8 @@ package body Sim.Flight is
             else Stick_Scripts.Length (Sticks)));
 
       Nodes.Set_Laws (Has_Laws (Chosen));
+      Nodes.Seal_Link
+        (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
       Engine.Start
         (Lag        => Lag_Of (Chosen),
          Script     => Faults,

@@ -43,6 +43,17 @@ package body Sim.Nodes is
       end if;
    end Complain;
 
+   procedure Seal_Link
+     (Format : URV.Seals.Format_Number;
+      Keys   : URV.Seals.Key_List;
+      Start  : URV.Seal_Blocks.Nonce)
+   is
+      use type URV.Seal_Blocks.Nonce;
+   begin
+      GSC.Sealing.Configure (Format, Keys, Start);
+      MCS.Sealing.Configure (Format, Keys, not Start);
+   end Seal_Link;
+
    procedure Start
      (Which      : Node;
       Condition  : Start_Condition;

@@ -11,6 +11,8 @@ with Telemetry.Boards;
 with URV.Buffers;  use URV.Buffers;
 with URV.Errors;
 with URV.Laws;
+with URV.Seal_Blocks;
+with URV.Seals;
 with URVOS;        use URVOS;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
@@ -19,6 +21,13 @@ package Sim.Nodes is
 
    --  Of the aircraft's node.
    subtype Processor_Count is Positive range 1 .. 2;
+
+   --  Before the nodes are switched on: the format of messages, the keys of
+   --  format 2, which both have, and what their nonces are made of.
+   procedure Seal_Link
+     (Format : URV.Seals.Format_Number;
+      Keys   : URV.Seals.Key_List;
+      Start  : URV.Seal_Blocks.Nonce);
 
    --  The controller starts, at power up the telemetry board too. Raised:
    --  here and below, the controller's program has raised an exception that

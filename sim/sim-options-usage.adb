@@ -58,6 +58,9 @@ package body Sim.Options.Usage is
          Put ("  --processors N    of each node, 1 or 2 (1)");
          Put ("  --laws LAWS       the aircraft's control laws, on or off");
          Put ("                    (on with jsbsim, off with the bench)");
+         Put ("  --format N        of the messages, 1 or 2, which is sealed"
+              & " (1)");
+         Put ("  --key FILE        both nodes' keys, for format 2");
          Put ("  --record FILE     flight record, CSV");
          Put ("  --summary FILE    result, JSON");
          Put ("  --wire FILE       every byte on the serial link, CSV");

@@ -3,6 +3,7 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints;   use Host.Complaints;
+with Host.Key_Files;
 with Host.Pilot;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Sim.Options.Usage;
@@ -14,8 +15,9 @@ package body Sim.Options is
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Seed_Option,
-      Phase_Option, Processors_Option, Laws_Option, Record_Option,
-      Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
+      Phase_Option, Processors_Option, Laws_Option, Format_Option,
+      Key_Option, Record_Option, Summary_Option, Wire_Option, Events_Option,
+      Pace_Option, Quiet_Option);
 
    Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
@@ -35,6 +37,8 @@ package body Sim.Options is
          when Phase_Option      => "--phase",
          when Processors_Option => "--processors",
          when Laws_Option       => "--laws",
+         when Format_Option     => "--format",
+         when Key_Option        => "--key",
          when Record_Option     => "--record",
          when Summary_Option    => "--summary",
          when Wire_Option       => "--wire",
@@ -196,6 +200,10 @@ package body Sim.Options is
                Refuse_Value (Which, Value, "is neither ""on"" nor ""off""");
             end if;
 
+         when Format_Option  =>
+            Chosen.Format := Key_Files.Format_Of (Value);
+         when Key_Option     =>
+            Chosen.Key := To_Unbounded_String (Value);
          when Pilot_Option   =>
             Chosen.Pilot := To_Unbounded_String (Value);
          when Sticks_Option  =>
@@ -279,6 +287,7 @@ package body Sim.Options is
 
    procedure Check_Conflicts (Chosen : Choices; Given : Option_Set) is
    begin
+      Key_Files.Check (Chosen.Format, Given (Key_Option));
       if Given (Pilot_Option) and then Given (Sticks_Option) then
          Refuse
            (Name (Pilot_Option) & " and " & Name (Sticks_Option)

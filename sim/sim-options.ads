@@ -9,6 +9,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Host.Text_Output;
 with Sim.Nodes;
 with Sim.Noise;
+with URV.Seals;
 
 package Sim.Options is
 
@@ -30,6 +31,8 @@ package Sim.Options is
    subtype Processor_Count is Nodes.Processor_Count;
 
    subtype Seed_Number is Noise.Seed_Number;
+
+   subtype Format_Number is URV.Seals.Format_Number;
 
    type Input_File is
      (Stick_File, Sensor_File, Fault_File, Condition_File);
@@ -58,6 +61,9 @@ package Sim.Options is
       Processors : Processor_Count := 1;
 
       Laws : Law_Choice := By_Plant;
+      --  Of the messages; the file of keys is empty in format 1.
+      Format : Format_Number := 1;
+      Key    : Unbounded_String;
 
       --  The flight the simulated pilot flies; empty for nobody.
       Pilot : Unbounded_String;

@@ -16,8 +16,8 @@ from pathlib import Path
 
 import typer
 
-from urv import (convert, faults, ground, mavlink, monte_carlo, pictures,
-                 report, station, xtce)
+from urv import (convert, faults, ground, keygen, mavlink, monte_carlo,
+                 pictures, report, station, xtce)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -59,6 +59,7 @@ app.command()(xtce.xtce)
 app.command()(station.station)
 app.command()(mavlink.mavlink)
 app.command()(ground.ground)
+app.command()(keygen.keygen)
 app.command()(pictures.pictures)
 app.command("monte-carlo")(monte_carlo.monte_carlo)
 

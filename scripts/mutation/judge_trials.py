@@ -53,6 +53,7 @@ TESTS = {
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],
     "scripts/proof_canaries.py": ["canaries", "proof_record"],
+    "scripts/seal_tags.py": ["seal"],
     "scripts/safety/*": ["safety_monitor", "safety_mixes"],
     "scripts/trace/*": ["traceability"],
     # The others have a file of tests of their name.

@@ -62,7 +62,10 @@ package URV.Errors with Pure, SPARK_Mode is
       --  URV.Link_Loss.Link_State, from 0; of the second: the sensor's place
       --  in the downlink, from 1.
       Link_Loss_State,         --  the link was lost for so long, or is back
-      Sensor_Not_Valid);       --  range, rate or stuck
+      Sensor_Not_Valid,        --  range, rate or stuck
+
+      --  Sealed link. Detail: why, as URV.Seals.Refused has it, from 1.
+      Block_Refused);          --  a block came that is not the peer's
 
    package Logs is new URVOS.Error_Logs (Error_Kind);
 

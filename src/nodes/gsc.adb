@@ -44,6 +44,7 @@ package body GSC with SPARK_Mode is
 
    procedure Reset_Variables is
    begin
+      Sealing.Begin_Anew;
       ADINT_Variable.Reset;
       AD_Variable.Reset;
       TELIN_Variable.Reset;

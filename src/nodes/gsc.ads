@@ -30,6 +30,7 @@ with URV.Output_Exchange_Task;
 with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
+with URV.Shared_Seals;
 with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
@@ -63,6 +64,8 @@ package GSC with SPARK_Mode is
 
    Errors : URV.Shared_Errors.Shared_Log;
 
+   Sealing : URV.Shared_Seals.Shared_Seal (Telemetry.Ground);
+
    Status : URV.Shared_Status.Status;
 
    --  Tasks
@@ -75,7 +78,7 @@ package GSC with SPARK_Mode is
       Errors, ADINT.Begin_Scan);
 
    package TELIN is new URV.TELIN_Task
-     (For_Downlink, Telemetry_Board, TELIN_Variable, Errors, As_Old,
+     (For_Downlink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
       Downlink.Decode);
 
    package Log_Receiver is new URV.Log_Receivers (CORE_Memory);
@@ -119,7 +122,8 @@ package GSC with SPARK_Mode is
       Add_For_Link      => Add_Nothing);
 
    package TELOUT is new URV.TELOUT_Task
-     (For_Uplink, TELOUT_Variable, Telemetry_Board, Errors, Uplink.Encode);
+     (For_Uplink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,
+      Uplink.Encode);
 
    package CORE is new URV.CORE_Task
      (Uplink_Variable, Downlink_Variable, CORE_Memory, Errors);

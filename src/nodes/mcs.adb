@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Telemetry;      use Telemetry;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Laws;
 with URV.PWM_Layout;
@@ -61,6 +62,7 @@ package body MCS with SPARK_Mode is
 
    procedure Reset_Variables is
    begin
+      Sealing.Begin_Anew;
       PWM_Board.Write (URV.PWM_Layout.Safe_Area);
       ADINT_Variable.Reset;
       AD_Variable.Reset;
@@ -88,12 +90,13 @@ package body MCS with SPARK_Mode is
    end Restart_Variables;
 
    procedure Say_Refused is
+      Data      : Block_Data :=
+        Downlink.Encode
+          (Marked (Neutral_Downlink, URV.Buffers.Self_Test_Failed));
       Overwrote : Boolean;
    begin
-      Telemetry_Board.Put
-        (Downlink.Encode
-           (Marked (Neutral_Downlink, URV.Buffers.Self_Test_Failed)),
-         Overwrote);
+      Sealing.Close (Data);
+      Telemetry_Board.Put (Data, Overwrote);
       if Overwrote then
          Errors.Report (TELOUT_Overwrote_Block, 0);
       end if;

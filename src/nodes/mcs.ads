@@ -34,6 +34,7 @@ with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Shared_Seals;
 with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
@@ -72,6 +73,8 @@ package MCS with SPARK_Mode is
 
    Errors : URV.Shared_Errors.Shared_Log;
 
+   Sealing : URV.Shared_Seals.Shared_Seal (Telemetry.Aircraft);
+
    Status : URV.Shared_Status.Status;
 
    --  The control laws: off unless they are set on before a start (EXT-3).
@@ -90,7 +93,7 @@ package MCS with SPARK_Mode is
       Errors, ADINT.Begin_Scan);
 
    package TELIN is new URV.TELIN_Task
-     (For_Uplink, Telemetry_Board, TELIN_Variable, Errors, As_Old,
+     (For_Uplink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
       Uplink.Decode);
 
    --  In CORE as it came.
@@ -143,7 +146,7 @@ package MCS with SPARK_Mode is
    package PWM is new URV.PWM_Task (PWM_Variable, PWM_Board, Errors);
 
    package TELOUT is new URV.TELOUT_Task
-     (For_Downlink, TELOUT_Variable, Telemetry_Board, Errors,
+     (For_Downlink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,
       Downlink.Encode);
 
    package CORE is new URV.CORE_Task

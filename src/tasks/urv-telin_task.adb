@@ -1,6 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URV.Errors; use URV.Errors;
+with URV.Seals;  use URV.Seals;
+with URVOS;      use URVOS;
 
 package body URV.TELIN_Task with SPARK_Mode is
 
@@ -14,11 +16,18 @@ package body URV.TELIN_Task with SPARK_Mode is
       Data          : Block_Data;
       Fresh         : Boolean;
       Ever_Received : Boolean;
+      What          : Outcome;
       Success       : Boolean;
    begin
       Telemetry_Board.Take (Data, Fresh, Ever_Received);
+      Sealing.Open (Data, Fresh, What);
+      if What in Refused then
+         Errors.Report
+           (Block_Refused,
+            Word (Outcome'Pos (What) - Outcome'Pos (Refused'First) + 1));
+      end if;
 
-      if Fresh then
+      if What in Taken then
          Kept := (Decode (Data), Has_Message => True);
       else
          Kept.Buffer := As_Old (Kept.Buffer);

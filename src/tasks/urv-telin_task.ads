@@ -8,17 +8,21 @@
 --  Nothing is sent until the board has received its first message, nor
 --  after a restart until a message has come: the one before the restart is
 --  lost, and what stands for it would reach the servos.
+--
+--  A block that the seal does not open is none (SEC-1).
 
 with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
 with URVOS.Shared_Data;
 with URVOS.Shared_Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Seals;
 
 generic
    with package Messages is new URVOS.Shared_Mailboxes (<>);
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    TELIN_Variable  : in out Messages.Variable;
+   Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
    with function As_Old
      (Source : Messages.Message) return Messages.Message;
@@ -40,6 +44,7 @@ package URV.TELIN_Task with SPARK_Mode is
    procedure Run_Transaction
    with
      Global =>
-       (In_Out => (Previous, Telemetry_Board, TELIN_Variable, Errors));
+       (In_Out =>
+          (Previous, Telemetry_Board, TELIN_Variable, Sealing, Errors));
 
 end URV.TELIN_Task;

@@ -6,13 +6,16 @@ package body URV.TELOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction is
       Item      : Messages.Message;
+      Data      : Block_Data;
       Fresh     : Boolean;
       Overwrote : Boolean;
    begin
       TELOUT_Variable.Receive (Item, Fresh);
 
       if Fresh then
-         Telemetry_Board.Put (Encode (Item), Overwrote);
+         Data := Encode (Item);
+         Sealing.Close (Data);
+         Telemetry_Board.Put (Data, Overwrote);
          if Overwrote then
             Errors.Report (TELOUT_Overwrote_Block, 0);
          end if;

@@ -5,22 +5,26 @@
 --
 --  Consumes TELOUT_variable, produces the board's transmit buffers. When no
 --  buffer is available the newest data overwrites; when nothing new has
---  come nothing is written.
+--  come nothing is written. The block is sealed first (SEC-1).
 
 with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
 with URVOS.Shared_Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Seals;
 
 generic
    with package Messages is new URVOS.Shared_Mailboxes (<>);
    TELOUT_Variable : in out Messages.Variable;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
    with function Encode (Item : Messages.Message) return Block_Data;
 package URV.TELOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction
-   with Global => (In_Out => (TELOUT_Variable, Telemetry_Board, Errors));
+   with
+     Global =>
+       (In_Out => (TELOUT_Variable, Telemetry_Board, Sealing, Errors));
 
 end URV.TELOUT_Task;

@@ -25,6 +25,7 @@ with Real_Time_Nodes_Tests;
 with Receive_Calls_Tests;
 with Receivers_Tests;
 with Schedulers_Tests;
+with Seal_Tests;
 with Self_Test_Tests;
 with Semaphores_Tests;
 with Senders_Tests;
@@ -63,6 +64,7 @@ package body All_Tests is
       Senders_Tests.Add_To (Result);
       Buffers_Tests.Add_To (Result);
       Codecs_Tests.Add_To (Result);
+      Seal_Tests.Add_To (Result);
       AD_Tests.Add_To (Result);
       Exchange_Tests.Add_To (Result);
       Telemetry_Task_Tests.Add_To (Result);

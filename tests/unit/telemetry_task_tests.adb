@@ -14,6 +14,7 @@ with URV.Errors;    use URV.Errors;
 with URV.Mailboxes; use URV.Mailboxes;
 with URV.Routing;   use URV.Routing;
 with URV.Shared_Errors;
+with URV.Shared_Seals;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 
@@ -47,10 +48,14 @@ package body Telemetry_Task_Tests is
 
    Errors : URV.Shared_Errors.Shared_Log;
 
+   Sealing_In  : URV.Shared_Seals.Shared_Seal (Aircraft);
+   Sealing_Out : URV.Shared_Seals.Shared_Seal (Ground);
+
    package TELIN is new URV.TELIN_Task
      (Messages        => For_Uplink,
       Telemetry_Board => Board_In,
       TELIN_Variable  => Input,
+      Sealing         => Sealing_In,
       Errors          => Errors,
       As_Old          => As_Old,
       Decode          => URV.Codecs.Uplink.Decode);
@@ -59,6 +64,7 @@ package body Telemetry_Task_Tests is
      (Messages        => For_Downlink,
       TELOUT_Variable => Output,
       Telemetry_Board => Board_Out,
+      Sealing         => Sealing_Out,
       Errors          => Errors,
       Encode          => URV.Codecs.Downlink.Encode);
 

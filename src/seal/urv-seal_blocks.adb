@@ -1,0 +1,89 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body URV.Seal_Blocks with SPARK_Mode is
+
+   function Packed
+     (Data   : Block_Data;
+      Sender : Station;
+      Number : Counter) return Block_Data
+   is
+      Result : Block_Data := [others => 0];
+      First  : Field;
+      Second : Field;
+   begin
+      Result (1) :=
+        Sealed_Mark or Byte (Word_At (Data, Words_Of (Sender)) mod 16);
+
+      for Pair in Byte_Index range 1 .. Words_Of (Sender) / 2 loop
+         First := Field_Of (Data, Sender, Number, 2 * Pair - 1);
+         Second := Field_Of (Data, Sender, Number, 2 * Pair);
+         Result (3 * Pair - 1) := Byte (First / 16);
+         Result (3 * Pair) :=
+           Byte (First mod 16) * 16 + Byte (Second / 256);
+         Result (3 * Pair + 1) := Byte (Second mod 256);
+
+         pragma Assert (Field_At (Result, 2 * Pair - 1) = First);
+         pragma Assert (Field_At (Result, 2 * Pair) = Second);
+         pragma Loop_Invariant (Result (1) = Result'Loop_Entry (1));
+         pragma Loop_Invariant
+           (for all Which in Word_Place =>
+              (if Which <= 2 * Pair
+               then Field_At (Result, Which) =
+                      Field_Of (Data, Sender, Number, Which)));
+      end loop;
+
+      if Sender = Aircraft then
+         for Where in Byte_Index range 1 .. 4 loop
+            Result (44 + Where) := Byte_Of (Number, Where);
+            pragma Loop_Invariant
+              (for all Before in Byte_Index range 1 .. 44 =>
+                 Result (Before) = Result'Loop_Entry (Before));
+            pragma Loop_Invariant
+              (for all Done in Byte_Index range 1 .. Where =>
+                 Result (44 + Done) = Byte_Of (Number, Done));
+         end loop;
+      end if;
+      return Result;
+   end Packed;
+
+   function Unpacked
+     (Block  : Block_Data;
+      Sender : Station) return Block_Data
+   is
+      Result : Block_Data := [others => 0];
+      Value  : Word;
+   begin
+      for Which in Word_Place range 1 .. Words_Of (Sender) loop
+         Value := Told (Block, Sender, Which);
+         Result (2 * Which - 1) := Byte (Value / 256);
+         Result (2 * Which) := Byte (Value mod 256);
+
+         pragma Loop_Invariant
+           (for all Done in Word_Place =>
+              (if Done <= Which
+               then Word_At (Result, Done) = Told (Block, Sender, Done)));
+      end loop;
+      return Result;
+   end Unpacked;
+
+   --  It takes as long wherever the tag is wrong (SEC-2).
+   function Has_Tag
+     (Block  : Block_Data;
+      Sender : Station;
+      Item   : Unsigned_64) return Boolean
+   is
+      Differs : Byte := 0;
+   begin
+      for Where in Byte_Index range 1 .. Tag_Bytes (Sender) loop
+         Differs := Differs
+           or (Block (Covered (Sender) + Where) xor Tag_Byte (Item, Where));
+
+         pragma Loop_Invariant
+           ((Differs = 0) =
+              (for all Done in Byte_Index range 1 .. Where =>
+                 Block (Covered (Sender) + Done) = Tag_Byte (Item, Done)));
+      end loop;
+      return Differs = 0;
+   end Has_Tag;
+
+end URV.Seal_Blocks;

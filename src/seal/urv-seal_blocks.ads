@@ -1,0 +1,264 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Message format 2: what the bytes of a block are (SEC-1).
+--
+--                  uplink        downlink
+--     mark         byte 1        byte 1        high half; low half: flags
+--     fields       bytes 2..22   bytes 2..43   of 12 bits, two in three bytes
+--     counter      last field    bytes 45..48
+--     tag          bytes 23..28  bytes 49..56
+--
+--  The fields are the block's words but the last, which is the error/status
+--  word: its four flags stand in byte 1, the log's piece above them is the
+--  last field of a downlink (D-15). A word that exceeds 12 bits goes as
+--  0FFFh, as which it would reach a servo (D-11).
+--
+--  A hello has another mark; its bytes are a key's number and two nonces.
+--  In format 1 the first byte's high half is 0, unless a converter gives
+--  more than 12 bits.
+
+with Interfaces;   use Interfaces;
+with Telemetry;    use Telemetry;
+with URVOS;        use URVOS;
+with URV.Sip_Hash; use URV.Sip_Hash;
+
+package URV.Seal_Blocks with Pure, SPARK_Mode is
+
+   Sealed_Mark : constant Byte := 16#A0#;
+   Hello_Mark  : constant Byte := 16#B0#;
+
+   function Mark_Of (Block : Block_Data) return Byte is
+     (Block (1) and 16#F0#)
+   with Global => null;
+
+   --  The ground sends uplinks, the aircraft downlinks.
+
+   subtype Word_Total is Byte_Count range 14 .. 28;
+   subtype Word_Place is Byte_Count range 1 .. 28;
+
+   function Words_Of (Sender : Station) return Word_Total is
+     (if Sender = Ground then 14 else 28)
+   with Global => null;
+
+   --  What the tag is of.
+   function Covered (Sender : Station) return Byte_Index is
+     (if Sender = Ground then 22 else 48)
+   with Global => null;
+
+   subtype Tag_Length is Byte_Count range 6 .. 8;
+
+   function Tag_Bytes (Sender : Station) return Tag_Length is
+     (if Sender = Ground then 6 else 8)
+   with Global => null;
+
+   --  Blocks of a session are numbered from 1; 50 a second last 16 months.
+   type Counter is range 0 .. 2 ** 31 - 1;
+   subtype Block_Number is Counter range 1 .. Counter'Last;
+
+   --  A word of format 1.
+   function Word_At (Data : Block_Data; Which : Word_Place) return Word is
+     (Word (Data (2 * Which - 1)) * 256 + Word (Data (2 * Which)))
+   with Global => null;
+
+   subtype Field is Word range 0 .. 16#FFF#;
+
+   function Clipped (Value : Word) return Field is
+     (Word'Min (Value, Field'Last))
+   with Global => null;
+
+   --  The last field of an uplink.
+   Numbers_Told : constant := 2 ** 12;
+
+   function Field_Of
+     (Data   : Block_Data;
+      Sender : Station;
+      Number : Counter;
+      Which  : Word_Place) return Field
+   is
+     (if Which < Words_Of (Sender) then Clipped (Word_At (Data, Which))
+      elsif Sender = Ground then Word (Number mod Numbers_Told)
+      else Word_At (Data, Which) / 16)
+   with
+     Global => null,
+     Pre    => Which <= Words_Of (Sender);
+
+   --  Where a field stands: the first of its pair in a byte and the high
+   --  half of the next, the second in the low half of that and a byte.
+   function Field_At (Block : Block_Data; Which : Word_Place) return Field is
+     (if Which mod 2 = 1
+      then Word (Block (3 * (Which / 2) + 2)) * 16
+           + Word (Block (3 * (Which / 2) + 3)) / 16
+      else Word (Block (3 * (Which / 2)) mod 16) * 256
+           + Word (Block (3 * (Which / 2) + 1)))
+   with Global => null;
+
+   function Byte_Of (Number : Counter; Where : Byte_Index) return Byte is
+     (case Where is
+         when 1      => Byte (Number / 2 ** 24),
+         when 2      => Byte (Number / 2 ** 16 mod 256),
+         when 3      => Byte (Number / 2 ** 8 mod 256),
+         when others => Byte (Number mod 256))
+   with
+     Global => null,
+     Pre    => Where <= 4;
+
+   --  A downlink's number. One that is too high is that of no block.
+   function Number_At (Block : Block_Data) return Counter is
+     (if Block (45) > 127 then 0
+      else Counter (Block (45)) * 2 ** 24 + Counter (Block (46)) * 2 ** 16
+           + Counter (Block (47)) * 2 ** 8 + Counter (Block (48)))
+   with Global => null;
+
+   --  A block of format 1 in format 2, without its tag.
+   function Packed
+     (Data   : Block_Data;
+      Sender : Station;
+      Number : Counter) return Block_Data
+   with
+     Global => null,
+     Post   =>
+       Packed'Result (1) =
+         (Sealed_Mark
+          or Byte (Word_At (Data, Words_Of (Sender)) mod 16))
+       and then
+         (for all Which in Word_Place =>
+            (if Which <= Words_Of (Sender)
+             then Field_At (Packed'Result, Which) =
+                    Field_Of (Data, Sender, Number, Which)))
+       and then
+         (if Sender = Aircraft
+          then
+            (for all Where in Byte_Index range 1 .. 4 =>
+               Packed'Result (44 + Where) = Byte_Of (Number, Where)));
+
+   --  The words of a block of format 2.
+   function Told
+     (Block  : Block_Data;
+      Sender : Station;
+      Which  : Word_Place) return Word
+   is
+     (if Which < Words_Of (Sender) then Field_At (Block, Which)
+      elsif Sender = Ground then Word (Block (1) and 16#0F#)
+      else Field_At (Block, Which) * 16 + Word (Block (1) and 16#0F#))
+   with
+     Global => null,
+     Pre    => Which <= Words_Of (Sender);
+
+   --  A block of format 2 in format 1.
+   function Unpacked
+     (Block  : Block_Data;
+      Sender : Station) return Block_Data
+   with
+     Global => null,
+     Post   =>
+       (for all Which in Word_Place =>
+          (if Which <= Words_Of (Sender)
+           then Word_At (Unpacked'Result, Which) =
+                  Told (Block, Sender, Which)));
+
+   --  Nonces: of a node's start, and one further with each session. The
+   --  high byte first.
+   type Nonce is new Unsigned_64;
+
+   function Byte_Of (Item : Nonce; Where : Byte_Index) return Byte is
+     (Byte (Shift_Right (Unsigned_64 (Item), 8 * (8 - Integer (Where)))
+            and 16#FF#))
+   with
+     Global => null,
+     Pre    => Where <= 8;
+
+   function Nonce_At (Block : Block_Data; First : Byte_Index) return Nonce is
+     (Nonce
+        (Shift_Left (Unsigned_64 (Block (First)), 56)
+         or Shift_Left (Unsigned_64 (Block (First + 1)), 48)
+         or Shift_Left (Unsigned_64 (Block (First + 2)), 40)
+         or Shift_Left (Unsigned_64 (Block (First + 3)), 32)
+         or Shift_Left (Unsigned_64 (Block (First + 4)), 24)
+         or Shift_Left (Unsigned_64 (Block (First + 5)), 16)
+         or Shift_Left (Unsigned_64 (Block (First + 6)), 8)
+         or Unsigned_64 (Block (First + 7))))
+   with
+     Global => null,
+     Pre    => First <= 49;
+
+   --  A hello, without its tag: the sender's nonce, and the one of the other
+   --  node that it answers, or 0. An uplink's answers none.
+
+   type Key_Number is range 0 .. 255;
+
+   Own_Place      : constant Byte_Index := 3;
+   Answered_Place : constant Byte_Index := 11;
+
+   function Hello
+     (Number   : Key_Number;
+      Own      : Nonce;
+      Answered : Nonce) return Block_Data
+   is
+     ([for Where in Byte_Index =>
+         (if Where = 1 then Hello_Mark
+          elsif Where = 2 then Byte (Number)
+          elsif Where in 3 .. 10 then Byte_Of (Own, Where - 2)
+          elsif Where in 11 .. 18 then Byte_Of (Answered, Where - 10)
+          else 0)])
+   with Global => null;
+
+   --  The tag
+
+   --  The number of the block, which need not be on the wire, and the bytes.
+   function Message_Of
+     (Block  : Block_Data;
+      Sender : Station;
+      Number : Counter) return Message
+   is
+     ((Length => Message_Length (Covered (Sender)) + 4,
+       Bytes  =>
+         [for Where in Message_Index =>
+            (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
+             elsif Where <= Message_Length (Covered (Sender)) + 4
+             then Block (Byte_Index (Where - 4))
+             else 0)]))
+   with Global => null;
+
+   function Tag_Of
+     (Block    : Block_Data;
+      Sender   : Station;
+      Number   : Counter;
+      With_Key : Key) return Unsigned_64
+   is (Tag (Message_Of (Block, Sender, Number), With_Key))
+   with Global => null;
+
+   --  Its low byte first; an uplink has the first six.
+   function Tag_Byte (Item : Unsigned_64; Where : Byte_Index) return Byte is
+     (Byte (Shift_Right (Item, 8 * (Integer (Where) - 1)) and 16#FF#))
+   with
+     Global => null,
+     Pre    => Where <= Tag_Length'Last;
+
+   function Has_Tag
+     (Block  : Block_Data;
+      Sender : Station;
+      Item   : Unsigned_64) return Boolean
+   with
+     Global => null,
+     Post   =>
+       Has_Tag'Result =
+         (for all Where in Byte_Index =>
+            (if Where <= Tag_Bytes (Sender)
+             then Block (Covered (Sender) + Where) =
+                    Tag_Byte (Item, Where)));
+
+   function With_Tag
+     (Block  : Block_Data;
+      Sender : Station;
+      Item   : Unsigned_64) return Block_Data
+   is
+     ([for Where in Byte_Index =>
+         (if Where > Covered (Sender)
+            and then Where <= Covered (Sender) + Tag_Bytes (Sender)
+          then Tag_Byte (Item, Where - Covered (Sender))
+          else Block (Where))])
+   with
+     Global => null,
+     Post   => Has_Tag (With_Tag'Result, Sender, Item);
+
+end URV.Seal_Blocks;

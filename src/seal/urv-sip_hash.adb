@@ -1,0 +1,62 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body URV.Sip_Hash with SPARK_Mode is
+
+   procedure Mix (S : in out State)
+   with
+     Global => null,
+     Post   => S = Round (S'Old);
+
+   procedure Mix (S : in out State) is
+      Before : constant State := S with Ghost;
+      Half   : State with Ghost;
+   begin
+      S.V0 := S.V0 + S.V1;
+      S.V2 := S.V2 + S.V3;
+      S.V1 := Rotate_Left (S.V1, 13) xor S.V0;
+      S.V3 := Rotate_Left (S.V3, 16) xor S.V2;
+      S.V0 := Rotate_Left (S.V0, 32);
+      Half := S;
+      pragma Assert (Half = Half_Round (Before, 13, 16));
+
+      S.V2 := S.V2 + S.V1;
+      S.V0 := S.V0 + S.V3;
+      S.V1 := Rotate_Left (S.V1, 17) xor S.V2;
+      S.V3 := Rotate_Left (S.V3, 21) xor S.V0;
+      S.V2 := Rotate_Left (S.V2, 32);
+      pragma Assert (S = Crossed (Half_Round (Crossed (Half), 17, 21)));
+   end Mix;
+
+   function Tag (Item : Message; With_Key : Key) return Unsigned_64 is
+      S    : State := Initial (With_Key);
+      Data : Unsigned_64;
+
+      Before : State with Ghost;
+   begin
+      for Which in Word_Count range 0 .. Words_Of (Item) - 1 loop
+         Before := S;
+         Data := Word_At (Item, Which);
+         S.V3 := S.V3 xor Data;
+         Mix (S);
+         Mix (S);
+         S.V0 := S.V0 xor Data;
+         pragma Assert (S = Absorbed (Before, Data));
+         pragma Loop_Invariant (S = After (Item, With_Key, Which + 1));
+      end loop;
+
+      Before := S;
+      S.V2 := S.V2 xor 16#FF#;
+      Mix (S);
+      Mix (S);
+      Mix (S);
+      Mix (S);
+      pragma Assert (S = Finished (Before));
+      pragma Assert
+        (S = Finished (After (Item, With_Key, Words_Of (Item))));
+      pragma Assert
+        (Reference (Item, With_Key)
+           = Folded (Finished (After (Item, With_Key, Words_Of (Item)))));
+      return Folded (S);
+   end Tag;
+
+end URV.Sip_Hash;

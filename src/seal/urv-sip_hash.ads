@@ -1,0 +1,140 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  SipHash-2-4 (Aumasson and Bernstein, 2012), a keyed hash of short
+--  messages: the tag of a sealed block, and what session keys are made with
+--  (SEC-2).
+--
+--  Round, Absorbed and Reference are the paper, as functions. Tag is the
+--  code, and is proved to be Reference.
+
+with Interfaces; use Interfaces;
+with URVOS;      use URVOS;
+
+package URV.Sip_Hash with Pure, SPARK_Mode is
+
+   --  The paper's k0 and k1: 16 bytes, the low byte of each half first.
+   type Key is record
+      K0 : Unsigned_64;
+      K1 : Unsigned_64;
+   end record;
+
+   --  A message of up to 63 bytes; those behind Length do not matter.
+   type Message_Length is range 0 .. 63;
+   subtype Message_Index is Message_Length range 1 .. Message_Length'Last;
+   type Octets is array (Message_Index) of Byte;
+
+   type Message is record
+      Length : Message_Length := 0;
+      Bytes  : Octets         := (others => 0);
+   end record;
+
+   --  The paper's words of 8 bytes: the message, zeros, and in the last byte
+   --  of the last word the length.
+   type Word_Count is range 0 .. 8;
+   subtype Word_Number is Word_Count range 0 .. 7;
+   subtype Byte_Number is Natural range 0 .. 7;
+
+   function Words_Of (Item : Message) return Word_Count is
+     (Word_Count (Item.Length / 8) + 1)
+   with Global => null;
+
+   function Padded
+     (Item  : Message;
+      Which : Word_Number;
+      Where : Byte_Number) return Byte
+   is
+     (if 8 * Natural (Which) + Where < Natural (Item.Length)
+      then Item.Bytes (Message_Index (8 * Natural (Which) + Where + 1))
+      elsif Which = Words_Of (Item) - 1 and then Where = 7
+      then Byte (Item.Length)
+      else 0)
+   with Global => null;
+
+   function Word_At
+     (Item  : Message;
+      Which : Word_Number) return Unsigned_64
+   is
+     (Unsigned_64 (Padded (Item, Which, 0))
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 1)), 8)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 2)), 16)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 3)), 24)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 4)), 32)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 5)), 40)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 6)), 48)
+      or Shift_Left (Unsigned_64 (Padded (Item, Which, 7)), 56))
+   with Global => null;
+
+   --  The state, and a SipRound: two halves of the same shape.
+
+   type State is record
+      V0, V1, V2, V3 : Unsigned_64;
+   end record;
+
+   function Half_Round (S : State; Left, Right : Positive) return State is
+     ((V0 => Rotate_Left (S.V0 + S.V1, 32),
+       V1 => Rotate_Left (S.V1, Left) xor (S.V0 + S.V1),
+       V2 => S.V2 + S.V3,
+       V3 => Rotate_Left (S.V3, Right) xor (S.V2 + S.V3)))
+   with
+     Ghost,
+     Global => null,
+     Pre    => Left < 64 and then Right < 64;
+
+   function Crossed (S : State) return State is
+     ((V0 => S.V2, V1 => S.V1, V2 => S.V0, V3 => S.V3))
+   with Ghost, Global => null;
+
+   function Round (S : State) return State is
+     (Crossed (Half_Round (Crossed (Half_Round (S, 13, 16)), 17, 21)))
+   with Ghost, Global => null;
+
+   --  From the key to the tag.
+
+   function Initial (With_Key : Key) return State is
+     ((V0 => With_Key.K0 xor 16#736F6D6570736575#,
+       V1 => With_Key.K1 xor 16#646F72616E646F6D#,
+       V2 => With_Key.K0 xor 16#6C7967656E657261#,
+       V3 => With_Key.K1 xor 16#7465646279746573#))
+   with Global => null;
+
+   --  Two rounds a word.
+   function Absorbed (S : State; Data : Unsigned_64) return State is
+     ((Round (Round ((S with delta V3 => S.V3 xor Data)))
+       with delta V0 =>
+         Round (Round ((S with delta V3 => S.V3 xor Data))).V0 xor Data))
+   with Ghost, Global => null;
+
+   function After
+     (Item     : Message;
+      With_Key : Key;
+      Number   : Word_Count) return State
+   is
+     (if Number = 0 then Initial (With_Key)
+      else Absorbed (After (Item, With_Key, Number - 1),
+                     Word_At (Item, Number - 1)))
+   with
+     Ghost,
+     Global             => null,
+     Subprogram_Variant => (Decreases => Number);
+
+   --  Four at the end.
+   function Finished (S : State) return State is
+     (Round (Round (Round (Round ((S with delta V2 => S.V2 xor 16#FF#))))))
+   with Ghost, Global => null;
+
+   function Folded (S : State) return Unsigned_64 is
+     (S.V0 xor S.V1 xor S.V2 xor S.V3)
+   with Global => null;
+
+   function Reference
+     (Item     : Message;
+      With_Key : Key) return Unsigned_64
+   is (Folded (Finished (After (Item, With_Key, Words_Of (Item)))))
+   with Ghost, Global => null;
+
+   function Tag (Item : Message; With_Key : Key) return Unsigned_64
+   with
+     Global => null,
+     Post   => Tag'Result = Reference (Item, With_Key);
+
+end URV.Sip_Hash;

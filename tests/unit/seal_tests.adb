@@ -1,0 +1,594 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Interfaces;      use Interfaces;
+
+with Checks;          use Checks;
+with Expectations;    use Expectations;
+with Expect_Value;
+with Published_Tags;  use Published_Tags;
+with Telemetry;       use Telemetry;
+with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Seals;       use URV.Seals;
+with URV.Sip_Hash;    use URV.Sip_Hash;
+with URVOS;           use URVOS;
+
+package body Seal_Tests is
+
+   procedure Expect_Tag is new Expect_Value (Unsigned_64);
+   procedure Expect_Outcome is new Expect_Value (Outcome);
+
+   --  The tests, in order.
+   procedure Known_Tags;
+   procedure Places_On_The_Wire;
+   procedure Words_Come_Through;
+   procedure Three_Steps;
+   procedure Taken_Once;
+   procedure Losses;
+   procedure Every_Bit_Counts;
+   procedure Other_Direction;
+   procedure Other_Session;
+   procedure Other_Key;
+   procedure Key_Change;
+   procedure Ground_Restarts;
+   procedure Aircraft_Restarts;
+   procedure Hellos_Are_Disregarded;
+   procedure Long_Silence;
+   procedure One_Format;
+   procedure Numbers_Used_Up;
+
+   Keys_1  : constant Key_List :=
+     (First  => (True, 1, Count_Key),
+      Second => (others => <>));
+   Keys_2  : constant Key_List :=
+     (First  => (True, 2, (K0 => 22, K1 => 23)),
+      Second => (others => <>));
+   Keys_12 : constant Key_List := (Keys_1 (First), Keys_2 (First));
+   Keys_21 : constant Key_List := (Keys_2 (First), Keys_1 (First));
+
+   --  Both ends of a link that a test may do anything to.
+   type Link is array (Station) of Seal;
+
+   function New_Link
+     (Ground_Keys   : Key_List := Keys_1;
+      Aircraft_Keys : Key_List := Keys_1;
+      Start         : Nonce    := 1_000) return Link
+   is
+     (Ground   => New_Seal (Ground, 2, Ground_Keys, Start),
+      Aircraft => New_Seal (Aircraft, 2, Aircraft_Keys, Start + 500));
+
+   --  Word n is 100h + n + Mark; the last one is 5.
+   function Data_Of (From : Station; Mark : Word) return Block_Data;
+
+   function Closed (Item : in out Link; From : Station; Mark : Word := 0)
+                    return Block_Data;
+
+   --  Up to a session, with a sealed block each way.
+   procedure Shake_Hands (Item : in out Link);
+
+   procedure Expect_Opening
+     (What     : String;
+      Item     : in out Link;
+      By       : Station;
+      Block    : Block_Data;
+      Expected : Outcome);
+
+   --  A frame without a block.
+   procedure Pass (Item : in out Link; By : Station; Frames : Positive);
+
+   function Data_Of (From : Station; Mark : Word) return Block_Data is
+      Result : Block_Data := (others => 0);
+      Value  : Word;
+   begin
+      for Which in Word_Place range 1 .. Words_Of (From) loop
+         Value :=
+           (if Which = Words_Of (From) then 5
+            else 16#100# + Word (Which) + Mark);
+         Result (2 * Which - 1) := Byte (Value / 256);
+         Result (2 * Which) := Byte (Value mod 256);
+      end loop;
+      return Result;
+   end Data_Of;
+
+   function Closed (Item : in out Link; From : Station; Mark : Word := 0)
+                    return Block_Data
+   is
+      Result : Block_Data := Data_Of (From, Mark);
+   begin
+      Close (Item (From), Result);
+      return Result;
+   end Closed;
+
+   procedure Expect_Opening
+     (What     : String;
+      Item     : in out Link;
+      By       : Station;
+      Block    : Block_Data;
+      Expected : Outcome)
+   is
+      Data  : Block_Data := Block;
+      Found : Outcome;
+   begin
+      Open (Item (By), Data, True, Found);
+      Expect_Outcome (What, Found, Expected);
+      Expect
+        (What & ", words are there", (for some Each of Data => Each /= 0),
+         Found in Taken);
+   end Expect_Opening;
+
+   procedure Pass (Item : in out Link; By : Station; Frames : Positive) is
+      Data  : Block_Data;
+      Found : Outcome;
+   begin
+      for Frame in 1 .. Frames loop
+         Data := (others => 0);
+         Open (Item (By), Data, False, Found);
+         Expect_Outcome ("no block", Found, Nothing_Came);
+      end loop;
+   end Pass;
+
+   procedure Shake_Hands (Item : in out Link) is
+   begin
+      Expect_Opening
+        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
+      Expect_Opening
+        ("answer", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
+      Expect_Opening
+        ("first up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
+      Expect_Opening
+        ("first down", Item, Ground, Closed (Item, Aircraft), Opened);
+   end Shake_Hands;
+
+   procedure Known_Tags is
+      Item : Message;
+   begin
+      for Length in Message_Length loop
+         Item.Length := Length;
+         Expect_Tag
+           ("of" & Length'Image & " bytes", Tag (Item, Count_Key),
+            Published (Length));
+
+         --  What is behind the message does not matter.
+         if Length < Message_Length'Last then
+            Item.Bytes (Length + 1) := 16#FF#;
+            Expect_Tag
+              ("with something behind", Tag (Item, Count_Key),
+               Published (Length));
+            Item.Bytes (Length + 1) := Byte (Length);
+         end if;
+      end loop;
+   end Known_Tags;
+
+   procedure Places_On_The_Wire is
+      Up   : constant Block_Data := Packed (Data_Of (Ground, 0), Ground, 10);
+      Down : constant Block_Data :=
+        Packed (Data_Of (Aircraft, 0), Aircraft, 16#1234567#);
+   begin
+      Expect ("mark and flags up", Up (1), 16#A5#);
+      Expect ("word 1", Up (2), 16#10#);
+      Expect ("words 1 and 2", Up (3), 16#11#);
+      Expect ("word 2", Up (4), 16#02#);
+      Expect ("word 13", Up (20), 16#10#);
+      Expect ("word 13 and number", Up (21), 16#D0#);
+      Expect ("number", Up (22), 16#0A#);
+      for Where in Byte_Index range 23 .. Byte_Index'Last loop
+         Expect ("behind", Up (Where), 0);
+      end loop;
+      Expect ("mark and flags down", Down (1), 16#A5#);
+      Expect ("word 27", Down (41), 16#11#);
+      Expect ("word 27 and piece", Down (42), 16#B0#);
+      Expect ("piece", Down (43), 0);
+      Expect ("spare", Down (44), 0);
+      Expect ("number's high byte", Down (45), 16#01#);
+      Expect ("number's low byte", Down (48), 16#67#);
+      Expect_Number
+        ("number", Integer (Number_At (Down)), 16#1234567#);
+   end Places_On_The_Wire;
+
+   procedure Words_Come_Through is
+      Item  : Link := New_Link;
+      Given : Block_Data;
+      Block : Block_Data;
+      Found : Outcome;
+   begin
+      Shake_Hands (Item);
+
+      --  All values of 16 bits; each comes to every place.
+      for Value in Word loop
+         for From in Station loop
+            Given := Data_Of (From, Value);
+            declare
+               Which : constant Word_Place :=
+                 Byte_Count (Value mod Word (Words_Of (From))) + 1;
+            begin
+               Given (2 * Which - 1) := Byte (Value / 256);
+               Given (2 * Which) := Byte (Value mod 256);
+               Block := Given;
+               Close (Item (From), Block);
+               Open (Item (Other (From)), Block, True, Found);
+               Expect_Outcome ("sealed", Found, Opened);
+               for Place in Word_Place range 1 .. Words_Of (From) loop
+                  Expect
+                    ("word" & Place'Image & " from " & From'Image,
+                     Word_At (Block, Place),
+                     (if Place < Words_Of (From)
+                      then Word'Min (Word_At (Given, Place), 16#FFF#)
+                      elsif From = Ground
+                      then Word_At (Given, Place) mod 16
+                      else Word_At (Given, Place)));
+               end loop;
+            end;
+         end loop;
+      end loop;
+   end Words_Come_Through;
+
+   procedure Three_Steps is
+      Item : Link := New_Link;
+   begin
+      --  Nothing is taken before both have told their nonces.
+      Expect_Opening
+        ("an answer to nothing", Item, Ground, Closed (Item, Aircraft),
+         Hello_Repeated);
+      Shake_Hands (Item);
+      for Number in Word range 1 .. 10 loop
+         Expect_Opening
+           ("up", Item, Aircraft, Closed (Item, Ground, Number), Opened);
+         Expect_Opening
+           ("down", Item, Ground, Closed (Item, Aircraft, Number), Opened);
+      end loop;
+
+      --  An answer that comes twice, or late, changes nothing.
+      Item := New_Link;
+      Expect_Opening
+        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
+      Expect_Opening
+        ("call again", Item, Aircraft, Closed (Item, Ground),
+         Hello_Repeated);
+      Expect_Opening
+        ("answer", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
+      Expect_Opening
+        ("answer again", Item, Ground, Closed (Item, Aircraft),
+         Hello_Repeated);
+      Expect_Opening
+        ("up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
+      Expect_Opening
+        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+   end Three_Steps;
+
+   procedure Taken_Once is
+      Item  : Link := New_Link;
+      Older : Block_Data;
+      Newer : Block_Data;
+   begin
+      Shake_Hands (Item);
+      for From in Station loop
+         Older := Closed (Item, From, 1);
+         Newer := Closed (Item, From, 2);
+         Expect_Opening
+           ("the newer", Item, Other (From), Newer, Opened);
+         Expect_Opening
+           ("the same again", Item, Other (From), Newer, Not_Opened);
+         Expect_Opening
+           ("the older", Item, Other (From), Older, Not_Opened);
+         Expect_Opening
+           ("the next", Item, Other (From), Closed (Item, From), Opened);
+      end loop;
+   end Taken_Once;
+
+   procedure Losses is
+      Item   : Link;
+      Unused : Block_Data;
+   begin
+      for From in Station loop
+         for Lost in Positive range 1 .. 4_096 loop
+            if Lost in 1 .. 3 | 4_094 .. 4_096 then
+               Item := New_Link;
+               Shake_Hands (Item);
+               for Each in 1 .. Lost loop
+                  Unused := Closed (Item, From);
+               end loop;
+               Expect_Opening
+                 ("after" & Lost'Image & " were lost from " & From'Image,
+                  Item, Other (From), Closed (Item, From),
+                  (if From = Ground and then Lost = 4_096
+                   then Not_Opened else Opened));
+            end if;
+         end loop;
+      end loop;
+   end Losses;
+
+   procedure Every_Bit_Counts is
+      Item    : Link := New_Link;
+      Block   : Block_Data;
+      Altered : Block_Data;
+      Length  : Byte_Count;
+   begin
+      for Kind in 1 .. 2 loop
+         for From in Station loop
+            Block := Closed (Item, From);
+            Length := Covered (From) + Tag_Bytes (From);
+            for Where in 1 .. Length loop
+               for Bit in 0 .. 7 loop
+                  Altered := Block;
+                  Altered (Where) :=
+                    Altered (Where) xor Byte (2 ** Bit);
+                  declare
+                     Copy  : Link := Item;
+                     Found : Outcome;
+                  begin
+                     Open (Copy (Other (From)), Altered, True, Found);
+                     Expect
+                       ("byte" & Where'Image & ", bit" & Bit'Image
+                        & " is refused",
+                        Found in Refused, True);
+                  end;
+               end loop;
+            end loop;
+         end loop;
+         Item := New_Link;
+         Shake_Hands (Item);
+      end loop;
+   end Every_Bit_Counts;
+
+   procedure Other_Direction is
+      Item   : Link := New_Link;
+      Unused : Block_Data;
+   begin
+      Expect_Opening
+        ("own hello", Item, Ground, Closed (Item, Ground), Not_Opened);
+      Expect_Opening
+        ("own hello", Item, Aircraft, Closed (Item, Aircraft), Not_Opened);
+      Item := New_Link;
+      Shake_Hands (Item);
+      Unused := Closed (Item, Ground);
+      Unused := Closed (Item, Aircraft);
+      Expect_Opening
+        ("own block", Item, Ground, Closed (Item, Ground), Not_Opened);
+      Expect_Opening
+        ("own block", Item, Aircraft, Closed (Item, Aircraft), Not_Opened);
+   end Other_Direction;
+
+   procedure Other_Session is
+      This   : Link := New_Link;
+      That   : Link := New_Link (Start => 7_000);
+      Unused : Block_Data;
+   begin
+      Shake_Hands (This);
+      Shake_Hands (That);
+      for From in Station loop
+         Unused := Closed (That, From);
+         Expect_Opening
+           ("of another session", This, Other (From), Closed (That, From),
+            Not_Opened);
+      end loop;
+   end Other_Session;
+
+   procedure Other_Key is
+      Item : Link := New_Link (Keys_1, Keys_2);
+   begin
+      Expect_Opening
+        ("another number", Item, Aircraft, Closed (Item, Ground),
+         Unknown_Key);
+      Expect_Opening
+        ("another number", Item, Ground, Closed (Item, Aircraft),
+         Unknown_Key);
+
+      Item := New_Link
+        (Keys_1,
+         (First  => (True, 1, (K0 => Count_Key.K0, K1 => Count_Key.K1 + 1)),
+          Second => (others => <>)));
+      Expect_Opening
+        ("another key", Item, Aircraft, Closed (Item, Ground), Not_Opened);
+      Expect_Opening
+        ("another key", Item, Ground, Closed (Item, Aircraft), Not_Opened);
+   end Other_Key;
+
+   procedure Key_Change is
+      Item : Link;
+   begin
+      --  The old key, then both in the aircraft, then the ground has the
+      --  new one first, then the new alone.
+      for Step in 1 .. 4 loop
+         Item :=
+           (case Step is
+               when 1      => New_Link (Keys_1, Keys_12),
+               when 2      => New_Link (Keys_12, Keys_12),
+               when 3      => New_Link (Keys_21, Keys_12),
+               when others => New_Link (Keys_2, Keys_12));
+         Shake_Hands (Item);
+         Expect_Number
+           ("key in step" & Step'Image, Integer (Item (Ground).Active.Number),
+            (if Step < 3 then 1 else 2));
+      end loop;
+   end Key_Change;
+
+   procedure Ground_Restarts is
+      Item : Link := New_Link;
+      Old  : Block_Data;
+   begin
+      Shake_Hands (Item);
+      Old := Closed (Item, Ground);
+      Item (Ground) := New_Seal (Ground, 2, Keys_1, 9_000);
+
+      --  The aircraft has just heard its session, and waits.
+      Pass (Item, Aircraft, 1);
+      Expect_Opening
+        ("too early", Item, Aircraft, Closed (Item, Ground),
+         Hello_Out_Of_Turn);
+      Shake_Hands (Item);
+      Expect_Opening
+        ("of before the start", Item, Aircraft, Old, Not_Opened);
+   end Ground_Restarts;
+
+   procedure Aircraft_Restarts is
+      Item    : Link := New_Link;
+      Called  : Block_Data;
+      Old     : Block_Data;
+   begin
+      Called := Closed (Item, Ground);
+      Shake_Hands (Item);
+      Old := Closed (Item, Ground);
+      Item (Aircraft) := New_Seal (Aircraft, 2, Keys_1, 9_000);
+      Expect_Opening ("no session", Item, Aircraft, Old, Not_Opened);
+      Expect_Opening
+        ("the hello of before", Item, Aircraft, Called, Hello_Taken);
+      Expect_Opening
+        ("and the block", Item, Aircraft, Old, Not_Opened);
+
+      --  Its hellos are heeded when its blocks have stayed away.
+      Pass (Item, Ground, 1);
+      Expect_Opening
+        ("too early", Item, Ground, Closed (Item, Aircraft),
+         Hello_Out_Of_Turn);
+      Expect_Opening
+        ("call again", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
+      Shake_Hands (Item);
+   end Aircraft_Restarts;
+
+   procedure Hellos_Are_Disregarded is
+      Item : Link := New_Link;
+      Hello_Up, Hello_Down : Block_Data;
+   begin
+      --  Hellos of an earlier session of the same ground and aircraft.
+      Hello_Up := Closed (Item, Ground);
+      Shake_Hands (Item);
+      Item (Ground) := Begun_Anew (Item (Ground));
+      Pass (Item, Aircraft, 3);
+      Expect_Opening
+        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
+      Hello_Down := Closed (Item, Aircraft);
+      Expect_Opening ("answer", Item, Ground, Hello_Down, Hello_Taken);
+      Expect_Opening
+        ("up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
+      Expect_Opening
+        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+
+      Expect_Opening
+        ("call of before", Item, Aircraft, Hello_Up, Hello_Out_Of_Turn);
+      Expect_Opening
+        ("answer of before", Item, Ground, Hello_Down, Hello_Out_Of_Turn);
+
+      --  In a gap the call is answered, but the session stays as it is.
+      Pass (Item, Aircraft, 5);
+      Expect_Opening
+        ("call of before", Item, Aircraft, Hello_Up, Hello_Taken);
+      Expect_Opening
+        ("up", Item, Aircraft, Closed (Item, Ground), Opened);
+      Expect_Opening
+        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+   end Hellos_Are_Disregarded;
+
+   procedure Long_Silence is
+      Item   : Link := New_Link;
+      Unused : Block_Data;
+   begin
+      --  What is sent meanwhile is more than an uplink can tell.
+      Shake_Hands (Item);
+      Pass (Item, Aircraft, Longest_Silence);
+      Pass (Item, Ground, Longest_Silence);
+      for Lost in 1 .. 4_096 loop
+         Unused := Closed (Item, Ground);
+      end loop;
+      Expect_Opening
+        ("given up", Item, Aircraft, Closed (Item, Ground), Not_Opened);
+      Expect_Opening
+        ("so it says hello", Item, Ground, Closed (Item, Aircraft),
+         Hello_Taken);
+      Shake_Hands (Item);
+   end Long_Silence;
+
+   procedure One_Format is
+      Item : Link := New_Link;
+      Old  : Link := New_Link;
+   begin
+      Old (Ground).Format := 1;
+      Old (Aircraft).Format := 1;
+      for Kind in 1 .. 2 loop
+         for From in Station loop
+            Expect_Opening
+              ("format 2 to 1", Old, Other (From), Closed (Item, From),
+               Wrong_Format);
+            Expect_Opening
+              ("format 1 to 2", Item, Other (From), Closed (Old, From),
+               Wrong_Format);
+            Expect_Opening
+              ("format 1 to 1", Old, Other (From), Closed (Old, From),
+               Opened);
+         end loop;
+         Item := New_Link;
+         Shake_Hands (Item);
+      end loop;
+   end One_Format;
+
+   procedure Numbers_Used_Up is
+      Item : Link := New_Link;
+   begin
+      for From in Station loop
+         Item := New_Link;
+         Shake_Hands (Item);
+         Item (From).Active.Sent := Last_Number - 1;
+         Item (Other (From)).Active.Newest := Last_Number - 1;
+         Expect_Opening
+           ("the last", Item, Other (From), Closed (Item, From), Opened);
+         Pass (Item, Other (From), 3);
+         if From = Aircraft then
+            Pass (Item, Aircraft, 3);
+            Expect_Opening
+              ("hello", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
+         end if;
+         Shake_Hands (Item);
+      end loop;
+   end Numbers_Used_Up;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "SEC-2 SipHash-2-4 gives the published tags",
+         Known_Tags'Access);
+      Add
+        (Suite, "SEC-1 mark, fields and number are where they belong",
+         Places_On_The_Wire'Access);
+      Add
+        (Suite, "SEC-1 D-11 words come through a seal, in 12 bits",
+         Words_Come_Through'Access);
+      Add
+        (Suite, "SEC-3 three blocks make a session",
+         Three_Steps'Access);
+      Add
+        (Suite, "SEC-4 a block is taken once, and none older",
+         Taken_Once'Access);
+      Add
+        (Suite, "SEC-4 a number goes on after losses", Losses'Access);
+      Add
+        (Suite, "SEC-1 a block with any one bit altered is refused",
+         Every_Bit_Counts'Access);
+      Add
+        (Suite, "SEC-3 a block of the other direction is refused",
+         Other_Direction'Access);
+      Add
+        (Suite, "SEC-3 a block of another session is refused",
+         Other_Session'Access);
+      Add (Suite, "SEC-5 another key opens nothing", Other_Key'Access);
+      Add
+        (Suite, "SEC-5 while a key is changed two are good",
+         Key_Change'Access);
+      Add
+        (Suite, "SEC-3 after a start of the ground they shake hands",
+         Ground_Restarts'Access);
+      Add
+        (Suite, "SEC-3 after a start of the aircraft they shake hands",
+         Aircraft_Restarts'Access);
+      Add
+        (Suite, "SEC-3 hellos of before end no session",
+         Hellos_Are_Disregarded'Access);
+      Add
+        (Suite, "SEC-4 a session that was silent for a minute is renewed",
+         Long_Silence'Access);
+      Add
+        (Suite, "SEC-1 a node takes only the format that it was told",
+         One_Format'Access);
+      Add
+        (Suite, "SEC-4 a session whose numbers are used up is renewed",
+         Numbers_Used_Up'Access);
+   end Add_To;
+
+end Seal_Tests;
