@@ -2,8 +2,9 @@
 
 # What a person does with URV. `make` lists it; docs/development.md explains.
 
-.PHONY: help fly ground monte_carlo test check prove explore fuzz campaign theory bench size \
-        trace mutate planted real_time timing coverage independence margins clean
+.PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
+        theory bench size trace mutate planted real_time timing trials coverage \
+        independence margins clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -28,6 +29,7 @@ help:
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
 	@echo "  make independence  other switches, compilers, provers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
+	@echo "  make trials     the station for ten minutes, garbage, full disk [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
 	@echo "  make margins    poles and margins of the control laws [RENEW]"
 	@echo "  make bench      compare the simulation's speed with C's"
@@ -133,6 +135,14 @@ campaign:
 	@.venv/bin/python scripts/campaign/run.py $(CAMPAIGN) \
 	   $(if $(JOBS),--jobs $(JOBS)) \
 	   $(if $(SCHEDULER),--scheduler $(SCHEDULER))
+
+trials:
+	@scripts/setup.sh ground
+	@scripts/setup.sh test
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
+	@$(if $(RENEW),URV_RENEW=1) .venv/bin/python -B -m pytest -v -s \
+	   -p no:cacheprovider tests/trials
 
 theory:
 	@scripts/setup.sh campaign

@@ -2,7 +2,7 @@
 
 --  The simulation is one thread, so nobody contends for a protected object.
 --  The linker gives these in place of GNAT's (sim/urv_sim.gpr): the same
---  text of the nodes does not pay for locks there.
+--  text of the nodes does not pay for locks there (EVI-14).
 --
 --  Whoever withs this has no tasks: the binder sees to it.
 

@@ -49,6 +49,7 @@ TESTS = {
                            "safety_mixes"],
     "scripts/flight_numbers.py": ["campaign_checker", "link_theory"],
     "scripts/floods.py": ["partition_flood"],
+    "scripts/link_cuts.py": ["laws"],
     "scripts/laws/*": ["margins"],
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],

@@ -1,97 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv ground: the whole station in real time (GND-30 to GND-32)."""
 
-import csv
 import json
 import os
 import random
 import re
-import shutil
 import signal
 import socket
-import subprocess
 import time
-import urllib.request
-from collections import Counter
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-import pytest
-from station_rig import PATIENCE_S, ROOT, Console, free_ports, until
+from flight_rig import Archive, Ground, needs_yamcs
+from station_rig import PATIENCE_S, Console, free_ports, until
 
-from urv import display, items, packets
-
-needs_yamcs = pytest.mark.skipif(
-    not (shutil.which("java") and (ROOT / "obj/yamcs/lib").is_dir()),
-    reason="there is no Yamcs: scripts/setup.sh ground gets it with Maven")
-
-
-class Ground:
-    """bin/urv ground with ports of its own."""
-
-    def __init__(self, folder, *options):
-        self.folder = folder / "flight"
-        self.options = options
-        self.log = folder / "ground.log"
-
-    def __enter__(self):
-        ports = free_ports(7)
-        self.page_port, self.yamcs_port = ports + 5, ports + 6
-        with self.log.open("w") as log:
-            self.process = subprocess.Popen(
-                [ROOT / "bin" / "urv", "ground", "--folder", self.folder,
-                 "--ports", str(ports), "--page-port", str(self.page_port),
-                 "--yamcs-port", str(self.yamcs_port), *self.options],
-                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
-        until(lambda: "page to fly" in self.said() or self.process.poll()
-              is not None, "a station", 2 * PATIENCE_S)
-        assert self.process.poll() is None, self.said()
-        return self
-
-    def __exit__(self, *_):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
-        self.status = self.process.wait(PATIENCE_S)
-        assert self.left() == []
-
-    def said(self):
-        return self.log.read_text("utf-8")
-
-    def left(self):
-        """Processes that this flight has started."""
-        found = []
-        for process in Path("/proc").glob("[0-9]*"):
-            try:
-                if Path(os.readlink(process / "cwd")) == self.folder:
-                    found.append(int(process.name))
-            except OSError:
-                continue
-        return found
-
-    def named(self, word):
-        """The process of the flight with that word in its command line."""
-        for process in self.left():
-            line = Path(f"/proc/{process}/cmdline").read_bytes()
-            if word.encode() in line:
-                return process
-        raise AssertionError(f"no process {word}")
-
-    def state(self):
-        with urllib.request.urlopen(
-                f"http://127.0.0.1:{self.page_port}/api/state",
-                timeout=PATIENCE_S) as answer:
-            return json.load(answer)
-
-    def wait(self, condition, what):
-        def look():
-            state = self.state()
-            return state if condition(state) else None
-        return until(look, what, 3 * PATIENCE_S)
-
-    def record(self, name="ground"):
-        with (self.folder / f"{name}.csv").open(newline="") as file:
-            return list(csv.DictReader(file))
-
+from urv import display, packets
 
 def test_gnd31_a_flight_ends_by_itself_with_its_records(tmp_path):
     with Ground(tmp_path, "--no-yamcs", "--seconds", "4") as ground:
@@ -264,10 +186,6 @@ def test_gnd32_the_display_shows_what_there_is():
         assert f'name="{name.rpartition("/")[2]}"' in database, name
 
 
-def calibrated(column, row):
-    return items.COLUMNS[column].value(int(row[column]))
-
-
 def assert_local(process):
     """It listens at no address that other machines reach."""
     sockets = {os.readlink(link) for link in
@@ -287,46 +205,19 @@ def assert_local(process):
 
 @needs_yamcs
 def test_gnd30_yamcs_has_every_frame_as_the_record_has_it(tmp_path):
-    from yamcs.client import YamcsClient, YamcsError
-
     with Ground(tmp_path) as ground:
         until(lambda: "live after" in ground.said(), "Yamcs",
               5 * PATIENCE_S)
         console = Console(ground.page_port)
         console.say({"t": "mark", "text": "gear <up>"})
         ground.wait(lambda state: state["seq"] > 600, "600 frames")
-        client = YamcsClient(f"localhost:{ground.yamcs_port}")
-        archive = client.get_archive("urv")
-        now = datetime.now(UTC)
-        span = {"start": now - timedelta(hours=1),
-                "stop": now + timedelta(hours=1)}
-
-        def archived(last):
-            found = [(packet.sequence_number, packet.generation_time)
-                     for packet in archive.list_packets(
-                         name="/URV/frame", page_size=500, **span)]
-            return found if found and max(found)[0] >= last else None
-        last = ground.state()["seq"]
-        stored = until(lambda: archived(last), "the last frame")
+        archive = Archive(ground)
         columns = ("gsc.downlink.airspeed", "gsc.downlink.battery_volts",
                    "gsc.downlink.roll_attitude", "gsc.uplink.throttle")
-
-        def archived_values(column):
-            name = "/URV/" + column.replace(".", "/")
-            try:
-                return {
-                    value.generation_time: value.eng_value for value in
-                    archive.list_parameter_values(name, page_size=500,
-                                                  **span)}
-            except YamcsError:
-                # It does not like to be read while it writes.
-                return None
-        values = {column: until(lambda column=column: archived_values(column),
-                                "values")
-                  for column in columns}
-        until(lambda: [event for event in archive.list_events(**span)
+        archive.fetch(ground.state()["seq"], columns)
+        until(lambda: [event for event in archive.events()
                        if event.message == "gear <up>"], "the mark")
-        kinds = {event.event_type for event in archive.list_events(**span)}
+        kinds = {event.event_type for event in archive.events()}
         assert {"run", "mark", "error"} <= kinds
 
         assert_local(ground.named("YamcsServer"))
@@ -342,18 +233,4 @@ def test_gnd30_yamcs_has_every_frame_as_the_record_has_it(tmp_path):
         console.close()
     assert ground.status == 0, ground.said()
 
-    rows = {int(row["frame"]): row for row in ground.record()}
-    sequences = sorted(sequence for sequence, _ in stored)
-    assert sequences == [frame for frame in sorted(rows)
-                         if frame <= sequences[-1]]
-    # Of two frames in one millisecond a list of values has one.
-    times = Counter(time for _, time in stored)
-    at = {time: sequence for sequence, time in stored if times[time] == 1}
-    for column in columns:
-        compared = 0
-        for time in at.keys() & values[column].keys():
-            row = rows[at[time]]
-            assert values[column][time] == pytest.approx(
-                calibrated(column, row), abs=1e-4)
-            compared += 1
-        assert compared > 400, column
+    archive.compare(ground.record(), columns)

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv ground for tests, and what its Yamcs has archived.
+
+    with Ground(tmp_path) as ground:
+        ground.wait(lambda state: state["seq"] > 100, "100 frames")
+    assert ground.status == 0
+"""
+
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import urllib.request
+from collections import Counter
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from station_rig import PATIENCE_S, ROOT, free_ports, until
+
+from urv import items
+
+needs_yamcs = pytest.mark.skipif(
+    not (shutil.which("java") and (ROOT / "obj/yamcs/lib").is_dir()),
+    reason="there is no Yamcs: scripts/setup.sh ground gets it with Maven")
+
+
+class Ground:
+    """bin/urv ground with ports of its own."""
+
+    def __init__(self, folder, *options):
+        self.folder = folder / "flight"
+        self.options = options
+        self.log = folder / "ground.log"
+
+    def __enter__(self):
+        ports = free_ports(7)
+        self.page_port, self.yamcs_port = ports + 5, ports + 6
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(
+                [ROOT / "bin" / "urv", "ground", "--folder", self.folder,
+                 "--ports", str(ports), "--page-port", str(self.page_port),
+                 "--yamcs-port", str(self.yamcs_port), *self.options],
+                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        until(lambda: "page to fly" in self.said() or self.process.poll()
+              is not None, "a station", 2 * PATIENCE_S)
+        assert self.process.poll() is None, self.said()
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        self.status = self.process.wait(PATIENCE_S)
+        assert self.left() == []
+
+    def said(self):
+        return self.log.read_text("utf-8")
+
+    def left(self):
+        """Processes that this flight has started."""
+        found = []
+        for process in Path("/proc").glob("[0-9]*"):
+            try:
+                if Path(os.readlink(process / "cwd")) == self.folder:
+                    found.append(int(process.name))
+            except OSError:
+                continue
+        return found
+
+    def named(self, word):
+        """The process of the flight with that word in its command line."""
+        for process in self.left():
+            line = Path(f"/proc/{process}/cmdline").read_bytes()
+            if word.encode() in line:
+                return process
+        raise AssertionError(f"no process {word}")
+
+    def state(self):
+        with urllib.request.urlopen(
+                f"http://127.0.0.1:{self.page_port}/api/state",
+                timeout=PATIENCE_S) as answer:
+            return json.load(answer)
+
+    def wait(self, condition, what):
+        def look():
+            state = self.state()
+            return state if condition(state) else None
+        return until(look, what, 3 * PATIENCE_S)
+
+    def record(self, name="ground"):
+        with (self.folder / f"{name}.csv").open(newline="") as file:
+            return list(csv.DictReader(file))
+
+
+def calibrated(column, row):
+    return items.COLUMNS[column].value(int(row[column]))
+
+
+class Archive:
+    """The frames and values that a flight's Yamcs has, through its API."""
+
+    def __init__(self, ground):
+        from yamcs.client import YamcsClient
+        self.client = YamcsClient(
+            f"localhost:{ground.yamcs_port}").get_archive("urv")
+        now = datetime.now(UTC)
+        self.span = {"start": now - timedelta(hours=1),
+                     "stop": now + timedelta(hours=1)}
+
+    def events(self):
+        return list(self.client.list_events(**self.span))
+
+    def fetch(self, last, columns):
+        """Waits until the frame of that number is there."""
+        self.stored = until(lambda: self._frames(last), "the last frame")
+        self.values = {
+            column: until(lambda column=column: self._values(column), "values")
+            for column in columns}
+
+    def _frames(self, last):
+        found = [(packet.sequence_number, packet.generation_time)
+                 for packet in self.client.list_packets(
+                     name="/URV/frame", page_size=500, **self.span)]
+        return found if found and max(found)[0] >= last else None
+
+    def _values(self, column):
+        from yamcs.client import YamcsError
+        try:
+            return {
+                value.generation_time: value.eng_value for value in
+                self.client.list_parameter_values(
+                    "/URV/" + column.replace(".", "/"), page_size=500,
+                    **self.span)}
+        except YamcsError:
+            # It does not like to be read while it writes.
+            return None
+
+    def compare(self, record, columns):
+        """Every frame of the record is there up to the last one stored, and
+        each value is the record's. Gives how many frames and values."""
+        rows = {int(row["frame"]): row for row in record}
+        sequences = sorted(sequence for sequence, _ in self.stored)
+        assert sequences == [frame for frame in sorted(rows)
+                             if frame <= sequences[-1]]
+        # Of two frames in one millisecond a list of values has one.
+        times = Counter(time for _, time in self.stored)
+        at = {time: sequence for sequence, time in self.stored
+              if times[time] == 1}
+        compared = 0
+        for column in columns:
+            common = at.keys() & self.values[column].keys()
+            assert len(common) > 400, column
+            for time in common:
+                assert self.values[column][time] == pytest.approx(
+                    calibrated(column, rows[at[time]]), abs=1e-4)
+            compared += len(common)
+        return len(sequences), compared
