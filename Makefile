@@ -29,10 +29,11 @@ help:
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
 	@echo "  make independence  other switches, compilers, provers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
-	@echo "  make trials     the station for ten minutes, garbage, full disk [RENEW]"
+	@echo "  make trials     ten minutes of station, garbage, a full disk [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
 	@echo "  make margins    poles and margins of the control laws [RENEW]"
-	@echo "  make bench      compare the simulation's speed with C's"
+	@echo "  make bench      calls and simulation beside what one would take"
+	@echo "                  instead, BEFORE=COMMIT beside then's [RENEW]"
 	@echo "  make size       static data of each node's flight software"
 	@echo "  make trace      requirements with their links, in trace/"
 
@@ -119,7 +120,8 @@ margins:
 bench:
 	@scripts/setup.sh bench
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@python3 scripts/bench.py
+	@$(GPRBUILD) -P bench/urv_bench.gpr -XURV_Mode=host
+	@python3 scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
 
 size:
 	@scripts/setup.sh size
@@ -169,4 +171,4 @@ independence:
 	   chroot $(CHROOT))
 
 clean:
-	@rm -rf obj bin flight bench campaign trace coverage
+	@rm -rf obj bin flight bench/results.json campaign trace coverage
