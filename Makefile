@@ -51,13 +51,15 @@ fly:
 	@echo "fly: results are in flight/: report.html to look at;" \
 	   "record.csv, summary.json, events.jsonl"
 
-# Ends with Ctrl-C, or after so long.
+# Ends with Ctrl-C, or after so long. OPTIONS: more of bin/urv ground's.
 GROUND_SECONDS :=
+OPTIONS        :=
 ground:
 	@scripts/setup.sh ground
 	@echo "ground: building bin/urv_gsc and bin/urv_mcs"
 	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
-	@exec bin/urv ground $(if $(GROUND_SECONDS),--seconds $(GROUND_SECONDS))
+	@exec bin/urv ground $(if $(GROUND_SECONDS),--seconds $(GROUND_SECONDS)) \
+	   $(OPTIONS)
 
 FLIGHTS := 2000
 monte_carlo:

@@ -33,12 +33,20 @@ JARS = ROOT / "obj" / "yamcs" / "lib"
 DISPLAY = "flight.opi"
 
 LOOKS_S = 0.1
+REFUSES = 2
+"""The status of a node that does not take its command line."""
 ENDS_S = 10.0
 """Who has not ended by then is killed."""
 STARTS_S = 30.0
 LATER_BY = 10
 """Yamcs is so much nicer than who flies."""
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
+
+NODES = ("urv_mcs", "urv_gsc")
+PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
+             "--laws": ("urv_mcs",)}
+"""Options that are the nodes' own, and whose. What they mean and what is
+wrong with them the nodes say."""
 
 
 def ground(
@@ -57,6 +65,17 @@ def ground(
         None, metavar="udp:HOST:PORT",
         help="Where the flight goes as MAVLink 2, too: QGroundControl hears"
         " udp:127.0.0.1:14550."),
+    message_format: str | None = typer.Option(
+        None, "--format", metavar="N",
+        help="Of the link's messages, 1 or 2, which is sealed. It goes to"
+        " both nodes, as the next two do."),
+    key: Path | None = typer.Option(
+        None, metavar="FILE", help="The keys of format 2."),
+    processors: str | None = typer.Option(
+        None, metavar="N", help="So many of each node, 1 or 2."),
+    laws: str | None = typer.Option(
+        None, metavar="LAWS",
+        help="The aircraft's control laws, on or off."),
     page_port: int = typer.Option(8090, min=1, max=65535,
                                   help="Of the station's page."),
     yamcs_port: int = typer.Option(8092, min=1, max=65535,
@@ -79,6 +98,9 @@ def ground(
     # A shell has programs in the background begin deaf to it.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     flight = Flight(folder.resolve(), ports, page_port, yamcs_port)
+    flight.given = {
+        "--format": message_format, "--key": key and key.resolve(),
+        "--processors": processors, "--laws": laws}
     try:
         flight.start(pilot, yamcs, mavlink, seconds)
         status = flight.watch()
@@ -86,6 +108,8 @@ def ground(
         status = 0
     finally:
         flight.end()
+    if status == REFUSES:
+        raise faults.Refused(flight.complaint)
     if status:
         raise faults.Failed("a node has ended by itself: see"
                             f" {faults.quoted(folder)}")
@@ -118,7 +142,8 @@ class Flight:
         self.page_port, self.yamcs_port = page_port, yamcs_port
         self.running: dict[str, subprocess.Popen] = {}
         self.groups: list[int] = []
-        self.nodes = ("urv_gsc", "urv_mcs")
+        self.given: dict[str, object] = {}
+        self.complaint = ""
         self.began = time.monotonic()
 
     def start(self, pilot: str, yamcs: bool, mavlink: str | None,
@@ -145,11 +170,11 @@ class Flight:
         # The ground ends the flight; the aircraft is there until then.
         self.run("urv_mcs", ROOT / "bin" / "urv_mcs", "--link", down,
                  "--phase", 3, "--plant", "jsbsim",
-                 *self.outputs("aircraft"))
+                 *self.passed_on("urv_mcs"), *self.outputs("aircraft"))
         flies = [] if pilot == "none" else ["--pilot", pilot]
         self.run("urv_gsc", ROOT / "bin" / "urv_gsc", "--link", up,
                  "--phase", 0, *flies, *lasts,
-                 *publish,
+                 *publish, *self.passed_on("urv_gsc"),
                  "--console", f"udp:{here}:{self.console}",
                  *self.outputs("ground"))
         print(f"ground: page to fly and watch by: http://{here}:"
@@ -158,6 +183,12 @@ class Flight:
             self.start_yamcs()
             threading.Thread(target=self.await_yamcs, args=(archive,),
                              daemon=True).start()
+
+    def passed_on(self, node: str) -> list:
+        """What of the options given is for this node."""
+        return [word for option, value in self.given.items()
+                if value is not None and node in PASSED_ON[option]
+                for word in (option, value)]
 
     def outputs(self, name: str) -> list:
         """The files that a node leaves."""
@@ -228,9 +259,13 @@ class Flight:
             if what in line:
                 return line
         process.wait()
-        said = (self.folder / f"{name}.log").read_text("utf-8").strip()
-        raise faults.Failed(re.sub(r"^urv: ", "", said)
+        raise faults.Failed(re.sub(r"^urv: ", "", self.last_word_of(name))
                             or f"{name} has ended at once")
+
+    def last_word_of(self, name: str) -> str:
+        """The last line that a program has left, which says why it ended."""
+        lines = (self.folder / f"{name}.log").read_text("utf-8", "replace")
+        return lines.strip().rpartition("\n")[2]
 
     def await_yamcs(self, archive: str) -> None:
         """Says when its pages are there."""
@@ -262,10 +297,11 @@ class Flight:
                 how = (f"status {status}" if status > 0 else
                        signal.Signals(-status).name if status else "status 0")
                 print(f"ground: {name} has ended, {how}"
-                      + ("" if name in self.nodes else
+                      + ("" if name in NODES else
                          "; the flight goes on"), flush=True)
-                if name in self.nodes:
-                    return 1
+                if name in NODES:
+                    self.complaint = self.last_word_of(name)
+                    return REFUSES if status == REFUSES else 1
 
     def end(self) -> None:
         """Nobody is left running. The nodes end first, with their records
@@ -273,7 +309,7 @@ class Flight:
         # A second Ctrl-C must not leave half of them.
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, signal.SIG_IGN)
-        for names in (self.nodes, ("station", "mavlink"), ("yamcs",)):
+        for names in (NODES, ("station", "mavlink"), ("yamcs",)):
             group = {name: self.running.pop(name)
                      for name in names if name in self.running}
             for process in group.values():

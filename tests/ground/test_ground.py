@@ -10,10 +10,13 @@ import socket
 import time
 from pathlib import Path
 
+import pytest
 from flight_rig import Archive, Ground, needs_yamcs
 from station_rig import PATIENCE_S, Console, free_ports, until
 
 from urv import display, packets
+from urv.ground import NODES, PASSED_ON
+
 
 def test_gnd31_a_flight_ends_by_itself_with_its_records(tmp_path):
     with Ground(tmp_path, "--no-yamcs", "--seconds", "4") as ground:
@@ -91,6 +94,42 @@ def test_gnd31_a_port_that_is_taken_is_told(tmp_path, urv):
         assert result.returncode == 1
         assert "in use" in result.stderr
         assert len(result.stderr.splitlines()) == 1
+
+
+def command_line(ground, node):
+    line = Path(f"/proc/{ground.named(node)}/cmdline").read_bytes()
+    return line.decode().split("\0")
+
+
+def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
+    key = tmp_path / "link.key"
+    assert urv("keygen", key).returncode == 0
+    given = {"--format": "2", "--key": str(key), "--processors": "1",
+             "--laws": "on"}
+    with Ground(tmp_path, "--no-yamcs",
+                *(word for pair in given.items() for word in pair)) as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        for node in NODES:
+            words = command_line(ground, node)
+            for option, value in given.items():
+                if node in PASSED_ON[option]:
+                    assert words[words.index(option) + 1] == value
+                else:
+                    assert option not in words
+        assert set(given) == set(PASSED_ON)
+    assert ground.status == 0, ground.said()
+
+
+@pytest.mark.parametrize("given, said", [
+    (("--format", "3"), '--format: "3" is neither 1 nor 2'),
+    (("--laws", "maybe"), '--laws: "maybe" is neither "on" nor "off"')])
+def test_gnd31_what_a_node_refuses_is_told_in_its_words(
+        tmp_path, urv, given, said):
+    result = urv("ground", "--no-yamcs", "--folder", tmp_path / "flight",
+                 "--page-port", free_ports(1), "--ports", free_ports(5),
+                 *given)
+    assert result.returncode == 2, result.stderr
+    assert result.stderr == f"urv: urv_mcs: {said}\n"
 
 
 def test_gnd21_a_stick_moved_on_the_page_moves_the_servos(
