@@ -75,8 +75,16 @@ package body Sim.Flight is
    --  The console's words change, at Time.
    procedure Move_Console (Words : Console_Words; Time : Microseconds);
 
-   --  The servos have new commands: lets the plant go on for a frame.
-   procedure Step_Plant (Chosen : Choices; Time : Microseconds);
+   --  The servos have new commands: lets the plant go on for a frame. Until
+   --  Due nobody asks what becomes of it.
+   procedure Step_Plant
+     (Chosen    : Choices;
+      Time      : Microseconds;
+      Frame_End : Microseconds;
+      Due       : out Microseconds);
+
+   --  JSBSim has gone on for a frame.
+   procedure Take_Answer;
 
    --  A major frame of the ground has ended.
    procedure End_Frame (Chosen : Choices; Time : Microseconds);
@@ -194,10 +202,14 @@ package body Sim.Flight is
       end if;
    end Move_Console;
 
-   procedure Step_Plant (Chosen : Choices; Time : Microseconds) is
+   procedure Step_Plant
+     (Chosen    : Choices;
+      Time      : Microseconds;
+      Frame_End : Microseconds;
+      Due       : out Microseconds)
+   is
       Servos : constant PWM_Buffer := Nodes.Servos;
       Moved  : Sensor_Words := Measured;
-      Errors : Sensor_Values;
    begin
       Latency.PWM_Written (Delays, Time, Servos);
 
@@ -209,13 +221,23 @@ package body Sim.Flight is
                   Measured (Item) := Moved (Item);
                end if;
             end loop;
+            Engine.Set_Sensors (Measured);
+            Due := Host.Never;
 
          when JSBSim_Plant =>
-            Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
-            Sim.JSBSim.Step (Servos, Errors, Measured, Truth, Shown);
+            Sim.JSBSim.Begin_Step (Servos);
+            Due := Microseconds'Min
+              (Frame_End, Time + Ticks_To_Scan * Tick_Time);
       end case;
-      Engine.Set_Sensors (Measured);
    end Step_Plant;
+
+   procedure Take_Answer is
+      Errors : Sensor_Values;
+   begin
+      Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
+      Sim.JSBSim.End_Step (Errors, Measured, Truth, Shown);
+      Engine.Set_Sensors (Measured);
+   end Take_Answer;
 
    procedure End_Frame (Chosen : Choices; Time : Microseconds) is
       Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
@@ -276,19 +298,26 @@ package body Sim.Flight is
       Frame_End : Microseconds := Major_Frame;
 
       Next_PWM  : Microseconds := First_Commands (Chosen);
+      Due       : Microseconds := Host.Never;
       Next      : Microseconds;
       Row       : Console_Words;
       Scripted  : Sensor_Words;
    begin
       loop
          Next := Microseconds'Min
-           (Microseconds'Min (Frame_End, Next_PWM + 1),
+           (Microseconds'Min
+              (Due, Microseconds'Min (Frame_End, Next_PWM + 1)),
             Microseconds'Min (Stick_Scripts.Next_Time (Sticks),
                               Sensor_Scripts.Next_Time (Sensors)));
          Engine.Run (Next, Files (Wire_File));
 
+         if Next = Due then
+            Take_Answer;
+            Due := Host.Never;
+         end if;
+
          if Next = Next_PWM + 1 then
-            Step_Plant (Chosen, Next_PWM);
+            Step_Plant (Chosen, Next_PWM, Frame_End, Due);
             Next_PWM := Next_PWM + Major_Frame;
          end if;
 

@@ -18,6 +18,16 @@ package body Sim.JSBSim.Process is
    Ending_Polls : constant := 300;
    Ending_Poll  : constant Duration := 0.01;
 
+   --  So often it is looked for an answer before this process sleeps until
+   --  one comes: on two processors the aircraft's frame takes less time than
+   --  to be woken. Where the other process only runs when this one sleeps,
+   --  looking is in vain, and done ever more seldom.
+   Looks      : constant := 1_500;
+   Most_Skips : constant := 63;
+
+   Skips   : Natural := 0;   --  after the last look in vain
+   To_Skip : Natural := 0;
+
    Link    : Socket_Type := No_Socket;
    Running : Process_Id  := Invalid_Pid;
 
@@ -52,6 +62,26 @@ package body Sim.JSBSim.Process is
          raise Plant_Failure with "JSBSim's process has ended";
    end Send;
 
+   procedure Look_For (Length : Natural);
+
+   procedure Look_For (Length : Natural) is
+      Come : Request_Type (N_Bytes_To_Read);
+   begin
+      if To_Skip > 0 then
+         To_Skip := To_Skip - 1;
+         return;
+      end if;
+      for Look in 1 .. Looks loop
+         Control_Socket (Link, Come);
+         if Come.Size >= Length then
+            Skips := 0;
+            return;
+         end if;
+      end loop;
+      Skips := Natural'Min (2 * Skips + 1, Most_Skips);
+      To_Skip := Skips;
+   end Look_For;
+
    procedure Receive (Message : out Stream_Element_Array) is
       Last : Stream_Element_Offset := Message'First - 1;
       Next : Stream_Element_Offset;
@@ -77,6 +107,7 @@ package body Sim.JSBSim.Process is
       end Receive_Some;
 
    begin
+      Look_For (Message'Length);
       while Last < Message'Last loop
          Next := Last + 1;
          Receive_Some (Next);

@@ -46,16 +46,19 @@ package body Sim.JSBSim is
          Process.Give_Up ("plant.py has failed");
    end Start;
 
-   procedure Step
-     (Servos  : PWM_Buffer;
-      Errors  : Sensor_Values;
+   procedure Begin_Step (Servos : PWM_Buffer) is
+   begin
+      Process.Send (To_Message (Servos));
+   end Begin_Step;
+
+   procedure End_Step
+     (Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State) is
    begin
-      Process.Send (To_Message (Servos));
       Receive_State (Errors, Sensors, Truth, Shown);
-   end Step;
+   end End_Step;
 
    procedure Stop is
    begin

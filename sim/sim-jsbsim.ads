@@ -29,13 +29,15 @@ package Sim.JSBSim is
       Truth       : out Flight_State;
       Shown       : out Shown_State);
 
-   --  The servos' words are held for a major frame. Sensors are those
-   --  Ticks_To_Scan after its beginning, when the aircraft's next scan
-   --  begins, with their errors; Truth is at its end, Shown after the steps
-   --  that were chosen.
-   procedure Step
-     (Servos  : PWM_Buffer;
-      Errors  : Sensor_Values;
+   --  The servos' words are held for a major frame. The other process flies
+   --  through it while this one goes on.
+   procedure Begin_Step (Servos : PWM_Buffer);
+
+   --  What has come of it. Sensors are those Ticks_To_Scan after its
+   --  beginning, when the aircraft's next scan begins, with their errors;
+   --  Truth is at its end, Shown after the steps that were chosen.
+   procedure End_Step
+     (Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
       Shown   : out Shown_State);

@@ -31,8 +31,11 @@ import signal
 import socket
 import struct
 import sys
+import types
 from pathlib import Path
 from typing import NamedTuple
+
+from servo_faults import Faults
 
 FIELD_FT = 800.0
 START_ALTITUDE_FT = 1000.0
@@ -43,6 +46,10 @@ START_HEADING_DEG = 90.0
 BELLY_FT = 0.8
 HALF_SPAN_FT = 7.0
 
+# How long a step of JSBSim's may be: scripts/aircraft_steps.py shows that it
+# is short enough.
+LONGEST_STEP_US = 4000
+
 # Best power of the engine at this height. The pilot has no such lever.
 MIXTURE = 0.9
 
@@ -52,6 +59,11 @@ SETTLE_S = 90
 # On the runway: the wheels' springs carry it at this height.
 STANDING_FT = 1.6
 STAND_S = 6
+
+# How often it is looked for commands; after a look in vain, how many waits
+# there may be without one.
+LOOKS = 100
+MOST_SKIPS = 63
 
 # Conditions of a flight, and how many numbers each has. A start on the runway
 # has none: the aircraft stands there, brake on, and looks down it.
@@ -147,23 +159,6 @@ SHOWN = {
 }
 
 
-# A surface with a broken linkage trails in the wind of its place, at this part
-# of the angle at which the wind meets the wing or the fin: a usual value for
-# plain surfaces. The ailerons' wind has the roll rate in it.
-TRAILS = 0.3
-AILERON_ARM_FT = 5.6
-# A lever's spring closes the throttle and lets go of the brake; a wheel
-# castors; a flap cannot go up and hangs at its stop.
-LOOSE = {
-    "left_aileron": lambda wind: -TRAILS * (wind.alpha - wind.rolling),
-    "right_aileron": lambda wind: TRAILS * (wind.alpha + wind.rolling),
-    "left_elevator": lambda wind: TRAILS * wind.alpha,
-    "right_elevator": lambda wind: TRAILS * wind.alpha,
-    "left_rudder": lambda wind: -TRAILS * wind.beta,
-    "right_rudder": lambda wind: -TRAILS * wind.beta,
-}
-
-
 class Refused(Exception):
     """The flight cannot begin; the text goes to the other side."""
 
@@ -172,10 +167,16 @@ def load_jsbsim(step_s):
     """Imports JSBSim of the version that the aircraft was tuned with."""
     os.environ["JSBSIM_DEBUG"] = "0"
     here = Path(__file__).resolve().parent
+    # JSBSim's module wants numpy for matrices, which nobody here asks it for;
+    # to import that takes longer than to settle the aircraft.
+    spared = sys.modules.setdefault("numpy", types.ModuleType("numpy"))
     try:
         import jsbsim
     except ImportError as error:
         raise Refused(f"no Python module jsbsim ({error})") from error
+    finally:
+        if not hasattr(spared, "__version__"):
+            del sys.modules["numpy"]
     for line in (here / "requirements.txt").read_text().splitlines():
         name, _, wanted = line.partition("==")
         if name == "jsbsim" and jsbsim.__version__ != wanted:
@@ -197,79 +198,14 @@ class Times(NamedTuple):
     scan: int
     shown: int
 
-
-class Wind(NamedTuple):
-    """How the air meets the aircraft, in degrees."""
-
-    alpha: float
-    beta: float
-    rolling: float      # more alpha at the right aileron, from rolling
-
-
-class Servo:
-    """A servo and what befalls it."""
-
-    def __init__(self, tree, name):
-        _, path = SERVOS[name]
-        stem = path.rsplit("-", 1)[0]
-        self.command = tree.get_node(path)
-        self.place = tree.get_node(path.replace("servo/", "surface/"))
-        self.speed = [tree.get_node(f"{stem}-{each}")
-                      for each in ("lag", "rate")]
-        self.whole = [each.get_double_value() for each in self.speed]
-        self.loose = LOOSE.get(name, lambda wind: 0.0)
-        self.goal = None
-
-    def begin(self, kind, value=None):
-        """The fault acts from now on, instead of an earlier one."""
-        part = float(value) / 100 if kind == "slow" else 1.0
-        for node, whole in zip(self.speed, self.whole):
-            node.set_double_value(part * whole)
-        if kind == "slow":
-            self.goal = None
-        elif kind == "float":
-            self.goal = self.loose
-        else:
-            at = (self.place.get_double_value() if value is None
-                  else float(value))
-            self.goal = lambda wind: at
-
-    def move(self, wind):
-        """Whatever is commanded, a broken servo goes its own way."""
-        if self.goal:
-            self.command.set_double_value(self.goal(wind))
-
-
-class Faults:
-    """What befalls the servos of a flight, from (NAME, "TICK FAULT")."""
-
-    def __init__(self, tree, lines):
-        self.coming = [(int(tick), name, fault)
-                       for name, text in lines
-                       for tick, *fault in [text.split()]]
-        self.servos = {name: Servo(tree, name)
-                       for _, name, _ in self.coming}
-        self.alpha = tree.get_node("aero/alpha-deg")
-        self.beta = tree.get_node("aero/beta-deg")
-        self.roll_rate = tree.get_node("velocities/p-rad_sec")
-        self.airspeed = tree.get_node("velocities/vt-fps")
-        self.now = 0
-
-    def wind(self):
-        speed = max(self.airspeed.get_double_value(), 1.0)
-        rolling = self.roll_rate.get_double_value() * AILERON_ARM_FT / speed
-        return Wind(self.alpha.get_double_value(),
-                    self.beta.get_double_value(), DEG * math.atan(rolling))
-
-    def act(self):
-        """Before a tick of the flight."""
-        while self.coming and self.coming[0][0] <= self.now:
-            _, name, fault = self.coming.pop(0)
-            self.servos[name].begin(*fault)
-        wind = self.wind()
-        for servo in self.servos.values():
-            servo.move(wind)
-        self.now += 1
+    @property
+    def step(self):
+        """Ticks of JSBSim's step. One ends with the frame, and one when the
+        sensors are measured."""
+        whole = math.gcd(self.frame, self.scan)
+        return max(ticks for ticks in range(1, whole + 1)
+                   if whole % ticks == 0
+                   and (ticks == 1 or ticks * self.tick <= LONGEST_STEP_US))
 
 
 class Aircraft:
@@ -279,7 +215,7 @@ class Aircraft:
                  faults=()):
         self.times = times
         self.conditions = conditions
-        self.fdm = fdm = load_jsbsim(times.tick / 1e6)
+        self.fdm = fdm = load_jsbsim(times.step * times.tick / 1e6)
         self.tree = fdm.get_property_manager()
         stands = "start" in conditions
         for name, value in (
@@ -300,10 +236,12 @@ class Aircraft:
         self.load_ballast()
         self.blow()
 
-        self.servos = [self.node(SERVOS, *item)[0] for item in servos]
-        self.sensors = [self.node(SENSORS, *item) for item in sensors]
-        self.truth = [self.node(TRUTH, *item) for item in truth]
-        self.shown = [self.node(SHOWN, *item) for item in shown]
+        self.servos = [self.node(SERVOS, *item)[0].set_double_value
+                       for item in servos]
+        self.sensors = self.readings(SENSORS, sensors)
+        self.truth = self.readings(TRUTH, truth)
+        self.shown = self.readings(SHOWN, shown)
+        self.shown_items = [name for name, _ in shown]
         self.bank = self.tree.get_node("attitude/phi-deg")
         self.altitude = self.tree.get_node("position/h-agl-ft")
         self.north = self.tree.get_node("position/from-start-neu-n-ft")
@@ -315,7 +253,10 @@ class Aircraft:
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
-        self.faults = Faults(self.tree, faults) if faults else None
+        self.faults = Faults(
+            self.tree, faults,
+            {name: path for name, (_, path) in SERVOS.items()}
+        ) if faults else None
         if stands:
             self.stand()
         else:
@@ -339,10 +280,20 @@ class Aircraft:
             raise Refused(f"JSBSim has no property {path}")
         return (node, *scale)
 
+    def readings(self, table, items):
+        """How each is read, and which have a factor or an offset."""
+        nodes = [self.node(table, *item) for item in items]
+        return ([node.get_double_value for node, *_ in nodes],
+                [(place, *scale) for place, (_, *scale) in enumerate(nodes)
+                 if scale != [1.0, 0.0]])
+
     @staticmethod
     def read(items):
-        return [node.get_double_value() * factor + offset
-                for node, factor, offset in items]
+        gets, scaled = items
+        values = [get() for get in gets]
+        for place, factor, offset in scaled:
+            values[place] = values[place] * factor + offset
+        return values
 
     def find_place(self):
         for node, now, start in zip(
@@ -352,6 +303,13 @@ class Aircraft:
     def read_shown(self):
         self.find_place()
         return self.read(self.shown)
+
+    def between(self, earlier, later, part):
+        """What was shown when that part of a step had passed."""
+        return [(first + part * ((last - first + 180.0) % 360.0 - 180.0))
+                % 360.0 if item == "heading"
+                else first + part * (last - first)
+                for item, first, last in zip(self.shown_items, earlier, later)]
 
     def read_truth(self):
         self.find_place()
@@ -391,9 +349,9 @@ class Aircraft:
         fdm["propulsion/magneto_cmd"] = 3
         fdm["propulsion/starter_cmd"] = 1
         fdm["servo/brake-pct"] = 100.0
-        ticks = 1e6 / self.times.tick
-        for tick in range(round(STAND_S * ticks)):
-            if tick == round(START_ENGINE_S * ticks):
+        steps = 1e6 / (self.times.step * self.times.tick)
+        for step in range(round(STAND_S * steps)):
+            if step == round(START_ENGINE_S * steps):
                 fdm["propulsion/starter_cmd"] = 0
             fdm.run()
 
@@ -439,7 +397,7 @@ class Aircraft:
                 servo[side + "_aileron"].set_double_value(aileron)
                 servo[side + "_elevator"].set_double_value(elevator)
             servo["throttle"].set_double_value(throttle)
-            for _ in range(self.times.frame):
+            for _ in range(self.times.frame // self.times.step):
                 fdm.run()
 
     def measure_signal(self):
@@ -470,18 +428,25 @@ class Aircraft:
         """Holds the commands for one frame; what goes out after it."""
         if self.crashed.get_double_value():
             return self.last
-        run = self.fdm.run
-        for node, command in zip(self.servos, commands):
-            node.set_double_value(command)
-        for step in range(1, self.times.frame + 1):
+        run, ticks = self.fdm.run, self.times.step
+        steps = self.times.frame // ticks
+        # What is shown may be of a moment within a step.
+        before, part = divmod(self.times.shown, ticks)
+        earlier = self.read_shown() if part and before == 0 else None
+        for move, command in zip(self.servos, commands):
+            move(command)
+        for step in range(1, steps + 1):
             if self.faults:
-                self.faults.act()
+                self.faults.act(ticks)
             run()
-            if step == self.times.scan:
+            if step * ticks == self.times.scan:
                 self.measure_signal()
                 sensors = self.read(self.sensors)
-            if step == self.times.shown:
-                shown = self.read_shown()
+            if step == before:
+                shown = earlier = self.read_shown()
+            if part and step == before + 1:
+                shown = self.between(earlier, self.read_shown(),
+                                     part / ticks)
         if self.has_crashed():
             self.crashed.set_double_value(1.0)
             sensors, truth, shown = self.last
@@ -491,15 +456,49 @@ class Aircraft:
         return self.last
 
 
-def receive(link, length):
-    """That many bytes, or None at the end of the connection."""
-    data = link.recv(length)
-    while data and len(data) < length:
-        more = link.recv(length - len(data))
-        if not more:
+class Commands:
+    """What comes over the connection, so many bytes at a time.
+
+    It is looked for some times before this process sleeps until it comes: on
+    two processors the other side's frame takes less time than to be woken.
+    Where the other side only runs when this one sleeps, looking is in vain,
+    and done ever more seldom.
+    """
+
+    def __init__(self, link, length):
+        self.link = link
+        self.length = length
+        self.skips = self.to_skip = 0
+
+    def look(self):
+        """What has come, or None."""
+        if self.to_skip:
+            self.to_skip -= 1
             return None
-        data += more
-    return data or None
+        for _ in range(LOOKS):
+            try:
+                data = self.link.recv(self.length, socket.MSG_DONTWAIT)
+            except BlockingIOError:
+                continue
+            self.skips = 0
+            return data
+        self.to_skip = self.skips = min(2 * self.skips + 1, MOST_SKIPS)
+        return None
+
+    def __iter__(self):
+        """Each message, up to the end of the connection."""
+        while True:
+            data = self.look()
+            if data is None:
+                data = self.link.recv(self.length)
+            while data and len(data) < self.length:
+                more = self.link.recv(self.length - len(data))
+                if not more:
+                    return
+                data += more
+            if not data:
+                return
+            yield data
 
 
 def read_items(link):
@@ -545,7 +544,7 @@ def serve(link):
         len(items[kind]) for kind in ("sensor", "truth", "shown")))
     sensors, truth, shown = aircraft.last
     link.sendall(state.pack(*sensors, *truth, *shown))
-    while (data := receive(link, commands.size)) is not None:
+    for data in Commands(link, commands.size):
         sensors, truth, shown = aircraft.fly(commands.unpack(data))
         link.sendall(state.pack(*sensors, *truth, *shown))
 

@@ -12,13 +12,15 @@ import threading
 import pytest
 from conftest import FRAME_US, NUMBERS, ROOT, TICK_US
 
-sys.path.insert(0, str(ROOT / "sim" / "jsbsim"))
+sys.path[:0] = [str(ROOT / "sim" / "jsbsim"), str(ROOT / "scripts")]
 
+import aircraft_steps  # noqa: E402
 import plant  # noqa: E402
 
 pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
 
 FRAME_S = FRAME_US / 1e6
+STEP_S = 0.004
 TIMES = plant.Times(
     tick=TICK_US, frame=NUMBERS.frame_ticks,
     scan=NUMBERS.frame_ticks - NUMBERS.servo_tick,
@@ -82,16 +84,63 @@ def test_a_frame_is_20_ms_and_its_sensors_are_of_16(flown):
     began = flown.aircraft.fdm.get_sim_time()
     for frame in range(1, 11):
         flown.fly(left_aileron=9, right_aileron=9)
-        for place in range(1, 11):
+        for place in range(1, round(FRAME_S / STEP_S) + 1):
             other.aircraft.fdm.run()
             bank = other.aircraft.fdm["attitude/phi-deg"]
-            if place == 8:
+            if place * STEP_S == pytest.approx(0.8 * FRAME_S):
                 assert flown.sensors["roll_attitude"] == same(bank)
                 assert flown.sensors["roll_rate"] == same(math.degrees(
                     other.aircraft.fdm["velocities/p-rad_sec"]))
         assert flown.truth["bank"] == same(bank)
         assert flown.aircraft.fdm.get_sim_time() - began == pytest.approx(
             FRAME_S * frame, abs=1e-6)
+
+
+@pytest.mark.parametrize("tick, frame, scan, step", [
+    (2000, 10, 8, 2), (1000, 10, 8, 2), (1000, 20, 16, 4), (5000, 4, 3, 1)])
+def test_a_step_ends_with_the_frame_and_the_scan_and_is_at_most_4_ms(
+        tick, frame, scan, step):
+    assert plant.Times(tick, frame, scan, frame).step == step
+
+
+def test_where_it_is_stays_within_a_bit_of_what_half_the_step_gives(
+        monkeypatch):
+    monkeypatch.setattr(aircraft_steps, "FRAMES", 200)
+    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
+    longest = plant.LONGEST_STEP_US
+    found = dict(zip(aircraft_steps.SHOWN, aircraft_steps.apart(
+        aircraft_steps.flown(longest), aircraft_steps.flown(longest // 2)),
+        strict=True))
+    for name in ("roll_attitude", "pitch_attitude", "airspeed", "altitude"):
+        assert found[name] < 1, name
+    # The servos answer a millisecond later; 6 degrees are 300 bits.
+    assert 3 < found["left_aileron"] < 30
+
+
+def test_what_is_shown_may_be_of_a_moment_within_a_step():
+    """Half way between what is shown of the steps around it."""
+    said = []
+    for shown in (6, 7, 8):
+        aircraft = plant.Aircraft(
+            SERVOS.items(), (), (), [("bank", "deg"), ("heading", "deg")],
+            TIMES._replace(shown=shown))
+        commands = {**dict.fromkeys(SERVOS, 0.0), "throttle": 50.0,
+                    "left_aileron": 20.0, "right_aileron": 20.0}
+        said.append([aircraft.fly(list(commands.values()))[2]
+                     for _ in range(100)])
+    for before, between, after in zip(*said):
+        assert between == pytest.approx(
+            [(one + other) / 2 for one, other in zip(before, after)])
+    assert said[0][-1][0] > said[0][0][0] + 20
+
+
+@pytest.mark.parametrize("first, last, between", [
+    (359.0, 1.0, 0.0), (1.0, 358.0, 359.5), (90.0, 91.0, 90.5)])
+def test_a_heading_goes_the_short_way_round(first, last, between):
+    aircraft = object.__new__(plant.Aircraft)
+    aircraft.shown_items = ["heading"]
+    assert aircraft.between([first], [last], 0.5) == [
+        pytest.approx(between)]
 
 
 def test_sensors_say_what_is_so(flown):
@@ -165,7 +214,8 @@ def test_each_servo_moves_its_surface_alone_and_as_fast_as_it_can(
             if "flap" in kind:
                 assert min(3, 5 * passed) - 0.6 <= now <= 5 * passed + 0.02
             else:
-                lag = math.exp(-passed / 0.1)
+                # JSBSim's servos answer half a step later.
+                lag = math.exp(-(passed - STEP_S / 2) / 0.1)
                 assert now == pytest.approx(3 - (3 - before) * lag, abs=0.05)
         flown.fly(60)
         assert flown.sensors[surface] == pytest.approx(3, abs=0.01)

@@ -23,7 +23,7 @@ DOCUMENTED = {
     "final_altitude_error_ft": 0.3,
     "final_airspeed_error_kt": 0.05,
     "final_bank_error_deg": 0.05,
-    "final_heading_error_deg": 0.05,
+    "final_heading_error_deg": 0.1,
 }
 FACTOR = 1.5
 
