@@ -2,6 +2,7 @@
 
 with Host.Complaints;   use Host.Complaints;
 with Host.Names;
+with Host.Orders;
 with Host.Text_Input;   use Host.Text_Input;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with URV.Buffers;       use URV.Buffers;
@@ -9,14 +10,6 @@ with URV.Buffers;       use URV.Buffers;
 package body Sim.Conditions is
 
    use type Number;
-
-   --  A line has at most so many words; one more is too many of any kind.
-   Most_Words : constant := 4;
-   type Slice is record
-      First : Positive := 1;
-      Last  : Natural  := 0;
-   end record;
-   type Slice_List is array (1 .. Most_Words) of Slice;
 
    Line_Feed : constant Character := ASCII.LF;
 
@@ -71,11 +64,6 @@ package body Sim.Conditions is
       & (if Item = Sensor_Item'Last then ""
          else ", " & Sensors_From (Sensor_Item'Succ (Item))));
 
-   procedure Split
-     (Line  : String;
-      Words : out Slice_List;
-      Count : out Natural);
-
    --  A number from Least to Most, with a sign before it or not.
    procedure Read_Number
      (From        : Reader;
@@ -107,29 +95,6 @@ package body Sim.Conditions is
       Line   : String;
       Loaded : in out Script;
       Before : in out Mentioned);
-
-   procedure Split
-     (Line  : String;
-      Words : out Slice_List;
-      Count : out Natural)
-   is
-      Inside : Boolean := False;
-   begin
-      Words := (others => <>);
-      Count := 0;
-      for Index in Line'Range loop
-         if Line (Index) in ' ' | ASCII.HT then
-            Inside := False;
-         else
-            if not Inside and then Count < Most_Words then
-               Count := Count + 1;
-               Words (Count).First := Index;
-            end if;
-            Inside := True;
-            Words (Count).Last := Index;
-         end if;
-      end loop;
-   end Split;
 
    procedure Read_Number
      (From        : Reader;
@@ -241,13 +206,12 @@ package body Sim.Conditions is
       Loaded : in out Script;
       Before : in out Mentioned)
    is
-      Words  : Slice_List;
-      Count  : Natural;
+      Count  : constant Natural := Orders.Word_Count (Line);
       Kind   : Condition_Kind;
       Unused : Long_Float;
 
-      function Word (Index : Positive) return String is
-        (Line (Words (Index).First .. Words (Index).Last));
+      function Word (Number : Positive) return String is
+        (Orders.Word (Line, Number));
 
       procedure Check (Index : Positive; What : String; Least, Most : Integer);
 
@@ -257,7 +221,6 @@ package body Sim.Conditions is
          Read_Number (From, What, Word (Index), Least, Most, Unused);
       end Check;
    begin
-      Split (Line, Words, Count);
       Read_Kind (From, Word (1), Kind);
       if Count - 1 /= Parameter_Count (Kind) then
          Refuse
@@ -297,34 +260,19 @@ package body Sim.Conditions is
    end Read_Condition;
 
    procedure Load (Loaded : in out Script; File : String) is
-      From   : Reader;
-      Found  : Boolean;
       Before : Mentioned;
+
+      procedure Read (From : Reader; Order : String);
+
+      procedure Read (From : Reader; Order : String) is
+      begin
+         Read_Condition (From, Order, Loaded, Before);
+      end Read;
+
+      procedure Read_All is new Orders.Read_All (Read);
    begin
       Loaded.Is_Given := True;
-      Open (From, File);
-      loop
-         Next_Line (From, Found);
-         exit when not Found;
-
-         declare
-            Text    : constant String := Line (From);
-            Comment : Positive := Text'First;
-         begin
-            while Comment <= Text'Last and then Text (Comment) /= '#' loop
-               Comment := Comment + 1;
-            end loop;
-
-            declare
-               Said : constant String :=
-                 Trimmed (Text (Text'First .. Comment - 1));
-            begin
-               if Said /= "" then
-                  Read_Condition (From, Said, Loaded, Before);
-               end if;
-            end;
-         end;
-      end loop;
+      Read_All (File);
    end Load;
 
    function Place

@@ -2,6 +2,7 @@
 
 with Host.Complaints;    use Host.Complaints;
 with Host.Names;
+with Host.Orders;
 with Host.Text_Input;    use Host.Text_Input;
 with Host.Text_Numbers;  use Host.Text_Numbers;
 with Sim.Faults.Grammar; use Sim.Faults.Grammar;
@@ -11,20 +12,6 @@ package body Sim.Faults is
    use type Number;
 
    Longest_Time : constant Number := 10_000_000_000 * 1_000;
-
-   --  A line has at most so many words; one more is too many of any kind.
-   Most_Words : constant := 6;
-   type Slice is record
-      First : Positive := 1;
-      Last  : Natural  := 0;
-   end record;
-   type Slice_List is array (1 .. Most_Words) of Slice;
-
-   --  Finds the words of a line. Those beyond the list are not kept.
-   procedure Split
-     (Line  : String;
-      Words : out Slice_List;
-      Count : out Natural);
 
    procedure Read_Kind
      (From   : Reader;
@@ -84,29 +71,6 @@ package body Sim.Faults is
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
 
    function Form_Of (Kind : Fault_Kind) return String renames Image;
-
-   procedure Split
-     (Line  : String;
-      Words : out Slice_List;
-      Count : out Natural)
-   is
-      Inside : Boolean := False;
-   begin
-      Words := (others => <>);
-      Count := 0;
-      for Index in Line'Range loop
-         if Line (Index) in ' ' | ASCII.HT then
-            Inside := False;
-         else
-            if not Inside and then Count < Most_Words then
-               Count := Count + 1;
-               Words (Count).First := Index;
-            end if;
-            Inside := True;
-            Words (Count).Last := Index;
-         end if;
-      end loop;
-   end Split;
 
    function Kinds_After (Before : Subject) return String is
 
@@ -354,18 +318,15 @@ package body Sim.Faults is
    end Read_Parameter;
 
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault) is
-      Words  : Slice_List;
-      Count  : Natural;
+      Count  : constant Natural := Orders.Word_Count (Line);
       Next   : Positive := 2;
       Before : Subject := Nothing;
 
-      --  The word of that number, empty after the last.
-      function Word (Index : Positive) return String is
-        (Line (Words (Index).First .. Words (Index).Last));
+      function Word (Number : Positive) return String is
+        (Orders.Word (Line, Number));
    begin
       Made := (Kind => Cut, Line => Line_Number (From), Time => 0,
                others => <>);
-      Split (Line, Words, Count);
       Read_Time (From, "TIME_MS", Word (1), Made.Time);
 
       if Count < 2 then
@@ -409,35 +370,20 @@ package body Sim.Faults is
    end Read_Fault;
 
    procedure Load (Loaded : in out Script; File : String) is
-      From  : Reader;
-      Found : Boolean;
-      Made  : Fault;
+
+      procedure Read (From : Reader; Order : String);
+
+      procedure Read (From : Reader; Order : String) is
+         Made : Fault;
+      begin
+         Read_Fault (From, Order, Made);
+         Loaded.Faults.Append (Made);
+      end Read;
+
+      procedure Read_All is new Orders.Read_All (Read);
    begin
       Loaded.Faults.Clear;
-      Open (From, File);
-      loop
-         Next_Line (From, Found);
-         exit when not Found;
-
-         declare
-            Text    : constant String := Line (From);
-            Comment : Positive := Text'First;
-         begin
-            while Comment <= Text'Last and then Text (Comment) /= '#' loop
-               Comment := Comment + 1;
-            end loop;
-
-            declare
-               Order : constant String :=
-                 Trimmed (Text (Text'First .. Comment - 1));
-            begin
-               if Order /= "" then
-                  Read_Fault (From, Order, Made);
-                  Loaded.Faults.Append (Made);
-               end if;
-            end;
-         end;
-      end loop;
+      Read_All (File);
    end Load;
 
    function For_Plant
