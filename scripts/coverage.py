@@ -63,7 +63,8 @@ COUNT_DECISIONS = ("unit", "flights", "partitions")
 # other programs, or at the same flights for longer.
 # Not the flight of a thousand starts: it lasts long, and does nothing new.
 SHORT = ("-k", "not thousand")
-FLIGHTS = ("data_path", "events", "faults", "line_faults", "starts", "wire")
+FLIGHTS = ("data_path", "events", "faults", "laws", "line_faults", "seal",
+           "starts", "wire")
 
 
 def run(*command, **more):

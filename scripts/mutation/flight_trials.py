@@ -29,9 +29,10 @@ PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
 LAST_QUICK_TEST = "LNK-10 the board counts the messages received"
 
 # The quick ones of the simulation's tests that look at the data's path; of
-# the telemetry board also those that spoil the line.
+# some folders also those that spoil the line, fly by the laws, seal the link.
 SIMULATION_TESTS = ["test_data_path.py", "test_wire.py"]
-TELEMETRY_TESTS = ["test_faults.py"]
+FOLDER_TESTS = {"telemetry": ["test_faults.py"], "laws": ["test_laws.py"],
+                "seal": ["test_seal.py"]}
 
 BUILD_LIMIT_S = 900
 TEST_LIMIT_S = 600
@@ -40,6 +41,13 @@ PROOF_LIMIT_S = 1200
 
 def needs_every_test(mutant):
     return mutant.path.startswith("src/telemetry/")
+
+
+def simulation_tests(wanted):
+    """The files of tests that some mutants go to."""
+    folders = sorted({mutant.path.split("/")[1] for mutant in wanted})
+    return [*SIMULATION_TESTS, *(name for folder in folders
+                                 for name in FOLDER_TESTS.get(folder, ()))]
 
 
 class FlightTrial(Copy):
@@ -70,7 +78,8 @@ class FlightTrial(Copy):
         self.in_simulator = self.units_in_simulator()
         self.objects = {tests_too: self.object_code(tests_too)
                         for tests_too in (False, True)}
-        return self.unit_tests(every) or self.simulation(every)
+        return (self.unit_tests(every)
+                or self.simulation(simulation_tests(wanted)))
 
     def units_in_simulator(self):
         """The files of src that the simulator is made of, generics too."""
@@ -128,10 +137,9 @@ class FlightTrial(Copy):
             return failure
         return f"ended with {status} after: {last[:100]}"
 
-    def simulation(self, every):
-        """Why the simulation's tests fail, or nothing."""
-        tests = [f"tests/simulation/{name}" for name in
-                 SIMULATION_TESTS + (TELEMETRY_TESTS if every else [])]
+    def simulation(self, names):
+        """Why these tests of the simulation fail, or nothing."""
+        tests = [f"tests/simulation/{name}" for name in names]
         status, output = self.run(
             [sys.executable, "-B", "-m", "pytest", "-x", "-q", "--tb=no",
              "-p", "no:cacheprovider", *tests], TEST_LIMIT_S,
@@ -208,7 +216,7 @@ class FlightTrial(Copy):
             return INVALID, ""
         if self.same_object_code(mutant):
             return EQUIVALENT, ""
-        failure = self.simulation(every)
+        failure = self.simulation(simulation_tests([mutant]))
         if failure:
             return "simulation", failure
         return PASSED, ""

@@ -26,7 +26,8 @@ FLIGHT = ("src",)
 JUDGES = ("sim", "host", "real_time")
 
 # In the order in which they are tried.
-FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel")
+FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel",
+           "laws", "seal")
 
 # Tie the rest to Ada's tasks and clock. They are tried in real time only, by
 # tests too slow to give each mutant to.

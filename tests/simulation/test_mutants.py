@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
 
+import flight_trials  # noqa: E402
 import judge_trials  # noqa: E402
 import mutants  # noqa: E402
 import python_mutants  # noqa: E402
@@ -193,6 +194,14 @@ def test_a_remark_changes_nothing():
     assert judge_trials.compiled(b"a = 1  # one") == judge_trials.compiled(
         b"a = 1")
     assert judge_trials.compiled(b"a = 2") != judge_trials.compiled(b"a = 1")
+
+
+def test_each_folder_of_src_has_its_turn_and_tests():
+    folders = {path.name for path in (ROOT / "src").iterdir()}
+    assert sorted(mutants.FOLDERS) == sorted(folders)
+    for tests in flight_trials.FOLDER_TESTS.values():
+        for name in tests:
+            assert (ROOT / "tests/simulation" / name).exists()
 
 
 def test_each_judge_has_tests():
