@@ -6,6 +6,7 @@ A patch may touch 5 files of the product, the requirements and one file of
 tests; nothing else has to change.
 """
 
+import contextlib
 import csv
 import json
 import os
@@ -157,27 +158,54 @@ def test_one_more_task(task):
     assert set(told[len(before) + frames // 10:]) == {battery_low}
 
 
+def lines_of_the_list(task):
+    """The task's name, its row and its step: the file and the line of each."""
+    found = [(name, line)
+             for name in ("src/nodes/mcs.ads", "src/nodes/mcs.adb")
+             for line in task.lines(name, "+")
+             if re.match(r" +(when )?BATTERY_Task\b", line)]
+    assert len(found) == 3
+    return found
+
+
+@contextlib.contextmanager
+def left_out(task, lines):
+    """The tree without some lines, for a while."""
+    whole = {name: (task.copy / name).read_text(encoding="utf-8")
+             for name, _ in lines}
+    without = dict(whole)
+    for name, line in lines:
+        assert without[name].count(line + "\n") == 1
+        without[name] = without[name].replace(line + "\n", "")
+    try:
+        for name, text in without.items():
+            (task.copy / name).write_text(text, encoding="utf-8")
+        yield
+    finally:
+        for name, text in whole.items():
+            (task.copy / name).write_text(text, encoding="utf-8")
+
+
 def test_a_task_that_is_left_out_does_not_build(task):
     """Its name, its row and its step are lines of the patch of one more task,
     each left out by itself."""
-    checked = 0
-    for name in ("src/nodes/mcs.ads", "src/nodes/mcs.adb"):
-        path = task.copy / name
-        whole = path.read_text(encoding="utf-8")
-        for line in task.lines(name, "+"):
-            if not re.match(r" +(when )?BATTERY_Task\b", line):
-                continue
-            checked += 1
-            without = whole.replace(line + "\n", "")
-            assert without != whole
-            try:
-                path.write_text(without, encoding="utf-8")
-                result = task.build("urv.gpr", "-u", "-c", "mcs.adb")
-            finally:
-                path.write_text(whole, encoding="utf-8")
-            assert result.returncode != 0, line
-            assert "battery_task" in result.stderr.lower(), result.stderr
-    assert checked == 3
+    for line in lines_of_the_list(task):
+        with left_out(task, [line]):
+            result = task.build("urv.gpr", "-u", "-c", "mcs.adb")
+        assert result.returncode != 0, line
+        assert "battery_task" in result.stderr.lower(), result.stderr
+
+
+def test_an_instance_that_no_list_names_is_noticed(task):
+    """All three lines left out at once: that builds, for nothing runs it."""
+    assert task.build("sim/urv_sim.gpr").returncode == 0
+    with left_out(task, lines_of_the_list(task)):
+        tables = task.run(sys.executable, "-B", "-m", "pytest", "-q", "-p",
+                          "no:cacheprovider", "-k", "in_its_list",
+                          "tests/simulation/test_interface_tables.py")
+    assert tables.returncode == 1, tables.stdout + tables.stderr
+    assert "BATTERY_Task" in tables.stdout
+    assert "1 failed, 1 passed" in tables.stdout
 
 
 def test_frames_of_10_ms():
