@@ -2,27 +2,31 @@
 
 package body Partitions.Frame_Packets is
 
-   Magic   : constant := 16#5552_5646#;
-   Version : constant := 1;
+   Magic : constant := 16#5552_5646#;
 
-   --  The rows that a packet has.
+   --  The rows of each log that the first version has.
    subtype Told_Row is Log_Row_Number range 1 .. 32;
 
-   function To_Packet (Item : Frame) return Packet is
+   --  Those that the second has besides.
+   subtype Added_Row is Log_Row_Number range 33 .. 40;
+
+   function To_Packet
+     (Item : Frame; Version : Version_Number) return Packet
+   is
       Result : Packet  := (others => 0);
       Last   : Natural := 0;
 
       procedure Put (Value : Number; Bytes : Positive);
-      procedure Put (Rows : Log_Rows);
+      procedure Put (Rows : Log_Rows; First, Final : Log_Row_Number);
 
       procedure Put (Value : Number; Bytes : Positive) is
       begin
          Append (Result, Last, Value, Bytes);
       end Put;
 
-      procedure Put (Rows : Log_Rows) is
+      procedure Put (Rows : Log_Rows; First, Final : Log_Row_Number) is
       begin
-         for Which in Told_Row loop
+         for Which in First .. Final loop
             for Word of Rows (Which) loop
                Put (Number (Word), 2);
             end loop;
@@ -31,8 +35,8 @@ package body Partitions.Frame_Packets is
 
    begin
       Put (Magic, 4);
-      Put (Version, 2);
-      Put (Length, 2);
+      Put (Number (Version), 2);
+      Put (Number (Length (Version)), 2);
       Put (Item.Run, 4);
       Put (Item.Sequence, 4);
       Put (Item.Time, 8);
@@ -46,12 +50,16 @@ package body Partitions.Frame_Packets is
       for Word of Item.Words loop
          Put (Word, 2);
       end loop;
-      Put (Item.Log);
-      Put (Item.Aircraft_Log);
+      Put (Item.Log, Told_Row'First, Told_Row'Last);
+      Put (Item.Aircraft_Log, Told_Row'First, Told_Row'Last);
       for Word of Item.Status loop
          Put (Number (Word), 2);
       end loop;
       Put (Item.Pilot, 2);
+      if Version > 1 then
+         Put (Item.Log, Added_Row'First, Added_Row'Last);
+         Put (Item.Aircraft_Log, Added_Row'First, Added_Row'Last);
+      end if;
       return Result;
    end To_Packet;
 

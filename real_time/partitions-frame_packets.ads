@@ -1,16 +1,21 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The frame packet: what GSC CORE has at the end of a major frame, in one
---  datagram (GND-2). docs/station-packets.md has its layout.
+--  datagram (GND-2, GND-7). docs/station-packets.md has its layout.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Partitions.Octets;   use Partitions.Octets;
 
 package Partitions.Frame_Packets is
 
-   Length : constant := 1_108;
+   --  The second has what the first has, and then the other rows of the logs.
+   type Version_Number is range 1 .. 2;
 
-   subtype Packet is Octet_Array (1 .. Length);
+   function Length (Version : Version_Number) return Positive is
+     (if Version = 1 then 1_108 else 1_332);
+
+   --  Of either version.
+   subtype Packet is Octet_Array (1 .. 1_332);
 
    --  The age of a downlink that has not come yet.
    Never : constant := 16#FFFF_FFFF#;
@@ -41,6 +46,8 @@ package Partitions.Frame_Packets is
       Pilot            : Number;
    end record;
 
-   function To_Packet (Item : Frame) return Packet;
+   --  What is after its length is 0.
+   function To_Packet
+     (Item : Frame; Version : Version_Number) return Packet;
 
 end Partitions.Frame_Packets;

@@ -20,6 +20,7 @@ package body Partitions.Ground_Station is
       if Chosen.Console /= Null_Unbounded_String then
          Console_Port.Open (To_String (Chosen.Console));
       end if;
+      Publisher.Choose (Chosen.Packets);
       for Place of Chosen.Publish loop
          exit when Place = Null_Unbounded_String;
          Publisher.Open (To_String (Place));

@@ -15,7 +15,7 @@ package body Partitions.Options is
    type Option is
      (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
       Format_Option, Key_Option, Script_Option, Console_Option,
-      Pilot_Option, Publish_Option, Plant_Option, Laws_Option,
+      Pilot_Option, Packets_Option, Publish_Option, Plant_Option, Laws_Option,
       Record_Option, Summary_Option, Events_Option, Quiet_Option);
 
    --  Some have one node only.
@@ -41,6 +41,7 @@ package body Partitions.Options is
                                     else "--sensors"),
          when Console_Option    => "--console",
          when Pilot_Option      => "--pilot",
+         when Packets_Option    => "--packets",
          when Publish_Option    => "--publish",
          when Plant_Option      => "--plant",
          when Laws_Option       => "--laws",
@@ -127,6 +128,13 @@ package body Partitions.Options is
                  ("--plant: " & Quoted (Value)
                   & " is neither ""bench"" nor ""jsbsim""");
             end if;
+
+         when Packets_Option =>
+            if Value not in "1" | "2" then
+               Refuse
+                 ("--packets: " & Quoted (Value) & " is neither 1 nor 2");
+            end if;
+            Chosen.Packets := (if Value = "1" then 1 else 2);
 
          when Laws_Option =>
             if Value not in "on" | "off" then
@@ -338,6 +346,9 @@ package body Partitions.Options is
          Put_Line
            ("                         sends there what CORE has each frame;"
             & " up to" & Integer'Image (Most_Places) & " times");
+         Put_Line
+           ("  --packets N            of that version, 1 or 2, which has the"
+            & " whole log; else 1");
       else
          Put_Line
            ("  --sensors FILE         sensor words; else surfaces follow"

@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Host;  use Host;
 with Host.Text_Output;
+with Partitions.Frame_Packets;
 with URV.Seals;
 with URVOS;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
@@ -29,6 +30,7 @@ package Partitions.Options is
       Link    : Unbounded_String;
       Script  : Unbounded_String;
       Publish : Place_List;
+      Packets : Frame_Packets.Version_Number := 1;
       Console : Unbounded_String;
       Pilot   : Unbounded_String;
       Plant   : Plant_Kind := Bench_Plant;

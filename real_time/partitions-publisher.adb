@@ -9,7 +9,6 @@ with Host.Complaints;
 with Partitions.Clocks;
 with Partitions.Console;
 with Partitions.Console_Port;
-with Partitions.Frame_Packets; use Partitions.Frame_Packets;
 with Partitions.Links;
 with Partitions.Octets;
 with Partitions.Peer_Watch;    use Partitions.Peer_Watch;
@@ -32,7 +31,8 @@ package body Partitions.Publisher is
    Overruns_Column       : constant Column := First_Count_Column + 5;
 
    Places : array (1 .. Most_Places) of File := (others => Invalid);
-   Number_Of_Places : Natural := 0;
+   Number_Of_Places : Natural        := 0;
+   Told             : Version_Number := 1;
 
    --  Of the task that takes the rows.
    Peer     : Watch;
@@ -111,6 +111,11 @@ package body Partitions.Publisher is
       end Add;
 
    end Missing;
+
+   procedure Choose (Version : Version_Number) is
+   begin
+      Told := Version;
+   end Choose;
 
    procedure Open (Place : String) is
    begin
@@ -194,7 +199,8 @@ package body Partitions.Publisher is
              Log              => CORE.Log,
              Aircraft_Log     => CORE.Aircraft_Log,
              Status           => CORE.Status,
-             Pilot            => Console.Pilot_State'Pos (Sticks.Pilot))),
+             Pilot            => Console.Pilot_State'Pos (Sticks.Pilot)),
+            Told),
          Is_Taken);
       if not Is_Taken then
          Missing.Add (Count (Number_Of_Places));
@@ -204,7 +210,8 @@ package body Partitions.Publisher is
    procedure Send_All (Item : Packet);
 
    procedure Send_All (Item : Packet) is
-      Sent : Byte_Total;
+      Length : constant Positive := Frame_Packets.Length (Told);
+      Sent   : Byte_Total;
    begin
       for Place of Places (1 .. Number_Of_Places) loop
 
@@ -212,10 +219,11 @@ package body Partitions.Publisher is
          --  nobody listened.
          for Attempt in 1 .. 2 loop
             Sent := Send
-              (Place, Item'Address, Item'Length, Dont_Wait + No_Signal);
+              (Place, Item'Address, size_t (Length),
+               Dont_Wait + No_Signal);
             exit when Sent >= 0;
          end loop;
-         if Sent /= Item'Length then
+         if Sent /= Byte_Total (Length) then
             Missing.Add (1);
          end if;
       end loop;

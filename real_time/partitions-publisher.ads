@@ -4,12 +4,16 @@
 --  GND-2). The node makes the packet; a task of its own sends it and waits
 --  for nobody.
 
-with Partitions.Rows; use Partitions.Rows;
-with URVOS;           use URVOS;
+with Partitions.Frame_Packets; use Partitions.Frame_Packets;
+with Partitions.Rows;          use Partitions.Rows;
+with URVOS;                    use URVOS;
 
 package Partitions.Publisher is
 
    Most_Places : constant := 8;
+
+   --  The version of the packets, 1 unless said. Before the first one.
+   procedure Choose (Version : Version_Number);
 
    --  Sends to udp:HOST:PORT, too. Raises Host.Bad_Input.
    procedure Open (Place : String);

@@ -161,7 +161,8 @@ class Flight:
         # Who takes the frames is there before the first one.
         self.run("station", *station, tells=True)
         self.await_station()
-        publish = ["--publish", f"udp:{here}:{self.frames}"]
+        publish = ["--packets", packets.WHOLE,
+                   "--publish", f"udp:{here}:{self.frames}"]
         if mavlink is not None:
             publish += ["--publish", self.start_mavlink(mavlink)]
         lasts = [] if seconds is None else ["--seconds", seconds]

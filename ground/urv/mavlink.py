@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from urv import faults, items, packets, station, view
+from urv import faults, items, laws, packets, station, view
 from urv.packets import FramePacket, LinkState, Pilot
 
 if TYPE_CHECKING:
@@ -49,12 +49,6 @@ NO_HEADING = -1
 # A surface's whole travel is 1000 us of a servo's pulse, its middle 1500.
 PULSE_MIDDLE_US = 1500
 WORDS_PER_US = 4.096
-
-# In the order of the servos that move them.
-SURFACES = (
-    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
-    "left_rudder", "right_rudder", "left_flap_1", "right_flap_1",
-    "left_flap_2", "right_flap_2")
 
 # The scale of a SiK radio, which ground stations turn back into dBm.
 RSSI_PER_DB = 1.9
@@ -243,7 +237,7 @@ class Flight:
     def servos(self, frame: FramePacket) -> Any:
         """Where the surfaces are, as pulses that would hold them there."""
         pulses = [pulse_us(frame.columns[f"gsc.downlink.{name}"])
-                  for name in SURFACES]
+                  for name in laws.SURFACES]
         return self.dialect.MAVLink_servo_output_raw_message(
             frame.sequence * packets.FRAME_US % 2 ** 32, 0,
             *pulses, *[0] * (16 - len(pulses)))

@@ -11,6 +11,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 from enum import IntEnum, IntFlag
+from operator import add
 
 from urv import items
 
@@ -19,6 +20,9 @@ FRAME_US = 20_000
 FRAME_S = FRAME_US / 1e6
 
 VERSION = 1
+"""Of a console packet, and of a frame packet that has a part of the logs."""
+WHOLE = 2
+"""Of a frame packet that has the whole logs."""
 NEVER = 0xFFFF_FFFF
 """The age of a downlink that has not come yet."""
 
@@ -52,23 +56,40 @@ KINDS = (
     "link_reset", "task_overrun", "semaphore_not_claimed",
     "semaphore_not_owned", "warm_reset", "processor_restart",
     "self_test_failed", "rom_check_failed", "link_loss_state",
-    "sensor_not_valid")
+    "sensor_not_valid", "block_refused")
 """The kinds of errors, in the order of their rows."""
 
-ROWS_PER_LOG = 32
+ROWS_PER_LOG = 40
+FIRST_ROWS = 32
+"""Those of a log that version 1 has, too; the others come last."""
+LAWS_ROW = 40
+"""Of the aircraft's log: what its control laws do."""
 
 _FRAME_MAGIC = int.from_bytes(b"URVF")
 _FRAME_HEAD = struct.Struct(">IHHIIQIHHI")
 _COUNTS = struct.Struct(f">{len(LINK_COUNTS)}I")
 _WORDS = struct.Struct(f">{len(COLUMNS)}H")
 _ROW = struct.Struct(">IIIH")
-_LOG_LENGTH = ROWS_PER_LOG * _ROW.size
 _TAIL = struct.Struct(f">{len(STATUS)}HH")
 _COUNTS_AT = _FRAME_HEAD.size
 WORDS_AT = _COUNTS_AT + _COUNTS.size
 LOGS_AT = WORDS_AT + _WORDS.size
-TAIL_AT = LOGS_AT + len(NODES) * _LOG_LENGTH
-FRAME_LENGTH = TAIL_AT + _TAIL.size
+ROW_LENGTH = _ROW.size
+TAIL_AT = LOGS_AT + len(NODES) * FIRST_ROWS * ROW_LENGTH
+MORE_AT = TAIL_AT + _TAIL.size
+FRAME_LENGTH = (
+    MORE_AT + len(NODES) * (ROWS_PER_LOG - FIRST_ROWS) * ROW_LENGTH)
+LENGTHS = {VERSION: MORE_AT, WHOLE: FRAME_LENGTH}
+"""Of a frame packet of each version."""
+
+
+def row_at(node: str, row: int) -> int:
+    """Where the packet has the row of the node's log, from 1."""
+    first, begin, rows = (
+        (1, LOGS_AT, FIRST_ROWS) if row <= FIRST_ROWS else
+        (FIRST_ROWS + 1, MORE_AT, ROWS_PER_LOG - FIRST_ROWS))
+    return begin + (NODES.index(node) * rows + row - first) * ROW_LENGTH
+
 
 _CONSOLE_MAGIC = int.from_bytes(b"URVC")
 _CONSOLE = struct.Struct(f">IHHIIQ{len(COMMANDS)}HH")
@@ -145,6 +166,7 @@ class FramePacket:
     logs: tuple[tuple[LogRow, ...], ...]
     status: tuple[int, ...]
     pilot: Pilot
+    version: int = WHOLE
 
     @property
     def columns(self) -> dict[str, int]:
@@ -181,30 +203,35 @@ class FramePacket:
             raise PacketError(
                 f"frame packet: logs are {len(NODES)} of "
                 f"{ROWS_PER_LOG} rows")
+        length = LENGTHS[self.version]
         try:
+            first, more = (
+                [_ROW.pack(row.count, row.first_frame, row.last_frame,
+                           row.detail)
+                 for log in self.logs for row in log[rows]]
+                for rows in (slice(FIRST_ROWS), slice(FIRST_ROWS, None)))
             return b"".join((
                 _FRAME_HEAD.pack(
-                    _FRAME_MAGIC, VERSION, FRAME_LENGTH, self.run,
+                    _FRAME_MAGIC, self.version, length, self.run,
                     self.sequence, self.time_us, self.downlink_age,
                     self.console_state, self.link_state,
                     self.console_sequence),
                 _COUNTS.pack(*self.counts),
                 _WORDS.pack(*self.words),
-                *(_ROW.pack(row.count, row.first_frame, row.last_frame,
-                            row.detail)
-                  for log in self.logs for row in log),
-                _TAIL.pack(*self.status, self.pilot)))
+                *first,
+                _TAIL.pack(*self.status, self.pilot),
+                *more))[:length]
         except struct.error as error:
             raise PacketError(f"frame packet: {error}") from error
 
     @classmethod
     def decode(cls, data: bytes) -> FramePacket:
         """The packet in a datagram."""
-        _check("frame packet", data, _FRAME_MAGIC, FRAME_LENGTH)
+        version = _check("frame packet", data, _FRAME_MAGIC, LENGTHS)
         (_, _, _, run, sequence, time_us, age, console_state, link_state,
          console_sequence) = _FRAME_HEAD.unpack_from(data)
-        rows = [LogRow(*values) for values
-                in _ROW.iter_unpack(data[LOGS_AT:TAIL_AT])]
+        # What the first version does not have is as if it had not happened.
+        more = data[MORE_AT:].ljust(FRAME_LENGTH - MORE_AT, b"\0")
         *status, pilot = _TAIL.unpack_from(data, TAIL_AT)
         return cls(
             run=run,
@@ -216,10 +243,18 @@ class FramePacket:
             console_sequence=console_sequence,
             counts=_COUNTS.unpack_from(data, _COUNTS_AT),
             words=_WORDS.unpack_from(data, WORDS_AT),
-            logs=tuple(tuple(rows[first:first + ROWS_PER_LOG])
-                       for first in range(0, len(rows), ROWS_PER_LOG)),
+            logs=tuple(map(add, _logs(data[LOGS_AT:TAIL_AT]), _logs(more))),
             status=tuple(status),
-            pilot=_member(Pilot, pilot))
+            pilot=_member(Pilot, pilot),
+            version=version)
+
+
+def _logs(data: bytes) -> list[tuple[LogRow, ...]]:
+    """So many rows of each node's log as there are."""
+    rows = [LogRow(*values) for values in _ROW.iter_unpack(data)]
+    each = len(rows) // len(NODES)
+    return [tuple(rows[first:first + each])
+            for first in range(0, len(rows), each)]
 
 
 @dataclass(frozen=True)
@@ -250,7 +285,8 @@ class ConsolePacket:
     @classmethod
     def decode(cls, data: bytes) -> ConsolePacket:
         """The packet in a datagram."""
-        _check("console packet", data, _CONSOLE_MAGIC, CONSOLE_LENGTH)
+        _check("console packet", data, _CONSOLE_MAGIC,
+               {VERSION: CONSOLE_LENGTH})
         (_, _, _, run, sequence, time_us, *words, flags) = (
             _CONSOLE.unpack(data))
         if flags & ~int(ConsoleFlags.PILOT_FLIES):
@@ -272,19 +308,26 @@ class ConsolePacket:
                     f"{items.LARGEST_WORD}")
 
 
-def _check(what: str, data: bytes, magic: int, length: int) -> None:
-    """Refuses a datagram that is not of this kind."""
-    if len(data) != length:
-        raise PacketError(f"{what}: {len(data)} bytes, not {length}")
+def _check(what: str, data: bytes, magic: int,
+           lengths: dict[int, int]) -> int:
+    """The version of a datagram of this kind; another is refused."""
+    if len(data) not in lengths.values():
+        raise PacketError(f"{what}: {len(data)} bytes, not "
+                          + " or ".join(map(str, lengths.values())))
     found, version, told = struct.unpack_from(">IHH", data)
     if found != magic:
         raise PacketError(f"{what}: it begins with {found:08x}h, not "
                           f"{magic:08x}h")
-    if version != VERSION:
-        raise PacketError(f"{what}: version {version}, not {VERSION}")
-    if told != length:
+    if version not in lengths:
+        raise PacketError(f"{what}: version {version}, not "
+                          + " or ".join(map(str, lengths)))
+    if len(data) != lengths[version]:
+        raise PacketError(f"{what}: {len(data)} bytes of version {version}, "
+                          f"not {lengths[version]}")
+    if told != len(data):
         raise PacketError(f"{what}: it says that it has {told} bytes, "
-                          f"not {length}")
+                          f"not {len(data)}")
+    return version
 
 
 def _member(kind: type[IntEnum], value: int) -> IntEnum:

@@ -14,7 +14,7 @@ from typing import Annotated
 
 import typer
 
-from urv import faults, items, packets
+from urv import faults, items, laws, packets
 
 SYSTEM = "URV"
 CONTAINER = "frame"
@@ -38,7 +38,7 @@ ERROR_BITS = (
 LOG_ROW = (("count", 32, "how often"), ("first_frame", 32, "of its node"),
            ("last_frame", 32, "of its node"),
            ("detail", 16, "of the last one"))
-ROW_BITS = sum(bits for _, bits, _ in LOG_ROW)
+WORD_BITS = 16
 
 
 def xtce(
@@ -78,6 +78,7 @@ class _Entries:
         self.pymdb = pymdb
         self.system = system
         self.age = None
+        self.version = None
 
     def __iter__(self):
         yield from self.header()
@@ -89,6 +90,7 @@ class _Entries:
         yield from self.whole_numbers("status", 16, packets.STATUS,
                                       bitpos=8 * packets.TAIL_AT)
         yield self.choice("pilot", packets.Pilot)
+        yield from self.law_words()
 
     def subsystem(self, path):
         """The one of that name, of dots, made when there is none."""
@@ -101,10 +103,12 @@ class _Entries:
     def encoding(self, bits):
         return self.pymdb.IntegerEncoding(bits=bits)
 
-    def whole_number(self, system, name, bits, description=None, bitpos=None):
+    def whole_number(self, system, name, bits, description=None, bitpos=None,
+                     condition=None):
         return self.pymdb.ParameterEntry(self.pymdb.IntegerParameter(
             system, name, signed=False, short_description=description,
-            encoding=self.encoding(bits)), bitpos=bitpos)
+            encoding=self.encoding(bits)), bitpos=bitpos,
+            condition=condition)
 
     def whole_numbers(self, path, bits, names, bitpos=None):
         system = self.subsystem(path)
@@ -121,7 +125,10 @@ class _Entries:
 
     def header(self):
         for name, bits, description in HEADER:
-            yield self.whole_number(self.system, name, bits, description)
+            entry = self.whole_number(self.system, name, bits, description)
+            if name == "version":
+                self.version = entry.parameter
+            yield entry
         yield self.pymdb.ParameterEntry(self.pymdb.AbsoluteTimeParameter(
             self.system, "time", self.pymdb.Epoch.UNIX,
             short_description="UTC, when the frame's words were taken",
@@ -172,27 +179,66 @@ class _Entries:
     def error_bits(self, system, word_at):
         """Each for itself, out of the word again."""
         for bit, (name, level, meaning) in enumerate(ERROR_BITS):
-            yield self.pymdb.ParameterEntry(
-                self.pymdb.EnumeratedParameter(
-                    system, name, [(0, "no"), (1, "yes")],
-                    short_description=meaning,
-                    alarm=self.pymdb.EnumerationAlarm(
-                        {"yes": self.pymdb.AlarmLevel[level]}),
-                    encoding=self.encoding(1)),
-                bitpos=word_at + 15 - bit)
+            yield self.flag(system, name, word_at, bit, level,
+                            description=meaning)
+
+    def flag(self, system, name, word_at, bit, level, yes="yes",
+             description=None, condition=None):
+        """A bit of the word, the last one is 0; its level when set."""
+        return self.pymdb.ParameterEntry(
+            self.pymdb.EnumeratedParameter(
+                system, name, [(0, "no"), (1, yes)],
+                short_description=description,
+                alarm=self.pymdb.EnumerationAlarm(
+                    {yes: self.pymdb.AlarmLevel[level]}),
+                encoding=self.encoding(1)),
+            bitpos=word_at + WORD_BITS - 1 - bit, condition=condition)
 
     def log(self, node):
         """A row for each kind of error; the last ones of the packet are
         empty."""
         system = self.subsystem(f"log.{node}")
-        node_at = packets.LOGS_AT * 8 + (
-            packets.NODES.index(node) * packets.ROWS_PER_LOG * ROW_BITS)
-        for place, kind in enumerate(packets.KINDS):
+        for row, kind in enumerate(packets.KINDS, 1):
             yield self.pymdb.ParameterEntry(
                 self.pymdb.AggregateParameter(system, kind, [
                     self.pymdb.IntegerMember(
                         name, signed=False, short_description=description,
                         encoding=self.encoding(bits))
                     for name, bits, description in LOG_ROW]),
-                bitpos=node_at + place * ROW_BITS)
+                bitpos=8 * packets.row_at(node, row),
+                condition=(self.pymdb.eq(self.version, packets.WHOLE)
+                           if row > packets.FIRST_ROWS else None))
+
+    def law_words(self):
+        """What the aircraft tells of its control laws: urv.laws."""
+        pymdb = self.pymdb
+        at = 8 * packets.row_at("mcs", packets.LAWS_ROW)
+        comes = pymdb.all_of(pymdb.eq(self.version, packets.WHOLE),
+                             pymdb.eq(self.age, 0))
+        system = self.subsystem("laws")
+        # The first word's nibbles, from the highest.
+        for place, (name, names) in enumerate((
+                ("link", laws.LINK), ("power", laws.POWER),
+                ("vertical", laws.VERTICAL), ("lateral", laws.LATERAL))):
+            alarm = None if name != "link" else pymdb.EnumerationAlarm(
+                {label: pymdb.AlarmLevel.CRITICAL for label in laws.ALONE})
+            yield pymdb.ParameterEntry(
+                pymdb.EnumeratedParameter(
+                    system, name, list(enumerate(names)), alarm=alarm,
+                    encoding=self.encoding(laws.NIBBLE_BITS)),
+                bitpos=at + place * laws.NIBBLE_BITS, condition=comes)
+        yield self.whole_number(
+            system, "silent", WORD_BITS, "frames without an uplink",
+            at + 3 * WORD_BITS, comes)
+        for path, names, word, level, yes, what in (
+                ("laws.sensor", laws.SENSORS, 1, "WARNING", "NOT VALID",
+                 "the laws do not believe it"),
+                ("laws.surface", laws.SURFACES, 4, "CRITICAL", "FAILED",
+                 "it does not follow its servo")):
+            inner = self.subsystem(path)
+            for place, name in enumerate(names):
+                further, bit = divmod(place, WORD_BITS)
+                yield self.flag(inner, name,
+                                at + (word + further) * WORD_BITS, bit,
+                                level, yes, what, comes)
 

@@ -21,9 +21,10 @@ from urv.packets import (  # noqa: E402
 PAGE = (ROOT / "docs" / "station-packets.md").read_text(encoding="utf-8")
 
 
-def some_frame():
+def some_frame(version=2):
     """A packet in which each number differs from the others."""
     log = tuple(LogRow(70_000 + row, 80_000 + row, 90_000 + row, 100 + row)
+                if row < 32 or version == 2 else LogRow()
                 for row in range(packets.ROWS_PER_LOG))
     empty = tuple(LogRow() for _ in range(packets.ROWS_PER_LOG))
     return FramePacket(
@@ -32,7 +33,7 @@ def some_frame():
         link_state=LinkState.LOST, console_sequence=0x11121314,
         counts=tuple(range(0x20000000, 0x20000000 + 10)),
         words=tuple(range(0x300, 0x300 + 55)), logs=(log, empty),
-        status=tuple(range(0x500, 0x500 + 12)), pilot=Pilot.FLIES)
+        version=version, status=tuple(range(0x500, 0x500 + 12)), pilot=Pilot.FLIES)
 
 
 def some_console():
@@ -65,13 +66,14 @@ def words(data, place, size=2):
             for offset in range(place[0], sum(place), size)]
 
 
-def test_gnd1_a_frame_packet_stands_as_the_page_says():
-    packet = some_frame()
+@pytest.mark.parametrize("version, length", [(1, 1108), (2, 1332)])
+def test_gnd1_a_frame_packet_stands_as_the_page_says(version, length):
+    packet = some_frame(version)
     data = packet.encode()
     at = table_after("## Frame packet")
     assert number(data, at["magic"]) == 0x55525646
-    assert number(data, at["version"]) == 1
-    assert number(data, at["length"]) == len(data) == 1108
+    assert number(data, at["version"]) == version
+    assert number(data, at["length"]) == len(data) == length
     for name, value in (
             ("run", packet.run), ("sequence", packet.sequence),
             ("time", packet.time_us), ("downlink_age", packet.downlink_age),
@@ -87,15 +89,25 @@ def test_gnd1_a_frame_packet_stands_as_the_page_says():
     row = table_after("A row of a log")
     for name, log in zip(("log of gsc", "log of mcs"), packet.logs,
                          strict=True):
-        offset, size = at[name.replace("of ", "of `")]
-        for which, entry in enumerate(log):
-            begin = offset + which * 14
-            assert entry == LogRow(*(
-                number(data, (begin + row[field][0], row[field][1]))
-                for field in ("count", "first_frame", "last_frame",
-                              "detail")))
-        assert size == 14 * len(log)
-    assert sum(at["pilot"]) == len(data)
+        parts = [(at[name.replace("of ", "of `")], log[:32])]
+        if version == 2:
+            parts.append((at[name.replace("log of ", "more of `")], log[32:]))
+        for (offset, size), rows in parts:
+            for which, entry in enumerate(rows):
+                begin = offset + which * 14
+                assert entry == LogRow(*(
+                    number(data, (begin + row[field][0], row[field][1]))
+                    for field in ("count", "first_frame", "last_frame",
+                                  "detail")))
+            assert size == 14 * len(rows)
+    last = "pilot" if version == 1 else "more of `mcs"
+    assert sum(at[last]) == len(data)
+
+
+def test_gnd1_the_second_version_begins_as_the_first_does():
+    """Who reads the first finds all of it where it was."""
+    first, second = some_frame(1).encode(), some_frame(2).encode()
+    assert second[8:len(first)] == first[8:]
 
 
 def test_gnd1_a_console_packet_stands_as_the_page_says():
@@ -114,7 +126,9 @@ def test_gnd1_a_console_packet_stands_as_the_page_says():
 
 
 def test_gnd1_what_is_encoded_is_decoded():
-    assert FramePacket.decode(some_frame().encode()) == some_frame()
+    for version in (1, 2):
+        packet = some_frame(version)
+        assert FramePacket.decode(packet.encode()) == packet
     assert ConsolePacket.decode(some_console().encode()) == some_console()
 
 
@@ -135,14 +149,16 @@ def test_gnd1_kinds_and_status_are_those_of_the_sources():
                          re.sub(r"--.*", "", text), re.S)[1]
         return tuple(word.lower() for word in re.findall(r"\w+", body))
 
-    assert literals(errors, "Error_Kind")[:packets.ROWS_PER_LOG] == (
-        packets.KINDS)
+    assert literals(errors, "Error_Kind") == packets.KINDS
+    assert len(packets.KINDS) < packets.LAWS_ROW
     assert literals(core, "Status_Item") == packets.STATUS
     sender = (ROOT / "real_time/partitions-frame_packets.adb").read_text(
         encoding="utf-8")
-    rows = re.search(
-        r"Told_Row is Log_Row_Number range 1 \.\. (\d+)", sender)[1]
-    assert int(rows) == packets.ROWS_PER_LOG
+    rows = re.findall(
+        r"_Row is Log_Row_Number range (\d+) \.\. (\d+)", sender)
+    assert rows == [("1", str(packets.FIRST_ROWS)),
+                    (str(packets.FIRST_ROWS + 1), str(packets.ROWS_PER_LOG))]
+    assert f"type Log_Row_Number is range 1 .. {packets.ROWS_PER_LOG};" in core
 
 
 def test_gnd1_words_have_the_names_of_the_record():
@@ -169,19 +185,29 @@ def test_gnd1_only_what_has_happened_is_an_event():
         Event("mcs", "link_reset", LogRow(3, 10, 12, 1))]
 
 
-@pytest.mark.parametrize("kind, packet", [
-    (FramePacket, some_frame()), (ConsolePacket, some_console())])
-def test_gnd1_another_length_magic_or_version_is_refused(kind, packet):
+@pytest.mark.parametrize("kind, packet, lengths, versions", [
+    (FramePacket, some_frame(1), "1108 or 1332", "1 or 2"),
+    (FramePacket, some_frame(2), "1108 or 1332", "1 or 2"),
+    (ConsolePacket, some_console(), "52", "1")])
+def test_gnd1_another_length_magic_or_version_is_refused(
+        kind, packet, lengths, versions):
     data = packet.encode()
     for spoilt, why in (
-            (data[:-1], f"{len(data) - 1} bytes, not {len(data)}"),
-            (data + b"\0", f"{len(data) + 1} bytes, not {len(data)}"),
-            (b"", f"0 bytes, not {len(data)}"),
+            (data[:-1], f"{len(data) - 1} bytes, not {lengths}"),
+            (data + b"\0", f"{len(data) + 1} bytes, not {lengths}"),
+            (b"", f"0 bytes, not {lengths}"),
             (b"X" + data[1:], "begins with 58525"),
-            (data[:4] + b"\0\2" + data[6:], "version 2, not 1"),
+            (data[:4] + b"\0\3" + data[6:], f"version 3, not {versions}"),
             (data[:6] + b"\0\1" + data[8:], "says that it has 1 bytes")):
         with pytest.raises(PacketError, match=why):
             kind.decode(spoilt)
+
+
+def test_gnd1_each_version_has_a_length_of_its_own():
+    for version, other in ((1, 2), (2, 1)):
+        data = some_frame(version).encode()
+        with pytest.raises(PacketError, match=f"bytes of version {other}"):
+            FramePacket.decode(data[:5] + bytes([other]) + data[6:])
 
 
 def test_gnd1_states_that_are_none_are_refused():
@@ -214,13 +240,14 @@ def test_gnd1_numbers_that_do_not_fit_are_refused():
         replace(some_frame(), sequence=2 ** 32).encode()
     with pytest.raises(PacketError):
         replace(some_console(), sequence=-1).encode()
-    with pytest.raises(PacketError, match="logs are 2 of 32 rows"):
+    with pytest.raises(PacketError, match="logs are 2 of 40 rows"):
         replace(some_frame(), logs=((), ())).encode()
 
 
 def test_gnd1_garbage_raises_nothing_but_a_packet_error():
     chance = random.Random(1)
-    for kind, packet in ((FramePacket, some_frame()),
+    for kind, packet in ((FramePacket, some_frame(1)),
+                         (FramePacket, some_frame(2)),
                          (ConsolePacket, some_console())):
         good = packet.encode()
         for _ in range(2_000):

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
-from urv import items, packets
+from urv import items, laws, packets
 
 NAMESPACE = {"x": "http://www.omg.org/spec/XTCE/20180204"}
 PER_SECOND = 4
@@ -82,11 +82,11 @@ class Database:
         for entry in children(self.container, "EntryList",
                               "ParameterRefEntry"):
             name = entry.get("parameterRef")
-            condition = child(entry, "IncludeCondition", "BooleanExpression",
-                              "Condition")
-            if condition is not None and values[child(
-                    condition, "ParameterInstanceRef").get("parameterRef")
-                    ] != int(child(condition, "Value").text):
+            if any(values[child(condition, "ParameterInstanceRef").get(
+                    "parameterRef").rpartition("/URV/")[2]]
+                    != int(child(condition, "Value").text)
+                    for condition in entry.iterfind(
+                        ".//x:IncludeCondition//x:Condition", NAMESPACE)):
                 continue
             place = child(entry, "LocationInContainerInBits")
             if place is not None:
@@ -108,7 +108,8 @@ def database(tmp_path_factory):
     return Database(folder / "urv.xml")
 
 
-def packet(seed, age):
+def packet(seed, age, version=packets.WHOLE):
+    """The laws' row has modes that there are, each bit of the others."""
     chance = random.Random(seed)
 
     def some(bits, many):
@@ -122,18 +123,20 @@ def packet(seed, age):
         console_sequence=chance.getrandbits(32),
         counts=some(32, len(packets.LINK_COUNTS)),
         words=some(12, len(packets.COLUMNS)),
-        logs=tuple(tuple(packets.LogRow(*some(32, 3), *some(16, 1))
-                         for _ in range(packets.ROWS_PER_LOG))
+        logs=tuple((*(packets.LogRow(*some(32, 3), *some(16, 1))
+                      for _ in range(packets.LAWS_ROW - 1)),
+                    packets.LogRow(chance.randrange(3) * 0x1111_0000
+                                   + chance.getrandbits(16), *some(32, 2)))
                    for _ in packets.NODES),
-        status=some(16, len(packets.STATUS)),
+        version=version, status=some(16, len(packets.STATUS)),
         pilot=packets.Pilot(chance.randrange(3)))
 
 
 def expected(frame):
     """What the packet means, from urv.packets and urv.items."""
     values = {
-        "magic": 0x55525646, "version": packets.VERSION,
-        "length": packets.FRAME_LENGTH, "run": frame.run,
+        "magic": 0x55525646, "version": frame.version,
+        "length": packets.LENGTHS[frame.version], "run": frame.run,
         "sequence": frame.sequence, "time": frame.time_us,
         "downlink_age": frame.downlink_age,
         "console_state": frame.console_state.name.lower(),
@@ -156,15 +159,27 @@ def expected(frame):
         elif frame.downlink_age == 0 or not name.startswith("gsc/downlink"):
             values[name] = pytest.approx(item.value(word), abs=1e-9)
     for node, log in zip(packets.NODES, frame.logs, strict=True):
-        for kind, row in zip(packets.KINDS, log, strict=False):
-            values[f"log/{node}/{kind}"] = vars(row)
+        for place, kind in enumerate(packets.KINDS):
+            if place < 32 or frame.version == 2:
+                values[f"log/{node}/{kind}"] = vars(log[place])
+    told = laws.Laws.of(frame)
+    if frame.version == 2 and frame.downlink_age == 0:
+        for name in ("lateral", "vertical", "power", "link", "silent"):
+            values[f"laws/{name}"] = getattr(told, name)
+        for kind, names, those, yes in (
+                ("sensor", laws.SENSORS, told.not_valid, "NOT VALID"),
+                ("surface", laws.SURFACES, told.failed, "FAILED")):
+            for name in names:
+                values[f"laws/{kind}/{name}"] = yes if name in those else "no"
     return values
 
 
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("age", [0, 1, packets.NEVER])
-def test_gnd12_each_parameter_is_what_the_packet_says(database, seed, age):
-    frame = packet(seed, age)
+@pytest.mark.parametrize("version", [1, 2])
+def test_gnd12_each_parameter_is_what_the_packet_says(
+        database, seed, age, version):
+    frame = packet(seed, age, version)
     values, _ = database.decoded(frame.encode())
     assert values == expected(frame)
 
@@ -172,7 +187,11 @@ def test_gnd12_each_parameter_is_what_the_packet_says(database, seed, age):
 def test_gnd12_nothing_of_the_packet_is_left_out(database):
     _, places = database.decoded(packet(1, 0).encode())
     taken = {bit for place in places.values() for bit in place}
-    assert len(taken) == 8 * packets.FRAME_LENGTH
+    # Rows for kinds that there are not yet; of the laws' row only the words
+    # and bits that mean something; the ground has no laws.
+    spare = 2 * (packets.LAWS_ROW - 1 - len(packets.KINDS)) * 14 + 14
+    unused = 32 - len(laws.SENSORS) + 16 - len(laws.SURFACES) + 2 * 16
+    assert len(taken) == 8 * (packets.FRAME_LENGTH - spare) - unused
     size = database.container.find(
         ".//x:SizeInBits/x:FixedValue", NAMESPACE)
     assert int(size.text) == 8 * packets.FRAME_LENGTH

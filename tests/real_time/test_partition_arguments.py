@@ -91,7 +91,7 @@ def test_a_bad_option_is_refused(node, options, what):
 
 
 @pytest.mark.parametrize("node, options", [
-    ("mcs", ("--sticks", "--console", "--pilot", "--publish")),
+    ("mcs", ("--sticks", "--console", "--packets", "--pilot", "--publish")),
     ("gsc", ("--sensors", "--plant", "--laws")),
 ])
 def test_each_node_has_options_of_its_own(node, options):
@@ -119,6 +119,7 @@ PLACE = "udp:127.0.0.1:6009"
     ("gsc", ("--publish", "udp:127.0.0.1:0"), "is not a port from 1"),
     ("gsc", ("--publish", "serial:x"), "is not udp:HOST:PORT"),
     ("gsc", ("--publish", PLACE) * 9, "more than 8 times"),
+    ("gsc", ("--packets", "3"), "neither 1 nor 2"),
     ("mcs", ("--plant", "brick"), 'neither "bench" nor "jsbsim"'),
     ("mcs", ("--laws", "perhaps"), 'neither "on" nor "off"'),
     ("mcs", ("--plant", "jsbsim", "--sensors", "s"),
@@ -155,7 +156,7 @@ def test_the_page_and_the_help_have_the_same_options():
         node, "--help").stdout, re.M)) for node in NODES}
     assert told == helped["gsc"] | helped["mcs"]
     assert helped["gsc"] - helped["mcs"] == {
-        "--sticks", "--console", "--pilot", "--publish"}
+        "--sticks", "--console", "--packets", "--pilot", "--publish"}
 
 
 @pytest.mark.parametrize("node, option", [

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """GND-2: GSC CORE goes out in frame packets. GND-3, GND-4: sticks come in
 console packets, and a console that falls silent is held, then neutral.
-GND-5: the simulated pilot aboard the ground's partition."""
+GND-5: the simulated pilot aboard the ground's partition. GND-7: what the
+aircraft's laws tell."""
 
 import random
 import re
@@ -17,8 +18,10 @@ from conftest import (
 )
 from safe_words import transformed
 from station import Console, Frames, utc_us
+from urv.laws import Laws
 from urv.packets import (
-    NEVER, ConsoleFlags, ConsoleState, LinkState, Pilot,
+    KINDS, LAWS_ROW, NEVER, ConsoleFlags, ConsoleState, LinkState, LogRow,
+    Pilot,
 )
 
 STICKS = different_rows(12, len(COMMANDS), 21)
@@ -95,6 +98,7 @@ def test_gnd2_the_published_words_are_the_record_s(start_both, write, station):
          gsc)
     assert_like_the_record(frames.all, gsc.rows)
     assert_like_the_record(again.all, gsc.rows)
+    assert {packet.version for packet in frames.all} == {1}
     times = [packet.time_us for packet in frames.all]
     assert begun_us < times[0] and times == sorted(times)
     assert times[-1] < utc_us()
@@ -150,6 +154,22 @@ def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
         assert event.row.last_frame <= log["last_frame"]
     assert mcs.events["warm_reset"]["count"] == 1
     assert told.core_status["cold_starts"] == 1
+
+
+@flies_again
+def test_gnd7_the_second_version_has_what_the_laws_tell(start_both, station):
+    """And the rows of an error log that the first has no room for."""
+    frames = station(Frames)
+    mcs, gsc = start_both(
+        mcs=("--laws", "on"),
+        gsc=("--packets", "2", "--publish", frames.place))
+    linked = Laws("direct", "direct", "direct", "linked", (), 0, ())
+    told = frames.wait_until(lambda packet: Laws.of(packet) == linked)
+    mcs, gsc = mcs.stop(), gsc.stop()
+    assert told.version == 2
+    for row in told.logs[1][len(KINDS):LAWS_ROW - 1] + told.logs[0][
+            len(KINDS):]:
+        assert row == LogRow()
 
 
 @flies_again

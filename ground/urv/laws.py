@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the aircraft's control laws tell the ground (GND-7).
+
+    Laws.of(frame).mode             "bank by stick/altitude/airspeed"
+    Laws.of(frame).failed           ("left_aileron",)
+
+They have a row of the aircraft's log that is not an error's; it comes down
+round and round, as the log does. docs/control-laws.md says what its words
+mean.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from urv import items, packets
+
+LATERAL = ("direct", "damping", "bank by stick", "wings level", "orbit")
+VERTICAL = ("direct", "damping", "pitch by stick", "altitude", "glide")
+POWER = ("direct", "airspeed", "idle")
+LINK = ("waiting", "linked", "holding", "orbiting", "terminated")
+ALONE = LINK[2:]
+"""The link is lost, and the aircraft flies by itself."""
+
+SENSORS = tuple(
+    item.name for item in items.of_buffer("downlink") if item.name != "error")
+SURFACES = (
+    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
+    "left_rudder", "right_rudder", "left_flap_1", "right_flap_1",
+    "left_flap_2", "right_flap_2")
+"""In the order of their bits, which is that of their servos."""
+
+WORD_BITS = 16
+NIBBLE_BITS = 4
+
+
+@dataclass(frozen=True)
+class Laws:
+    """The newest that has come of them."""
+
+    lateral: str
+    vertical: str
+    power: str
+    link: str
+    not_valid: tuple[str, ...]
+    silent: int
+    failed: tuple[str, ...]
+
+    @classmethod
+    def of(cls, frame: packets.FramePacket) -> Laws | None:
+        """None when nothing has come: the laws are off, or do not know of
+        anybody yet."""
+        row = frame.logs[packets.NODES.index("mcs")][packets.LAWS_ROW - 1]
+        if row == packets.LogRow():
+            return None
+        modes, low = divmod(row.count, 1 << WORD_BITS)
+        high, silent = divmod(row.first_frame, 1 << WORD_BITS)
+        failed = row.last_frame >> WORD_BITS
+        lateral, vertical, power, link = (
+            modes >> NIBBLE_BITS * place & 15 for place in range(4))
+        return cls(
+            _name(LATERAL, lateral), _name(VERTICAL, vertical),
+            _name(POWER, power), _name(LINK, link),
+            _set(SENSORS, low | high << WORD_BITS), silent,
+            _set(SURFACES, failed))
+
+    @property
+    def mode(self) -> str:
+        """What flies: lateral, vertical and power, but for what is direct."""
+        if self.lateral == self.vertical:
+            axes = [self.lateral]
+        else:
+            axes = [self.lateral, self.vertical]
+        if self.power != "direct":
+            axes.append(self.power)
+        return "/".join(axes)
+
+    @property
+    def is_alone(self) -> bool:
+        """Nobody on the ground flies it."""
+        return self.link in ALONE
+
+
+def _name(names: tuple[str, ...], place: int) -> str:
+    """One that this station does not know has its number."""
+    return names[place] if place < len(names) else f"number {place}"
+
+
+def _set(names: tuple[str, ...], bits: int) -> tuple[str, ...]:
+    return tuple(name for bit, name in enumerate(names) if bits >> bit & 1)

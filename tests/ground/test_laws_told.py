@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-7: what the aircraft's laws tell is what the station reads."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from conftest import ROOT
+from test_packets import some_frame
+
+from urv import laws, packets
+from urv.laws import Laws
+
+
+def told(*words):
+    """A frame whose laws' row has these words, and zeros after them."""
+    words = [*words, *[0] * (7 - len(words))]
+    row = packets.LogRow(*(high << 16 | low for high, low in zip(
+        words[0:6:2], words[1:6:2], strict=True)), words[6])
+    frame = some_frame()
+    rows = (packets.LogRow(),) * (packets.LAWS_ROW - 1)
+    return replace(frame, logs=(frame.logs[0], (*rows, row)))
+
+
+def literals(source, name):
+    text = re.sub(r"--.*", "", (ROOT / source).read_text("utf-8"))
+    found = re.search(rf"type {name} is\s*\((.*?)\);", text, re.S)[1]
+    return re.findall(r"\w+", found)
+
+
+@pytest.mark.parametrize("names, source, kind", [
+    (laws.LATERAL, "src/laws/urv-laws.ads", "Lateral_Mode"),
+    (laws.VERTICAL, "src/laws/urv-laws.ads", "Vertical_Mode"),
+    (laws.POWER, "src/laws/urv-laws.ads", "Power_Mode"),
+    (laws.LINK, "src/laws/urv-link_loss.ads", "Link_State")])
+def test_gnd7_the_names_are_those_of_the_laws(names, source, kind):
+    assert [name.replace(" ", "_") for name in names] == [
+        word.lower().replace("hold_", "") for word in literals(source, kind)]
+
+
+def test_gnd7_nothing_told_is_nothing_known():
+    assert Laws.of(told()) is None
+    assert Laws.of(some_frame(version=1)) is None
+
+
+@pytest.mark.parametrize("word, mode, link", [
+    (0x1000, "direct", "linked"), (0x1011, "damping", "linked"),
+    (0x1022, "bank by stick/pitch by stick", "linked"),
+    (0x2133, "wings level/altitude/airspeed", "holding"),
+    (0x4243, "wings level/glide/idle", "terminated"),
+    (0x10FF, "number 15", "linked")])
+def test_gnd7_the_first_word_says_what_flies(word, mode, link):
+    found = Laws.of(told(word))
+    assert (found.mode, found.link) == (mode, link)
+    assert found.is_alone == (link in ("holding", "orbiting", "terminated"))
+
+
+def test_gnd7_each_bit_is_a_sensor_or_a_surface():
+    found = Laws.of(told(0x1000, 1 << 15 | 1, 1 << 3, 7, 1 << 9 | 1))
+    assert found.not_valid == (
+        "right_flap_1", "vertical_acceleration", "roll_attitude")
+    assert found.failed == ("left_aileron", "right_flap_2")
+    assert found.silent == 7
