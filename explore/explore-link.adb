@@ -198,11 +198,14 @@ package body Explore.Link is
       subtype Moment is Natural range 0 .. Frame - 1;
 
       --  The states with their distances, by a hash of the state: the
-      --  distance in the low 16 bits, the state above. No state is 0.
+      --  distance in the low 16 bits, the state above. No state is 0. Both
+      --  controllers' frames are as long, so how far they are apart stays as
+      --  it is: states of another distance are searched by themselves, and
+      --  these few stay in the processor's caches.
       type Known_States is array (Unsigned_64 range <>) of Unsigned_64;
       type Known_States_Access is access Known_States;
       Nothing : constant Unsigned_64 := 0;
-      Bits    : Natural := 26;
+      Bits    : Natural := 20;
       Used    : Long_Long_Integer := 0;
       Known   : Known_States_Access :=
         new Known_States'(0 .. 2 ** Bits - 1 => Nothing);
@@ -330,10 +333,12 @@ package body Explore.Link is
       Result := (others => <>);
       Way_Gone.Clear;
       Search :
-      for Item of Calm loop
-         for Until_Up in Moment loop
-            for Until_Down in Moment loop
-               Go (Item, Until_Up, Until_Down, Length);
+      for Apart in Moment loop
+         Known.all := (others => Nothing);
+         Used := 0;
+         for Item of Calm loop
+            for Until_Up in Moment loop
+               Go (Item, Until_Up, (Until_Up + Apart) mod Frame, Length);
                exit Search when not Result.Ends_Always;
                Result.Worst :=
                  Natural'Max (Result.Worst, Natural (Length) - 1);

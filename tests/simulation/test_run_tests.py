@@ -87,6 +87,28 @@ def test_the_quick_parts_leave_out_only_what_is_slow():
         assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
 
 
+def test_each_file_of_the_ground_runs_once_and_the_live_ones_alone(
+        place, monkeypatch):
+    folder = place / "tests" / "ground"
+    folder.mkdir(parents=True)
+    for name in (*run_tests.LIVE, "report", "convert"):
+        (folder / f"test_{name}.py").touch()
+        assert name == "convert" or (
+            ROOT / "tests" / "ground" / f"test_{name}.py").exists()
+    ran = []
+
+    def python_tests(_, name, without=(), at_once="auto", told=None):
+        ran.append((at_once, sorted(
+            path.stem.removeprefix("test_")
+            for path in (place / "tests" / name).iterdir()
+            if path.stem.removeprefix("test_") not in without)))
+        return (1, 0, 0)
+    monkeypatch.setattr(run_tests, "python_tests", python_tests)
+    assert run_tests.ground_tests() == (2, 0, 0)
+    assert ran == [("0", sorted(run_tests.LIVE)),
+                   ("auto", ["convert", "report"])]
+
+
 PROGRAM = """\
 #!/bin/sh
 echo 'ok   MBX-1 one'
