@@ -22,6 +22,14 @@ LINK = ("waiting", "linked", "holding", "orbiting", "terminated")
 ALONE = LINK[2:]
 """The link is lost, and the aircraft flies by itself."""
 
+SHORT = {"damping": "damp", "bank by stick": "bank", "wings level": "level",
+         "pitch by stick": "pitch", "altitude": "alt", "airspeed": "spd"}
+"""As they stand where there is little room."""
+DOES = {"holding": "wings level, altitude and airspeed held",
+        "orbiting": "a turn to the right, altitude and airspeed held",
+        "terminated": "throttle idle, a glide; switch 7 off and on ends it"}
+"""What the aircraft does while it is alone."""
+
 SENSORS = tuple(
     item.name for item in items.of_buffer("downlink") if item.name != "error")
 SURFACES = (
@@ -74,6 +82,14 @@ class Laws:
         if self.power != "direct":
             axes.append(self.power)
         return "/".join(axes)
+
+    @property
+    def short(self) -> str:
+        """The same with shorter words; what it does alone comes first."""
+        if self.is_alone:
+            return self.link.upper()
+        return " ".join(SHORT.get(word, word)
+                        for word in self.mode.split("/"))
 
     @property
     def is_alone(self) -> bool:

@@ -54,6 +54,16 @@ WORDS_PER_US = 4.096
 RSSI_PER_DB = 1.9
 RSSI_ZERO_DB = -127.0
 
+SENSED_BY = {
+    "SENSOR_3D_GYRO": ("roll_rate", "pitch_rate", "yaw_rate"),
+    "SENSOR_3D_ACCEL": ("lateral_acceleration", "longitudinal_acceleration",
+                        "vertical_acceleration"),
+    "SENSOR_ABSOLUTE_PRESSURE": ("altitude",),
+    "SENSOR_DIFFERENTIAL_PRESSURE": ("airspeed",),
+    "AHRS": ("roll_attitude", "pitch_attitude"),
+    "SENSOR_BATTERY": ("battery_volts",)}
+"""The words of each sensor that MAVLink knows."""
+
 ROM_OR_SELF_TEST = 6
 """Bits of the downlink's error word."""
 
@@ -181,6 +191,7 @@ class Flight:
     _servos: Due = field(default_factory=lambda: Due(SERVOS))
     _status: Due = field(default_factory=lambda: Due(STATUS))
     _radio: Due = field(default_factory=lambda: Due(RADIO))
+    _laws: dict[str, int] = field(default_factory=dict)
     _told: dict[tuple[str, str], tuple[int, int]] = field(
         default_factory=dict)
     _state: LinkState = LinkState.NEVER_HEARD
@@ -267,8 +278,8 @@ class Flight:
         power = mav.MAV_SYS_STATUS_SENSOR_BATTERY
         healthy = 0
         if frame.is_fresh:
-            healthy = air | (0 if battery.level(volts) == "warning"
-                             else power)
+            low = power if battery.level(volts) == "warning" else 0
+            healthy = (air | power) & ~(low | self.doubted(frame))
         dropped = 10_000 * self._stale // self._frames
         self._frames = self._stale = 0
         errors = {node: sum(event.row.count for event in frame.events
@@ -280,6 +291,17 @@ class Flight:
             dropped, in_16(frame.link["downlink_bad"]),
             in_16(errors["mcs"]), in_16(errors["gsc"]),
             in_16(frame.link["resets"]), in_16(frame.link["overruns"]))
+
+    def doubted(self, frame: FramePacket) -> int:
+        """The sensors that the laws do not believe."""
+        told = laws.Laws.of(frame)
+        found = 0
+        for name in told.not_valid if told else ():
+            for sensor, words in SENSED_BY.items():
+                if name in words:
+                    found |= getattr(self.dialect,
+                                     f"MAV_SYS_STATUS_{sensor}")
+        return found
 
     def radio(self, frame: FramePacket, value: dict[str, float]) -> Any:
         """The uplink at the aircraft's receiver is the remote side."""
@@ -299,6 +321,7 @@ class Flight:
                 yield self.text(mav.MAV_SEVERITY_CRITICAL, "link lost")
             elif self._state == LinkState.HEARD:
                 yield self.text(mav.MAV_SEVERITY_INFO, "link heard")
+        yield from self.law_texts(frame)
         for event in frame.events:
             key = event.node, event.kind
             count, told = self._told.get(key, (0, -ERRORS))
@@ -314,6 +337,30 @@ class Flight:
                 mav.MAV_SEVERITY_INFO)
             yield self.text(
                 severity, f"{event.node} {event.kind}: {event.row.count}")
+
+    def law_texts(self, frame: FramePacket) -> Iterator[Any]:
+        """What is new of the laws: how they fly, and what has failed."""
+        told = laws.Laws.of(frame)
+        if not frame.is_fresh:
+            return
+        mav = self.dialect
+        now = {} if told is None else {
+            f"laws: {told.mode}": mav.MAV_SEVERITY_INFO,
+            **{f"alone: {name}": mav.MAV_SEVERITY_CRITICAL
+               for name in laws.ALONE if name == told.link},
+            **{f"{name} not valid": mav.MAV_SEVERITY_WARNING
+               for name in told.not_valid},
+            **{f"{name} failed": mav.MAV_SEVERITY_CRITICAL
+               for name in told.failed}}
+        if told is not None and told.not_valid == laws.SENSORS:
+            # As after a start; one word for one reason.
+            now = {text: severity for text, severity in now.items()
+                   if not text.endswith(" not valid")}
+            now["no sensor is valid"] = mav.MAV_SEVERITY_WARNING
+        for text, severity in now.items():
+            if text not in self._laws:
+                yield self.text(severity, text)
+        self._laws = now
 
     def text(self, severity: int, text: str) -> Any:
         return self.dialect.MAVLink_statustext_message(

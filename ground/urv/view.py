@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the frame packets say, made ready to be looked at (GND-20, GND-26).
+"""What the frame packets say, made ready to be looked at (GND-7, GND-20,
+GND-26).
 
 Age comes before value (GND-25): every value is told with how old it is,
 nothing is made up for a frame that is missing.
@@ -16,6 +17,7 @@ from typing import Any
 
 from urv import items, packets
 from urv.alerts import Alerts
+from urv.laws import ALONE, DOES, SENSORS, SURFACES, Laws
 
 LOST_S = 0.5
 """Older than this a word is crossed out, and the link counts as lost."""
@@ -25,12 +27,17 @@ LOG_LINES = 500
 FLOOD_S = 5.0
 """A kind of error gets a line of the log so often at most."""
 
-WARNING_KINDS = {"self_test_failed", "rom_check_failed"}
+WARNING_KINDS = {"self_test_failed", "rom_check_failed", "surface_failed"}
 CAUTION_KINDS = {"warm_reset", "processor_restart", "task_overrun",
                  "link_reset", "link_block_bad", "link_block_scrapped",
-                 "input_out_of_range", "ad_no_scan"}
+                 "input_out_of_range", "ad_no_scan", "link_loss_state",
+                 "sensor_not_valid", "block_refused"}
 ALERT_KINDS = {"self_test_failed", "rom_check_failed", "warm_reset",
-               "processor_restart"}
+               "processor_restart", "block_refused"}
+
+LAWS_SETTLE = 100
+"""Frames from the first one heard: after a start the laws believe no sensor
+for a second, which is no news."""
 ERROR_BITS = ((2, "ROM", "its ROM differs from what was loaded"),
               (4, "SELF-TEST", "its self-test has failed"))
 INFO, CAUTION, WARNING = "info", "caution", "warning"
@@ -62,6 +69,7 @@ class View:
     values: list[float | None] = field(
         default_factory=lambda: [None] * len(packets.COLUMNS))
     derived: dict[str, float | None] = field(default_factory=dict)
+    laws: Laws | None = None
     alerts: Alerts = field(default_factory=Alerts)
     log: deque[Line] = field(default_factory=lambda: deque(maxlen=LOG_LINES))
     frames: int = 0
@@ -75,6 +83,7 @@ class View:
     _second: deque[tuple[float, bool]] = field(default_factory=deque)
     _kinds: dict[tuple[str, str], tuple[int, float]] = field(
         default_factory=dict)
+    _fresh: int = 0
     _sent: deque[tuple[int, float]] = field(
         default_factory=lambda: deque(maxlen=500))
 
@@ -109,6 +118,7 @@ class View:
             # The counts of another run begin anew.
             self._kinds.clear()
             self._sent.clear()
+            self._fresh = 0
         else:
             self.late += 1
             return False
@@ -124,6 +134,7 @@ class View:
         self._calibrate(frame)
         self._limits(frame, now)
         self._states(frame, old, now)
+        self._laws(frame, now)
         self._errors(frame, now)
         self._latency(frame, now)
         self.look(now)
@@ -207,6 +218,11 @@ class View:
             "pilot": self.frame.pilot.name.lower(),
             "counts": self.frame.link,
             "stick_ms": self.stick_ms,
+            "laws": None if self.laws is None else {
+                "short": self.laws.short, "mode": self.laws.mode,
+                "link": self.laws.link, "alone": self.laws.is_alone,
+                "not_valid": self.laws.not_valid,
+                "failed": self.laws.failed},
             "words": self.frame.words,
             "values": self.values,
             "derived": self.derived}
@@ -281,6 +297,43 @@ class View:
                 if before != after:
                     word = after.name.lower().replace("_", " ")
                     self.note(INFO, "state", f"{name}: {word}")
+
+    def _laws(self, frame: packets.FramePacket, now: float) -> None:
+        """What the aircraft tells of its laws; what is old tells nothing."""
+        self._fresh += frame.is_fresh
+        told = Laws.of(frame)
+        if (told and told.mode) != (self.laws and self.laws.mode):
+            self.note(INFO, "state", "the laws: "
+                      + ("nothing told" if told is None else told.mode))
+        self.laws = told
+        if not frame.is_fresh or self._fresh < LAWS_SETTLE:
+            return
+        link, not_valid, failed = (
+            ("", (), ()) if told is None else
+            (told.link, told.not_valid, told.failed))
+        for name in ALONE:
+            self._alert_if(name == link, f"laws {name}", WARNING,
+                           f"ALONE: {name.upper()}", DOES[name], now)
+        # One word for what is one reason.
+        self._alert_if(not_valid == SENSORS, "laws sensors", CAUTION,
+                       "SENSORS NOT VALID", "the laws believe none", now)
+        for name in SENSORS:
+            self._alert_if(
+                name in not_valid and not_valid != SENSORS,
+                f"laws sensor {name}", CAUTION,
+                f"{heading(name)} NOT VALID",
+                "the laws fly without this sensor", now)
+        for name in SURFACES:
+            self._alert_if(name in failed, f"laws surface {name}", WARNING,
+                           f"{heading(name)} FAILED",
+                           "it does not follow its servo", now)
+
+    def _alert_if(self, is_so: bool, key: str, level: str, name: str,
+                  text: str, now: float) -> None:
+        if is_so:
+            self.alerts.report(key, level, name, text, self.frame.time_us)
+        else:
+            self.alerts.away(key, now, 0.0)
 
     def _errors(self, frame: packets.FramePacket, now: float) -> None:
         for event in frame.events:

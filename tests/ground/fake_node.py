@@ -34,9 +34,16 @@ def read(record):
     return rows[START:]
 
 
+def laws_row(*words):
+    """The laws' row of a log, of so many of its words; the others are 0."""
+    words = [*words, *[0] * (7 - len(words))]
+    return packets.LogRow(*(high << 16 | low for high, low in zip(
+        words[0:6:2], words[1:6:2], strict=True)), words[6])
+
+
 class FakeNode(threading.Thread):
     """words replaces words of the record, cut stops the downlink, silent all
-    packets; speed 0 stands still at a row. sent is the newest packet."""
+    packets; laws are words of the laws' row; speed 0 stands still at a row. sent is the newest packet."""
 
     def __init__(self, record, to, console_port=0, row=0, pilot=False):
         super().__init__(daemon=True)
@@ -48,6 +55,7 @@ class FakeNode(threading.Thread):
         self.speed = 1
         self.logs = [list(NO_LOG), list(NO_LOG)]
         self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
+        self.laws = ()
         self.pilot = (packets.Pilot.HANDS_OFF if pilot
                       else packets.Pilot.NONE)
         self.sent = None
@@ -120,6 +128,7 @@ class FakeNode(threading.Thread):
             self.counts["downlink_received"] += 1
         link = (packets.LinkState.LOST if self._age >= 50
                 else packets.LinkState.HEARD)
+        self.logs[1][packets.LAWS_ROW - 1] = laws_row(*self.laws)
         return packets.FramePacket(
             run=self.run_number, sequence=self.sequence,
             time_us=time.time_ns() // 1000, downlink_age=self._age,

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from conftest import ROOT
+from fake_node import laws_row
 from test_packets import some_frame
 
 from urv import laws, packets
@@ -14,12 +15,9 @@ from urv.laws import Laws
 
 def told(*words):
     """A frame whose laws' row has these words, and zeros after them."""
-    words = [*words, *[0] * (7 - len(words))]
-    row = packets.LogRow(*(high << 16 | low for high, low in zip(
-        words[0:6:2], words[1:6:2], strict=True)), words[6])
     frame = some_frame()
     rows = (packets.LogRow(),) * (packets.LAWS_ROW - 1)
-    return replace(frame, logs=(frame.logs[0], (*rows, row)))
+    return replace(frame, logs=(frame.logs[0], (*rows, laws_row(*words))))
 
 
 def literals(source, name):
@@ -43,15 +41,17 @@ def test_gnd7_nothing_told_is_nothing_known():
     assert Laws.of(some_frame(version=1)) is None
 
 
-@pytest.mark.parametrize("word, mode, link", [
-    (0x1000, "direct", "linked"), (0x1011, "damping", "linked"),
-    (0x1022, "bank by stick/pitch by stick", "linked"),
-    (0x2133, "wings level/altitude/airspeed", "holding"),
-    (0x4243, "wings level/glide/idle", "terminated"),
-    (0x10FF, "number 15", "linked")])
-def test_gnd7_the_first_word_says_what_flies(word, mode, link):
+@pytest.mark.parametrize("word, mode, short, link", [
+    (0x1000, "direct", "direct", "linked"),
+    (0x1011, "damping", "damp", "linked"),
+    (0x1022, "bank by stick/pitch by stick", "bank pitch", "linked"),
+    (0x1133, "wings level/altitude/airspeed", "level alt spd", "linked"),
+    (0x2133, "wings level/altitude/airspeed", "HOLDING", "holding"),
+    (0x4243, "wings level/glide/idle", "TERMINATED", "terminated"),
+    (0x10FF, "number 15", "number 15", "linked")])
+def test_gnd7_the_first_word_says_what_flies(word, mode, short, link):
     found = Laws.of(told(word))
-    assert (found.mode, found.link) == (mode, link)
+    assert (found.mode, found.short, found.link) == (mode, short, link)
     assert found.is_alone == (link in ("holding", "orbiting", "terminated"))
 
 

@@ -21,6 +21,7 @@ os.environ["MAVLINK20"] = "1"
 from pymavlink import mavutil  # noqa: E402 - after the version is chosen
 from pymavlink.dialects.v20 import common  # noqa: E402
 
+from fake_node import laws_row  # noqa: E402
 from urv import items, mavlink, packets  # noqa: E402
 from urv.packets import (  # noqa: E402
     NEVER, ConsoleState, FramePacket, LinkState, LogRow, Pilot)
@@ -365,6 +366,41 @@ def test_gnd40_new_errors_are_told_with_their_severity(rows, bridge, sent):
     longest = max(packets.KINDS, key=len)
     assert texts(200, {longest: 4_294_967_295}, {}) == [
         (6, f"gsc {longest}: 4294967295")]
+
+
+def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):
+    def texts(sequence, *words):
+        log = (*NO_LOG[:-1], laws_row(*words))
+        bridge.datagram(frame_of(
+            rows[0], sequence, logs=(NO_LOG, log)).encode())
+        return [(message.severity, message.text)
+                for message in sent.take("STATUSTEXT")
+                if not message.text.startswith("link ")]
+
+    assert texts(0) == []
+    assert texts(1, 0x1133) == [(6, "laws: wings level/altitude/airspeed")]
+    assert texts(2, 0x1133) == []
+    assert texts(3, 0x2133, 0, 1 << 8, 30, 1) == [
+        (2, "alone: holding"), (4, "airspeed not valid"),
+        (2, "left_aileron failed")]
+    assert texts(4, 0x1133, 0, 1 << 8, 30, 1) == []
+    assert texts(5, 0x1133, 0xFFFF, 0x7FF) == [(4, "no sensor is valid")]
+
+
+def test_gnd7_a_sensor_that_is_not_believed_is_not_healthy(
+        rows, bridge, sent):
+    def ill(sequence, *words):
+        log = (*NO_LOG[:-1], laws_row(*words))
+        bridge.datagram(frame_of(
+            rows[0], sequence, logs=(NO_LOG, log)).encode())
+        [message] = sent.take("SYS_STATUS")
+        return (message.onboard_control_sensors_present
+                & ~message.onboard_control_sensors_health)
+
+    assert ill(0, 0x1000) == 0
+    airspeed, roll_rate = 1 << 8, 1 << 5
+    assert ill(25, 0x1000, 0, roll_rate) == 1
+    assert ill(50, 0x1000, 0, airspeed) == 16
 
 
 def test_gnd40_another_run_of_the_node_begins_anew(rows, bridge, sent):

@@ -10,7 +10,7 @@ import signal
 import pytest
 from station_rig import PATIENCE_S, Station, until
 
-from urv import items, packets
+from urv import items, laws, packets
 
 SIZES = [(1280, 800), (1920, 1080), (400, 800)]
 # "By then" of the issue, counted in the frames that the page has seen.
@@ -218,6 +218,38 @@ def test_gnd25_without_frames_or_station_nothing_looks_alive(
     page.wait_for_selector("body[data-down=fresh]")
 
 
+# All at once: alone, no sensor that an instrument shows, five surfaces.
+TROUBLE = (0x4243, 0x8C00, 0xFFFF & sum(
+    1 << laws.SENSORS.index(name) - 16 for name in laws.SENSORS[16:]), 9000,
+    0b0101010101)
+
+
+def test_gnd7_what_the_laws_tell_is_on_the_page(station, pages):
+    station.node.laws = (0x1133,)
+    page = pages.open()
+    page.locator("#laws", has_text="level alt spd").wait_for()
+    assert page.locator(".doubt:visible, .has_failed").count() == 0
+    station.node.laws = (
+        0x2133, 0, 1 << laws.SENSORS.index("airspeed") - 16, 30,
+        1 << laws.SURFACES.index("left_aileron"))
+    page.locator("#laws.warning", has_text="\u25b2 HOLDING").wait_for()
+    assert page.locator("#speed .doubt").inner_text() == (
+        "\u25c6 airspeed not valid")
+    assert page.locator("#height .doubt").is_hidden()
+    assert page.locator(".has_failed output").evaluate_all(
+        "all => all.map(one => one.id)") == ["left_aileron"]
+    assert page.locator(".has_failed .failed").is_visible()
+    for name in ("ALONE: HOLDING", "LEFT AILERON FAILED",
+                 "AIRSPEED NOT VALID"):
+        page.locator("#alert_list li", has_text=name).wait_for()
+    # What is old tells nothing.
+    station.node.cut = True
+    page.wait_for_selector("body[data-down=lost]")
+    until(lambda: page.locator(".doubt:visible, .has_failed").count() == 0
+          and page.locator("#laws").inner_text() == "\u2013\u2013",
+          "nothing of the laws")
+
+
 def test_gnd21_keys_mouse_and_switches_fly(station, pages):
     page = pages.open()
     until(lambda: page.locator("#switch8").is_disabled(), "no switch yet")
@@ -386,8 +418,10 @@ def overlaps(page):
 @pytest.mark.parametrize("scheme", ["dark", "light"])
 def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
         station, pages, scheme):
+    station.node.laws = TROUBLE
     for width, height in SIZES:
         page = pages.open(width, height, scheme)
+        page.locator("#attitude .doubt").wait_for()
         assert page.evaluate("[document.documentElement.scrollWidth,"
                              " document.documentElement.scrollHeight]") == [
             width, height]
@@ -440,7 +474,9 @@ def test_gnd28_every_text_has_contrast(station, pages, scheme):
     station.node.words["gsc.downlink.battery_volts"] = low.word(
         low.caution_low - 0.2)
     station.node.words["gsc.downlink.alternator_volts"] = 0
+    station.node.laws = TROUBLE
     page = pages.open(scheme=scheme)
+    page.locator("#attitude .doubt").wait_for()
     page.locator("#alert_list li.warning", has_text="ALTERNATOR").wait_for()
     page.locator("#alert_list li.caution", has_text="BATTERY").wait_for()
     hold(page)

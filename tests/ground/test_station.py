@@ -2,6 +2,7 @@
 """bin/urv station without a browser: frames, sticks, who may what."""
 
 import random
+import re
 import socket
 import struct
 import time
@@ -10,7 +11,7 @@ import pytest
 import websocket
 from station_rig import PATIENCE_S, Station, until
 
-from urv import items, packets, web
+from urv import items, laws, packets, web
 from urv.alerts import Alerts
 from urv.sticks import ASKED_S, LAPSED_S, SILENT_S, Sticks
 
@@ -316,6 +317,59 @@ def test_gnd26_errors_of_both_nodes_are_logged_once(station):
     told = [line for line in station.lines() if line["kind"] == "error"]
     assert [line["text"] for line in told] == [
         "mcs processor_restart: 1 times, last in its frame 77"]
+
+
+ROLL_RATE = 1 << laws.SENSORS.index("roll_rate") - 16
+RUDDER = 1 << laws.SURFACES.index("left_rudder")
+
+
+def of_the_laws(station):
+    """A slow machine has others."""
+    return [alert for alert in station.state()["alerts"]
+            if re.search("ALONE|NOT VALID|FAILED", alert["name"])]
+
+
+def test_gnd7_what_the_laws_tell_is_an_alert(station):
+    def active():
+        return {(alert["level"], alert["name"])
+                for alert in of_the_laws(station) if alert["active"]}
+    station.node.laws = (0x1133,)
+    state = station.wait(lambda state: state["laws"], "the laws")
+    assert state["laws"]["short"] == "level alt spd"
+    assert not active()
+    for words, alert in (
+            ((0x2133, 0, 0, 30), ("warning", "ALONE: HOLDING")),
+            ((0x3143, 0, 0, 300), ("warning", "ALONE: ORBITING")),
+            ((0x1133, 0, ROLL_RATE), ("caution", "ROLL RATE NOT VALID")),
+            ((0x1133, 0xFFFF, 0x7FF), ("caution", "SENSORS NOT VALID")),
+            ((0x1133, 0, 0, 0, RUDDER), ("warning", "LEFT RUDDER FAILED"))):
+        station.node.laws = words
+        until(lambda alert=alert: active() == {alert}, alert)
+    station.node.laws = ()
+    station.wait(lambda state: state["laws"] is None, "nothing told")
+    until(lambda: not active(), "no alert")
+    told = [line["text"] for line in station.lines()
+            if line["text"].startswith("the laws")]
+    assert told[0] == "the laws: wings level/altitude/airspeed"
+
+
+def test_gnd7_what_the_laws_say_of_a_start_is_no_news(station):
+    """They believe no sensor for a second."""
+    station.node.run_number += 1
+    station.node.laws = (0x1000, 0xFFFF, 0x7FF)
+    first = station.wait(lambda state: state["laws"], "laws")["seq"]
+    station.wait(lambda state: state["seq"] > first + 25, "half a second")
+    station.node.laws = (0x1000,)
+    station.wait(lambda state: state["seq"] > first + 150, "the rest")
+    assert of_the_laws(station) == []
+
+
+def test_gnd26_a_refused_block_is_an_alert(station):
+    kind = packets.KINDS.index("block_refused")
+    station.node.logs[0][kind] = packets.LogRow(3, 70, 77, 2)
+    station.wait(lambda state: ("BLOCK REFUSED GSC", "caution") in {
+        (alert["name"], alert["level"]) for alert in state["alerts"]},
+        "an alert")
 
 
 def test_gnd27_a_mark_is_an_event_in_one_line(station):

@@ -2,7 +2,7 @@
 // The page: hears the station, keeps the ages (GND-25), draws when there is
 // news.
 
-import { byId, put, say } from "./draw.js";
+import { byId, html, put, say } from "./draw.js";
 import { Flight } from "./flight.js";
 import { Hands, store, stored } from "./hands.js";
 import { showAlerts, showLines } from "./panels.js";
@@ -101,9 +101,10 @@ function draw() {
   const lost = body.dataset.down === "lost" || body.dataset.down === "never";
   const silent = body.dataset.frame === "lost";
   if (!lost) flight.draw(value, state.derived);
-  systems.draw(value, words, lost);
+  systems.draw(value, words, lost, state.laws);
   hands.draw(value, words, silent);
   show_status(value, lost, silent);
+  show_laws(lost);
   show_holder(silent);
   body.dataset.seq = state.seq;
   body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
@@ -164,9 +165,41 @@ function show_status(value, lost, silent) {
   say(byId("clock"), `${two(Math.floor(seconds / 3600))}:`
     + `${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`);
   const archive = byId("archive");
-  say(archive, !there ? "\u2013\u2013"
-    : state.archive === null ? "none" : state.archive.text);
+  const kept = state.archive === null ? "none" : state.archive.text;
+  say(archive, !there ? "\u2013\u2013" : kept.replace(" frames", ""));
+  archive.title = kept;
   archive.classList.toggle("caution", state.archive?.lost ?? false);
+}
+
+// The sensors that an instrument shows: it says which of them the laws do not
+// believe.
+const SHOWN_BY = {
+  speed: ["airspeed"],
+  attitude: ["roll_attitude", "pitch_attitude", "alpha", "beta",
+    "lateral_acceleration", "yaw_rate"],
+  height: ["altitude"],
+};
+const doubts = Object.entries(SHOWN_BY).map(([panel, sensors]) => {
+  const told = html("p", { class: "doubt down" });
+  told.hidden = true;
+  byId(panel).append(told);
+  return [told, sensors];
+});
+
+function show_laws(lost) {
+  const laws = lost ? null : state.laws;
+  const shown = byId("laws");
+  say(shown, lost ? "\u2013\u2013" : laws === null ? "none"
+    : (laws.alone ? "\u25b2 " : "") + laws.short);
+  shown.title = laws === null ? "no control law tells what it does"
+    : `laws: ${laws.mode}, ${laws.link}`;
+  put(shown, "class", `down ${lost ? "gone" : laws?.alone ? "warning" : ""}`);
+  for (const [told, sensors] of doubts) {
+    const wrong = sensors.filter((name) => laws?.not_valid.includes(name));
+    told.hidden = wrong.length === 0;
+    say(told, "\u25c6 "
+      + `${wrong.map((name) => name.replace("_", " ")).join(", ")} not valid`);
+  }
 }
 
 function flies(silent) {

@@ -17,7 +17,7 @@ const WIDTH = 120;
 class Meter {
   constructor(name, item, low, high) {
     this.column = `gsc.downlink.${item}`;
-    Object.assign(this, { low, high });
+    Object.assign(this, { name: item, low, high });
     this.bands = svg("g");
     this.bar = svg("path", { class: "needle ages", d: "M0 12l-5 8h10z" });
     this.text = html("output", { class: "down", id: item });
@@ -42,7 +42,7 @@ class Meter {
         y: kind === "warning" ? 4 : 8, height: kind === "warning" ? 8 : 4 })));
   }
 
-  draw(value, lost) {
+  draw(value, lost, doubted) {
     const now = value[this.column];
     if (lost || now === null || !this.item) {
       say(this.text, `\u2013\u2013 ${this.item?.unit ?? ""}`);
@@ -52,7 +52,8 @@ class Meter {
     }
     put(this.text, "class", "down");
     put(this.bar, "transform", `translate(${this.at(now).toFixed(1)} 0)`);
-    const beyond = level(this.item, now);
+    // A warning stands above the doubt whether it is so.
+    const beyond = level(this.item, now) || (doubted ? "caution" : "");
     const shape = { warning: "\u25b2 ", caution: "\u25c6 ", "": "" }[beyond];
     say(this.text, shape + fixed(now, this.item.places, 0) + " "
       + this.item.unit);
@@ -86,13 +87,19 @@ class Surface {
     this.command = svg("g", {}, svg("path", { class: "picked",
       d: "M10 0l11 -6v12z" }));
     this.text = html("output", { class: "down", id: sensor });
+    this.name = sensor;
+    // Along the track, so that it covers neither position nor command.
+    this.failed = svg("g", { class: "failed ages" },
+      svg("path", { d: "M-19 -49l5 9h-10z" }),
+      svg("text", { transform: "translate(-15 0) rotate(-90)",
+        "text-anchor": "middle" }, "FAILED"));
     const [first, second] = name.split("\n");
     this.box = html("div", { class: "surface" },
       html("span", { class: "name" }, first, html("br"), second),
       svg("svg", { viewBox: "-24 -50 48 100" },
         svg("rect", { class: "track", x: -4, y: -HALF, width: 8,
           height: 2 * HALF }),
-        svg("path", { class: "thin", d: "M-12 0h24" }),
+        svg("path", { class: "thin", d: "M-12 0h24" }), this.failed,
         svg("g", { class: "down" }, this.position,
           cross(-18, -HALF, 36, 2 * HALF)),
         svg("g", { class: "ages" }, this.command)),
@@ -113,8 +120,9 @@ class Surface {
     return -clamp(degrees / full, -1, 1) * HALF;
   }
 
-  draw(value, words, lost) {
+  draw(value, words, lost, failed) {
     if (!this.item) return;
+    this.box.classList.toggle("has_failed", Boolean(failed) && !lost);
     const asked = this.wanted(value, words);
     put(this.command, "transform",
       `translate(0 ${this.at(asked).toFixed(1)})`);
@@ -148,8 +156,12 @@ export class Systems {
     }
   }
 
-  draw(value, words, lost) {
-    for (const meter of this.meters) meter.draw(value, lost);
-    for (const surface of this.surfaces) surface.draw(value, words, lost);
+  draw(value, words, lost, laws) {
+    for (const meter of this.meters) {
+      meter.draw(value, lost, laws?.not_valid.includes(meter.name));
+    }
+    for (const surface of this.surfaces) {
+      surface.draw(value, words, lost, laws?.failed.includes(surface.name));
+    }
   }
 }
