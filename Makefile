@@ -4,7 +4,7 @@
 
 .PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
         theory bench size trace mutate planted real_time timing trials coverage \
-        independence margins clean
+        independence margins surfaces clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -32,6 +32,7 @@ help:
 	@echo "  make trials     ten minutes of station, garbage, a full disk [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
 	@echo "  make margins    poles and margins of the control laws [RENEW]"
+	@echo "  make surfaces   flights with a failed surface, SAMPLE=N [RENEW]"
 	@echo "  make bench      calls and simulation beside what one would take"
 	@echo "                  instead, BEFORE=COMMIT beside then's [RENEW]"
 	@echo "  make size       static data of each node's flight software"
@@ -118,6 +119,14 @@ margins:
 	@scripts/setup.sh margins
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@.venv/bin/python scripts/laws/margins.py $(RENEW)
+
+# SAMPLE: so many cases of the grid, drawn by lot.
+SAMPLE :=
+surfaces:
+	@scripts/setup.sh fly
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@.venv/bin/python scripts/laws/surfaces.py $(RENEW) \
+	   $(if $(SAMPLE),--sample $(SAMPLE))
 
 bench:
 	@scripts/setup.sh bench

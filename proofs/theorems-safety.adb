@@ -225,8 +225,25 @@ package body Theorems.Safety with SPARK_Mode is
           then not Item.PWM_By_Law
             and then Contents (Item.PWM) = Contents (Item'Old.Commands));
 
+   --  What the PWM task writes; and of its contract what is needed here.
+   function Words_Of (Message : Uplink_Buffer; Told : Health) return Data_Area
+   with
+     Global => null,
+     Post   =>
+       (if Told.Failed = URV.Surfaces.None
+        then Words_Of'Result =
+          URV.PWM_Layout.To_Data_Area (Transform (Message)))
+       and then Words_Of'Result (URV.PWM_Layout.Channel_Of (Brake)) =
+         Transform (Message) (Brake)
+       and then Words_Of'Result (URV.PWM_Layout.Channel_Of (Discretes)) =
+         Transform (Message) (Discretes);
+
+   --  What has failed reaches the PWM task as the LAW task says it.
    procedure Run_PWM
-     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Watched : Health)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans, Done),
@@ -457,18 +474,26 @@ package body Theorems.Safety with SPARK_Mode is
       end if;
    end Run_LAW;
 
+   function Words_Of (Message : Uplink_Buffer; Told : Health) return Data_Area
+   is (URV.PWM_Layout.To_Data_Area (Servos (Message, Told)));
+
    procedure Run_PWM
-     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Watched : Health)
    is
-      Message        : Uplink_Buffer;
-      Fresh          : Boolean;
+      Told    : constant Health := Told_Of (Watched, Item.PWM_By_Law);
+      Message : Uplink_Buffer;
+      Fresh   : Boolean;
    begin
       Receive (Item.PWM, Message, Fresh);
       pragma Assert (Item.PWM_From <= Done);
       pragma Assert
         (Is_Flown (Message, Scans, Item.PWM_From, Item.PWM_By_Law));
       if Fresh and then not Is_Old (Message) then
-         Item.Board := URV.PWM_Layout.To_Data_Area (Transform (Message));
+         Item.Board := Words_Of (Message, Told);
+         Item.Board_Made_Up := Told.Failed /= URV.Surfaces.None;
          Item.Board_Of := Message;
          Item.Board_From := Item.PWM_From;
          Item.Board_By_Law := Item.PWM_By_Law;
@@ -521,6 +546,7 @@ package body Theorems.Safety with SPARK_Mode is
          Item.Is_Cleared := True;
          Neutral_Is_Safe (Scans);
          Item.Board := URV.PWM_Layout.Safe_Area;
+         Item.Board_Made_Up := False;
          Item.Board_Of := Neutral_Uplink;
          Item.Board_From := 0;
          Item.Board_By_Law := False;
@@ -567,7 +593,7 @@ package body Theorems.Safety with SPARK_Mode is
          when LAW_Runs =>
             Run_LAW (Aircraft, Scans, Before, Now.Set, Now.Sensors, Now.Law);
          when PWM_Runs =>
-            Run_PWM (Aircraft, Scans, Before);
+            Run_PWM (Aircraft, Scans, Before, Now.Watched);
          when CORE_Runs =>
             Run_CORE (Aircraft, Scans, Before);
          when Aircraft_Cold_Start =>
@@ -619,6 +645,7 @@ package body Theorems.Safety with SPARK_Mode is
          CORE_From   => 0,
          Is_Cleared  => True,
          Board        => URV.PWM_Layout.Safe_Area,
+         Board_Made_Up => False,
          Board_Of     => Neutral_Uplink,
          Board_From   => 0,
          Board_By_Law => False);
@@ -655,15 +682,24 @@ package body Theorems.Safety with SPARK_Mode is
          Same_Outputs (Item.Board_Of, Scans, Item.Board_From);
       else
          Same_Switches (Item.Board_Of, Scans, Item.Board_From);
-         for Name in PWM_Item range Brake .. Discretes loop
+         if Item.Board_Made_Up then
             pragma Assert
-              (Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
-                 Transform (Item.Board_Of) (Name));
-            pragma Loop_Invariant
-              (for all Earlier in Brake .. Name =>
-                 Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
-                   Outputs_Of (Scans, Item.Board_From) (Earlier));
-         end loop;
+              (Item.Board (URV.PWM_Layout.Channel_Of (Brake)) =
+                 Outputs_Of (Scans, Item.Board_From) (Brake));
+            pragma Assert
+              (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
+                 Outputs_Of (Scans, Item.Board_From) (Discretes));
+         else
+            for Name in PWM_Item range Brake .. Discretes loop
+               pragma Assert
+                 (Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
+                    Transform (Item.Board_Of) (Name));
+               pragma Loop_Invariant
+                 (for all Earlier in Brake .. Name =>
+                    Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
+                      Outputs_Of (Scans, Item.Board_From) (Earlier));
+            end loop;
+         end if;
       end if;
    end Servos_Were_Asked_For;
 
@@ -685,7 +721,7 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert
         (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
            Packed_Switches (Commands));
-      if Switch = Switch_8 then
+      if Switch = Switch_8 and then not Item.Board_Made_Up then
          pragma Assert (Flap_Command (Commands) = Flaps_Up);
          for Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 loop
             pragma Assert (Transform (Commands) (Flap) = Flaps_Up);
@@ -713,10 +749,13 @@ package body Theorems.Safety with SPARK_Mode is
    end No_Law_Flies_Unless_Asked;
 
    procedure Old_Commands_Move_Nothing
-     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Watched : Health)
    is
    begin
-      Run_PWM (Item, Scans, Done);
+      Run_PWM (Item, Scans, Done, Watched);
    end Old_Commands_Move_Nothing;
 
    procedure A_Warm_Start_Moves_Nothing

@@ -17,6 +17,7 @@ with Devices.PWM_Board;   use Devices.PWM_Board;
 with Telemetry;           use Telemetry;
 with URVOS;               use URVOS;
 with URV.AD_Scans;        use URV.AD_Scans;
+with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Layout;
@@ -26,6 +27,7 @@ with URV.Mailboxes;       use URV.Mailboxes;
 with URV.PWM_Layout;
 with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
+with URV.Surfaces;        use type URV.Surfaces.Surface_Flags;
 
 package Theorems.Safety with SPARK_Mode, Ghost is
 
@@ -170,7 +172,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Is_Cleared  : Boolean;
 
       --  The servos' words, and the commands that they were made of.
-      Board        : Data_Area;
+      --  Made_Up: surfaces make up for one that has failed.
+      Board         : Data_Area;
+      Board_Made_Up : Boolean;
       Board_Of     : Uplink_Buffer;
       Board_From   : Scan_Count;
       Board_By_Law : Boolean;
@@ -202,8 +206,15 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         (if not Item.Is_Cleared
          then Is_Of
            (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
-      and then Item.Board =
-        URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of))
+      and then
+        (if not Item.Board_Made_Up
+         then Item.Board =
+           URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of)))
+      and then Item.Board (URV.PWM_Layout.Channel_Of (Brake)) =
+        Transform (Item.Board_Of) (Brake)
+      and then Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
+        Transform (Item.Board_Of) (Discretes)
+      and then (if Item.Board_Made_Up then Item.Board_By_Law)
       and then Is_Flown
         (Item.Board_Of, Scans, Item.Board_From, Item.Board_By_Law))
    with Global => null;
@@ -219,7 +230,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    --  Which is the block that TELIN finds, 0 for none; Bits are the node's
    --  own of the error/status word; Set are the laws' settings, Sensors what
-   --  they are given, Law what else they remember: anything.
+   --  they are given, Law what else they remember, Watched which surfaces
+   --  are thought to have failed: anything.
    type Event is record
       Kind    : Event_Kind;
       Which   : Block_Count;
@@ -227,6 +239,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Set     : URV.Laws.Settings;
       Sensors : Downlink_Buffer;
       Law     : URV.Laws.Memory;
+      Watched : Health;
    end record;
 
    type Event_Number is range 1 .. Longest;
@@ -288,7 +301,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    --  Each servo word is what figure 13 makes of the words of one scan that
    --  the ground's converter held, or the safe word (SAF-2). Where a law
-   --  flies, this holds of the brake, the flaps and the discretes.
+   --  flies, this holds of the brake and the discretes, and of the flaps
+   --  unless they make up for a surface that has failed (EXT-6).
    procedure Servos_Were_Asked_For
      (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -305,8 +319,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         else Item.Board_From <= Done
           and then
             (for all Name in PWM_Item range Brake .. Discretes =>
-               Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
-                 Outputs_Of (Scans, Item.Board_From) (Name)));
+               (if Name in Brake | Discretes or else not Item.Board_Made_Up
+                then Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
+                  Outputs_Of (Scans, Item.Board_From) (Name))));
 
    --  With the laws off no law flies, nor with the disconnect switch on in
    --  commands that are not marked as old, whatever the laws remember and
@@ -331,7 +346,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then Contents (Item.PWM) = Contents (Item'Old.Commands);
 
    --  A switch is off, at its discrete and at the flaps, until a scan says
-   --  that it is on (SAF-3).
+   --  that it is on (SAF-3). Flaps may make up for a surface that has failed
+   --  (EXT-6).
    procedure Switches_Are_Off_Until_A_Scan_Says_On
      (Item   : Aircraft_Way;
       Scans  : Scan_History;
@@ -349,7 +365,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        (Item.Board (URV.PWM_Layout.Channel_Of (Discretes))
           / Switch_Bit (Switch)) mod 2 = 0
        and then
-         (if Switch = Switch_8
+         (if Switch = Switch_8 and then not Item.Board_Made_Up
           then
             (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
                Item.Board (URV.PWM_Layout.Channel_Of (Flap)) = Flaps_Up));
@@ -357,7 +373,10 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  Commands that are marked as old move nothing (SAF-3): those that the
    --  PWM task is given. A law that flies marks none.
    procedure Old_Commands_Move_Nothing
-     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Watched : Health)
    with
      Global => null,
      Pre    =>

@@ -38,6 +38,7 @@ with URV.Law_Status;
 with URV.PWM_Transform;
 with URV.Seal_Blocks;
 with URV.Seals;
+with URV.Surfaces;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 
@@ -94,6 +95,9 @@ package body Sim.Flight is
      (Chosen : Choices;
       Length : Microseconds;
       Flown  : out Microseconds);
+
+   --  What the ground was told of surfaces.
+   procedure Report_Failed_Surfaces (Further : in out Summary.Result);
 
    procedure Conclude
      (Chosen  : Choices;
@@ -264,7 +268,8 @@ package body Sim.Flight is
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown,
              Has_Laws     => Has_Laws (Chosen),
-             Laws         => URV.Law_Status.To_Row (Nodes.Laws),
+             Laws         => URV.Law_Status.To_Row
+                               (Nodes.Laws, Nodes.Failed_Surfaces),
              Laws_Told    => Nodes.CORE (Ground).Aircraft_Log
                                (URV.Law_Status.Row_Number)));
       end if;
@@ -349,6 +354,20 @@ package body Sim.Flight is
       Flown := Frame_End;
    end Fly_Through;
 
+   procedure Report_Failed_Surfaces (Further : in out Summary.Result) is
+      Bits : Word :=
+        Nodes.CORE (Ground).Aircraft_Log (URV.Law_Status.Row_Number)
+          (Last_Frame_High);
+   begin
+      for Item in URV.Surfaces.Surface loop
+         if Bits mod 2 = 1 then
+            Summary.Add_Failed_Surface
+              (Further, Names.Name (URV.Surfaces.Sensor_Of (Item)));
+         end if;
+         Bits := Bits / 2;
+      end loop;
+   end Report_Failed_Surfaces;
+
    procedure Conclude
      (Chosen  : Choices;
       Flown   : Microseconds;
@@ -415,6 +434,10 @@ package body Sim.Flight is
             end if;
          end;
       end loop;
+
+      if Has_Laws (Chosen) then
+         Report_Failed_Surfaces (Further);
+      end if;
 
       if Is_By_Eye (Chosen) then
          Circuit_Quality.Report (Further);

@@ -99,7 +99,7 @@ package body Sim.Flight_Record is
       if Has_Laws then
          Put (To, ",laws.lateral,laws.vertical,laws.power,laws.link"
               & ",laws.invalid_low,laws.invalid_high,laws.silent"
-              & ",laws.told");
+              & ",laws.told,laws.failed,laws.told_failed");
       end if;
       New_Line (To);
    end Write_Header;
@@ -123,6 +123,10 @@ package body Sim.Flight_Record is
          Put_Laws (To, This.Laws);
          Put (To, ',');
          Put (To, Number (This.Laws_Told (Occurrences_High)));
+         Put (To, ',');
+         Put (To, Number (This.Laws (Last_Frame_High)));
+         Put (To, ',');
+         Put (To, Number (This.Laws_Told (Last_Frame_High)));
       end if;
       New_Line (To);
    end Write_Row;

@@ -87,6 +87,9 @@ package body Sim.Nodes is
       MCS.Law_Settings.Write (Set);
    end Set_Laws;
 
+   function Failed_Surfaces return URV.Surfaces.Surface_Flags is
+     (MCS.Surface_Memory.Contents.Failed);
+
    function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents);
 
    procedure Restart_Telemetry (Which : Node) is

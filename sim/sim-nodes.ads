@@ -13,6 +13,7 @@ with URV.Errors;
 with URV.Laws;
 with URV.Seal_Blocks;
 with URV.Seals;
+with URV.Surfaces;
 with URVOS;        use URVOS;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
@@ -93,8 +94,10 @@ package Sim.Nodes is
 
    function Overruns (Which : Node) return Count;
 
-   --  What the aircraft's control laws remember.
+   --  What the aircraft's control laws remember, and which surfaces they have
+   --  seen fail.
    function Laws return URV.Laws.Memory;
+   function Failed_Surfaces return URV.Surfaces.Surface_Flags;
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;

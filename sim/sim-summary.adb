@@ -70,6 +70,10 @@ package body Sim.Summary is
    procedure Put_Known
      (To : in out Writer; Further : Result; Where : Node);
 
+   --  The names of surfaces that failed, each in such marks.
+   procedure Put_Failed
+     (To : in out Writer; Further : Result; Mark : String);
+
    procedure Put_Quality (To : in out Writer; Further : Result);
 
    procedure Begin_Field
@@ -167,6 +171,11 @@ package body Sim.Summary is
       To.Known.Append
         (Known_Error'(Where, Texts.To_Unbounded_String (Kind), How_Often));
    end Add_Known_Error;
+
+   procedure Add_Failed_Surface (To : in out Result; Name : String) is
+   begin
+      To.Failed.Append (Texts.To_Unbounded_String (Name));
+   end Add_Failed_Surface;
 
    procedure Add_Quality
      (To    : in out Result;
@@ -283,6 +292,18 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Known;
 
+   procedure Put_Failed
+     (To : in out Writer; Further : Result; Mark : String)
+   is
+      Any : Boolean := False;
+   begin
+      for Each of Further.Failed loop
+         Put (To, (if Any then ", " else "") & Mark
+              & Texts.To_String (Each) & Mark);
+         Any := True;
+      end loop;
+   end Put_Failed;
+
    procedure Put_Quality (To : in out Writer; Further : Result) is
       Made : Object := (Depth => 2, others => <>);
    begin
@@ -335,6 +356,13 @@ package body Sim.Summary is
          Put_Known (To, Further, Where);
       end loop;
       End_Object (To, Known);
+
+      if not Further.Failed.Is_Empty then
+         Begin_Field (To, Made, "failed_surfaces");
+         Put (To, '[');
+         Put_Failed (To, Further, Mark => [1 => '"']);
+         Put (To, ']');
+      end if;
 
       if not Further.Qualities.Is_Empty then
          Begin_Field (To, Made, Texts.To_String (Further.Part));
@@ -425,6 +453,12 @@ package body Sim.Summary is
                & Image (Each.How_Often)
                & (if Each.Is_Usual then Usual_Remark else ""));
          end loop;
+      end if;
+
+      if not Further.Failed.Is_Empty then
+         Put (To, "failed    ");
+         Put_Failed (To, Further, Mark => "");
+         Put_Line (", as the ground was told");
       end if;
 
       if not Further.Qualities.Is_Empty then

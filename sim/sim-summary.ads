@@ -52,6 +52,10 @@ package Sim.Summary is
       Kind      : String;
       How_Often : Count);
 
+   --  A surface that failed, as the ground was told (EXT-6). Only where there
+   --  is one does the result speak of them.
+   procedure Add_Failed_Surface (To : in out Result; Name : String);
+
    --  How well the pilot flew. A name ends with its unit, as in
    --  "altitude_rms_ft". Values are given to three decimals; one that is
    --  no number is given as null.
@@ -110,6 +114,9 @@ private
    package Known_Error_Vectors is new Ada.Containers.Vectors
      (Positive, Known_Error);
 
+   package Name_Vectors is new Ada.Containers.Vectors
+     (Positive, Texts.Unbounded_String, Texts."=");
+
    type Value_Kind is (A_Number, A_Fact, Unknown);
 
    type Quality is record
@@ -126,6 +133,7 @@ private
       Events    : Event_Vectors.Vector;
       Statuses  : Status_Vectors.Vector;
       Known     : Known_Error_Vectors.Vector;
+      Failed    : Name_Vectors.Vector;
       Qualities : Quality_Vectors.Vector;
       Part      : Texts.Unbounded_String :=
         Texts.To_Unbounded_String ("flight_quality");

@@ -65,7 +65,10 @@ package URV.Errors with Pure, SPARK_Mode is
       Sensor_Not_Valid,        --  range, rate or stuck
 
       --  Sealed link. Detail: why, as URV.Seals.Refused has it, from 1.
-      Block_Refused);          --  a block came that is not the peer's
+      Block_Refused,           --  a block came that is not the peer's
+
+      --  Detail: the surface's place in the downlink, from 1.
+      Surface_Failed);         --  it does not follow its servo's words
 
    package Logs is new URVOS.Error_Logs (Error_Kind);
 

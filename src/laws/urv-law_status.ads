@@ -11,6 +11,9 @@
 --  word 3  the other sensors
 --  word 4  how many silent frames the link has had, at most 65535
 --
+--  word 5  surfaces that have failed, in the order of URV.Surfaces, the first
+--          in bit 0
+--
 --  The other words are 0.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
@@ -18,6 +21,8 @@ with URVOS;               use URVOS;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
+with URV.Surface_Monitor; use URV.Surface_Monitor;
+with URV.Surfaces;        use URV.Surfaces;
 
 package URV.Law_Status with Pure, SPARK_Mode is
 
@@ -35,11 +40,14 @@ package URV.Law_Status with Pure, SPARK_Mode is
       else Word (Item.Link.Silent))
    with Global => null;
 
-   function To_Row (Item : Laws.Memory) return Log_Row is
+   function To_Row
+     (Item : Laws.Memory; Failed : Surface_Flags) return Log_Row
+   is
      (Occurrences_High => Mode_Word (Item),
       Occurrences_Low  => Invalid_Bits (Item.Checks, 0),
       First_Frame_High => Invalid_Bits (Item.Checks, 1),
       First_Frame_Low  => Silent_Word (Item),
+      Last_Frame_High  => Bits_Of (Failed),
       others           => 0)
    with Global => null;
 

@@ -2,8 +2,10 @@
 
 with Telemetry;      use Telemetry;
 with URV.Log_Pieces; use URV.Log_Pieces;
+with URV.Allocation;
 with URV.Laws;
 with URV.PWM_Layout;
+with URV.Surface_Monitor;
 
 package body MCS with SPARK_Mode is
 
@@ -74,9 +76,13 @@ package body MCS with SPARK_Mode is
       Sensors_Variable.Reset;
       PWM_Variable.Reset;
       Law_Memory.Write (URV.Laws.At_Start);
+      Surface_Memory.Write ((others => <>));
+      Surface_Health.Write (URV.Allocation.All_Well);
    end Reset_Variables;
 
    procedure Restart_Variables is
+      Watched : constant URV.Surface_Monitor.Monitor :=
+        Surface_Memory.Contents;
    begin
       ADINT_Variable.Restart;
       AD_Variable.Restart;
@@ -87,6 +93,8 @@ package body MCS with SPARK_Mode is
       Commands_Variable.Restart;
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
+      Surface_Memory.Write
+        (URV.Surface_Monitor.Restarted (Watched));
    end Restart_Variables;
 
    procedure Say_Refused is

@@ -35,6 +35,7 @@ with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
 with URV.Shared_Seals;
+with URV.Shared_Surfaces;
 with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
@@ -83,6 +84,10 @@ package MCS with SPARK_Mode is
 
    Law_Memory : URV.Shared_Laws.Memories.Store;
 
+   Surface_Memory : URV.Shared_Surfaces.Monitors.Store;
+
+   Surface_Health : URV.Shared_Surfaces.Healths.Store;
+
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
@@ -115,14 +120,14 @@ package MCS with SPARK_Mode is
       Deliver            => Give_Commands);
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory);
+     (Errors, Law_Settings, Law_Memory, Surface_Memory);
 
    --  The laws get the sensors too. A piece of the error log goes down along
    --  (SAF-7).
    procedure Add_Log_Piece (Item : in out Downlink_Buffer)
    with
      Global =>
-       (Input  => (Errors, Law_Settings, Law_Memory),
+       (Input  => (Errors, Law_Settings, Law_Memory, Surface_Memory),
         In_Out => (Log_Sender.Progress, Sensors_Variable));
 
    package MDCOUT is new URV.Output_Exchange_Task
@@ -141,9 +146,10 @@ package MCS with SPARK_Mode is
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable, Law_Settings,
-      Law_Memory, Errors);
+      Law_Memory, Surface_Memory, Surface_Health, Errors);
 
-   package PWM is new URV.PWM_Task (PWM_Variable, PWM_Board, Errors);
+   package PWM is new URV.PWM_Task
+     (PWM_Variable, Surface_Health, PWM_Board, Errors);
 
    package TELOUT is new URV.TELOUT_Task
      (For_Downlink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,

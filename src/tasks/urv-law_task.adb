@@ -1,11 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS;        use URVOS;
+with URV.Allocation; use URV.Allocation;
 with URV.Buffers;  use URV.Buffers;
 with URV.Errors;   use URV.Errors;
 with URV.Laws;     use URV.Laws;
 with URV.Link_Loss; use URV.Link_Loss;
 with URV.Routing;
+with URV.Surface_Monitor; use URV.Surface_Monitor;
+with URV.Surfaces; use URV.Surfaces;
 
 package body URV.LAW_Task with SPARK_Mode is
 
@@ -32,6 +35,40 @@ package body URV.LAW_Task with SPARK_Mode is
       end loop;
    end Report;
 
+   --  Watches the surfaces, whose servos will be given what the PWM task
+   --  makes of the commands.
+   procedure Watch_Surfaces
+     (Sensors  : Downlink_Buffer;
+      Commands : Uplink_Buffer;
+      By_Law   : Boolean)
+   with Global => (In_Out => (Surface_Memory, Surface_Health, Errors));
+
+   procedure Watch_Surfaces
+     (Sensors  : Downlink_Buffer;
+      Commands : Uplink_Buffer;
+      By_Law   : Boolean)
+   is
+      Before  : constant Monitor := Surface_Memory.Contents;
+      Watched : constant Monitor := Surface_Monitor.Next (Before, Sensors);
+      Now     : constant Health  :=
+        Told_Of
+          ((Failed => Watched.Failed, Places => Watched.Places), By_Law);
+   begin
+      for Item in Surface loop
+         if Watched.Failed (Item) and then not Before.Failed (Item) then
+            Errors.Report
+              (Surface_Failed,
+               Word (Sensor_Item'Pos (Sensor_Of (Item)) + 1));
+         end if;
+      end loop;
+      Surface_Health.Write (Now);
+      Surface_Memory.Write
+        (With_Sent
+           (Watched,
+            (if Routing.Is_Old (Commands) then Watched.Sent
+             else Demands_Of (Servos (Commands, Now)))));
+   end Watch_Surfaces;
+
    procedure Run_Transaction is
       Set      : constant Settings := Law_Settings.Contents;
       Before   : constant Memory   := Law_Memory.Contents;
@@ -55,6 +92,9 @@ package body URV.LAW_Task with SPARK_Mode is
          Report (Before, After);
          Law_Memory.Write (After);
          Commands := Output (After, Commands);
+         Watch_Surfaces (Sensors, Commands, not Is_All_Stick (After));
+      else
+         Surface_Health.Write (All_Well);
       end if;
 
       if Set.On or else Fresh then

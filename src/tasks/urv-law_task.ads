@@ -6,11 +6,14 @@
 --
 --  Consumes commands_variable and sensors_variable, produces PWM_variable.
 --  With the laws off it passes the commands on as they are. What happens to
---  the link, and a sensor that is no longer valid, is reported.
+--  the link, a sensor that is no longer valid, and a surface that has failed
+--  are reported. While a law flies, the other surfaces make up for one that
+--  has failed (EXT-6).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Shared_Surfaces;
 
 generic
    Commands_Variable : in out For_Uplink.Variable;
@@ -18,6 +21,8 @@ generic
    PWM_Variable      : in out For_Uplink.Variable;
    Law_Settings      : in out URV.Shared_Laws.Settings.Store;
    Law_Memory        : in out URV.Shared_Laws.Memories.Store;
+   Surface_Memory    : in out URV.Shared_Surfaces.Monitors.Store;
+   Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
    Errors            : in out Shared_Log;
 package URV.LAW_Task with SPARK_Mode is
 
@@ -26,6 +31,6 @@ package URV.LAW_Task with SPARK_Mode is
      Global =>
        (Input  => Law_Settings,
         In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
-                   Law_Memory, Errors));
+                   Law_Memory, Surface_Memory, Surface_Health, Errors));
 
 end URV.LAW_Task;

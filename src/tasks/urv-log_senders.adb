@@ -4,6 +4,7 @@ with URVOS; use URVOS;
 with URV.CORE_Layout;
 with URV.Law_Status;
 with URV.Laws;
+with URV.Surface_Monitor;
 
 package body URV.Log_Senders with SPARK_Mode is
 
@@ -28,6 +29,8 @@ package body URV.Log_Senders with SPARK_Mode is
       Log      : constant Error_Log         := Errors.Contents;
       Set      : constant URV.Laws.Settings := Law_Settings.Contents;
       Flown    : constant URV.Laws.Memory   := Law_Memory.Contents;
+      Watched  : constant URV.Surface_Monitor.Monitor :=
+        Surface_Memory.Contents;
       Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
    begin
@@ -36,7 +39,7 @@ package body URV.Log_Senders with SPARK_Mode is
         and then not Line.Is_Laws
         and then (Is_Empty or else Line.Sent = Place'Last)
       then
-         Line.Row := Law_Status.To_Row (Flown);
+         Line.Row := Law_Status.To_Row (Flown, Watched.Failed);
          Line.Is_Laws := True;
          Line.Sent := 0;
       elsif Line.Sent = Place'Last

@@ -6,18 +6,24 @@
 --  Consumes PWM_variable, produces the data area of the PWM board. When
 --  nothing new has come, or commands that are marked as old, it leaves the
 --  board alone (SAF-2, SAF-3, D-14). Whoever marked them has reported why.
+--  Surfaces that have failed are made up for by the others (EXT-6).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Boards;
 with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Surfaces;
 
 generic
-   PWM_Variable : in out For_Uplink.Variable;
-   PWM_Board    : in out PWM_Boards.Board;
-   Errors       : in out Shared_Log;
+   PWM_Variable   : in out For_Uplink.Variable;
+   Surface_Health : in out URV.Shared_Surfaces.Healths.Store;
+   PWM_Board      : in out PWM_Boards.Board;
+   Errors         : in out Shared_Log;
 package URV.PWM_Task with SPARK_Mode is
 
    procedure Run_Transaction
-   with Global => (In_Out => (PWM_Variable, PWM_Board, Errors));
+   with
+     Global =>
+       (Input  => Surface_Health,
+        In_Out => (PWM_Variable, PWM_Board, Errors));
 
 end URV.PWM_Task;

@@ -33,6 +33,7 @@ with Serial_Line_Tests;
 with Shared_Nodes_Tests;
 with Start_Orders_Tests;
 with Starts_Tests;
+with Surfaces_Tests;
 with Task_Lists_Tests;
 with Telemetry_Task_Tests;
 with Waiting_Tasks_Tests;
@@ -69,6 +70,7 @@ package body All_Tests is
       Exchange_Tests.Add_To (Result);
       Telemetry_Task_Tests.Add_To (Result);
       PWM_Tests.Add_To (Result);
+      Surfaces_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);

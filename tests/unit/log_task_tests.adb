@@ -18,6 +18,7 @@ with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Shared_Surfaces;
 
 package body LOG_Task_Tests is
 
@@ -46,9 +47,10 @@ package body LOG_Task_Tests is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
    Law_Memory   : URV.Shared_Laws.Memories.Store;
+   Surface_Memory : URV.Shared_Surfaces.Monitors.Store;
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory);
+     (Errors, Law_Settings, Law_Memory, Surface_Memory);
 
    package Log_Receiver is new URV.Log_Receivers (CORE);
 

@@ -13,6 +13,7 @@ with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Task;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Shared_Errors;
+with URV.Shared_Surfaces;
 
 package body PWM_Tests is
 
@@ -51,10 +52,11 @@ package body PWM_Tests is
    --  What the task is between.
 
    Variable : For_Uplink.Variable;
+   Health   : URV.Shared_Surfaces.Healths.Store;
    Board    : URV.PWM_Boards.Board;
    Errors   : URV.Shared_Errors.Shared_Log;
 
-   package PWM is new URV.PWM_Task (Variable, Board, Errors);
+   package PWM is new URV.PWM_Task (Variable, Health, Board, Errors);
 
    --  What no task writes.
    Foreign : constant Data_Area := (others => 16#ABC#);

@@ -1,0 +1,135 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body URV.Allocation with SPARK_Mode is
+
+   --  What the flaps that are well do as ailerons, in words of an aileron:
+   --  from where they were measured.
+   subtype Flap_Roll is Number range -10_000 .. 10_000;
+
+   function Rolled_By_Flaps
+     (Wanted : Surface_Demands; Now : Health) return Flap_Roll
+   with Global => null;
+
+   function Help_Of (Helper : Surface; Missing : Lacks) return Help is
+      Sum : Help := 0;
+   begin
+      for Failed in Surface loop
+         Sum := Sum + Part_For (Failed, Helper, Missing (Failed));
+         pragma Loop_Invariant
+           (abs Sum <= 20_000 * (Surface'Pos (Failed) + 1));
+      end loop;
+      return Sum;
+   end Help_Of;
+
+   function Rolled_By_Flaps
+     (Wanted : Surface_Demands; Now : Health) return Flap_Roll
+   is
+      Sum : Flap_Roll := 0;
+   begin
+      for Item in Flap loop
+         if not Now.Failed (Item) then
+            Sum := Sum
+              + (Now.Places (Item) - Wanted (Item)) * Roll_Of_Flap (Item)
+                / Unit;
+         end if;
+         pragma Loop_Invariant
+           (abs Sum <= 2_500 * (Surface'Pos (Item)
+                                - Surface'Pos (Flap'First) + 1));
+      end loop;
+      return Sum;
+   end Rolled_By_Flaps;
+
+   function Demands
+     (Wanted : Surface_Demands; Now : Health) return Surface_Demands
+   is
+      Missing : constant Lacks := Missing_Of (Wanted, Now);
+      Beyond  : Number := 0;
+      Rolled  : Flap_Roll := 0;
+      Goal    : Number;
+      Result  : Surface_Demands := Wanted;
+   begin
+      if Now.Failed = None then
+         return Result;
+      end if;
+
+      --  One aileron has failed: the other's travel may not be enough.
+      if Now.Failed (Left_Aileron) /= Now.Failed (Right_Aileron) then
+         Goal :=
+           (if Now.Failed (Left_Aileron)
+            then Wanted (Right_Aileron) + Help_Of (Right_Aileron, Missing)
+            else Wanted (Left_Aileron) + Help_Of (Left_Aileron, Missing));
+         Beyond := Beyond_Share (Goal);
+         Rolled := Rolled_By_Flaps (Wanted, Now);
+      end if;
+
+      for Item in Surface loop
+         if not Now.Failed (Item) then
+            Goal := Wanted (Item) + Help_Of (Item, Missing)
+              + (if Item in Flap
+                 then Beyond * Flap_For_Roll / Unit
+                      * (if Item in Left_Flap_1 | Left_Flap_2
+                         then 1 else -1)
+                 elsif Item in Left_Aileron | Right_Aileron then -Rolled
+                 else 0);
+            Result (Item) := Reachable (Item, Goal);
+         end if;
+         pragma Loop_Invariant
+           (for all Done in Surface'First .. Item =>
+              (if Now.Failed (Done) then Result (Done) = Wanted (Done)
+               else Result (Done) in Lowest (Done) .. Highest (Done)));
+         pragma Loop_Invariant
+           (for all Later in Surface =>
+              (if Later > Item then Result (Later) = Wanted (Later)));
+      end loop;
+      return Result;
+   end Demands;
+
+   procedure Make_Up (Result : in out PWM_Buffer; Now : Health)
+   with
+     Global => null,
+     Pre    =>
+       (for all Item in Servo_Item => Result (Item) in Converter_Value),
+     Post   =>
+       (for all Item in Servo_Item => Result (Item) in Converter_Value)
+       and then Result (Steering) = Result'Old (Steering)
+       and then Result (Throttle) = Result'Old (Throttle)
+       and then Result (Brake) = Result'Old (Brake)
+       and then Result (Discretes) = Result'Old (Discretes)
+       and then
+         (for all Item in Surface =>
+            Demand_Of (Result (Servo_Of (Item))) =
+              Demands (Demands_Of (Result'Old), Now) (Item));
+
+   procedure Make_Up (Result : in out PWM_Buffer; Now : Health) is
+      Given : constant Surface_Demands := Demands (Demands_Of (Result), Now);
+   begin
+      Result (Left_Aileron)   := Word_Of (Given (Left_Aileron));
+      Result (Right_Aileron)  := Word_Of (Given (Right_Aileron));
+      Result (Left_Elevator)  := Word_Of (Given (Left_Elevator));
+      Result (Right_Elevator) := Word_Of (Given (Right_Elevator));
+      Result (Left_Rudder)    := Word_Of (Given (Left_Rudder));
+      Result (Right_Rudder)   := Word_Of (Given (Right_Rudder));
+      Result (Left_Flap_1)    := Word_Of (Given (Left_Flap_1));
+      Result (Right_Flap_1)   := Word_Of (Given (Right_Flap_1));
+      Result (Left_Flap_2)    := Word_Of (Given (Left_Flap_2));
+      Result (Right_Flap_2)   := Word_Of (Given (Right_Flap_2));
+      pragma Assert
+        (for all Item in Servo_Item => Result (Item) in Converter_Value);
+      pragma Assert
+        (for all Item in Surface =>
+           Demand_Of (Result (Servo_Of (Item))) = Given (Item));
+   end Make_Up;
+
+   function Servos (Commands : Uplink_Buffer; Now : Health) return PWM_Buffer
+   is
+      Result : PWM_Buffer := Transform (Commands);
+   begin
+      if Now.Failed /= None then
+         pragma Assert
+           (for all Item in Servo_Item => Result (Item) in Converter_Value);
+         Make_Up (Result, Now);
+      end if;
+      return Result;
+   end Servos;
+
+end URV.Allocation;

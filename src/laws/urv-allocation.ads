@@ -1,0 +1,114 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Servo words of the commands, with surfaces that have failed (EXT-6).
+--
+--  With all surfaces well they are figure 13's. A failed one stands where it
+--  was measured and not where figure 13 wants it: what is missing of its
+--  moments is given to the others, by a weighted pseudo-inverse for each
+--  failure, computed off line (URV.Allocation_Table). What an aileron cannot
+--  do beyond half its travel, the flaps of one side do slowly.
+
+with URVOS;                use URVOS;
+with URV.Allocation_Table; use URV.Allocation_Table;
+with URV.Buffers;          use URV.Buffers;
+with URV.Law_Units;        use URV.Law_Units;
+with URV.PWM_Transform;    use URV.PWM_Transform;
+with URV.Surfaces;         use URV.Surfaces;
+
+package URV.Allocation with Pure, SPARK_Mode is
+
+   --  What has failed, and where each surface was measured.
+   type Health is record
+      Failed : Surface_Flags   := None;
+      Places : Surface_Demands := (others => 0);
+   end record;
+
+   All_Well : constant Health :=
+     (Failed => (others => False), Places => (others => 0));
+
+   --  What the PWM task is told: nothing is made up for unless a law flies.
+   function Told_Of (Now : Health; By_Law : Boolean) return Health is
+     (if By_Law then Now else All_Well)
+   with Global => null;
+
+   --  What is missing of where a failed surface should be.
+   subtype Lack is Number range -4_095 .. 4_095;
+
+   type Lacks is array (Surface) of Lack;
+
+   function Missing_Of
+     (Wanted : Surface_Demands; Now : Health) return Lacks
+   is
+     (for Item in Surface =>
+        (if Now.Failed (Item) then Wanted (Item) - Now.Places (Item)
+         else 0))
+   with Global => null;
+
+   --  A surface's part of what is missing. The sum over all ten is within
+   --  Number.
+   subtype Part is Number range -20_000 .. 20_000;
+
+   function Part_For
+     (Failed, Helper : Surface; Missing : Lack) return Part
+   is
+     (Gains (Failed) (Helper) * Missing / Unit)
+   with Global => null;
+
+   --  What a surface has to do for all that have failed.
+   subtype Help is Number range -200_000 .. 200_000;
+
+   function Help_Of (Helper : Surface; Missing : Lacks) return Help
+   with Global => null;
+
+   --  Words of an aileron in place of which the flaps are moved, and how far
+   --  they are: left ones down, right ones up.
+   Aileron_Share : constant := 1_000;
+
+   function Beyond_Share (Wanted : Number) return Number is
+     (Wanted - Within (Wanted, -Aileron_Share, Aileron_Share))
+   with
+     Global => null,
+     Pre    => Wanted in -210_000 .. 210_000,
+     Post   => Beyond_Share'Result in -210_000 .. 210_000;
+
+   --  What the surfaces are to do.
+   function Demands
+     (Wanted : Surface_Demands; Now : Health) return Surface_Demands
+   with
+     Global => null,
+     Post   =>
+       (if Now.Failed = None then Demands'Result = Wanted
+        else
+          (for all Item in Surface =>
+             (if Now.Failed (Item)
+              then Demands'Result (Item) = Wanted (Item)
+              else Demands'Result (Item) in
+                     Lowest (Item) .. Highest (Item))));
+
+   --  All 14 outputs.
+   function Servos (Commands : Uplink_Buffer; Now : Health) return PWM_Buffer
+   with
+     Global => null,
+     Post   =>
+       --  Figure 13, bit for bit.
+       (if Now.Failed = None then Servos'Result = Transform (Commands))
+
+       --  Limits are kept.
+       and then
+         (for all Item in Servo_Item =>
+            Servos'Result (Item) in Converter_Value)
+
+       --  What is no aerodynamic surface stays figure 13's.
+       and then Servos'Result (Steering) = Transform (Commands) (Steering)
+       and then Servos'Result (Throttle) = Transform (Commands) (Throttle)
+       and then Servos'Result (Brake) = Transform (Commands) (Brake)
+       and then Servos'Result (Discretes) = Transform (Commands) (Discretes)
+
+       and then
+         (if Now.Failed /= None
+          then
+            (for all Item in Surface =>
+               Demand_Of (Servos'Result (Servo_Of (Item))) =
+                 Demands (Demands_Of (Transform (Commands)), Now) (Item)));
+
+end URV.Allocation;

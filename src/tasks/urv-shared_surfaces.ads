@@ -1,0 +1,20 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What is remembered of the surfaces from frame to frame, and what the
+--  servos' words are made with (EXT-6).
+
+pragma SPARK_Mode;
+
+with URVOS.Shared_Data;
+with URV.Allocation;
+with URV.Surface_Monitor;
+
+package URV.Shared_Surfaces is
+
+   package Monitors is new URVOS.Shared_Data
+     (URV.Surface_Monitor.Monitor, Initial => (others => <>));
+
+   package Healths is new URVOS.Shared_Data
+     (URV.Allocation.Health, Initial => (others => <>));
+
+end URV.Shared_Surfaces;

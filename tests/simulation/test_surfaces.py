@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""EXT-6: a surface that fails is named, the others make up for it, and figure
+13 is what the servos get when no law flies. A small sample of the grid of
+scripts/laws/surfaces.py."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import (
+    COMMANDS,
+    FRAME_MS,
+    PROGRAM,
+    ROOT,
+    SERVOS,
+    TIME_LIMIT_S,
+    Flight,
+    columns,
+    transformed,
+)
+from test_flight import has_jsbsim
+
+sys.path.insert(0, str(ROOT / "scripts" / "laws"))
+
+import allocation  # noqa: E402
+import surfaces  # noqa: E402
+
+pytestmark = pytest.mark.skipif(
+    not has_jsbsim(), reason="make fly installs JSBSim")
+
+FAULT = surfaces.FAULT_MS // FRAME_MS
+
+
+def test_the_table_is_of_this_aircraft():
+    assert allocation.TABLE.read_text(encoding="utf-8") == allocation.text()
+
+
+def test_gains_give_back_what_is_missing():
+    """Of each surface: the helpers' moments are its own."""
+    of = allocation.moments()
+    for failed in allocation.SURFACES:
+        step = allocation.PER_WORD[allocation.family(failed)]
+        for axis in range(3):
+            given = sum(
+                gain * allocation.PER_WORD[allocation.family(name)]
+                * of[name][axis]
+                for name, gain in allocation.gains(failed, of).items())
+            assert given == pytest.approx(step * of[failed][axis], abs=1e-9)
+
+
+@pytest.mark.parametrize("surface, where, condition", [
+    ("left_aileron", 2000, "calm"), ("right_elevator", -1500, "turbulence"),
+    ("left_rudder", surfaces.FLOATS, "heavy"), ("right_flap_1", 2047, "calm"),
+])
+def test_a_case_of_the_grid_is_flown(surface, where, condition):
+    case = surfaces.Case(surface, where, condition, laws=True)
+    outcome = surfaces.flown(case)
+    assert outcome.is_flown, outcome
+    if where != surfaces.FLOATS:
+        assert outcome.failed == 1 << allocation.SURFACES.index(surface)
+        assert outcome.named <= outcome.told_from + surfaces.NAMED_MS
+
+
+def test_the_ground_is_told_and_disconnect_is_figure_13(tmp_path, write):
+    """Named, told, and made up for until the pilot disconnects."""
+    write("faults.txt", "10000 surface left_elevator stuck 3500\n")
+    write("sticks.csv", "time_ms,throttle,switch3,switch7\n"
+          "0,2048,4095,0\n15000,2048,4095,4095\n16000,2048,4095,4095\n")
+    # Without the safety monitor: it asks what figure 13 made of the sticks.
+    result = subprocess.run(
+        [PROGRAM, "fly", "--plant", "jsbsim", "--laws", "on", "--sticks",
+         "sticks.csv", "--faults", "faults.txt", "--quiet", "--record",
+         "record.csv", "--events", "events.jsonl"],
+        cwd=tmp_path, capture_output=True, text=True,
+        timeout=TIME_LIMIT_S, check=True)
+    flight = Flight(tmp_path, result)
+    assert flight.events["mcs", "surface_failed"]["count"] == 1
+    assert flight.events["mcs", "surface_failed"]["last_detail"] == 8
+    bit = 1 << allocation.SURFACES.index("left_elevator")
+    assert flight.record["laws.failed"][-1] == bit
+    assert flight.record["laws.told_failed"][-1] == bit
+    held = 14_000 // FRAME_MS
+    assert flight.record["pwm.right_elevator"][held] < 1000
+    commands = columns(flight, "mcs.uplink", COMMANDS)
+    servos = columns(flight, "pwm", SERVOS)
+    disconnected = 15_200 // FRAME_MS
+    for place in range(disconnected, len(servos)):
+        assert servos[place] == transformed(commands[place])
+
+
+def test_direct_is_figure_13_with_a_failed_surface(fly, write):
+    write("faults.txt", "1000 surface right_aileron stuck 100\n")
+    write("sticks.csv", "time_ms,roll,pitch\n0,2048,2048\n"
+          "1500,2300,1900\n3000,2048,2048\n5000,2048,2048\n")
+    flight = fly("--plant", "jsbsim", "--laws", "on", "--sticks",
+                 "sticks.csv", "--faults", "faults.txt")
+    assert flight.record["laws.failed"][-1] == 2
+    commands = columns(flight, "mcs.uplink", COMMANDS)
+    servos = columns(flight, "pwm", SERVOS)
+    assert all(servos[place] == transformed(commands[place])
+               for place in range(10, len(servos)))

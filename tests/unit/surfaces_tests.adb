@@ -1,0 +1,360 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Checks;              use Checks;
+with Expectations;        use Expectations;
+with URV.Allocation;      use URV.Allocation;
+with URV.Buffers;         use URV.Buffers;
+with URV.Law_Units;       use URV.Law_Units;
+with URV.PWM_Transform;   use URV.PWM_Transform;
+with URV.Surface_Monitor; use URV.Surface_Monitor;
+with URV.Surfaces;        use URV.Surfaces;
+
+package body Surfaces_Tests is
+
+   --  The tests, in order.
+   procedure Sound_Ones;
+   procedure Stuck_Ones;
+   procedure Small_Offset;
+   procedure Old_Sensors;
+   procedure After_A_Restart;
+   procedure Figure_13;
+   procedure Partners;
+   procedure Signs;
+   procedure Flaps_Help;
+   procedure Stops;
+
+   --  A servo as a textbook has it: a lag of 0.1 s and a rate limit, in
+   --  steps of 2 ms. Its words of a frame act from 4 ms after the scan on.
+   type Exact is digits 12;
+   type Exact_Table is array (Surface) of Exact;
+   type Rig is record
+      Lagged, Place : Exact_Table := (others => 0.0);
+      Words         : Surface_Demands := (others => 0);
+      Scanned       : Surface_Demands := (others => 0);
+      Seen          : Surface_Demands := (others => 0);
+      Watch         : Monitor;
+   end record;
+
+   Free : constant Surface_Flags := None;
+
+   --  A frame: the monitor sees the scan of a frame ago, then the servos get
+   --  their words. A stuck one stays; all sensors are off by Bias.
+   procedure Fly
+     (Item  : in out Rig;
+      Words : Surface_Demands;
+      Stuck : Surface_Flags := Free;
+      Bias  : Number        := 0;
+      Is_Old : Boolean      := False);
+
+   procedure Move (Item : in out Rig; Stuck : Surface_Flags; Steps : Positive);
+
+   --  The way of a surface in 2 ms.
+   function Longest (Which : Surface) return Exact is
+     (case Which is
+         when Left_Aileron | Right_Aileron => 20.0,
+         when Flap                         => 1.365,
+         when others                       => 16.0);
+
+   function Everywhere (Value : Demand) return Surface_Demands is
+     (for Which in Surface => Reachable (Which, Value));
+
+   function Image_Of (Places : Surface_Demands; Is_Old : Boolean)
+                      return Downlink_Buffer;
+
+   --  So many failed, of a flag table.
+   function Count (Failed : Surface_Flags) return Natural;
+
+   Commands : constant Uplink_Buffer :=
+     (Roll         => 16#888#,
+      Pitch        => 16#744#,
+      Yaw          => 16#801#,
+      Throttle     => 16#444#,
+      Brake        => 16#855#,
+      Switch_Item  => 0,
+      Error_Status => No_Error);
+
+   Level : constant Uplink_Buffer :=
+     (Commands with delta
+        Roll | Pitch | Yaw | Brake => Neutral_Value);
+
+   --  A surface stands at a place, the others where they should be.
+   function With_Failed
+     (Which : Surface; Place : Demand; Wanted : Uplink_Buffer := Level)
+      return Health
+   is
+     (Failed => (None with delta Which => True),
+      Places =>
+        (Demands_Of (Transform (Wanted)) with delta Which => Place));
+
+   function Given (Wanted : Uplink_Buffer; Now : Health)
+                   return Surface_Demands
+   is (Demands_Of (Servos (Wanted, Now)));
+
+   procedure Move
+     (Item : in out Rig; Stuck : Surface_Flags; Steps : Positive) is
+   begin
+      for Step in 1 .. Steps loop
+         for Which in Surface loop
+            if not Stuck (Which) then
+               Item.Lagged (Which) := Item.Lagged (Which)
+                 + (Exact (Item.Words (Which)) - Item.Lagged (Which))
+                   * 0.019_8;
+               Item.Place (Which) := Item.Place (Which)
+                 + Exact'Max
+                     (-Longest (Which),
+                      Exact'Min
+                        (Longest (Which),
+                         Item.Lagged (Which) - Item.Place (Which)));
+            end if;
+         end loop;
+      end loop;
+   end Move;
+
+   function Image_Of (Places : Surface_Demands; Is_Old : Boolean)
+                      return Downlink_Buffer
+   is
+      Image : Downlink_Buffer :=
+        (Error_Status => (if Is_Old then Stale_Data else No_Error),
+         others       => Neutral_Value);
+   begin
+      for Which in Surface loop
+         Image (Sensor_Of (Which)) := Word_Of (Places (Which));
+      end loop;
+      return Image;
+   end Image_Of;
+
+   procedure Fly
+     (Item  : in out Rig;
+      Words : Surface_Demands;
+      Stuck : Surface_Flags := Free;
+      Bias  : Number        := 0;
+      Is_Old : Boolean      := False) is
+   begin
+      --  The scan of a frame ago is what the node has now.
+      Item.Seen := Item.Scanned;
+      for Which in Surface loop
+         Item.Scanned (Which) := Within
+           (Number (Item.Place (Which)) + Bias, Demand'First, Demand'Last);
+      end loop;
+      Item.Watch := With_Sent
+        (Next (Item.Watch, Image_Of (Item.Seen, Is_Old)), Words);
+      Move (Item, Stuck, 2);
+      Item.Words := Words;
+      Move (Item, Stuck, 8);
+   end Fly;
+
+   function Count (Failed : Surface_Flags) return Natural is
+      Sum : Natural := 0;
+   begin
+      for Flag of Failed loop
+         Sum := Sum + Boolean'Pos (Flag);
+      end loop;
+      return Sum;
+   end Count;
+
+   procedure Sound_Ones is
+      Item : Rig;
+   begin
+      for Frame in 1 .. 2_000 loop
+         --  Steps from stop to stop, quick ones and slow ones.
+         Fly (Item,
+              Everywhere
+                (if Frame < 60 then 0
+                 elsif Frame / 7 mod 2 = 0 then 1_900 - Frame
+                 elsif Frame / 91 mod 2 = 0 then -1_500
+                 else Frame mod 150 * 10 - 700),
+              Bias => Frame mod 21 - 10);
+      end loop;
+      Expect_Number ("named", Count (Item.Watch.Failed), 0);
+   end Sound_Ones;
+
+   procedure Stuck_Ones is
+   begin
+      for Which in Surface loop
+         declare
+            Item  : Rig;
+            Named : Natural := 0;
+         begin
+            for Frame in 1 .. 100 loop
+               Fly (Item, Everywhere (0));
+            end loop;
+            for Frame in 1 .. 25 loop
+               Fly (Item, Everywhere (400), (None with delta Which => True));
+               if Item.Watch.Failed (Which) and then Named = 0 then
+                  Named := Frame;
+               end if;
+            end loop;
+            Expect (Which'Image & " named", Named in 4 .. 25, True);
+            Expect_Number
+              (Which'Image & " alone", Count (Item.Watch.Failed), 1);
+            Expect_Number
+              ("bit", Integer (Bits_Of (Item.Watch.Failed)),
+               2 ** Surface'Pos (Which));
+         end;
+      end loop;
+   end Stuck_Ones;
+
+   procedure Small_Offset is
+      Item : Rig;
+   begin
+      for Frame in 1 .. 100 loop
+         Fly (Item, Everywhere (0));
+      end loop;
+      for Frame in 1 .. 500 loop
+         Fly (Item, Everywhere (0), Bias => Allowance);
+      end loop;
+      Expect_Number ("named within", Count (Item.Watch.Failed), 0);
+      for Frame in 1 .. 50 loop
+         Fly (Item, Everywhere (0), Bias => Allowance + 20);
+      end loop;
+      Expect_Number ("named beyond", Count (Item.Watch.Failed), 10);
+   end Small_Offset;
+
+   procedure Old_Sensors is
+      Item : Rig;
+   begin
+      for Frame in 1 .. 100 loop
+         Fly (Item, Everywhere (0));
+      end loop;
+      for Frame in 1 .. 50 loop
+         Fly (Item, Everywhere (400), (others => True), Is_Old => True);
+      end loop;
+      Expect_Number ("named by old ones", Count (Item.Watch.Failed), 0);
+   end Old_Sensors;
+
+   procedure After_A_Restart is
+      Item : Rig;
+   begin
+      for Frame in 1 .. 100 loop
+         Fly (Item, Everywhere (0));
+      end loop;
+      for Frame in 1 .. 25 loop
+         Fly (Item, Everywhere (400),
+              (Left_Rudder => True, others => False));
+      end loop;
+      --  The others went elsewhere while nobody watched.
+      Item.Words := Everywhere (-700);
+      Move (Item, Free, 300);
+      Item.Watch := Restarted (Item.Watch);
+      for Frame in 1 .. 100 loop
+         Fly (Item, Everywhere (-700));
+      end loop;
+      Expect ("still known", Item.Watch.Failed (Left_Rudder), True);
+      Expect_Number ("no other", Count (Item.Watch.Failed), 1);
+   end After_A_Restart;
+
+   procedure Figure_13 is
+      Now : constant Health :=
+        (Failed => None, Places => Everywhere (1_234));
+   begin
+      for Item in PWM_Item loop
+         Expect (Item'Image, Servos (Commands, Now) (Item),
+                 Transform (Commands) (Item));
+      end loop;
+   end Figure_13;
+
+   procedure Partners is
+      type Pair is array (1 .. 2) of Surface;
+      Pairs : constant array (1 .. 3) of Pair :=
+        ((Left_Aileron, Right_Aileron), (Left_Elevator, Right_Elevator),
+         (Left_Rudder, Right_Rudder));
+   begin
+      --  The partner goes as far the other way, within a tenth.
+      for One of Pairs loop
+         declare
+            After : constant Surface_Demands :=
+              Given (Level, With_Failed (One (1), 600));
+         begin
+            Expect
+              (One (2)'Image, After (One (2)) in -660 .. -540, True);
+            Expect_Number (One (1)'Image, After (One (1)), 0);
+         end;
+         declare
+            After : constant Surface_Demands :=
+              Given (Level, With_Failed (One (2), -600));
+         begin
+            Expect (One (1)'Image, After (One (1)) in 540 .. 660, True);
+         end;
+      end loop;
+   end Partners;
+
+   procedure Signs is
+      --  Down on the left: it rolls right, the ailerons roll left.
+      Left_Down : constant Surface_Demands :=
+        Given (Level, With_Failed (Left_Flap_1, 2_047));
+
+      --  The same on the right.
+      Right_Down : constant Surface_Demands :=
+        Given (Level, With_Failed (Right_Flap_2, 2_047));
+   begin
+      Expect ("left flap", Left_Down (Left_Aileron) < -200, True);
+      Expect ("right flap", Right_Down (Right_Aileron) > 150, True);
+      Expect_Number ("other flap", Left_Down (Left_Flap_2), 0);
+   end Signs;
+
+   procedure Flaps_Help is
+      Wanted : constant Health := With_Failed (Left_Aileron, 2_000);
+      First  : constant Surface_Demands := Given (Level, Wanted);
+      Down   : constant Health :=
+        (Wanted with delta
+           Places =>
+             (Wanted.Places with delta
+                Right_Flap_1 | Right_Flap_2 => First (Right_Flap_1)));
+      Then_On : constant Surface_Demands := Given (Level, Down);
+   begin
+      --  It rolls right: the other aileron all the way left, the right
+      --  flaps down. As these come, the aileron comes back.
+      Expect ("aileron", First (Right_Aileron) < -1_800, True);
+      Expect ("right flap 1", First (Right_Flap_1) > 1_000, True);
+      Expect ("right flap 2", First (Right_Flap_2) > 1_000, True);
+      Expect_Number ("left flap", First (Left_Flap_1), 0);
+      Expect
+        ("aileron back", Then_On (Right_Aileron) in -1_150 .. -850, True);
+      Expect_Number
+        ("flap stays", Then_On (Right_Flap_1), First (Right_Flap_1));
+   end Flaps_Help;
+
+   procedure Stops is
+      Full : constant Uplink_Buffer :=
+        (Level with delta Roll | Pitch | Yaw => 16#FFF#);
+   begin
+      for Which in Surface loop
+         for Place of Surface_Demands'(Everywhere (-2_000)) loop
+            for Item in Surface loop
+               declare
+                  After : constant Demand :=
+                    Given (Full, With_Failed (Which, Place, Full)) (Item);
+               begin
+                  Expect
+                    (Item'Image,
+                     Item = Which
+                       or else After in Lowest (Item) .. Highest (Item),
+                     True);
+               end;
+            end loop;
+         end loop;
+      end loop;
+   end Stops;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "EXT-6 surfaces that follow are not named, whatever moves",
+           Sound_Ones'Access);
+      Add (Suite, "EXT-6 each stuck surface is named within 0.5 s, alone",
+           Stuck_Ones'Access);
+      Add (Suite, "EXT-6 an offset is allowed up to its limit",
+           Small_Offset'Access);
+      Add (Suite, "EXT-6 old sensors name nobody", Old_Sensors'Access);
+      Add (Suite, "EXT-6 a restart forgets no failure and sees none",
+           After_A_Restart'Access);
+      Add (Suite, "EXT-6 without a failure it is figure 13",
+           Figure_13'Access);
+      Add (Suite, "EXT-6 the partner makes up for a stuck surface",
+           Partners'Access);
+      Add (Suite, "EXT-6 ailerons make up for a flap", Signs'Access);
+      Add (Suite, "EXT-6 flaps help an aileron at its limit, slowly",
+           Flaps_Help'Access);
+      Add (Suite, "EXT-6 nothing is asked beyond the stops", Stops'Access);
+   end Add_To;
+
+end Surfaces_Tests;
