@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The display of a flight for Yamcs: attitude, air data, surfaces, engine and
-electrical, link health (GND-32).
+electrical, link health (GND-32), and that frames are missing (GND-34).
 
 An .opi file, which Yamcs's pages show. Units, ranges and limits are those of
 urv.items; what Yamcs finds out of date or beyond a limit it frames itself.
@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
-from urv import items, packets
+from urv import items, laws, packets, xtce
 
 BACK, TEXT, DIM = (18, 23, 28), (242, 245, 247), (163, 175, 186)
 AMBER, RED, WHITE = (255, 176, 0), (255, 116, 104), (242, 245, 247)
 TRACK = (39, 48, 58)
+LOST, DOUBT = (179, 20, 12), (138, 86, 0)
 WIDTH, HEIGHT = 1240, 700
 WIDGETS = "org.csstudio.opibuilder.widgets."
 KINDS = {"Label": "Label", "Rectangle": "Rectangle", "gauge": "Gauge",
@@ -22,6 +23,8 @@ KINDS = {"Label": "Label", "Rectangle": "Rectangle", "gauge": "Gauge",
 SURFACES = ("left_flap_2", "left_flap_1", "left_aileron", "left_elevator",
             "left_rudder", "right_rudder", "right_elevator", "right_aileron",
             "right_flap_1", "right_flap_2")
+# So many frames of 20 ms without a fresh downlink.
+LOST_FRAMES = 15
 # What an instrument shows is what flies, not what a word can hold.
 RANGES = {"airspeed": (0, 130), "altitude": (0, 2000), "rpm": (0, 8000),
           "battery_volts": (16, 34), "alternator_volts": (16, 34),
@@ -32,16 +35,18 @@ def flight() -> str:
     """The text of the file."""
     display = _Display()
     display.box(8, 8, 300, 684, "Link health")
-    rows = [("link", "/URV/link_state"), ("console", "/URV/console_state"),
+    rows = [("frames", "/URV/frames"), ("link", "/URV/link_state"), ("console", "/URV/console_state"),
             ("pilot", "/URV/pilot"),
             ("age of downlink, frames", "/URV/downlink_age"),
             ("frame", "/URV/sequence")]
     rows += [(name.replace("_", " "), f"/URV/link/{name}")
              for name in packets.LINK_COUNTS]
+    rows += [(f"laws: {name}", f"/URV/laws/{name}")
+             for name in ("link", "lateral", "vertical", "power")]
     for row, (label, name) in enumerate(rows):
-        display.row(20, 44 + 36 * row, 276, label, name)
+        display.row(20, 38 + 29 * row, 276, label, name)
     signal = "uplink_signal_strength"
-    display.row(20, 44 + 36 * len(rows), 276, "signal", down(signal), signal)
+    display.row(20, 38 + 29 * len(rows), 276, "signal", down(signal), signal)
 
     display.box(316, 8, 450, 330, "Attitude")
     display.gauge(326, 40, 210, "roll_attitude", "roll")
@@ -80,6 +85,16 @@ def flight() -> str:
         display.label(784, y, 116, 26, name.replace("_", " "))
         display.bar(900, y, 220, 26, down(name), -most, most, marker=True)
         display.value(1128, y, 98, 26, down(name), 1)
+        bit = 1 << laws.SURFACES.index(name)
+        display.told(904, y + 2, 66, 22, "FAILED", "/URV/laws/failed",
+                     f"(pvInt0 & {bit}) != 0", LOST)
+    # What is out of date, Yamcs says after a second only.
+    display.told(316, 8, 916, 684, "NO DOWNLINK", "/URV/downlink_age",
+                 f"pv0 >= {LOST_FRAMES}", LOST, 34)
+    for box, text in (((8, 68, 300, 624), ""),
+                      ((316, 8, 916, 684), "FRAMES MISSING")):
+        display.told(*box, text, "/URV/frames",
+                     f'pvStr0 == "{xtce.FRAMES[1]}"', LOST, 34)
     return display.text()
 
 
@@ -147,6 +162,19 @@ class _Display:
         self._colour(widget, "foreground_color", TEXT)
         self._colour(widget, "background_color", BACK)
 
+    def told(self, x: int, y: int, width: int, height: int, text: str,
+             name: str, when: str, colour: tuple[int, int, int],
+             size: int = 9) -> None:
+        """A label over what is there, while it is so."""
+        widget = self._widget("Label", x, y, width, height, text,
+                              shown=(name, when))
+        self._set(widget, text=text, transparent="false",
+                  horizontal_alignment=1, vertical_alignment=1,
+                  auto_size="false", wrap_words="false")
+        self._font(widget, size, True)
+        self._colour(widget, "foreground_color", (255, 255, 255))
+        self._colour(widget, "background_color", colour)
+
     def gauge(self, x: int, y: int, size: int, item: str,
               label: str) -> None:
         low, high = RANGES[item]
@@ -180,6 +208,11 @@ class _Display:
         self.label(x + 2, y + size + 6 * wide, 84, 28, label)
         self.value(x + (size - 110) * wide, y + size + (6 if wide else 28),
                    108 if wide else size, 28, name, places)
+        further, bit = divmod(laws.SENSORS.index(item), laws.WORD_BITS)
+        self.told(x + size // 2 - 38, y + size // 2 + 12, 76, 22,
+                  "NOT VALID",
+                  f"/URV/laws/not_valid_{('low', 'high')[further]}",
+                  f"(pvInt0 & {1 << bit}) != 0", DOUBT)
 
     def bar(self, x: int, y: int, width: int, height: int, name: str,
             low: float, high: float, marker: bool = False) -> None:
@@ -204,15 +237,26 @@ class _Display:
         self._font(widget, 8, False)
 
     def _widget(self, kind: str, x: int, y: int, width: int, height: int,
-                name: str) -> ElementTree.Element:
+                name: str, shown: tuple[str, str] | None = None
+                ) -> ElementTree.Element:
+        """Shown always, or while what is said of a parameter is so."""
         widget = ElementTree.SubElement(
             self.root, "widget", typeId=WIDGETS + kind, version="1.0.0")
         self._set(widget, widget_type=KINDS[kind], name=name, x=x, y=y, width=width,
-                  height=height, visible="true", enabled="true", tooltip="",
+                  height=height, visible=str(shown is None).lower(), enabled="true", tooltip="",
                   wuid=f"urv:{len(self.root)}", border_style=0,
                   border_width=1)
         self._colour(widget, "border_color", DIM)
         self._common(widget)
+        if shown is not None:
+            name, when = shown
+            rule = ElementTree.SubElement(
+                widget.find("rules"), "rule", name="shown",
+                prop_id="visible", out_exp="false")
+            ElementTree.SubElement(
+                ElementTree.SubElement(rule, "exp", bool_exp=when),
+                "value").text = "true"
+            ElementTree.SubElement(rule, "pv", trig="true").text = name
         scales = ElementTree.SubElement(widget, "scale_options")
         self._set(scales, width_scalable="true", height_scalable="true",
                   keep_wh_ratio="false")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv xtce: the frame packet as a mission database (GND-12).
+"""bin/urv xtce: the frame packet as a mission database (GND-12, GND-34).
 
 XTCE, as Yamcs reads it. The packet's layout is that of urv.packets; units,
 calibrators and limits are those of urv.items.
@@ -9,6 +9,7 @@ Words of the downlink are taken only while they are fresh. So what is old goes
 out of date, and is judged by no limit.
 """
 
+import re
 from pathlib import Path
 from typing import Annotated
 
@@ -20,8 +21,23 @@ SYSTEM = "URV"
 CONTAINER = "frame"
 
 # Yamcs calls a parameter out of date that has not come for 1.9 times the
-# expected time between two packets: here after 0.475 s.
-EXPECTED_EVERY_S = 0.25
+# expected time between two packets: here after 0.285 s.
+EXPECTED_EVERY_S = 0.15
+OUT_OF_DATE_S = 1.9 * EXPECTED_EVERY_S
+
+# It looks for such ones once a second only. So another parameter says at once
+# that no frames come.
+WATCHED_EVERY_S = 0.1
+FRAMES = ("coming", "MISSING")
+WATCH = """
+        org.yamcs.mdb.ProcessorData here = execCtx.getProcessorData();
+        org.yamcs.Processor processor = org.yamcs.YamcsServer.getServer()
+            .getProcessor(here.getYamcsInstance(), here.getProcessorName());
+        boolean come = processor != null && sequence != null
+            && processor.getCurrentTime() - sequence.getAcquisitionTime()
+               <= {milliseconds};
+        frames.setStringValue(come ? "{coming}" : "{missing}");
+"""
 
 HEADER = (
     ("magic", 32, "55525646h"), ("version", 16, "of the packet"),
@@ -67,7 +83,29 @@ def mission_database() -> str:
         system, CONTAINER, list(_Entries(pymdb, system)),
         bits=8 * packets.FRAME_LENGTH, rate=EXPECTED_EVERY_S,
         short_description="What GSC CORE has at the end of a major frame")
-    return system.dumps(top_comment="bin/urv xtce wrote this.") + "\n"
+    _watch_frames(pymdb, system)
+    text = system.dumps(top_comment="bin/urv xtce wrote this.") + "\n"
+    # pymdb knows no trigger of this kind.
+    return re.sub(r"<OnParameterUpdateTrigger [^>]*/>",
+                  "<OnPeriodicRateTrigger"
+                  f' fireRateInSeconds="{WATCHED_EVERY_S}"/>', text)
+
+
+def _watch_frames(pymdb, system):
+    """Says whether frames come, also while none does."""
+    frames = pymdb.EnumeratedParameter(
+        system, "frames", list(enumerate(FRAMES)),
+        data_source=pymdb.DataSource.DERIVED,
+        short_description="whether frame packets come",
+        alarm=pymdb.EnumerationAlarm(
+            {FRAMES[1]: pymdb.AlarmLevel.CRITICAL}))
+    pymdb.Algorithm(
+        system, "watch_frames", language="java-expression",
+        text=WATCH.format(milliseconds=round(1000 * OUT_OF_DATE_S),
+                          coming=FRAMES[0], missing=FRAMES[1]),
+        inputs=[pymdb.InputParameter("sequence")],
+        outputs=[pymdb.OutputParameter(frames)],
+        triggers=[pymdb.ParameterTrigger("sequence")])
 
 
 class _Entries:
@@ -227,9 +265,13 @@ class _Entries:
                     system, name, list(enumerate(names)), alarm=alarm,
                     encoding=self.encoding(laws.NIBBLE_BITS)),
                 bitpos=at + place * laws.NIBBLE_BITS, condition=comes)
-        yield self.whole_number(
-            system, "silent", WORD_BITS, "frames without an uplink",
-            at + 3 * WORD_BITS, comes)
+        for word, (name, what) in enumerate((
+                ("not_valid_low", "a bit for each of the first sensors"),
+                ("not_valid_high", "for the others"),
+                ("silent", "frames without an uplink"),
+                ("failed", "a bit for each surface")), 1):
+            yield self.whole_number(system, name, WORD_BITS, what,
+                                    at + word * WORD_BITS, comes)
         for path, names, word, level, yes, what in (
                 ("laws.sensor", laws.SENSORS, 1, "WARNING", "NOT VALID",
                  "the laws do not believe it"),

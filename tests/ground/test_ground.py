@@ -213,12 +213,14 @@ def test_gnd27_marks_and_alerts_are_events_for_the_report(tmp_path, urv):
 
 def test_gnd32_the_display_shows_what_there_is():
     text = display.flight()
-    shown = set(re.findall(r"<pv_name>(.*?)</pv_name>", text))
+    shown = set(re.findall(r"<pv(?:_name| trig=.true.)>(.*?)</pv", text))
     for name in ("roll_attitude", "pitch_attitude", "airspeed", "altitude",
                  "alpha", "rpm", "battery_volts", "alternator_volts",
                  *display.SURFACES):
         assert f"/URV/gsc/downlink/{name}" in shown
     assert {f"/URV/link/{name}" for name in packets.LINK_COUNTS} <= shown
+    assert {"/URV/frames", "/URV/downlink_age", "/URV/laws/failed",
+            "/URV/laws/not_valid_high"} <= shown
     from urv import xtce
     database = xtce.mission_database()
     for name in shown:

@@ -8,6 +8,7 @@
 """
 
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -27,6 +28,20 @@ def found():
         LINES.append(f"| {what} | {wanted} | {measured} |")
         print(f"trials: {what}: {measured} (wanted: {wanted})")
     return keep
+
+
+@pytest.fixture
+def browser():
+    """A headless Chromium of the system."""
+    chromium = os.environ.get("URV_CHROMIUM") or shutil.which("chromium")
+    if chromium is None:
+        pytest.skip("there is no Chromium: chromium is a Debian package")
+    from playwright.sync_api import sync_playwright
+    with sync_playwright() as tool:
+        browser = tool.chromium.launch(
+            executable_path=chromium, args=["--no-sandbox"])
+        yield browser
+        browser.close()
 
 
 def pytest_sessionfinish(exitstatus):
