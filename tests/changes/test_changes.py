@@ -11,6 +11,7 @@ import csv
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -32,6 +33,8 @@ MOST = {"product": 5, "requirements": 1, "tests": 1, "else": 0}
 # What is built, and in which mode.
 PROJECTS = {"tests/urv_tests.gpr": "host", "sim/urv_sim.gpr": "host",
             "urv.gpr": "flight", "real_time/urv_real_time.gpr": "flight"}
+OBJECTS = ("host", "host/unit", "host-host", "sim-host",
+           "flight", "host-flight", "real_time")
 SECONDS = 10
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, 0 skipped$", re.M)
 
@@ -44,6 +47,18 @@ def part_of(name):
     return "tests" if name.startswith("tests/") else "else"
 
 
+def take_objects(copy):
+    """What is built of the tree need not be built again for a change that
+    does not touch it. Objects are newer than the sources of the copy."""
+    for name in OBJECTS:
+        built, objects = ROOT / "obj" / name, copy / "obj" / name
+        if built.is_dir() and not objects.exists():
+            objects.mkdir(parents=True)
+            for path in built.iterdir():
+                if path.is_file():
+                    shutil.copy(path, objects)
+
+
 class Change:
     """A patch, and a copy of the tree that has it."""
 
@@ -52,6 +67,7 @@ class Change:
         self.text = self.path.read_text(encoding="utf-8")
         self.copy = COPIES / name
         planted.renew_copy(ROOT, self.copy)
+        take_objects(self.copy)
         said = planted.git_apply(self.copy, self.path)
         assert said == "", f"{self.path.name} no longer applies: {said}"
 
