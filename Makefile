@@ -131,8 +131,7 @@ surfaces:
 bench:
 	@scripts/setup.sh bench
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@$(GPRBUILD) -P bench/urv_bench.gpr -XURV_Mode=host
-	@python3 scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
+	@.venv/bin/python scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
 
 size:
 	@scripts/setup.sh size

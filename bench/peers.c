@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { TIMES = 200000, FEWER = 20000, MOST = 1024 };
+enum { MOST = 1024, TURNS = 31 };
 
 static uint8_t sent[MOST], got[MOST];
 
@@ -25,9 +25,27 @@ static double now(void)
    return at.tv_sec * 1e9 + at.tv_nsec;
 }
 
-static void say(const char *what, int size, double started, int done)
+static int by_size(const void *left, const void *right)
 {
-   printf("%s %d %.1f\n", what, size, (now() - started) / done);
+   double one = *(const double *)left, other = *(const double *)right;
+   return (one > other) - (one < other);
+}
+
+/* The median of many turns of so many calls, each of which does so much: what
+   else the machine does hardly matters. */
+static void measure(const char *what, int size, void (*call)(int, int),
+                    int calls, int each)
+{
+   double took[TURNS];
+   for (int turn = 0; turn < TURNS; turn++) {
+      double started = now();
+      for (int number = 0; number < calls; number++)
+         call(number, size);
+      took[turn] = now() - started;
+   }
+   qsort(took, TURNS, sizeof *took, by_size);
+   printf("%s %d %.1f\n", what, size, took[TURNS / 2] / calls / each);
+   fflush(stdout);
 }
 
 static void check(int size)
@@ -67,18 +85,18 @@ __attribute__((noinline)) static int receive_box(uint8_t *item, int size)
    return fresh;
 }
 
-static void mutex_mailbox(int size)
+static void mutex_mailbox(int turn, int size)
 {
-   double started = now();
-   for (int turn = 0; turn < TIMES; turn++) {
-      sent[0] = (uint8_t)turn;
-      if (!send_box(sent, size) || !receive_box(got, size))
-         abort();
-      if (got[0] != sent[0])
-         abort();
-   }
-   say("c_mutex", size, started, TIMES);
-   check(size);
+   sent[0] = (uint8_t)turn;
+   if (!send_box(sent, size) || !receive_box(got, size) || got[0] != sent[0])
+      abort();
+}
+
+static void lock_and_unlock(int turn, int size)
+{
+   (void)turn, (void)size;
+   pthread_mutex_lock(&box.lock);
+   pthread_mutex_unlock(&box.lock);
 }
 
 /* One producer and one consumer: three buffers, of which an atomic exchange
@@ -108,64 +126,50 @@ __attribute__((noinline)) static int receive_atomic(uint8_t *item, int size)
    return fresh;
 }
 
-static void atomic_mailbox(int size)
+static void atomic_mailbox(int turn, int size)
 {
-   double started = now();
-   for (int turn = 0; turn < TIMES; turn++) {
-      sent[0] = (uint8_t)turn;
-      send_atomic(sent, size);
-      if (!receive_atomic(got, size) || got[0] != sent[0])
-         abort();
-   }
-   say("c_atomics", size, started, TIMES);
-   check(size);
+   sent[0] = (uint8_t)turn;
+   send_atomic(sent, size);
+   if (!receive_atomic(got, size) || got[0] != sent[0])
+      abort();
 }
 
-static void posix_queue(int size)
+static mqd_t queue;
+
+static void open_queue(int size)
 {
    char name[40];
    struct mq_attr as = { .mq_maxmsg = 1, .mq_msgsize = size };
    snprintf(name, sizeof name, "/urv-bench-%d", (int)getpid());
-   mqd_t queue = mq_open(name, O_RDWR | O_CREAT | O_EXCL, 0600, &as);
+   queue = mq_open(name, O_RDWR | O_CREAT | O_EXCL, 0600, &as);
    if (queue == (mqd_t)-1) {
       perror("mq_open");
       exit(1);
    }
    mq_unlink(name);
-   double started = now();
-   for (int turn = 0; turn < FEWER; turn++) {
-      sent[0] = (uint8_t)turn;
-      if (mq_send(queue, (char *)sent, size, 0) != 0
-          || mq_receive(queue, (char *)got, size, NULL) != size)
-         abort();
-   }
-   say("posix_mq", size, started, FEWER);
-   check(size);
-   mq_close(queue);
 }
 
-static void through_pipe(int size)
+static void posix_queue(int turn, int size)
 {
-   int ends[2];
-   if (pipe(ends) != 0)
-      exit(1);
-   double started = now();
-   for (int turn = 0; turn < FEWER; turn++) {
-      sent[0] = (uint8_t)turn;
-      if (write(ends[1], sent, size) != size
-          || read(ends[0], got, size) != size)
-         abort();
-   }
-   say("pipe", size, started, FEWER);
-   check(size);
-   close(ends[0]);
-   close(ends[1]);
+   sent[0] = (uint8_t)turn;
+   if (mq_send(queue, (char *)sent, size, 0) != 0
+       || mq_receive(queue, (char *)got, size, NULL) != size)
+      abort();
+}
+
+static int ends[2];
+
+static void through_pipe(int turn, int size)
+{
+   sent[0] = (uint8_t)turn;
+   if (write(ends[1], sent, size) != size || read(ends[0], got, size) != size)
+      abort();
 }
 
 /* Tasks by priority in a binary heap, those that sleep in another: each
    sleeps until the next frame, and is woken and chosen again. */
 
-enum { TASKS = 16 };
+enum { TASKS = 500 };
 typedef struct { uint64_t key; int which; } entry;
 typedef struct { entry at[TASKS + 1]; int count; } heap;
 
@@ -195,73 +199,125 @@ static entry take(heap *h)
    return first;
 }
 
-static void heap_scheduler(void)
+static heap ready, asleep;
+static uint64_t ticks;
+
+static void fill_heap(int tasks)
 {
-   static heap ready, asleep;
-   uint64_t time = 0;
-   int done = 0;
-   for (int i = 0; i < TASKS; i++)
-      put(&ready, (entry){ TASKS - i, i });
-   double started = now();
-   for (int frame = 0; frame < 5000; frame++) {
-      while (ready.count > 0) {
-         entry e = take(&ready);
-         put(&asleep, (entry){ time + 10, e.which });
-         done++;
-      }
-      time += 10;
-      while (asleep.count > 0 && asleep.at[1].key <= time) {
-         entry e = take(&asleep);
-         put(&ready, (entry){ TASKS - e.which, e.which });
-      }
+   ready.count = asleep.count = 0;
+   for (int i = 0; i < tasks; i++)
+      put(&ready, (entry){ tasks - i, i });
+}
+
+static void heap_frame(int turn, int tasks)
+{
+   (void)turn;
+   while (ready.count > 0) {
+      entry e = take(&ready);
+      put(&asleep, (entry){ ticks + 10, e.which });
    }
-   say("c_heap", TASKS, started, done);
+   ticks += 10;
+   while (asleep.count > 0 && asleep.at[1].key <= ticks) {
+      entry e = take(&asleep);
+      put(&ready, (entry){ tasks - e.which, e.which });
+   }
 }
 
 /* CRC-8/DARC by a table of 256 bytes. */
 
-static void table_checksum(void)
+static uint8_t table[256], sum;
+
+static void fill_table(void)
 {
-   static uint8_t table[256];
-   uint8_t sum = 0;
    for (int i = 0; i < 256; i++) {
       uint8_t c = (uint8_t)i;
       for (int bit = 0; bit < 8; bit++)
          c = (uint8_t)(c & 1 ? c >> 1 ^ 0x9C : c >> 1);
       table[i] = c;
    }
-   double started = now();
-   for (int turn = 0; turn < TIMES; turn++)
-      for (int place = 1; place <= 56; place++)
-         sum = table[sum ^ place];
-   say("c_table", 56, started, TIMES);
-   if (sum == 0)
-      puts("# 0");
 }
 
-static void copy(int size)
+static void table_checksum(int turn, int size)
 {
-   double started = now();
-   for (int turn = 0; turn < TIMES; turn++) {
-      sent[0] = (uint8_t)turn;
-      memcpy(got, sent, size);
-      __asm__ volatile("" ::: "memory");
-   }
-   say("memcpy", size, started, TIMES);
+   (void)turn;
+   for (int place = 1; place <= size; place++)
+      sum = table[sum ^ place];
+}
+
+static void copy(int turn, int size)
+{
+   sent[0] = (uint8_t)turn;
+   memcpy(got, sent, size);
+   __asm__ volatile("" ::: "memory");
+}
+
+/* Two threads that hand over to each other by a condition variable. */
+
+static struct {
+   pthread_mutex_t lock;
+   pthread_cond_t changed;
+   int there;
+} net = { PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, 0 };
+
+static void hand_over(int from)
+{
+   pthread_mutex_lock(&net.lock);
+   while (net.there != from)
+      pthread_cond_wait(&net.changed, &net.lock);
+   net.there = !from;
+   pthread_cond_signal(&net.changed);
+   pthread_mutex_unlock(&net.lock);
+}
+
+static void *other_side(void *unused)
+{
+   for (;;)
+      hand_over(1);
+   return unused;
+}
+
+static void there_and_back(int turn, int size)
+{
+   (void)turn, (void)size;
+   hand_over(0);
+   pthread_mutex_lock(&net.lock);
+   while (net.there != 0)
+      pthread_cond_wait(&net.changed, &net.lock);
+   pthread_mutex_unlock(&net.lock);
 }
 
 int main(void)
 {
-   const int sizes[] = { 28, 66, 1024 };
+   const int sizes[] = { 28, 66, 1024 }, tasks[] = { 2, 10, 16, 100, 500 };
+   pthread_t other;
+
+   /* A mailbox is between threads. Where there is but one, the C library
+      spares itself what a lock costs. */
+   if (pthread_create(&other, NULL, other_side, NULL) != 0 || pipe(ends) != 0)
+      exit(1);
    memset(sent, 1, sizeof sent);
    for (int i = 0; i < 3; i++) {
-      mutex_mailbox(sizes[i]);
-      atomic_mailbox(sizes[i]);
-      posix_queue(sizes[i]);
-      through_pipe(sizes[i]);
+      measure("c_mutex", sizes[i], mutex_mailbox, 4000, 1);
+      check(sizes[i]);
+      measure("c_atomics", sizes[i], atomic_mailbox, 4000, 1);
+      check(sizes[i]);
+      open_queue(sizes[i]);
+      measure("posix_mq", sizes[i], posix_queue, 400, 1);
+      check(sizes[i]);
+      mq_close(queue);
+      measure("pipe", sizes[i], through_pipe, 400, 1);
+      check(sizes[i]);
    }
-   heap_scheduler();
-   table_checksum();
-   copy(56);
+   measure("c_lock", 1, lock_and_unlock, 4000, 1);
+   for (int i = 0; i < 5; i++) {
+      fill_heap(tasks[i]);
+      measure("c_heap", tasks[i], heap_frame, 4000 / tasks[i], tasks[i]);
+   }
+   fill_table();
+   measure("c_table", 56, table_checksum, 1000, 1);
+   measure("memcpy", 56, copy, 4000, 1);
+   measure("c_switch", 2, there_and_back, 500, 2);
+   if (sum == 0)
+      puts("# 0");
    return 0;
 }

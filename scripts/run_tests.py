@@ -75,7 +75,8 @@ def build(project, mode):
 def every_source():
     """Theorems too, which no program needs, and programs that no test runs."""
     return (1, 0, 0) if all([
-        build("urv.gpr", "flight"), build("bench/urv_bench.gpr", "host"),
+        build("urv.gpr", "flight"), build("bench/urv_bench.gpr", "flight"),
+        build("bench/queue/urv_bench_queue.gpr", "host"),
         build("sim/urv_sim.gpr", "test")]) else BROKEN
 
 

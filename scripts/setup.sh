@@ -76,8 +76,9 @@ case $target in
           packages="$build python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         scripts/laws/requirements.txt" ;;
-   bench) packages="$build gcc python3"
-          requirements="" ;;
+   bench) packages="$build gcc g++ python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt
+                        scripts/laws/requirements.txt" ;;
    campaign)
           packages="$build python3 python3-venv"
           requirements="ground/report-requirements.txt
