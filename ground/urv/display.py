@@ -74,6 +74,9 @@ def flight() -> str:
         display.bar(416, y, 220, 28, f"/URV/gsc/uplink/{name}",
                     0, item.at_4095)
         display.value(640, y, 116, 28, f"/URV/gsc/uplink/{name}", 0)
+    display.told(420, 576, 66, 24, "FAILED", "/URV/laws/failed",
+                 f"(pvInt0 & {1 << laws.FAILING.index('throttle')}) != 0",
+                 LOST)
     display.row(326, 648, 430, "field", down("altitude_offset"),
                 "altitude_offset", 80)
 

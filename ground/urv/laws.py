@@ -37,6 +37,8 @@ SURFACES = (
     "left_rudder", "right_rudder", "left_flap_1", "right_flap_1",
     "left_flap_2", "right_flap_2")
 """In the order of their bits, which is that of their servos."""
+FAILING = (*SURFACES, "throttle")
+"""What the aircraft sees fail: the next bit is the engine's."""
 
 WORD_BITS = 16
 NIBBLE_BITS = 4
@@ -70,7 +72,7 @@ class Laws:
             _name(LATERAL, lateral), _name(VERTICAL, vertical),
             _name(POWER, power), _name(LINK, link),
             _set(SENSORS, low | high << WORD_BITS), silent,
-            _set(SURFACES, failed))
+            _set(FAILING, failed))
 
     @property
     def mode(self) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import base64
 import zlib
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy
 
@@ -23,8 +23,7 @@ ASKED, TRUTH = "asked", "truth"
 COLOURS = ("first", "second", "third", "fourth", "fifth")
 
 
-@dataclass(frozen=True)
-class Trace:
+class Trace(NamedTuple):
     """A series in a panel."""
 
     column: str
@@ -33,8 +32,7 @@ class Trace:
     is_step: bool = False
 
 
-@dataclass(frozen=True)
-class Panel:
+class Panel(NamedTuple):
     """A plot."""
 
     title: str

@@ -17,7 +17,7 @@ from typing import Any
 
 from urv import items, packets
 from urv.alerts import Alerts
-from urv.laws import ALONE, DOES, SENSORS, SURFACES, Laws
+from urv.laws import ALONE, DOES, FAILING, SENSORS, Laws
 
 LOST_S = 0.5
 """Older than this a word is crossed out, and the link counts as lost."""
@@ -323,7 +323,7 @@ class View:
                 f"laws sensor {name}", CAUTION,
                 f"{heading(name)} NOT VALID",
                 "the laws fly without this sensor", now)
-        for name in SURFACES:
+        for name in FAILING:
             self._alert_if(name in failed, f"laws surface {name}", WARNING,
                            f"{heading(name)} FAILED",
                            "it does not follow its servo", now)

@@ -275,7 +275,7 @@ class _Entries:
         for path, names, word, level, yes, what in (
                 ("laws.sensor", laws.SENSORS, 1, "WARNING", "NOT VALID",
                  "the laws do not believe it"),
-                ("laws.surface", laws.SURFACES, 4, "CRITICAL", "FAILED",
+                ("laws.surface", laws.FAILING, 4, "CRITICAL", "FAILED",
                  "it does not follow its servo")):
             inner = self.subsystem(path)
             for place, name in enumerate(names):

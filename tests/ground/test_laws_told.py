@@ -36,6 +36,12 @@ def test_gnd7_the_names_are_those_of_the_laws(names, source, kind):
         word.lower().replace("hold_", "") for word in literals(source, kind)]
 
 
+def test_gnd7_the_surfaces_are_those_of_the_monitor():
+    assert list(laws.SURFACES) == [
+        word.lower() for word in literals(
+            "src/laws/urv-surfaces.ads", "Surface")]
+
+
 def test_gnd7_nothing_told_is_nothing_known():
     assert Laws.of(told()) is None
     assert Laws.of(some_frame(version=1)) is None
@@ -56,8 +62,8 @@ def test_gnd7_the_first_word_says_what_flies(word, mode, short, link):
 
 
 def test_gnd7_each_bit_is_a_sensor_or_a_surface():
-    found = Laws.of(told(0x1000, 1 << 15 | 1, 1 << 3, 7, 1 << 9 | 1))
+    found = Laws.of(told(0x1000, 1 << 15 | 1, 1 << 3, 7, 3 << 9 | 1))
     assert found.not_valid == (
         "right_flap_1", "vertical_acceleration", "roll_attitude")
-    assert found.failed == ("left_aileron", "right_flap_2")
+    assert found.failed == ("left_aileron", "right_flap_2", "throttle")
     assert found.silent == 7

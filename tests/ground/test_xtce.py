@@ -172,7 +172,7 @@ def expected(frame):
                    "laws/failed": row.last_frame >> 16}
         for kind, names, those, yes in (
                 ("sensor", laws.SENSORS, told.not_valid, "NOT VALID"),
-                ("surface", laws.SURFACES, told.failed, "FAILED")):
+                ("surface", laws.FAILING, told.failed, "FAILED")):
             for name in names:
                 values[f"laws/{kind}/{name}"] = yes if name in those else "no"
     return values
