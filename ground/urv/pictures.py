@@ -26,6 +26,8 @@ WIDE = {"width": 1500, "height": 860}
 PATIENCE_S = 180.0
 # By then the simulated pilot is in his first turn.
 TURNING_FRAME = 1000
+ALTITUDE_HOLD = "3"
+TURNS_MS = 5000
 
 
 def pictures(
@@ -68,8 +70,8 @@ def _fly(browser, work: Path, folder: Path) -> None:
     log = work / "ground.log"
     with log.open("w", encoding="utf-8") as out:
         flight = subprocess.Popen(
-            [sys.executable, "-B", "-m", "urv", "ground", "--folder",
-             work / "flight"], stdin=subprocess.DEVNULL, stdout=out,
+            [sys.executable, "-B", "-m", "urv", "ground", "--laws", "on",
+             "--folder", work / "flight"], stdin=subprocess.DEVNULL, stdout=out,
             stderr=out)
     try:
         text = _wait_for(log, flight, "live after")
@@ -84,9 +86,16 @@ def _fly(browser, work: Path, folder: Path) -> None:
         page.wait_for_function(
             "frame => +document.body.dataset.seq > frame"
             " && document.body.dataset.down === 'fresh'", arg=TURNING_FRAME)
-        page.locator("#mark").fill("first turn")
+        page.locator("#mark").fill("altitude hold")
         page.locator("#mark").press("Enter")
-        page.locator("#lines", has_text="first turn").wait_for()
+        page.locator("#lines", has_text="altitude hold").wait_for()
+        # The simulated pilot gives way; a law flies the turn that is asked.
+        page.keyboard.press("t")
+        page.wait_for_selector("#holder.mine")
+        page.keyboard.press(ALTITUDE_HOLD)
+        page.keyboard.down("ArrowRight")
+        page.locator("#laws", has_text="bank alt spd").wait_for()
+        page.wait_for_timeout(TURNS_MS)
         page.screenshot(path=folder / "console.png")
         # What is not connected yet is violet there.
         time.sleep(5)

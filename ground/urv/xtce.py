@@ -56,6 +56,10 @@ LOG_ROW = (("count", 32, "how often"), ("first_frame", 32, "of its node"),
            ("detail", 16, "of the last one"))
 WORD_BITS = 16
 
+# After a start the laws believe no sensor for a second, which comes down in
+# another: no reason for 27 alarms.
+STARTS_FRAMES = 125
+
 
 def xtce(
     output: Annotated[Path, typer.Option(
@@ -221,14 +225,16 @@ class _Entries:
                             description=meaning)
 
     def flag(self, system, name, word_at, bit, level, yes="yes",
-             description=None, condition=None):
-        """A bit of the word, the last one is 0; its level when set."""
+             description=None, condition=None, frames=1):
+        """A bit of the word, the last one is 0; its level when set in so many
+        frames, one after the other."""
         return self.pymdb.ParameterEntry(
             self.pymdb.EnumeratedParameter(
                 system, name, [(0, "no"), (1, yes)],
                 short_description=description,
                 alarm=self.pymdb.EnumerationAlarm(
-                    {yes: self.pymdb.AlarmLevel[level]}),
+                    {yes: self.pymdb.AlarmLevel[level]},
+                    minimum_violations=frames),
                 encoding=self.encoding(1)),
             bitpos=word_at + WORD_BITS - 1 - bit, condition=condition)
 
@@ -272,15 +278,15 @@ class _Entries:
                 ("failed", "a bit for each surface")), 1):
             yield self.whole_number(system, name, WORD_BITS, what,
                                     at + word * WORD_BITS, comes)
-        for path, names, word, level, yes, what in (
+        for path, names, word, level, yes, what, frames in (
                 ("laws.sensor", laws.SENSORS, 1, "WARNING", "NOT VALID",
-                 "the laws do not believe it"),
+                 "the laws do not believe it", STARTS_FRAMES),
                 ("laws.surface", laws.FAILING, 4, "CRITICAL", "FAILED",
-                 "it does not follow its servo")):
+                 "it does not follow its servo", 1)):
             inner = self.subsystem(path)
             for place, name in enumerate(names):
                 further, bit = divmod(place, WORD_BITS)
                 yield self.flag(inner, name,
                                 at + (word + further) * WORD_BITS, bit,
-                                level, yes, what, comes)
+                                level, yes, what, comes, frames)
 
