@@ -78,7 +78,8 @@ package Host.Plant_Messages is
    function To_Message (Servos : PWM_Buffer) return Command_Message;
 
    --  Sensors are those Ticks_To_Scan after the frame's beginning, when the
-   --  aircraft's next scan begins, with their errors; Truth is at its end.
+   --  aircraft's next scan begins, with their errors; Truth is at the
+   --  frame's beginning.
    procedure Read
      (Message : State_Message;
       Sensors : out Sensor_Words;

@@ -35,7 +35,7 @@ package Sim.JSBSim is
 
    --  What has come of it. Sensors are those Ticks_To_Scan after its
    --  beginning, when the aircraft's next scan begins, with their errors;
-   --  Truth is at its end, Shown after the steps that were chosen.
+   --  Truth is at its beginning, Shown after the steps that were chosen.
    procedure End_Step
      (Errors  : Sensor_Values;
       Sensors : out Sensor_Words;

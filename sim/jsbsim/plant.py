@@ -18,8 +18,8 @@ stuck, stuck AT, float, slow PERCENT; they come in the order of their ticks. The
 answer is one line: "ready", or what is wrong.
 
 Then for every major frame: the servos' commands come in and are held for the
-frame, and the sensors, the truth at its end and what is shown go out. A number
-is a big-endian double.
+frame, and the sensors, the truth at its beginning and what is shown go out. A
+number is a big-endian double.
 The very first message out comes unasked: the settled aircraft.
 
 The end of the connection ends the program.
@@ -138,8 +138,8 @@ TRUTH = {
     "pitch": ("deg", "attitude/theta-deg", 1.0, 0.0),
     "heading": ("deg", "attitude/psi-deg", 1.0, 0.0),
     "climb": ("ft/s", "velocities/h-dot-fps", 1.0, 0.0),
-    "north": ("ft", "plant/north-ft", 1.0, 0.0),
-    "east": ("ft", "plant/east-ft", 1.0, 0.0),
+    "north": ("ft", "position/from-start-neu-n-ft", 1.0, 0.0),
+    "east": ("ft", "position/from-start-neu-e-ft", 1.0, 0.0),
     "wheels": ("on ground", "plant/wheels", 1.0, 0.0),
     "crashed": ("yes", "plant/crashed", 1.0, 0.0),
 }
@@ -154,8 +154,8 @@ SHOWN = {
     "heading": TRUTH["heading"],
     "alpha": ("deg", "aero/alpha-deg", 1.0, 0.0),
     "beta": ("deg", "aero/beta-deg", 1.0, 0.0),
-    "north": ("ft", "plant/north-ft", 1.0, 0.0),
-    "east": ("ft", "plant/east-ft", 1.0, 0.0),
+    "north": ("ft", "position/from-start-neu-n-ft", 1.0, 0.0),
+    "east": ("ft", "position/from-start-neu-e-ft", 1.0, 0.0),
 }
 
 
@@ -214,8 +214,16 @@ class Aircraft:
     def __init__(self, servos, sensors, truth, shown, times, conditions=(),
                  faults=()):
         self.times = times
+        # What is shown may be of a moment within a step. Further steps of a
+        # frame are flown when both it and the sensors are known.
+        self.ticks = times.step
+        self.before, self.part = divmod(times.shown, self.ticks)
+        self.first_steps = range(1, 1 + max(
+            times.scan // self.ticks, self.before + (self.part > 0)))
+        self.further_steps = range(
+            len(self.first_steps), times.frame // self.ticks)
         self.conditions = conditions
-        self.fdm = fdm = load_jsbsim(times.step * times.tick / 1e6)
+        self.fdm = fdm = load_jsbsim(self.ticks * times.tick / 1e6)
         self.tree = fdm.get_property_manager()
         stands = "start" in conditions
         for name, value in (
@@ -226,8 +234,6 @@ class Aircraft:
                 ("ic/psi-true-deg", START_HEADING_DEG),
                 ("fcs/mixture-cmd-norm", MIXTURE),
                 ("plant/crashed", 0.0),
-                ("plant/north-ft", 0.0),
-                ("plant/east-ft", 0.0),
                 ("plant/wheels", 0.0),
                 ("radio/uplink-dbm", 0.0)):
             fdm[name] = value
@@ -241,15 +247,14 @@ class Aircraft:
         self.sensors = self.readings(SENSORS, sensors)
         self.truth = self.readings(TRUTH, truth)
         self.shown = self.readings(SHOWN, shown)
-        self.shown_items = [name for name, _ in shown]
+        self.headings = [place for place, (name, _) in enumerate(shown)
+                         if name == "heading"]
         self.bank = self.tree.get_node("attitude/phi-deg")
         self.altitude = self.tree.get_node("position/h-agl-ft")
         self.north = self.tree.get_node("position/from-start-neu-n-ft")
         self.east = self.tree.get_node("position/from-start-neu-e-ft")
         self.signal = self.tree.get_node("radio/uplink-dbm")
         self.crashed = self.tree.get_node("plant/crashed")
-        self.flown = (self.tree.get_node("plant/north-ft"),
-                      self.tree.get_node("plant/east-ft"))
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
@@ -257,6 +262,7 @@ class Aircraft:
             self.tree, faults,
             {name: path for name, (_, path) in SERVOS.items()}
         ) if faults else None
+        self.run_step = self.broken_step if faults else fdm.run
         if stands:
             self.stand()
         else:
@@ -264,6 +270,8 @@ class Aircraft:
         self.stir()
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
+        self.count_from_here(truth, self.truth)
+        self.count_from_here(shown, self.shown)
         self.measure_signal()
         self.last = (self.read(self.sensors), self.read_truth(),
                      self.read_shown())
@@ -295,24 +303,27 @@ class Aircraft:
             values[place] = values[place] * factor + offset
         return values
 
-    def find_place(self):
-        for node, now, start in zip(
-                self.flown, (self.north, self.east), self.station):
-            node.set_double_value(now.get_double_value() - start)
+    def count_from_here(self, items, readings):
+        """North and east are those from where the flight begins."""
+        _, scaled = readings
+        starts = dict(zip(("north", "east"), self.station))
+        scaled += [(place, 1.0, -starts[name])
+                   for place, (name, _) in enumerate(items) if name in starts]
 
     def read_shown(self):
-        self.find_place()
         return self.read(self.shown)
 
     def between(self, earlier, later, part):
         """What was shown when that part of a step had passed."""
-        return [(first + part * ((last - first + 180.0) % 360.0 - 180.0))
-                % 360.0 if item == "heading"
-                else first + part * (last - first)
-                for item, first, last in zip(self.shown_items, earlier, later)]
+        between = [first + part * (last - first)
+                   for first, last in zip(earlier, later)]
+        for place in self.headings:
+            first, last = earlier[place], later[place]
+            turn = (last - first + 180.0) % 360.0 - 180.0
+            between[place] = (first + part * turn) % 360.0
+        return between
 
     def read_truth(self):
-        self.find_place()
         self.standing.set_double_value(
             sum(wheel.get_double_value() for wheel in self.wheels))
         return self.read(self.truth)
@@ -349,7 +360,7 @@ class Aircraft:
         fdm["propulsion/magneto_cmd"] = 3
         fdm["propulsion/starter_cmd"] = 1
         fdm["servo/brake-pct"] = 100.0
-        steps = 1e6 / (self.times.step * self.times.tick)
+        steps = 1e6 / (self.ticks * self.times.tick)
         for step in range(round(STAND_S * steps)):
             if step == round(START_ENGINE_S * steps):
                 fdm["propulsion/starter_cmd"] = 0
@@ -397,7 +408,7 @@ class Aircraft:
                 servo[side + "_aileron"].set_double_value(aileron)
                 servo[side + "_elevator"].set_double_value(elevator)
             servo["throttle"].set_double_value(throttle)
-            for _ in range(self.times.frame // self.times.step):
+            for _ in range(self.times.frame // self.ticks):
                 fdm.run()
 
     def measure_signal(self):
@@ -424,20 +435,23 @@ class Aircraft:
         bank = math.radians(self.bank.get_double_value())
         return altitude < HALF_SPAN_FT * abs(math.sin(bank))
 
-    def fly(self, commands):
-        """Holds the commands for one frame; what goes out after it."""
+    def broken_step(self):
+        """One of JSBSim's steps, with what befalls the servos."""
+        self.faults.act(self.ticks)
+        self.fdm.run()
+
+    def begin(self, commands):
+        """Holds the commands for a frame, and flies up to where the sensors
+        are measured and what is shown is known: what goes out then. The truth
+        is that of the frame's beginning."""
         if self.crashed.get_double_value():
             return self.last
-        run, ticks = self.fdm.run, self.times.step
-        steps = self.times.frame // ticks
-        # What is shown may be of a moment within a step.
-        before, part = divmod(self.times.shown, ticks)
-        earlier = self.read_shown() if part and before == 0 else None
         for move, command in zip(self.servos, commands):
             move(command)
-        for step in range(1, steps + 1):
-            if self.faults:
-                self.faults.act(ticks)
+        run, ticks = self.run_step, self.ticks
+        before, part = self.before, self.part
+        earlier = self.read_shown() if part and before == 0 else None
+        for step in self.first_steps:
             run()
             if step * ticks == self.times.scan:
                 self.measure_signal()
@@ -452,7 +466,22 @@ class Aircraft:
             sensors, truth, shown = self.last
             self.last = (sensors, truth[:-1] + [1.0], shown)
         else:
+            self.last = (sensors, self.last[1], shown)
+        return self.last
+
+    def end(self):
+        """Flies to the frame's end, while the other side goes on."""
+        if not self.crashed.get_double_value():
+            for _ in self.further_steps:
+                self.run_step()
+            sensors, _, shown = self.last
             self.last = (sensors, self.read_truth(), shown)
+
+    def fly(self, commands):
+        """Flies a whole frame: the sensors, the truth at its end and what is
+        shown."""
+        self.begin(commands)
+        self.end()
         return self.last
 
 
@@ -545,8 +574,9 @@ def serve(link):
     sensors, truth, shown = aircraft.last
     link.sendall(state.pack(*sensors, *truth, *shown))
     for data in Commands(link, commands.size):
-        sensors, truth, shown = aircraft.fly(commands.unpack(data))
+        sensors, truth, shown = aircraft.begin(commands.unpack(data))
         link.sendall(state.pack(*sensors, *truth, *shown))
+        aircraft.end()
 
 
 def main():

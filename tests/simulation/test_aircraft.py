@@ -138,7 +138,7 @@ def test_what_is_shown_may_be_of_a_moment_within_a_step():
     (359.0, 1.0, 0.0), (1.0, 358.0, 359.5), (90.0, 91.0, 90.5)])
 def test_a_heading_goes_the_short_way_round(first, last, between):
     aircraft = object.__new__(plant.Aircraft)
-    aircraft.shown_items = ["heading"]
+    aircraft.headings = [0]
     assert aircraft.between([first], [last], 0.5) == [
         pytest.approx(between)]
 
