@@ -13,6 +13,9 @@ package body Host.Memory_Hardware is
       RAM    : RAM_Cells := (others => 16#DEAD#);
       Faults : Fault_List;
 
+      --  Any of them but no fault.
+      Is_Faulty : Boolean := False;
+
       --  The bits of each word that read as 0.
       Stuck  : RAM_Cells := (others => 0);
 
@@ -106,6 +109,7 @@ package body Host.Memory_Hardware is
    is
    begin
       Boards (Board).Faults (Number) := Planted;
+      Boards (Board).Is_Faulty := True;
       Settle (Boards (Board));
    end Plant;
 
@@ -113,6 +117,7 @@ package body Host.Memory_Hardware is
    begin
       Boards (Board).ROM := Original;
       Boards (Board).Faults := (others => <>);
+      Boards (Board).Is_Faulty := False;
       Boards (Board).Stuck := (others => 0);
       Boards (Board).Broken := False;
    end Repair;
@@ -193,6 +198,12 @@ package body Host.Memory_Hardware is
    is
       Memory : Board_Memory renames Boards (Board);
    begin
+      --  A start tests every word of it.
+      if not Memory.Is_Faulty then
+         Data := Memory.RAM (Where) and not Memory.Stuck (Where);
+         return;
+      end if;
+
       Data := Memory.RAM (Where);
       for Item of Memory.Faults loop
          if Item.Cell.Where = Where then
@@ -222,6 +233,11 @@ package body Host.Memory_Hardware is
       Memory      : Board_Memory renames Boards (Board);
       Reaches_Own : Boolean := True;
    begin
+      if not Memory.Is_Faulty then
+         Memory.RAM (Where) := Data;
+         return;
+      end if;
+
       for Item of Memory.Faults loop
          if Item.Cell.Where = Where then
             case Item.Kind is

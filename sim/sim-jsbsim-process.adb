@@ -22,8 +22,8 @@ package body Sim.JSBSim.Process is
    --  one comes: on two processors the aircraft's frame takes less time than
    --  to be woken. Where the other process only runs when this one sleeps,
    --  looking is in vain, and done ever more seldom.
-   Looks      : constant := 1_500;
-   Most_Skips : constant := 63;
+   Looks      : constant := 600;
+   Most_Skips : constant := 511;
 
    Skips   : Natural := 0;   --  after the last look in vain
    To_Skip : Natural := 0;
@@ -74,13 +74,15 @@ package body Sim.JSBSim.Process is
       for Look in 1 .. Looks loop
          Control_Socket (Link, Come);
          if Come.Size >= Length then
-            Skips := 0;
+            Skips := Skips / 2;
             return;
          end if;
       end loop;
       Skips := Natural'Min (2 * Skips + 1, Most_Skips);
       To_Skip := Skips;
    end Look_For;
+
+   function Is_Alone return Boolean is (Skips > 0);
 
    procedure Receive (Message : out Stream_Element_Array) is
       Last : Stream_Element_Offset := Message'First - 1;

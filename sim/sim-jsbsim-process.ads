@@ -16,6 +16,10 @@ private package Sim.JSBSim.Process is
    procedure Send (Message : Stream_Element_Array);
    procedure Receive (Message : out Stream_Element_Array);
 
+   --  To look for an answer has been in vain: the other process hardly runs
+   --  while this one does.
+   function Is_Alone return Boolean;
+
    --  What comes up to the next line feed.
    function Received_Line return String;
 

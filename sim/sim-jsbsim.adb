@@ -4,6 +4,10 @@ with Sim.JSBSim.Process;
 
 package body Sim.JSBSim is
 
+   --  What has come before it was asked for.
+   Early     : State_Message;
+   Has_Early : Boolean := False;
+
    procedure Receive_State
      (Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
@@ -14,12 +18,13 @@ package body Sim.JSBSim is
      (Errors  : Sensor_Values;
       Sensors : out Sensor_Words;
       Truth   : out Flight_State;
-      Shown   : out Shown_State)
-   is
-      Message : State_Message;
+      Shown   : out Shown_State) is
    begin
-      Process.Receive (Message);
-      Read (Message, Sensors, Truth, Shown, Errors);
+      if not Has_Early then
+         Process.Receive (Early);
+      end if;
+      Has_Early := False;
+      Read (Early, Sensors, Truth, Shown, Errors);
    end Receive_State;
 
    procedure Start
@@ -31,6 +36,7 @@ package body Sim.JSBSim is
       Shown       : out Shown_State) is
    begin
       Stop;
+      Has_Early := False;
       Process.Spawn;
       Process.Send (Introduction (Shown_After, Further));
       declare
@@ -49,6 +55,11 @@ package body Sim.JSBSim is
    procedure Begin_Step (Servos : PWM_Buffer) is
    begin
       Process.Send (To_Message (Servos));
+      --  Who sleeps at once leaves its processor to the other one.
+      if Process.Is_Alone then
+         Process.Receive (Early);
+         Has_Early := True;
+      end if;
    end Begin_Step;
 
    procedure End_Step

@@ -30,7 +30,7 @@ package Sim.JSBSim is
       Shown       : out Shown_State);
 
    --  The servos' words are held for a major frame. The other process flies
-   --  through it while this one goes on.
+   --  through it while this one goes on, where there are processors for both.
    procedure Begin_Step (Servos : PWM_Buffer);
 
    --  What has come of it. Sensors are those Ticks_To_Scan after its

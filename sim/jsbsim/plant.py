@@ -63,7 +63,7 @@ STAND_S = 6
 # How often it is looked for commands; after a look in vain, how many waits
 # there may be without one.
 LOOKS = 100
-MOST_SKIPS = 63
+MOST_SKIPS = 511
 
 # Conditions of a flight, and how many numbers each has. A start on the runway
 # has none: the aircraft stands there, brake on, and looks down it.
@@ -436,7 +436,6 @@ class Aircraft:
         return altitude < HALF_SPAN_FT * abs(math.sin(bank))
 
     def broken_step(self):
-        """One of JSBSim's steps, with what befalls the servos."""
         self.faults.act(self.ticks)
         self.fdm.run()
 
@@ -478,8 +477,7 @@ class Aircraft:
             self.last = (sensors, self.read_truth(), shown)
 
     def fly(self, commands):
-        """Flies a whole frame: the sensors, the truth at its end and what is
-        shown."""
+        """A whole frame: what goes out, with the truth at its end."""
         self.begin(commands)
         self.end()
         return self.last
@@ -490,8 +488,7 @@ class Commands:
 
     It is looked for some times before this process sleeps until it comes: on
     two processors the other side's frame takes less time than to be woken.
-    Where the other side only runs when this one sleeps, looking is in vain,
-    and done ever more seldom.
+    Where the other side has no processor, looking is in vain and gets rare.
     """
 
     def __init__(self, link, length):
@@ -509,7 +506,7 @@ class Commands:
                 data = self.link.recv(self.length, socket.MSG_DONTWAIT)
             except BlockingIOError:
                 continue
-            self.skips = 0
+            self.skips //= 2
             return data
         self.to_skip = self.skips = min(2 * self.skips + 1, MOST_SKIPS)
         return None
@@ -573,10 +570,15 @@ def serve(link):
         len(items[kind]) for kind in ("sensor", "truth", "shown")))
     sensors, truth, shown = aircraft.last
     link.sendall(state.pack(*sensors, *truth, *shown))
-    for data in Commands(link, commands.size):
+    incoming = Commands(link, commands.size)
+    for data in incoming:
         sensors, truth, shown = aircraft.begin(commands.unpack(data))
+        if incoming.skips:
+            # Who sleeps at once leaves its processor to the other side.
+            aircraft.end()
         link.sendall(state.pack(*sensors, *truth, *shown))
-        aircraft.end()
+        if not incoming.skips:
+            aircraft.end()
 
 
 def main():
