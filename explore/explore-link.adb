@@ -217,9 +217,13 @@ package body Explore.Link is
       procedure Set (State : Unsigned_64; Far : Distance);
 
       --  Until then the ground's, and the aircraft's controller puts its
-      --  next block.
+      --  next block. Has_Come: the message that waits to be judged has the
+      --  block that is followed.
       procedure Go
-        (From : Pair; Until_Up, Until_Down : Moment; Far : out Distance);
+        (From                 : Pair;
+         Until_Up, Until_Down : Moment;
+         Has_Come             : Boolean;
+         Far                  : out Distance);
 
       procedure Free (Item : in out Known_States_Access) is
          procedure Release is new Ada.Unchecked_Deallocation
@@ -264,18 +268,22 @@ package body Explore.Link is
       end Set;
 
       procedure Go
-        (From : Pair; Until_Up, Until_Down : Moment; Far : out Distance)
+        (From                 : Pair;
+         Until_Up, Until_Down : Moment;
+         Has_Come             : Boolean;
+         Far                  : out Distance)
       is
          State      : constant Unsigned_64 :=
-           ((Unsigned_64 (From.Ground) * 2 ** 16
-             + Unsigned_64 (From.Aircraft)) * 2 ** 8
-            + Unsigned_64 (Until_Up)) * 2 ** 8 + Unsigned_64 (Until_Down)
-           + 1;
+           (((Unsigned_64 (From.Ground) * 2 ** 16
+              + Unsigned_64 (From.Aircraft)) * 2 ** 7
+             + Unsigned_64 (Until_Up)) * 2 ** 7
+            + Unsigned_64 (Until_Down)) * 2
+           + Boolean'Pos (Has_Come) + 1;
          At_Spot    : constant Unsigned_64 := Spot (State);
          G, H, A, B : Natural;
          Most       : Distance := 0;
          Beyond     : Distance;
-         Delivers   : Boolean;
+         Comes      : Boolean;
       begin
          if Known (At_Spot) /= Nothing then
             Far := Distance (Known (At_Spot) and 16#FFFF#);
@@ -298,13 +306,13 @@ package body Explore.Link is
             (if Until_Down > 0 then Waits
              elsif Way = Downlink then Puts_Fresh else Puts_Old),
             A, B);
-         Delivers :=
+         Comes :=
            (if Way = Uplink then Ground.Ends_Block (From.Ground, True)
             else Aircraft.Ends_Block (From.Aircraft, True));
          for I in G .. H loop
             for J in A .. B loop
                Result.Transitions := Result.Transitions + 1;
-               if Delivers
+               if (Comes or else Has_Come)
                  and then (if Way = Uplink then Aircraft.Nth (J).Good
                            else Ground.Nth (I).Good)
                then
@@ -314,6 +322,11 @@ package body Explore.Link is
                     ((Ground.Nth (I).To, Aircraft.Nth (J).To),
                      (Until_Up - 1) mod Frame,
                      (Until_Down - 1) mod Frame,
+                     (Comes or else Has_Come)
+                     and then
+                       (if Way = Uplink
+                        then Aircraft.Waits_At_End (Aircraft.Nth (J).To)
+                        else Ground.Waits_At_End (Ground.Nth (I).To)),
                      Beyond);
                end if;
                if Beyond = On_The_Way then
@@ -338,7 +351,8 @@ package body Explore.Link is
          Used := 0;
          for Item of Calm loop
             for Until_Up in Moment loop
-               Go (Item, Until_Up, (Until_Up + Apart) mod Frame, Length);
+               Go (Item, Until_Up, (Until_Up + Apart) mod Frame, False,
+                   Length);
                exit Search when not Result.Ends_Always;
                Result.Worst :=
                  Natural'Max (Result.Worst, Natural (Length) - 1);

@@ -15,8 +15,8 @@ package Explore is
    Length : constant Block_Length := 1;
 
    --  The frame of both controllers, in character times: the 9 characters
-   --  of an exchange, and as much time to spare as in the real frame, 208
-   --  less 91.
+   --  of an exchange and the 4 that its waits take, and as much time to spare
+   --  as in the real frame, 208 less 91 and 4.
    Frame : constant := 126;
 
    --  From whatever state, both boards are in step again within this time.

@@ -68,8 +68,10 @@ package body Telemetry.Boards.Sides is
    procedure Hear
      (Item         : in out Board;
       Data         : Byte;
-      Parity_Error : Boolean;
-      Good         : out Boolean);
+      Parity_Error : Boolean);
+
+   --  A unit of the board's timer. Good tells that a message was taken.
+   procedure Let_Pass (Item : in out Board; Good : out Boolean);
 
    --  The next character for one choice of the block's content.
    procedure Poll
@@ -122,13 +124,16 @@ package body Telemetry.Boards.Sides is
       Result.Receive_Pair := (Newest => Second, others => <>);
       Result.Control.Receiver :=
         (State => Item.Control.Receiver.State, others => <>);
-      if Item.Control.Receiver.State = In_Data then
+      if Has_Message (Item.Control.Receiver) then
          Result.Receive_Pair.Slots (First).Busy := True;
          Result.Control.Receiver.Received := Item.Control.Receiver.Received;
          Result.Control.Receiver.Damaged := Item.Control.Receiver.Damaged;
          Sum := Item.Control.Receiver.Sum;
          if Item.Control.Receiver.Received = 1 then
-            if Item.Control.Receiver.Damaged or else not Sums_Kept (Sum) then
+            if Item.Control.Receiver.State = At_End
+              or else Item.Control.Receiver.Damaged
+              or else not Sums_Kept (Sum)
+            then
                Sum := Other_Sum;
             end if;
             Result.Receive_Pair.Slots (First).Data (1) := Bytes_Of (Sum);
@@ -172,11 +177,11 @@ package body Telemetry.Boards.Sides is
       Add (Natural (Item.Control.Silence), 128);
       Add (Natural (Item.Control.Downlink_Turns), 3);
       Add (Boolean'Pos (Item.Control.Clear_To_Send), 2);
-      Add (Receiver_State'Pos (Item.Control.Receiver.State), 3);
+      Add (Receiver_State'Pos (Item.Control.Receiver.State), 4);
       Add (Natural (Item.Control.Receiver.Received), 2);
       Add (Boolean'Pos (Item.Control.Receiver.Damaged), 2);
       Add
-        ((if Item.Control.Receiver.State = In_Data
+        ((if Has_Message (Item.Control.Receiver)
           then Natural (Item.Control.Receiver.Sum) else 0),
          256);
       Add (Slot'Pos (Item.Control.Receiver.Target), 2);
@@ -255,15 +260,20 @@ package body Telemetry.Boards.Sides is
    procedure Hear
      (Item         : in out Board;
       Data         : Byte;
-      Parity_Error : Boolean;
-      Good         : out Boolean)
+      Parity_Error : Boolean)
    is
-      Before : constant Count := Item.Control.Messages;
    begin
       Calls := Calls + 1;
       Accept_Character (Item, Data, Parity_Error);
-      Good := Item.Control.Messages > Before;
    end Hear;
+
+   procedure Let_Pass (Item : in out Board; Good : out Boolean) is
+      Before : constant Count := Item.Control.Messages;
+   begin
+      Calls := Calls + 1;
+      Elapse (Item, 1);
+      Good := Item.Control.Messages > Before;
+   end Let_Pass;
 
    procedure Poll
      (Item    : in out Board;
@@ -289,7 +299,6 @@ package body Telemetry.Boards.Sides is
       Next   : Natural := 0;
       Ignore : Board_Number;
       Unused : Side;
-      Good   : Boolean;
       Output : Symbol;
       Result : Board := Fresh_Board;
    begin
@@ -319,7 +328,7 @@ package body Telemetry.Boards.Sides is
             for Data in Byte loop
                for Parity_Error in Boolean loop
                   Result := Here;
-                  Hear (Result, Data, Parity_Error, Good);
+                  Hear (Result, Data, Parity_Error);
                   Ignore := Number_Of (Result);
                end loop;
             end loop;
@@ -393,6 +402,13 @@ package body Telemetry.Boards.Sides is
            or else Here.Transmit_Pair.Slots (Here.Control.Sender.Source).Data
                      (Mark_Place) = Mark);
    end Ends_Block;
+
+   function Waits_At_End (Item : Side) return Boolean is
+      Here : Board renames
+        Boards_List (Natural (Sides_List (Natural (Item)).To));
+   begin
+      return Here.Control.Receiver.State = At_End;
+   end Waits_At_End;
 
    --  What happens in a character time: a unit of the board's timer, a
    --  character heard, a block put. In any order, and the board polls
@@ -468,11 +484,10 @@ package body Telemetry.Boards.Sides is
                Is_Good := Good;
                case What is
                   when Timer   =>
-                     Calls := Calls + 1;
-                     Elapse (Result, 1);
-                  when Hearing =>
-                     Hear (Result, To_Byte (Heard), False, Is_Good);
+                     Let_Pass (Result, Is_Good);
                      Is_Good := Is_Good or Good;
+                  when Hearing =>
+                     Hear (Result, To_Byte (Heard), False);
                   when Putting =>
                      Result := With_Block (Result, Fresh);
                end case;
@@ -611,9 +626,9 @@ package body Telemetry.Boards.Sides is
          begin
             L := Here;
             R := Reduced;
-            Elapse (L, 1);
-            Elapse (R, 1);
-            Compare (L, R, 0, 0);
+            Let_Pass (L, Of_L);
+            Let_Pass (R, Of_R);
+            Compare (L, R, Boolean'Pos (Of_L), Boolean'Pos (Of_R));
 
             L := Here;
             R := Reduced;
@@ -653,10 +668,9 @@ package body Telemetry.Boards.Sides is
                   for Parity_Error in Boolean loop
                      L := Here;
                      R := Reduced;
-                     Hear (L, Data, Parity_Error, Of_L);
-                     Hear (R, Data, Parity_Error, Of_R);
-                     Compare
-                       (L, R, Boolean'Pos (Of_L), Boolean'Pos (Of_R));
+                     Hear (L, Data, Parity_Error);
+                     Hear (R, Data, Parity_Error);
+                     Compare (L, R, 0, 0);
                   end loop;
                end if;
             end loop;

@@ -34,6 +34,9 @@ package Telemetry.Boards.Sides is
    --  if Fresh.
    function Ends_Block (Item : Side; Fresh : Boolean) return Boolean;
 
+   --  A data message has come to its end here and is not judged yet.
+   function Waits_At_End (Item : Side) return Boolean;
+
    --  The outcomes of a character time at whose end Heard comes in, in every
    --  order of what happens in it: First to Last of Nth.
    procedure Step

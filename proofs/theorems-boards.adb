@@ -4,30 +4,7 @@ with Telemetry.Headers; use Telemetry.Headers;
 
 package body Theorems.Boards with SPARK_Mode is
 
-   --  When a receiver says that a message begins, and that it ended well.
-   procedure Begins_And_Ends
-     (Item         : Receiver;
-      Length       : Block_Length;
-      Wants_Data   : Boolean;
-      Data         : Byte;
-      Parity_Error : Boolean;
-      What         : Event)
-   with
-     Global => null,
-     Pre    =>
-       What = Outcome_Of (Item, Length, Wants_Data, Data, Parity_Error),
-     Post   =>
-       (if What.Kind = Block_Begun then Item.State = At_Start)
-       and then
-         (if What.Kind in Block_Good | Block_Bad
-          then Item.State = In_Data and then Item.Received >= Length)
-       and then
-         (if What.Kind = Block_Good
-          then not Item.Damaged
-            and then not Parity_Error
-            and then Data = Item.Sum);
-
-   --  Which buffers become full, and which no longer are.
+   --  Which buffers become full with a character, and which no longer are.
    procedure Full_And_Empty
      (Item          : Receiver;
       Length        : Block_Length;
@@ -41,53 +18,18 @@ package body Theorems.Boards with SPARK_Mode is
        and then
          (if Is_Stored (Item, What) then Item.Received < Longest_Block)
        and then (if What = Block_Begun then Item.State = At_Start)
-       and then
-         (if What in Block_Good | Block_Bad then Item.State = In_Data)
        and then After =
          (if Is_Stored (Item, What)
           then Pair_With_Byte (Item, Before, Data)
-          else Pair_After (Item, Before, What)),
+          else Pair_After (Before, What)),
      Post   =>
        (for all Which in Slot =>
-          Is_Filled (Before, After, Which) =
-            (What = Block_Good and then Which = Item.Target)
+          not Is_Filled (Before, After, Which)
           and then
             (if Before.Slots (Which).Full
                and then not After.Slots (Which).Full
              then Both_Full (Before)
-               and then Which = Other (Before.Newest)))
-       and then
-         (if What = Block_Good
-          then After.Newest = Item.Target
-            and then After.Slots (Item.Target).Data =
-              Before.Slots (Item.Target).Data);
-
-   --  What the board makes of it.
-   procedure Owed_And_Counted
-     (Item             : Control;
-      What             : Event;
-      Received, Blocks : Buffer_Pair;
-      After            : Control)
-   with
-     Global => null,
-     Pre    => After = Informed (Item, What, Received, Blocks),
-     Post   =>
-       (if What.Kind = Block_Good then After.Owed = Good)
-       and then After.Receive_Length = Item.Receive_Length
-       and then After.Messages =
-         Counted (Item.Messages, What.Kind = Block_Good)
-       and then After.Tally.Not_Taken = Counted
-         (Item.Tally.Not_Taken,
-          What.Kind = Block_Good and then Both_Full (Received));
-
-   procedure Begins_And_Ends
-     (Item         : Receiver;
-      Length       : Block_Length;
-      Wants_Data   : Boolean;
-      Data         : Byte;
-      Parity_Error : Boolean;
-      What         : Event)
-   is null;
+               and then Which = Other (Before.Newest)));
 
    procedure Full_And_Empty
      (Item          : Receiver;
@@ -98,63 +40,73 @@ package body Theorems.Boards with SPARK_Mode is
    is
       pragma Unreferenced (Length, Data);
    begin
-      case What is
-         when Block_Begun            =>
-            pragma Assert
-              (for all Which in Slot =>
-                 After.Slots (Which).Full =
-                   (Before.Slots (Which).Full
-                    and then Which /= To_Fill (Before)));
-         when Block_Good | Block_Bad =>
-            pragma Assert (not Is_Stored (Item, What));
-            pragma Assert
-              (After.Slots (Other (Item.Target)).Full =
-                 Before.Slots (Other (Item.Target)).Full);
-            if What = Block_Good then
-               pragma Assert (After.Slots (Item.Target).Full);
-            else
-               pragma Assert (not After.Slots (Item.Target).Full);
-            end if;
-         when others                 =>
-            if Is_Stored (Item, What) then
-               pragma Assert
-                 (After.Slots (Item.Target).Full =
-                    Before.Slots (Item.Target).Full);
-               pragma Assert
-                 (After.Slots (Other (Item.Target)).Full =
-                    Before.Slots (Other (Item.Target)).Full);
-            end if;
-      end case;
+      if What = Block_Begun then
+         pragma Assert
+           (for all Which in Slot =>
+              After.Slots (Which).Full =
+                (Before.Slots (Which).Full
+                 and then Which /= To_Fill (Before)));
+      elsif Is_Stored (Item, What) then
+         pragma Assert
+           (After.Slots (Item.Target).Full =
+              Before.Slots (Item.Target).Full);
+         pragma Assert
+           (After.Slots (Other (Item.Target)).Full =
+              Before.Slots (Other (Item.Target)).Full);
+      end if;
    end Full_And_Empty;
 
-   procedure Owed_And_Counted
-     (Item             : Control;
-      What             : Event;
-      Received, Blocks : Buffer_Pair;
-      After            : Control)
+   --  What a character that ends a message says of it.
+   procedure Ends_Whole
+     (Item         : Receiver;
+      Length       : Block_Length;
+      Wants_Data   : Boolean;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      What         : Event)
+   with
+     Global => null,
+     Pre    =>
+       What = Outcome_Of (Item, Length, Wants_Data, Data, Parity_Error),
+     Post   =>
+       (if What.Kind = Block_Whole
+        then Item.State = In_Data
+          and then Item.Received >= Length
+          and then not Item.Damaged
+          and then not Parity_Error
+          and then Data = Item.Sum)
+       and then (if What.Kind = Block_Begun then Item.State = At_Start);
+
+   procedure Ends_Whole
+     (Item         : Receiver;
+      Length       : Block_Length;
+      Wants_Data   : Boolean;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      What         : Event)
    is null;
 
-   --  What a character may do to the receive pair, and what is counted. Good
-   --  tells that a data message ended with it, and well.
+   --  What a character may do to the receive pair.
    procedure Hear
      (Item         : in out Board;
       Data         : Byte;
-      Parity_Error : Boolean;
-      Good         : out Boolean)
+      Parity_Error : Boolean)
    with
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>
-       (for all Which in Slot =>
-          Is_Filled (Receive_Pair (Item'Old), Receive_Pair (Item), Which) =
-            (Good and then Which = Control_Of (Item'Old).Receiver.Target)
-          and then
-            (if Receive_Pair (Item'Old).Slots (Which).Full
-               and then not Receive_Pair (Item).Slots (Which).Full
-             then Both_Full (Receive_Pair (Item'Old))
-               and then Which = Other (Receive_Pair (Item'Old).Newest)))
+       Is_Sound (Item)
        and then
-         (if Good
+         (for all Which in Slot =>
+            not Is_Filled
+              (Receive_Pair (Item'Old), Receive_Pair (Item), Which)
+            and then
+              (if Receive_Pair (Item'Old).Slots (Which).Full
+                 and then not Receive_Pair (Item).Slots (Which).Full
+               then Both_Full (Receive_Pair (Item'Old))
+                 and then Which = Other (Receive_Pair (Item'Old).Newest)))
+       and then
+         (if Is_Whole (Item) and then not Is_Whole (Item'Old)
           then not Parity_Error
             and then Control_Of (Item'Old).Receiver.State = In_Data
             and then Control_Of (Item'Old).Receiver.Received =
@@ -163,72 +115,214 @@ package body Theorems.Boards with SPARK_Mode is
             and then Data = Checksum.Of_Message
               (Data_Header (Control_Of (Item).Receive_Length),
                Receive_Pair (Item).Slots
-                 (Control_Of (Item'Old).Receiver.Target).Data,
-               Control_Of (Item).Receive_Length)
-            and then Receive_Pair (Item).Newest =
-              Control_Of (Item'Old).Receiver.Target
-            and then Control_Of (Item).Owed = Turns.Good)
-       and then Control_Of (Item).Messages =
-         Counted (Control_Of (Item'Old).Messages, Good)
-       and then Tally (Item).Not_Taken = Counted
-         (Tally (Item'Old).Not_Taken,
-          Good and then Both_Full (Receive_Pair (Item)));
+                 (Control_Of (Item).Receiver.Target).Data,
+               Control_Of (Item).Receive_Length));
 
    procedure Hear
      (Item         : in out Board;
       Data         : Byte;
-      Parity_Error : Boolean;
-      Good         : out Boolean)
+      Parity_Error : Boolean)
    is
       Was  : constant Control     := Control_Of (Item);
       Pair : constant Buffer_Pair := Receive_Pair (Item);
-      Sent : constant Buffer_Pair := Transmit_Pair (Item);
       What : constant Event       := Heard (Item, Data, Parity_Error);
-      Told : Control              := Was;
    begin
       Accept_Character (Item, Data, Parity_Error);
-      Good := Is_Listening (Was) and then What.Kind = Block_Good;
       if Is_Listening (Was) then
-         Begins_And_Ends
+         Ends_Whole
            (Was.Receiver, Was.Receive_Length, Wants_Data (Was), Data,
             Parity_Error, What);
          Full_And_Empty
            (Was.Receiver, Was.Receive_Length, Pair, Receive_Pair (Item),
             What.Kind, Data);
-         Told.Receiver := Receiver_After
-           (Was.Receiver, Pair, What.Kind, Data, Parity_Error);
-         Owed_And_Counted
-           (Told, What, Receive_Pair (Item), Sent, Control_Of (Item));
-         if Good then
-            Checksum.Same_Bytes_Same_Sum
-              (Data_Header (Was.Receive_Length),
-               Pair.Slots (Was.Receiver.Target).Data,
-               Receive_Pair (Item).Slots (Was.Receiver.Target).Data,
-               Was.Receiver.Received);
-         end if;
       end if;
    end Hear;
 
-   procedure Full_Only_When_Right
+   procedure Whole_Only_When_Right
      (Item         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    is
-      Good : Boolean;
    begin
-      Hear (Item, Data, Parity_Error, Good);
-      pragma Unreferenced (Good);
+      Hear (Item, Data, Parity_Error);
+   end Whole_Only_When_Right;
+
+   --  A message that is judged stays as it is, and only it becomes full.
+   procedure Judged_As_It_Is
+     (Item : Receiver; Before, After : Buffer_Pair)
+   with
+     Global => null,
+     Pre    => After = Pair_Judged (Item, Before),
+     Post   =>
+       (for all Which in Slot =>
+          After.Slots (Which).Data = Before.Slots (Which).Data
+          and then After.Slots (Which).Full =
+            (if Which = Item.Target then not Item.Damaged
+             else Before.Slots (Which).Full));
+
+   procedure Judged_As_It_Is
+     (Item : Receiver; Before, After : Buffer_Pair)
+   is
+   begin
+      pragma Assert
+        (After.Slots (Item.Target).Data = Before.Slots (Item.Target).Data);
+      pragma Assert
+        (After.Slots (Other (Item.Target)) =
+           Before.Slots (Other (Item.Target)));
+   end Judged_As_It_Is;
+
+   --  What becomes of a board that has heard one character more.
+   procedure Goes_On
+     (Item   : Control;
+      What   : Event;
+      Blocks : Buffer_Pair;
+      After  : Control)
+   with
+     Global => null,
+     Pre    =>
+       What.Kind = Block_Spoilt
+       and then After = Informed
+         ((Item with delta
+             Receiver => (Item.Receiver with delta
+               State => At_End, Damaged => True)),
+          What, Blocks),
+     Post   =>
+       After.Receiver.State = At_End
+       and then After.Receiver.Damaged
+       and then After.Silence = 0
+       and then After.State = Item.State
+       and then After.Owed = Item.Owed
+       and then After.Line_Taken = Item.Line_Taken
+       and then After.Messages = Item.Messages;
+
+   procedure Goes_On
+     (Item   : Control;
+      What   : Event;
+      Blocks : Buffer_Pair;
+      After  : Control)
+   is null;
+
+   --  What is owed and counted when it is judged.
+   procedure Judged_Bad
+     (Item : Control; Received : Buffer_Pair; After : Control)
+   with
+     Global => null,
+     Pre    =>
+       Item.Receiver.Damaged and then After = Judged (Item, Received),
+     Post   => After.Owed = Bad and then After.Messages = Item.Messages;
+
+   procedure Judged_Bad
+     (Item : Control; Received : Buffer_Pair; After : Control)
+   is null;
+
+   --  When a message is judged.
+   procedure Waited_To_Judge (Item : Control; Time : Character_Times)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       (if Item.Receiver.State = At_End and then not Is_Talking (Item)
+        then Is_Judged_After (Item, Time) =
+          (Natural (Item.Silence) + Natural (Time) >= Natural (Guard_Time))
+        else not Is_Judged_After (Item, Time));
+
+   procedure Waited_To_Judge (Item : Control; Time : Character_Times) is
+      pragma Unreferenced (Time);
+   begin
+      pragma Assert
+        (if Item.Receiver.State = At_End then Patience (Item) = Guard_Time);
+   end Waited_To_Judge;
+
+   procedure Full_Only_When_Right
+     (Item : in out Board; Time : Character_Times)
+   is
+      Was  : constant Control     := Control_Of (Item);
+      Pair : constant Buffer_Pair := Receive_Pair (Item);
+   begin
+      Elapse (Item, Time);
+      Waited_To_Judge (Was, Time);
+      if Is_Judged_After (Was, Time) then
+         Judged_As_It_Is (Was.Receiver, Pair, Receive_Pair (Item));
+         pragma Assert (Was.Receiver.State = At_End);
+      else
+         pragma Assert
+           (for all Which in Slot =>
+              Receive_Pair (Item).Slots (Which).Full =
+                Pair.Slots (Which).Full);
+      end if;
    end Full_Only_When_Right;
+
+   --  From then on.
+   procedure Ends_Bad (Item : in out Board; After : Character_Times)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Control_Of (Item).Receiver.State = At_End
+       and then Control_Of (Item).Receiver.Damaged
+       and then not Is_Talking (Control_Of (Item))
+       and then Control_Of (Item).Silence = 0,
+     Post   =>
+       Is_Sound (Item)
+       and then
+         (for all Which in Slot =>
+            not Is_Filled
+              (Receive_Pair (Item'Old), Receive_Pair (Item), Which))
+       and then Control_Of (Item).Messages = Control_Of (Item'Old).Messages
+       and then
+         (if After >= Guard_Time
+          then Control_Of (Item).Owed = Bad
+          else Control_Of (Item).Receiver.State = At_End
+            and then Control_Of (Item).Receiver.Damaged
+            and then not Is_Talking (Control_Of (Item)));
+
+   procedure Ends_Bad (Item : in out Board; After : Character_Times) is
+      Was  : constant Control     := Control_Of (Item);
+      Pair : constant Buffer_Pair := Receive_Pair (Item);
+   begin
+      Waited_To_Judge (Was, After);
+      Elapse (Item, After);
+      if Is_Judged_After (Was, After) then
+         Judged_As_It_Is (Was.Receiver, Pair, Receive_Pair (Item));
+         Judged_Bad (Was, Receive_Pair (Item), Control_Of (Item));
+      end if;
+   end Ends_Bad;
+
+   procedure One_Character_More_Is_Bad
+     (Item         : in out Board;
+      Before       : Character_Times;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      After        : Character_Times)
+   is
+      Had : constant Count := Control_Of (Item).Messages;
+   begin
+      Waited_To_Judge (Control_Of (Item), Before);
+      Elapse (Item, Before);
+      pragma Assert (Control_Of (Item).Messages = Had);
+      pragma Assert
+        (Control_Of (Item).Receiver.State = At_End
+         and then Is_Listening (Control_Of (Item)));
+      declare
+         Was  : constant Control     := Control_Of (Item);
+         Pair : constant Buffer_Pair := Receive_Pair (Item);
+         Sent : constant Buffer_Pair := Transmit_Pair (Item);
+         What : constant Event       := Heard (Item, Data, Parity_Error);
+      begin
+         Accept_Character (Item, Data, Parity_Error);
+         Goes_On (Was, What, Sent, Control_Of (Item));
+         pragma Assert (Receive_Pair (Item) = Pair);
+      end;
+      Ends_Bad (Item, After);
+   end One_Character_More_Is_Bad;
 
    procedure Older_Is_Overwritten
      (Item         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    is
-      Good : Boolean;
    begin
-      Hear (Item, Data, Parity_Error, Good);
-      pragma Unreferenced (Good);
+      Hear (Item, Data, Parity_Error);
    end Older_Is_Overwritten;
 
    procedure Character_Puts_Nothing

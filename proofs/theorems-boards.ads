@@ -30,9 +30,14 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
              and then After.Slots (Which).Attempts =
                Before.Slots (Which).Attempts));
 
-   --  A receive buffer becomes full only with a data message whose checksum
-   --  matched; that one is counted, and owed a good status.
-   procedure Full_Only_When_Right
+   --  A data message has come to its end, and all of it was right so far.
+   function Is_Whole (Item : Board) return Boolean is
+     (Control_Of (Item).Receiver.State = At_End
+      and then not Control_Of (Item).Receiver.Damaged);
+
+   --  A message comes to its end and is right only with the checksum of its
+   --  header and of what is in its buffer. The buffer is not full yet.
+   procedure Whole_Only_When_Right
      (Item         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
@@ -41,32 +46,90 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
      Pre    => Is_Sound (Item),
      Post   =>
        (for all Which in Slot =>
+          not Is_Filled
+            (Receive_Pair (Item'Old), Receive_Pair (Item), Which))
+       and then
+         (if Is_Whole (Item) and then not Is_Whole (Item'Old)
+          then not Parity_Error
+            and then Control_Of (Item'Old).Receiver.State = In_Data
+            and then Control_Of (Item'Old).Receiver.Received =
+              Control_Of (Item).Receive_Length
+            and then not Control_Of (Item'Old).Receiver.Damaged
+            and then Data = Checksum.Of_Message
+              (Data_Header (Control_Of (Item).Receive_Length),
+               Receive_Pair (Item).Slots
+                 (Control_Of (Item).Receiver.Target).Data,
+               Control_Of (Item).Receive_Length));
+
+   --  A receive buffer becomes full only with a message that was right to
+   --  its end, and after which nothing came for the guard time; that one is
+   --  counted, and owed a good status. One that nobody took in time is
+   --  counted when the newer one is full.
+   procedure Full_Only_When_Right
+     (Item : in out Board; Time : Character_Times)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   =>
+       (for all Which in Slot =>
           (if Is_Filled
              (Receive_Pair (Item'Old), Receive_Pair (Item), Which)
-           then not Parity_Error
-             and then Control_Of (Item'Old).Receiver.State = In_Data
+           then Is_Whole (Item'Old)
              and then Control_Of (Item'Old).Receiver.Target = Which
-             and then Control_Of (Item'Old).Receiver.Received =
-               Control_Of (Item).Receive_Length
-             and then not Control_Of (Item'Old).Receiver.Damaged
-             and then Data = Checksum.Of_Message
-               (Data_Header (Control_Of (Item).Receive_Length),
-                Receive_Pair (Item).Slots (Which).Data,
-                Control_Of (Item).Receive_Length)
+             and then Natural (Control_Of (Item'Old).Silence)
+                        + Natural (Time) >= Natural (Guard_Time)
+             and then Receive_Pair (Item).Slots (Which).Data =
+               Receive_Pair (Item'Old).Slots (Which).Data
              and then Receive_Pair (Item).Newest = Which
              and then Control_Of (Item).Owed = Good))
 
-       --  The counter counts exactly those.
+       --  The counters count exactly those.
        and then Control_Of (Item).Messages =
          (if (for some Which in Slot =>
                 Is_Filled
                   (Receive_Pair (Item'Old), Receive_Pair (Item), Which))
           then Incremented (Control_Of (Item'Old).Messages)
-          else Control_Of (Item'Old).Messages);
+          else Control_Of (Item'Old).Messages)
+       and then Tally (Item).Not_Taken =
+         (if Both_Full (Receive_Pair (Item))
+            and then not Both_Full (Receive_Pair (Item'Old))
+          then Incremented (Tally (Item'Old).Not_Taken)
+          else Tally (Item'Old).Not_Taken);
+
+   --  A message with one character more is never taken (D-27): when another
+   --  comes within the guard time of what seemed its end, as the last
+   --  character of a message does in which one was doubled or inserted,
+   --  nothing becomes full, however right it seemed, and the answer is bad.
+   procedure One_Character_More_Is_Bad
+     (Item         : in out Board;
+      Before       : Character_Times;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      After        : Character_Times)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Control_Of (Item).Receiver.State = At_End
+       and then not Is_Talking (Control_Of (Item))
+       and then Natural (Control_Of (Item).Silence) + Natural (Before) <
+                  Natural (Guard_Time),
+     Post   =>
+       Is_Sound (Item)
+       and then
+         (for all Which in Slot =>
+            not Is_Filled
+              (Receive_Pair (Item'Old), Receive_Pair (Item), Which))
+       and then Control_Of (Item).Messages = Control_Of (Item'Old).Messages
+       and then
+         (if After >= Guard_Time
+          then Control_Of (Item).Owed = Bad
+          else Control_Of (Item).Receiver.State = At_End
+            and then Control_Of (Item).Receiver.Damaged
+            and then not Is_Talking (Control_Of (Item)));
 
    --  A block that the controller has not taken is overwritten only when
-   --  both buffers are full, and then it is the older one (LNK-4). That one
-   --  is not taken is counted when the newer one is full.
+   --  both buffers are full, and then it is the older one (LNK-4).
    procedure Older_Is_Overwritten
      (Item         : in out Board;
       Data         : Byte;
@@ -79,12 +142,7 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
           (if Receive_Pair (Item'Old).Slots (Which).Full
              and then not Receive_Pair (Item).Slots (Which).Full
            then Both_Full (Receive_Pair (Item'Old))
-             and then Which = Other (Receive_Pair (Item'Old).Newest)))
-       and then Tally (Item).Not_Taken =
-         (if Both_Full (Receive_Pair (Item))
-            and then not Both_Full (Receive_Pair (Item'Old))
-          then Incremented (Tally (Item'Old).Not_Taken)
-          else Tally (Item'Old).Not_Taken);
+             and then Which = Other (Receive_Pair (Item'Old).Newest)));
 
    --  Nothing is ever put into a transmit buffer but by the controller: what
    --  was scrapped does not come back. Not by a character,

@@ -367,17 +367,13 @@ package body Theorems.Results with SPARK_Mode is
        and then Transmit_Pair (One) = Transmit_Pair (Other),
      Post   => One = Other;
 
-   procedure Prove_Same_Informed
+   procedure Prove_Same_Judged
      (Item       : Control;
-      What       : Event;
-      One, Other : Buffer_Pair;
-      Blocks     : Buffer_Pair)
+      One, Other : Buffer_Pair)
    with
      Global => null,
      Pre    => One = Other,
-     Post   =>
-       Informed (Item, What, One, Blocks) =
-         Informed (Item, What, Other, Blocks);
+     Post   => Judged (Item, One) = Judged (Item, Other);
 
    procedure Prove_Same_Said
      (Item       : Control;
@@ -394,16 +390,14 @@ package body Theorems.Results with SPARK_Mode is
 
    procedure Prove_Same_Board (One, Other : Board) is null;
 
-   procedure Prove_Same_Informed
+   procedure Prove_Same_Judged
      (Item       : Control;
-      What       : Event;
-      One, Other : Buffer_Pair;
-      Blocks     : Buffer_Pair)
+      One, Other : Buffer_Pair)
    is
-      pragma Unreferenced (Item, What, Blocks);
+      pragma Unreferenced (Item);
    begin
       pragma Assert (Both_Full (One) = Both_Full (Other));
-   end Prove_Same_Informed;
+   end Prove_Same_Judged;
 
    procedure Prove_Same_Said
      (Item       : Control;
@@ -423,20 +417,10 @@ package body Theorems.Results with SPARK_Mode is
       Same         : out Boolean)
    is
       One, Other : Board := Item;
-      Was        : constant Control := Control_Of (Item);
-      What       : constant Event := Heard (Item, Data, Parity_Error);
    begin
       Accept_Character (One, Data, Parity_Error);
       Accept_Character (Other, Data, Parity_Error);
-      if Is_Listening (Was) then
-         Prove_Same_Informed
-           ((Was with delta
-               Receiver => Receiver_After
-                 (Was.Receiver, Receive_Pair (Item), What.Kind, Data,
-                  Parity_Error)),
-            What, Receive_Pair (One), Receive_Pair (Other),
-            Transmit_Pair (Item));
-      end if;
+      Prove_Same_Board (One, Other);
       Same := One = Other;
    end Of_Accept_Character;
 
@@ -471,6 +455,11 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Elapse (One, Time);
       Elapse (Other, Time);
+      if Is_Judged_After (Control_Of (Item), Time) then
+         Prove_Same_Judged
+           (Control_Of (Item), Receive_Pair (One), Receive_Pair (Other));
+      end if;
+      Prove_Same_Board (One, Other);
       Same := One = Other;
    end Of_Elapse;
 

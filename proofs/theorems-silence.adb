@@ -29,17 +29,20 @@ package body Theorems.Silence with SPARK_Mode is
           else Is_Waiting (After)
             and then Distance (After) = Distance (Item));
 
-   --  A board that waits comes closer to rest with time.
+   --  A board that waits comes closer to rest with time; After is what its
+   --  control is then, and Pair the receive pair.
    procedure Waits_Not_For_Ever
-     (Item   : Control;
-      Blocks : Buffer_Pair;
-      After  : Control)
+     (Item         : Control;
+      Pair, Blocks : Buffer_Pair;
+      After        : Control)
    with
      Global => null,
      Pre    =>
        Is_Sound (Item)
        and then Is_Waiting (Item)
-       and then After = Elapsed (Item, 1, Blocks),
+       and then After =
+         (if Is_Judged_After (Item, 1) then Judged (Item, Pair)
+          else Elapsed (Item, 1, Blocks)),
      Post   => Distance (After) < Distance (Item);
 
    procedure Speaks_Or_Waits
@@ -47,15 +50,17 @@ package body Theorems.Silence with SPARK_Mode is
       Waiting, On_Line : Buffer_Pair;
       After            : Control)
    is
-      pragma Unreferenced (On_Line, After);
+      pragma Unreferenced (On_Line);
    begin
       pragma Assert (Prepared (Item, Waiting) = Item);
+      pragma Assert (After.Receiver = Item.Receiver);
+      pragma Assert (if After.Line_Taken then not Has_Message (Item.Receiver));
    end Speaks_Or_Waits;
 
    procedure Waits_Not_For_Ever
-     (Item   : Control;
-      Blocks : Buffer_Pair;
-      After  : Control)
+     (Item         : Control;
+      Pair, Blocks : Buffer_Pair;
+      After        : Control)
    is null;
 
    procedure Live_On (Item : in out Board) is
@@ -73,7 +78,8 @@ package body Theorems.Silence with SPARK_Mode is
             On_Line : constant Buffer_Pair   := Transmit_Pair (Item);
          begin
             Elapse (Item, 1);
-            Waits_Not_For_Ever (Spoken, On_Line, Control_Of (Item));
+            Waits_Not_For_Ever
+              (Spoken, Receive_Pair (Item), On_Line, Control_Of (Item));
          end;
       end if;
       pragma Unreferenced (Data);
@@ -90,9 +96,11 @@ package body Theorems.Silence with SPARK_Mode is
       end if;
    end Comes_To_Rest;
 
-   procedure Ground_Outwaits_Aircraft (Item : in out Board) is
+   procedure Ground_Outwaits_Aircraft
+     (Item : in out Board; Times : out Natural)
+   is
    begin
-      Elapse (Item, Idle_Time);
+      Comes_To_Rest (Item, Times);
    end Ground_Outwaits_Aircraft;
 
 end Theorems.Silence;

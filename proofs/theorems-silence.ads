@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A telemetry board left alone comes to rest: from whatever state, with a
---  silent line, it is back at the start within a bounded time (LNK-9).
+--  silent line, it is back at the start within a bounded time (LNK-9, D-27).
 
 with Telemetry;           use Telemetry;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -28,6 +28,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
      (case Item.State is
          when Ready =>
            (if Item.Owed /= None then 1
+            elsif Item.Receiver.State = At_End
+            then Rest_Of (Guard_Time, Item) + 1
             elsif Item.Receiver.State /= At_Start
             then Rest_Of (Dead_Space, Item)
             else 0),
@@ -35,8 +37,12 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
            Natural (Message_Length (Item.Transmit_Length))
            - Natural (Item.Sender.Sent)
            + Natural (Dead_Space) + Idle_After (Item),
-         when Awaiting_Status | Awaiting_Data =>
+         when Awaiting_Status =>
            Rest_Of (Dead_Space, Item) + Idle_After (Item),
+         when Awaiting_Data =>
+           (if Item.Receiver.State = At_End
+            then Rest_Of (Guard_Time, Item) + 1
+            else Rest_Of (Dead_Space, Item) + Idle_After (Item)),
          when Idling =>
            Rest_Of (Idle_Time, Item))
    with
@@ -82,14 +88,19 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        and then Times <= Distance (Item'Old);
 
    --  When the ground has been silent for its idle time, an aircraft that
-   --  waits and has heard nothing for as long has been reset.
-   procedure Ground_Outwaits_Aircraft (Item : in out Board)
+   --  waits and has heard nothing for as long has been reset, or has answered
+   --  what it heard.
+   procedure Ground_Outwaits_Aircraft
+     (Item : in out Board; Times : out Natural)
    with
      Global => null,
      Pre    =>
        Is_Sound (Item)
        and then Control_Of (Item).Role = Aircraft
        and then not Is_Talking (Control_Of (Item)),
-     Post   => Is_Sound (Item) and then At_Rest (Item);
+     Post   =>
+       Is_Sound (Item)
+       and then At_Rest (Item)
+       and then Times < Natural (Idle_Time);
 
 end Theorems.Silence;

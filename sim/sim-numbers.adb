@@ -44,6 +44,7 @@ package body Sim.Numbers is
       Put ("exchange_up_characters", Up + 2);
       Put ("exchange_down_characters", Down + 1);
       Put ("dead_space_characters", Natural (Telemetry.Turns.Dead_Space));
+      Put ("guard_characters", Natural (Telemetry.Turns.Guard_Time));
       Put ("idle_characters", Natural (Telemetry.Turns.Idle_Time));
       Text_Output.New_Line (To);
       Text_Output.Put_Line (To, "}");

@@ -23,6 +23,16 @@ package body Canaries.Link with SPARK_Mode is
       Accept_Character (Item, Pair, 28, True, Data, Parity_Error, Outcome);
    end Last_Byte_Fills_The_Buffer;
 
+   procedure Late_Character_Is_Bad
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+   begin
+      Elapse (Item, Guard_Time);
+      Accept_Character (Item, Data, Parity_Error);
+   end Late_Character_Is_Bad;
+
    procedure Every_Character_Is_Data
      (Item   : Sender;
       Data   : Block_Data;

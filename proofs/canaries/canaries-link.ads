@@ -40,6 +40,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
      Pre    =>
        Is_Sound (Item)
        and then Control_Of (Item).Role = Aircraft
+       and then Control_Of (Item).Receiver.State /= At_End
        and then not Is_Talking (Control_Of (Item)),
      Post   =>
        Is_Sound (Item)
@@ -60,7 +61,21 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        and then Item.Received = 28
        and then Data = Item.Sum
        and then not Item.Damaged,
-     Post   => Outcome.Kind = Block_Good;  --  VC_POSTCONDITION
+     Post   => Outcome.Kind = Block_Whole;  --  VC_POSTCONDITION
+
+   --  A character that comes when the guard time is over is not heard: it
+   --  makes nothing bad.
+   procedure Late_Character_Is_Bad
+     (Item         : in out Board;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Control_Of (Item).Receiver.State = At_End
+       and then not Is_Talking (Control_Of (Item)),
+     Post   => Control_Of (Item).Owed = Bad;  --  VC_POSTCONDITION
 
    --  The header comes first, and every byte of the data one place later.
    procedure Every_Character_Is_Data

@@ -5,7 +5,6 @@ Knows the protocol from docs/link.md and nothing of the flight software.
 """
 
 import bisect
-import itertools
 import re
 from typing import NamedTuple
 
@@ -45,16 +44,6 @@ MESSAGE_LENGTHS = {
     "up": {0x1E: NUMBERS.uplink_characters, 0x4B: 1, 0xD2: 1, 0xCC: 1},
     "down": {0x87: NUMBERS.downlink_characters, 0x2D: 1, 0xD2: 1, 0x33: 1,
              0xCC: 1}}
-
-
-def crc8(message):
-    """CRC-8/DARC: x^8 + x^5 + x^4 + x^3 + 1, low bit first."""
-    total = 0
-    for byte in message:
-        total ^= byte
-        for _ in range(8):
-            total = total >> 1 ^ (0x9C if total & 1 else 0)
-    return total
 
 
 class Wrong(NamedTuple):
@@ -123,7 +112,6 @@ class Flight:
             text = wire.read()
         self.times = {}
         self.messages = {}
-        self.last_words = {}
         for way in ("up", "down"):
             self.times[way] = [
                 int(time) for time in
@@ -141,9 +129,6 @@ class Flight:
                         f" {first:02x}")
                     break
                 counts[first] += 1
-                if length > 1:
-                    self.last_words[sent[place + 1:place + length - 3]] = \
-                        sent[place + length - 3:place + length - 1]
                 place += length
             self.messages[way] = counts
 
@@ -216,36 +201,3 @@ class Flight:
         if end >= stop or (disturbed and disturbed[-1] == stop - 1):
             return None
         return disturbed[-1] + 1 - end if disturbed else 0
-
-
-# Of the last word CORE has these bits; those of the error log go elsewhere.
-MARKS = {"up": 0xFFFF, "down": 0x000F}
-
-
-def shifted_by_one(wrong, lag, last_words):
-    """True when the block is what one character more makes of a block that
-    was sent: everything behind it is a place late, and the last byte stands
-    for the checksum and happens to match (docs/link.md, Checksum). The last
-    word of what was sent is that of the wire."""
-    count, first = (13, 0x1E) if wrong.way == "up" else (27, 0x87)
-    came = b"".join(word.to_bytes(2, "big") for word in wrong.words)
-    for number in range(wrong.frame - lag - 3, wrong.frame - lag + 2):
-        if number < 0:
-            continue
-        sent = b"".join(word.to_bytes(2, "big")
-                        for word in data.words(number, count))
-        sent += last_words.get(sent, bytes(2))
-        same = 0
-        while same < len(sent) - 1 and came[same] == sent[same]:
-            same += 1
-        # What came within the last word CORE does not have whole.
-        added = ([(same, came[same])] if same < len(sent) - 2
-                 or MARKS[wrong.way] == 0xFFFF else
-                 itertools.product((len(sent) - 2, len(sent) - 1), range(256)))
-        for place, byte in added:
-            heard = sent[:place] + bytes([byte]) + sent[place:-1]
-            last = int.from_bytes(heard[-2:], "big") & MARKS[wrong.way]
-            if (heard[:-2] + last.to_bytes(2, "big") == came
-                    and crc8(bytes([first]) + heard) == sent[-1]):
-                return True
-    return False

@@ -13,6 +13,7 @@ their blocks at the same moment.
 """
 
 import argparse
+import bisect
 import math
 import re
 import sys
@@ -33,6 +34,7 @@ UP = cases.NUMBERS.uplink_characters
 DOWN = cases.NUMBERS.downlink_characters
 DEAD_SPACE = cases.NUMBERS.dead_space_characters
 IDLE = cases.NUMBERS.idle_characters
+GUARD = cases.NUMBERS.guard_characters
 # When in its frame a board is given its block: with the servos.
 PUT_US = cases.NUMBERS.servo_tick * cases.NUMBERS.tick_us
 CHARACTER_MS = cases.CHARACTER_US / 1000
@@ -40,6 +42,15 @@ CHARACTER_MS = cases.CHARACTER_US / 1000
 RATES = ("1e-6", "1e-5", "3e-5", "1e-4", "3e-4", "1e-3", "3e-3", "1e-2")
 QUANTITIES = ("up_delivered", "up_sent", "up_ms",
               "down_delivered", "down_sent")
+
+
+def answered_after():
+    """How many characters after the first transmission of an uplink its answer
+    begins, on average: the aircraft's timer counts on whatever happens, so
+    the wait ends GUARD counts after its last character."""
+    starts = {(frame * cases.FRAME_US + PUT_US) % cases.CHARACTER_US
+              for frame in range(cases.CHARACTER_US)}
+    return GUARD - sum(starts) / len(starts) / cases.CHARACTER_US
 
 
 def theory(rate):
@@ -56,7 +67,7 @@ def theory(rate):
     # What passes between the two transmissions when the first was spoilt:
     # nothing was answered; or a bad status was, and heard; or not heard.
     between = ((1 - q) * (DEAD_SPACE + IDLE)
-               + (q - a) * (q * 1 + (1 - q) * (1 + IDLE)))
+               + (q - a) * (answered_after() + 1 + (1 - q) * IDLE))
     up_characters = (UP + (1 - a) * 2 * UP + between) / (2 - a)
 
     # Down: the ground knows of the block once a status, good or bad, is
@@ -106,12 +117,14 @@ def mean(values):
 def answered_well(blocks, answers, good):
     """When each block was first received whole, by its content; how often
     it was sent."""
-    good_times = {answer.start_us for answer in answers
-                  if answer.content[0] in good}
+    good_times = sorted(answer.start_us for answer in answers
+                        if answer.content[0] in good)
     received, sent = {}, {}
     for block in blocks:
         sent[block.content] = sent.get(block.content, 0) + 1
-        if block.end_us in good_times:
+        answer = bisect.bisect_right(good_times, block.end_us)
+        if (answer < len(good_times) and good_times[answer]
+                <= block.end_us + GUARD * cases.CHARACTER_US):
             received.setdefault(block.content, block.end_us)
     return received, sent
 

@@ -4,6 +4,21 @@ with Telemetry.Checksum;
 
 package body Telemetry.Boards with SPARK_Mode is
 
+   --  A message that has come to its end went no further: it is good or bad.
+   procedure Judge (Item : in out Board)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Control_Of (Item).Receiver.State = At_End,
+     Post   =>
+       Is_Sound (Item)
+       and then Control_Of (Item) =
+         Judged (Control_Of (Item'Old), Receive_Pair (Item))
+       and then Receive_Pair (Item) = Pair_Judged
+         (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old))
+       and then Transmit_Pair (Item) = Transmit_Pair (Item'Old);
+
    procedure Accept_Character
      (Item         : in out Board;
       Data         : Byte;
@@ -22,8 +37,7 @@ package body Telemetry.Boards with SPARK_Mode is
          Heard := Item.Control.Receiver;
          Block := Fate_After (Item.Control, What);
          Item.Control :=
-           Informed
-             (Item.Control, What, Item.Receive_Pair, Item.Transmit_Pair);
+           Informed (Item.Control, What, Item.Transmit_Pair);
          pragma Assert (Is_Sound (Item.Control));
          pragma Assert
            (Has_Block_Out (Item.Control) =
@@ -36,7 +50,7 @@ package body Telemetry.Boards with SPARK_Mode is
          pragma Assert (Holds (Item.Transmit_Pair, Item.Control));
          pragma Assert (Fits (Item.Control, Item.Transmit_Pair));
          pragma Assert
-           (if Item.Control.Receiver.State = In_Data
+           (if Has_Message (Item.Control.Receiver)
             then Item.Control.Receiver = Heard);
          pragma Assert
            (Fits
@@ -68,9 +82,23 @@ package body Telemetry.Boards with SPARK_Mode is
       Send := Item.Control.Line_Taken;
    end Next_Character;
 
+   procedure Judge (Item : in out Board) is
+      Before : constant Turns.Control := Item.Control;
+   begin
+      Item.Receive_Pair := Pair_Judged (Before.Receiver, Item.Receive_Pair);
+      Item.Control := Judged (Before, Item.Receive_Pair);
+      pragma Assert (not Has_Block_Out (Before));
+      pragma Assert (Holds (Item.Transmit_Pair, Item.Control));
+   end Judge;
+
    procedure Elapse (Item : in out Board; Time : Character_Times) is
       Before : constant Turns.Control := Item.Control;
    begin
+      if Is_Judged_After (Before, Time) then
+         Judge (Item);
+         return;
+      end if;
+
       Item.Control := Elapsed (Before, Time, Item.Transmit_Pair);
       if Is_Reset_After (Before, Time) then
          Item.Receive_Pair := Released (Item.Receive_Pair);
@@ -112,14 +140,14 @@ package body Telemetry.Boards with SPARK_Mode is
 
    procedure Clear_Transmit_Half (Item : in out Board) is
    begin
-      Item.Control := Cleared (Item.Control);
+      Item.Control := Turns.Starts.Cleared (Item.Control);
       Item.Transmit_Pair := Empty_Pair;
    end Clear_Transmit_Half;
 
    procedure Start (Item : in out Board) is
       Before : constant Turns.Control := Item.Control;
    begin
-      Item.Control := Started (Before, Item.Transmit_Pair);
+      Item.Control := Turns.Starts.Started (Before, Item.Transmit_Pair);
       Item.Receive_Pair := Empty_Pair;
       Item.Transmit_Pair :=
         Settled

@@ -11,6 +11,7 @@ with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Memory;    use Telemetry.Memory;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Turns;     use Telemetry.Turns;
+with Telemetry.Turns.Starts;
 
 package Telemetry.Boards with Pure, SPARK_Mode is
 
@@ -32,9 +33,10 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    with Global => null;
 
    --  The board may have a character to send: nothing but its own turn
-   --  keeps it from speaking.
+   --  keeps it from speaking, or the short wait at the end of a message.
    function May_Speak (Item : Board) return Boolean is
-     (not Is_Waiting (Control_Of (Item)))
+     (not Is_Waiting (Control_Of (Item))
+      or else Control_Of (Item).Receiver.State = At_End)
    with Global => null;
 
    function Time_Left (Item : Board) return Character_Times is
@@ -110,7 +112,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
                  (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old),
                   Data)
                else Pair_After
-                 (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old),
+                 (Receive_Pair (Item'Old),
                   Heard (Item'Old, Data, Parity_Error).Kind))
             and then Transmit_Pair (Item) = Settled
               (Transmit_Pair (Item'Old),
@@ -125,7 +127,6 @@ package Telemetry.Boards with Pure, SPARK_Mode is
                      Heard (Item'Old, Data, Parity_Error).Kind,
                      Data, Parity_Error)),
                Heard (Item'Old, Data, Parity_Error),
-               Receive_Pair (Item),
                Transmit_Pair (Item'Old))
           else
             Receive_Pair (Item) = Receive_Pair (Item'Old)
@@ -164,17 +165,26 @@ package Telemetry.Boards with Pure, SPARK_Mode is
           Transmit_Pair (Item))
        and then Send = Control_Of (Item).Line_Taken;
 
-   --  Time has passed. A board that has waited for too long resets itself.
+   --  Time has passed. A board that has waited for too long resets itself;
+   --  one that waits at the end of a message judges it.
    procedure Elapse (Item : in out Board; Time : Character_Times)
    with
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>
        Is_Sound (Item)
-       and then Control_Of (Item) = Elapsed
-         (Control_Of (Item'Old), Time, Transmit_Pair (Item'Old))
+       and then Control_Of (Item) =
+         (if Is_Judged_After (Control_Of (Item'Old), Time)
+          then Judged (Control_Of (Item'Old), Receive_Pair (Item))
+          else Elapsed
+            (Control_Of (Item'Old), Time, Transmit_Pair (Item'Old)))
        and then
-         (if Is_Reset_After (Control_Of (Item'Old), Time)
+         (if Is_Judged_After (Control_Of (Item'Old), Time)
+          then
+            Receive_Pair (Item) = Pair_Judged
+              (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old))
+            and then Transmit_Pair (Item) = Transmit_Pair (Item'Old)
+          elsif Is_Reset_After (Control_Of (Item'Old), Time)
           then
             Receive_Pair (Item) = Released (Receive_Pair (Item'Old))
             and then Transmit_Pair (Item) = Settled
@@ -231,7 +241,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        Is_Sound (Item)
        and then Transmit_Pair (Item) = Empty_Pair
        and then Receive_Pair (Item) = Receive_Pair (Item'Old)
-       and then Control_Of (Item) = Cleared (Control_Of (Item'Old));
+       and then Control_Of (Item) =
+         Turns.Starts.Cleared (Control_Of (Item'Old));
 
    --  The board's own start, but for its transmit buffers, which are the
    --  controller's (INI-4).
@@ -247,7 +258,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
           Control_Of (Item'Old).Sender.Source,
           Fate_In_Reset (Control_Of (Item'Old)))
        and then Control_Of (Item) =
-         Started (Control_Of (Item'Old), Transmit_Pair (Item'Old));
+         Turns.Starts.Started
+           (Control_Of (Item'Old), Transmit_Pair (Item'Old));
 
 private
 

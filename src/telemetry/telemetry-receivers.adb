@@ -36,7 +36,7 @@ package body Telemetry.Receivers with SPARK_Mode is
             then Item.Sum =
               Checksum.Of_Message (Data, Pair.Slots (Item.Target).Data, 0)
               and then Data = Data_Header (Length));
-         Pair := Pair_After (Was, Pair, Outcome.Kind);
+         Pair := Pair_After (Pair, Outcome.Kind);
       end if;
    end Accept_Character;
 

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The receiving half of the board's software: one character in, one event
---  out (report, appendix A.2; LNK-3 to LNK-5).
+--  out (report, appendix A.2; LNK-3 to LNK-5, D-27).
 --
 --  A data message goes, byte by byte, into the receive buffer that was
 --  chosen when its header came. That buffer is busy until the message ends;
---  it becomes full only if the checksum matched and no character had a
---  parity error.
+--  it becomes full only if the checksum matched, no character had a parity
+--  error, and none came after the checksum until the board judged it.
 --
 --  After a first byte that is no header the receiver is out of step: it can
 --  not know where the next message begins, and listens to nothing until the
@@ -20,7 +20,11 @@ with Telemetry.Memory;  use Telemetry.Memory;
 
 package Telemetry.Receivers with Pure, SPARK_Mode is
 
-   type Receiver_State is (At_Start, In_Data, Out_Of_Step);
+   type Receiver_State is
+     (At_Start,
+      In_Data,
+      At_End,        --  the checksum has come; the message may yet go on
+      Out_Of_Step);
 
    type Receiver is record
       State    : Receiver_State := At_Start;
@@ -29,13 +33,18 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Target   : Slot       := First;
       Received : Byte_Count := 0;
 
-      --  The checksum so far; a parity error was seen in this message.
+      --  The checksum so far; something was wrong with this message.
       Sum      : Byte    := 0;
       Damaged  : Boolean := False;
    end record;
 
    function Data_Header (Length : Block_Length) return Byte is
      (Encode ((Kind => Data, Length => Length)))
+   with Global => null;
+
+   --  A data message has begun that is not judged yet.
+   function Has_Message (Item : Receiver) return Boolean is
+     (Item.State in In_Data | At_End)
    with Global => null;
 
    --  The receiver and its buffers fit together: within a message, the
@@ -46,8 +55,9 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Pair   : Buffer_Pair;
       Length : Block_Length) return Boolean
    is
-     (if Item.State = In_Data
+     (if Has_Message (Item)
       then Item.Received <= Length
+        and then (if Item.State = At_End then Item.Received = Length)
         and then Pair.Slots (Item.Target).Busy
         and then not Pair.Slots (Item.Target).Full
         and then not Pair.Slots (Other (Item.Target)).Busy
@@ -64,8 +74,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Command,       --  command to downlink
       Status,        --  see the other components of Event
       Block_Begun,   --  the header of a data message
-      Block_Good,    --  a data message ended, its checksum matched
-      Block_Bad);    --  it did not
+      Block_Whole,   --  its last character: the checksum matched
+      Block_Spoilt); --  it did not, or this is one more
 
    type Event is record
       Kind           : Event_Kind := Nothing;
@@ -97,7 +107,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
 
    --  What a character brings. Between messages it is a header or nothing;
    --  after the data it is the checksum, and the receiver has that of the
-   --  header and the data (see Fits); out of step it is noise. Length is
+   --  header and the data (see Fits); after that there must be none; out of
+   --  step it is noise. Length is
    --  that of the blocks this board is sent; a data message is taken only
    --  when the board wants one.
    function Outcome_Of
@@ -116,9 +127,10 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                elsif not Item.Damaged
                  and then not Parity_Error
                  and then Data = Item.Sum
-               then Block_Good
-               else Block_Bad),
+               then Block_Whole
+               else Block_Spoilt),
             others => False),
+         when At_End      => (Kind => Block_Spoilt, others => False),
          when Out_Of_Step => (others => <>))
    with Global => null;
 
@@ -137,16 +149,15 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Parity_Error : Boolean) return Receiver
    is
      (case Outcome is
-         when Lost_Step              =>
-           (Item with delta State => Out_Of_Step),
-         when Command | Status       => Item,
-         when Block_Begun            =>
+         when Lost_Step        => (Item with delta State => Out_Of_Step),
+         when Command | Status => Item,
+         when Block_Begun      =>
            (State    => In_Data,
             Target   => To_Fill (Pair),
             Received => 0,
             Sum      => Checksum.Next (Checksum.First_Value, Data),
             Damaged  => False),
-         when Nothing                =>
+         when Nothing          =>
            (if Is_Stored (Item, Outcome)
             then
               (Item with delta
@@ -154,36 +165,37 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                  Sum      => Checksum.Next (Item.Sum, Data),
                  Damaged  => Item.Damaged or Parity_Error)
             else Item),
-         when Block_Good | Block_Bad =>
-           (Item with delta
-              State   => At_Start,
-              Damaged => Item.Damaged or Parity_Error))
+         when Block_Whole      => (Item with delta State => At_End),
+         when Block_Spoilt     =>
+           (Item with delta State => At_End, Damaged => True))
    with
      Global => null,
      Pre    =>
        (if Is_Stored (Item, Outcome) then Item.Received < Longest_Block);
 
    --  Its buffers after anything but a byte of the block. One is claimed
-   --  when a message begins: it is busy, and no longer full. It is full
-   --  again only after a good one.
+   --  when a message begins: it is busy, and no longer full.
    function Pair_After
-     (Item    : Receiver;
-      Pair    : Buffer_Pair;
-      Outcome : Event_Kind) return Buffer_Pair
+     (Pair : Buffer_Pair; Outcome : Event_Kind) return Buffer_Pair
    is
      (case Outcome is
-         when Nothing | Lost_Step | Command | Status => Pair,
-         when Block_Begun                            =>
+         when Block_Begun =>
            (Pair with delta
               Slots => (Pair.Slots with delta
                 To_Fill (Pair) => (Pair.Slots (To_Fill (Pair)) with delta
                   Busy => True, Full => False))),
-         when Block_Good | Block_Bad                 =>
-           (Newest =>
-              (if Outcome = Block_Good then Item.Target else Pair.Newest),
-            Slots  => (Pair.Slots with delta
-              Item.Target => (Pair.Slots (Item.Target) with delta
-                Busy => False, Full => Outcome = Block_Good))))
+         when others      => Pair)
+   with Global => null;
+
+   --  And when the message is judged: only now, after a good one, it is full
+   --  again.
+   function Pair_Judged (Item : Receiver; Pair : Buffer_Pair)
+     return Buffer_Pair
+   is
+     ((Newest => (if Item.Damaged then Pair.Newest else Item.Target),
+       Slots  => (Pair.Slots with delta
+         Item.Target => (Pair.Slots (Item.Target) with delta
+           Busy => False, Full => not Item.Damaged))))
    with Global => null;
 
    --  And after a byte of the block.
@@ -223,6 +235,6 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
        and then Pair =
          (if Is_Stored (Item'Old, Outcome.Kind)
           then Pair_With_Byte (Item'Old, Pair'Old, Data)
-          else Pair_After (Item'Old, Pair'Old, Outcome.Kind));
+          else Pair_After (Pair'Old, Outcome.Kind));
 
 end Telemetry.Receivers;

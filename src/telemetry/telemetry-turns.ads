@@ -23,6 +23,10 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    Dead_Space : constant Character_Times := 20;
    Idle_Time  : constant Character_Times := 24;
 
+   --  How long a board waits at the end of a data message: longer than one
+   --  character, so that a message with one more is bad (LNK-5, D-27).
+   Guard_Time : constant Character_Times := 2;
+
    type Turn is
      (Ready,             --  nothing of ours is on its way
       Sending,           --  a data message
@@ -60,7 +64,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      ((if Item.Owed /= None
        then Item.State = Ready and then Item.Receiver.State = At_Start)
       and then
-        (if Item.Receiver.State = In_Data
+        (if Has_Message (Item.Receiver)
          then Item.State =
            (if Item.Role = Ground then Awaiting_Data else Ready))
       and then
@@ -95,7 +99,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    with Global => null;
 
    function Patience (Item : Control) return Character_Times is
-     (if Item.State = Idling then Idle_Time else Dead_Space)
+     (if Item.State = Idling then Idle_Time
+      elsif Item.Receiver.State = At_End then Guard_Time
+      else Dead_Space)
    with Global => null;
 
    --  Time. Blocks is the transmit pair.
@@ -119,7 +125,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
          Silence  => 0,
          Tally    => (Item.Tally with delta
            Bad      =>
-             Counted (Item.Tally.Bad, Item.Receiver.State = In_Data),
+             Counted (Item.Tally.Bad, Has_Message (Item.Receiver)),
            Scrapped => Counted
              (Item.Tally.Scrapped,
               Is_Scrapped
@@ -127,19 +133,32 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Resets   => Counted (Item.Tally.Resets, Item.State /= Idling))))
    with Global => null;
 
-   --  How long until the board resets itself if nothing happens; the last
-   --  value if it never does.
+   --  How long until the board judges a message or resets itself if nothing
+   --  happens; the last value if it never does.
    function Time_Left (Item : Control) return Character_Times is
      (if not Is_Waiting (Item) then Character_Times'Last
       elsif Item.Silence >= Patience (Item) then 0
       else Patience (Item) - Item.Silence)
    with Global => null;
 
-   --  A board that has waited for too long resets itself.
-   function Is_Reset_After
+   function Is_Over_After
      (Item : Control; Time : Character_Times) return Boolean
    is
      (Is_Waiting (Item) and then Time >= Time_Left (Item))
+   with Global => null;
+
+   --  A message that went no further than its end is judged.
+   function Is_Judged_After
+     (Item : Control; Time : Character_Times) return Boolean
+   is
+     (Is_Over_After (Item, Time) and then Item.Receiver.State = At_End)
+   with Global => null;
+
+   --  Any other board that has waited for too long resets itself.
+   function Is_Reset_After
+     (Item : Control; Time : Character_Times) return Boolean
+   is
+     (Is_Over_After (Item, Time) and then Item.Receiver.State /= At_End)
    with Global => null;
 
    function Elapsed
@@ -180,31 +199,21 @@ package Telemetry.Turns with Pure, SPARK_Mode is
             when others                => Open))
    with Global => null;
 
-   --  The receiver has taken a character that brought this; Received is its
-   --  pair. What makes no sense to the ground sends it into its idle time
-   --  at once; the aircraft waits for silence as it is.
+   --  The receiver has taken a character that brought this. What makes no
+   --  sense to the ground sends it into its idle time at once; the aircraft
+   --  waits for silence as it is.
    function Informed
-     (Item : Control; What : Event; Received, Blocks : Buffer_Pair)
-      return Control
+     (Item : Control; What : Event; Blocks : Buffer_Pair) return Control
    is
      (if What.Kind = Lost_Step and then Item.Role = Ground
       then Reset (Item, Blocks)
       else
         (Item with delta
            State          =>
-             (if What.Kind in Block_Good | Block_Bad
-                or else Fate_After (Item, What) /= Open
-              then Ready
-              else Item.State),
-           Owed           =>
-             (case What.Kind is
-                 when Block_Good => Good,
-                 when Block_Bad  => Bad,
-                 when others     => Item.Owed),
+             (if Fate_After (Item, What) /= Open then Ready else Item.State),
            Silence        => 0,
            Downlink_Turns =>
-             (if What.Kind = Block_Good then 0
-              elsif What.Kind = Receivers.Status
+             (if What.Kind = Receivers.Status
                 and then Item.Role = Ground
                 and then Item.State = Awaiting_Status
               then (if What.Wants_Downlink then Turn_Count'Last else 0)
@@ -214,19 +223,34 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Clear_To_Send  =>
              Item.Clear_To_Send
              or else (What.Kind = Command and then Item.Role = Aircraft),
-           Messages       => Counted (Item.Messages, What.Kind = Block_Good),
            Tally          => (Item.Tally with delta
-             Received  =>
-               Counted (Item.Tally.Received, What.Kind = Block_Good),
-             Bad       => Counted (Item.Tally.Bad, What.Kind = Block_Bad),
-             Scrapped  => Counted
+             Scrapped => Counted
                (Item.Tally.Scrapped,
                 Is_Scrapped
-                  (Blocks, Item.Sender.Source, Fate_After (Item, What))),
-             Not_Taken => Counted
-               (Item.Tally.Not_Taken,
-                What.Kind = Block_Good and then Both_Full (Received)))))
+                  (Blocks, Item.Sender.Source, Fate_After (Item, What))))))
    with Global => null;
+
+   --  The message that has come to its end went no further: it is judged,
+   --  and an answer is owed. Received is the receive pair after it.
+   function Judged (Item : Control; Received : Buffer_Pair) return Control is
+     ((Item with delta
+         Receiver       => (Item.Receiver with delta State => At_Start),
+         State          => Ready,
+         Owed           => (if Item.Receiver.Damaged then Bad else Good),
+         Silence        => 0,
+         Downlink_Turns =>
+           (if Item.Receiver.Damaged then Item.Downlink_Turns else 0),
+         Messages       => Counted (Item.Messages, not Item.Receiver.Damaged),
+         Tally          => (Item.Tally with delta
+           Received  => Counted
+             (Item.Tally.Received, not Item.Receiver.Damaged),
+           Bad       => Counted (Item.Tally.Bad, Item.Receiver.Damaged),
+           Not_Taken => Counted
+             (Item.Tally.Not_Taken,
+              not Item.Receiver.Damaged and then Both_Full (Received)))))
+   with
+     Global => null,
+     Post   => (if Is_Sound (Item) then Is_Sound (Judged'Result));
 
    --  What is said
 
@@ -322,29 +346,5 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      Post   =>
        Fits (Spoken'Result, Blocks)
        and then (if Is_Sound (Item) then Is_Sound (Spoken'Result));
-
-   --  The start
-
-   --  The transmit buffers are cleared. A ground whose message is broken off
-   --  idles before it sends again, as after a reset.
-   function Cleared (Item : Control) return Control is
-     (if not Has_Block_Out (Item) then Item
-      else (Item with delta State => After_Break (Item), Silence => 0))
-   with Global => null;
-
-   --  The board has neither sent nor received. It may have been in the
-   --  middle of a message: the ground idles first.
-   function Started (Item : Control; Blocks : Buffer_Pair) return Control is
-     ((Role            => Item.Role,
-       Transmit_Length => Item.Transmit_Length,
-       Receive_Length  => Item.Receive_Length,
-       Sender          => Item.Sender,
-       State           => After_Break (Item),
-       Tally           => (Item.Tally with delta
-         Scrapped => Counted
-           (Item.Tally.Scrapped,
-            Is_Scrapped (Blocks, Item.Sender.Source, Fate_In_Reset (Item)))),
-       others          => <>))
-   with Global => null;
 
 end Telemetry.Turns;

@@ -37,7 +37,6 @@ class ByHand(checker.Flight):
                          "down": {0x87: frames, 0x2D: frames, 0xD2: 0,
                                   0x33: 0, 0xCC: 0}}
         self.wrong, self.errors, self.wire_errors = [], [], []
-        self.last_words = {}
 
     def counts(self, frame, **more):
         """From this frame on, so many more are counted."""

@@ -24,8 +24,7 @@ CANARIES = {
     ),
     "the aircraft waits longer than the ground ever does": (
         TURNS,
-        "(if Item.State = Idling then Idle_Time else Dead_Space)",
-        "(if Item.State = Idling then Idle_Time\n"
+        "      else Dead_Space)",
         "      elsif Item.Role = Aircraft then 50 else Dead_Space)",
         "back in step: ",
     ),

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Two telemetry boards and the line between them, in character times. A
---  test may spoil any character on the line.
+--  test may spoil any character on the line, or add one, which is heard a
+--  character time after it: the last of a message comes after its end then.
 
 with URVOS;            use URVOS;
 with Telemetry;        use Telemetry;
@@ -42,6 +43,12 @@ package Link_Rig is
    Up_Data   : constant := Uplink_Length + 2;
    Down_Data : constant := Downlink_Length + 2;
 
+   type Added_Character is record
+      Is_There : Boolean := False;
+      Data     : Byte    := 0;
+   end record;
+   type Added_Characters is array (Station) of Added_Character;
+
    Longest_Trace : constant := 32;
    type Trace_List is array (1 .. Longest_Trace) of Transmission;
 
@@ -53,6 +60,10 @@ package Link_Rig is
       Sent           : Character_Counts := (others => 0);
       Given          : Last_Marks := (others => 0);
       Came_Out       : Last_Marks := (others => 0);
+
+      --  What the line has added and each sender's listener is yet to hear:
+      --  a character time later than the one before it.
+      Added          : Added_Characters;
 
       --  The turns since the link was made, as many as there is room for.
       Trace          : Trace_List;
@@ -78,8 +89,7 @@ package Link_Rig is
 
    --  A station's controller takes the block that came in; Mark is 0 if
    --  there is none. The test fails if the block is not one that was given,
-   --  or older than the one before. A wrong block that the checksum lets pass
-   --  counts as the one that it was (D-7).
+   --  or older than the one before.
    procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte);
 
 end Link_Rig;

@@ -33,6 +33,7 @@ package body Link_Tests is
    procedure Told_Before;
    procedure Messages;
    procedure Every_Fault;
+   procedure One_More;
    procedure Cuts;
    procedure Storm;
    procedure Restarts;
@@ -281,7 +282,10 @@ package body Link_Tests is
       Item : Link;
    begin
       Give (Item, Ground, 1);
-      Run (Item, Up_Data);
+      Run (Item, Up_Data + 1);
+      Expect
+        ("too early", Control_Of (Item.Aircraft_Board).Messages, 0);
+      Run (Item, 1);
       Expect_Number ("before the status", Item.Sent (Aircraft), 0);
       Expect ("block received", Control_Of (Item.Aircraft_Board).Messages, 1);
       Run (Item, 1);
@@ -293,7 +297,7 @@ package body Link_Tests is
    begin
       Give (Item, Ground, 1);
       Expect ("full", Any_Full (Transmit_Pair (Item.Ground_Board)), True);
-      Run (Item, Up_Data);
+      Run (Item, Up_Data + 2);
       Expect
         ("full before the status",
          Any_Full (Transmit_Pair (Item.Ground_Board)), True);
@@ -491,6 +495,7 @@ package body Link_Tests is
          --  What the controller gives meanwhile never gets mixed in.
          Give (Item, Ground, 2);
       end loop;
+      Run (Item, 2);
       Expect_Block (Item, Aircraft, 1);
       Run (Item, Frame);
       Expect_Block (Item, Aircraft, 2);
@@ -667,6 +672,44 @@ package body Link_Tests is
       end loop;
    end Every_Fault;
 
+   procedure One_More is
+      Longer : Natural := 0;
+   begin
+      --  Every character of a data message, either way, comes with one more
+      --  behind it, whichever: never is the block taken before it is sent
+      --  again, and never a wrong one (Take tells).
+      for Sender in Station loop
+         for Number in
+           1 .. (if Sender = Ground then Up_Data else Down_Data)
+         loop
+            for Mask in Byte loop
+               declare
+                  Item : Link;
+               begin
+                  Give (Item, Ground, 1);
+                  Give (Item, Aircraft, 1);
+                  Spoilt_Sender := Sender;
+                  First_Spoilt  := Number + (if Sender = Ground then 0 else 1);
+                  Last_Spoilt   := First_Spoilt;
+                  Spoilt_How    := Doubled;
+                  Spoilt_Mask   := Mask;
+                  Run (Item, Frame, Spoil'Access);
+                  Longer := Longer + 1;
+                  Expect_Block
+                    (Item, (if Sender = Ground then Aircraft else Ground), 1);
+                  Expect
+                    (Sender'Image & Number'Image & Mask'Image & " bad",
+                     Tally
+                       (if Sender = Ground then Item.Aircraft_Board
+                        else Item.Ground_Board).Bad,
+                     1);
+               end;
+            end loop;
+         end loop;
+      end loop;
+      Expect_Number ("tried", Longer, (Up_Data + Down_Data) * 256);
+   end One_More;
+
    procedure Cuts is
       type Length_List is array (Positive range <>) of Positive;
       Lengths : constant Length_List :=
@@ -796,7 +839,12 @@ package body Link_Tests is
       Add
         (Suite, "D-12 in any phase blocks go up and down, without a reset",
          Any_Phase'Access);
-      Add (Suite, "LNK-5 a data message is answered at once", At_Once'Access);
+      Add
+        (Suite, "LNK-5 D-27 a data message is answered after the guard time",
+         At_Once'Access);
+      Add
+        (Suite, "LNK-5 D-27 a message with one character more comes bad",
+         One_More'Access);
       Add
         (Suite, "LNK-6 good status empties the transmit buffer",
          Good_Status'Access);

@@ -9,6 +9,7 @@ with Telemetry.Checksum;
 with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Shared_Boards;
+with Telemetry.Turns;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URV.Errors;          use URV.Errors;
@@ -118,11 +119,18 @@ package body LOG_Task_Tests is
    procedure Hear_Block (Is_Good : Boolean) is
       Sum : constant Byte :=
         Checksum.Of_Message (Data_Header (2), (others => 0), 2);
+
+      Answers     : Boolean;
+      Unused_Data : Byte;
+      Unused_Time : Character_Times;
    begin
       Hear (Data_Header (2));
       Hear (0);
       Hear (0);
       Hear (if Is_Good then Sum else Sum xor 1);
+      Board.Next_Character
+        (Turns.Guard_Time, Answers, Unused_Data, Unused_Time);
+      Expect ("answers", Answers, True);
       Speak;
    end Hear_Block;
 

@@ -18,6 +18,7 @@ package body Receivers_Tests is
    procedure Good_Message;
    procedure Wrong_Checksum;
    procedure Parities;
+   procedure One_More;
    procedure Single_Bytes;
    procedure Deaf_Out_Of_Step;
    procedure Interrupted;
@@ -44,6 +45,9 @@ package body Receivers_Tests is
       Data         : Byte;
       Parity_Error : Boolean := False;
       Wants_Data   : Boolean := True);
+
+   --  The board has waited at the end of the message.
+   procedure Judge (Item : in out Half);
 
    --  The board gives up what was coming in.
    procedure Restart (Item : in out Half);
@@ -83,6 +87,13 @@ package body Receivers_Tests is
       Hear (Item, Sum + Wrong, Bad_Parity = Natural (Length) + 2);
    end Hear_Message;
 
+   procedure Judge (Item : in out Half) is
+   begin
+      Expect ("at the end", Item.Receiver.State, At_End);
+      Item.Pair := Pair_Judged (Item.Receiver, Item.Pair);
+      Item.Receiver.State := At_Start;
+   end Judge;
+
    procedure Restart (Item : in out Half) is
    begin
       Item.Receiver.State := At_Start;
@@ -105,7 +116,9 @@ package body Receivers_Tests is
             True);
       end loop;
       Hear (Item, Sum);
-      Expect ("checksum", Item.Outcome.Kind, Block_Good);
+      Expect ("checksum", Item.Outcome.Kind, Block_Whole);
+      Expect ("full before it is judged", Any_Full (Item.Pair), False);
+      Judge (Item);
       Expect ("full after", Item.Pair.Slots (Item.Receiver.Target).Full, True);
       Expect
         ("busy after", Item.Pair.Slots (Item.Receiver.Target).Busy, False);
@@ -122,12 +135,14 @@ package body Receivers_Tests is
    begin
       for Wrong in Byte range 1 .. 255 loop
          Hear_Message (Item, 7, Wrong => Wrong);
-         Expect ("wrong by" & Wrong'Image, Item.Outcome.Kind, Block_Bad);
+         Expect ("wrong by" & Wrong'Image, Item.Outcome.Kind, Block_Spoilt);
+         Judge (Item);
          Expect ("full", Any_Full (Item.Pair), False);
-         Expect ("ready for the next", Item.Receiver.State, At_Start);
       end loop;
       Hear_Message (Item, 8);
-      Expect ("the next", Item.Outcome.Kind, Block_Good);
+      Expect ("the next", Item.Outcome.Kind, Block_Whole);
+      Judge (Item);
+      Expect ("full after the next", Any_Full (Item.Pair), True);
    end Wrong_Checksum;
 
    procedure Parities is
@@ -136,11 +151,13 @@ package body Receivers_Tests is
       for Place in 2 .. Natural (Length) + 2 loop
          Hear_Message (Item, 7, Bad_Parity => Place);
          Expect
-           ("parity error at" & Place'Image, Item.Outcome.Kind, Block_Bad);
+           ("parity error at" & Place'Image, Item.Outcome.Kind, Block_Spoilt);
+         Judge (Item);
          Expect ("full", Any_Full (Item.Pair), False);
       end loop;
       Hear_Message (Item, 8);
-      Expect ("the next", Item.Outcome.Kind, Block_Good);
+      Expect ("the next", Item.Outcome.Kind, Block_Whole);
+      Judge (Item);
 
       --  In the header it leaves the receiver out of step.
       Hear (Item, Header_Byte, Parity_Error => True);
@@ -173,6 +190,27 @@ package body Receivers_Tests is
       end loop;
    end Single_Bytes;
 
+   procedure One_More is
+      Item : Half;
+   begin
+      --  Whatever comes after the end, and however much.
+      for More in 1 .. 3 loop
+         for Value in Byte loop
+            Item := (others => <>);
+            Hear_Message (Item, 7);
+            Expect ("whole", Item.Outcome.Kind, Block_Whole);
+            for Count in 1 .. More loop
+               Hear (Item, Value);
+               Expect ("one more", Item.Outcome.Kind, Block_Spoilt);
+            end loop;
+            Judge (Item);
+            Expect ("full", Any_Full (Item.Pair), False);
+            Hear_Message (Item, 8);
+            Expect ("the next", Item.Outcome.Kind, Block_Whole);
+         end loop;
+      end loop;
+   end One_More;
+
    procedure Deaf_Out_Of_Step is
       Item   : Half;
       Before : Half;
@@ -189,7 +227,7 @@ package body Receivers_Tests is
       end loop;
       Restart (Item);
       Hear_Message (Item, 9);
-      Expect ("after a restart", Item.Outcome.Kind, Block_Good);
+      Expect ("after a restart", Item.Outcome.Kind, Block_Whole);
    end Deaf_Out_Of_Step;
 
    procedure Interrupted is
@@ -199,6 +237,7 @@ package body Receivers_Tests is
       for Characters in 0 .. Natural (Length) loop
          Item := (others => <>);
          Hear_Message (Item, 1);
+         Judge (Item);
          Hear (Item, Header_Byte);
          for Count in 1 .. Characters loop
             Hear (Item, 2);
@@ -210,7 +249,7 @@ package body Receivers_Tests is
          Expect ("and whole", Contents (Item.Pair) (Length), 1);
          Item.Pair := Taken (Item.Pair);
          Hear_Message (Item, 3);
-         Expect ("the next message", Item.Outcome.Kind, Block_Good);
+         Expect ("the next message", Item.Outcome.Kind, Block_Whole);
       end loop;
    end Interrupted;
 
@@ -222,6 +261,7 @@ package body Receivers_Tests is
       --  same, and the buffer that is being filled is the other one.
       for Mark in Byte range 1 .. 20 loop
          Hear_Message (Item, Mark);
+         Judge (Item);
          Target := Item.Receiver.Target;
          Hear (Item, Header_Byte);
          Expect
@@ -243,6 +283,9 @@ package body Receivers_Tests is
       Add
         (Suite, "LNK-5 a parity error anywhere spoils the message",
          Parities'Access);
+      Add
+        (Suite, "LNK-5 D-27 a message that goes on is never taken",
+         One_More'Access);
       Add
         (Suite, "LNK-3 a first byte means what its message is",
          Single_Bytes'Access);

@@ -14,6 +14,7 @@ with Telemetry;           use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
 with Telemetry.Receivers;
+with Telemetry.Turns;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Self_Tests;    use URVOS.Self_Tests;
@@ -445,7 +446,10 @@ package body Starts_Tests is
         (if Node = Ground then URV.Codecs.Downlink.Block_Length
          else URV.Codecs.Uplink.Block_Length);
 
-      Unused : Boolean;
+      Unused      : Boolean;
+      Answers     : Boolean;
+      Status      : Byte;
+      Unused_Time : Telemetry.Character_Times;
 
       procedure Hear (Value : Byte);
 
@@ -466,6 +470,16 @@ package body Starts_Tests is
       Hear
         (Telemetry.Checksum.Of_Message
            (Telemetry.Receivers.Data_Header (Length), Data, Length));
+
+      --  When the guard time is over it is taken, and the answer sent.
+      if Node = Ground then
+         GSC.Telemetry_Board.Next_Character
+           (Telemetry.Turns.Guard_Time, Answers, Status, Unused_Time);
+      else
+         MCS.Telemetry_Board.Next_Character
+           (Telemetry.Turns.Guard_Time, Answers, Status, Unused_Time);
+      end if;
+      Expect ("answers", Answers, True);
    end Receive_Message;
 
    procedure Receive_Half is
