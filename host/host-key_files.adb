@@ -245,10 +245,10 @@ package body Host.Key_Files is
          Refuse_Line ("the second key has the number of the first");
       elsif Value = No_Key then
          Refuse_Line ("a key of zeros is none");
-      elsif Into (URV.Seals.First).Is_There then
+      elsif Into (URV.Sessions.First).Is_There then
          Into (Second) := (True, Key_Number (Of_Key), Value);
       else
-         Into (URV.Seals.First) := (True, Key_Number (Of_Key), Value);
+         Into (URV.Sessions.First) := (True, Key_Number (Of_Key), Value);
       end if;
    end Take;
 
@@ -289,7 +289,7 @@ package body Host.Key_Files is
          end if;
       end loop;
       Wipe;
-      if not Result (URV.Seals.First).Is_There then
+      if not Result (URV.Sessions.First).Is_There then
          Refuse (Name, 1, "has no key; bin/urv keygen makes one");
       end if;
       return Result;

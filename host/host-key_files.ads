@@ -9,6 +9,7 @@
 
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
+with URV.Sessions;    use URV.Sessions;
 
 package Host.Key_Files is
 

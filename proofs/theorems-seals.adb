@@ -53,10 +53,10 @@ package body Theorems.Seals with SPARK_Mode is
    with
      Global => null,
      Pre    =>
-       Block (45) = Byte_Of (Number, 1)
-       and then Block (46) = Byte_Of (Number, 2)
-       and then Block (47) = Byte_Of (Number, 3)
-       and then Block (48) = Byte_Of (Number, 4),
+       Block (Before_Counter + 1) = Byte_Of (Number, 1)
+       and then Block (Before_Counter + 2) = Byte_Of (Number, 2)
+       and then Block (Before_Counter + 3) = Byte_Of (Number, 3)
+       and then Block (Before_Counter + 4) = Byte_Of (Number, 4),
      Post   => Number_At (Block) = Number;
 
    procedure Same_Remainder (Left, Right : Counter) is
@@ -85,10 +85,13 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Highest = Number / 2 ** 16);
       pragma Assert (First = Number / 2 ** 24);
       pragma Assert (First <= 127);
-      pragma Assert (Counter (Block (45)) = First);
-      pragma Assert (Counter (Block (46)) = Highest mod 2 ** 8);
-      pragma Assert (Counter (Block (47)) = Upper mod 2 ** 8);
-      pragma Assert (Counter (Block (48)) = Number mod 2 ** 8);
+      pragma Assert (Counter (Block (Before_Counter + 1)) = First);
+      pragma Assert
+        (Counter (Block (Before_Counter + 2)) = Highest mod 2 ** 8);
+      pragma Assert
+        (Counter (Block (Before_Counter + 3)) = Upper mod 2 ** 8);
+      pragma Assert
+        (Counter (Block (Before_Counter + 4)) = Number mod 2 ** 8);
       pragma Assert (Number = 2 ** 8 * Upper + Number mod 2 ** 8);
       pragma Assert (Upper = 2 ** 8 * Highest + Upper mod 2 ** 8);
       pragma Assert (Highest = 2 ** 8 * First + Highest mod 2 ** 8);
@@ -118,30 +121,29 @@ package body Theorems.Seals with SPARK_Mode is
       Mine   : Session;
       Theirs : Session)
    is
-      Without : constant Block_Data := Packed (Data, Sender, Number);
-      Block   : constant Block_Data := Sealed (Data, Sender, Number, Mine);
+      Without  : constant Block_Data := Packed (Data, Sender, Number);
+      Block    : constant Block_Data := Sealed (Data, Sender, Number, Mine);
+      Told_Low : constant Field := Field_At (Block, Uplink_Words);
    begin
       Tag_Leaves_The_Rest (Without, Sender, Number, Mine);
       if Sender = Ground then
-         pragma Assert (Field_At (Block, 14) = Field_At (Without, 14));
-         pragma Assert
-           (Field_At (Block, 14) = Word (Number mod Numbers_Told));
+         pragma Assert (Told_Low = Field_At (Without, Uplink_Words));
+         pragma Assert (Told_Low = Word (Number mod Numbers_Told));
          pragma Assert
            (Counter (Word (Number mod Numbers_Told))
               = Number mod Numbers_Told);
          pragma Assert
-           (Following (Theirs.Newest, Field_At (Block, 14)) mod Numbers_Told
-              = Counter (Field_At (Block, 14)));
-         Same_Remainder
-           (Following (Theirs.Newest, Field_At (Block, 14)), Number);
+           (Following (Theirs.Newest, Told_Low) mod Numbers_Told
+              = Counter (Told_Low));
+         Same_Remainder (Following (Theirs.Newest, Told_Low), Number);
       else
          pragma Assert
            (for all Where in Byte_Index range 1 .. 4 =>
-              Block (44 + Where) = Byte_Of (Number, Where));
-         pragma Assert (Block (45) = Byte_Of (Number, 1));
-         pragma Assert (Block (46) = Byte_Of (Number, 2));
-         pragma Assert (Block (47) = Byte_Of (Number, 3));
-         pragma Assert (Block (48) = Byte_Of (Number, 4));
+              Block (Before_Counter + Where) = Byte_Of (Number, Where));
+         pragma Assert (Block (Before_Counter + 1) = Byte_Of (Number, 1));
+         pragma Assert (Block (Before_Counter + 2) = Byte_Of (Number, 2));
+         pragma Assert (Block (Before_Counter + 3) = Byte_Of (Number, 3));
+         pragma Assert (Block (Before_Counter + 4) = Byte_Of (Number, 4));
          Bytes_Tell (Number, Block);
       end if;
       pragma Assert

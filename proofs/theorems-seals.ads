@@ -10,6 +10,7 @@ with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
+with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package Theorems.Seals with SPARK_Mode, Ghost is

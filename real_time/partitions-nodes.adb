@@ -202,7 +202,7 @@ package body Partitions.Nodes is
 
    procedure Seal_Link
      (Format : URV.Seals.Format_Number;
-      Keys   : URV.Seals.Key_List;
+      Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce) is
    begin
       Sealing.Configure (Format, Keys, Start);

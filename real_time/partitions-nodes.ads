@@ -19,6 +19,7 @@ with URV.Buffers;             use URV.Buffers;
 with URV.Errors;
 with URV.Seal_Blocks;
 with URV.Seals;
+with URV.Sessions;
 with URV.Shared_Errors;
 with URV.Shared_Seals;
 
@@ -77,7 +78,7 @@ package Partitions.Nodes is
    --  Before it is switched on: see URV.Shared_Seals.
    procedure Seal_Link
      (Format : URV.Seals.Format_Number;
-      Keys   : URV.Seals.Key_List;
+      Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce);
 
    --  Power up of every board.

@@ -3,6 +3,7 @@
 with Interfaces;      use Interfaces;
 with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Sessions;    use URV.Sessions;
 with URVOS;           use URVOS;
 
 package body Seal_Tries is

@@ -37,7 +37,7 @@ with URV.Errors;          use URV.Errors;
 with URV.Law_Status;
 with URV.PWM_Transform;
 with URV.Seal_Blocks;
-with URV.Seals;
+with URV.Sessions;
 with URV.Surfaces;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
@@ -59,7 +59,7 @@ package body Sim.Flight is
    Faults     : Sim.Faults.Script;
    Conditions : Sim.Conditions.Script;
    Files      : File_Set;
-   Keys       : URV.Seals.Key_List := (others => (others => <>));
+   Keys       : URV.Sessions.Key_List := (others => (others => <>));
 
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;

@@ -45,7 +45,7 @@ package body Sim.Nodes is
 
    procedure Seal_Link
      (Format : URV.Seals.Format_Number;
-      Keys   : URV.Seals.Key_List;
+      Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce)
    is
       use type URV.Seal_Blocks.Nonce;

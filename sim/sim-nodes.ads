@@ -13,6 +13,7 @@ with URV.Errors;
 with URV.Laws;
 with URV.Seal_Blocks;
 with URV.Seals;
+with URV.Sessions;
 with URV.Surfaces;
 with URVOS;        use URVOS;
 with URVOS.Frames;
@@ -27,7 +28,7 @@ package Sim.Nodes is
    --  format 2, which both have, and what their nonces are made of.
    procedure Seal_Link
      (Format : URV.Seals.Format_Number;
-      Keys   : URV.Seals.Key_List;
+      Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce);
 
    --  The controller starts, at power up the telemetry board too. Raised:

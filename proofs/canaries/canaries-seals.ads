@@ -5,7 +5,7 @@
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Seals;       use URV.Seals;
+with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package Canaries.Seals with Pure, SPARK_Mode, Ghost is
@@ -50,7 +50,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        (for all Where in Byte_Index range 2 .. 8 =>
-          Block (48 + Where) =
+          Block (Covered (Aircraft) + Where) =
             Tag_Byte (Tag_Of (Block, Aircraft, 1, With_Key), Where)),
      Post   =>
        Has_Tag  --  VC_POSTCONDITION

@@ -14,33 +14,37 @@ package body URV.Seal_Blocks with SPARK_Mode is
       Result (1) :=
         Sealed_Mark or Byte (Word_At (Data, Words_Of (Sender)) mod 16);
 
-      for Pair in Byte_Index range 1 .. Words_Of (Sender) / 2 loop
+      for Pair in Byte_Index range 1 .. (Words_Of (Sender) + 1) / 2 loop
          First := Field_Of (Data, Sender, Number, 2 * Pair - 1);
-         Second := Field_Of (Data, Sender, Number, 2 * Pair);
+         Second :=
+           (if 2 * Pair <= Words_Of (Sender)
+            then Field_Of (Data, Sender, Number, 2 * Pair) else 0);
          Result (3 * Pair - 1) := Byte (First / 16);
          Result (3 * Pair) :=
            Byte (First mod 16) * 16 + Byte (Second / 256);
          Result (3 * Pair + 1) := Byte (Second mod 256);
 
          pragma Assert (Field_At (Result, 2 * Pair - 1) = First);
-         pragma Assert (Field_At (Result, 2 * Pair) = Second);
+         pragma Assert
+           (if 2 * Pair <= Words_Of (Sender)
+            then Field_At (Result, 2 * Pair) = Second);
          pragma Loop_Invariant (Result (1) = Result'Loop_Entry (1));
          pragma Loop_Invariant
            (for all Which in Word_Place =>
-              (if Which <= 2 * Pair
+              (if Which <= 2 * Pair and then Which <= Words_Of (Sender)
                then Field_At (Result, Which) =
                       Field_Of (Data, Sender, Number, Which)));
       end loop;
 
       if Sender = Aircraft then
          for Where in Byte_Index range 1 .. 4 loop
-            Result (44 + Where) := Byte_Of (Number, Where);
+            Result (Before_Counter + Where) := Byte_Of (Number, Where);
             pragma Loop_Invariant
-              (for all Before in Byte_Index range 1 .. 44 =>
+              (for all Before in Byte_Index range 1 .. Before_Counter =>
                  Result (Before) = Result'Loop_Entry (Before));
             pragma Loop_Invariant
               (for all Done in Byte_Index range 1 .. Where =>
-                 Result (44 + Done) = Byte_Of (Number, Done));
+                 Result (Before_Counter + Done) = Byte_Of (Number, Done));
          end loop;
       end if;
       return Result;

@@ -1,12 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Message format 2: what the bytes of a block are (SEC-1).
+--  Message format 2: what the bytes of a block are (SEC-1). It is as long as
+--  in format 1.
 --
 --                  uplink        downlink
 --     mark         byte 1        byte 1        high half; low half: flags
 --     fields       bytes 2..22   bytes 2..43   of 12 bits, two in three bytes
---     counter      last field    bytes 45..48
---     tag          bytes 23..28  bytes 49..56
+--     counter      last field    bytes 45..48  the four before the tag
+--     tag          bytes 23..28  bytes 49..56  the last
 --
 --  The fields are the block's words but the last, which is the error/status
 --  word: its four flags stand in byte 1, the log's piece above them is the
@@ -33,23 +34,48 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  The ground sends uplinks, the aircraft downlinks.
 
-   subtype Word_Total is Byte_Count range 14 .. 28;
-   subtype Word_Place is Byte_Count range 1 .. 28;
+   Uplink_Words   : constant := Uplink_Length / 2;
+   Downlink_Words : constant := Downlink_Length / 2;
+
+   subtype Word_Total is Byte_Count range Uplink_Words .. Downlink_Words;
+   subtype Word_Place is Byte_Count range 1 .. Downlink_Words;
 
    function Words_Of (Sender : Station) return Word_Total is
-     (if Sender = Ground then 14 else 28)
+     (if Sender = Ground then Uplink_Words else Downlink_Words)
+   with Global => null;
+
+   Uplink_Tag   : constant := 6;
+   Downlink_Tag : constant := 8;
+
+   subtype Tag_Length is Byte_Count range Uplink_Tag .. Downlink_Tag;
+
+   function Tag_Bytes (Sender : Station) return Tag_Length is
+     (if Sender = Ground then Uplink_Tag else Downlink_Tag)
    with Global => null;
 
    --  What the tag is of.
+   Uplink_Covered   : constant := Uplink_Length - Uplink_Tag;
+   Downlink_Covered : constant := Downlink_Length - Downlink_Tag;
+
    function Covered (Sender : Station) return Byte_Index is
-     (if Sender = Ground then 22 else 48)
+     (if Sender = Ground then Uplink_Covered else Downlink_Covered)
    with Global => null;
 
-   subtype Tag_Length is Byte_Count range 6 .. 8;
+   --  The byte before a downlink's counter.
+   Before_Counter : constant := Downlink_Covered - 4;
 
-   function Tag_Bytes (Sender : Station) return Tag_Length is
-     (if Sender = Ground then 6 else 8)
-   with Global => null;
+   --  A further word may not fit: each needs a byte and a half.
+   pragma Compile_Time_Error
+     (1 + (3 * Uplink_Words + 1) / 2 > Uplink_Covered,
+      "in format 2 the fields of an uplink reach into its tag");
+
+   pragma Compile_Time_Error
+     (1 + (3 * Downlink_Words + 1) / 2 > Before_Counter,
+      "in format 2 the fields of a downlink reach into its counter");
+
+   pragma Compile_Time_Error
+     (Downlink_Covered + 4 > Message_Index'Last,
+      "in format 2 a downlink exceeds URV.Sip_Hash.Message");
 
    --  Blocks of a session are numbered from 1; 50 a second last 16 months.
    type Counter is range 0 .. 2 ** 31 - 1;
@@ -104,9 +130,11 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  A downlink's number. One that is too high is that of no block.
    function Number_At (Block : Block_Data) return Counter is
-     (if Block (45) > 127 then 0
-      else Counter (Block (45)) * 2 ** 24 + Counter (Block (46)) * 2 ** 16
-           + Counter (Block (47)) * 2 ** 8 + Counter (Block (48)))
+     (if Block (Before_Counter + 1) > 127 then 0
+      else Counter (Block (Before_Counter + 1)) * 2 ** 24
+           + Counter (Block (Before_Counter + 2)) * 2 ** 16
+           + Counter (Block (Before_Counter + 3)) * 2 ** 8
+           + Counter (Block (Before_Counter + 4)))
    with Global => null;
 
    --  A block of format 1 in format 2, without its tag.
@@ -129,7 +157,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
          (if Sender = Aircraft
           then
             (for all Where in Byte_Index range 1 .. 4 =>
-               Packed'Result (44 + Where) = Byte_Of (Number, Where)));
+               Packed'Result (Before_Counter + Where) =
+                 Byte_Of (Number, Where)));
 
    --  The words of a block of format 2.
    function Told
@@ -179,7 +208,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
          or Unsigned_64 (Block (First + 7))))
    with
      Global => null,
-     Pre    => First <= 49;
+     Pre    => First <= Byte_Index'Last - 7;
 
    --  A hello, without its tag: the sender's nonce, and the one of the other
    --  node that it answers, or 0. An uplink's answers none.

@@ -5,6 +5,7 @@
 with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
+with URV.Sessions;    use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
 

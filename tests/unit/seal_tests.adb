@@ -9,6 +9,7 @@ with Published_Tags;  use Published_Tags;
 with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
+with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
 with URVOS;           use URVOS;
 
@@ -174,12 +175,13 @@ package body Seal_Tests is
          Expect ("behind", Up (Where), 0);
       end loop;
       Expect ("mark and flags down", Down (1), 16#A5#);
-      Expect ("word 27", Down (41), 16#11#);
-      Expect ("word 27 and piece", Down (42), 16#B0#);
-      Expect ("piece", Down (43), 0);
-      Expect ("spare", Down (44), 0);
-      Expect ("number's high byte", Down (45), 16#01#);
-      Expect ("number's low byte", Down (48), 16#67#);
+      Expect ("word 25", Down (38), 16#11#);
+      Expect ("words 25 and 26", Down (39), 16#91#);
+      Expect ("word 26", Down (40), 16#1A#);
+      Expect ("before the number", Down (Downlink_Length - 12), 0);
+      Expect ("number's high byte", Down (Downlink_Length - 11), 16#01#);
+      Expect ("number's low byte", Down (Downlink_Length - 8), 16#67#);
+      Expect ("tag's first byte", Down (Downlink_Length - 7), 0);
       Expect_Number
         ("number", Integer (Number_At (Down)), 16#1234567#);
    end Places_On_The_Wire;

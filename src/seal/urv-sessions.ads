@@ -1,0 +1,167 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The keys of a sealed link, its sessions, and the numbers of their blocks
+--  (SEC-3 to SEC-5).
+--
+--  A session is a key and two nonces, one of each node that it never used
+--  before; its two keys, up and down, are made of these.
+
+with Telemetry;       use Telemetry;
+with URVOS;           use URVOS;
+with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Sip_Hash;    use URV.Sip_Hash;
+
+package URV.Sessions with Pure, SPARK_Mode is
+
+   --  The keys of a key file. The first is the one to call with; the other
+   --  is good, too, while one is changed.
+
+   No_Key : constant Key := (K0 => 0, K1 => 0);
+
+   type Numbered_Key is record
+      Is_There : Boolean    := False;
+      Number   : Key_Number := 0;
+      Value    : Key        := No_Key;
+   end record;
+
+   type Key_Place is (First, Second);
+   type Key_List is array (Key_Place) of Numbered_Key;
+
+   function Is_Known (Keys : Key_List; Number : Key_Number) return Boolean is
+     (for some Each of Keys => Each.Is_There and then Each.Number = Number)
+   with Global => null;
+
+   function Found (Keys : Key_List; Number : Key_Number) return Key is
+     (if Keys (First).Is_There and then Keys (First).Number = Number
+      then Keys (First).Value
+      else Keys (Second).Value)
+   with Global => null;
+
+   --  Keys made of a key: for hellos of a node, for its blocks in a session.
+
+   type Use_Of_Key is (Hello_Up, Hello_Down, Blocks_Up, Blocks_Down);
+
+   --  What is hashed: the use, which half of the key it becomes, and the
+   --  nonces.
+   function Derivation
+     (For_Use        : Use_Of_Key;
+      Half           : Byte;
+      Ground_Nonce   : Nonce;
+      Aircraft_Nonce : Nonce) return Message
+   with
+     Global => null,
+     Post   =>
+       Derivation'Result.Length = 18
+       and then Derivation'Result.Bytes (1) =
+                  Byte (Use_Of_Key'Pos (For_Use))
+       and then Derivation'Result.Bytes (2) = Half
+       and then
+         (for all Where in Byte_Index range 1 .. 8 =>
+            Derivation'Result.Bytes (Message_Index (Where + 2)) =
+              Byte_Of (Ground_Nonce, Where)
+            and then Derivation'Result.Bytes (Message_Index (Where + 10)) =
+                       Byte_Of (Aircraft_Nonce, Where))
+       and then
+         (for all Where in Message_Index range 19 .. Message_Index'Last =>
+            Derivation'Result.Bytes (Where) = 0);
+
+   function Derived
+     (From           : Key;
+      For_Use        : Use_Of_Key;
+      Ground_Nonce   : Nonce;
+      Aircraft_Nonce : Nonce) return Key
+   is
+     ((K0 => Tag
+         (Derivation (For_Use, 0, Ground_Nonce, Aircraft_Nonce), From),
+       K1 => Tag
+         (Derivation (For_Use, 1, Ground_Nonce, Aircraft_Nonce), From)))
+   with Global => null;
+
+   type Session is record
+      Is_There       : Boolean    := False;
+      Number         : Key_Number := 0;
+      Ground_Nonce   : Nonce      := 0;
+      Aircraft_Nonce : Nonce      := 0;
+      Up_Key         : Key        := No_Key;
+      Down_Key       : Key        := No_Key;
+
+      --  Of the blocks sent the last, of those taken the newest.
+      Sent           : Counter    := 0;
+      Newest         : Counter    := 0;
+   end record;
+
+   No_Session : constant Session := (others => <>);
+
+   function New_Session
+     (Keys           : Key_List;
+      Number         : Key_Number;
+      Ground_Nonce   : Nonce;
+      Aircraft_Nonce : Nonce) return Session
+   is
+     ((Is_There       => True,
+       Number         => Number,
+       Ground_Nonce   => Ground_Nonce,
+       Aircraft_Nonce => Aircraft_Nonce,
+       Up_Key         => Derived
+         (Found (Keys, Number), Blocks_Up, Ground_Nonce, Aircraft_Nonce),
+       Down_Key       => Derived
+         (Found (Keys, Number), Blocks_Down, Ground_Nonce, Aircraft_Nonce),
+       Sent           => 0,
+       Newest         => 0))
+   with Global => null;
+
+   function Key_Of (Item : Session; Sender : Station) return Key is
+     (if Sender = Ground then Item.Up_Key else Item.Down_Key)
+   with Global => null;
+
+   --  The number of a block that came. An uplink tells the low 12 bits of
+   --  it: it is the first after the newest that ends in them. 0 is none.
+
+   Last_Number : constant Counter := Counter'Last - Numbers_Told;
+
+   function Following (Newest : Counter; Low : Field) return Counter is
+     (if Newest >= Last_Number then 0
+      else Newest + 1
+        + (Counter (Low) + Numbers_Told - (Newest + 1) mod Numbers_Told)
+          mod Numbers_Told)
+   with
+     Global => null,
+     Post   =>
+       (if Newest < Last_Number
+        then Following'Result in Newest + 1 .. Newest + Numbers_Told
+          and then Following'Result mod Numbers_Told = Counter (Low));
+
+   function Number_Of
+     (Block  : Block_Data;
+      Sender : Station;
+      Newest : Counter) return Counter
+   is
+     (if Sender = Aircraft then Number_At (Block)
+      else Following (Newest, Field_At (Block, Uplink_Words)))
+   with Global => null;
+
+   --  The block is one of the session, of that sender, and newer than all
+   --  that was taken.
+   function Opens
+     (Block  : Block_Data;
+      Sender : Station;
+      Item   : Session) return Boolean
+   is
+     (Item.Is_There
+      and then Number_Of (Block, Sender, Item.Newest) > Item.Newest
+      and then Has_Tag
+        (Block, Sender,
+         Tag_Of
+           (Block, Sender, Number_Of (Block, Sender, Item.Newest),
+            Key_Of (Item, Sender))))
+   with Global => null;
+
+   function With_Newest
+     (Item   : Session;
+      Block  : Block_Data;
+      Sender : Station) return Session
+   is
+     ((Item with delta Newest => Number_Of (Block, Sender, Item.Newest)))
+   with Global => null;
+
+end URV.Sessions;
