@@ -3,7 +3,8 @@
 
 The tree is that of tree-sitter's grammar for Ada. It is loaded only for those
 who parse: the proof's and the trace's scripts run with Python alone. The first
-line of each source is its licence (EVI-13).
+line of each source is its licence (EVI-13), and none of src is longer than one
+reads (EVI-15).
 """
 
 import re

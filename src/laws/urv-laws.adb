@@ -47,6 +47,34 @@ package body URV.Laws with SPARK_Mode is
      (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
    with Global => null;
 
+   --  Of what a frame decides a law has flown one axis, and nothing else.
+   function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
+   is
+     (After.Link = Before.Link
+      and then After.Checks = Before.Checks
+      and then After.Flown = Before.Flown
+      and then After.Heard = Before.Heard
+      and then After.Is_Flying = Before.Is_Flying
+      and then
+        (if Which /= Roll_Axis
+         then After.Last.Roll = Before.Last.Roll
+           and then After.Is_Stick (Roll_Axis) = Before.Is_Stick (Roll_Axis))
+      and then
+        (if Which /= Pitch_Axis
+         then After.Last.Pitch = Before.Last.Pitch
+           and then After.Is_Stick (Pitch_Axis)
+                      = Before.Is_Stick (Pitch_Axis))
+      and then
+        (if Which /= Yaw_Axis
+         then After.Last.Yaw = Before.Last.Yaw
+           and then After.Is_Stick (Yaw_Axis) = Before.Is_Stick (Yaw_Axis))
+      and then
+        (if Which /= Throttle_Axis
+         then After.Last.Throttle = Before.Last.Throttle
+           and then After.Is_Stick (Throttle_Axis)
+                      = Before.Is_Stick (Throttle_Axis)))
+   with Ghost, Global => null;
+
    procedure Fly_Roll
      (Item : in out Memory;
       Was  : Modes;
@@ -55,27 +83,7 @@ package body URV.Laws with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Item = (Item'Old with delta
-                 Last        => Item.Last,
-                 Is_Stick    => Item.Is_Stick,
-                 Bank_Wanted => Item.Bank_Wanted,
-                 Roll_Trim   => Item.Roll_Trim)
-       and then Item.Last =
-         (Item.Last'Old with delta Roll => Item.Last.Roll)
-       and then Item.Is_Stick =
-         (Item.Is_Stick'Old with delta
-            Roll_Axis => Item.Is_Stick (Roll_Axis))
-       and then Item.Last.Pitch = Item.Last'Old.Pitch
-       and then Item.Is_Stick (Pitch_Axis) =
-         Item.Is_Stick'Old (Pitch_Axis)
-       and then Item.Last.Yaw = Item.Last'Old.Yaw
-       and then Item.Is_Stick (Yaw_Axis) =
-         Item.Is_Stick'Old (Yaw_Axis)
-       and then Item.Last.Throttle = Item.Last'Old.Throttle
-       and then Item.Is_Stick (Throttle_Axis) =
-         Item.Is_Stick'Old (Throttle_Axis)
-       and then Item.Flown = Item.Flown'Old
-       and then Item.Link = Item.Link'Old
+       Flies_Only (Roll_Axis, Item'Old, Item)
        and then
          (if Item.Is_Stick'Old (Roll_Axis)
             and then Item.Flown.Lateral = Direct
@@ -94,25 +102,7 @@ package body URV.Laws with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Item = (Item'Old with delta
-                 Last     => Item.Last,
-                 Is_Stick => Item.Is_Stick)
-       and then Item.Last =
-         (Item.Last'Old with delta Yaw => Item.Last.Yaw)
-       and then Item.Is_Stick =
-         (Item.Is_Stick'Old with delta
-            Yaw_Axis => Item.Is_Stick (Yaw_Axis))
-       and then Item.Last.Roll = Item.Last'Old.Roll
-       and then Item.Is_Stick (Roll_Axis) =
-         Item.Is_Stick'Old (Roll_Axis)
-       and then Item.Last.Pitch = Item.Last'Old.Pitch
-       and then Item.Is_Stick (Pitch_Axis) =
-         Item.Is_Stick'Old (Pitch_Axis)
-       and then Item.Last.Throttle = Item.Last'Old.Throttle
-       and then Item.Is_Stick (Throttle_Axis) =
-         Item.Is_Stick'Old (Throttle_Axis)
-       and then Item.Flown = Item.Flown'Old
-       and then Item.Link = Item.Link'Old
+       Flies_Only (Yaw_Axis, Item'Old, Item)
        and then
          (if Item.Is_Stick'Old (Yaw_Axis)
             and then Item.Flown.Lateral = Direct
@@ -132,29 +122,7 @@ package body URV.Laws with SPARK_Mode is
      Global => null,
      Pre    => Rising in -30_000 .. 30_000,
      Post   =>
-       Item = (Item'Old with delta
-                 Last         => Item.Last,
-                 Is_Stick     => Item.Is_Stick,
-                 Pitch_Wanted => Item.Pitch_Wanted,
-                 Height_Held  => Item.Height_Held,
-                 Height_Trim  => Item.Height_Trim,
-                 Pitch_Trim   => Item.Pitch_Trim)
-       and then Item.Last =
-         (Item.Last'Old with delta Pitch => Item.Last.Pitch)
-       and then Item.Is_Stick =
-         (Item.Is_Stick'Old with delta
-            Pitch_Axis => Item.Is_Stick (Pitch_Axis))
-       and then Item.Last.Roll = Item.Last'Old.Roll
-       and then Item.Is_Stick (Roll_Axis) =
-         Item.Is_Stick'Old (Roll_Axis)
-       and then Item.Last.Yaw = Item.Last'Old.Yaw
-       and then Item.Is_Stick (Yaw_Axis) =
-         Item.Is_Stick'Old (Yaw_Axis)
-       and then Item.Last.Throttle = Item.Last'Old.Throttle
-       and then Item.Is_Stick (Throttle_Axis) =
-         Item.Is_Stick'Old (Throttle_Axis)
-       and then Item.Flown = Item.Flown'Old
-       and then Item.Link = Item.Link'Old
+       Flies_Only (Pitch_Axis, Item'Old, Item)
        and then
          (if Item.Is_Stick'Old (Pitch_Axis)
             and then Item.Flown.Vertical = Direct
@@ -177,28 +145,7 @@ package body URV.Laws with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Item = (Item'Old with delta
-                 Last       => Item.Last,
-                 Is_Stick   => Item.Is_Stick,
-                 Speed_Held => Item.Speed_Held,
-                 Lever_Held => Item.Lever_Held,
-                 Power_Trim => Item.Power_Trim)
-       and then Item.Last =
-         (Item.Last'Old with delta Throttle => Item.Last.Throttle)
-       and then Item.Is_Stick =
-         (Item.Is_Stick'Old with delta
-            Throttle_Axis => Item.Is_Stick (Throttle_Axis))
-       and then Item.Last.Roll = Item.Last'Old.Roll
-       and then Item.Is_Stick (Roll_Axis) =
-         Item.Is_Stick'Old (Roll_Axis)
-       and then Item.Last.Pitch = Item.Last'Old.Pitch
-       and then Item.Is_Stick (Pitch_Axis) =
-         Item.Is_Stick'Old (Pitch_Axis)
-       and then Item.Last.Yaw = Item.Last'Old.Yaw
-       and then Item.Is_Stick (Yaw_Axis) =
-         Item.Is_Stick'Old (Yaw_Axis)
-       and then Item.Flown = Item.Flown'Old
-       and then Item.Link = Item.Link'Old
+       Flies_Only (Throttle_Axis, Item'Old, Item)
        and then
          (if Item.Is_Stick'Old (Throttle_Axis)
             and then Item.Flown.Power = Direct
