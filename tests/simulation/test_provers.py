@@ -73,3 +73,26 @@ def test_the_page_gets_the_tables_and_keeps_the_rest(tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert "newer\n" in text and "new\n" not in text
     assert text.startswith("# Each prover alone")
+
+
+def test_a_copy_goes_on_only_with_the_same_sources(tmp_path, monkeypatch):
+    root = tmp_path / "root"
+    for name in ("src", "proofs"):
+        (root / name).mkdir(parents=True)
+    (root / "src/shop.ads").write_text("package Shop is end Shop;\n")
+    (root / "urv.gpr").write_text((ROOT / "urv.gpr").read_text("utf-8"))
+    (root / "ravenscar.adc").write_text("")
+    monkeypatch.setattr(provers, "ROOT", root)
+    monkeypatch.setattr(provers, "COPY", tmp_path / "copy")
+    proved = provers.prepare("z3") / "proved"
+    proved.write_text("")
+    provers.prepare("z3")
+    assert proved.exists()
+    (root / "src/shop.ads").write_text("package Shop is end;\n")
+    provers.prepare("z3")
+    assert not proved.exists()
+
+
+def test_what_takes_longer_is_ended(tmp_path):
+    assert provers.ended_in_time(["echo", "done"], tmp_path, 1) == "done\n"
+    assert provers.ended_in_time(["sleep", "600"], tmp_path, 0.001) is None
