@@ -6,13 +6,15 @@ package body Theorems.Laws with SPARK_Mode is
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
-      By       : Times) is null;
+      By       : Times;
+      Table    : Table_Number) is null;
 
    procedure A_Change_Of_Mode_Is_Bumpless
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory) is null;
 
    procedure Authority_Is_Kept
@@ -20,6 +22,7 @@ package body Theorems.Laws with SPARK_Mode is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory) is null;
 
    procedure Damping_Is_Small
@@ -29,13 +32,15 @@ package body Theorems.Laws with SPARK_Mode is
      (Roll  : Roll_Trim;
       Pitch : Pitch_Trim;
       Power : Power_Trim;
-      Error : Number) is null;
+      Error : Number;
+      By    : Gain) is null;
 
    procedure Invalid_Sensors_Disengage
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory) is null;
 
    procedure Three_Bad_Scans_Are_Enough

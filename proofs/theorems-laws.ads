@@ -24,16 +24,18 @@ package Theorems.Laws with SPARK_Mode, Ghost is
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
-      By       : Times)
+      By       : Times;
+      Table    : Table_Number)
    with
      Global => null,
      Pre    =>
        not Is_Old (Commands) and then Is_On (Commands (Switch_7)),
      Post   =>
-       Output (Next (Item, Commands, Sensors, By), Commands) = Commands
+       Output (Next (Item, Commands, Sensors, By, Table), Commands) =
+         Commands
        and then
          Transform
-           (Output (Next (Item, Commands, Sensors, By), Commands)) =
+           (Output (Next (Item, Commands, Sensors, By, Table), Commands)) =
              Transform (Commands);
 
    --  The first frame of a mode is like any other: where a law has the
@@ -44,10 +46,11 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By),
+     Pre    => After = Next (Item, Commands, Sensors, By, Table),
      Post   =>
        (if not After.Is_Stick (Roll_Axis)
         then abs (After.Last.Roll - Item.Last.Roll) <= Roll_Step)
@@ -68,10 +71,11 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By),
+     Pre    => After = Next (Item, Commands, Sensors, By, Table),
      Post   =>
        (if After.Flown.Lateral in Banked
           and then abs Item.Last.Roll <= Roll_Authority
@@ -92,13 +96,15 @@ package Theorems.Laws with SPARK_Mode, Ghost is
      (Roll  : Roll_Trim;
       Pitch : Pitch_Trim;
       Power : Power_Trim;
-      Error : Number)
+      Error : Number;
+      By    : Gain)
    with
      Global => null,
      Pre    => Error in -4_095 .. 4_095,
      Post   =>
-       Next_Roll_Trim (Roll, Error, Is_Free => False) = Roll
-       and then Next_Pitch_Trim (Pitch, Error, Is_Free => False) = Pitch
+       Next_Roll_Trim (Roll, Error, Is_Free => False, By => By) = Roll
+       and then
+         Next_Pitch_Trim (Pitch, Error, Is_Free => False, By => By) = Pitch
        and then Next_Power_Trim (Power, Error, Is_Free => False) = Power;
 
    --  A law flies only with the sensors that it needs.
@@ -107,10 +113,11 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
+      Table    : Table_Number;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By),
+     Pre    => After = Next (Item, Commands, Sensors, By, Table),
      Post   =>
        (if not After.Checks (Roll_Rate).Is_Valid
         then After.Flown.Lateral = Direct)

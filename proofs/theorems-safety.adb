@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Theorems.Type_Codes;
+
 package body Theorems.Safety with SPARK_Mode is
 
    --  What is of a scan has the outputs of the scan.
@@ -47,6 +49,14 @@ package body Theorems.Safety with SPARK_Mode is
        and then Is_Old (As_Old (Item))
        and then Is_Of (As_Old (Marked (Item, Bits)), Scans, Scan)
        and then Is_Old (As_Old (Marked (Item, Bits)));
+
+   procedure As_Old_Is_Sent
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sent (Item, Scans, Scan),
+     Post   =>
+       Is_Sent (As_Old (Item), Scans, Scan) and then Is_Old (As_Old (Item));
 
    procedure Same_Area (One, Other : PWM_Buffer) is
       One_Area   : constant Data_Area := URV.PWM_Layout.To_Data_Area (One);
@@ -97,6 +107,15 @@ package body Theorems.Safety with SPARK_Mode is
       Scan  : Scan_Count)
    is null;
 
+   procedure As_Old_Is_Sent
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is
+   begin
+      if not Is_Other_Kind (Item) then
+         Marked_Is_Of (Item, 0, Scans, Scan);
+      end if;
+   end As_Old_Is_Sent;
+
    --  What was true with fewer scans is true with more.
    procedure More_Scans
      (Line     : Line_Way;
@@ -142,7 +161,10 @@ package body Theorems.Safety with SPARK_Mode is
           then Contents (Item.AD).Error_Status = Stale_Data);
 
    procedure Run_GDCOUT
-     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans),
@@ -151,7 +173,8 @@ package body Theorems.Safety with SPARK_Mode is
        and then Item.Done = Item'Old.Done
        and then
          (if not Is_Fresh (Item'Old.AD)
-          then Is_Old (Contents (Item.TELOUT)));
+          then Is_Old (Contents (Item.TELOUT))
+            or else Is_Other_Kind (Contents (Item.TELOUT)));
 
    procedure Run_TELOUT
      (Item  : in out Ground_Way;
@@ -200,8 +223,13 @@ package body Theorems.Safety with SPARK_Mode is
        and then Item.Board = Item'Old.Board
        and then
          (if not Is_Fresh (Item'Old.TELIN)
+            or else Is_Other_Kind (Contents (Item'Old.TELIN))
           then Is_Old (Contents (Item.Uplink))
-            and then Is_Old (Contents (Item.Commands)));
+            and then Is_Old (Contents (Item.Commands)))
+       and then
+         (if Is_Other_Kind (Contents (Item'Old.TELIN))
+          then Item.Uplink_From = Item'Old.Uplink_From)
+       and then Is_Fresh (Item.Commands);
 
    procedure Run_LAW
      (Item    : in out Aircraft_Way;
@@ -223,7 +251,12 @@ package body Theorems.Safety with SPARK_Mode is
                or else URV.Laws.Is_Disconnected
                  (Contents (Item'Old.Commands)))
           then not Item.PWM_By_Law
-            and then Contents (Item.PWM) = Contents (Item'Old.Commands));
+            and then Contents (Item.PWM) = Contents (Item'Old.Commands))
+       and then
+         (if Is_Fresh (Item'Old.Commands)
+            and then Is_Old (Contents (Item'Old.Commands))
+            and then not Item.PWM_By_Law
+          then Is_Old (Contents (Item.PWM)));
 
    --  What the PWM task writes; and of its contract what is needed here.
    function Words_Of (Message : Uplink_Buffer; Told : Health) return Data_Area
@@ -297,7 +330,10 @@ package body Theorems.Safety with SPARK_Mode is
    end Run_AD;
 
    procedure Run_GDCOUT
-     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
    is
       Image          : AD_Image;
       Fresh          : Boolean;
@@ -310,6 +346,9 @@ package body Theorems.Safety with SPARK_Mode is
       Message := Marked (To_Uplink (Image), Bits);
       if not Fresh then
          Message := As_Old (Message);
+      end if;
+      if Is_Other_Kind (Order) then
+         Message := Order;
       end if;
       Send (Item.TELOUT, Message, Unused_Success);
       Item.TELOUT_From := Item.AD_From;
@@ -324,7 +363,7 @@ package body Theorems.Safety with SPARK_Mode is
       Fresh          : Boolean;
    begin
       Receive (Item.TELOUT, Message, Fresh);
-      pragma Assert (Is_Of (Message, Scans, Item.TELOUT_From));
+      pragma Assert (Is_Sent (Message, Scans, Item.TELOUT_From));
       if Fresh and then Line.Given < Block_Count'Last then
          URV.Codecs.Uplink.Round_Trip (Message);
          Line.Given := Line.Given + 1;
@@ -368,7 +407,7 @@ package body Theorems.Safety with SPARK_Mode is
          pragma Assert (Item.Kept_From <= Done);
          Item.Has_Message := True;
       else
-         Marked_Is_Of (Item.Kept, 0, Scans, Item.Kept_From);
+         As_Old_Is_Sent (Item.Kept, Scans, Item.Kept_From);
          Item.Kept := As_Old (Item.Kept);
       end if;
 
@@ -382,22 +421,32 @@ package body Theorems.Safety with SPARK_Mode is
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
       Message        : Uplink_Buffer;
+      From           : Scan_Count;
       Fresh          : Boolean;
       Unused_Success : Boolean;
    begin
       Receive (Item.TELIN, Message, Fresh);
       pragma Assert (Item.TELIN_From <= Done);
-      if not Fresh then
-         Marked_Is_Of (Message, 0, Scans, Item.TELIN_From);
+      if Is_Other_Kind (Message) then
+         From := Item.Uplink_From;
+         Message := Contents (Item.Uplink);
+         Marked_Is_Of (Message, 0, Scans, From);
          Message := As_Old (Message);
+      else
+         From := Item.TELIN_From;
+         if not Fresh then
+            Marked_Is_Of (Message, 0, Scans, From);
+            Message := As_Old (Message);
+         end if;
       end if;
-      pragma Assert (Is_Of (Message, Scans, Item.TELIN_From));
+      pragma Assert (From <= Done);
+      pragma Assert (Is_Of (Message, Scans, From));
       Send (Item.Uplink, Message, Unused_Success);
-      Item.Uplink_From := Item.TELIN_From;
+      Item.Uplink_From := From;
       pragma Assert
         (Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From));
       Send (Item.Commands, Message, Unused_Success);
-      Item.Commands_From := Item.TELIN_From;
+      Item.Commands_From := From;
       pragma Assert
         (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
    end Run_MDCIN;
@@ -431,7 +480,8 @@ package body Theorems.Safety with SPARK_Mode is
            (Law with delta
               Heard => Item.Heard,
               Link  => (Law.Link with delta State => Item.Law_Link));
-         Kept := URV.Laws.Next (Kept, Message, Sensors, Set.By);
+         Kept := URV.Laws.Next
+           (Kept, Message, Sensors, Set.By, Set.Table);
          pragma Assert
            (if Item.Law_Link = Waiting and then Kept.Link.State /= Waiting
             then not Is_Old (Message));
@@ -510,7 +560,9 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Item.Uplink_From <= Done);
       pragma Assert (Is_Of (Message, Scans, Item.Uplink_From));
       if Fresh then
-         Item.CORE := URV.CORE_Layout.To_Words (Message);
+         Theorems.Type_Codes.Into_CORE_By_Code (Item.CORE, Message);
+         Item.CORE := URV.CORE_Layout.Stored
+           (URV.CORE_Layout.Uplink_Type_Codes, Item.CORE, Message);
          Item.CORE_From := Item.Uplink_From;
          Item.Is_Cleared := False;
          pragma Assert
@@ -579,7 +631,7 @@ package body Theorems.Safety with SPARK_Mode is
          when AD_Runs =>
             Run_AD (Ground, Scans);
          when GDCOUT_Runs =>
-            Run_GDCOUT (Ground, Scans, Now.Bits);
+            Run_GDCOUT (Ground, Scans, Now.Bits, Now.Order);
          when TELOUT_Runs =>
             Run_TELOUT (Ground, Line, Scans);
          when Ground_Cold_Start =>
@@ -773,10 +825,13 @@ package body Theorems.Safety with SPARK_Mode is
    end A_Repeated_Scan_Is_Marked;
 
    procedure A_Repeated_Image_Is_Marked
-     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
    is
    begin
-      Run_GDCOUT (Item, Scans, Bits);
+      Run_GDCOUT (Item, Scans, Bits, Order);
    end A_Repeated_Image_Is_Marked;
 
    procedure A_Repeated_Block_Is_Marked
@@ -795,6 +850,21 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Run_MDCIN (Item, Scans, Done);
    end A_Repeated_Message_Is_Marked;
+
+   procedure Another_Kind_Moves_Nothing
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory;
+      Watched : Health)
+   is
+   begin
+      Run_MDCIN (Item, Scans, Done);
+      Run_LAW (Item, Scans, Done, Set, Sensors, Law);
+      Run_PWM (Item, Scans, Done, Watched);
+   end Another_Kind_Moves_Nothing;
 
    procedure A_Scan_Is_What_Was_Converted
      (Before : Scan; Values : Channel_Words)

@@ -28,6 +28,7 @@ with URV.PWM_Layout;
 with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
 with URV.Surfaces;        use type URV.Surfaces.Surface_Flags;
+with URV.Type_Codes;      use URV.Type_Codes;
 
 package Theorems.Safety with SPARK_Mode, Ghost is
 
@@ -59,6 +60,15 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      ((for all Name in Command_Item =>
          Item (Name) = Held (Scans, Scan) (Channel_Of (Name)))
       and then (if Scan = 0 then Is_Old (Item)))
+   with Global => null;
+
+   --  The same of what is on the way up: a block of another kind than
+   --  commands is of no scan (EXT-2).
+   function Is_Sent
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count) return Boolean
+   is (Is_Other_Kind (Item) or else Is_Of (Item, Scans, Scan))
    with Global => null;
 
    --  What the servos make of a scan (figure 13).
@@ -118,7 +128,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Contents (Item.AD).Words = Held (Scans, Item.AD_From)
       and then (if Item.AD_From = 0
                 then Contents (Item.AD).Error_Status = Stale_Data)
-      and then Is_Of (Contents (Item.TELOUT), Scans, Item.TELOUT_From))
+      and then Is_Sent (Contents (Item.TELOUT), Scans, Item.TELOUT_From))
    with Global => null;
 
    --  The line: what was ever given to it.
@@ -138,7 +148,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then
         (for all Which in Block_Number =>
            (if Which <= Item.Given
-            then Is_Of
+            then Is_Sent
               (URV.Codecs.Uplink.Decode (Item.Blocks (Which).Data), Scans,
                Item.Blocks (Which).From))))
    with Global => null;
@@ -193,8 +203,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Item.PWM_From <= Done
       and then Item.CORE_From <= Done
       and then Item.Board_From <= Done
-      and then Is_Of (Item.Kept, Scans, Item.Kept_From)
-      and then Is_Of (Contents (Item.TELIN), Scans, Item.TELIN_From)
+      and then Is_Sent (Item.Kept, Scans, Item.Kept_From)
+      and then Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From)
       and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
       and then Is_Of (Contents (Item.Commands), Scans, Item.Commands_From)
       and then Is_Of (Item.Heard, Scans, Item.Heard_From)
@@ -229,13 +239,15 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Aircraft_Cold_Start, Aircraft_Warm_Start);
 
    --  Which is the block that TELIN finds, 0 for none; Bits are the node's
-   --  own of the error/status word; Set are the laws' settings, Sensors what
+   --  own of the error/status word; Order is what the ground's console has
+   --  ordered besides the sticks; Set are the laws' settings, Sensors what
    --  they are given, Law what else they remember, Watched which surfaces
    --  are thought to have failed: anything.
    type Event is record
       Kind    : Event_Kind;
       Which   : Block_Count;
       Bits    : Word;
+      Order   : Uplink_Buffer;
       Set     : URV.Laws.Settings;
       Sensors : Downlink_Buffer;
       Law     : URV.Laws.Memory;
@@ -402,11 +414,16 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   => Contents (Item.AD).Error_Status = Stale_Data;
 
    procedure A_Repeated_Image_Is_Marked
-     (Item : in out Ground_Way; Scans : Scan_History; Bits : Word)
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.AD),
-     Post   => Is_Old (Contents (Item.TELOUT));
+     Post   =>
+       Is_Old (Contents (Item.TELOUT))
+       or else Is_Other_Kind (Contents (Item.TELOUT));
 
    procedure A_Repeated_Block_Is_Marked
      (Item  : in out Aircraft_Way;
@@ -430,6 +447,29 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   =>
        Is_Old (Contents (Item.Uplink))
        and then Is_Old (Contents (Item.Commands));
+
+   --  A block of another kind, a configuration or what nobody knows, moves no
+   --  servo by itself (EXT-2): CORE and the laws are given the commands of
+   --  before, marked as old, and unless a law flies the outputs stay.
+   procedure Another_Kind_Moves_Nothing
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory;
+      Watched : Health)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then Is_Other_Kind (Contents (Item.TELIN)),
+     Post   =>
+       Is_Old (Contents (Item.Uplink))
+       and then Is_Old (Contents (Item.Commands))
+       and then Item.Uplink_From = Item'Old.Uplink_From
+       and then
+         (if not Item.PWM_By_Law then Item.Board = Item'Old.Board);
 
    --  A scan is whole: the words that are sent are those that were
    --  converted since it began, one a channel.

@@ -22,6 +22,7 @@ with Sim.Eyes;
 with Sim.Faults;
 with Sim.Flight_Quality;
 with Sim.Flight_Record;
+with Sim.Ground_Orders;
 with Sim.JSBSim;
 with Sim.Latency;
 with Sim.Nodes;
@@ -58,6 +59,7 @@ package body Sim.Flight is
    Sensors    : Sensor_Scripts.Script;
    Faults     : Sim.Faults.Script;
    Conditions : Sim.Conditions.Script;
+   Orders     : Ground_Orders.Script;
    Files      : File_Set;
    Keys       : URV.Sessions.Key_List := (others => (others => <>));
 
@@ -189,6 +191,10 @@ package body Sim.Flight is
          Sim.Conditions.Load
            (Conditions, To_String (Chosen.Inputs (Condition_File)));
       end if;
+      if Given (Chosen.Inputs (Order_File)) then
+         Ground_Orders.Load
+           (Orders, To_String (Chosen.Inputs (Order_File)));
+      end if;
    end Load_Inputs;
 
    procedure Move_Console (Words : Console_Words; Time : Microseconds) is
@@ -269,9 +275,11 @@ package body Sim.Flight is
              Truth        => Shown,
              Has_Laws     => Has_Laws (Chosen),
              Laws         => URV.Law_Status.To_Row
-                               (Nodes.Laws, Nodes.Failed_Surfaces),
+                               (Nodes.Laws, Nodes.Failed_Surfaces,
+                                Nodes.Configured),
              Laws_Told    => Nodes.CORE (Ground).Aircraft_Log
-                               (URV.Law_Status.Row_Number)));
+                               (URV.Law_Status.Row_Number),
+             Has_Orders   => Given (Chosen.Inputs (Order_File))));
       end if;
 
       if Given (Chosen.Pilot) then
@@ -307,13 +315,16 @@ package body Sim.Flight is
       Next      : Microseconds;
       Row       : Console_Words;
       Scripted  : Sensor_Words;
+      Order     : Uplink_Buffer;
    begin
       loop
          Next := Microseconds'Min
            (Microseconds'Min
               (Due, Microseconds'Min (Frame_End, Next_PWM + 1)),
-            Microseconds'Min (Stick_Scripts.Next_Time (Sticks),
-                              Sensor_Scripts.Next_Time (Sensors)));
+            Microseconds'Min
+              (Microseconds'Min (Stick_Scripts.Next_Time (Sticks),
+                                 Sensor_Scripts.Next_Time (Sensors)),
+               Ground_Orders.Next_Time (Orders)));
          Engine.Run (Next, Files (Wire_File));
 
          if Next = Due then
@@ -339,6 +350,11 @@ package body Sim.Flight is
          if Next = Stick_Scripts.Next_Time (Sticks) then
             Stick_Scripts.Advance (Sticks, Row);
             Move_Console (Row, Next);
+         end if;
+
+         if Next = Ground_Orders.Next_Time (Orders) then
+            Ground_Orders.Advance (Orders, Order);
+            Nodes.Order (Order);
          end if;
 
          if Next = Sensor_Scripts.Next_Time (Sensors) then
@@ -498,8 +514,9 @@ package body Sim.Flight is
       if Text_Output.Is_Open (Files (Record_File)) then
          Flight_Record.Write_Header
            (Files (Record_File),
-            Has_Truth => Chosen.Plant = JSBSim_Plant,
-            Has_Laws  => Has_Laws (Chosen));
+            Has_Truth  => Chosen.Plant = JSBSim_Plant,
+            Has_Laws   => Has_Laws (Chosen),
+            Has_Orders => Given (Chosen.Inputs (Order_File)));
       end if;
       if Text_Output.Is_Open (Files (Wire_File)) then
          Wire_Log.Write_Header (Files (Wire_File));

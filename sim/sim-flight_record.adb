@@ -81,9 +81,10 @@ package body Sim.Flight_Record is
    end Put_Laws;
 
    procedure Write_Header
-     (To        : in out Writer;
-      Has_Truth : Boolean;
-      Has_Laws  : Boolean) is
+     (To         : in out Writer;
+      Has_Truth  : Boolean;
+      Has_Laws   : Boolean;
+      Has_Orders : Boolean) is
    begin
       Put (To, "frame,time_ms");
       Console_Columns.Put_Names (To, "console");
@@ -100,6 +101,9 @@ package body Sim.Flight_Record is
          Put (To, ",laws.lateral,laws.vertical,laws.power,laws.link"
               & ",laws.invalid_low,laws.invalid_high,laws.silent"
               & ",laws.told,laws.failed,laws.told_failed");
+         if Has_Orders then
+            Put (To, ",laws.configuration,laws.told_configuration");
+         end if;
       end if;
       New_Line (To);
    end Write_Header;
@@ -127,6 +131,12 @@ package body Sim.Flight_Record is
          Put (To, Number (This.Laws (Last_Frame_High)));
          Put (To, ',');
          Put (To, Number (This.Laws_Told (Last_Frame_High)));
+         if This.Has_Orders then
+            Put (To, ',');
+            Put (To, Number (This.Laws (Last_Detail)));
+            Put (To, ',');
+            Put (To, Number (This.Laws_Told (Last_Detail)));
+         end if;
       end if;
       New_Line (To);
    end Write_Row;

@@ -33,13 +33,17 @@ package Sim.Flight_Record is
       Has_Laws     : Boolean;
       Laws         : Log_Row;
       Laws_Told    : Log_Row;
+
+      --  The ground orders more than the sticks: what was set, too.
+      Has_Orders   : Boolean;
    end record;
 
    --  Writes the line with the names of the columns.
    procedure Write_Header
-     (To        : in out Text_Output.Writer;
-      Has_Truth : Boolean;
-      Has_Laws  : Boolean)
+     (To         : in out Text_Output.Writer;
+      Has_Truth  : Boolean;
+      Has_Laws   : Boolean;
+      Has_Orders : Boolean)
      with Pre => Text_Output.Is_Open (To);
 
    --  Writes one row. A time that is no whole number of milliseconds gets

@@ -90,6 +90,15 @@ package body Sim.Nodes is
    function Failed_Surfaces return URV.Surfaces.Surface_Flags is
      (MCS.Surface_Memory.Contents.Failed);
 
+   procedure Order (Block : Uplink_Buffer) is
+      Unused_Success : Boolean;
+   begin
+      GSC.Console_Orders.Send (Block, Unused_Success);
+   end Order;
+
+   function Configured return URV.Configurations.Setting is
+     (MCS.Law_Configured.Contents);
+
    function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents);
 
    procedure Restart_Telemetry (Which : Node) is

@@ -9,6 +9,7 @@ with Devices.Memory_Bus;
 with Telemetry;
 with Telemetry.Boards;
 with URV.Buffers;  use URV.Buffers;
+with URV.Configurations;
 with URV.Errors;
 with URV.Laws;
 with URV.Seal_Blocks;
@@ -83,6 +84,9 @@ package Sim.Nodes is
    --  The aircraft's control laws are there or not, from the next start on.
    procedure Set_Laws (On : Boolean);
 
+   --  The ground's console orders a block besides the sticks.
+   procedure Order (Block : Uplink_Buffer);
+
    --  What can be seen of a node.
 
    function Servos return PWM_Buffer;
@@ -99,6 +103,9 @@ package Sim.Nodes is
    --  seen fail.
    function Laws return URV.Laws.Memory;
    function Failed_Surfaces return URV.Surfaces.Surface_Flags;
+
+   --  What the ground has set of them.
+   function Configured return URV.Configurations.Setting;
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;

@@ -4,6 +4,7 @@ with Host.Pilot;
 with Host.Text_Numbers;
 with Sim.Conditions;
 with Sim.Faults;
+with Sim.Ground_Orders;
 
 package body Sim.Options.Usage is
 
@@ -51,6 +52,8 @@ package body Sim.Options.Usage is
          Put ("  --faults FILE     what goes wrong (nothing)");
          Put ("  --conditions FILE wind, ballast, errors of sensors (none);");
          Put ("                    needs --plant jsbsim");
+         Put ("  --orders FILE     what the ground orders besides the sticks"
+              & " (nothing)");
          Put ("  --seed N          of all that happens by chance (1)");
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
               & Phase_Ticks'Last'Image & " ("
@@ -80,6 +83,11 @@ package body Sim.Options.Usage is
          Put ("conditions, one a line; # starts a comment");
          for Kind in Conditions.Condition_Kind loop
             Put ("  " & Conditions.Form_Of (Kind));
+         end loop;
+         Put ("");
+         Put ("orders, one a line; # starts a comment");
+         for Kind in Ground_Orders.Order_Kind loop
+            Put ("  " & Ground_Orders.Form_Of (Kind));
          end loop;
          Put ("");
          Put ("exit status: 0 flown, 1 an output cannot be written or an");

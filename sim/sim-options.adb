@@ -14,10 +14,10 @@ package body Sim.Options is
 
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
-      Sensors_Option, Faults_Option, Conditions_Option, Seed_Option,
-      Phase_Option, Processors_Option, Laws_Option, Format_Option,
-      Key_Option, Record_Option, Summary_Option, Wire_Option, Events_Option,
-      Pace_Option, Quiet_Option);
+      Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
+      Seed_Option, Phase_Option, Processors_Option, Laws_Option,
+      Format_Option, Key_Option, Record_Option, Summary_Option, Wire_Option,
+      Events_Option, Pace_Option, Quiet_Option);
 
    Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
@@ -33,6 +33,7 @@ package body Sim.Options is
          when Sensors_Option    => "--sensors",
          when Faults_Option     => "--faults",
          when Conditions_Option => "--conditions",
+         when Orders_Option     => "--orders",
          when Seed_Option       => "--seed",
          when Phase_Option      => "--phase",
          when Processors_Option => "--processors",
@@ -51,7 +52,8 @@ package body Sim.Options is
          when Stick_File     => Name (Sticks_Option),
          when Sensor_File    => Name (Sensors_Option),
          when Fault_File     => Name (Faults_Option),
-         when Condition_File => Name (Conditions_Option));
+         when Condition_File => Name (Conditions_Option),
+         when Order_File     => Name (Orders_Option));
 
    function Name (File : Output_File) return String is
      (case File is
@@ -214,6 +216,8 @@ package body Sim.Options is
             Chosen.Inputs (Fault_File) := To_Unbounded_String (Value);
          when Conditions_Option =>
             Chosen.Inputs (Condition_File) := To_Unbounded_String (Value);
+         when Orders_Option  =>
+            Chosen.Inputs (Order_File) := To_Unbounded_String (Value);
          when Record_Option  =>
             Chosen.Outputs (Record_File) := To_Unbounded_String (Value);
          when Summary_Option =>

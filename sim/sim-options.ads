@@ -35,7 +35,7 @@ package Sim.Options is
    subtype Format_Number is URV.Seals.Format_Number;
 
    type Input_File is
-     (Stick_File, Sensor_File, Fault_File, Condition_File);
+     (Stick_File, Sensor_File, Fault_File, Condition_File, Order_File);
    type Output_File is (Record_File, Summary_File, Wire_File, Event_File);
 
    --  Names of files. An empty one was not given.

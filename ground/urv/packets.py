@@ -56,7 +56,8 @@ KINDS = (
     "link_reset", "task_overrun", "semaphore_not_claimed",
     "semaphore_not_owned", "warm_reset", "processor_restart",
     "self_test_failed", "rom_check_failed", "link_loss_state",
-    "sensor_not_valid", "block_refused", "surface_failed")
+    "sensor_not_valid", "block_refused", "surface_failed", "unknown_code",
+    "configuration_refused")
 """The kinds of errors, in the order of their rows."""
 
 ROWS_PER_LOG = 40

@@ -30,11 +30,16 @@ def number(text, known):
     return value
 
 
-def gains(path=GAINS):
-    """The package's numbers by name."""
+def gains(path=GAINS, table=0):
+    """The package's numbers by name; those of the softer table, 1, in the
+    place of the usual ones."""
     known = {}
     for name, value in CONSTANT.findall(path.read_text(encoding="utf-8")):
         known[name] = number(value, known)
+    if table:
+        known |= {name.removeprefix("Soft_"): value
+                  for name, value in known.items()
+                  if name.startswith("Soft_")}
     return SimpleNamespace(**known)
 
 

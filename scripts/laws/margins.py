@@ -83,6 +83,11 @@ def measured(of):
             for name, response in loops_of(model, of):
                 found.rows.append(Row(
                     name, condition, loops.margins(response, OMEGA)))
+            for name, response in loops_of(model, law_gains.gains(table=1)):
+                if "damping" not in name:
+                    found.rows.append(Row(
+                        f"{name}, table 1", condition,
+                        loops.margins(response, OMEGA)))
             upward = loops.with_altitude(model.longitudinal)
             found.poles.append((condition, {
                 "lateral alone": numpy.log(
@@ -286,7 +291,8 @@ def page(result, flown):
 
 Each loop is cut where the law's output goes to the servo, the altitude's where
 it goes to the pitch attitude; the other loops stay closed. The gains are those of
-`URV.Law_Gains`, as they are in the flight software. The page is of gains and
+`URV.Law_Gains`, as they are in the flight software; table 1 is the softer one,
+which the ground may choose. The page is of gains and
 aircraft `{law_gains.mark()}`; a test fails when they are others.
 
 Linear models come from JSBSim: the aircraft settles, a pair of servos is

@@ -83,6 +83,16 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
       Aircraft_Log   : Log_Rows       := (others => No_Errors);
    end record;
 
+   --  An area with its type codes.
+
+   type Coded_Uplink is record
+      Codes, Words : Uplink_Words;
+   end record;
+
+   type Coded_Downlink is record
+      Codes, Words : Downlink_Words;
+   end record;
+
    --  What a cold start leaves (INI-6).
    Cleared : constant Memory := (others => <>);
 

@@ -20,6 +20,12 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
          Present.Status_Codes := Status_Codes;
       end Write_Codes;
 
+      function Uplink_Area return Coded_Uplink is
+        (Codes => Present.Uplink_Codes, Words => Present.Uplink);
+
+      function Downlink_Area return Coded_Downlink is
+        (Codes => Present.Downlink_Codes, Words => Present.Downlink);
+
       procedure Write_Uplink (Words : Uplink_Words) is
       begin
          Present.Uplink := Words;

@@ -18,6 +18,12 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
          Downlink_Codes : Downlink_Words;
          Status_Codes   : Status_Words);
 
+      --  What stands in an area, and beside it.
+
+      function Uplink_Area return Coded_Uplink;
+
+      function Downlink_Area return Coded_Downlink;
+
       procedure Write_Uplink (Words : Uplink_Words);
 
       procedure Write_Downlink (Words : Downlink_Words);

@@ -21,11 +21,13 @@ package URV.Buffers with Pure, SPARK_Mode is
    --  The bits of the error/status word. The first says that the words
    --  before it are those of an earlier frame (report, 4.1.3; SAF-5): set
    --  where they were last scanned, or by whoever passes them on once more.
-   --  The others are the node's that sends them (TST-4).
+   --  The next two are the node's that sends them (TST-4). The last says
+   --  that an uplink is no commands, but of another kind (EXT-2).
    No_Error         : constant Word := 0;
    Stale_Data       : constant Word := 1;
    ROM_Differs      : constant Word := 2;
    Self_Test_Failed : constant Word := 4;
+   Other_Kind       : constant Word := 8;
 
    --  What the analog-to-digital board samples in one scan.
    type Channel is new Devices.AD_Board.Channel_Number;

@@ -62,6 +62,77 @@ package body URV.CORE_Layout with SPARK_Mode is
       return Result;
    end To_Words;
 
+   function Stored
+     (Codes  : Uplink_Words;
+      Before : Uplink_Words;
+      Source : Uplink_Buffer) return Uplink_Words
+   is
+      Result : Uplink_Words := Before;
+   begin
+      for Where in Result'Range loop
+         if Codes (Where) in Uplink_Code then
+            Result (Where) := Source (Uplink_Item_Of (Codes (Where)));
+         end if;
+         pragma Loop_Invariant
+           (for all Place in Result'Range =>
+              Result (Place) =
+                (if Place <= Where and then Codes (Place) in Uplink_Code
+                 then Source (Uplink_Item_Of (Codes (Place)))
+                 else Before (Place)));
+      end loop;
+      return Result;
+   end Stored;
+
+   function Stored
+     (Codes  : Downlink_Words;
+      Before : Downlink_Words;
+      Source : Downlink_Buffer) return Downlink_Words
+   is
+      Result : Downlink_Words := Before;
+   begin
+      for Where in Result'Range loop
+         if Codes (Where) in Downlink_Code then
+            Result (Where) := Source (Downlink_Item_Of (Codes (Where)));
+         end if;
+         pragma Loop_Invariant
+           (for all Place in Result'Range =>
+              Result (Place) =
+                (if Place <= Where and then Codes (Place) in Downlink_Code
+                 then Source (Downlink_Item_Of (Codes (Place)))
+                 else Before (Place)));
+      end loop;
+      return Result;
+   end Stored;
+
+   function First_Unknown_Uplink (Codes : Uplink_Words) return Place_Or_None
+   is
+   begin
+      for Where in Codes'Range loop
+         if Codes (Where) not in Uplink_Code then
+            return Place_Or_None (Where);
+         end if;
+         pragma Loop_Invariant
+           (for all Place in Codes'First .. Where =>
+              Codes (Place) in Uplink_Code);
+      end loop;
+      return 0;
+   end First_Unknown_Uplink;
+
+   function First_Unknown_Downlink
+     (Codes : Downlink_Words) return Place_Or_None
+   is
+   begin
+      for Where in Codes'Range loop
+         if Codes (Where) not in Downlink_Code then
+            return Place_Or_None (Where);
+         end if;
+         pragma Loop_Invariant
+           (for all Place in Codes'First .. Where =>
+              Codes (Place) in Downlink_Code);
+      end loop;
+      return 0;
+   end First_Unknown_Downlink;
+
    function To_Buffer (Source : Uplink_Words) return Uplink_Buffer is
       Result : Uplink_Buffer := (others => 0);
    begin

@@ -3,13 +3,15 @@
 --  Where the buffers stand in CORE memory, and the type codes of their
 --  items (report, 2.5; BUF-4): 0101h onward for the uplink, 0201h onward
 --  for the downlink, in the order of the buffers, 0301h onward for the
---  status area. And what the error log says there (EXT-1).
+--  status area. A word is stored where its item's code stands (EXT-2). And
+--  what the error log says there (EXT-1).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URV.Buffers;         use URV.Buffers;
 with URV.Errors;          use URV.Errors;
+with URV.Type_Codes;      use URV.Type_Codes;
 
 package URV.CORE_Layout with Pure, SPARK_Mode is
 
@@ -21,16 +23,14 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      (Item_Number (Downlink_Item'Pos (Item) + 1))
    with Global => null;
 
-   function Type_Code (Item : Uplink_Item) return Word is
-     (16#0100# + Word (Place (Item)))
+   function Type_Code (Item : Uplink_Item) return Word is (Code_Of (Item))
    with Global => null;
 
-   function Type_Code (Item : Downlink_Item) return Word is
-     (16#0200# + Word (Place (Item)))
+   function Type_Code (Item : Downlink_Item) return Word is (Code_Of (Item))
    with Global => null;
 
    function Type_Code (Item : Status_Item) return Word is
-     (16#0301# + Word (Status_Item'Pos (Item)))
+     (Status_Kind + 1 + Word (Status_Item'Pos (Item)))
    with Global => null;
 
    function Uplink_Type_Codes return Uplink_Words
@@ -67,6 +67,63 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      Post   =>
        (for all Item in Downlink_Item =>
           To_Words'Result (Place (Item)) = Source (Item));
+
+   --  What an area holds when a buffer is stored by the codes that stand in
+   --  it: each word is that of its code. Where there is a code that no item
+   --  of the buffer has, the word stays.
+
+   function Stored
+     (Codes  : Uplink_Words;
+      Before : Uplink_Words;
+      Source : Uplink_Buffer) return Uplink_Words
+   with
+     Global => null,
+     Post   =>
+       (for all Where in Uplink_Words'Range =>
+          Stored'Result (Where) =
+            (if Codes (Where) in Uplink_Code
+             then Source (Uplink_Item_Of (Codes (Where)))
+             else Before (Where)));
+
+   function Stored
+     (Codes  : Downlink_Words;
+      Before : Downlink_Words;
+      Source : Downlink_Buffer) return Downlink_Words
+   with
+     Global => null,
+     Post   =>
+       (for all Where in Downlink_Words'Range =>
+          Stored'Result (Where) =
+            (if Codes (Where) in Downlink_Code
+             then Source (Downlink_Item_Of (Codes (Where)))
+             else Before (Where)));
+
+   --  The first place whose code no item of the area has; 0 is none.
+
+   type Place_Or_None is
+     range 0 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
+
+   function First_Unknown_Uplink (Codes : Uplink_Words) return Place_Or_None
+   with
+     Global => null,
+     Post   =>
+       First_Unknown_Uplink'Result <=
+         Place_Or_None (Uplink_Words'Last)
+       and then
+         (if First_Unknown_Uplink'Result = 0
+          then (for all Code of Codes => Code in Uplink_Code)
+          else Codes (Item_Number (First_Unknown_Uplink'Result))
+                 not in Uplink_Code);
+
+   function First_Unknown_Downlink
+     (Codes : Downlink_Words) return Place_Or_None
+   with
+     Global => null,
+     Post   =>
+       (if First_Unknown_Downlink'Result = 0
+        then (for all Code of Codes => Code in Downlink_Code)
+        else Codes (Item_Number (First_Unknown_Downlink'Result))
+               not in Downlink_Code);
 
    --  For the readers of CORE memory.
 

@@ -68,7 +68,12 @@ package URV.Errors with Pure, SPARK_Mode is
       Block_Refused,           --  a block came that is not the peer's
 
       --  Detail: the surface's place in the downlink, from 1.
-      Surface_Failed);         --  it does not follow its servo's words
+      Surface_Failed,          --  it does not follow its servo's words
+
+      --  Type codes (EXT-2). Detail of the first: the code; of the second:
+      --  why, as URV.Configurations.Refused has it, from 1.
+      Unknown_Code,            --  nobody knows what it is: it goes nowhere
+      Configuration_Refused);  --  one that the ground sent
 
    package Logs is new URVOS.Error_Logs (Error_Kind);
 

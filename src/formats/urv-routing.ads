@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Which part of the converter image each node passes on (report, 4.7, 5.6,
---  D-14, D-15).
+--  D-14, D-15): each channel goes to the item of its type code (EXT-2).
 
-with URVOS;       use URVOS;
-with URV.Buffers; use URV.Buffers;
+with URVOS;          use URVOS;
+with URV.Buffers;    use URV.Buffers;
+with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.Routing with Pure, SPARK_Mode is
 
@@ -18,23 +19,90 @@ package URV.Routing with Pure, SPARK_Mode is
      (Channel (Sensor_Item'Pos (Item)))
    with Global => null;
 
-   --  The commands and, as 14th word, the error/status word (GDO-1).
+   --  The commands and, as 14th word, the error/status word (GDO-1). An item
+   --  that no channel has is neutral; of two channels the later counts.
+   function Commands_Of
+     (Image : AD_Image; Codes : Channel_Codes) return Uplink_Buffer
+   with
+     Global => null,
+     Post   =>
+       (if Is_Unique (Codes)
+        then
+          (for all From in Channel =>
+             (if Codes (From) in Command_Code
+              then Commands_Of'Result (Uplink_Item_Of (Codes (From))) =
+                     Image.Words (From))))
+       and then
+         (for all Item in Command_Item =>
+            (if (for all From in Channel => Codes (From) /= Code_Of (Item))
+             then Commands_Of'Result (Item) = Neutral_Uplink (Item)))
+       and then Commands_Of'Result (Error_Status) = Image.Error_Status;
+
+   --  The sensors and, as 28th word, the error/status word (MDO-1, D-1).
+   function Sensors_Of
+     (Image : AD_Image; Codes : Channel_Codes) return Downlink_Buffer
+   with
+     Global => null,
+     Post   =>
+       (if Is_Unique (Codes)
+        then
+          (for all From in Channel =>
+             (if Codes (From) in Sensor_Code
+              then Sensors_Of'Result (Downlink_Item_Of (Codes (From))) =
+                     Image.Words (From))))
+       and then
+         (for all Item in Sensor_Item =>
+            (if (for all From in Channel => Codes (From) /= Code_Of (Item))
+             then Sensors_Of'Result (Item) = Neutral_Downlink (Item)))
+       and then Sensors_Of'Result (Error_Status) = Image.Error_Status;
+
+   --  With each node's own codes that is what the channels' order says.
+
    function To_Uplink (Image : AD_Image) return Uplink_Buffer
    with
      Global => null,
      Post   =>
+       To_Uplink'Result = Commands_Of (Image, Stick_Codes)
+       and then
        (for all Item in Command_Item =>
           To_Uplink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Uplink'Result (Error_Status) = Image.Error_Status;
 
-   --  The sensors and, as 28th word, the error/status word (MDO-1, D-1).
    function To_Downlink (Image : AD_Image) return Downlink_Buffer
    with
      Global => null,
      Post   =>
+       To_Downlink'Result = Sensors_Of (Image, Sensor_Codes)
+       and then
        (for all Item in Sensor_Item =>
           To_Downlink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Downlink'Result (Error_Status) = Image.Error_Status;
+
+   --  The first channel whose code nobody knows, from 1; 0 is none.
+
+   type Unknown_Count is range 0 .. Channel'Pos (Channel'Last) + 1;
+
+   function First_Unknown_Command (Codes : Channel_Codes)
+                                   return Unknown_Count
+   with
+     Global => null,
+     Post   =>
+       (if First_Unknown_Command'Result = 0
+        then (for all From in Channel =>
+                Codes (From) in Command_Code | No_Code)
+        else Codes (Channel (First_Unknown_Command'Result - 1))
+               not in Command_Code | No_Code);
+
+   function First_Unknown_Sensor (Codes : Channel_Codes)
+                                  return Unknown_Count
+   with
+     Global => null,
+     Post   =>
+       (if First_Unknown_Sensor'Result = 0
+        then (for all From in Channel =>
+                Codes (From) in Sensor_Code | No_Code)
+        else Codes (Channel (First_Unknown_Sensor'Result - 1))
+               not in Sensor_Code | No_Code);
 
    --  A buffer with the node's own bits in its error/status word (TST-4).
 

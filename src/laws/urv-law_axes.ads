@@ -99,9 +99,10 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   => Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
 
    function Roll_Wish
-     (Reference : Reckoned; Now : Readings; Trim : Roll_Trim) return Wish
+     (Reference : Reckoned; Now : Readings; Trim : Roll_Trim; By : Gain)
+      return Wish
    is
-     (Bank_Error (Reference, Now) * Roll_Gain / Per_Thousand
+     (Bank_Error (Reference, Now) * By / Per_Thousand
       - Now.Roll_Rate * Roll_Damping / Per_Thousand
       + Trim / 1_000)
    with Global => null;
@@ -124,9 +125,10 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   => Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
 
    function Pitch_Wish
-     (Reference : Nose; Now : Readings; Trim : Pitch_Trim) return Wish
+     (Reference : Nose; Now : Readings; Trim : Pitch_Trim; By : Gain)
+      return Wish
    is
-     (Pitch_Error (Reference, Now) * Pitch_Gain / Per_Thousand
+     (Pitch_Error (Reference, Now) * By / Per_Thousand
       - (Now.Pitch_Rate - Turn_Pitch_Rate (Now.Bank))
         * Pitch_Damping / Per_Thousand
       + Extra_Load (Now.Bank) * Stick_For_Load / Per_Ten
@@ -218,11 +220,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    --  the law wants.
 
    function Next_Roll_Trim
-     (Trim : Roll_Trim; Error : Number; Is_Free : Boolean) return Roll_Trim
+     (Trim : Roll_Trim; Error : Number; Is_Free : Boolean; By : Gain)
+      return Roll_Trim
    is
      (if not Is_Free or else abs Error > Learnt_From then Trim
       else Within
-        (Trim + Error * Roll_Learning / Per_Hundred,
+        (Trim + Error * By / Per_Hundred,
          -Roll_Trim_Most, Roll_Trim_Most))
    with
      Global => null,
@@ -230,11 +233,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   => (if not Is_Free then Next_Roll_Trim'Result = Trim);
 
    function Next_Pitch_Trim
-     (Trim : Pitch_Trim; Error : Number; Is_Free : Boolean) return Pitch_Trim
+     (Trim : Pitch_Trim; Error : Number; Is_Free : Boolean; By : Gain)
+      return Pitch_Trim
    is
      (if not Is_Free or else abs Error > Learnt_From then Trim
       else Within
-        (Trim + Error * Pitch_Learning / Per_Hundred,
+        (Trim + Error * By / Per_Hundred,
          -Pitch_Trim_Most, Pitch_Trim_Most))
    with
      Global => null,

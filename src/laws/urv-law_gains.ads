@@ -9,6 +9,17 @@
 
 package URV.Law_Gains with Pure, SPARK_Mode is
 
+   --  The ground chooses a table of gains by its number (EXT-2): 0 is the
+   --  usual one, 1 is softer in bank and pitch.
+
+   type Table_Number is range 0 .. 1;
+
+   subtype Gain is Integer range 0 .. 100;
+
+   type Gain_Table is record
+      For_Bank, Bank_Learning, For_Pitch, Pitch_Learning : Gain;
+   end record;
+
    --  Times are in major frames of 20 ms.
    Frames_Per_Second : constant := 50;
 
@@ -39,6 +50,12 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Per_Hundred    : constant := 100;
    Roll_Learning  : constant := 8;
    Pitch_Learning : constant := 40;
+
+   --  The same of the softer table.
+   Soft_Roll_Gain      : constant := 16;
+   Soft_Roll_Learning  : constant := 5;
+   Soft_Pitch_Gain     : constant := 28;
+   Soft_Pitch_Learning : constant := 28;
 
    --  What an integrator may hold: thousandths of a word. It learns only
    --  from errors below the next, in thousandths of a degree.
@@ -137,5 +154,20 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Bad_Scans   : constant := 3;
    Good_Scans  : constant := Frames_Per_Second;
    Stuck_Scans : constant := 10;
+
+   --  The tables.
+   function Gains_Of (Table : Table_Number) return Gain_Table is
+     (case Table is
+         when 0 =>
+           (For_Bank       => Roll_Gain,
+            Bank_Learning  => Roll_Learning,
+            For_Pitch      => Pitch_Gain,
+            Pitch_Learning => Law_Gains.Pitch_Learning),
+         when 1 =>
+           (For_Bank       => Soft_Roll_Gain,
+            Bank_Learning  => Soft_Roll_Learning,
+            For_Pitch      => Soft_Pitch_Gain,
+            Pitch_Learning => Soft_Pitch_Learning))
+   with Global => null;
 
 end URV.Law_Gains;

@@ -14,10 +14,14 @@
 --  word 5  surfaces that have failed, in the order of URV.Surfaces, the first
 --          in bit 0
 --
---  The other words are 0.
+--  word 7  the serial number of the configuration that was taken last, above
+--          four bits with its table of gains (EXT-2); 0 for none
+--
+--  The other word is 0.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
+with URV.Configurations;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
@@ -41,13 +45,16 @@ package URV.Law_Status with Pure, SPARK_Mode is
    with Global => null;
 
    function To_Row
-     (Item : Laws.Memory; Failed : Surface_Flags) return Log_Row
+     (Item   : Laws.Memory;
+      Failed : Surface_Flags;
+      Now    : Configurations.Setting) return Log_Row
    is
      (Occurrences_High => Mode_Word (Item),
       Occurrences_Low  => Invalid_Bits (Item.Checks, 0),
       First_Frame_High => Invalid_Bits (Item.Checks, 1),
       First_Frame_Low  => Silent_Word (Item),
       Last_Frame_High  => Bits_Of (Failed),
+      Last_Detail      => Configurations.Told (Now),
       others           => 0)
    with Global => null;
 

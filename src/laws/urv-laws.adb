@@ -79,7 +79,8 @@ package body URV.Laws with SPARK_Mode is
      (Item : in out Memory;
       Was  : Modes;
       Now  : Readings;
-      Hand : Sticks)
+      Hand : Sticks;
+      By   : Gain_Table)
    with
      Global => null,
      Post   =>
@@ -117,7 +118,8 @@ package body URV.Laws with SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Hand   : Sticks;
-      Rising : Number)
+      Rising : Number;
+      By     : Gain_Table)
    with
      Global => null,
      Pre    => Rising in -30_000 .. 30_000,
@@ -164,7 +166,8 @@ package body URV.Laws with SPARK_Mode is
      (Item : in out Memory;
       Was  : Modes;
       Now  : Readings;
-      Hand : Sticks)
+      Hand : Sticks;
+      By   : Gain_Table)
    is
       Target : Demand;
       Wanted : Wish;
@@ -188,7 +191,8 @@ package body URV.Laws with SPARK_Mode is
                    when Orbit         => Orbit_Bank_At (Now.Airspeed),
                    when others        => 0),
                Bank_Slew);
-            Wanted := Roll_Wish (Item.Bank_Wanted, Now, Item.Roll_Trim);
+            Wanted := Roll_Wish
+              (Item.Bank_Wanted, Now, Item.Roll_Trim, By.For_Bank);
             Target := Within (Wanted, -Roll_Authority, Roll_Authority);
       end case;
 
@@ -202,7 +206,8 @@ package body URV.Laws with SPARK_Mode is
       if Item.Flown.Lateral in Banked then
          Item.Roll_Trim := Next_Roll_Trim
            (Item.Roll_Trim, Bank_Error (Item.Bank_Wanted, Now),
-            Is_Free => Item.Last.Roll = Wanted);
+            Is_Free => Item.Last.Roll = Wanted,
+            By      => By.Bank_Learning);
       end if;
    end Fly_Roll;
 
@@ -226,7 +231,8 @@ package body URV.Laws with SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Hand   : Sticks;
-      Rising : Number)
+      Rising : Number;
+      By     : Gain_Table)
    is
       Target : Demand;
       Wanted : Wish;
@@ -270,7 +276,8 @@ package body URV.Laws with SPARK_Mode is
             end if;
             Item.Pitch_Wanted :=
               Stepped (Item.Pitch_Wanted, Aim, Pitch_Slew);
-            Wanted := Pitch_Wish (Item.Pitch_Wanted, Now, Item.Pitch_Trim);
+            Wanted := Pitch_Wish
+              (Item.Pitch_Wanted, Now, Item.Pitch_Trim, By.For_Pitch);
             Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
       end case;
 
@@ -284,7 +291,8 @@ package body URV.Laws with SPARK_Mode is
       if Item.Flown.Vertical in Pitched then
          Item.Pitch_Trim := Next_Pitch_Trim
            (Item.Pitch_Trim, Pitch_Error (Item.Pitch_Wanted, Now),
-            Is_Free => Item.Last.Pitch = Wanted);
+            Is_Free => Item.Last.Pitch = Wanted,
+            By      => By.Pitch_Learning);
       end if;
    end Fly_Pitch;
 
@@ -339,7 +347,8 @@ package body URV.Laws with SPARK_Mode is
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
-      By       : Times) return Memory
+      By       : Times;
+      Table    : Table_Number := 0) return Memory
    is
       Checks : constant Check_Table :=
         Sensor_Checks.Next (Item.Checks, Sensors);
@@ -383,13 +392,14 @@ package body URV.Laws with SPARK_Mode is
       pragma Assert
         (if Is_Disconnected (Commands) or else After.Link.State = Waiting
          then Hand.Is_Pilot and then After.Flown = All_Direct);
-      Fly_Roll (After, Item.Flown, Now, Hand);
+      Fly_Roll (After, Item.Flown, Now, Hand, Gains_Of (Table));
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
       Fly_Yaw (After, Now, Hand);
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
-      Fly_Pitch (After, Item.Flown, Now, Hand, Rising);
+      Fly_Pitch
+        (After, Item.Flown, Now, Hand, Rising, Gains_Of (Table));
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
       Fly_Throttle (After, Item.Flown, Now, Hand);

@@ -23,11 +23,12 @@ with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Laws with Pure, SPARK_Mode is
 
-   --  What the node is set to: whether the laws are there at all, and when
-   --  a lost link means what.
+   --  What the node is set to: whether the laws are there at all, when a
+   --  lost link means what, and with which gains they fly.
    type Settings is record
-      On : Boolean := False;
-      By : Times;
+      On    : Boolean := False;
+      By    : Times;
+      Table : Table_Number := 0;
    end record;
 
    --  What flies each axis. Direct is the stick itself. Yaw goes with
@@ -117,10 +118,11 @@ package URV.Laws with Pure, SPARK_Mode is
    with Global => null;
 
    function Laws_Off return Settings is
-     (On => False,
-      By => (Hold         => Hold_After,
-             Orbit        => Orbit_After,
-             Terminate_At => Terminate_After))
+     (On    => False,
+      By    => (Hold         => Hold_After,
+                Orbit        => Orbit_After,
+                Terminate_At => Terminate_After),
+      Table => 0)
    with Global => null;
 
    --  No law flies.
@@ -251,7 +253,8 @@ package URV.Laws with Pure, SPARK_Mode is
      (Item     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
-      By       : Times) return Memory
+      By       : Times;
+      Table    : Table_Number := 0) return Memory
    with
      Global => null,
      Post   =>

@@ -9,6 +9,21 @@ package body GSC with SPARK_Mode is
       end if;
    end Take_Log_Piece;
 
+   procedure Take_No_Other (Item : Downlink_Buffer; Taken : out Boolean) is
+   begin
+      Taken := Is_Old (Item);
+   end Take_No_Other;
+
+   procedure Add_Order (Item : in out Uplink_Buffer) is
+      Order : Uplink_Buffer;
+      Fresh : Boolean;
+   begin
+      Console_Orders.Look (Order, Fresh);
+      if Fresh and then Is_Other_Kind (Order) then
+         Item := Order;
+      end if;
+   end Add_Order;
+
    procedure Run_Step
      (Who       : Task_Name;
       First_Run : Boolean;
@@ -51,6 +66,7 @@ package body GSC with SPARK_Mode is
       Uplink_Variable.Reset;
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
+      Console_Orders.Reset;
    end Reset_Variables;
 
    procedure Restart_Variables is
@@ -61,6 +77,7 @@ package body GSC with SPARK_Mode is
       Uplink_Variable.Restart;
       Downlink_Variable.Restart;
       TELOUT_Variable.Restart;
+      Console_Orders.Restart;
    end Restart_Variables;
 
    procedure Tell_Time (Now : Clock_Tick) is

@@ -35,6 +35,7 @@ with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
+with URV.Type_Codes;     use URV.Type_Codes;
 
 package GSC with SPARK_Mode is
 
@@ -61,6 +62,10 @@ package GSC with SPARK_Mode is
    Uplink_Variable   : For_Uplink.Variable;
    Downlink_Variable : For_Downlink.Variable;
    TELOUT_Variable   : For_Uplink.Variable;
+
+   --  What the console has ordered besides the sticks: the latest block of
+   --  another kind (EXT-2).
+   Console_Orders : For_Uplink.Variable;
 
    Errors : URV.Shared_Errors.Shared_Log;
 
@@ -94,6 +99,11 @@ package GSC with SPARK_Mode is
    procedure Take_Log_Piece (Item : Downlink_Buffer)
    with Global => (In_Out => (Log_Receiver.Incoming, CORE_Memory));
 
+   --  Nobody on the ground takes a block of another kind (EXT-2). One that
+   --  is old was reported when it came.
+   procedure Take_No_Other (Item : Downlink_Buffer; Taken : out Boolean)
+   with Global => null;
+
    package GDCIN is new URV.Input_Exchange_Task
      (Messages           => For_Downlink,
       TELIN_Variable     => TELIN_Variable,
@@ -103,9 +113,15 @@ package GSC with SPARK_Mode is
       As_Old             => As_Old,
       First_Out_Of_Range => First_Out_Of_Range,
       For_CORE           => Without_Log_Piece,
-      Deliver            => Take_Log_Piece);
+      Deliver            => Take_Log_Piece,
+      Is_Other_Kind      => Is_Other_Kind,
+      Kind_Of            => Kind_Of,
+      Deliver_Other      => Take_No_Other);
 
-   procedure Add_Nothing (Item : in out Uplink_Buffer) is null;
+   --  A block of another kind that the console has ordered goes up in the
+   --  place of a frame's commands.
+   procedure Add_Order (Item : in out Uplink_Buffer)
+   with Global => (In_Out => Console_Orders);
 
    package GDCOUT is new URV.Output_Exchange_Task
      (Images            => For_Stick_Images,
@@ -116,10 +132,12 @@ package GSC with SPARK_Mode is
       TELOUT_Variable   => TELOUT_Variable,
       Node_Status       => Status,
       Errors            => Errors,
-      To_Message        => To_Uplink,
+      Codes             => Stick_Codes,
+      To_Message        => Commands_Of,
+      First_Unknown     => First_Unknown_Command,
       Marked            => Marked,
       As_Old            => As_Old,
-      Add_For_Link      => Add_Nothing);
+      Add_For_Link      => Add_Order);
 
    package TELOUT is new URV.TELOUT_Task
      (For_Uplink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,

@@ -3,6 +3,7 @@
 with Telemetry;      use Telemetry;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Allocation;
+with URV.Configurations;
 with URV.Laws;
 with URV.PWM_Layout;
 with URV.Surface_Monitor;
@@ -17,6 +18,16 @@ package body MCS with SPARK_Mode is
          Errors.Report (Commands_Not_Consumed, 0);
       end if;
    end Give_Commands;
+
+   procedure Give_Configuration (Item : Uplink_Buffer; Taken : out Boolean)
+   is
+      Unused_Success : Boolean;
+   begin
+      Taken := Is_Old (Item) or else Kind_Of (Item) = Configuration_Kind;
+      if not Is_Old (Item) and then Kind_Of (Item) = Configuration_Kind then
+         Configuration_Variable.Send (Item, Unused_Success);
+      end if;
+   end Give_Configuration;
 
    procedure Add_Log_Piece (Item : in out Downlink_Buffer) is
       Unused_Success : Boolean;
@@ -73,8 +84,10 @@ package body MCS with SPARK_Mode is
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
       Commands_Variable.Reset;
+      Configuration_Variable.Reset;
       Sensors_Variable.Reset;
       PWM_Variable.Reset;
+      Law_Configured.Write (URV.Configurations.Nothing_Set);
       Law_Memory.Write (URV.Laws.At_Start);
       Surface_Memory.Write ((others => <>));
       Surface_Health.Write (URV.Allocation.All_Well);
@@ -91,6 +104,7 @@ package body MCS with SPARK_Mode is
       Downlink_Variable.Restart;
       TELOUT_Variable.Restart;
       Commands_Variable.Restart;
+      Configuration_Variable.Restart;
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
       Surface_Memory.Write

@@ -40,6 +40,7 @@ with URV.Shared_Status;
 with URV.Start_Routines;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
+with URV.Type_Codes;     use URV.Type_Codes;
 
 package MCS with SPARK_Mode is
 
@@ -69,6 +70,7 @@ package MCS with SPARK_Mode is
    Downlink_Variable : For_Downlink.Variable;
    TELOUT_Variable   : For_Downlink.Variable;
    Commands_Variable : For_Uplink.Variable;
+   Configuration_Variable : For_Uplink.Variable;
    Sensors_Variable  : For_Downlink.Variable;
    PWM_Variable      : For_Uplink.Variable;
 
@@ -81,6 +83,9 @@ package MCS with SPARK_Mode is
    --  The control laws: off unless they are set on before a start (EXT-3).
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
+
+   --  What the ground has set since (EXT-2).
+   Law_Configured : URV.Shared_Laws.Configured.Store;
 
    Law_Memory : URV.Shared_Laws.Memories.Store;
 
@@ -108,6 +113,11 @@ package MCS with SPARK_Mode is
    procedure Give_Commands (Item : Uplink_Buffer)
    with Global => (In_Out => (Commands_Variable, Errors));
 
+   --  A configuration goes to the laws (EXT-2). A block that is old was
+   --  taken, or reported, when it came.
+   procedure Give_Configuration (Item : Uplink_Buffer; Taken : out Boolean)
+   with Global => (In_Out => Configuration_Variable);
+
    package MDCIN is new URV.Input_Exchange_Task
      (Messages           => For_Uplink,
       TELIN_Variable     => TELIN_Variable,
@@ -117,17 +127,21 @@ package MCS with SPARK_Mode is
       As_Old             => As_Old,
       First_Out_Of_Range => First_Out_Of_Range,
       For_CORE           => As_It_Is,
-      Deliver            => Give_Commands);
+      Deliver            => Give_Commands,
+      Is_Other_Kind      => Is_Other_Kind,
+      Kind_Of            => Kind_Of,
+      Deliver_Other      => Give_Configuration);
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory, Surface_Memory);
+     (Errors, Law_Settings, Law_Memory, Law_Configured, Surface_Memory);
 
    --  The laws get the sensors too. A piece of the error log goes down along
    --  (SAF-7).
    procedure Add_Log_Piece (Item : in out Downlink_Buffer)
    with
      Global =>
-       (Input  => (Errors, Law_Settings, Law_Memory, Surface_Memory),
+       (Input  => (Errors, Law_Settings, Law_Memory, Law_Configured,
+                   Surface_Memory),
         In_Out => (Log_Sender.Progress, Sensors_Variable));
 
    package MDCOUT is new URV.Output_Exchange_Task
@@ -139,14 +153,17 @@ package MCS with SPARK_Mode is
       TELOUT_Variable   => TELOUT_Variable,
       Node_Status       => Status,
       Errors            => Errors,
-      To_Message        => To_Downlink,
+      Codes             => Sensor_Codes,
+      To_Message        => Sensors_Of,
+      First_Unknown     => First_Unknown_Sensor,
       Marked            => Marked,
       As_Old            => As_Old,
       Add_For_Link      => Add_Log_Piece);
 
    package LAW is new URV.LAW_Task
-     (Commands_Variable, Sensors_Variable, PWM_Variable, Law_Settings,
-      Law_Memory, Surface_Memory, Surface_Health, Errors);
+     (Commands_Variable, Sensors_Variable, PWM_Variable,
+      Configuration_Variable, Law_Settings, Law_Configured, Law_Memory,
+      Surface_Memory, Surface_Health, Errors);
 
    package PWM is new URV.PWM_Task
      (PWM_Variable, Surface_Health, PWM_Board, Errors);

@@ -6,6 +6,10 @@
 --  Consumes uplink_variable and downlink_variable, produces the CORE uplink
 --  and downlink areas. What has not arrived anew is not written again. The
 --  type codes are written when the task first runs (INI-7).
+--
+--  Each word is stored where its type code stands in the area (EXT-2). A
+--  place whose code nobody knows is not written, and reported; the codes are
+--  then written anew in the next frame.
 
 with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Shared_Data;

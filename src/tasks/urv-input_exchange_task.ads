@@ -8,7 +8,12 @@
 --  ground (5.5, table 9; GDI-1, D-14) consumes TELIN_variable, produces
 --  downlink_variable. A frame with nothing new passes on the message before,
 --  marked as old.
+--
+--  A block of another kind than its direction's own goes to whoever takes
+--  that kind. One that nobody takes is reported, and goes nowhere (EXT-2).
+--  Either way the others get what they got last, marked as old.
 
+with URVOS;             use URVOS;
 with URVOS.Shared_Mailboxes;
 with URV.Errors;        use URV.Errors;
 with URV.Routing;       use URV.Routing;
@@ -38,6 +43,17 @@ generic
 
    --  To whom else it goes.
    with procedure Deliver (Item : Messages.Message);
+
+   --  Blocks of another kind.
+
+   with function Is_Other_Kind
+     (Source : Messages.Message) return Boolean;
+   with function Kind_Of (Source : Messages.Message) return Word;
+
+   --  To whom such a one goes. Taken is False when its kind is unknown.
+   with procedure Deliver_Other
+     (Item  : Messages.Message;
+      Taken : out Boolean);
 package URV.Input_Exchange_Task with SPARK_Mode is
 
    procedure Run_Transaction;

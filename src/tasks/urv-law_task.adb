@@ -3,6 +3,7 @@
 with URVOS;        use URVOS;
 with URV.Allocation; use URV.Allocation;
 with URV.Buffers;  use URV.Buffers;
+with URV.Configurations; use URV.Configurations;
 with URV.Errors;   use URV.Errors;
 with URV.Laws;     use URV.Laws;
 with URV.Link_Loss; use URV.Link_Loss;
@@ -69,8 +70,46 @@ package body URV.LAW_Task with SPARK_Mode is
              else Demands_Of (Servos (Commands, Now)))));
    end Watch_Surfaces;
 
+   --  A configuration that has come is taken or refused.
+   procedure Take_Configuration (Flown : Memory)
+   with
+     Global =>
+       (Input  => Law_Settings,
+        In_Out => (Configuration_Variable, Law_Configured, Errors));
+
+   procedure Take_Configuration (Flown : Memory) is
+      Set   : constant Settings := Law_Settings.Contents;
+      Now   : constant Setting  := Law_Configured.Contents;
+      Block : Uplink_Buffer;
+      Fresh : Boolean;
+      What  : Answer;
+   begin
+      Configuration_Variable.Receive (Block, Fresh);
+      if Fresh then
+         What := Answer_To (Block, Set, Flown);
+         if What in Refused then
+            Errors.Report
+              (Configuration_Refused, Word (Answer'Pos (What)));
+         else
+            Law_Configured.Write
+              (Configurations.After (Now, Block, Set, Flown));
+         end if;
+      end if;
+   end Take_Configuration;
+
+   --  What the laws fly with.
+   procedure Look_Up (Set : out Settings)
+   with Global => (Input => (Law_Settings, Law_Configured));
+
+   procedure Look_Up (Set : out Settings) is
+      Usual : constant Settings := Law_Settings.Contents;
+      Now   : constant Setting  := Law_Configured.Contents;
+   begin
+      Set := In_Force (Usual, Now);
+   end Look_Up;
+
    procedure Run_Transaction is
-      Set      : constant Settings := Law_Settings.Contents;
+      Set      : Settings;
       Before   : constant Memory   := Law_Memory.Contents;
       After    : Memory;
       Commands : Uplink_Buffer;
@@ -78,6 +117,8 @@ package body URV.LAW_Task with SPARK_Mode is
       Fresh    : Boolean;
       Success  : Boolean;
    begin
+      Take_Configuration (Before);
+      Look_Up (Set);
       Sensors_Variable.Receive (Sensors, Fresh);
       if not Fresh then
          Sensors := Routing.As_Old (Sensors);
@@ -88,7 +129,7 @@ package body URV.LAW_Task with SPARK_Mode is
          if not Fresh then
             Commands := Routing.As_Old (Commands);
          end if;
-         After := Next (Before, Commands, Sensors, Set.By);
+         After := Next (Before, Commands, Sensors, Set.By, Set.Table);
          Report (Before, After);
          Law_Memory.Write (After);
          Commands := Output (After, Commands);

@@ -9,6 +9,9 @@
 --  the link, a sensor that is no longer valid, and a surface that has failed
 --  are reported. While a law flies, the other surfaces make up for one that
 --  has failed (EXT-6).
+--
+--  What the ground has sent to be set is taken, or refused and reported,
+--  before the laws fly with it (EXT-2).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
@@ -19,7 +22,9 @@ generic
    Commands_Variable : in out For_Uplink.Variable;
    Sensors_Variable  : in out For_Downlink.Variable;
    PWM_Variable      : in out For_Uplink.Variable;
+   Configuration_Variable : in out For_Uplink.Variable;
    Law_Settings      : in out URV.Shared_Laws.Settings.Store;
+   Law_Configured    : in out URV.Shared_Laws.Configured.Store;
    Law_Memory        : in out URV.Shared_Laws.Memories.Store;
    Surface_Memory    : in out URV.Shared_Surfaces.Monitors.Store;
    Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
@@ -31,6 +36,7 @@ package URV.LAW_Task with SPARK_Mode is
      Global =>
        (Input  => Law_Settings,
         In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
-                   Law_Memory, Surface_Memory, Surface_Health, Errors));
+                   Configuration_Variable, Law_Configured, Law_Memory,
+                   Surface_Memory, Surface_Health, Errors));
 
 end URV.LAW_Task;

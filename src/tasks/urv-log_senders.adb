@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS; use URVOS;
+with URV.Configurations;
 with URV.CORE_Layout;
 with URV.Law_Status;
 with URV.Laws;
@@ -31,6 +32,8 @@ package body URV.Log_Senders with SPARK_Mode is
       Flown    : constant URV.Laws.Memory   := Law_Memory.Contents;
       Watched  : constant URV.Surface_Monitor.Monitor :=
         Surface_Memory.Contents;
+      Now      : constant URV.Configurations.Setting :=
+        Law_Configured.Contents;
       Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
    begin
@@ -39,7 +42,7 @@ package body URV.Log_Senders with SPARK_Mode is
         and then not Line.Is_Laws
         and then (Is_Empty or else Line.Sent = Place'Last)
       then
-         Line.Row := Law_Status.To_Row (Flown, Watched.Failed);
+         Line.Row := Law_Status.To_Row (Flown, Watched.Failed, Now);
          Line.Is_Laws := True;
          Line.Sent := 0;
       elsif Line.Sent = Place'Last

@@ -14,9 +14,10 @@ with URV.Shared_Laws;
 with URV.Shared_Surfaces;
 
 generic
-   Errors       : in out Shared_Log;
-   Law_Settings : in out URV.Shared_Laws.Settings.Store;
-   Law_Memory   : in out URV.Shared_Laws.Memories.Store;
+   Errors         : in out Shared_Log;
+   Law_Settings   : in out URV.Shared_Laws.Settings.Store;
+   Law_Memory     : in out URV.Shared_Laws.Memories.Store;
+   Law_Configured : in out URV.Shared_Laws.Configured.Store;
    Surface_Memory : in out URV.Shared_Surfaces.Monitors.Store;
 package URV.Log_Senders with SPARK_Mode is
 
@@ -36,7 +37,8 @@ package URV.Log_Senders with SPARK_Mode is
    procedure Next (Item : out Piece)
    with
      Global =>
-       (Input  => (Errors, Law_Settings, Law_Memory, Surface_Memory),
+       (Input  => (Errors, Law_Settings, Law_Memory, Law_Configured,
+                   Surface_Memory),
         In_Out => Progress);
 
 end URV.Log_Senders;

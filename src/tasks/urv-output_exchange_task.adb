@@ -8,9 +8,13 @@ package body URV.Output_Exchange_Task with SPARK_Mode is
       Fresh   : Boolean;
       Success : Boolean;
       Item    : Messages.Message;
+      Unknown : constant Unknown_Count := First_Unknown (Codes);
    begin
       AD_Variable.Receive (Image, Fresh);
-      Item := Marked (To_Message (Image), Bits);
+      Item := Marked (To_Message (Image, Codes), Bits);
+      if Unknown > 0 then
+         Errors.Report (Unknown_Code, Codes (Channel (Unknown - 1)));
+      end if;
       if not Fresh then
          Item := As_Old (Item);
          Errors.Report (No_Image, 0);

@@ -9,13 +9,18 @@
 --  produces uplink_variable and TELOUT_variable. A frame with nothing new
 --  passes on the data before, marked as old. The node's own bits are added
 --  to the error/status word (TST-4).
+--
+--  Each channel's word goes to the item of its type code. A channel whose
+--  code nobody knows is reported, and its word goes nowhere (EXT-2).
 
 with URVOS;             use URVOS;
 with URVOS.Shared_Mailboxes;
 with URV.Buffers;       use URV.Buffers;
 with URV.Errors;        use URV.Errors;
+with URV.Routing;       use URV.Routing;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Status; use URV.Shared_Status;
+with URV.Type_Codes;    use URV.Type_Codes;
 
 generic
    with package Images is
@@ -32,7 +37,15 @@ generic
    Node_Status     : in out Status;
    Errors          : in out Shared_Log;
 
-   with function To_Message (Image : AD_Image) return Messages.Message;
+   --  What the channels are, the message that their words make, and the
+   --  first of them, from 1, that is no item of it; 0 is none.
+
+   Codes : Channel_Codes;
+
+   with function To_Message
+     (Image : AD_Image; Codes : Channel_Codes) return Messages.Message;
+   with function First_Unknown (Codes : Channel_Codes) return Unknown_Count;
+
    with function Marked
      (Source : Messages.Message; Bits : Word) return Messages.Message;
    with function As_Old

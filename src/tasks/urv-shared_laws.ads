@@ -1,11 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the laws remember from frame to frame, and what they are set to
---  (EXT-3, EXT-5): kept over a warm start.
+--  What the laws remember from frame to frame, what they are set to, and
+--  what the ground has set since (EXT-2, EXT-3, EXT-5): kept over a warm
+--  start.
 
 pragma SPARK_Mode;
 
 with URVOS.Shared_Data;
+with URV.Configurations;
 with URV.Laws;
 
 package URV.Shared_Laws is
@@ -15,5 +17,9 @@ package URV.Shared_Laws is
 
    package Settings is new URVOS.Shared_Data
      (URV.Laws.Settings, Initial => URV.Laws.Laws_Off);
+
+   package Configured is new URVOS.Shared_Data
+     (URV.Configurations.Setting,
+      Initial => URV.Configurations.Nothing_Set);
 
 end URV.Shared_Laws;

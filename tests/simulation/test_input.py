@@ -56,9 +56,9 @@ def refused(urv_sim, tmp_path):
 # --- command line ---------------------------------------------------------
 
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
-           "--faults", "--conditions", "--seed", "--phase", "--processors",
-           "--laws", "--format", "--key", "--record", "--summary", "--wire",
-           "--events", "--pace", "--quiet")
+           "--faults", "--conditions", "--orders", "--seed", "--phase",
+           "--processors", "--laws", "--format", "--key", "--record",
+           "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
     ([], "no command; there are fly, items, numbers, help, --version"),

@@ -38,8 +38,10 @@ PLANTED = {
     "an identifier twice": (
         REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-1\n", "SIM-1: stands twice"),
     "what is open without a reason": (
-        REQUIREMENTS, "WHY: A later version.", "REPORT: None.",
-        "EXT-2: Open without a WHY"),
+        REQUIREMENTS, "[REQUIREMENT]\nUID: SIM-1\n",
+        UNTESTED.replace("TITLE:", "STATUS: Open\nTITLE:")
+        + "[REQUIREMENT]\nUID: SIM-1\n",
+        "SIM-99: Open without a WHY"),
     "a line that is no field": (
         REQUIREMENTS, "UID: SIM-2\n", "UID: SIM-2\nNonsense\n",
         f"{REQUIREMENTS}: cannot be read: Nonsense"),

@@ -41,7 +41,7 @@ def told(urv_sim):
 
 def test_the_page_has_every_option_and_no_other(told):
     of_help = re.findall(r"^  (--[a-z]+(?: [A-Z]+)?)", told, re.M)
-    assert len(of_help) == 19
+    assert len(of_help) == 20
     assert names_in("Options of `fly`") == of_help
     on_page = {option for code in [*CODE, *(text for _, text in BLOCKS)]
                for option in re.findall(r"(?<![\w-])--[a-z]+", code)}
@@ -50,7 +50,8 @@ def test_the_page_has_every_option_and_no_other(told):
 
 
 def test_the_page_has_every_fault_and_no_other(told):
-    of_help = re.findall(r"^  (TIME_MS .*)$", told, re.M)
+    listed = told.partition("\nfaults, one a line")[2].partition("\n\n")[0]
+    of_help = re.findall(r"^  (TIME_MS .*)$", listed, re.M)
     assert len(of_help) == 14
     assert [form.strip("`") for form, *_ in rows("Faults")[1:]] == of_help
 
@@ -60,6 +61,13 @@ def test_the_page_has_every_condition_and_no_other(told):
     of_help = [line.strip() for line in listed[0].splitlines()[1:]]
     assert len(of_help) == 6
     assert [form.strip("`") for form, *_ in rows("Conditions")[1:]] == of_help
+
+
+def test_ext2_the_page_has_every_order_and_no_other(told):
+    listed = told.partition("\norders, one a line")[2].partition("\n\n")[0]
+    of_help = re.findall(r"^  (TIME_MS .*)$", listed, re.M)
+    assert len(of_help) == 2
+    assert [form.strip("`") for form, *_ in rows("Orders")[1:]] == of_help
 
 
 def test_the_page_has_every_column_and_field(tmp_path):

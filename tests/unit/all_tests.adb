@@ -36,6 +36,7 @@ with Starts_Tests;
 with Surfaces_Tests;
 with Task_Lists_Tests;
 with Telemetry_Task_Tests;
+with Type_Codes_Tests;
 with Waiting_Tasks_Tests;
 
 package body All_Tests is
@@ -68,6 +69,7 @@ package body All_Tests is
       Seal_Tests.Add_To (Result);
       AD_Tests.Add_To (Result);
       Exchange_Tests.Add_To (Result);
+      Type_Codes_Tests.Add_To (Result);
       Telemetry_Task_Tests.Add_To (Result);
       PWM_Tests.Add_To (Result);
       Surfaces_Tests.Add_To (Result);

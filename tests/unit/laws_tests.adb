@@ -6,6 +6,7 @@ with Expect_Value;
 with Expectations;      use Expectations;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
+with URV.Configurations;
 with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;
 with URV.Law_Status;
@@ -62,7 +63,8 @@ package body Laws_Tests is
 
    --  What the ground is told of it.
    function Status_Of (Item : URV.Laws.Memory) return Log_Row is
-     (URV.Law_Status.To_Row (Item, URV.Surfaces.None));
+     (URV.Law_Status.To_Row
+        (Item, URV.Surfaces.None, URV.Configurations.Nothing_Set));
 
    --  After a second and more of good scans.
    function Warm

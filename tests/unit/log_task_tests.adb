@@ -48,10 +48,11 @@ package body LOG_Task_Tests is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
    Law_Memory   : URV.Shared_Laws.Memories.Store;
+   Law_Configured : URV.Shared_Laws.Configured.Store;
    Surface_Memory : URV.Shared_Surfaces.Monitors.Store;
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory, Surface_Memory);
+     (Errors, Law_Settings, Law_Memory, Law_Configured, Surface_Memory);
 
    package Log_Receiver is new URV.Log_Receivers (CORE);
 

@@ -543,12 +543,12 @@ package body Starts_Tests is
          Switch_On;
          Fly (3);
          MCS.CORE_Memory.Write_Codes
-           ((others => 0), (others => 0), (others => 0));
+           ((others => 16#102#), (others => 16#202#), (others => 0));
          GSC.CORE_Memory.Write_Codes
-           ((others => 0), (others => 0), (others => 0));
+           ((others => 16#102#), (others => 16#202#), (others => 0));
          Fly (3);
          Expect
-           ("written once only", CORE_Of_MCS.Uplink_Codes (1), 0);
+           ("written once only", CORE_Of_MCS.Uplink_Codes (1), 16#102#);
          for Node in Station loop
             Start_Again (Node, Condition);
          end loop;

@@ -1,0 +1,121 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Data goes where its type code says (EXT-2): with the codes that the nodes
+--  have that is where its position said, and what has a code that nobody
+--  knows goes nowhere.
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Routing;         use URV.Routing;
+with URV.Type_Codes;      use URV.Type_Codes;
+with URVOS;               use URVOS;
+
+package Theorems.Type_Codes with SPARK_Mode, Ghost is
+
+   --  A code names one item, and an item has one code.
+   procedure A_Code_Is_Of_One_Item
+     (Up : Uplink_Item; Down : Downlink_Item; Code : Word)
+   with
+     Global => null,
+     Post   =>
+       Uplink_Item_Of (Code_Of (Up)) = Up
+       and then Downlink_Item_Of (Code_Of (Down)) = Down
+       and then Code_Of (Up) /= Code_Of (Down)
+       and then
+         (if Code in Uplink_Code then Code_Of (Uplink_Item_Of (Code)) = Code)
+       and then
+         (if Code in Downlink_Code
+          then Code_Of (Downlink_Item_Of (Code)) = Code);
+
+   --  The nodes know the codes of all their channels, and no item has two.
+   procedure No_Channel_Is_Unknown
+   with
+     Global => null,
+     Post   =>
+       Is_Unique (Stick_Codes)
+       and then Is_Unique (Sensor_Codes)
+       and then First_Unknown_Command (Stick_Codes) = 0
+       and then First_Unknown_Sensor (Sensor_Codes) = 0;
+
+   --  By code is by position: from the converter, and into CORE memory.
+
+   procedure From_The_Converter_By_Code (Image : AD_Image)
+   with
+     Global => null,
+     Post   =>
+       (for all Item in Command_Item =>
+          Commands_Of (Image, Stick_Codes) (Item) =
+            Image.Words (Channel_Of (Item)))
+       and then
+         Commands_Of (Image, Stick_Codes) (Error_Status) =
+           Image.Error_Status
+       and then
+         (for all Item in Sensor_Item =>
+            Sensors_Of (Image, Sensor_Codes) (Item) =
+              Image.Words (Channel_Of (Item)))
+       and then
+         Sensors_Of (Image, Sensor_Codes) (Error_Status) =
+           Image.Error_Status;
+
+   procedure Into_CORE_By_Code
+     (Before : Uplink_Words; Source : Uplink_Buffer)
+   with
+     Global => null,
+     Post   =>
+       Stored (Uplink_Type_Codes, Before, Source) = To_Words (Source)
+       and then First_Unknown_Uplink (Uplink_Type_Codes) = 0;
+
+   procedure Into_CORE_By_Code
+     (Before : Downlink_Words; Source : Downlink_Buffer)
+   with
+     Global => null,
+     Post   =>
+       Stored (Downlink_Type_Codes, Before, Source) = To_Words (Source)
+       and then First_Unknown_Downlink (Downlink_Type_Codes) = 0;
+
+   --  A word whose code nobody knows changes nothing: two images that differ
+   --  in no other are the same commands, and the same sensors.
+   procedure An_Unknown_Channel_Goes_Nowhere
+     (One, Other : AD_Image; Codes : Channel_Codes)
+   with
+     Global => null,
+     Pre    =>
+       Is_Unique (Codes)
+       and then One.Error_Status = Other.Error_Status
+       and then
+         (for all Where in Channel =>
+            (if Codes (Where) in Command_Code or else
+               Codes (Where) in Sensor_Code
+             then One.Words (Where) = Other.Words (Where))),
+     Post   =>
+       Commands_Of (One, Codes) = Commands_Of (Other, Codes)
+       and then Sensors_Of (One, Codes) = Sensors_Of (Other, Codes);
+
+   --  Nor is a place of CORE memory written whose code nobody knows.
+
+   procedure An_Unknown_Place_Stays
+     (Codes, Before : Uplink_Words;
+      Source        : Uplink_Buffer;
+      Where         : Item_Number)
+   with
+     Global => null,
+     Pre    =>
+       Where in Uplink_Words'Range
+       and then Codes (Where) not in Uplink_Code,
+     Post   =>
+       Stored (Codes, Before, Source) (Where) = Before (Where)
+       and then First_Unknown_Uplink (Codes) > 0;
+
+   procedure An_Unknown_Place_Stays
+     (Codes, Before : Downlink_Words;
+      Source        : Downlink_Buffer;
+      Where         : Item_Number)
+   with
+     Global => null,
+     Pre    => Codes (Where) not in Downlink_Code,
+     Post   =>
+       Stored (Codes, Before, Source) (Where) = Before (Where)
+       and then First_Unknown_Downlink (Codes) > 0;
+
+end Theorems.Type_Codes;

@@ -1,0 +1,47 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the ground's console orders besides the sticks, from a file
+--  (--orders): blocks that go up in the place of a frame's commands (EXT-2).
+
+with Ada.Containers.Vectors;
+
+with URV.Buffers; use URV.Buffers;
+
+package Sim.Ground_Orders is
+
+   type Order_Kind is (Configure, Block);
+
+   --  How such an order is written: "TIME_MS configure TABLE ORBIT_MS END_MS".
+   function Form_Of (Kind : Order_Kind) return String;
+
+   type Script is limited private;
+
+   --  Reads and checks the file; refuses it at its first wrong line.
+   procedure Load (Loaded : in out Script; File : String);
+
+   --  When the next order is given, Never after the last.
+   function Next_Time (From : Script) return Microseconds;
+
+   --  Takes the next order.
+   procedure Advance (From : in out Script; Block : out Uplink_Buffer)
+     with Pre => Next_Time (From) /= Never;
+
+private
+
+   type Order is record
+      Time  : Microseconds;
+      Block : Uplink_Buffer;
+   end record;
+
+   package Order_Vectors is new Ada.Containers.Vectors (Positive, Order);
+
+   type Script is limited record
+      Orders : Order_Vectors.Vector;
+      Next   : Positive := 1;
+   end record;
+
+   function Next_Time (From : Script) return Microseconds is
+     (if From.Next > From.Orders.Last_Index then Never
+      else From.Orders (From.Next).Time);
+
+end Sim.Ground_Orders;

@@ -1,0 +1,194 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the ground may set while the aircraft is switched on: the table of
+--  gains that the control laws fly with, and when a lost link means what
+--  (EXT-2, D-26). It comes up in the place of a frame's commands, as a block
+--  of its own kind:
+--
+--     word 1         the kind, 0400h
+--     words 2 .. 5   the items, codes 0401h onward
+--     words 6 .. 9   the same inverted
+--     word 10        their weighted sum
+--     words 11 .. 13 0
+--     word 14        error/status, with the bit of another kind
+--
+--  No word has more than 12 bits, so that both message formats carry it.
+--
+--  It is taken whole or not at all: when its words agree, its values are in
+--  range, the laws are there, and the aircraft is not flown by them. What is
+--  not taken changes nothing.
+
+with URVOS;          use URVOS;
+with URV.Buffers;    use URV.Buffers;
+with URV.Law_Gains;  use URV.Law_Gains;
+with URV.Laws;       use URV.Laws;
+with URV.Link_Loss;  use URV.Link_Loss;
+with URV.Type_Codes; use URV.Type_Codes;
+
+package URV.Configurations with Pure, SPARK_Mode is
+
+   --  Serial tells one configuration from another. Times are in tenths of a
+   --  second since the last uplink: until Orbit_From what flew is held, then
+   --  comes the orbit, until End_From.
+   type Setting_Item is (Serial, Gains, Orbit_From, End_From);
+
+   subtype Field is Word range 0 .. 16#FFF#;
+
+   type Configuration is array (Setting_Item) of Field;
+
+   function Code_Of (Which : Setting_Item) return Word is
+     (Configuration_Kind + 1 + Word (Setting_Item'Pos (Which)))
+   with Global => null;
+
+   --  What may be set.
+
+   subtype Serial_Number is Field range 1 .. Field'Last;
+
+   subtype Orbit_Tenths is Field range 10 .. 600;
+   subtype End_Tenths is Field range 20 .. 3_000;
+
+   Last_Table : constant Field := Field (Table_Number'Last);
+
+   Frames_Per_Tenth : constant := Frames_Per_Second / 10;
+
+   function Is_In_Range (Source : Configuration) return Boolean is
+     (Source (Serial) in Serial_Number
+      and then Source (Gains) <= Last_Table
+      and then Source (Orbit_From) in Orbit_Tenths
+      and then Source (End_From) in End_Tenths
+      and then Source (End_From) > Source (Orbit_From))
+   with Global => null;
+
+   function Times_Of (Source : Configuration) return Times is
+     (Hold         => Hold_After,
+      Orbit        => Frame_Count (Source (Orbit_From)) * Frames_Per_Tenth,
+      Terminate_At => Frame_Count (Source (End_From)) * Frames_Per_Tenth)
+   with
+     Global => null,
+     Pre    => Is_In_Range (Source);
+
+   --  The block
+
+   function Inverted (Value : Field) return Field is (Field'Last - Value)
+   with Global => null;
+
+   --  Each weight is odd: one bit wrong in both forms of an item changes the
+   --  sum.
+   function Sum_Of (Source : Configuration) return Field is
+     ((Source (Serial) + 3 * Source (Gains) + 5 * Source (Orbit_From)
+       + 7 * Source (End_From)) mod 4_096)
+   with Global => null;
+
+   function Block_Of (Source : Configuration) return Uplink_Buffer is
+     (Roll         => Configuration_Kind,
+      Pitch        => Source (Serial),
+      Yaw          => Source (Gains),
+      Throttle     => Source (Orbit_From),
+      Brake        => Source (End_From),
+      Switch_1     => Inverted (Source (Serial)),
+      Switch_2     => Inverted (Source (Gains)),
+      Switch_3     => Inverted (Source (Orbit_From)),
+      Switch_4     => Inverted (Source (End_From)),
+      Switch_5     => Sum_Of (Source),
+      Switch_6 .. Switch_8 => 0,
+      Error_Status => Other_Kind)
+   with Global => null;
+
+   function Is_Twice (Value, Second : Word) return Boolean is
+     (Value in Field and then Second = Inverted (Value))
+   with Global => null;
+
+   function Has_Items (Block : Uplink_Buffer) return Boolean is
+     (Is_Twice (Block (Pitch), Block (Switch_1))
+      and then Is_Twice (Block (Yaw), Block (Switch_2))
+      and then Is_Twice (Block (Throttle), Block (Switch_3))
+      and then Is_Twice (Block (Brake), Block (Switch_4)))
+   with Global => null;
+
+   function Configuration_Of (Block : Uplink_Buffer) return Configuration is
+     (Serial     => Block (Pitch),
+      Gains      => Block (Yaw),
+      Orbit_From => Block (Throttle),
+      End_From   => Block (Brake))
+   with
+     Global => null,
+     Pre    => Has_Items (Block);
+
+   --  All of a block's words agree: a configuration, not in range perhaps.
+   function Is_Whole (Block : Uplink_Buffer) return Boolean is
+     (Is_Other_Kind (Block)
+      and then Kind_Of (Block) = Configuration_Kind
+      and then Has_Items (Block)
+      and then Block (Switch_5) = Sum_Of (Configuration_Of (Block))
+      and then Block (Switch_6) = 0
+      and then Block (Switch_7) = 0
+      and then Block (Switch_8) = 0)
+   with Global => null;
+
+   --  In the aircraft
+
+   --  The last that was taken, if any was.
+   type Setting is record
+      Is_Set : Boolean := False;
+      Item   : Configuration := (others => 0);
+   end record
+   with Predicate => (if Setting.Is_Set then Is_In_Range (Setting.Item));
+
+   function Nothing_Set return Setting is
+     (Is_Set => False, Item => (others => 0))
+   with Global => null;
+
+   --  What the laws fly with: what was set, else what the node is set to.
+   function In_Force (Set : Settings; Now : Setting) return Settings is
+     (if Now.Is_Set
+      then (On    => Set.On,
+            By    => Times_Of (Now.Item),
+            Table => Table_Number (Now.Item (Gains)))
+      else Set)
+   with Global => null;
+
+   --  No law flies the aircraft: it stands on the ground, or all outputs
+   --  are the sticks'.
+   function May_Be_Set (Flown : Laws.Memory) return Boolean is
+     (not Flown.Is_Flying
+      or else (Flown.Flown = All_Direct and then Is_All_Stick (Flown)))
+   with Global => null;
+
+   type Answer is
+     (Taken,
+      Not_Whole,      --  its words do not agree
+      Not_In_Range,   --  a value is none that may be set
+      Law_Flies,      --  a control law flies the aircraft
+      No_Laws);       --  there are none
+
+   subtype Refused is Answer range Not_Whole .. No_Laws;
+
+   function Answer_To
+     (Block : Uplink_Buffer; Set : Settings; Flown : Laws.Memory)
+      return Answer
+   is
+     (if not Is_Whole (Block) then Not_Whole
+      elsif not Is_In_Range (Configuration_Of (Block)) then Not_In_Range
+      elsif not Set.On then No_Laws
+      elsif not May_Be_Set (Flown) then Law_Flies
+      else Taken)
+   with Global => null;
+
+   function After
+     (Now   : Setting;
+      Block : Uplink_Buffer;
+      Set   : Settings;
+      Flown : Laws.Memory) return Setting
+   is
+     (if Answer_To (Block, Set, Flown) = Taken
+      then (Is_Set => True, Item => Configuration_Of (Block))
+      else Now)
+   with Global => null;
+
+   --  For the ground, in the row of the laws: the number above four bits
+   --  of the table; 0 when none was taken.
+   function Told (Now : Setting) return Word is
+     (if Now.Is_Set then Now.Item (Serial) * 16 + Now.Item (Gains) else 0)
+   with Global => null;
+
+end URV.Configurations;

@@ -1,0 +1,481 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Checks;              use Checks;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.Shared_CORE_Memory;
+with Expectations;        use Expectations;
+with GSC;
+with MCS;
+with Task_Rig;            use Task_Rig;
+with URVOS;               use URVOS;
+with URV.Buffers;         use URV.Buffers;
+with URV.Configurations;  use URV.Configurations;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.CORE_Task;
+with URV.Errors;          use URV.Errors;
+with URV.Law_Gains;
+with URV.Law_Status;
+with URV.Laws;            use URV.Laws;
+with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Output_Exchange_Task;
+with URV.Routing;         use URV.Routing;
+with URV.Shared_Errors;
+with URV.Shared_Status;
+with URV.Type_Codes;      use URV.Type_Codes;
+
+package body Type_Codes_Tests is
+
+   --  The tests, in order.
+   procedure Channels_By_Code;
+   procedure Places_By_Code;
+   procedure Unknown_Up;
+   procedure Unknown_Down;
+   procedure Ordered;
+   procedure Delivered;
+   procedure Taken_On_The_Ground;
+   procedure Refused_Otherwise;
+   procedure Starts;
+   procedure Softer;
+
+   --  Turn after 2 s, glide after 9 s, the softer table.
+   Softly : constant Configuration :=
+     (Serial => 5, Gains => 1, Orbit_From => 20, End_From => 90);
+
+   --  Level at 1000 ft and 70 kt: it flies; and standing.
+
+   In_Flight : constant Downlink_Buffer :=
+     (Altitude     => 2_000,
+      Airspeed     => 2_240,
+      RPM          => 2_500,
+      Error_Status => No_Error,
+      others       => Neutral_Value);
+
+   Standing : constant Downlink_Buffer :=
+     (In_Flight with delta Altitude => 0, Airspeed => 0);
+
+   Rest : constant Uplink_Buffer :=
+     (Throttle     => 2_048,
+      Brake        => Neutral_Value,
+      Switch_Item  => 0,
+      Error_Status => No_Error,
+      others       => Neutral_Value);
+
+   procedure Clear;
+
+   --  So many frames of the LAW task, laws on.
+   procedure Fly
+     (Frames   : Positive;
+      Sensors  : Downlink_Buffer;
+      Commands : Uplink_Buffer := Rest);
+
+   procedure Clear is
+   begin
+      MCS.Reset_Variables;
+      MCS.Law_Settings.Write (Laws_Off);
+      MCS.Errors.Clear;
+      MCS.Status.Write (No_Error);
+      GSC.Reset_Variables;
+      GSC.Errors.Clear;
+      GSC.Status.Write (No_Error);
+   end Clear;
+
+   procedure Fly
+     (Frames   : Positive;
+      Sensors  : Downlink_Buffer;
+      Commands : Uplink_Buffer := Rest)
+   is
+      Unused_Success : Boolean;
+      Unused_Fresh   : Boolean;
+      Unused_Item    : Uplink_Buffer;
+   begin
+      MCS.Law_Settings.Write ((Laws_Off with delta On => True));
+      for Frame in 1 .. Frames loop
+         MCS.Commands_Variable.Send (Commands, Unused_Success);
+         MCS.Sensors_Variable.Send (Sensors, Unused_Success);
+         MCS.LAW.Run_Transaction;
+         MCS.PWM_Variable.Receive (Unused_Item, Unused_Fresh);
+      end loop;
+      MCS.Law_Settings.Write (Laws_Off);
+   end Fly;
+
+   --  A node whose first two channels have changed places, and whose third
+   --  nobody knows.
+
+   Codes : constant Channel_Codes :=
+     (Stick_Codes with delta 0 => 16#102#, 1 => 16#101#, 2 => 16#1234#);
+
+   From   : For_Stick_Images.Variable;
+   CORE   : For_Uplink.Variable;
+   Out_Of : For_Uplink.Variable;
+   Status : URV.Shared_Status.Status;
+   Errors : URV.Shared_Errors.Shared_Log;
+
+   procedure Add_Nothing (Item : in out Uplink_Buffer) is null;
+
+   package Turned is new URV.Output_Exchange_Task
+     (For_Stick_Images, For_Uplink, From, CORE, Uplink_Not_Consumed, Out_Of,
+      Status, Errors, Codes, Commands_Of, First_Unknown_Command, Marked,
+      As_Old, Add_Nothing);
+
+   procedure Channels_By_Code is
+      Image : constant AD_Image := Image_Of (16#300#, Error => 0);
+      Item  : Uplink_Buffer;
+   begin
+      Stick_Images.Give (From, Image);
+      Turned.Run_Transaction;
+      Item := Up.Taken ("to CORE", CORE);
+      Expect ("roll", Item (Roll), Image.Words (1));
+      Expect ("pitch", Item (Pitch), Image.Words (0));
+      Expect ("yaw has no channel", Item (Yaw), Neutral_Value);
+      Expect ("throttle", Item (Throttle), Image.Words (3));
+      Expect_Buffer ("to TELOUT", Up.Taken ("to TELOUT", Out_Of), Item);
+      Expect_Errors
+        ("the third", Errors, (1 => Unknown_Code), Detail => 16#1234#);
+   end Channels_By_Code;
+
+   --  CORE
+
+   Uplink   : For_Uplink.Variable;
+   Downlink : For_Downlink.Variable;
+   Board    : Devices.Shared_CORE_Memory.Board;
+
+   package CORE_Under_Test is new URV.CORE_Task
+     (Uplink, Downlink, Board, Errors);
+
+   procedure Places_By_Code is
+      Up_Codes   : Uplink_Words   := Uplink_Type_Codes;
+      Down_Codes : Downlink_Words := Downlink_Type_Codes;
+      Found      : Devices.CORE_Memory.Memory;
+   begin
+      CORE_Under_Test.Initialise;
+      Up.Give (Uplink, Uplink_Of (16#100#));
+      Down.Give (Downlink, Downlink_Of (16#200#));
+      CORE_Under_Test.Run_Transaction;
+      Expect_Errors ("its own codes", Errors, None);
+
+      Up_Codes (1) := 16#102#;
+      Up_Codes (2) := 16#101#;
+      Down_Codes (3) := 16#101#;
+      Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
+      Up.Give (Uplink, Uplink_Of (16#300#));
+      Down.Give (Downlink, Downlink_Of (16#400#));
+      CORE_Under_Test.Run_Transaction;
+      Found := Board.Contents;
+      Expect ("pitch is first", Found.Uplink (1), 16#301#);
+      Expect ("roll is second", Found.Uplink (2), 16#300#);
+      Expect ("yaw where it was", Found.Uplink (3), 16#302#);
+      Expect ("a place without an item", Found.Downlink (3), 16#202#);
+      Expect ("the next", Found.Downlink (4), 16#403#);
+      Expect_Errors
+        ("a command's code among sensors", Errors, (1 => Unknown_Code),
+         Detail => 16#101#);
+
+      --  The codes are written anew, and all words have their places.
+      Up.Give (Uplink, Uplink_Of (16#500#));
+      Down.Give (Downlink, Downlink_Of (16#600#));
+      CORE_Under_Test.Run_Transaction;
+      Found := Board.Contents;
+      Expect
+        ("up again", Found.Uplink = To_Words (Uplink_Of (16#500#)), True);
+      Expect
+        ("down again", Found.Downlink = To_Words (Downlink_Of (16#600#)),
+         True);
+      Expect_Errors ("its own codes again", Errors, None);
+   end Places_By_Code;
+
+   procedure Unknown_Up is
+      Item : constant Uplink_Buffer :=
+        (Uplink_Of (16#F000#) with delta
+           Roll => 16#500#, Error_Status => Other_Kind);
+
+      procedure Expect_Last (What : String);
+
+      procedure Expect_Last (What : String) is
+      begin
+         Expect_Buffer
+           (What & ", CORE", Up.Taken ("to CORE", MCS.Uplink_Variable),
+            As_Old (Uplink_Of (16#100#)));
+         Expect_Buffer
+           (What & ", laws", Up.Taken ("to LAW", MCS.Commands_Variable),
+            As_Old (Uplink_Of (16#100#)));
+         Up.Expect_Counts
+           (What & ", configuration", MCS.Configuration_Variable, 0, 0);
+      end Expect_Last;
+
+      Unused : Uplink_Buffer;
+   begin
+      Clear;
+      Up.Give (MCS.TELIN_Variable, Uplink_Of (16#100#));
+      MCS.MDCIN.Run_Transaction;
+      Unused := Up.Taken ("commands", MCS.Uplink_Variable);
+      Unused := Up.Taken ("commands", MCS.Commands_Variable);
+
+      Up.Give (MCS.TELIN_Variable, Item);
+      MCS.MDCIN.Run_Transaction;
+      Expect_Last ("unknown");
+      Expect_Errors
+        ("unknown", MCS.Errors, (1 => Unknown_Code), Detail => 16#500#);
+
+      --  A frame without a block passes it on as old: told once only.
+      Up.Give (MCS.TELIN_Variable, As_Old (Item));
+      MCS.MDCIN.Run_Transaction;
+      Expect_Last ("old");
+      Expect_Errors ("old", MCS.Errors, None);
+
+      --  Not even when it says that it is commands.
+      Up.Give
+        (MCS.TELIN_Variable, (Item with delta Roll => Commands_Kind));
+      MCS.MDCIN.Run_Transaction;
+      Expect_Last ("commands of another kind");
+      Expect_Errors
+        ("commands of another kind", MCS.Errors, (1 => Unknown_Code),
+         Detail => Commands_Kind);
+
+      MCS.MDCIN.Run_Transaction;
+      Expect_Last ("nothing new");
+      Expect_Errors ("nothing new", MCS.Errors, (1 => No_Input));
+   end Unknown_Up;
+
+   procedure Unknown_Down is
+      Item   : constant Downlink_Buffer :=
+        (Downlink_Of (16#300#) with delta Error_Status => 16#0050#);
+      Unused : Downlink_Buffer;
+   begin
+      Clear;
+      Down.Give (GSC.TELIN_Variable, Downlink_Of (16#200#));
+      GSC.GDCIN.Run_Transaction;
+      Unused := Down.Taken ("to CORE", GSC.Downlink_Variable);
+
+      Down.Give (GSC.TELIN_Variable, Item);
+      GSC.GDCIN.Run_Transaction;
+      Expect_Buffer
+        ("the last", Down.Taken ("to CORE", GSC.Downlink_Variable),
+         As_Old (Downlink_Of (16#200#)));
+      Expect_Errors
+        ("unknown", GSC.Errors, (1 => Unknown_Code), Detail => 16#500#);
+
+      Down.Give (GSC.TELIN_Variable, As_Old (Item));
+      GSC.GDCIN.Run_Transaction;
+      Expect_Buffer
+        ("still", Down.Taken ("to CORE", GSC.Downlink_Variable),
+         As_Old (Downlink_Of (16#200#)));
+      Expect_Errors ("told once", GSC.Errors, None);
+   end Unknown_Down;
+
+   procedure Ordered is
+      Order   : constant Uplink_Buffer := Block_Of (Softly);
+      Success : Boolean;
+   begin
+      Clear;
+      GSC.Console_Orders.Send (Order, Success);
+      for Frame in 1 .. 2 loop
+         Stick_Images.Give (GSC.AD_Variable, Image_Of (16#300#, Error => 0));
+         GSC.GDCOUT.Run_Transaction;
+         Expect_Buffer
+           ("CORE has the sticks", Up.Taken ("CORE", GSC.Uplink_Variable),
+            Uplink_Of (16#300#));
+         Expect_Buffer
+           ("up it goes once", Up.Taken ("TELOUT", GSC.TELOUT_Variable),
+            (if Frame = 1 then Order else Uplink_Of (16#300#)));
+      end loop;
+
+      --  What is no block of another kind never takes the commands' place.
+      GSC.Console_Orders.Send (Uplink_Of (16#700#), Success);
+      Stick_Images.Give (GSC.AD_Variable, Image_Of (16#300#, Error => 0));
+      GSC.GDCOUT.Run_Transaction;
+      Expect_Buffer
+        ("the sticks", Up.Taken ("TELOUT", GSC.TELOUT_Variable),
+         Uplink_Of (16#300#));
+   end Ordered;
+
+   procedure Delivered is
+   begin
+      Clear;
+      Up.Give (MCS.TELIN_Variable, Block_Of (Softly));
+      MCS.MDCIN.Run_Transaction;
+      Expect_Buffer
+        ("to the laws", Up.Taken ("it", MCS.Configuration_Variable),
+         Block_Of (Softly));
+      Expect_Buffer
+        ("no commands", Up.Taken ("old", MCS.Commands_Variable),
+         As_Old (Neutral_Uplink));
+      Expect_Errors ("delivered", MCS.Errors, None);
+   end Delivered;
+
+   --  What the laws fly with, and what the ground is told.
+   procedure Expect_Set (What : String; Is_Set : Boolean);
+
+   procedure Expect_Set (What : String; Is_Set : Boolean) is
+      Now : constant Settings :=
+        In_Force (MCS.Law_Settings.Contents, MCS.Law_Configured.Contents);
+      Row : constant Log_Row := URV.Law_Status.To_Row
+        (MCS.Law_Memory.Contents, (others => False),
+         MCS.Law_Configured.Contents);
+   begin
+      Expect_Number
+        (What & ", table", Integer (Now.Table), (if Is_Set then 1 else 0));
+      Expect_Number
+        (What & ", orbit", Integer (Now.By.Orbit),
+         (if Is_Set then 100 else 250));
+      Expect_Number
+        (What & ", end", Integer (Now.By.Terminate_At),
+         (if Is_Set then 450 else 6_000));
+      Expect
+        (What & ", told", Row (Last_Detail), (if Is_Set then 16#51# else 0));
+   end Expect_Set;
+
+   procedure Taken_On_The_Ground is
+   begin
+      Clear;
+      Fly (100, Standing);
+      Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
+      Fly (1, Standing);
+      Expect_Set ("standing", True);
+      Expect_Errors ("standing", MCS.Errors, None);
+
+      --  In flight while all is direct.
+      Clear;
+      Fly (100, In_Flight);
+      Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
+      Fly (1, In_Flight);
+      Expect_Set ("direct", True);
+      Expect_Errors ("direct", MCS.Errors, None);
+   end Taken_On_The_Ground;
+
+   procedure Refused_Otherwise is
+      Held : constant Uplink_Buffer := (Rest with delta Switch_2 => 16#FFF#);
+
+      procedure Expect_Refused
+        (What     : String;
+         Block    : Uplink_Buffer;
+         Why      : Answer;
+         Commands : Uplink_Buffer := Rest);
+
+      procedure Expect_Refused
+        (What     : String;
+         Block    : Uplink_Buffer;
+         Why      : Answer;
+         Commands : Uplink_Buffer := Rest) is
+      begin
+         Up.Give (MCS.Configuration_Variable, Block);
+         Fly (1, In_Flight, Commands);
+         Expect_Set (What, False);
+         Expect_Errors
+           (What, MCS.Errors, (1 => Configuration_Refused),
+            Detail => Answer'Pos (Why));
+      end Expect_Refused;
+
+      Spoilt : Uplink_Buffer;
+      Bad    : Configuration;
+      Direct : constant Uplink_Buffer := Rest;
+   begin
+      Clear;
+      Fly (100, In_Flight, Direct);
+      for Where in Command_Item loop
+         Spoilt := Block_Of (Softly);
+         Spoilt (Where) := Spoilt (Where) xor 16#40#;
+         Expect_Refused (Where'Image, Spoilt, Not_Whole);
+      end loop;
+
+      for Which in Setting_Item loop
+         Bad := Softly;
+         Bad (Which) :=
+           (if Which = Serial then 0
+            elsif Which = End_From then Bad (Orbit_From)
+            else Field'Last);
+         Expect_Refused (Which'Image, Block_Of (Bad), Not_In_Range);
+      end loop;
+      Bad := (Softly with delta Orbit_From => 9);
+      Expect_Refused ("too early", Block_Of (Bad), Not_In_Range);
+      Bad := (Softly with delta End_From => 3_001);
+      Expect_Refused ("too late", Block_Of (Bad), Not_In_Range);
+
+      Fly (2, In_Flight, Held);
+      Expect_Refused ("a law flies", Block_Of (Softly), Law_Flies, Held);
+
+      --  The stick's word is not yet the axis' own.
+      Fly
+        (1, In_Flight,
+         (Held with delta Roll => 4_000, Switch_2 => 0));
+      Expect_Refused
+        ("letting go", Block_Of (Softly), Law_Flies,
+         (Held with delta Roll => 4_000, Switch_2 => 0));
+
+      Clear;
+      Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
+      Up.Give (MCS.Commands_Variable, Rest);
+      MCS.LAW.Run_Transaction;
+      Expect_Set ("no laws", False);
+      Expect_Errors
+        ("no laws", MCS.Errors, (1 => Configuration_Refused),
+         Detail => Answer'Pos (No_Laws));
+   end Refused_Otherwise;
+
+   procedure Starts is
+   begin
+      Taken_On_The_Ground;
+      MCS.Restart_Variables;
+      Expect_Set ("kept over a warm start", True);
+      MCS.Reset_Variables;
+      Expect_Set ("forgotten at a cold one", False);
+   end Starts;
+
+   procedure Softer is
+      Banked : constant Downlink_Buffer :=
+        (In_Flight with delta Roll_Attitude => 2_120);
+      Levelled : constant Uplink_Buffer :=
+        (Rest with delta Switch_2 => 16#FFF#);
+
+      --  The roll output after some frames in a bank, sticks at rest.
+      function Roll_With (Table : URV.Law_Gains.Table_Number) return Integer;
+
+      function Roll_With (Table : URV.Law_Gains.Table_Number) return Integer
+      is
+         Item : URV.Laws.Memory := At_Start;
+      begin
+         for Frame in 1 .. 90 loop
+            Item := Next
+              (Item, Levelled, Banked, Laws_Off.By, Table);
+         end loop;
+         return Item.Last.Roll;
+      end Roll_With;
+   begin
+      Expect ("against the bank", Roll_With (0) < -60, True);
+      Expect ("less so", Roll_With (1) in Roll_With (0) * 9 / 10 .. -30,
+              True);
+   end Softer;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "EXT-2 a channel goes to the item of its type code",
+         Channels_By_Code'Access);
+      Add
+        (Suite, "EXT-2 BUF-4 CORE has each word where its type code stands",
+         Places_By_Code'Access);
+      Add
+        (Suite, "EXT-2 D-26 an unknown block goes nowhere, MDCIN",
+         Unknown_Up'Access);
+      Add
+        (Suite, "EXT-2 D-26 an unknown block goes nowhere, GDCIN",
+         Unknown_Down'Access);
+      Add
+        (Suite, "EXT-2 D-26 an order is up in the place of a frame's commands",
+         Ordered'Access);
+      Add
+        (Suite, "EXT-2 a configuration goes to the laws, not to the servos",
+         Delivered'Access);
+      Add
+        (Suite, "EXT-2 a configuration is taken standing, or in direct",
+         Taken_On_The_Ground'Access);
+      Add
+        (Suite, "EXT-2 a refused configuration changes nothing",
+         Refused_Otherwise'Access);
+      Add
+        (Suite, "EXT-2 a cold start forgets the configuration",
+         Starts'Access);
+      Add
+        (Suite, "EXT-2 the ground's table of gains flies", Softer'Access);
+   end Add_To;
+
+end Type_Codes_Tests;
