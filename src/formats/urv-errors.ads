@@ -27,14 +27,15 @@ package URV.Errors with Pure, SPARK_Mode is
       --  buffer, from 1; of several the first.
       Input_Out_Of_Range,
 
-      No_Image,                --  nothing new in AD_variable
+      --  Detail: 0, or that of the laws, below.
+      No_Image,                --  nothing new in AD_, sensors_variable
       Uplink_Not_Consumed,     --  uplink_variable was overwritten
       Downlink_Not_Consumed,   --  downlink_variable was overwritten
       Output_Not_Consumed,     --  TELOUT_variable was overwritten
       No_Output,               --  nothing new in TELOUT_variable
       TELOUT_Overwrote_Block,  --  no transmit buffer was available
       Commands_Not_Consumed,   --  PWM_variable was overwritten
-      No_Commands,             --  nothing new in PWM_variable
+      No_Commands,             --  nothing new in PWM_, commands_variable
       CORE_No_Uplink,          --  nothing new in uplink_variable
       CORE_No_Downlink,        --  nothing new in downlink_variable
 
@@ -74,6 +75,9 @@ package URV.Errors with Pure, SPARK_Mode is
       --  why, as URV.Configurations.Refused has it, from 1.
       Unknown_Code,            --  nobody knows what it is: it goes nowhere
       Configuration_Refused);  --  one that the ground sent
+
+   --  The detail of a No_Image of the laws.
+   No_Image_For_Laws : constant := 1;
 
    package Logs is new URVOS.Error_Logs (Error_Kind);
 

@@ -122,12 +122,16 @@ package body URV.LAW_Task with SPARK_Mode is
       Sensors_Variable.Receive (Sensors, Fresh);
       if not Fresh then
          Sensors := Routing.As_Old (Sensors);
+         if Set.On then
+            Errors.Report (No_Image, No_Image_For_Laws);
+         end if;
       end if;
 
       Commands_Variable.Receive (Commands, Fresh);
       if Set.On then
          if not Fresh then
             Commands := Routing.As_Old (Commands);
+            Errors.Report (No_Commands, 0);
          end if;
          After := Next (Before, Commands, Sensors, Set.By, Set.Table);
          Report (Before, After);

@@ -7,6 +7,7 @@ with Expectations;        use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Node_Rig;            use Node_Rig;
+with Telemetry;           use Telemetry;
 with Telemetry.Boards;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
@@ -15,6 +16,7 @@ with URVOS.Starts;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;     use URV.CORE_Layout;
 with URV.Errors;          use URV.Errors;
+with URV.Laws;
 with URV.Mailboxes;       use URV.Mailboxes;
 
 package body Nodes_Tests is
@@ -28,6 +30,7 @@ package body Nodes_Tests is
    procedure Dead_Converter;
    procedure Cold_Start;
    procedure New_Variables;
+   procedure Misses_Are_Told;
    procedure Controller_Alone;
    procedure First_Frames;
    procedure Type_Codes;
@@ -233,6 +236,86 @@ package body Nodes_Tests is
       Expect ("GSC TELOUT_variable", GSC.TELOUT_Variable);
    end New_Variables;
 
+   procedure Misses_Are_Told is
+
+      generic
+         with package Messages is new URVOS.Shared_Mailboxes (<>);
+      function Misses_Of (Variable : Messages.Variable) return Count;
+
+      function Misses_Of (Variable : Messages.Variable) return Count is
+        (Messages.Boxes.Misses (Variable.Snapshot));
+
+      function Misses is new Misses_Of (For_Stick_Words);
+      function Misses is new Misses_Of (For_Stick_Images);
+      function Misses is new Misses_Of (For_Sensor_Words);
+      function Misses is new Misses_Of (For_Sensor_Images);
+      function Misses is new Misses_Of (For_Uplink);
+      function Misses is new Misses_Of (For_Downlink);
+
+      --  As many as the log has of a kind, and at least one.
+      procedure Expect_Told
+        (Node : Station; Kind : Error_Kind; Missed : Count);
+
+      procedure Expect_Told
+        (Node : Station; Kind : Error_Kind; Missed : Count)
+      is
+         What : constant String := Node'Image & " " & Kind'Image;
+      begin
+         Expect
+           (What, Logs.History_Of (Log_Of (Node), Kind).Occurrences, Missed);
+         Expect (What & " happened", Missed > 0, True);
+      end Expect_Told;
+
+   begin
+      for Laws_On in Boolean loop
+         MCS.Law_Settings.Write ((On => Laws_On, others => <>));
+         Switch_On;
+         Fly (6);
+
+         --  Once more, the consumer of each variable before its producer.
+         --  Twice where the producer may have run before.
+         MCS.CORE.Run_Transaction;
+         MCS.TELOUT.Run_Transaction;
+         MCS.PWM.Run_Transaction;
+         MCS.LAW.Run_Transaction;
+         MCS.MDCOUT.Run_Transaction;
+         MCS.MDCIN.Run_Transaction;
+         MCS.AD.Run_Transaction;
+         MCS.AD.Run_Transaction;
+         GSC.CORE.Run_Transaction;
+         GSC.TELOUT.Run_Transaction;
+         GSC.GDCOUT.Run_Transaction;
+         GSC.GDCOUT.Run_Transaction;
+         GSC.GDCIN.Run_Transaction;
+         GSC.AD.Run_Transaction;
+         GSC.AD.Run_Transaction;
+
+         Expect_Told (Aircraft, AD_No_Scan, Misses (MCS.ADINT_Variable));
+         Expect_Told (Aircraft, No_Input, Misses (MCS.TELIN_Variable));
+         Expect_Told
+           (Aircraft, No_Image,
+            Misses (MCS.AD_Variable)
+            + (if Laws_On then Misses (MCS.Sensors_Variable) else 0));
+         Expect_Told
+           (Aircraft, No_Commands,
+            Misses (MCS.PWM_Variable)
+            + (if Laws_On then Misses (MCS.Commands_Variable) else 0));
+         Expect_Told (Aircraft, No_Output, Misses (MCS.TELOUT_Variable));
+         Expect_Told
+           (Aircraft, CORE_No_Uplink, Misses (MCS.Uplink_Variable));
+         Expect_Told
+           (Aircraft, CORE_No_Downlink, Misses (MCS.Downlink_Variable));
+         Expect_Told (Ground, AD_No_Scan, Misses (GSC.ADINT_Variable));
+         Expect_Told (Ground, No_Input, Misses (GSC.TELIN_Variable));
+         Expect_Told (Ground, No_Image, Misses (GSC.AD_Variable));
+         Expect_Told (Ground, No_Output, Misses (GSC.TELOUT_Variable));
+         Expect_Told (Ground, CORE_No_Uplink, Misses (GSC.Uplink_Variable));
+         Expect_Told
+           (Ground, CORE_No_Downlink, Misses (GSC.Downlink_Variable));
+      end loop;
+      MCS.Law_Settings.Write (URV.Laws.Laws_Off);
+   end Misses_Are_Told;
+
    procedure Controller_Alone is
    begin
       --  Only the controllers start anew: their boards have received
@@ -412,6 +495,9 @@ package body Nodes_Tests is
       Add
         (Suite, "INI-8 a cold start leaves every variable as new",
          New_Variables'Access);
+      Add
+        (Suite, "MBX-3 each miss that a variable counts is told",
+         Misses_Are_Told'Access);
       Add
         (Suite, "INI-8 a cold start forgets the message before, too",
          Controller_Alone'Access);
