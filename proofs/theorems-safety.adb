@@ -231,6 +231,27 @@ package body Theorems.Safety with SPARK_Mode is
           then Item.Uplink_From = Item'Old.Uplink_From)
        and then Is_Fresh (Item.Commands);
 
+   --  CORE and the laws get a message.
+   procedure Pass_On
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Message : Uplink_Buffer;
+      From    : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then From <= Done
+       and then Is_Of (Message, Scans, From),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then Contents (Item.Uplink) = Message
+       and then Contents (Item.Commands) = Message
+       and then Item.Uplink_From = From
+       and then Is_Fresh (Item.Commands);
+
    procedure Run_LAW
      (Item    : in out Aircraft_Way;
       Scans   : Scan_History;
@@ -402,6 +423,10 @@ package body Theorems.Safety with SPARK_Mode is
       Unused_Success : Boolean;
    begin
       if Which in 1 .. Line.Given then
+         pragma Assert
+           (Is_Sent
+              (URV.Codecs.Uplink.Decode (Line.Blocks (Which).Data), Scans,
+               Line.Blocks (Which).From));
          Item.Kept := URV.Codecs.Uplink.Decode (Line.Blocks (Which).Data);
          Item.Kept_From := Line.Blocks (Which).From;
          pragma Assert (Item.Kept_From <= Done);
@@ -410,37 +435,26 @@ package body Theorems.Safety with SPARK_Mode is
          As_Old_Is_Sent (Item.Kept, Scans, Item.Kept_From);
          Item.Kept := As_Old (Item.Kept);
       end if;
+      pragma Assert (Is_Sent (Item.Kept, Scans, Item.Kept_From));
 
       if Item.Has_Message then
          Send (Item.TELIN, Item.Kept, Unused_Success);
          Item.TELIN_From := Item.Kept_From;
       end if;
+      pragma Assert
+        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
    end Run_TELIN;
 
-   procedure Run_MDCIN
-     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   procedure Pass_On
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Message : Uplink_Buffer;
+      From    : Scan_Count)
    is
-      Message        : Uplink_Buffer;
-      From           : Scan_Count;
-      Fresh          : Boolean;
       Unused_Success : Boolean;
    begin
-      Receive (Item.TELIN, Message, Fresh);
-      pragma Assert (Item.TELIN_From <= Done);
-      if Is_Other_Kind (Message) then
-         From := Item.Uplink_From;
-         Message := Contents (Item.Uplink);
-         Marked_Is_Of (Message, 0, Scans, From);
-         Message := As_Old (Message);
-      else
-         From := Item.TELIN_From;
-         if not Fresh then
-            Marked_Is_Of (Message, 0, Scans, From);
-            Message := As_Old (Message);
-         end if;
-      end if;
       pragma Assert (From <= Done);
-      pragma Assert (Is_Of (Message, Scans, From));
       Send (Item.Uplink, Message, Unused_Success);
       Item.Uplink_From := From;
       pragma Assert
@@ -449,6 +463,31 @@ package body Theorems.Safety with SPARK_Mode is
       Item.Commands_From := From;
       pragma Assert
         (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+   end Pass_On;
+
+   procedure Run_MDCIN
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   is
+      Message : Uplink_Buffer;
+      Fresh   : Boolean;
+   begin
+      Receive (Item.TELIN, Message, Fresh);
+      pragma Assert (Item.TELIN_From <= Done);
+      pragma Assert (Is_Sent (Message, Scans, Item.TELIN_From));
+      pragma Assert
+        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
+      pragma Assert (Is_Sound (Item, Scans, Done));
+      if Is_Other_Kind (Message) then
+         Marked_Is_Of (Contents (Item.Uplink), 0, Scans, Item.Uplink_From);
+         Pass_On
+           (Item, Scans, Done, As_Old (Contents (Item.Uplink)),
+            Item.Uplink_From);
+      elsif not Fresh then
+         Marked_Is_Of (Message, 0, Scans, Item.TELIN_From);
+         Pass_On (Item, Scans, Done, As_Old (Message), Item.TELIN_From);
+      else
+         Pass_On (Item, Scans, Done, Message, Item.TELIN_From);
+      end if;
    end Run_MDCIN;
 
    procedure Run_LAW
