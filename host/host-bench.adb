@@ -45,6 +45,10 @@ package body Host.Bench is
    Next   : Positive    := 1;
    Now    : Step_Number := 0;
 
+   --  When a frame's scan begins.
+   Scan_After : Step_Number :=
+     Step_Number (Ticks_To_Scan (URVOS.Task_Trees.Report));
+
    --  Moves by at least one part, so that it arrives.
    function Moved (From, To, Speed : Position) return Position is
      (if From < To
@@ -68,8 +72,10 @@ package body Host.Bench is
      (Item : Surface; Servos : PWM_Buffer; Steps : Step_Number);
 
    procedure Start
-     (Faults : Surface_Faults.List := Surface_Faults.None) is
+     (Faults   : Surface_Faults.List := Surface_Faults.None;
+      Schedule : Schedule_Name := URVOS.Task_Trees.Report) is
    begin
+      Scan_After := Step_Number (Ticks_To_Scan (Schedule));
       Places := (others => Rest);
       Servos_Health := (others => <>);
       Script := Faults;
@@ -133,11 +139,11 @@ package body Host.Bench is
 
    procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words) is
    begin
-      Move (Servos, Ticks_To_Scan);
+      Move (Servos, Scan_After);
       for Item in Surface loop
          Sensors (Item) := Word (Places (Item) / Parts);
       end loop;
-      Move (Servos, Servo_Tick);
+      Move (Servos, Ticks_Per_Major_Frame - Scan_After);
    end Step;
 
 end Host.Bench;

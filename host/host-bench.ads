@@ -13,7 +13,8 @@ package Host.Bench is
    --  The surfaces are where neutral servos hold them, and come to be
    --  measured there.
    procedure Start
-     (Faults : Surface_Faults.List := Surface_Faults.None);
+     (Faults   : Surface_Faults.List := Surface_Faults.None;
+      Schedule : Schedule_Name := URVOS.Task_Trees.Report);
 
    --  The servos' words are held for a major frame. Sensors receives the
    --  surfaces' positions Ticks_To_Scan after its beginning, when the

@@ -153,7 +153,9 @@ package body Host.Plant_Messages is
 
    function Introduction
      (Shown_After : Step_Count;
-      Further     : String := "") return Stream_Element_Array
+      Further     : String := "";
+      Schedule    : Schedule_Name := URVOS.Task_Trees.Report)
+      return Stream_Element_Array
    is
       Text : Unbounded_String;
    begin
@@ -174,7 +176,7 @@ package body Host.Plant_Messages is
          Truth_Names & Shown_Names
          & Time_Line ("tick", Microseconds_Per_Tick, "us")
          & Time_Line ("frame", Ticks_Per_Major_Frame, "ticks")
-         & Time_Line ("scan", Ticks_To_Scan, "ticks")
+         & Time_Line ("scan", Ticks_To_Scan (Schedule), "ticks")
          & Time_Line ("shown", Shown_After, "ticks")
          & Further & Line_Feed);
 

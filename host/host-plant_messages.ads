@@ -52,7 +52,9 @@ package Host.Plant_Messages is
    --  what else the plant has to know.
    function Introduction
      (Shown_After : Step_Count;
-      Further     : String := "") return Stream_Element_Array;
+      Further     : String := "";
+      Schedule    : Schedule_Name := URVOS.Task_Trees.Report)
+      return Stream_Element_Array;
 
    --  Further lines: what befalls the servos (SIM-5).
    function Fault_Lines (Faults : Surface_Faults.List) return String;

@@ -7,6 +7,7 @@
 with Telemetry;
 with URVOS;        use URVOS;
 with URVOS.Frames; use URVOS.Frames;
+with URVOS.Task_Trees;
 with URV.Buffers;  use URV.Buffers;
 
 package Host is
@@ -37,10 +38,18 @@ package Host is
    --  3 ms its block would just miss its turn on the link.
    Usual_Phase : constant Phase_Ticks := 6_000 / Microseconds_Per_Tick;
 
+   subtype Schedule_Name is URVOS.Task_Trees.Schedule_Name;
+
    --  In this tick of the aircraft's frame the servos get new commands, and
-   --  so many ticks later the next scan begins (FRM-2).
-   Servo_Tick    : constant := 2;
-   Ticks_To_Scan : constant := Ticks_Per_Major_Frame - Servo_Tick;
+   --  so many ticks later the next scan begins (FRM-2, FRM-5).
+
+   function Servo_Tick (Schedule : Schedule_Name) return Phase_Ticks is
+     (case Schedule is
+         when URVOS.Task_Trees.Report => 2,
+         when URVOS.Task_Trees.Fast   => 4);
+
+   function Ticks_To_Scan (Schedule : Schedule_Name) return Phase_Ticks is
+     (Ticks_Per_Major_Frame - Servo_Tick (Schedule));
 
    --  On the serial link (D-4).
    Character_Time : constant Microseconds :=

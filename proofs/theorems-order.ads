@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The order of a frame (report, section 2.2, figure 3; FRM-2, SET-1): who
---  consumes what another task has produced runs after it, in the same
---  frame, on any schedule that keeps the releases, on one processor or two.
---  The control laws alone run at the same tick as those they consume from:
---  on the same processor, which runs them first because they stand first.
+--  The order of a frame (report, section 2.2, figure 3; FRM-2, FRM-5, SET-1):
+--  who consumes what another task has produced runs after it, in the same
+--  frame, on any run that keeps the releases, on one processor or two, in
+--  the report's schedule and in the fast one. Who runs at the same tick as
+--  those it consumes from is on the same processor, which runs them first
+--  because they stand first. In the report's schedule that is only LAW.
 
 with GSC;
 with MCS;
@@ -13,33 +14,44 @@ with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package Theorems.Order with SPARK_Mode, Ghost is
 
-   --  The tick at which each task runs in one major frame.
-   type MCS_Schedule is array (MCS.Task_Name) of Tick;
-   type GSC_Schedule is array (GSC.Task_Name) of Tick;
+   --  The tick at which each task runs in one major frame, and hands on what
+   --  it produces.
+   type MCS_Run is array (MCS.Task_Name) of Tick;
+   type GSC_Run is array (GSC.Task_Name) of Tick;
+
+   use type MCS.Task_Name;
+   use type GSC.Task_Name;
+
+   --  In the fast schedule the AD task begins the scan at its release, and
+   --  hands it on a minor frame later.
+   function Scan_Time (Set : Schedule_Name) return Tick is
+     (if Set = Fast then 1 else 0);
 
    --  No task has overrun: each runs in the minor frame in which it is
    --  released, in the major frame that follows Now. Which of those that
    --  share a minor frame runs first is left open.
 
    function Is_Legal
-     (Schedule : MCS_Schedule;
-      Now      : Clock_Tick) return Boolean
+     (Run : MCS_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name) return Boolean
    is
      (for all Who in MCS.Task_Name =>
-        Schedule (Who) = MCS.Tasks.Next_Release_Of (Who, Now));
+        Run (Who) = MCS.Tasks.Next_Release_Of (Who, Now, Set)
+          + (if Who = MCS.AD_Task then Scan_Time (Set) else 0));
 
    function Is_Legal
-     (Schedule : GSC_Schedule;
-      Now      : Clock_Tick) return Boolean
+     (Run : GSC_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name) return Boolean
    is
      (for all Who in GSC.Task_Name =>
-        Schedule (Who) = GSC.Tasks.Next_Release_Of (Who, Now));
+        Run (Who) = GSC.Tasks.Next_Release_Of (Who, Now, Set)
+          + (if Who = GSC.AD_Task then Scan_Time (Set) else 0));
 
    --  The variables between the tasks that pass within a frame: figure 2.
-   --  ADINT_variable is not one of them, it passes from frame to frame.
-
-   use type MCS.Task_Name;
-   use type GSC.Task_Name;
+   --  ADINT_variable is not one of them: in the report's schedule it passes
+   --  from frame to frame.
 
    function Consumes
      (Consumer, Producer : MCS.Task_Name) return Boolean
@@ -68,53 +80,110 @@ package Theorems.Order with SPARK_Mode, Ghost is
 
    --  Released at one tick, the producer is chosen first: on one processor,
    --  by its priority, which is its place in the list.
+
    function Is_Chosen_First
-     (Producer, Consumer : MCS.Task_Name) return Boolean
+     (Producer, Consumer : MCS.Task_Name;
+      Set                : Schedule_Name) return Boolean
    is
-     (MCS.Task_List (Producer).Processor = MCS.Task_List (Consumer).Processor
+     (MCS.Task_List (Producer) (Set).Processor =
+        MCS.Task_List (Consumer) (Set).Processor
       and then Producer < Consumer);
 
-   --  Aircraft: every consumer but the laws runs at a later tick than its
-   --  producer; the laws no earlier, and after it.
+   function Is_Chosen_First
+     (Producer, Consumer : GSC.Task_Name;
+      Set                : Schedule_Name) return Boolean
+   is
+     (GSC.Task_List (Producer) (Set).Processor =
+        GSC.Task_List (Consumer) (Set).Processor
+      and then Producer < Consumer);
+
+   --  Aircraft: every consumer runs at a later tick than its producer; in
+   --  the fast schedule, and the laws, no earlier, and after it.
    procedure Aircraft_Consumers_Follow_Producers
-     (Schedule : MCS_Schedule;
-      Now      : Clock_Tick)
+     (Run : MCS_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name)
    with
      Global => null,
-     Pre    => Is_Legal (Schedule, Now),
+     Pre    => Is_Legal (Run, Now, Set),
      Post   =>
        (for all Consumer in MCS.Task_Name =>
           (for all Producer in MCS.Task_Name =>
              (if Consumes (Consumer, Producer)
-              then Schedule (Consumer) > Schedule (Producer)
+              then Run (Consumer) > Run (Producer)
                 or else
-                  (Consumer = MCS.LAW_Task
-                   and then Schedule (Consumer) = Schedule (Producer)
-                   and then Is_Chosen_First (Producer, Consumer)))));
+                  ((Set = Fast or else Consumer = MCS.LAW_Task)
+                   and then Run (Consumer) = Run (Producer)
+                   and then Is_Chosen_First (Producer, Consumer, Set)))));
 
    --  Ground: the same.
    procedure Ground_Consumers_Follow_Producers
-     (Schedule : GSC_Schedule;
-      Now      : Clock_Tick)
+     (Run : GSC_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name)
    with
      Global => null,
-     Pre    => Is_Legal (Schedule, Now),
+     Pre    => Is_Legal (Run, Now, Set),
      Post   =>
        (for all Consumer in GSC.Task_Name =>
           (for all Producer in GSC.Task_Name =>
              (if Consumes (Consumer, Producer)
-              then Schedule (Consumer) > Schedule (Producer))));
+              then Run (Consumer) > Run (Producer)
+                or else
+                  (Set = Fast
+                   and then Run (Consumer) = Run (Producer)
+                   and then Is_Chosen_First (Producer, Consumer, Set)))));
 
-   --  All of it is over before the next frame begins.
-   procedure A_Frame_Is_Done_Within_It
-     (Schedule : MCS_Schedule;
-      Now      : Clock_Tick)
+   --  The fast schedule: from the scan's beginning the aircraft's sensors
+   --  are with the telemetry board a tick later, and commands at the servos
+   --  at the tick that takes them from it.
+   procedure Aircraft_Is_Fast (Run : MCS_Run; Now : Clock_Tick)
    with
      Global => null,
-     Pre    => Is_Legal (Schedule, Now),
+     Pre    => Is_Legal (Run, Now, Fast),
+     Post   =>
+       Run (MCS.TELOUT_Task) =
+         MCS.Tasks.Next_Release_Of (MCS.AD_Task, Now, Fast) + 1
+       and then Run (MCS.PWM_Task) = Run (MCS.TELIN_Task)
+       and then Run (MCS.CORE_Task) = Run (MCS.TELIN_Task);
+
+   --  The console's words are with the telemetry board a tick after their
+   --  scan began; what comes from it is in CORE at the tick that takes it,
+   --  five ticks after the board was given the uplink.
+   procedure Ground_Is_Fast (Run : GSC_Run; Now : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Is_Legal (Run, Now, Fast),
+     Post   =>
+       Run (GSC.TELOUT_Task) =
+         GSC.Tasks.Next_Release_Of (GSC.AD_Task, Now, Fast) + 1
+       and then Run (GSC.CORE_Task) = Run (GSC.TELIN_Task)
+       and then Run (GSC.TELIN_Task) = Run (GSC.TELOUT_Task) + 5;
+
+   --  All of it is over before the last minor frame begins.
+
+   procedure A_Frame_Is_Done_Within_It
+     (Run : MCS_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name)
+   with
+     Global => null,
+     Pre    => Is_Legal (Run, Now, Set),
      Post   =>
        (for all Who in MCS.Task_Name =>
-          Schedule (Who) in Next_Frame (Now) ..
-                              Next_Frame (Now) + Ticks_Per_Major_Frame - 1);
+          Run (Who) in Next_Frame (Now) ..
+                         Next_Frame (Now) + Ticks_Per_Major_Frame - 2);
+
+   procedure A_Ground_Frame_Is_Done_Within_It
+     (Run : GSC_Run;
+      Now : Clock_Tick;
+      Set : Schedule_Name)
+   with
+     Global => null,
+     Pre    => Is_Legal (Run, Now, Set),
+     Post   =>
+       (for all Who in GSC.Task_Name =>
+          Run (Who) in Next_Frame (Now) ..
+                         Next_Frame (Now) + Ticks_Per_Major_Frame - 2);
 
 end Theorems.Order;

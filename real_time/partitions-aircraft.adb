@@ -33,13 +33,14 @@ package body Partitions.Aircraft is
       use type Partitions.Options.Plant_Kind;
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
    begin
+      Bench.Start (Schedule => Chosen.Schedule);
       Set.On := Chosen.Laws;
       MCS.Law_Settings.Write (Set);
       if Chosen.Script /= Null_Unbounded_String then
          Load (Sensors, To_String (Chosen.Script));
       end if;
       if Chosen.Plant = Partitions.Options.JSBSim_Plant then
-         Plant.Start;
+         Plant.Start (Chosen.Schedule);
       end if;
    end Prepare;
 
@@ -110,6 +111,4 @@ package body Partitions.Aircraft is
       end if;
    end Observe;
 
-begin
-   Bench.Start;
 end Partitions.Aircraft;

@@ -17,6 +17,7 @@ package Partitions.GSC_Node is new Partitions.Nodes
    Telemetry_Board     => GSC.Telemetry_Board,
    Errors              => GSC.Errors,
    Sealing             => GSC.Sealing,
+   Schedule            => GSC.Schedule,
    Processor_Board     => GSC.Processor_Board,
    Handle_AD_Interrupt => GSC.ADINT.Handle_Interrupt,
    AD_Task             => GSC.AD_Task,

@@ -16,6 +16,7 @@ package Partitions.MCS_Node is new Partitions.Nodes
    Telemetry_Board     => MCS.Telemetry_Board,
    Errors              => MCS.Errors,
    Sealing             => MCS.Sealing,
+   Schedule            => MCS.Schedule,
    Processor_Board     => MCS.Processor_Board,
    Handle_AD_Interrupt => MCS.ADINT.Handle_Interrupt,
    AD_Task             => MCS.AD_Task,

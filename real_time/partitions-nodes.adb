@@ -208,12 +208,15 @@ package body Partitions.Nodes is
       Sealing.Configure (Format, Keys, Start);
    end Seal_Link;
 
-   procedure Switch_On (Processors : Processor_Number) is
+   procedure Switch_On
+     (Processors : Processor_Number;
+      Chosen     : Schedule_Name := Report) is
    begin
+      Schedule.Write (Chosen);
       Signals.Listen;
       Host.Memory_Hardware.Repair (Processor_Board);
       Telemetry_Hardware.Switch_On;
-      Node.Switch_On (Processors, Switched_On_At);
+      Node.Switch_On (Processors, Switched_On_At, Chosen);
       Converter_Hardware.Switch_On;
    end Switch_On;
 

@@ -21,6 +21,7 @@ with URV.Seal_Blocks;
 with URV.Seals;
 with URV.Sessions;
 with URV.Shared_Errors;
+with URV.Shared_Schedules;
 with URV.Shared_Seals;
 
 generic
@@ -45,6 +46,7 @@ generic
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Errors          : in out URV.Shared_Errors.Shared_Log;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;
+   Schedule        : in out URV.Shared_Schedules.Store;
    Processor_Board : Devices.Memory_Bus.Board_Number;
    with procedure Handle_AD_Interrupt;
 
@@ -82,7 +84,9 @@ package Partitions.Nodes is
       Start  : URV.Seal_Blocks.Nonce);
 
    --  Power up of every board.
-   procedure Switch_On (Processors : Processor_Number);
+   procedure Switch_On
+     (Processors : Processor_Number;
+      Chosen     : Schedule_Name := Report);
 
    function Overruns return Count;
 

@@ -5,6 +5,7 @@ with Ada.Command_Line; use Ada.Command_Line;
 with Host.Complaints;   use Host.Complaints;
 with Host.Key_Files;
 with Host.Pilot;
+with Host.Schedules;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with URVOS.Frames;      use URVOS.Frames;
 
@@ -13,7 +14,8 @@ package body Partitions.Options is
    use type Number;
 
    type Option is
-     (Link_Option, Seconds_Option, Phase_Option, Processors_Option,
+     (Link_Option, Seconds_Option, Phase_Option, Schedule_Option,
+      Processors_Option,
       Format_Option, Key_Option, Script_Option, Console_Option,
       Pilot_Option, Packets_Option, Publish_Option, Plant_Option, Laws_Option,
       Record_Option, Summary_Option, Events_Option, Quiet_Option);
@@ -34,6 +36,7 @@ package body Partitions.Options is
          when Link_Option       => "--link",
          when Seconds_Option    => "--seconds",
          when Phase_Option      => "--phase",
+         when Schedule_Option   => "--schedule",
          when Processors_Option => "--processors",
          when Format_Option     => "--format",
          when Key_Option        => "--key",
@@ -143,6 +146,9 @@ package body Partitions.Options is
                   & " is neither ""on"" nor ""off""");
             end if;
             Chosen.Laws := Value = "on";
+
+         when Schedule_Option =>
+            Chosen.Schedule := Schedules.Schedule_Of (Value);
 
          when Format_Option =>
             Chosen.Format := Key_Files.Format_Of (Value);
@@ -319,6 +325,9 @@ package body Partitions.Options is
       Put_Line
         ("                        " & Integer'Image (Frame_Milliseconds)
          & " ms of the machine's clock; else at once");
+      Put_Line
+        ("  --schedule NAME        of the tasks: " & Schedules.Names
+         & "; else report");
       Put_Line
         ("  --processors N         so many of the node, 1 or 2; else 1");
       Put_Line

@@ -47,6 +47,7 @@ package Partitions.Options is
       In_Phase : Boolean := False;
       Phase    : Phase_Ticks := 0;
 
+      Schedule   : Host.Schedule_Name := Report;
       Processors : Processor_Number := 1;
 
       --  Of the messages; the file of keys is empty in format 1.

@@ -19,9 +19,11 @@ package body Partitions.Plant is
    Line    : File       := Invalid;
    Process : Process_Id := Invalid_Pid;
 
-   --  From new commands for the servos to the row of the record.
-   Shown_After : constant Step_Count :=
-     Step_Count (MCS.Task_List (MCS.CORE_Task).Offset) - Servo_Tick;
+   --  From new commands for the servos to the row of the record; a whole
+   --  frame when both are of the same tick.
+   function Shown_After (Schedule : Schedule_Name) return Step_Count is
+     ((Integer (MCS.Task_List (MCS.CORE_Task) (Schedule).Offset)
+       - Servo_Tick (Schedule) - 1) mod Step_Count'Last + 1);
 
    type Plant_State is (In_Time, Is_Late, Is_Dead);
 
@@ -194,7 +196,7 @@ package body Partitions.Plant is
       pragma Unreferenced (Closed);
    end Spawn;
 
-   procedure Start is
+   procedure Start (Schedule : Schedule_Name) is
       Answer  : Unbounded_String;
       Message : State_Message;
       Sensors : Sensor_Words;
@@ -203,7 +205,9 @@ package body Partitions.Plant is
       Is_Good : Boolean;
    begin
       Spawn;
-      Send (Introduction (Shown_After), Is_Good);
+      Send
+        (Introduction (Shown_After (Schedule), Schedule => Schedule),
+         Is_Good);
       if Is_Good then
          Receive_Line (Answer, Is_Good);
       end if;

@@ -20,7 +20,7 @@ package Partitions.Plant is
 
    --  Starts the process, whose aircraft is settled then. Raises
    --  Host.Bad_Input.
-   procedure Start;
+   procedure Start (Schedule : Schedule_Name);
 
    function Is_There return Boolean;
 

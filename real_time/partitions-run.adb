@@ -286,7 +286,7 @@ begin
    end if;
    Note ("listening at " & To_String (Chosen.Link));
    Clocks.Switch_On;
-   This_Node.Switch_On (Chosen.Processors);
+   This_Node.Switch_On (Chosen.Processors, Chosen.Schedule);
    Write_Rows (Number (Chosen.Frames));
 
    if Is_Open (Files (Summary_File)) then

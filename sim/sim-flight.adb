@@ -49,9 +49,6 @@ package body Sim.Flight is
    use type Sim.Conditions.Start_Place;
    use Options;
 
-   --  When in the aircraft's frame the servos have new commands (FRM-2).
-   PWM_Offset : constant Microseconds := Servo_Tick * Tick_Time;
-
    --  Everything that a flight reads, writes and remembers. There is one
    --  flight.
 
@@ -119,6 +116,10 @@ package body Sim.Flight is
    function Is_Usual
      (Kind : Error_Kind; History : Logs.History) return Boolean;
 
+   --  When in the aircraft's frame the servos have new commands.
+   function PWM_Offset (Chosen : Choices) return Microseconds is
+     (Microseconds (Servo_Tick (Chosen.Schedule)) * Tick_Time);
+
    --  How much later than the ground the aircraft is switched on.
    function Lag_Of (Chosen : Choices) return Microseconds is
      (Microseconds (Chosen.Phase) * Tick_Time);
@@ -137,12 +138,13 @@ package body Sim.Flight is
    --  frame, when a row is written.
    function Steps_To_Row (Chosen : Choices) return Step_Count is
      (Step_Count
-        ((Major_Frame - (Lag_Of (Chosen) + PWM_Offset) mod Major_Frame)
+        ((Major_Frame
+          - (Lag_Of (Chosen) + PWM_Offset (Chosen)) mod Major_Frame)
          / Tick_Time));
 
    --  Servos are commanded from the aircraft's first frame of tasks on.
    function First_Commands (Chosen : Choices) return Microseconds is
-     (Lag_Of (Chosen) + Major_Frame + PWM_Offset);
+     (Lag_Of (Chosen) + Major_Frame + PWM_Offset (Chosen));
 
    function Servo_Faults (Chosen : Choices) return Surface_Faults.List is
      (Sim.Faults.For_Plant (Faults, First_Commands (Chosen)));
@@ -169,7 +171,7 @@ package body Sim.Flight is
         (Steps_To_Row (Chosen),
          Sim.Conditions.Introduction (Conditions, Chosen.Seed, Begins)
          & Fault_Lines (Servo_Faults (Chosen)),
-         Errors, Measured, Truth, Shown);
+         Chosen.Schedule, Errors, Measured, Truth, Shown);
    end Start_Aircraft;
 
    procedure Load_Inputs (Chosen : Choices) is
@@ -237,7 +239,8 @@ package body Sim.Flight is
          when JSBSim_Plant =>
             Sim.JSBSim.Begin_Step (Servos);
             Due := Microseconds'Min
-              (Frame_End, Time + Ticks_To_Scan * Tick_Time);
+              (Frame_End, Time + Microseconds (Ticks_To_Scan (Chosen.Schedule))
+                           * Tick_Time);
       end case;
    end Step_Plant;
 
@@ -489,6 +492,7 @@ package body Sim.Flight is
             then Pilot.Length (To_String (Chosen.Pilot))
             else Stick_Scripts.Length (Sticks)));
 
+      Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Laws (Has_Laws (Chosen));
       Nodes.Seal_Link
         (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
@@ -501,7 +505,7 @@ package body Sim.Flight is
          Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);
       else
-         Bench.Start (Servo_Faults (Chosen));
+         Bench.Start (Servo_Faults (Chosen), Chosen.Schedule);
       end if;
       if Given (Chosen.Pilot) then
          Pilot.Start (To_String (Chosen.Pilot));

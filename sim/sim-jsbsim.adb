@@ -30,6 +30,7 @@ package body Sim.JSBSim is
    procedure Start
      (Shown_After : Step_Count;
       Further     : String;
+      Schedule    : Schedule_Name;
       Errors      : Sensor_Values;
       Sensors     : out Sensor_Words;
       Truth       : out Flight_State;
@@ -38,7 +39,7 @@ package body Sim.JSBSim is
       Stop;
       Has_Early := False;
       Process.Spawn;
-      Process.Send (Introduction (Shown_After, Further));
+      Process.Send (Introduction (Shown_After, Further, Schedule));
       declare
          Answer : constant String := Process.Received_Line;
       begin

@@ -24,6 +24,7 @@ package Sim.JSBSim is
    procedure Start
      (Shown_After : Step_Count;
       Further     : String;
+      Schedule    : Schedule_Name;
       Errors      : Sensor_Values;
       Sensors     : out Sensor_Words;
       Truth       : out Flight_State;

@@ -69,8 +69,10 @@ package body Sim.Nodes is
          Restart_Telemetry (Which);
       end if;
       case Which is
-         when Ground   => GSC_Time.Start (Condition, Now, Number);
-         when Aircraft => MCS_Time.Start (Condition, Now, Number);
+         when Ground   =>
+            GSC_Time.Start (Condition, Now, Number, GSC.Schedule.Contents);
+         when Aircraft =>
+            MCS_Time.Start (Condition, Now, Number, MCS.Schedule.Contents);
       end case;
    exception
       when Host.Memory_Hardware.Bus_Error =>
@@ -79,6 +81,12 @@ package body Sim.Nodes is
          Raised := True;
          Complain (Which, Error);
    end Start;
+
+   procedure Set_Schedule (Schedule : Schedule_Name) is
+   begin
+      GSC.Schedule.Write (Schedule);
+      MCS.Schedule.Write (Schedule);
+   end Set_Schedule;
 
    procedure Set_Laws (On : Boolean) is
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;

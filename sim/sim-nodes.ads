@@ -81,6 +81,9 @@ package Sim.Nodes is
       Data      : out Byte;
       Time_Left : out Telemetry.Character_Times);
 
+   --  Before the nodes are switched on.
+   procedure Set_Schedule (Schedule : Schedule_Name);
+
    --  The aircraft's control laws are there or not, from the next start on.
    procedure Set_Laws (On : Boolean);
 

@@ -4,6 +4,7 @@ with Devices.AD_Board;
 with Telemetry;
 with Telemetry.Senders; use Telemetry.Senders;
 with Telemetry.Turns;
+with URVOS.Task_Trees;
 with URV.Buffers;       use URV.Buffers;
 with URVOS.Frames;      use URVOS.Frames;
 
@@ -33,7 +34,7 @@ package body Sim.Numbers is
       Put ("character_us", Telemetry.Microseconds_Per_Character);
       Put ("conversion_us", Devices.AD_Board.Microseconds_Per_Conversion);
       Put ("channels", Channel_Words'Length);
-      Put ("servo_tick", Servo_Tick);
+      Put ("servo_tick", Servo_Tick (URVOS.Task_Trees.Report));
       Put ("uplink_words", Uplink_Buffer'Length);
       Put ("downlink_words", Downlink_Buffer'Length);
       Put ("pwm_words", PWM_Buffer'Length);

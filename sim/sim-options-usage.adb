@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Host.Pilot;
+with Host.Schedules;
 with Host.Text_Numbers;
 with Sim.Conditions;
 with Sim.Faults;
@@ -58,6 +59,8 @@ package body Sim.Options.Usage is
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
               & Phase_Ticks'Last'Image & " ("
               & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
+         Put ("  --schedule NAME   of both nodes' tasks: " & Schedules.Names
+              & " (report)");
          Put ("  --processors N    of each node, 1 or 2 (1)");
          Put ("  --laws LAWS       the aircraft's control laws, on or off");
          Put ("                    (on with jsbsim, off with the bench)");

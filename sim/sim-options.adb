@@ -5,6 +5,7 @@ with Ada.Command_Line; use Ada.Command_Line;
 with Host.Complaints;   use Host.Complaints;
 with Host.Key_Files;
 with Host.Pilot;
+with Host.Schedules;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Sim.Options.Usage;
 
@@ -15,9 +16,9 @@ package body Sim.Options is
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
-      Seed_Option, Phase_Option, Processors_Option, Laws_Option,
-      Format_Option, Key_Option, Record_Option, Summary_Option, Wire_Option,
-      Events_Option, Pace_Option, Quiet_Option);
+      Seed_Option, Phase_Option, Schedule_Option, Processors_Option,
+      Laws_Option, Format_Option, Key_Option, Record_Option, Summary_Option,
+      Wire_Option, Events_Option, Pace_Option, Quiet_Option);
 
    Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
@@ -36,6 +37,7 @@ package body Sim.Options is
          when Orders_Option     => "--orders",
          when Seed_Option       => "--seed",
          when Phase_Option      => "--phase",
+         when Schedule_Option   => "--schedule",
          when Processors_Option => "--processors",
          when Laws_Option       => "--laws",
          when Format_Option     => "--format",
@@ -202,6 +204,8 @@ package body Sim.Options is
                Refuse_Value (Which, Value, "is neither ""on"" nor ""off""");
             end if;
 
+         when Schedule_Option =>
+            Chosen.Schedule := Schedules.Schedule_Of (Value);
          when Format_Option  =>
             Chosen.Format := Key_Files.Format_Of (Value);
          when Key_Option     =>

@@ -9,6 +9,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Host.Text_Output;
 with Sim.Nodes;
 with Sim.Noise;
+with URVOS.Task_Trees;
 with URV.Seals;
 
 package Sim.Options is
@@ -56,6 +57,9 @@ package Sim.Options is
       Phase   : Phase_Ticks := Usual_Phase;
       Pace    : Pace_Kind := Max;
       Quiet   : Boolean := False;
+
+      --  Of both nodes.
+      Schedule : Schedule_Name := URVOS.Task_Trees.Report;
 
       --  Of the aircraft's node.
       Processors : Processor_Count := 1;

@@ -88,7 +88,9 @@ package body Thermostat with SPARK_Mode is
       Call      : out Kernel_Call) is
    begin
       Call :=
-        (Next_Frame_Call, Offset => Task_List (Who).Offset, others => <>);
+        (Next_Frame_Call,
+         Offset => Task_List (Who) (Report).Offset,
+         others => <>);
       if not First_Run then
          case Who is
             when Sensor  => Measure;

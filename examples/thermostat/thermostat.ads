@@ -53,9 +53,9 @@ package Thermostat with SPARK_Mode is
    type Task_Name is (Sensor, Guest, Control);
    type Task_Table is array (Task_Name) of Task_Attributes;
    Task_List : constant Task_Table :=
-     (Sensor  => (Offset => 3, Processor => 1),
-      Guest   => (Offset => 0, Processor => 1),
-      Control => (Offset => 1, Processor => 2));
+     (Sensor  => (others => (Offset => 3, Processor => 1)),
+      Guest   => (others => (Offset => 0, Processor => 1)),
+      Control => (others => (Offset => 1, Processor => 2)));
    package Tasks is new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);
 
    --  What the control keeps from step to step.

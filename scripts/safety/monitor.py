@@ -70,9 +70,13 @@ UNTIL_ROW_US = 30_000
 SENSORS_CALM_US = 80_000
 SENSORS_DISTURBED_US = 120_000
 
-# Before the row's time, when the scan began that CORE has as fresh. The
-# aircraft's frame ends up to 18 ms after the ground's begins.
-OWN_SCAN_US = {"gsc": (40_000, 20_000), "mcs": (48_000, 8_000)}
+# Before the row's time, when the scan began that CORE has as fresh, by
+# schedule. The aircraft's frame ends up to 18 ms after the ground's begins;
+# in step it may last 2 ms longer.
+OWN_SCAN_US = {
+    "report": {"gsc": (40_000, 20_000), "mcs": (48_000, 8_000)},
+    "fast": {"gsc": (20_000, 20_000 - SCAN_US),
+             "mcs": (30_000, 8_000 - SCAN_US)}}
 
 # In the partitions a row is taken when CORE has the frame's words; between
 # the rows that show a message at both ends, and at the console and in CORE.
@@ -266,9 +270,11 @@ class Checker:
 class Flight(Checker):
     """A flight of the simulation."""
 
-    def __init__(self, record, sticks, sensors, faults):
+    def __init__(self, record, sticks, sensors, faults, schedule, drift):
         super().__init__()
         self.record = Record(record)
+        self.own_scan_us = OWN_SCAN_US[schedule]
+        self.drifts = drift not in (None, "0")
         self.faults = disturbances.of_file(faults)
         self.console = self._console(sticks)
         self.orders = self.console.map(orders_of)
@@ -353,13 +359,14 @@ class Flight(Checker):
 
     def scan(self, node, first, last):
         """How a node's converter scans: with each of its frames. When the
-        aircraft's begin the record does not say, but at a tick."""
+        aircraft's begin the record does not say, but at a tick, unless its
+        clock drifts."""
         is_slow = self.faults.scans[node].touch(first, last)
         return Scan(
             FRAME_US if is_slow else SCAN_US,
             FRAME_US if node == "gsc" else TICK_US,
             self.faults.silent[node].touch(first, last)
-            or node == "mcs" and is_slow)
+            or node == "mcs" and (is_slow or self.drifts))
 
     def check_own(self, node, values, line):
         """What CORE has of its own node as fresh is of the node's scan
@@ -368,7 +375,7 @@ class Flight(Checker):
             return
         name = "gsc.uplink" if node == "gsc" else "mcs.downlink"
         names = COMMANDS if node == "gsc" else SENSORS
-        early, late = OWN_SCAN_US[node]
+        early, late = self.own_scan_us[node]
         before = (0,) * len(values[0])
         for time, words in zip(self.record.times, values, strict=True):
             changed, before = words != before, words
@@ -456,9 +463,10 @@ class Flight(Checker):
                 else "of no one scan of the console")
 
 
-def check(record, sticks=None, sensors=None, faults=None):
+def check(record, sticks=None, sensors=None, faults=None,
+          schedule="report", drift=None):
     """A flight of the simulation, from its record and what it was given."""
-    return Flight(record, sticks, sensors, faults).run()
+    return Flight(record, sticks, sensors, faults, schedule, drift).run()
 
 
 class Partitions(Checker):
@@ -575,6 +583,9 @@ def main():
     parser.add_argument("record", nargs="?", help="of a simulated flight")
     for option in ("sticks", "sensors", "faults"):
         parser.add_argument(f"--{option}", help="that the flight was given")
+    parser.add_argument("--schedule", choices=sorted(OWN_SCAN_US),
+                        default="report", help="that the nodes kept")
+    parser.add_argument("--drift", help="of the aircraft's clock")
     for node in disturbances.NODES:
         parser.add_argument(f"--{node}", help="record of that partition")
     given = parser.parse_args()
@@ -585,7 +596,7 @@ def main():
         findings = (
             check_partitions(given.gsc, given.mcs) if partitions
             else check(given.record, given.sticks, given.sensors,
-                       given.faults))
+                       given.faults, given.schedule, given.drift))
     except (OSError, ValueError) as error:
         print(f"monitor.py: {error}", file=sys.stderr)
         return 2

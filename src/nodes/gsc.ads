@@ -30,6 +30,7 @@ with URV.Output_Exchange_Task;
 with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
+with URV.Shared_Schedules;
 with URV.Shared_Seals;
 with URV.Shared_Status;
 with URV.Start_Routines;
@@ -73,6 +74,9 @@ package GSC with SPARK_Mode is
 
    Status : URV.Shared_Status.Status;
 
+   --  When the tasks run: set before the node is switched on (FRM-5).
+   Schedule : URV.Shared_Schedules.Store;
+
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
@@ -80,7 +84,7 @@ package GSC with SPARK_Mode is
 
    package AD is new URV.AD_Task
      (For_Stick_Words, For_Stick_Images, ADINT_Variable, AD_Variable,
-      Errors, ADINT.Begin_Scan);
+      Errors, Schedule, ADINT.Begin_Scan);
 
    package TELIN is new URV.TELIN_Task
      (For_Downlink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
@@ -157,9 +161,11 @@ package GSC with SPARK_Mode is
       Read_ROM        => Memories.Read_ROM);
 
    --  The tasks, in order of priority: when they run, and on which of two
-   --  processors (FRM-2, SET-1, KRN-5, EXT-4). The
-   --  boards' tasks are on the first, data collection and all that belongs
-   --  to CORE on the second.
+   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
+   --  schedule the boards' tasks are on the first, data collection and all
+   --  that belongs to CORE on the second. In the fast one who consumes runs
+   --  right behind who produces, on the same processor; in the last minor
+   --  frame nobody is released.
 
    type Task_Name is
      (AD_Task,
@@ -174,14 +180,14 @@ package GSC with SPARK_Mode is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Task_List : constant Task_Table :=
-     (AD_Task        => (Offset => 0, Processor => 1),
-      TELIN_Task     => (Offset => 0, Processor => 1),
-      GDCIN_Task     => (Offset => 1, Processor => 2),
-      GDCOUT_Task    => (Offset => 1, Processor => 2),
-      TELOUT_Task    => (Offset => 2, Processor => 1),
-      CORE_Task      => (Offset => 4, Processor => 2),
-      LOG_Task       => (Offset => 5, Processor => 2),
-      SELF_TEST_Task => (Offset => 6, Processor => 1));
+     (AD_Task        => (Report => (0, 1), Fast => (0, 1)),
+      TELIN_Task     => (Report => (0, 1), Fast => (6, 1)),
+      GDCIN_Task     => (Report => (1, 2), Fast => (6, 1)),
+      GDCOUT_Task    => (Report => (1, 2), Fast => (1, 1)),
+      TELOUT_Task    => (Report => (2, 1), Fast => (1, 1)),
+      CORE_Task      => (Report => (4, 2), Fast => (6, 1)),
+      LOG_Task       => (Report => (5, 2), Fast => (7, 2)),
+      SELF_TEST_Task => (Report => (6, 1), Fast => (8, 2)));
 
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);

@@ -44,7 +44,7 @@ package body MCS with SPARK_Mode is
       Now       : Clock_Tick;
       Call      : out Kernel_Call)
    is
-      pragma Unreferenced (Now);
+      Set : constant Schedule_Name := Schedule.Contents;
    begin
       if First_Run then
          case Who is
@@ -70,7 +70,12 @@ package body MCS with SPARK_Mode is
          end case;
       end if;
       Call :=
-        (Next_Frame_Call, Offset => Task_List (Who).Offset, others => <>);
+        (Next_Frame_Call,
+         Offset => Task_List (Who) (Set).Offset,
+         others => <>);
+      if Who = AD_Task then
+         AD.Await_Scan (Now, Call);
+      end if;
    end Run_Step;
 
    procedure Reset_Variables is

@@ -34,6 +34,7 @@ with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Shared_Schedules;
 with URV.Shared_Seals;
 with URV.Shared_Surfaces;
 with URV.Shared_Status;
@@ -80,6 +81,9 @@ package MCS with SPARK_Mode is
 
    Status : URV.Shared_Status.Status;
 
+   --  When the tasks run: set before the node is switched on (FRM-5).
+   Schedule : URV.Shared_Schedules.Store;
+
    --  The control laws: off unless they are set on before a start (EXT-3).
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
@@ -100,7 +104,7 @@ package MCS with SPARK_Mode is
 
    package AD is new URV.AD_Task
      (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
-      Errors, ADINT.Begin_Scan);
+      Errors, Schedule, ADINT.Begin_Scan);
 
    package TELIN is new URV.TELIN_Task
      (For_Uplink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
@@ -186,9 +190,11 @@ package MCS with SPARK_Mode is
       Read_ROM        => Memories.Read_ROM);
 
    --  The tasks, in order of priority: when they run, and on which of two
-   --  processors (FRM-2, SET-1, KRN-5, EXT-4). The boards'
-   --  tasks are on the first, data collection and all that belongs to CORE
-   --  on the second.
+   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
+   --  schedule the boards' tasks are on the first, data collection and all
+   --  that belongs to CORE on the second. In the fast one who consumes runs
+   --  right behind who produces, on the same processor; in the last minor
+   --  frame nobody is released.
 
    type Task_Name is
      (AD_Task,
@@ -205,16 +211,16 @@ package MCS with SPARK_Mode is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Task_List : constant Task_Table :=
-     (AD_Task        => (Offset => 0, Processor => 1),
-      TELIN_Task     => (Offset => 0, Processor => 1),
-      MDCIN_Task     => (Offset => 1, Processor => 2),
-      MDCOUT_Task    => (Offset => 1, Processor => 2),
-      LAW_Task       => (Offset => 1, Processor => 2),
-      PWM_Task       => (Offset => 2, Processor => 1),
-      TELOUT_Task    => (Offset => 2, Processor => 1),
-      CORE_Task      => (Offset => 4, Processor => 2),
-      LOG_Task       => (Offset => 5, Processor => 2),
-      SELF_TEST_Task => (Offset => 6, Processor => 1));
+     (AD_Task        => (Report => (0, 1), Fast => (0, 1)),
+      TELIN_Task     => (Report => (0, 1), Fast => (4, 1)),
+      MDCIN_Task     => (Report => (1, 2), Fast => (4, 1)),
+      MDCOUT_Task    => (Report => (1, 2), Fast => (1, 1)),
+      LAW_Task       => (Report => (1, 2), Fast => (4, 1)),
+      PWM_Task       => (Report => (2, 1), Fast => (4, 1)),
+      TELOUT_Task    => (Report => (2, 1), Fast => (1, 1)),
+      CORE_Task      => (Report => (4, 2), Fast => (4, 1)),
+      LOG_Task       => (Report => (5, 2), Fast => (5, 2)),
+      SELF_TEST_Task => (Report => (6, 1), Fast => (6, 2)));
 
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);

@@ -152,7 +152,9 @@ def must_be_safe(folder, record, options):
     findings = monitor.check(path, **{
         name: folder / options[f"--{name}"]
         for name in ("sticks", "sensors", "faults")
-        if options.get(f"--{name}")})
+        if options.get(f"--{name}")},
+        schedule=options.get("--schedule", "report"),
+        drift=options.get("--drift"))
     assert findings.violations == [], "\n".join(findings.violations)
 
 

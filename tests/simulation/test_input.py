@@ -57,6 +57,7 @@ def refused(urv_sim, tmp_path):
 
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--faults", "--conditions", "--orders", "--seed", "--phase",
+           "--schedule",
            "--processors", "--laws", "--format", "--key", "--record",
            "--summary", "--wire", "--events", "--pace", "--quiet")
 
@@ -105,6 +106,9 @@ COMMAND_LINES = [
     *((["fly", "--phase", value],
        f'--phase: "{value}" is not a whole number from 0 to 9')
       for value in ("12", "10", "-1", "1.5", "three", "0x3", " 3")),
+    *((["fly", "--schedule", value],
+       f'--schedule: "{value}" is neither "report" nor "fast"')
+      for value in ("Fast", "slow", "1")),
     *((["fly", "--processors", value],
        f'--processors: "{value}" is neither 1 nor 2')
       for value in ("0", "3", "12", "-1", "two", "1.0")),

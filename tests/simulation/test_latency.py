@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long a change at the console takes to the PWM board, to the
-microsecond, at every phase (FRM-2, D-12). docs/design.md derives the same."""
+microsecond, at every phase and in both schedules (FRM-2, FRM-5, D-12).
+docs/design.md derives the same."""
 
 import pytest
 from conftest import (
@@ -22,27 +23,32 @@ CONVERSION = NUMBERS.conversion_us
 # Changes far enough apart that each has arrived before the next comes.
 APART = 6 * FRAME
 
-TELOUT = 2 * TICK
 UPLINK = UPLINK_CHARACTERS * CHARACTER_US
-PWM = 2 * TICK
+
+# When the ground's TELOUT runs after a scan began: the AD task takes it a
+# frame later, or a tick. When the aircraft's TELIN and PWM run.
+TELOUT = {"report": FRAME + 2 * TICK, "fast": TICK}
+TELIN = {"report": 0, "fast": 4 * TICK}
+PWM = {"report": 2 * TICK, "fast": 4 * TICK}
+
+SCHEDULES = sorted(TELOUT)
 
 
-def from_scan_to_servos(phase):
+def from_scan_to_servos(phase, schedule):
     """From the beginning of the scan that samples a change."""
-    # The AD task takes the scan a frame later.
-    arrived = FRAME + TELOUT + UPLINK
-    aircraft = TICK * phase
-    while aircraft < arrived:
+    arrived = TELOUT[schedule] + UPLINK
+    aircraft = TICK * phase - FRAME
+    while aircraft + TELIN[schedule] < arrived:
         aircraft += FRAME
-    return aircraft + PWM
+    return aircraft + PWM[schedule]
 
 
-def latency(time, channel, phase):
+def latency(time, channel, phase, schedule):
     """A channel is held 16 us after the one before it; a change at that
     very moment is in time."""
     sampled = channel * CONVERSION
     scans = -(-(time - sampled) // FRAME)
-    return scans * FRAME + from_scan_to_servos(phase) - time
+    return scans * FRAME + from_scan_to_servos(phase, schedule) - time
 
 
 # Where in its frame a change comes, and in which channel. The first is the
@@ -86,15 +92,16 @@ def sticks():
     return "\n".join(lines) + "\n", changes, time
 
 
+@pytest.mark.parametrize("schedule", SCHEDULES)
 @pytest.mark.parametrize("phase", range(10))
-def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase):
+def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase, schedule):
     text, changes, end = sticks
     (tmp_path / "sticks.csv").write_text(text)
     flight = fly_in(tmp_path, "--sticks", "sticks.csv", "--phase", phase,
-                    "--seconds", end / 1e6)
+                    "--schedule", schedule, "--seconds", end / 1e6)
     assert flight.record["pwm.discretes"][-1] == transformed(
         changes[-1][2])[-1]
-    expected = sorted(latency(time, channel, phase)
+    expected = sorted(latency(time, channel, phase, schedule)
                       for time, channel, _ in changes)
     count = len(expected)
     measured = {
@@ -112,7 +119,10 @@ def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase):
         "expired": 0,
     }
     # The extremes are those of the derivation.
-    scan = FRAME + 2 * TICK + TICK * phase + (FRAME if phase < 4 else 0)
+    scan = {"report": FRAME + 2 * TICK + TICK * phase
+            + (FRAME if phase < 4 else 0),
+            "fast": 4 * TICK + TICK * phase
+            - (FRAME if phase > 8 else 0)}[schedule]
     assert (expected[0], expected[-1]) == (
         scan - 12 * CONVERSION, scan + FRAME - 1)
 

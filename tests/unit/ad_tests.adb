@@ -7,6 +7,8 @@ with Expect_Value;
 with Expectations;     use Expectations;
 with Task_Rig;         use Task_Rig;
 with URVOS;            use URVOS;
+with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 with URV.AD_Scans;     use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
@@ -14,6 +16,7 @@ with URV.Buffers;      use URV.Buffers;
 with URV.Errors;       use URV.Errors;
 with URV.Mailboxes;    use URV.Mailboxes;
 with URV.Shared_Errors;
+with URV.Shared_Schedules;
 
 package body AD_Tests is
 
@@ -27,6 +30,7 @@ package body AD_Tests is
    procedure Fresh_Scan;
    procedure Old_Scan;
    procedure Image_Unread;
+   procedure Fast_Scans;
    procedure The_Board;
    procedure Each_Start_Once;
    procedure Abandoned;
@@ -43,6 +47,8 @@ package body AD_Tests is
 
    Errors : URV.Shared_Errors.Shared_Log;
 
+   Schedule : URV.Shared_Schedules.Store;
+
    package Handler is new URV.ADINT_Handler
      (For_Sensor_Words, Board, ADINT_Variable, Errors);
 
@@ -53,7 +59,7 @@ package body AD_Tests is
 
    package AD is new URV.AD_Task
      (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
-      Errors, Counted_Begin_Scan);
+      Errors, Schedule, Counted_Begin_Scan);
 
    --  Nothing sent, nothing reported, no conversion wanted.
    procedure Clear;
@@ -277,6 +283,69 @@ package body AD_Tests is
       Expect_Errors ("a scan again", Errors, None);
    end Old_Scan;
 
+   procedure Fast_Scans is
+      Image : AD_Image;
+      Call  : Kernel_Call;
+
+      procedure Expect_Release (What : String; Waits : Boolean);
+
+      procedure Expect_Release (What : String; Waits : Boolean) is
+      begin
+         Call := (Next_Frame_Call, Offset => 0, others => <>);
+         AD.Await_Scan (17, Call);
+         Expect (What & ", waits", Call.Name = Sleep_Call, Waits);
+         if Waits then
+            Expect (What & ", until", Call.Until_Tick, 18);
+         end if;
+      end Expect_Release;
+   begin
+      Clear;
+      Schedule.Write (Fast);
+      AD.Initialise;
+      Expect_Number ("no scan at first", Scans_Begun, 0);
+      Expect_Release ("at first", False);
+      for Frame in Word range 1 .. 2 loop
+         AD.Run_Transaction;
+         Expect_Number ("begun", Scans_Begun, Natural (Frame));
+         Expect_Start (0);
+         Images.Expect_Counts
+           ("nothing sent yet", AD_Variable, Count (Frame) - 1,
+            Count (Frame) - 1);
+         Expect_Release ("scanning", True);
+         Convert (16#100# * Frame);
+         for Number in 1 .. 31 loop
+            Expect_Start (Channel (Number));
+            Convert (16#100# * Frame);
+         end loop;
+         AD.Run_Transaction;
+         Expect_Number ("no other", Scans_Begun, Natural (Frame));
+         Image := Images.Taken ("the same frame's image", AD_Variable);
+         Expect ("its word", Image.Words (31), 16#100# * Frame);
+         Expect ("is fresh", Image.Error_Status, No_Error);
+         Expect_Release ("handed on", False);
+      end loop;
+      Expect_Errors ("fresh scans", Errors, None);
+
+      --  One that does not end in time.
+      AD.Run_Transaction;
+      Expect_Start (0);
+      Convert (0);
+      Expect_Start (1);
+      AD.Run_Transaction;
+      Image := Images.Taken ("sent all the same", AD_Variable);
+      Expect ("the words before", Image.Words (0), 16#200#);
+      Expect ("are stale", Image.Error_Status, Stale_Data);
+      Expect_Errors ("not told before the next", Errors, None);
+      AD.Run_Transaction;
+      Expect_Start (0);
+      Expect_Errors ("no scan", Errors, (1 => AD_No_Scan), Detail => 1);
+
+      --  A start of the node's tasks begins anew.
+      AD.Initialise;
+      Expect_Release ("after a start", False);
+      Schedule.Write (Report);
+   end Fast_Scans;
+
    procedure Image_Unread is
    begin
       Clear;
@@ -397,6 +466,9 @@ package body AD_Tests is
       Add
         (Suite, "AD-1 without a scan the words before go out as stale",
          Old_Scan'Access);
+      Add
+        (Suite, "FRM-5 AD-1 in the fast schedule a scan is handed on in its"
+         & " frame", Fast_Scans'Access);
       Add
         (Suite, "AD-1 an image that nobody took is reported",
          Image_Unread'Access);

@@ -14,6 +14,7 @@ package body Executives_Tests is
 
    --  The tests, in order.
    procedure Offsets;
+   procedure Fast_Offsets;
    procedure Each_Frame;
    procedure Overruns;
    procedure Same_Tick_Twice;
@@ -140,20 +141,73 @@ package body Executives_Tests is
       for Who in MCS.Task_Name loop
          Expect
            ("offset of MCS " & Who'Image,
-            Is_Right (Who, MCS.Task_List (Who).Offset), True);
+            Is_Right (Who, MCS.Task_List (Who) (Report).Offset), True);
       end loop;
       for Who in GSC.Task_Name loop
          Expect
            ("offset of GSC " & Who'Image,
-            Is_Right (Who, GSC.Task_List (Who).Offset), True);
+            Is_Right (Who, GSC.Task_List (Who) (Report).Offset), True);
       end loop;
-      Expect
+      Expect_Number
         ("the check in the aircraft",
-         MCS.Task_List (MCS.SELF_TEST_Task).Offset = Of_The_Check, True);
-      Expect
+         Integer (MCS.Task_List (MCS.SELF_TEST_Task) (Report).Offset),
+         Integer (Of_The_Check));
+      Expect_Number
         ("the check on the ground",
-         GSC.Task_List (GSC.SELF_TEST_Task).Offset = Of_The_Check, True);
+         Integer (GSC.Task_List (GSC.SELF_TEST_Task) (Report).Offset),
+         Integer (Of_The_Check));
    end Offsets;
+
+   procedure Fast_Offsets is
+
+      --  The table of FRM-5.
+
+      function Is_Right
+        (Who    : MCS.Task_Name;
+         Offset : Minor_Frame) return Boolean
+      is
+        (case Who is
+            when MCS.AD_Task                        => Offset = 0,
+            when MCS.MDCOUT_Task | MCS.TELOUT_Task  => Offset = 1,
+            when MCS.TELIN_Task | MCS.MDCIN_Task | MCS.LAW_Task
+              | MCS.PWM_Task | MCS.CORE_Task        => Offset = 4,
+            when others                             => Offset in 5 .. 8);
+
+      function Is_Right
+        (Who    : GSC.Task_Name;
+         Offset : Minor_Frame) return Boolean
+      is
+        (case Who is
+            when GSC.AD_Task                        => Offset = 0,
+            when GSC.GDCOUT_Task | GSC.TELOUT_Task  => Offset = 1,
+            when GSC.TELIN_Task | GSC.GDCIN_Task
+              | GSC.CORE_Task                       => Offset = 6,
+            when others                             => Offset in 7 .. 8);
+
+      --  The log and the check of the program memory have the second
+      --  processor for themselves.
+      use type MCS.Task_Name;
+      use type GSC.Task_Name;
+   begin
+      for Who in MCS.Task_Name loop
+         Expect
+           ("offset of MCS " & Who'Image,
+            Is_Right (Who, MCS.Task_List (Who) (Fast).Offset), True);
+         Expect_Number
+           ("processor of MCS " & Who'Image,
+            Integer (MCS.Tasks.Processor_Of (Who, 2, Fast)),
+            (if Who > MCS.CORE_Task then 2 else 1));
+      end loop;
+      for Who in GSC.Task_Name loop
+         Expect
+           ("offset of GSC " & Who'Image,
+            Is_Right (Who, GSC.Task_List (Who) (Fast).Offset), True);
+         Expect_Number
+           ("processor of GSC " & Who'Image,
+            Integer (GSC.Tasks.Processor_Of (Who, 2, Fast)),
+            (if Who > GSC.CORE_Task then 2 else 1));
+      end loop;
+   end Fast_Offsets;
 
    procedure Each_Frame is
    begin
@@ -283,6 +337,9 @@ package body Executives_Tests is
       Add
         (Suite, "FRM-2 SET-1 both nodes release their tasks at the offsets",
          Offsets'Access);
+      Add
+        (Suite, "FRM-5 SET-1 so they do in the fast schedule",
+         Fast_Offsets'Access);
       Add
         (Suite, "FRM-3 KRN-3 each task runs once a major frame, at its offset",
          Each_Frame'Access);

@@ -27,10 +27,10 @@ package body Real_Time_Nodes_Tests is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Table : constant Task_Table :=
-     (Input      => (Offset => 0, Processor => 1),
-      Collection => (Offset => 1, Processor => 2),
-      Output     => (Offset => 2, Processor => 1),
-      Recording  => (Offset => 3, Processor => 2));
+     (Input      => (others => (Offset => 0, Processor => 1)),
+      Collection => (others => (Offset => 1, Processor => 2)),
+      Output     => (others => (Offset => 2, Processor => 1)),
+      Recording  => (others => (Offset => 3, Processor => 2)));
 
    package Tasks is new URVOS.Task_Lists (Task_Name, Task_Table, Table);
 
@@ -265,7 +265,8 @@ package body Real_Time_Nodes_Tests is
       --  Long enough for the other processor to come in between.
       delay 0.000_5;
       Witness.End_Step;
-      Call := (Next_Frame_Call, Offset => Table (Who).Offset, others => <>);
+      Call :=
+        (Next_Frame_Call, Offset => Table (Who) (Report).Offset, others => <>);
    end Run_Step;
 
    procedure Begin_Again

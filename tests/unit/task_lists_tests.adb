@@ -145,7 +145,8 @@ package body Task_Lists_Tests is
             Expect
               (Who'Image & " after" & Now'Image,
                MCS.Tasks.Next_Release_Of (Who, Now),
-               (Now / 10 + 1) * 10 + Tick (MCS.Task_List (Who).Offset));
+               (Now / 10 + 1) * 10
+               + Tick (MCS.Task_List (Who) (Report).Offset));
          end loop;
       end loop;
    end Releases;
@@ -165,13 +166,16 @@ package body Task_Lists_Tests is
          declare
             Table : constant Full_Table :=
               (for Who in Full_Name =>
-                 (Offset    => 3,
-                  Processor => (if Who > Split then 2 else 1)));
+                 (Schedule_Name =>
+                    (Offset    => 3,
+                     Processor => (if Who > Split then 2 else 1))));
 
             Mixed : constant Full_Table :=
               (for Who in Full_Name =>
-                 (Offset    => 3,
-                  Processor => (if (Who + Split) mod 3 = 0 then 1 else 2)));
+                 (Schedule_Name =>
+                    (Offset    => 3,
+                     Processor =>
+                       (if (Who + Split) mod 3 = 0 then 1 else 2))));
 
             package Lists is
               new URVOS.Task_Lists (Full_Name, Full_Table, Table);
@@ -187,7 +191,8 @@ package body Task_Lists_Tests is
 
       for Processor in Processor_Number loop
          declare
-            Table : constant Lone_Table := (Alone => (9, Processor));
+            Table : constant Lone_Table :=
+              (Alone => (Schedule_Name => (9, Processor)));
             package Lists is
               new URVOS.Task_Lists (Lone_Name, Lone_Table, Table);
             procedure Expect_Trees is new Expect_Whole_Trees (Lists);

@@ -23,9 +23,12 @@ is
      (2, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
       Observe_Tick);
 
-   procedure Switch_On (Number : Processor_Number; At_Time : Time) is
+   procedure Switch_On
+     (Number   : Processor_Number;
+      At_Time  : Time;
+      Schedule : Schedule_Name := Report) is
    begin
-      This_Node.Switch_On (Number, At_Time);
+      This_Node.Switch_On (Number, At_Time, Schedule);
       Processor_1.Switch_On;
       if Number > 1 then
          Processor_2.Switch_On;

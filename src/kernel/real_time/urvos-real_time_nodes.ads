@@ -46,7 +46,10 @@ package URVOS.Real_Time_Nodes
 is
 
    --  Power up: the clock begins to tick, with tick 0 at this time.
-   procedure Switch_On (Number : Processor_Number; At_Time : Time)
+   procedure Switch_On
+     (Number   : Processor_Number;
+      At_Time  : Time;
+      Schedule : Schedule_Name := Report)
    with Global => (In_Out => Processors);
 
    --  A reset or an exception: the node starts again when the tasks that

@@ -85,6 +85,7 @@ is
 
    procedure Follow_Orders (Todo : out Order) is
       Processors : constant Processor_Number := This_Node.Processors;
+      Schedule   : constant Schedule_Name    := This_Node.Schedule;
       Passed     : Boolean;
    begin
       This_Node.Look (Who, Todo);
@@ -102,7 +103,7 @@ is
          when Load_Tasks =>
             Executive.Start
               ((if Todo.Passed
-                then Tasks.Tree_Of (Processors, Todo.Number, Now)
+                then Tasks.Tree_Of (Processors, Todo.Number, Now, Schedule)
                 else Empty_Tree),
                Now);
       end case;

@@ -4,11 +4,15 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
 
    protected body Node is
 
-      procedure Switch_On (Processors : Processor_Number; At_Time : Time) is
+      procedure Switch_On
+        (Processors : Processor_Number;
+         At_Time    : Time;
+         Schedule   : Schedule_Name := Report) is
       begin
          State := (Processors => Processors, others => <>);
          State := Requested (State, Cold_Start);
          Beginning := At_Time;
+         Chosen := Schedule;
       end Switch_On;
 
       procedure Request (Condition : Start_Condition) is
@@ -41,6 +45,8 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
       function Processors return Processor_Number is (State.Processors);
 
       function Switched_On_At return Time is (Beginning);
+
+      function Schedule return Schedule_Name is (Chosen);
 
       function Now return Clock_Tick is (Latest);
 

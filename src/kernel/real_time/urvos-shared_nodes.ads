@@ -15,8 +15,12 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
    protected type Node is
 
-      --  Power up: of so many processors, at this time of tick 0.
-      procedure Switch_On (Processors : Processor_Number; At_Time : Time);
+      --  Power up: of so many processors, at this time of tick 0, with that
+      --  schedule.
+      procedure Switch_On
+        (Processors : Processor_Number;
+         At_Time    : Time;
+         Schedule   : Schedule_Name := Report);
 
       --  A reset or an exception: the node starts again when the tasks that
       --  now run have ended their steps, at the next tick after that.
@@ -36,6 +40,8 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
       function Switched_On_At return Time;
 
+      function Schedule return Schedule_Name;
+
       --  The latest tick of any processor.
       function Now return Clock_Tick;
 
@@ -44,6 +50,7 @@ package URVOS.Shared_Nodes with SPARK_Mode is
    private
       State     : Node_State;
       Beginning : Time           := Time_First;
+      Chosen    : Schedule_Name  := Report;
       Latest    : Clock_Tick     := 0;
       Late      : Overrun_Counts := (others => 0);
    end Node;

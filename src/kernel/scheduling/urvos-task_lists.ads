@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The list of a node's tasks (report, sections 2.2, 3.1 and 3.2; FRM-2,
---  SET-1, KRN-1, KRN-5): the one place where it stands which tasks there
---  are. Identifications, headers and task trees follow from it.
+--  FRM-5, SET-1, KRN-1, KRN-5): the one place where it stands which tasks
+--  there are. Identifications, headers and task trees follow from it.
 --
 --  The names stand in order of priority: of tasks due at the same tick the
 --  first named has the highest. A table without a row for a name does not
@@ -35,9 +35,10 @@ package URVOS.Task_Lists with SPARK_Mode is
 
    --  The task's next release: its offset in the next major frame.
    function Next_Release_Of
-     (Who : Task_Name;
-      Now : Clock_Tick) return Tick
-   is (Next_Release (Now, Table (Who).Offset))
+     (Who      : Task_Name;
+      Now      : Clock_Tick;
+      Schedule : Schedule_Name := Report) return Tick
+   is (Next_Release (Now, Table (Who) (Schedule).Offset))
    with Global => null;
 
    --  The header of a task that begins at once, with its initialisation.
@@ -50,19 +51,21 @@ package URVOS.Task_Lists with SPARK_Mode is
    --  Which of so many processors runs the task.
    function Processor_Of
      (Who        : Task_Name;
-      Processors : Processor_Number) return Processor_Number
-   is (if Processors = 1 then 1 else Table (Who).Processor)
+      Processors : Processor_Number;
+      Schedule   : Schedule_Name := Report) return Processor_Number
+   is (if Processors = 1 then 1 else Table (Who) (Schedule).Processor)
    with Global => null;
 
    --  How many tasks of a processor the names up to Who are.
    function Number_Upto
      (Who        : Task_Name;
       Processors : Processor_Number;
-      Which      : Processor_Number) return Natural
+      Which      : Processor_Number;
+      Schedule   : Schedule_Name := Report) return Natural
    is
      ((if Who = Task_Name'First then 0
-       else Number_Upto (Task_Name'Pred (Who), Processors, Which))
-      + (if Processor_Of (Who, Processors) = Which then 1 else 0))
+       else Number_Upto (Task_Name'Pred (Who), Processors, Which, Schedule))
+      + (if Processor_Of (Who, Processors, Schedule) = Which then 1 else 0))
    with
      Ghost,
      Global             => null,
@@ -74,19 +77,20 @@ package URVOS.Task_Lists with SPARK_Mode is
    function Tree_Of
      (Processors : Processor_Number;
       Which      : Processor_Number;
-      Now        : Clock_Tick) return Task_Tree
+      Now        : Clock_Tick;
+      Schedule   : Schedule_Name := Report) return Task_Tree
    with
      Global => null,
      Post   =>
        (for all Who in Task_Name =>
-          (if Processor_Of (Who, Processors) = Which
+          (if Processor_Of (Who, Processors, Schedule) = Which
            then Tree_Of'Result
-             (TCB_Number (Number_Upto (Who, Processors, Which))) =
+             (TCB_Number (Number_Upto (Who, Processors, Which, Schedule))) =
                Header (Who, Now)))
        and then
          (for all Place in TCB_Number =>
             (if Natural (Place) >
-               Number_Upto (Task_Name'Last, Processors, Which)
+               Number_Upto (Task_Name'Last, Processors, Which, Schedule)
              then Tree_Of'Result (Place) = Null_Header));
 
 end URVOS.Task_Lists;

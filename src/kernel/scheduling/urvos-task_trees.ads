@@ -49,11 +49,18 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
    --  the others their numbers at each start (KRN-5, EXT-4, D-23).
    type Processor_Number is range 1 .. 2;
 
-   --  What a node's list says of a task: when it is released in each major
-   --  frame (FRM-2), and on which processor where there are two.
-   type Task_Attributes is record
+   --  When and where tasks run: as the report says (FRM-2), or so that what
+   --  they pass on is soon where it belongs (FRM-5).
+   type Schedule_Name is (Report, Fast);
+
+   --  When a task is released in each major frame, and on which processor
+   --  where there are two.
+   type Task_Place is record
       Offset    : Minor_Frame;
       Processor : Processor_Number;
    end record;
+
+   --  What a node's list says of a task.
+   type Task_Attributes is array (Schedule_Name) of Task_Place;
 
 end URVOS.Task_Trees;

@@ -31,14 +31,17 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
    procedure Start
      (Condition  : Start_Condition;
       Now        : Clock_Tick;
-      Processors : Processor_Number := 1)
+      Processors : Processor_Number := 1;
+      Schedule   : Schedule_Name    := Report)
    is
       Passed : Boolean;
    begin
       Begin_Again (Condition, Now, Passed);
       if Passed then
-         Processor_1.Start (Tasks.Tree_Of (Processors, 1, Now), Now);
-         Processor_2.Start (Tasks.Tree_Of (Processors, 2, Now), Now);
+         Processor_1.Start
+           (Tasks.Tree_Of (Processors, 1, Now, Schedule), Now);
+         Processor_2.Start
+           (Tasks.Tree_Of (Processors, 2, Now, Schedule), Now);
       else
          Processor_1.Start (Empty_Tree, Now);
          Processor_2.Start (Empty_Tree, Now);

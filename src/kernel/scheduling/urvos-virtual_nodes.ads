@@ -41,7 +41,8 @@ package URVOS.Virtual_Nodes with SPARK_Mode is
    procedure Start
      (Condition  : Start_Condition;
       Now        : Clock_Tick;
-      Processors : Processor_Number := 1);
+      Processors : Processor_Number := 1;
+      Schedule   : Schedule_Name    := Report);
 
    --  The clock has ticked, for every processor.
    procedure Clock_Interrupt (Now : Clock_Tick);
