@@ -14,7 +14,8 @@ package body Real_Time_MCS with SPARK_Mode is
       Begin_Again    => MCS.Starts.Begin_Again,
       Tell_Time      => MCS.Tell_Time,
       Report_Overrun => MCS.Report_Overrun,
-      Observe_Tick   => Observe_Tick);
+      Observe_Tick   => Observe_Tick,
+      Look_At_Frame  => MCS.Look_At_Frame);
 
    procedure Switch_On (Processors : Processor_Number) is
       Now : constant Time := Clock;

@@ -16,6 +16,8 @@ with URV.Laws;
 with URV.PWM_Layout;
 with URV.Routing;
 with URVOS;               use URVOS;
+with URVOS.Frame_Locks;   use URVOS.Frame_Locks;
+with URVOS.Frames;        use URVOS.Frames;
 
 package body Partitions.Aircraft is
 
@@ -26,6 +28,10 @@ package body Partitions.Aircraft is
    --  other.
    Servos_At : Microseconds := 0 with Atomic;
 
+   --  Whether the frames come in step, and what was last told of it.
+   Has_Lock    : Boolean := False;
+   Was_In_Step : Boolean := False;
+
    function Servos return PWM_Buffer is
      (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
@@ -34,6 +40,8 @@ package body Partitions.Aircraft is
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
    begin
       Bench.Start (Schedule => Chosen.Schedule);
+      Has_Lock := Chosen.Lock;
+      MCS.Frame_Lock.Set (Has_Lock);
       Set.On := Chosen.Laws;
       MCS.Law_Settings.Write (Set);
       if Chosen.Script /= Null_Unbounded_String then
@@ -101,6 +109,44 @@ package body Partitions.Aircraft is
          To.Truth := Plant.Truth;
       end if;
    end Append_Values;
+
+   function Next_News (Now : String) return String is
+      Of_Plant : constant String := Plant.Next_News (Now);
+      State    : constant Lock_State := MCS.Frame_Lock.Contents;
+   begin
+      if Of_Plant /= "" or else State.Is_In_Step = Was_In_Step then
+         return Of_Plant;
+      end if;
+      Was_In_Step := State.Is_In_Step;
+      return
+        (if Was_In_Step then "in step with the ground at "
+         else "out of step at ") & Now & " s";
+   end Next_News;
+
+   procedure Put_Counts
+     (Result : in out Partitions.Reports.Report;
+      To     : in out Host.Text_Output.Writer)
+   is
+      use Partitions.Reports;
+      State : constant Lock_State := MCS.Frame_Lock.Contents;
+   begin
+      Plant.Put_Counts (Result, To);
+      if Has_Lock then
+         Begin_Group (Result, To, "lock");
+         Put_Field
+           (Result, To, "in_step",
+            Reports.Number (Boolean'Pos (State.Is_In_Step)));
+         Put_Field
+           (Result, To, "in_step_since_frame",
+            Reports.Number (State.Since / Ticks_Per_Major_Frame));
+         Put_Field
+           (Result, To, "frames_of_9_ticks", Reports.Number (State.Shortened));
+         Put_Field
+           (Result, To, "frames_of_11_ticks",
+            Reports.Number (State.Lengthened));
+         End_Group (Result, To);
+      end if;
+   end Put_Counts;
 
    procedure Observe (Who : MCS.Task_Name) is
       use type MCS.Task_Name;

@@ -4,8 +4,10 @@
 --  with a lag, other sensors held, or any of them as a file says
 --  (--sensors); or an aircraft in JSBSim (--plant jsbsim; GND-6).
 
+with Host.Text_Output;
 with MCS;
 with Partitions.Options;
+with Partitions.Reports;
 with Partitions.Rows; use Partitions.Rows;
 with URV.Buffers;     use URV.Buffers;
 
@@ -21,6 +23,12 @@ package Partitions.Aircraft is
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
+
+   --  See Partitions.Run: the plant, and the frames in step (FRM-6).
+   function Next_News (Now : String) return String;
+   procedure Put_Counts
+     (Result : in out Partitions.Reports.Report;
+      To     : in out Host.Text_Output.Writer);
 
    --  A task's transaction is over.
    procedure Observe (Who : MCS.Task_Name);

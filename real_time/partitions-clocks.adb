@@ -16,8 +16,11 @@ package body Partitions.Clocks is
    protected Last_Tick is
       procedure See (At_Time : Time);
       function Seen return Time;
+      procedure Count_From (At_Time : Time);
+      function Counted_From return Time;
    private
       Seen_At : Time := Time_First;
+      From    : Time := Time_First;
    end Last_Tick;
 
    protected body Last_Tick is
@@ -29,6 +32,13 @@ package body Partitions.Clocks is
 
       function Seen return Time is (Seen_At);
 
+      procedure Count_From (At_Time : Time) is
+      begin
+         From := At_Time;
+      end Count_From;
+
+      function Counted_From return Time is (From);
+
    end Last_Tick;
 
    function In_Microseconds (Span : Time_Span) return Host.Microseconds is
@@ -37,7 +47,13 @@ package body Partitions.Clocks is
    procedure Switch_On is
    begin
       Beginning := Clock;
+      Last_Tick.Count_From (Beginning);
    end Switch_On;
+
+   procedure Count_From (At_Time : Time) is
+   begin
+      Last_Tick.Count_From (At_Time);
+   end Count_From;
 
    procedure Await_Phase (Ticks : Natural) is
       Now  : constant Time := Clock;
@@ -57,7 +73,7 @@ package body Partitions.Clocks is
      (In_Microseconds (Clock - Beginning));
 
    function Time_Of (Now : Clock_Tick) return Time is
-     (Beginning
+     (Last_Tick.Counted_From
       + Seconds (Integer (Now / Ticks_Per_Second))
       + Integer (Now mod Ticks_Per_Second) * Tick_Time);
 

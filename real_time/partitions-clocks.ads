@@ -24,6 +24,9 @@ package Partitions.Clocks is
    --  Since the node was switched on.
    function Elapsed return Host.Microseconds;
 
+   --  Frames that were shorter or longer (FRM-6) have moved tick 0 to there.
+   procedure Count_From (At_Time : Time);
+
    --  When the node's clock should have shown this tick.
    function Time_Of (Now : Clock_Tick) return Time;
 

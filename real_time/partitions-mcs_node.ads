@@ -12,6 +12,7 @@ package Partitions.MCS_Node is new Partitions.Nodes
    Begin_Again         => MCS.Starts.Begin_Again,
    Tell_Time           => MCS.Tell_Time,
    Report_Overrun      => MCS.Report_Overrun,
+   Look_At_Frame       => MCS.Look_At_Frame,
    AD_Board            => MCS.AD_Board,
    Telemetry_Board     => MCS.Telemetry_Board,
    Errors              => MCS.Errors,

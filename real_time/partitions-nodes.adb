@@ -80,7 +80,8 @@ package body Partitions.Nodes is
      new Guarded_Start (Uninterrupted_Start, Request_Start);
 
    package Node is new URVOS.Real_Time_Nodes
-     (Tasks, Step, Begin_Start, Tell_Time, Report_Overrun, Observe_Tick);
+     (Tasks, Step, Begin_Start, Tell_Time, Report_Overrun, Observe_Tick,
+      Look_At_Frame);
 
    package Signals is new Partitions.Signals
      (Switch_Off                => Queue.Finish,
@@ -170,7 +171,10 @@ package body Partitions.Nodes is
    end Observe_Frame;
 
    procedure Observe_Tick (Late : Time_Span) is
+      Counted_From : Time;
    begin
+      Node.Inspect_Beginning (Counted_From);
+      Count_From (Counted_From);
       Lateness.Add (Tenths_Of_Microseconds (Late));
       if Has_Stood_Still then
          Stood_Still := Incremented (Stood_Still);

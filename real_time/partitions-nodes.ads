@@ -10,11 +10,13 @@ with Partitions.Rows;         use Partitions.Rows;
 with Telemetry.Boards;
 with Telemetry.Shared_Boards;
 with URVOS;                   use URVOS;
+with URVOS.Frame_Clocks;      use URVOS.Frame_Clocks;
 with URVOS.Frames;            use URVOS.Frames;
 with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
 with URVOS.Starts;            use URVOS.Starts;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;        use URVOS.Task_Trees;
+with URVOS.Usual_Frames;
 with URV.Buffers;             use URV.Buffers;
 with URV.Errors;
 with URV.Seal_Blocks;
@@ -39,6 +41,10 @@ generic
       Passed    : out Boolean);
    with procedure Tell_Time (Now : Clock_Tick);
    with procedure Report_Overrun (Who : Task_Id);
+   with procedure Look_At_Frame
+     (Ticks : Tick_Count;
+      Wish  : out Frame_Wish)
+   is URVOS.Usual_Frames;
 
    --  Its boards.
 

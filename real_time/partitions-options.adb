@@ -14,8 +14,8 @@ package body Partitions.Options is
    use type Number;
 
    type Option is
-     (Link_Option, Seconds_Option, Phase_Option, Schedule_Option,
-      Processors_Option,
+     (Link_Option, Seconds_Option, Phase_Option, Lock_Option,
+      Schedule_Option, Processors_Option,
       Format_Option, Key_Option, Script_Option, Console_Option,
       Pilot_Option, Packets_Option, Publish_Option, Plant_Option, Laws_Option,
       Record_Option, Summary_Option, Events_Option, Quiet_Option);
@@ -36,6 +36,7 @@ package body Partitions.Options is
          when Link_Option       => "--link",
          when Seconds_Option    => "--seconds",
          when Phase_Option      => "--phase",
+         when Lock_Option       => "--lock",
          when Schedule_Option   => "--schedule",
          when Processors_Option => "--processors",
          when Format_Option     => "--format",
@@ -147,6 +148,9 @@ package body Partitions.Options is
             end if;
             Chosen.Laws := Value = "on";
 
+         when Lock_Option =>
+            Chosen.Lock := True;
+
          when Schedule_Option =>
             Chosen.Schedule := Schedules.Schedule_Of (Value);
 
@@ -255,7 +259,7 @@ package body Partitions.Options is
             end if;
             Given (Which) := True;
 
-            if Which = Quiet_Option then
+            if Which in Lock_Option | Quiet_Option then
                if Equal <= Text'Last then
                   Refuse (Name (This, Which) & " takes no value");
                end if;
@@ -325,6 +329,9 @@ package body Partitions.Options is
       Put_Line
         ("                        " & Integer'Image (Frame_Milliseconds)
          & " ms of the machine's clock; else at once");
+      Put_Line
+        ("  --lock                 the aircraft's frames come in step with the"
+         & " ground's");
       Put_Line
         ("  --schedule NAME        of the tasks: " & Schedules.Names
          & "; else report");

@@ -47,6 +47,9 @@ package Partitions.Options is
       In_Phase : Boolean := False;
       Phase    : Phase_Ticks := 0;
 
+      --  The aircraft's frames come in step with the ground's.
+      Lock       : Boolean := False;
+
       Schedule   : Host.Schedule_Name := Report;
       Processors : Processor_Number := 1;
 

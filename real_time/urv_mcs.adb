@@ -16,8 +16,8 @@ procedure Urv_MCS is
       Prepare      => Partitions.Aircraft.Prepare,
       Column_Names => Partitions.Aircraft.Column_Names,
       Has_Truth    => Partitions.Plant.Is_There,
-      Next_News    => Partitions.Plant.Next_News,
-      Put_Counts   => Partitions.Plant.Put_Counts,
+      Next_News    => Partitions.Aircraft.Next_News,
+      Put_Counts   => Partitions.Aircraft.Put_Counts,
       Put_Events   => Partitions.Plant.Put_Events,
       Failure      => Partitions.Plant.Failure,
       Stop         => Partitions.Plant.Stop);

@@ -3,7 +3,7 @@
 with Devices.AD_Board;
 with Sim.Agenda;    use Sim.Agenda;
 with Sim.Windows;   use Sim.Windows;
-with URVOS.Frames;  use URVOS.Frames;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 
 package body Sim.Controllers is
 
@@ -19,7 +19,10 @@ package body Sim.Controllers is
 
    type Controller is record
       Is_On       : Boolean         := False;
-      Now         : Clock_Tick      := 0;
+
+      --  How often the clock ticks until it ticks next, and what it shows.
+      Ticks       : Microseconds    := 0;
+      Clock       : Frame_Clock;
 
       --  It is down until the time of its start is over.
       Is_Starting : Boolean         := False;
@@ -36,6 +39,19 @@ package body Sim.Controllers is
 
    --  Of the aircraft.
    Number_Of_Processors : Processor_Count := 1;
+
+   --  When the clocks tick first, and by how many millionths their ticks are
+   --  longer.
+   First_Tick : array (Node) of Microseconds := (others => 0);
+   Longer     : array (Node) of Drift_Number := (others => 0);
+
+   --  When the clock ticks for the so manieth time, from 0 on.
+   function Time_Of_Tick
+     (Which : Node; Ticks : Microseconds) return Microseconds
+   is
+     (First_Tick (Which) + Ticks * Tick_Time
+      + Ticks * (Tick_Time / 1_000) * Microseconds'Base (Longer (Which))
+        / 1_000);
 
    --  What each converter's channels see.
    Inputs : array (Node) of Channel_Words :=
@@ -56,6 +72,7 @@ package body Sim.Controllers is
 
    procedure Prepare
      (Lag        : Microseconds;
+      Drift      : Drift_Number;
       Script     : Faults.Script;
       Processors : Processor_Count)
    is
@@ -64,6 +81,8 @@ package body Sim.Controllers is
    begin
       Controllers := (others => (others => <>));
       Number_Of_Processors := Processors;
+      First_Tick := (Ground => 0, Aircraft => Lag);
+      Longer := (Ground => 0, Aircraft => Drift);
       Schedule (GSC_Clock, 0);
       Schedule (MCS_Clock, Lag);
 
@@ -81,6 +100,36 @@ package body Sim.Controllers is
          end;
       end loop;
    end Prepare;
+
+   function Next_Time_Of
+     (Which : Node;
+      Minor : Minor_Frame) return Microseconds
+   is
+      Item  : Controller renames Controllers (Which);
+      Shown : constant Minor_Frame := Minor_Frame_Of (Item.Clock.Now);
+      Wish  : Frame_Wish;
+
+      --  Ticks until the next frame begins.
+      Left  : Microseconds;
+   begin
+      if not Item.Is_On then
+         return Time_Of_Tick
+           (Which, Ticks_Per_Major_Frame + Microseconds (Minor));
+      elsif Shown < Minor and then Minor < Minor_Frame'Last then
+         return Time_Of_Tick
+           (Which, Item.Ticks - 1 + Microseconds (Minor - Shown));
+      end if;
+      Look_At_Frame (Which, 0, Wish);
+      Left := Ticks_Per_Major_Frame - Microseconds (Shown);
+      if not Item.Clock.Held then
+         Left := Left
+           + Microseconds'Base (Length_Of (Item.Clock.Now, Wish))
+           - Microseconds'Base (Usual_Length);
+      end if;
+      return Time_Of_Tick
+        (Which,
+         Item.Ticks - 1 + Microseconds'Max (Left, 1) + Microseconds (Minor));
+   end Next_Time_Of;
 
    function Is_On (Which : Node) return Boolean is
      (Controllers (Which).Is_On);
@@ -139,17 +188,20 @@ package body Sim.Controllers is
 
    procedure Tick (Which : Node; Time : Microseconds) is
       Item   : Controller renames Controllers (Which);
+      Wish   : Frame_Wish;
       Raised : Boolean := False;
    begin
-      Schedule (Clock (Which), Time + Tick_Time);
+      Item.Ticks := Item.Ticks + 1;
+      Schedule (Clock (Which), Time_Of_Tick (Which, Item.Ticks));
       if not Item.Is_On then
          Item.Is_On := True;
          Item.Is_Starting := True;
          Start (Which, Time);
       else
-         Item.Now := Advanced (Item.Now);
-         if not Item.Is_Starting then
-            Clock_Interrupt (Which, Item.Now, Raised);
+         Look_At_Frame (Which, 1, Wish);
+         Item.Clock := Ticked (Item.Clock, Wish);
+         if not Item.Is_Starting and then not Item.Clock.Held then
+            Clock_Interrupt (Which, Item.Clock.Now, Raised);
             Serve_Converter (Which, Time);
             Answer_Exception (Which, Time, Raised);
          end if;
@@ -179,7 +231,7 @@ package body Sim.Controllers is
       Raised : Boolean;
    begin
       Nodes.Start
-        (Which, Item.Condition, Item.Now, Number_Of_Processors, Raised);
+        (Which, Item.Condition, Item.Clock.Now, Number_Of_Processors, Raised);
 
       --  It has prepared its A/D board anew: no conversion is under way but
       --  the one it may have asked for.

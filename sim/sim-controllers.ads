@@ -11,6 +11,7 @@ with Sim.Faults;
 with Sim.Nodes;    use Sim.Nodes;
 with URV.Buffers;  use URV.Buffers;
 with URVOS;        use URVOS;
+with URVOS.Frames; use URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
 
 package Sim.Controllers is
@@ -21,10 +22,18 @@ package Sim.Controllers is
    Start_Time : constant Microseconds := 5 * Tick_Time;
 
    --  Both will be switched on: the ground at time 0, the aircraft Lag later.
+   --  The aircraft's ticks are longer by so many millionths.
    procedure Prepare
      (Lag        : Microseconds;
+      Drift      : Drift_Number;
       Script     : Faults.Script;
       Processors : Processor_Count);
+
+   --  When the node's clock comes to this minor frame the next time; before
+   --  it is switched on, in the first frame of its tasks.
+   function Next_Time_Of
+     (Which : Node;
+      Minor : Minor_Frame) return Microseconds;
 
    --  Whether the node has been switched on.
    function Is_On (Which : Node) return Boolean;

@@ -360,7 +360,8 @@ package body Sim.Engine is
      (Lag        : Microseconds;
       Script     : Faults.Script;
       Seed       : Noise.Seed_Number;
-      Processors : Processor_Count := 1) is
+      Processors : Processor_Count := 1;
+      Drift      : Drift_Number := 0) is
    begin
       Boards :=
         (Ground   => (others => <>),
@@ -370,7 +371,7 @@ package body Sim.Engine is
       end loop;
 
       Agenda.Clear;
-      Controllers.Prepare (Lag, Script, Processors);
+      Controllers.Prepare (Lag, Drift, Script, Processors);
       Prepare (Link_Line, Script, Seed);
       Prepare_Boards (Script);
       Hardware_Faults.Prepare (Script);

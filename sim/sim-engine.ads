@@ -17,14 +17,16 @@ with Sim.Noise;
 
 package Sim.Engine is
 
-   --  Switches both nodes on: the ground at time 0, the aircraft Lag later.
+   --  Switches both nodes on: the ground at time 0, the aircraft Lag later,
+   --  with ticks that are longer by Drift millionths.
    --  Faults that happen by chance are drawn from Seed. Processors is how
    --  many the aircraft's node has.
    procedure Start
      (Lag        : Microseconds;
       Script     : Faults.Script;
       Seed       : Noise.Seed_Number;
-      Processors : Processor_Count := 1);
+      Processors : Processor_Count := 1;
+      Drift      : Drift_Number := 0);
 
    --  Lets everything happen that happens before Stop. Bytes on the link
    --  are written to Wire if that is open.

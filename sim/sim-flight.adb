@@ -17,6 +17,7 @@ with Host.Surface_Faults;
 with Host.Text_Output;
 with Sim.Circuit_Quality;
 with Sim.Conditions;
+with Sim.Controllers;
 with Sim.Engine;
 with Sim.Eyes;
 with Sim.Faults;
@@ -146,6 +147,13 @@ package body Sim.Flight is
    function First_Commands (Chosen : Choices) return Microseconds is
      (Lag_Of (Chosen) + Major_Frame + PWM_Offset (Chosen));
 
+   --  After new commands the next scan does not begin before that: a frame
+   --  may be a tick shorter.
+   function Time_To_Scan (Chosen : Choices) return Microseconds is
+     ((Microseconds (Ticks_To_Scan (Chosen.Schedule))
+       - (if Chosen.Lock or else Chosen.Drift < 0 then 1 else 0))
+      * Tick_Time);
+
    function Servo_Faults (Chosen : Choices) return Surface_Faults.List is
      (Sim.Faults.For_Plant (Faults, First_Commands (Chosen)));
 
@@ -239,8 +247,7 @@ package body Sim.Flight is
          when JSBSim_Plant =>
             Sim.JSBSim.Begin_Step (Servos);
             Due := Microseconds'Min
-              (Frame_End, Time + Microseconds (Ticks_To_Scan (Chosen.Schedule))
-                           * Tick_Time);
+              (Frame_End, Time + Time_To_Scan (Chosen));
       end case;
    end Step_Plant;
 
@@ -313,7 +320,11 @@ package body Sim.Flight is
       Began     : constant Ada.Calendar.Time := Clock;
       Frame_End : Microseconds := Major_Frame;
 
-      Next_PWM  : Microseconds := First_Commands (Chosen);
+      --  When the servos get new commands, from the first frame of tasks on.
+      Servos_At : constant Minor_Frame :=
+        Minor_Frame (Servo_Tick (Chosen.Schedule));
+      Next_PWM  : Microseconds :=
+        Controllers.Next_Time_Of (Aircraft, Servos_At);
       Due       : Microseconds := Host.Never;
       Next      : Microseconds;
       Row       : Console_Words;
@@ -337,7 +348,7 @@ package body Sim.Flight is
 
          if Next = Next_PWM + 1 then
             Step_Plant (Chosen, Next_PWM, Frame_End, Due);
-            Next_PWM := Next_PWM + Major_Frame;
+            Next_PWM := Controllers.Next_Time_Of (Aircraft, Servos_At);
          end if;
 
          if Next = Frame_End then
@@ -398,7 +409,10 @@ package body Sim.Flight is
          Elapsed  => Elapsed,
          Link     => Engine.Link,
          Overruns => Nodes.Overruns (Ground) + Nodes.Overruns (Aircraft),
-         Latency  => Latency.Result (Delays));
+         Latency  => Latency.Result (Delays),
+         Has_Lock => Chosen.Lock,
+         Lock     => Nodes.Lock,
+         Lag      => Lag_Of (Chosen));
       Further : Summary.Result;
       Screen  : Text_Output.Writer;
    begin
@@ -493,6 +507,7 @@ package body Sim.Flight is
             else Stick_Scripts.Length (Sticks)));
 
       Nodes.Set_Schedule (Chosen.Schedule);
+      Nodes.Set_Lock (Chosen.Lock);
       Nodes.Set_Laws (Has_Laws (Chosen));
       Nodes.Seal_Link
         (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
@@ -500,7 +515,8 @@ package body Sim.Flight is
         (Lag        => Lag_Of (Chosen),
          Script     => Faults,
          Seed       => Chosen.Seed,
-         Processors => Chosen.Processors);
+         Processors => Chosen.Processors,
+         Drift      => Chosen.Drift);
       if Chosen.Plant = JSBSim_Plant then
          Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);

@@ -9,6 +9,7 @@ with Host.Memory_Hardware;
 with Host.Names;
 with MCS.Virtual_Time;
 with URVOS.Task_Trees;
+with URVOS.Usual_Frames;
 with URV.PWM_Layout;
 
 package body Sim.Nodes is
@@ -87,6 +88,25 @@ package body Sim.Nodes is
       GSC.Schedule.Write (Schedule);
       MCS.Schedule.Write (Schedule);
    end Set_Schedule;
+
+   procedure Set_Lock (On : Boolean) is
+   begin
+      MCS.Frame_Lock.Set (On);
+   end Set_Lock;
+
+   procedure Look_At_Frame
+     (Which : Node;
+      Ticks : URVOS.Frame_Clocks.Tick_Count;
+      Wish  : out URVOS.Frame_Clocks.Frame_Wish) is
+   begin
+      case Which is
+         when Ground   => URVOS.Usual_Frames (Ticks, Wish);
+         when Aircraft => MCS.Look_At_Frame (Ticks, Wish);
+      end case;
+   end Look_At_Frame;
+
+   function Lock return URVOS.Frame_Locks.Lock_State is
+     (MCS.Frame_Lock.Contents);
 
    procedure Set_Laws (On : Boolean) is
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;

@@ -17,6 +17,8 @@ with URV.Seals;
 with URV.Sessions;
 with URV.Surfaces;
 with URVOS;        use URVOS;
+with URVOS.Frame_Clocks;
+with URVOS.Frame_Locks;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
 
@@ -83,6 +85,20 @@ package Sim.Nodes is
 
    --  Before the nodes are switched on.
    procedure Set_Schedule (Schedule : Schedule_Name);
+
+   --  Before the nodes are switched on: whether the aircraft's frames come
+   --  in step with the ground's.
+   procedure Set_Lock (On : Boolean);
+
+   --  What a node wishes of its present frame. Its clock has ticked since
+   --  this was last asked, or not.
+   procedure Look_At_Frame
+     (Which : Node;
+      Ticks : URVOS.Frame_Clocks.Tick_Count;
+      Wish  : out URVOS.Frame_Clocks.Frame_Wish);
+
+   --  What the aircraft knows of its being in step.
+   function Lock return URVOS.Frame_Locks.Lock_State;
 
    --  The aircraft's control laws are there or not, from the next start on.
    procedure Set_Laws (On : Boolean);

@@ -59,6 +59,10 @@ package body Sim.Options.Usage is
          Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
               & Phase_Ticks'Last'Image & " ("
               & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
+         Put ("  --drift PPM       the aircraft's ticks are longer by so");
+         Put ("                    many millionths, -200 to 200 (0)");
+         Put ("  --lock            the aircraft's frames come in step with");
+         Put ("                    the ground's");
          Put ("  --schedule NAME   of both nodes' tasks: " & Schedules.Names
               & " (report)");
          Put ("  --processors N    of each node, 1 or 2 (1)");

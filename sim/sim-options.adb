@@ -16,9 +16,10 @@ package body Sim.Options is
    type Option is
      (Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
-      Seed_Option, Phase_Option, Schedule_Option, Processors_Option,
-      Laws_Option, Format_Option, Key_Option, Record_Option, Summary_Option,
-      Wire_Option, Events_Option, Pace_Option, Quiet_Option);
+      Seed_Option, Phase_Option, Drift_Option, Lock_Option, Schedule_Option,
+      Processors_Option, Laws_Option, Format_Option, Key_Option,
+      Record_Option, Summary_Option, Wire_Option, Events_Option,
+      Pace_Option, Quiet_Option);
 
    Commands_With_Help : constant String := "fly, items, numbers";
    All_Titles : constant String := Commands_With_Help & ", help, --version";
@@ -37,6 +38,8 @@ package body Sim.Options is
          when Orders_Option     => "--orders",
          when Seed_Option       => "--seed",
          when Phase_Option      => "--phase",
+         when Drift_Option      => "--drift",
+         when Lock_Option       => "--lock",
          when Schedule_Option   => "--schedule",
          when Processors_Option => "--processors",
          when Laws_Option       => "--laws",
@@ -82,6 +85,9 @@ package body Sim.Options is
       Which  : Option;
       Value  : String);
 
+   --  What --drift says.
+   procedure Read_Drift (Value : String; Drift : out Drift_Number);
+
    --  Takes the options that follow the command.
    procedure Read_Options
      (Chosen : in out Choices;
@@ -122,6 +128,26 @@ package body Sim.Options is
          Refuse ("unexpected argument " & Quoted (Title));
       end if;
    end Option_Of;
+
+   procedure Read_Drift (Value : String; Drift : out Drift_Number) is
+      Is_Minus : constant Boolean :=
+        Value'Length > 1 and then Value (Value'First) = '-';
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      Read_Whole
+        (Value (Value'First + Boolean'Pos (Is_Minus) .. Value'Last), Amount,
+         Is_Valid);
+      if not Is_Valid or else Amount > Number (Drift_Number'Last) then
+         Refuse_Value
+           (Drift_Option, Value,
+            "is not a whole number from"
+            & " " & Drift_Number'Image (Drift_Number'First) & " to"
+            & Drift_Number'Image (Drift_Number'Last));
+      end if;
+      Drift := (if Is_Minus then -Drift_Number (Amount)
+                else Drift_Number (Amount));
+   end Read_Drift;
 
    procedure Choose
      (Chosen : in out Choices;
@@ -204,6 +230,10 @@ package body Sim.Options is
                Refuse_Value (Which, Value, "is neither ""on"" nor ""off""");
             end if;
 
+         when Drift_Option =>
+            Read_Drift (Value, Chosen.Drift);
+         when Lock_Option =>
+            Chosen.Lock := True;
          when Schedule_Option =>
             Chosen.Schedule := Schedules.Schedule_Of (Value);
          when Format_Option  =>
@@ -270,7 +300,7 @@ package body Sim.Options is
             end if;
             Given (Which) := True;
 
-            if Which = Quiet_Option then
+            if Which in Lock_Option | Quiet_Option then
                if Equal <= Text'Last then
                   Refuse (Name (Which) & " takes no value");
                end if;

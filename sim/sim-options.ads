@@ -58,6 +58,11 @@ package Sim.Options is
       Pace    : Pace_Kind := Max;
       Quiet   : Boolean := False;
 
+      --  By how many millionths the aircraft's ticks are longer, and whether
+      --  its frames come in step with the ground's.
+      Drift : Drift_Number := 0;
+      Lock  : Boolean := False;
+
       --  Of both nodes.
       Schedule : Schedule_Name := URVOS.Task_Trees.Report;
 

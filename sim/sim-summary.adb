@@ -64,6 +64,7 @@ package body Sim.Summary is
    procedure Put_Link (To : in out Writer; Link : Link_Counts);
    procedure Put_Latency
      (To : in out Writer; Measured : Latency.Statistics);
+   procedure Put_Lock (To : in out Writer; Flight : Figures);
    procedure Put_Events (To : in out Writer; Further : Result);
    procedure Put_Status
      (To : in out Writer; Further : Result; Where : Node);
@@ -253,6 +254,26 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Latency;
 
+   --  Since when the aircraft is in step, by its own clock.
+   function In_Step_Since (Flight : Figures) return Long_Float is
+     (In_Seconds
+        (Flight.Lag + Microseconds (Flight.Lock.Since) * Tick_Time));
+
+   procedure Put_Lock (To : in out Writer; Flight : Figures) is
+      Made : Object := (Depth => 2, others => <>);
+   begin
+      Put (To, '{');
+      Begin_Field (To, Made, "in_step_since_s");
+      if Flight.Lock.Is_In_Step then
+         Put_Value (To, In_Step_Since (Flight));
+      else
+         Put (To, Unknown_Value);
+      end if;
+      Put_Field (To, Made, "frames_of_9_ticks", Flight.Lock.Shortened);
+      Put_Field (To, Made, "frames_of_11_ticks", Flight.Lock.Lengthened);
+      End_Object (To, Made);
+   end Put_Lock;
+
    procedure Put_Events (To : in out Writer; Further : Result) is
       Made : Object := (Depth => 2, others => <>);
    begin
@@ -336,6 +357,10 @@ package body Sim.Summary is
       Begin_Field (To, Made, "link");
       Put_Link (To, Flight.Link);
       Put_Field (To, Made, "overruns", Flight.Overruns);
+      if Flight.Has_Lock then
+         Begin_Field (To, Made, "lock");
+         Put_Lock (To, Flight);
+      end if;
       Begin_Field (To, Made, "latency_ms");
       Put_Latency (To, Flight.Latency);
       Begin_Field (To, Made, "events");
@@ -429,6 +454,19 @@ package body Sim.Summary is
         ("resets    " & Image (Link (GSC_Resets)) & " of the ground's link, "
          & Image (Link (MCS_Resets)) & " of the aircraft's");
       Put_Line ("overruns  " & Image (Flight.Overruns));
+      if Flight.Has_Lock then
+         Put (To, "in step   ");
+         if Flight.Lock.Is_In_Step then
+            Put (To, "since ");
+            Put (In_Step_Since (Flight), 2);
+            Put (To, " s, ");
+         else
+            Put (To, "no, ");
+         end if;
+         Put_Line
+           (Image (Flight.Lock.Shortened) & " frames of 9 ticks, "
+            & Image (Flight.Lock.Lengthened) & " of 11");
+      end if;
 
       if Latency.Measured = 0 then
          Put_Line ("latency   not measured, no change reached the aircraft");

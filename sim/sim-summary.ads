@@ -9,6 +9,7 @@
 with Host.Text_Output;
 with Sim.Latency;
 with URVOS; use URVOS;
+with URVOS.Frame_Locks;
 
 private with Ada.Containers.Vectors;
 private with Ada.Strings.Unbounded;
@@ -23,6 +24,11 @@ package Sim.Summary is
       Link     : Link_Counts;
       Overruns : Count;
       Latency  : Sim.Latency.Statistics;
+
+      --  Of a flight with frames in step (FRM-6).
+      Has_Lock : Boolean := False;
+      Lock     : URVOS.Frame_Locks.Lock_State;
+      Lag      : Microseconds := 0;
    end record;
 
    type Result is limited private;

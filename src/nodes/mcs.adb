@@ -38,6 +38,27 @@ package body MCS with SPARK_Mode is
       Item (Error_Status) := With_Piece (Item (Error_Status), Next);
    end Add_Log_Piece;
 
+   --  TELIN has run: its message is fresh, or not.
+   procedure Follow_Ground (Now : Clock_Tick)
+   with Global => (Input => TELIN.Previous, In_Out => Frame_Lock);
+
+   procedure Follow_Ground (Now : Clock_Tick) is
+      Item : constant TELIN.Kept_Message := TELIN.Previous.Contents;
+   begin
+      Frame_Lock.Take
+        (Fresh => Item.Has_Message and then not Is_Old (Item.Buffer),
+         Now   => Now);
+   end Follow_Ground;
+
+   procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish) is
+      Available : constant Boolean := Telemetry_Board.Has_Received;
+   begin
+      if Ticks > 0 then
+         Frame_Lock.Tick (Available);
+      end if;
+      Wish := Frame_Lock.Wish;
+   end Look_At_Frame;
+
    procedure Run_Step
      (Who       : Task_Name;
       First_Run : Boolean;
@@ -75,11 +96,14 @@ package body MCS with SPARK_Mode is
          others => <>);
       if Who = AD_Task then
          AD.Await_Scan (Now, Call);
+      elsif Who = TELIN_Task and then not First_Run then
+         Follow_Ground (Now);
       end if;
    end Run_Step;
 
    procedure Reset_Variables is
    begin
+      Frame_Lock.Begin_Anew;
       Sealing.Begin_Anew;
       PWM_Board.Write (URV.PWM_Layout.Safe_Area);
       ADINT_Variable.Reset;
@@ -102,6 +126,7 @@ package body MCS with SPARK_Mode is
       Watched : constant URV.Surface_Monitor.Monitor :=
         Surface_Memory.Contents;
    begin
+      Frame_Lock.Begin_Anew;
       ADINT_Variable.Restart;
       AD_Variable.Restart;
       TELIN_Variable.Restart;

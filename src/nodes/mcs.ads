@@ -13,7 +13,9 @@ with Devices.Shared_CORE_Memory;
 with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Shared_Frame_Locks;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 with URV.AD_Task;
@@ -83,6 +85,10 @@ package MCS with SPARK_Mode is
 
    --  When the tasks run: set before the node is switched on (FRM-5).
    Schedule : URV.Shared_Schedules.Store;
+
+   --  Keeps the frames in step with the ground's, if it is set on before
+   --  (FRM-6).
+   Frame_Lock : URVOS.Shared_Frame_Locks.Lock;
 
    --  The control laws: off unless they are set on before a start (EXT-3).
 
@@ -248,6 +254,11 @@ package MCS with SPARK_Mode is
    package Starts is new URV.Start_Routines
      (Memories, AD_Board, CORE_Memory, Telemetry_Board, Errors, Status,
       Reset_Variables, Restart_Variables, Say_Refused);
+
+   --  For the clock: it has ticked so often since it last looked, once at
+   --  most, and this is what is wished of the present frame (FRM-6).
+   procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish)
+   with Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
 
    --  For the kernel: the time of what is reported, and what it reports.
 

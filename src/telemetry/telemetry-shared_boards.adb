@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Telemetry.Memory;
+
 package body Telemetry.Shared_Boards with SPARK_Mode is
 
    protected body Shared_Board is
@@ -60,6 +62,9 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          Boards.Next_Character (Item, Send, Data);
          Time_Left := Boards.Time_Left (Item);
       end Next_Character;
+
+      function Has_Received return Boolean is
+        (Memory.Any_Full (Receive_Pair (Item)));
 
       function Tally return Statistics is (Boards.Tally (Item));
 

@@ -53,6 +53,9 @@ package Telemetry.Shared_Boards with SPARK_Mode is
          Data      : out Byte;
          Time_Left : out Character_Times);
 
+      --  A block has been received and waits to be taken.
+      function Has_Received return Boolean;
+
       --  For whoever watches over the link.
       function Tally return Statistics;
 

@@ -83,6 +83,7 @@ def test_a_device_in_use_is_refused(start, terminals):
     (("--seconds", "soon"), "--seconds"),
     (("--phase", "10"), "--phase"),
     (("--processors", "3"), "neither 1 nor 2"),
+    (("--lock=on",), "takes no value"),
     (("--schedule", "slow"), "neither \"report\" nor \"fast\""),
     (("--quiet=1",), "takes no value"),
     (("--quiet", "--quiet"), "is given twice"),

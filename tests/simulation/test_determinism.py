@@ -21,6 +21,7 @@ COMMAND_LINES = {
     "phase and seed": ("--phase", "8", "--seed", "99",
                        "--faults", "faults.txt"),
     "processors": ("--sticks", "sticks.csv", "--processors", "2"),
+    "in step": ("--sticks", "sticks.csv", "--lock", "--drift", "-77"),
     "fast": ("--sticks", "sticks.csv", "--schedule", "fast"),
 }
 

@@ -57,8 +57,8 @@ def refused(urv_sim, tmp_path):
 
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--faults", "--conditions", "--orders", "--seed", "--phase",
-           "--schedule",
-           "--processors", "--laws", "--format", "--key", "--record",
+           "--drift", "--lock", "--schedule", "--processors", "--laws",
+           "--format", "--key", "--record",
            "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
@@ -106,6 +106,10 @@ COMMAND_LINES = [
     *((["fly", "--phase", value],
        f'--phase: "{value}" is not a whole number from 0 to 9')
       for value in ("12", "10", "-1", "1.5", "three", "0x3", " 3")),
+    (['fly', '--lock=yes'], '--lock takes no value'),
+    *((["fly", "--drift", value],
+       f'--drift: "{value}" is not a whole number from -200 to 200')
+      for value in ("201", "-201", "-", "1.5", "much")),
     *((["fly", "--schedule", value],
        f'--schedule: "{value}" is neither "report" nor "fast"')
       for value in ("Fast", "slow", "1")),
@@ -120,7 +124,7 @@ COMMAND_LINES = [
                     "0.0000001")),
 ]
 
-NEED_A_VALUE = OPTIONS[:-1]
+NEED_A_VALUE = [option for option in OPTIONS[:-1] if option != "--lock"]
 
 
 @pytest.mark.parametrize("arguments, message", COMMAND_LINES)

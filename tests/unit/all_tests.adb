@@ -11,6 +11,7 @@ with Error_Log_Tests;
 with Exchange_Tests;
 with Executives_Tests;
 with Flood_Tests;
+with Frame_Locks_Tests;
 with Frames_Tests;
 with Guarded_Step_Tests;
 with Headers_Tests;
@@ -46,6 +47,7 @@ package body All_Tests is
         AUnit.Test_Suites.New_Suite;
    begin
       Frames_Tests.Add_To (Result);
+      Frame_Locks_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
       Semaphores_Tests.Add_To (Result);
       Receive_Calls_Tests.Add_To (Result);

@@ -17,11 +17,11 @@ is
 
    package Processor_1 is new URVOS.Real_Time_Processors
      (1, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick);
+      Observe_Tick, Look_At_Frame);
 
    package Processor_2 is new URVOS.Real_Time_Processors
      (2, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick);
+      Observe_Tick, Look_At_Frame);
 
    procedure Switch_On
      (Number   : Processor_Number;
@@ -49,5 +49,10 @@ is
    begin
       Now := This_Node.Now;
    end Inspect_Clock;
+
+   procedure Inspect_Beginning (At_Time : out Time) is
+   begin
+      At_Time := This_Node.Counted_From;
+   end Inspect_Beginning;
 
 end URVOS.Real_Time_Nodes;

@@ -5,11 +5,13 @@
 --  machine's clock. Each of its processors is an Ada task.
 
 with Ada.Real_Time;      use Ada.Real_Time;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Starts;       use URVOS.Starts;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URVOS.Usual_Frames;
 
 generic
    with package Tasks is new URVOS.Task_Lists (<>);
@@ -37,6 +39,13 @@ generic
 
    --  The master's clock has ticked so long after it should have.
    with procedure Observe_Tick (Late : Time_Span);
+
+   --  The clock has ticked so often since it last looked: what is wished of
+   --  the present frame (FRM-6).
+   with procedure Look_At_Frame
+     (Ticks : Tick_Count;
+      Wish  : out Frame_Wish)
+   is URVOS.Usual_Frames;
 package URVOS.Real_Time_Nodes
   with
     SPARK_Mode,
@@ -64,6 +73,10 @@ is
    with Global => (Input => Processors);
 
    procedure Inspect_Clock (Now : out Clock_Tick)
+   with Global => (Input => Processors);
+
+   --  When tick 0 was, as the present frame has it: see URVOS.Shared_Nodes.
+   procedure Inspect_Beginning (At_Time : out Time)
    with Global => (Input => Processors);
 
 end URVOS.Real_Time_Nodes;

@@ -13,9 +13,6 @@ is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
 
-   --  So many missed ticks are made up for at once.
-   Most_Missed : constant := 100;
-
    --  Opened by the power switch.
    Switch : Suspension_Object;
 
@@ -49,16 +46,14 @@ is
 
    procedure Follow_Clock (Observed : Boolean) is
       Present : constant Time := Clock;
+      Wish    : Frame_Wish;
    begin
       if Present >= Next_Tick then
          if Observed and then Who = Master then
             Observe_Tick (Present - Next_Tick);
          end if;
-         for Missed in 1 .. Most_Missed loop
-            exit when Next_Tick > Present;
-            Next_Tick := Next_Tick + Tick_Time;
-            Now := Advanced (Now);
-         end loop;
+         Look_At_Frame ((if Who = Master then 1 else 0), Wish);
+         This_Node.Follow (Present, Wish, Now, Next_Tick);
          Tell_Time (Now);
       end if;
    end Follow_Clock;

@@ -9,6 +9,7 @@
 --  lateness is seen as what it is.
 
 with Ada.Real_Time;      use Ada.Real_Time;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Shared_Nodes; use URVOS.Shared_Nodes;
@@ -36,6 +37,7 @@ generic
    with procedure Tell_Time (Now : Clock_Tick);
    with procedure Report_Overrun (Who : Task_Id);
    with procedure Observe_Tick (Late : Time_Span);
+   with procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish);
 package URVOS.Real_Time_Processors
   with
     SPARK_Mode,

@@ -2,6 +2,11 @@
 
 package body URVOS.Shared_Nodes with SPARK_Mode is
 
+   Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
+
+   --  So many missed ticks are made up for at once.
+   Most_Missed : constant := 100;
+
    protected body Node is
 
       procedure Switch_On
@@ -13,6 +18,9 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
          State := Requested (State, Cold_Start);
          Beginning := At_Time;
          Chosen := Schedule;
+         Clock := (others => <>);
+         Next := At_Time + Tick_Time;
+         Shifted := At_Time;
       end Switch_On;
 
       procedure Request (Condition : Start_Condition) is
@@ -44,7 +52,32 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
 
       function Processors return Processor_Number is (State.Processors);
 
+      procedure Follow
+        (Present   : Time;
+         Wish      : Frame_Wish;
+         Now       : out Clock_Tick;
+         Next_Tick : out Time)
+      is
+         Before : Clock_Tick;
+      begin
+         for Missed in 1 .. Most_Missed loop
+            exit when Next > Present;
+            Next := Next + Tick_Time;
+            Before := Clock.Now;
+            Clock := Ticked (Clock, Wish);
+            if Clock.Now = Before then
+               Shifted := Shifted + Tick_Time;
+            elsif Clock.Now > Before + 1 then
+               Shifted := Shifted - Tick_Time;
+            end if;
+         end loop;
+         Now := Clock.Now;
+         Next_Tick := Next;
+      end Follow;
+
       function Switched_On_At return Time is (Beginning);
+
+      function Counted_From return Time is (Shifted);
 
       function Schedule return Schedule_Name is (Chosen);
 

@@ -4,6 +4,7 @@
 --  each says of its clock and its tasks (KRN-5, FRM-4, EXT-4).
 
 with Ada.Real_Time;      use Ada.Real_Time;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Start_Orders; use URVOS.Start_Orders;
 with URVOS.Starts;       use URVOS.Starts;
@@ -38,7 +39,20 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
       function Processors return Processor_Number;
 
+      --  The clock of all processors ticks as often as it has to, up to
+      --  now; so many missed ticks are made up for at once. Then it shows
+      --  this tick, and ticks next at that time.
+      procedure Follow
+        (Present   : Time;
+         Wish      : Frame_Wish;
+         Now       : out Clock_Tick;
+         Next_Tick : out Time);
+
       function Switched_On_At return Time;
+
+      --  When the clock showed tick 0, had all frames lasted as long as ever
+      --  and been as the present one is.
+      function Counted_From return Time;
 
       function Schedule return Schedule_Name;
 
@@ -51,6 +65,9 @@ package URVOS.Shared_Nodes with SPARK_Mode is
       State     : Node_State;
       Beginning : Time           := Time_First;
       Chosen    : Schedule_Name  := Report;
+      Clock     : Frame_Clock;
+      Next      : Time           := Time_First;
+      Shifted   : Time           := Time_First;
       Latest    : Clock_Tick     := 0;
       Late      : Overrun_Counts := (others => 0);
    end Node;

@@ -1,0 +1,176 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Frames in step (FRM-6): the kernel's clock keeps its order and a frame
+--  lasts 9, 10 or 11 ticks, whatever is wished; and the aircraft's frames come
+--  in step with the ground's from any phase, and stay so, under any drift up
+--  to 200 ppm and any pattern of lost blocks that leaves one in 25 frames.
+--
+--  The model of the phase: times are microseconds of the aircraft's clock. An
+--  uplink comes so long before the TELIN that takes it, the newest if several
+--  do. The ground's frame lasts 20,000 us, more or less 5: 200 ppm are 4.
+
+with URVOS;              use URVOS;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
+with URVOS.Frame_Locks;  use URVOS.Frame_Locks;
+with URVOS.Frames;       use URVOS.Frames;
+
+package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
+
+   --  The clock
+
+   --  It never runs back, and leaves out nothing but a last minor frame,
+   --  in which no task is released (Theorems.Order).
+   procedure The_Clock_Keeps_Its_Order
+     (Clock : Frame_Clock;
+      Wish  : Frame_Wish)
+   with
+     Global => null,
+     Post   =>
+       Ticked (Clock, Wish).Now in Clock.Now .. Clock.Now + 2
+       and then
+         (if Ticked (Clock, Wish).Now = Clock.Now and then not Clock.Held
+            and then Clock.Now < Last_Tick
+          then Minor_Frame_Of (Clock.Now) = Minor_Frame'Last
+            and then Ticked (Clock, Wish).Held)
+       and then
+         (if Ticked (Clock, Wish).Now = Clock.Now + 2
+          then Minor_Frame_Of (Clock.Now + 1) = Minor_Frame'Last);
+
+   --  What is wished at each tick of a frame.
+   type Tick_Count is range 0 .. 11;
+   type Wish_List is array (Tick_Count range 1 .. 11) of Frame_Wish;
+
+   --  The clock so many ticks after a frame began.
+   function After
+     (Start  : Clock_Tick;
+      Wishes : Wish_List;
+      Ticks  : Tick_Count) return Frame_Clock
+   is
+     (if Ticks = 0 then (Start, Held => False)
+      else Ticked (After (Start, Wishes, Ticks - 1), Wishes (Ticks)))
+   with
+     Global             => null,
+     Subprogram_Variant => (Decreases => Ticks);
+
+   --  Whatever is wished, and however the wish changes.
+   procedure A_Frame_Lasts_9_To_11_Ticks
+     (Start  : Clock_Tick;
+      Wishes : Wish_List)
+   with
+     Global => null,
+     Pre    => Start mod Ticks_Per_Major_Frame = 0
+       and then Start <= Last_Tick - 20,
+     Post   =>
+       (for all Ticks in Tick_Count range 0 .. 8 =>
+          After (Start, Wishes, Ticks) = (Start + Tick (Ticks), False))
+       and then After (Start, Wishes, 9).Now in Start + 9 .. Start + 10
+       and then
+         (if After (Start, Wishes, 9).Now = Start + 9
+          then After (Start, Wishes, 10).Now in Start + 9 .. Start + 10
+            and then
+              (if After (Start, Wishes, 10).Now = Start + 9
+               then After (Start, Wishes, 11).Now = Start + 10));
+
+   --  A clock of which nothing is wished.
+   procedure No_Wish_No_Change (Clock : Frame_Clock)
+   with
+     Global => null,
+     Pre    => not Clock.Held
+       and then Frame_Of (Clock.Now) /= No_Wish.Frame,
+     Post   =>
+       Ticked (Clock, No_Wish) = (Advanced (Clock.Now), Held => False);
+
+   --  Without an uplink nothing is wished of a frame, and all that is wished
+   --  is of the frame in which one was taken.
+
+   procedure Without_Uplink_No_Wish (Item : Lock_State; Frame : Clock_Tick)
+   with
+     Global => null,
+     Post   => Taken (Item, False, Frame).Wish.Length = Usual_Length;
+
+   procedure A_Wish_Is_For_One_Frame
+     (Item       : Lock_State;
+      Fresh      : Boolean;
+      Frame, Now : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Frame_Of (Now) /= Frame,
+     Post   => Length_Of (Now, Taken (Item, Fresh, Frame).Wish) = Usual_Length;
+
+   --  The phase
+
+   Tick_Time  : constant := Microseconds_Per_Tick;
+   Frame_Time : constant := Microseconds_Per_Tick * Ticks_Per_Major_Frame;
+
+   --  How long before TELIN the uplink comes.
+   subtype Phase is Integer range 0 .. Frame_Time - 1;
+
+   --  What drifts apart between two uplinks that are taken, at most 25 frames
+   --  from each other.
+   Most_Drift : constant := 25 * 5;
+   subtype Drift is Integer range -Most_Drift .. Most_Drift;
+
+   type Situation is record
+      Before : Phase;
+      Out_Of : Out_Count;
+   end record;
+
+   --  What the lock finds when it takes the uplink.
+   function Found (Item : Situation) return Lock_State is
+     ((Is_Waiting  => True,
+       Waited      => Wait_Count (Item.Before / Tick_Time),
+       Out_Of_Step => Item.Out_Of,
+       others      => <>))
+   with Global => null;
+
+   function In_Frame (Distance : Integer) return Phase is
+     (if Distance < 0 then Distance + Frame_Time
+      elsif Distance >= Frame_Time then Distance - Frame_Time
+      else Distance)
+   with
+     Global => null,
+     Pre    => Distance in -Frame_Time .. 2 * Frame_Time - 1;
+
+   --  At the next uplink that is taken.
+   function Next (Item : Situation; Apart : Drift) return Situation is
+     (Before =>
+        In_Frame
+          (Item.Before + Apart
+           + (Integer (Length_Asked (Found (Item)))
+              - Ticks_Per_Major_Frame) * Tick_Time),
+      Out_Of => Next_Out (Found (Item)))
+   with Global => null;
+
+   --  In step: the uplink comes a tick to two ticks before TELIN, or as much
+   --  beside it as clocks drift apart before the lock answers.
+   function Is_In_Step (Item : Situation) return Boolean is
+     (Item.Before in
+        Tick_Time - Most_Drift * (Integer (Item.Out_Of) + 1) ..
+          2 * Tick_Time - 1 + Most_Drift * (Integer (Item.Out_Of) + 1))
+   with Global => null;
+
+   --  So it comes 1.5 to 4.5 ms before it.
+   procedure In_Step_Is_In_Time (Item : Situation)
+   with
+     Global => null,
+     Pre    => Is_In_Step (Item),
+     Post   => Item.Before in 1_500 .. 4_499;
+
+   procedure It_Stays_In_Step (Item : Situation; Apart : Drift)
+   with
+     Global => null,
+     Pre    => Is_In_Step (Item),
+     Post   => Is_In_Step (Next (Item, Apart));
+
+   --  40 uplinks, 25 frames apart: 1,000 frames, 20 s.
+   Uplinks : constant := 40;
+   type Uplink_Count is range 0 .. Uplinks;
+   type Drift_List is array (Uplink_Count range 1 .. Uplinks) of Drift;
+
+   --  From any phase: one uplink after the other is taken.
+   procedure Hear_Uplinks (Item : in out Situation; Drifts : Drift_List)
+   with
+     Global => null,
+     Post   => Is_In_Step (Item);
+
+end Theorems.In_Step;

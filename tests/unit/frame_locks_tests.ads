@@ -1,0 +1,11 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  FRM-6: frames of 9 to 11 ticks, and what keeps them in step.
+
+with AUnit.Test_Suites;
+
+package Frame_Locks_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end Frame_Locks_Tests;
