@@ -252,6 +252,30 @@ package body Theorems.Safety with SPARK_Mode is
        and then Item.Uplink_From = From
        and then Is_Fresh (Item.Commands);
 
+   --  What MDCIN passes on of a message from TELIN_variable, and its scan.
+   procedure Choose
+     (Item    : Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Message : in out Uplink_Buffer;
+      Fresh   : Boolean;
+      From    : out Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Item.TELIN_From <= Done
+       and then Item.Uplink_From <= Done
+       and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
+       and then Is_Sent (Message, Scans, Item.TELIN_From),
+     Post   =>
+       From <= Done
+       and then Is_Of (Message, Scans, From)
+       and then
+         (if not Fresh or else Is_Other_Kind (Message'Old)
+          then Is_Old (Message))
+       and then
+         (if Is_Other_Kind (Message'Old) then From = Item.Uplink_From);
+
    procedure Run_LAW
      (Item    : in out Aircraft_Way;
       Scans   : Scan_History;
@@ -465,29 +489,43 @@ package body Theorems.Safety with SPARK_Mode is
         (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
    end Pass_On;
 
+   procedure Choose
+     (Item    : Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Message : in out Uplink_Buffer;
+      Fresh   : Boolean;
+      From    : out Scan_Count)
+   is
+   begin
+      if Is_Other_Kind (Message) then
+         From := Item.Uplink_From;
+         Message := Contents (Item.Uplink);
+         Marked_Is_Of (Message, 0, Scans, From);
+         Message := As_Old (Message);
+      else
+         From := Item.TELIN_From;
+         if not Fresh then
+            Marked_Is_Of (Message, 0, Scans, From);
+            Message := As_Old (Message);
+         end if;
+      end if;
+      pragma Assert (From <= Done);
+   end Choose;
+
    procedure Run_MDCIN
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    is
       Message : Uplink_Buffer;
       Fresh   : Boolean;
+      From    : Scan_Count;
    begin
       Receive (Item.TELIN, Message, Fresh);
-      pragma Assert (Item.TELIN_From <= Done);
       pragma Assert (Is_Sent (Message, Scans, Item.TELIN_From));
       pragma Assert
         (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
-      pragma Assert (Is_Sound (Item, Scans, Done));
-      if Is_Other_Kind (Message) then
-         Marked_Is_Of (Contents (Item.Uplink), 0, Scans, Item.Uplink_From);
-         Pass_On
-           (Item, Scans, Done, As_Old (Contents (Item.Uplink)),
-            Item.Uplink_From);
-      elsif not Fresh then
-         Marked_Is_Of (Message, 0, Scans, Item.TELIN_From);
-         Pass_On (Item, Scans, Done, As_Old (Message), Item.TELIN_From);
-      else
-         Pass_On (Item, Scans, Done, Message, Item.TELIN_From);
-      end if;
+      Choose (Item, Scans, Done, Message, Fresh, From);
+      Pass_On (Item, Scans, Done, Message, From);
    end Run_MDCIN;
 
    procedure Run_LAW
@@ -890,6 +928,13 @@ package body Theorems.Safety with SPARK_Mode is
       Run_MDCIN (Item, Scans, Done);
    end A_Repeated_Message_Is_Marked;
 
+   procedure Another_Kind_Is_No_Commands
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   is
+   begin
+      Run_MDCIN (Item, Scans, Done);
+   end Another_Kind_Is_No_Commands;
+
    procedure Another_Kind_Moves_Nothing
      (Item    : in out Aircraft_Way;
       Scans   : Scan_History;
@@ -897,11 +942,13 @@ package body Theorems.Safety with SPARK_Mode is
       Set     : URV.Laws.Settings;
       Sensors : Downlink_Buffer;
       Law     : URV.Laws.Memory;
-      Watched : Health)
+      Watched : Health;
+      By_Law  : out Boolean)
    is
    begin
       Run_MDCIN (Item, Scans, Done);
       Run_LAW (Item, Scans, Done, Set, Sensors, Law);
+      By_Law := Item.PWM_By_Law;
       Run_PWM (Item, Scans, Done, Watched);
    end Another_Kind_Moves_Nothing;
 

@@ -448,17 +448,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        Is_Old (Contents (Item.Uplink))
        and then Is_Old (Contents (Item.Commands));
 
-   --  A block of another kind, a configuration or what nobody knows, moves no
-   --  servo by itself (EXT-2): CORE and the laws are given the commands of
-   --  before, marked as old, and unless a law flies the outputs stay.
-   procedure Another_Kind_Moves_Nothing
-     (Item    : in out Aircraft_Way;
-      Scans   : Scan_History;
-      Done    : Scan_Count;
-      Set     : URV.Laws.Settings;
-      Sensors : Downlink_Buffer;
-      Law     : URV.Laws.Memory;
-      Watched : Health)
+   --  A block of another kind, a configuration or what nobody knows, is no
+   --  commands (EXT-2): CORE and the laws are given those of before, marked
+   --  as old.
+   procedure Another_Kind_Is_No_Commands
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    =>
@@ -467,9 +461,24 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   =>
        Is_Old (Contents (Item.Uplink))
        and then Is_Old (Contents (Item.Commands))
-       and then Item.Uplink_From = Item'Old.Uplink_From
-       and then
-         (if not Item.PWM_By_Law then Item.Board = Item'Old.Board);
+       and then Item.Uplink_From = Item'Old.Uplink_From;
+
+   --  It moves no servo by itself: unless a law flies, the outputs stay.
+   procedure Another_Kind_Moves_Nothing
+     (Item    : in out Aircraft_Way;
+      Scans   : Scan_History;
+      Done    : Scan_Count;
+      Set     : URV.Laws.Settings;
+      Sensors : Downlink_Buffer;
+      Law     : URV.Laws.Memory;
+      Watched : Health;
+      By_Law  : out Boolean)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done)
+       and then Is_Other_Kind (Contents (Item.TELIN)),
+     Post   => (if not By_Law then Item.Board = Item'Old.Board);
 
    --  A scan is whole: the words that are sent are those that were
    --  converted since it began, one a channel.
