@@ -28,4 +28,11 @@ package body Theorems.Surfaces with SPARK_Mode is
    procedure Certainty_Is_Named
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface) is null;
 
+   procedure An_Engine_Within_Its_Bounds_Is_Not_Told
+     (Item     : URV.Engine_Monitor.Monitor;
+      Power    : Lever;
+      Speed    : Level;
+      Airspeed : Level;
+      Is_Known : Boolean) is null;
+
 end Theorems.Surfaces;

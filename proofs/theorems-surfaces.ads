@@ -6,6 +6,7 @@
 
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
+with URV.Engine_Monitor;
 with URV.Law_Units;       use URV.Law_Units;
 with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
@@ -101,5 +102,25 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then
          (if Item.Doubts (Which) = Certainty then Item.Failed (Which)),
      Post   => Next (Item, Sensors).Failed (Which);
+
+   --  An engine within its bounds, or of which nothing is known, is not told;
+   --  nor one that has not been outside for half a second. None is forgotten.
+   procedure An_Engine_Within_Its_Bounds_Is_Not_Told
+     (Item     : URV.Engine_Monitor.Monitor;
+      Power    : Lever;
+      Speed    : Level;
+      Airspeed : Level;
+      Is_Known : Boolean)
+   with
+     Global => null,
+     Post   =>
+       (if Item.Failed
+        then URV.Engine_Monitor.Next
+          (Item, Power, Speed, Airspeed, Is_Known).Failed
+        elsif not Is_Known
+          or else not URV.Engine_Monitor.Is_Outside (Item, Speed)
+          or else Item.Doubt < URV.Engine_Monitor.Certainty - 1
+        then not URV.Engine_Monitor.Next
+          (Item, Power, Speed, Airspeed, Is_Known).Failed);
 
 end Theorems.Surfaces;

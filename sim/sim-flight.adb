@@ -396,6 +396,10 @@ package body Sim.Flight is
          end if;
          Bits := Bits / 2;
       end loop;
+      if Bits mod 2 = 1 then
+         Summary.Add_Failed_Surface
+           (Further, Names.Name (PWM_Item'(Throttle)));
+      end if;
    end Report_Failed_Surfaces;
 
    procedure Conclude

@@ -11,6 +11,7 @@ with MCS.Virtual_Time;
 with URVOS.Task_Trees;
 with URVOS.Usual_Frames;
 with URV.PWM_Layout;
+with URV.Surface_Monitor;
 
 package body Sim.Nodes is
 
@@ -115,8 +116,8 @@ package body Sim.Nodes is
       MCS.Law_Settings.Write (Set);
    end Set_Laws;
 
-   function Failed_Surfaces return URV.Surfaces.Surface_Flags is
-     (MCS.Surface_Memory.Contents.Failed);
+   function Failed_Surfaces return Word is
+     (URV.Surface_Monitor.Failed_Bits (MCS.Surface_Memory.Contents));
 
    procedure Order (Block : Uplink_Buffer) is
       Unused_Success : Boolean;

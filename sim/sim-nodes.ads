@@ -15,7 +15,6 @@ with URV.Laws;
 with URV.Seal_Blocks;
 with URV.Seals;
 with URV.Sessions;
-with URV.Surfaces;
 with URVOS;        use URVOS;
 with URVOS.Frame_Clocks;
 with URVOS.Frame_Locks;
@@ -118,10 +117,10 @@ package Sim.Nodes is
 
    function Overruns (Which : Node) return Count;
 
-   --  What the aircraft's control laws remember, and which surfaces they have
-   --  seen fail.
+   --  What the aircraft's control laws remember, and a bit for each surface
+   --  that they have seen fail.
    function Laws return URV.Laws.Memory;
-   function Failed_Surfaces return URV.Surfaces.Surface_Flags;
+   function Failed_Surfaces return Word;
 
    --  What the ground has set of them.
    function Configured return URV.Configurations.Setting;

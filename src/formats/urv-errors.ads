@@ -68,7 +68,8 @@ package URV.Errors with Pure, SPARK_Mode is
       --  Sealed link. Detail: why, as URV.Seals.Refused has it, from 1.
       Block_Refused,           --  a block came that is not the peer's
 
-      --  Detail: the surface's place in the downlink, from 1.
+      --  Detail: the surface's place in the downlink, from 1; of the throttle
+      --  that of the engine's speed.
       Surface_Failed,          --  it does not follow its servo's words
 
       --  Type codes (EXT-2). Detail of the first: the code; of the second:

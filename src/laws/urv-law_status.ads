@@ -12,7 +12,7 @@
 --  word 4  how many silent frames the link has had, at most 65535
 --
 --  word 5  surfaces that have failed, in the order of URV.Surfaces, the first
---          in bit 0
+--          in bit 0; the throttle in bit 10
 --
 --  word 7  the serial number of the configuration that was taken last, above
 --          four bits with its table of gains (EXT-2); 0 for none
@@ -25,8 +25,6 @@ with URV.Configurations;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
-with URV.Surface_Monitor; use URV.Surface_Monitor;
-with URV.Surfaces;        use URV.Surfaces;
 
 package URV.Law_Status with Pure, SPARK_Mode is
 
@@ -46,14 +44,14 @@ package URV.Law_Status with Pure, SPARK_Mode is
 
    function To_Row
      (Item   : Laws.Memory;
-      Failed : Surface_Flags;
+      Failed : Word;
       Now    : Configurations.Setting) return Log_Row
    is
      (Occurrences_High => Mode_Word (Item),
       Occurrences_Low  => Invalid_Bits (Item.Checks, 0),
       First_Frame_High => Invalid_Bits (Item.Checks, 1),
       First_Frame_Low  => Silent_Word (Item),
-      Last_Frame_High  => Bits_Of (Failed),
+      Last_Frame_High  => Failed,
       Last_Detail      => Configurations.Told (Now),
       others           => 0)
    with Global => null;

@@ -10,6 +10,7 @@
 
 with URVOS;            use URVOS;
 with URV.Buffers;      use URV.Buffers;
+with URV.Engine_Monitor;
 with URV.Law_Units;    use URV.Law_Units;
 with URV.Routing;      use URV.Routing;
 with URV.Servo_Models; use URV.Servo_Models;
@@ -44,6 +45,10 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       Sent, Sent_Before, Sent_First : Surface_Demands := (others => 0);
 
       Settling : Settling_Count := Settling_Count'Last;
+
+      --  Of the engine, and what its throttle was given in the last frame.
+      Engine : Engine_Monitor.Monitor;
+      Power  : Lever := 0;
    end record;
 
    --  The doubt after a frame.
@@ -109,12 +114,21 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
          Sent_First  => Item.Sent_Before))
    with Global => null;
 
+   --  The engine was looked at; its throttle is given Power in this frame.
+   function With_Engine
+     (Item : Monitor; Engine : Engine_Monitor.Monitor; Power : Lever)
+      return Monitor
+   is
+     ((Item with delta Engine => Engine, Power => Power))
+   with Global => null;
+
    --  After frames that nobody watched: the models are put where the surfaces
    --  are anew; what has failed is known still.
    function Restarted (Item : Monitor) return Monitor is
      ((Item with delta
          Doubts   => (others => 0),
-         Settling => Settling_Count'Last))
+         Settling => Settling_Count'Last,
+         Engine   => Engine_Monitor.Unknown (Item.Engine)))
    with Global => null;
 
    --  A bit for each surface that has failed, in their order, the first in
@@ -130,6 +144,13 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       + (if Failed (Right_Flap_1)   then 128 else 0)
       + (if Failed (Left_Flap_2)    then 256 else 0)
       + (if Failed (Right_Flap_2)   then 512 else 0))
+   with Global => null;
+
+   --  The same with the throttle, which the engine does not follow, in bit 10.
+   Throttle_Bit : constant Word := 1_024;
+
+   function Failed_Bits (Item : Monitor) return Word is
+     (Bits_Of (Item.Failed) + (if Item.Engine.Failed then Throttle_Bit else 0))
    with Global => null;
 
 end URV.Surface_Monitor;

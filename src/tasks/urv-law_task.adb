@@ -4,10 +4,13 @@ with URVOS;        use URVOS;
 with URV.Allocation; use URV.Allocation;
 with URV.Buffers;  use URV.Buffers;
 with URV.Configurations; use URV.Configurations;
+with URV.Engine_Monitor;
 with URV.Errors;   use URV.Errors;
+with URV.Law_Units; use URV.Law_Units;
 with URV.Laws;     use URV.Laws;
 with URV.Link_Loss; use URV.Link_Loss;
 with URV.Routing;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces; use URV.Surfaces;
 
@@ -36,16 +39,34 @@ package body URV.LAW_Task with SPARK_Mode is
       end loop;
    end Report;
 
-   --  Watches the surfaces, whose servos will be given what the PWM task
-   --  makes of the commands.
+   --  The engine is looked at, whose throttle was given Power.
+   function Engine_After
+     (Item   : Engine_Monitor.Monitor;
+      Power  : Lever;
+      Checks : Check_Table;
+      Is_Old : Boolean) return Engine_Monitor.Monitor
+   is
+     (Engine_Monitor.Next
+        (Item, Power,
+         Speed    => Level_Of (Checks (RPM).Used),
+         Airspeed => Level_Of (Checks (Airspeed).Used),
+         Is_Known => not Is_Old
+           and then Checks (RPM).Is_Valid
+           and then Checks (Airspeed).Is_Valid))
+   with Global => null;
+
+   --  Watches the surfaces and the engine, whose servos will be given what the
+   --  PWM task makes of the commands.
    procedure Watch_Surfaces
      (Sensors  : Downlink_Buffer;
+      Checks   : Check_Table;
       Commands : Uplink_Buffer;
       By_Law   : Boolean)
    with Global => (In_Out => (Surface_Memory, Surface_Health, Errors));
 
    procedure Watch_Surfaces
      (Sensors  : Downlink_Buffer;
+      Checks   : Check_Table;
       Commands : Uplink_Buffer;
       By_Law   : Boolean)
    is
@@ -54,6 +75,9 @@ package body URV.LAW_Task with SPARK_Mode is
       Now     : constant Health  :=
         Told_Of
           ((Failed => Watched.Failed, Places => Watched.Places), By_Law);
+      Engine  : constant Engine_Monitor.Monitor :=
+        Engine_After
+          (Before.Engine, Before.Power, Checks, Routing.Is_Old (Sensors));
    begin
       for Item in Surface loop
          if Watched.Failed (Item) and then not Before.Failed (Item) then
@@ -62,12 +86,19 @@ package body URV.LAW_Task with SPARK_Mode is
                Word (Sensor_Item'Pos (Sensor_Of (Item)) + 1));
          end if;
       end loop;
+      if Engine.Failed and then not Before.Engine.Failed then
+         Errors.Report (Surface_Failed, Word (Sensor_Item'Pos (RPM) + 1));
+      end if;
       Surface_Health.Write (Now);
       Surface_Memory.Write
-        (With_Sent
-           (Watched,
-            (if Routing.Is_Old (Commands) then Watched.Sent
-             else Demands_Of (Servos (Commands, Now)))));
+        (With_Engine
+           (With_Sent
+              (Watched,
+               (if Routing.Is_Old (Commands) then Watched.Sent
+                else Demands_Of (Servos (Commands, Now)))),
+            Engine,
+            (if Routing.Is_Old (Commands) then Before.Power
+             else Level_Of (Commands (Throttle)))));
    end Watch_Surfaces;
 
    --  A configuration that has come is taken or refused.
@@ -137,7 +168,8 @@ package body URV.LAW_Task with SPARK_Mode is
          Report (Before, After);
          Law_Memory.Write (After);
          Commands := Output (After, Commands);
-         Watch_Surfaces (Sensors, Commands, not Is_All_Stick (After));
+         Watch_Surfaces
+           (Sensors, After.Checks, Commands, not Is_All_Stick (After));
       else
          Surface_Health.Write (All_Well);
       end if;

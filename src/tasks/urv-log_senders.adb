@@ -42,7 +42,8 @@ package body URV.Log_Senders with SPARK_Mode is
         and then not Line.Is_Laws
         and then (Is_Empty or else Line.Sent = Place'Last)
       then
-         Line.Row := Law_Status.To_Row (Flown, Watched.Failed, Now);
+         Line.Row := Law_Status.To_Row
+           (Flown, Surface_Monitor.Failed_Bits (Watched), Now);
          Line.Is_Laws := True;
          Line.Sent := 0;
       elsif Line.Sent = Place'Last

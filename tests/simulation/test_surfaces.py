@@ -70,12 +70,14 @@ def test_the_ground_is_told_and_disconnect_is_figure_13(tmp_path, write):
     result = subprocess.run(
         [PROGRAM, "fly", "--plant", "jsbsim", "--laws", "on", "--sticks",
          "sticks.csv", "--faults", "faults.txt", "--quiet", "--record",
-         "record.csv", "--events", "events.jsonl"],
+         "record.csv", "--events", "events.jsonl", "--summary",
+         "summary.json"],
         cwd=tmp_path, capture_output=True, text=True,
         timeout=TIME_LIMIT_S, check=True)
     flight = Flight(tmp_path, result)
     assert flight.events["mcs", "surface_failed"]["count"] == 1
     assert flight.events["mcs", "surface_failed"]["last_detail"] == 8
+    assert flight.summary["failed_surfaces"] == ["left_elevator"]
     bit = 1 << allocation.SURFACES.index("left_elevator")
     assert flight.record["laws.failed"][-1] == bit
     assert flight.record["laws.told_failed"][-1] == bit
@@ -99,3 +101,35 @@ def test_direct_is_figure_13_with_a_failed_surface(fly, write):
     servos = columns(flight, "pwm", SERVOS)
     assert all(servos[place] == transformed(commands[place])
                for place in range(10, len(servos)))
+
+
+@pytest.mark.parametrize("word, slowest, lowest", [
+    (0, 49, 330), (1500, 57, 990), (4095, 69, 990)])
+def test_a_stuck_throttle_is_told_and_airspeed_comes_first(
+        fly, write, word, slowest, lowest):
+    """Nobody measures it: the engine's speed tells."""
+    write("faults.txt", f"10000 surface throttle stuck {word}\n")
+    write("sticks.csv", "time_ms,throttle,switch3\n0,2048,4095\n"
+          "90000,2048,4095\n")
+    flight = fly("--plant", "jsbsim", "--laws", "on", "--sticks",
+                 "sticks.csv", "--faults", "faults.txt", "--quiet")
+    event = flight.events["mcs", "surface_failed"]
+    assert (event["count"], event["last_detail"]) == (1, 17)
+    assert 10_000 < event["first_ms"] < 13_000
+    assert flight.summary["failed_surfaces"] == ["throttle"]
+    assert flight.record["laws.told_failed"][-1] == 1 << 10
+    airspeed = flight.record["mcs.downlink.airspeed"][FAULT:]
+    assert min(airspeed) > 32 * slowest
+    assert min(flight.record["truth.altitude_ft"][FAULT:]) > lowest
+
+
+def test_an_engine_that_follows_is_not_told(fly, write):
+    """From stop to stop and back, in a climb and in a glide."""
+    write("sticks.csv", "time_ms,throttle,switch2\n0,2048,4095\n"
+          "12000,0,4095\n24000,4095,4095\n36000,1000,4095\n"
+          "40000,4095,4095\n41000,0,4095\n60000,3000,4095\n"
+          "70000,3000,4095\n")
+    flight = fly("--plant", "jsbsim", "--laws", "on", "--sticks",
+                 "sticks.csv", "--quiet")
+    assert flight.record["laws.failed"][-1] == 0
+    assert "failed_surfaces" not in flight.summary

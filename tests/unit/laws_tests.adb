@@ -11,7 +11,6 @@ with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;
 with URV.Law_Status;
 with URV.Link_Loss;     use URV.Link_Loss;
-with URV.Surfaces;
 
 package body Laws_Tests is
 
@@ -64,7 +63,7 @@ package body Laws_Tests is
    --  What the ground is told of it.
    function Status_Of (Item : URV.Laws.Memory) return Log_Row is
      (URV.Law_Status.To_Row
-        (Item, URV.Surfaces.None, URV.Configurations.Nothing_Set));
+        (Item, 0, URV.Configurations.Nothing_Set));
 
    --  After a second and more of good scans.
    function Warm

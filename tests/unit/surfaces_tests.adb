@@ -4,6 +4,7 @@ with Checks;              use Checks;
 with Expectations;        use Expectations;
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
+with URV.Engine_Monitor;
 with URV.Law_Units;       use URV.Law_Units;
 with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
@@ -22,6 +23,9 @@ package body Surfaces_Tests is
    procedure Signs;
    procedure Flaps_Help;
    procedure Stops;
+   procedure Engine_Follows;
+   procedure Engine_Does_Not;
+   procedure Engine_Unknown;
 
    --  A servo as a textbook has it: a lag of 0.1 s and a rate limit, in
    --  steps of 2 ms. Its words of a frame act from 4 ms after the scan on.
@@ -34,6 +38,9 @@ package body Surfaces_Tests is
       Seen          : Surface_Demands := (others => 0);
       Watch         : Monitor;
    end record;
+
+   package Engines renames URV.Engine_Monitor;
+   package Law_Units renames URV.Law_Units;
 
    Free : constant Surface_Flags := None;
 
@@ -336,6 +343,84 @@ package body Surfaces_Tests is
       end loop;
    end Stops;
 
+   --  An engine gets nearer to the speed of its throttle by a 25th a frame.
+   type Engine_Rig is record
+      Speed : Exact := 2_702.0;
+      Watch : Engines.Monitor;
+   end record;
+
+   procedure Run
+     (Item     : in out Engine_Rig;
+      Asked    : Lever;
+      Obeyed   : Lever;
+      Frames   : Positive;
+      Airspeed : Law_Units.Level := Engines.Cruise;
+      Is_Known : Boolean         := True);
+
+   procedure Run
+     (Item     : in out Engine_Rig;
+      Asked    : Lever;
+      Obeyed   : Lever;
+      Frames   : Positive;
+      Airspeed : Law_Units.Level := Engines.Cruise;
+      Is_Known : Boolean         := True) is
+   begin
+      for Frame in 1 .. Frames loop
+         Item.Watch := Engines.Next
+           (Item.Watch, Asked, Law_Units.Level (Item.Speed), Airspeed,
+            Is_Known);
+         Item.Speed := Item.Speed
+           + (Exact (Engines.Steady (Obeyed, Airspeed)) - Item.Speed) / 25.0;
+      end loop;
+   end Run;
+
+   procedure Engine_Follows is
+      Item : Engine_Rig;
+   begin
+      Run (Item, 2_048, 2_048, 500);
+      for Round in 1 .. 10 loop
+         Run (Item, 4_095, 4_095, 17 * Round);
+         Run (Item, 0, 0, 29 * Round, Airspeed => 2_900);
+         Run (Item, 1_500, 1_500, 40);
+      end loop;
+      Expect ("told", Item.Watch.Failed, False);
+   end Engine_Follows;
+
+   procedure Engine_Does_Not is
+   begin
+      for Eighth in Number range 0 .. 7 loop
+         declare
+            Stuck : constant Lever := Eighth * Engines.Per_Eighth;
+            Item  : Engine_Rig;
+         begin
+            Run (Item, 2_048, 2_048, 500);
+            Run (Item, (if Stuck < 2_048 then 4_095 else 0), Stuck, 250);
+            Expect ("stuck at" & Stuck'Image, Item.Watch.Failed, True);
+            Run (Item, 2_048, 2_048, 500);
+            Expect ("not forgotten", Item.Watch.Failed, True);
+         end;
+      end loop;
+   end Engine_Does_Not;
+
+   procedure Engine_Unknown is
+      Item : Engine_Rig;
+   begin
+      Run (Item, 2_048, 2_048, 500);
+      Run (Item, 4_095, 0, 500, Airspeed => Engines.Slowest - 1);
+      Run (Item, 4_095, 0, 500, Is_Known => False);
+      Expect ("told", Item.Watch.Failed, False);
+      Expect_Number
+        ("bit", Integer (Failed_Bits ((others => <>))), 0);
+      Run (Item, 4_095, 0, 500);
+      Expect ("told when it is known", Item.Watch.Failed, True);
+      Expect_Number
+        ("bit of the throttle",
+         Integer
+           (Failed_Bits
+              (With_Engine ((others => <>), Item.Watch, Power => 0))),
+         1_024);
+   end Engine_Unknown;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add (Suite, "EXT-6 surfaces that follow are not named, whatever moves",
@@ -355,6 +440,12 @@ package body Surfaces_Tests is
       Add (Suite, "EXT-6 flaps help an aileron at its limit, slowly",
            Flaps_Help'Access);
       Add (Suite, "EXT-6 nothing is asked beyond the stops", Stops'Access);
+      Add (Suite, "EXT-6 an engine that follows its throttle is not told",
+           Engine_Follows'Access);
+      Add (Suite, "EXT-6 one that does not is told, wherever it is stuck",
+           Engine_Does_Not'Access);
+      Add (Suite, "EXT-6 of an engine nothing is told on the ground or unseen",
+           Engine_Unknown'Access);
    end Add_To;
 
 end Surfaces_Tests;

@@ -309,7 +309,7 @@ package body Type_Codes_Tests is
       Now : constant Settings :=
         In_Force (MCS.Law_Settings.Contents, MCS.Law_Configured.Contents);
       Row : constant Log_Row := URV.Law_Status.To_Row
-        (MCS.Law_Memory.Contents, (others => False),
+        (MCS.Law_Memory.Contents, 0,
          MCS.Law_Configured.Contents);
    begin
       Expect_Number
