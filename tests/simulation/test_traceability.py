@@ -61,9 +61,9 @@ PLANTED = {
         REQUIREMENTS, "Theorems.Silence.Live_On", "",
         "no requirement's THEOREMS names Theorems.Silence.Live_On"),
     "code for nothing": (
-        REQUIREMENTS, "CODE: URV.AD_Task, URV.Routing.Stamped,",
-        "CODE: URV.Routing.Stamped,",
-        "src/tasks/urv-ad_task.ads: no requirement's CODE names it"),
+        REQUIREMENTS, "CODE: URV.AD_Scans, URV.ADINT_Handler,",
+        "CODE: URV.AD_Scans,",
+        "src/tasks/urv-adint_handler.ads: no requirement's CODE names it"),
     "code that names its requirement no more": (
         "src/tasks/urv-telin_task.ads", "TIN-1", "TIN",
         "TIN-1: CODE names URV.TELIN_Task, but no comment of URV.TELIN_Task"
