@@ -44,7 +44,7 @@ DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
 PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
-             "--laws": ("urv_mcs",)}
+             "--lock": NODES, "--schedule": NODES, "--laws": ("urv_mcs",)}
 """Options that are the nodes' own, and whose. What they mean and what is
 wrong with them the nodes say."""
 
@@ -68,11 +68,15 @@ def ground(
     message_format: str | None = typer.Option(
         None, "--format", metavar="N",
         help="Of the link's messages, 1 or 2, which is sealed. It goes to"
-        " both nodes, as the next two do."),
+        " both nodes, as the next four do."),
     key: Path | None = typer.Option(
         None, metavar="FILE", help="The keys of format 2."),
     processors: str | None = typer.Option(
         None, metavar="N", help="So many of each node, 1 or 2."),
+    lock: bool = typer.Option(
+        False, "--lock", help="The aircraft's frames come in step."),
+    schedule: str | None = typer.Option(
+        None, metavar="NAME", help="Of the tasks, report or fast."),
     laws: str | None = typer.Option(
         None, metavar="LAWS",
         help="The aircraft's control laws, on or off."),
@@ -100,7 +104,8 @@ def ground(
     flight = Flight(folder.resolve(), ports, page_port, yamcs_port)
     flight.given = {
         "--format": message_format, "--key": key and key.resolve(),
-        "--processors": processors, "--laws": laws}
+        "--processors": processors, "--lock": lock or None,
+        "--schedule": schedule, "--laws": laws}
     try:
         flight.start(pilot, yamcs, mavlink, seconds)
         status = flight.watch()
@@ -186,10 +191,11 @@ class Flight:
                              daemon=True).start()
 
     def passed_on(self, node: str) -> list:
-        """What of the options given is for this node."""
+        """What of the options given is for this node. True is a switch's
+        value, which has no word."""
         return [word for option, value in self.given.items()
                 if value is not None and node in PASSED_ON[option]
-                for word in (option, value)]
+                for word in (option, value) if word is not True]
 
     def outputs(self, name: str) -> list:
         """The files that a node leaves."""

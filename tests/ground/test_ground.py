@@ -105,8 +105,8 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
     key = tmp_path / "link.key"
     assert urv("keygen", key).returncode == 0
     given = {"--format": "2", "--key": str(key), "--processors": "1",
-             "--laws": "on"}
-    with Ground(tmp_path, "--no-yamcs",
+             "--schedule": "fast", "--laws": "on"}
+    with Ground(tmp_path, "--no-yamcs", "--lock",
                 *(word for pair in given.items() for word in pair)) as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
         for node in NODES:
@@ -116,7 +116,8 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
                     assert words[words.index(option) + 1] == value
                 else:
                     assert option not in words
-        assert set(given) == set(PASSED_ON)
+            assert "--lock" in words
+        assert {*given, "--lock"} == set(PASSED_ON)
     assert ground.status == 0, ground.said()
 
 
