@@ -281,6 +281,9 @@ package body Partitions.Options is
          Index := Index + 1;
       end loop;
 
+      if not Given (Laws_Option) then
+         Chosen.Laws := Chosen.Plant = JSBSim_Plant;
+      end if;
       Check (This, Given, Chosen);
       return Chosen;
    end Parsed;
@@ -373,7 +376,8 @@ package body Partitions.Options is
            ("  --plant PLANT          bench, or jsbsim: an aircraft in"
             & " flight; else bench");
          Put_Line
-           ("  --laws LAWS            the control laws, on or off; else off");
+           ("  --laws LAWS            the control laws, on or off; else on"
+            & " with jsbsim");
       end if;
       Put_Line
         ("  --record FILE          a row for each major frame");

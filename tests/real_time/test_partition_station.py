@@ -156,12 +156,17 @@ def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
     assert told.core_status["cold_starts"] == 1
 
 
+@pytest.mark.parametrize("options", [
+    ("--laws", "on"), ("--plant", "jsbsim")], ids=["asked", "jsbsim"])
 @flies_again
-def test_gnd7_the_second_version_has_what_the_laws_tell(start_both, station):
-    """And the rows of an error log that the first has no room for."""
+def test_gnd7_the_second_version_has_what_the_laws_tell(
+    start_both, station, options
+):
+    """And the rows of an error log that the first has no room for. With
+    JSBSim the laws are on unless they are told not to be."""
     frames = station(Frames)
     mcs, gsc = start_both(
-        mcs=("--laws", "on"),
+        mcs=options,
         gsc=("--packets", "2", "--publish", frames.place))
     linked = Laws("direct", "direct", "direct", "linked", (), 0, ())
     told = frames.wait_until(lambda packet: Laws.of(packet) == linked)
