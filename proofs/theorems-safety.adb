@@ -98,6 +98,13 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Item (Brake) = Other (Brake));
       pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
       pragma Assert (Flap_Command (Item) = Flap_Command (Other));
+      pragma Assert (Outputs_Of (Scans, Scan) = Transform (Other));
+      pragma Assert (Transform (Item) (Brake) = Transform (Other) (Brake));
+      pragma Assert
+        (for all Name in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+           Transform (Item) (Name) = Transform (Other) (Name));
+      pragma Assert
+        (Transform (Item) (Discretes) = Transform (Other) (Discretes));
    end Same_Switches;
 
    procedure Marked_Is_Of

@@ -47,7 +47,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       Settling : Settling_Count := Settling_Count'Last;
 
       --  Of the engine, and what its throttle was given in the last frame.
-      Engine : Engine_Monitor.Monitor;
+      Engine : Engine_Monitor.Monitor := (others => <>);
       Power  : Lever := 0;
    end record;
 
