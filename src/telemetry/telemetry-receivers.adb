@@ -37,6 +37,16 @@ package body Telemetry.Receivers with SPARK_Mode is
               Checksum.Of_Message (Data, Pair.Slots (Item.Target).Data, 0)
               and then Data = Data_Header (Length));
          Pair := Pair_After (Pair, Outcome.Kind);
+         pragma Assert
+           (if Outcome.Kind in Block_Whole | Block_Spoilt
+            then Has_Message (Was)
+              and then Item.Received = Length
+              and then Item.Target = Was.Target
+              and then Item.Sum = Was.Sum
+              and then Pair = Before);
+         pragma Assert (if Has_Message (Was) then Fits (Item, Pair, Length));
+         pragma Assert
+           (if Outcome.Kind = Block_Begun then Fits (Item, Pair, Length));
       end if;
    end Accept_Character;
 

@@ -169,7 +169,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       elsif Is_Waiting (Item)
       then (Item with delta Silence => Item.Silence + Time)
       else Item)
-   with Global => null;
+   with Global => null, Pre => not Is_Judged_After (Item, Time);
 
    --  What is heard
 
