@@ -64,11 +64,11 @@ CHANGE_US = 213_700
 
 
 def offsets(node):
-    """The minor frame of each task's release, as the node's list has it."""
+    """The minor frame of each task's release in the report's schedule."""
     code = ada_source.code_of(
         (ROOT / "src" / "nodes" / f"{node}.ads").read_text(encoding="utf-8"))
     return {name.lower(): int(offset) for name, offset in re.findall(
-        r"\b(\w+) => \(Offset => (\d+)", code)}
+        r"\b(\w+) => \(Report => \((\d+)", code)}
 
 
 def ordinary_user():

@@ -46,6 +46,7 @@ TESTS = {
     "scripts/ada_source.py": ["claims", "contracts", "mutants",
                               "proof_record", "traceability"],
     "scripts/aircraft_steps.py": ["aircraft"],
+    "scripts/bench/*": ["bench"],
     "scripts/campaign/*": ["campaign_checker", "campaign", "link_theory",
                            "safety_mixes"],
     "scripts/flight_numbers.py": ["campaign_checker", "link_theory"],

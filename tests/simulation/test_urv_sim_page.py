@@ -102,7 +102,9 @@ def test_the_page_has_every_column_and_field(tmp_path):
         assert "flight_quality" not in other
         assert {*names_in("Summary")} == {
             *summary, *summary["flight_quality"],
-            "circuit", *other["circuit"]}
+            "circuit", *other["circuit"],
+            # Only of a flight in which one failed.
+            "failed_surfaces"}
 
     assert names_in("Wire") == ["time_us", "direction", "byte"]
     event = next(iter(flight.events.values()))
