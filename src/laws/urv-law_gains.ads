@@ -55,7 +55,7 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Soft_Roll_Gain      : constant := 16;
    Soft_Roll_Learning  : constant := 5;
    Soft_Pitch_Gain     : constant := 28;
-   Soft_Pitch_Learning : constant := 28;
+   Soft_Pitch_Learning : constant := 20;
 
    --  What an integrator may hold: thousandths of a word. It learns only
    --  from errors below the next, in thousandths of a degree.

@@ -25,7 +25,10 @@ def test_every_loop_has_6_db_and_45_degrees():
     assert [row[0] for row in rows] == [
         "roll, damping", "yaw damper, roll in damping", "roll, attitude",
         "yaw damper, roll in attitude", "pitch, damping", "pitch, attitude",
-        "pitch, hold", "altitude", "airspeed"]
+        "pitch, hold", "altitude", "airspeed",
+        "roll, attitude, table 1", "yaw damper, roll in attitude, table 1",
+        "pitch, attitude, table 1", "pitch, hold, table 1",
+        "altitude, table 1", "airspeed, table 1"]
     for loop, gain, _, phase, _ in rows:
         assert float(gain) >= 6, loop
         assert phase == "none" or float(phase) >= 45, loop
