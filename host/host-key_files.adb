@@ -27,8 +27,10 @@ package body Host.Key_Files is
 
    Close_On_Exec : constant := 8#2_000_000#;
 
-   --  struct statx, as far as it is wanted.
-   type Rest_Of_Status is array (1 .. 100) of Unsigned_16;
+   --  struct statx: what is wanted of it, and room for all that the system
+   --  writes.
+   Status_Bits : constant := 256 * 8;
+   type Rest_Of_Status is array (1 .. 113) of Unsigned_16;
    type File_Status is record
       Mask       : Unsigned_32 := 0;
       Block_Size : Unsigned_32 := 0;
@@ -39,6 +41,8 @@ package body Host.Key_Files is
       Mode       : Unsigned_16 := 0;
       Rest       : Rest_Of_Status := (others => 0);
    end record with Convention => C;
+   pragma Compile_Time_Error
+     (File_Status'Size /= Status_Bits, "not as long as struct statx");
 
    function Get_Status
      (Folder : int;

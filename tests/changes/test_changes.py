@@ -147,6 +147,12 @@ def test_one_more_sensor_word():
     rows, _ = change.fly_aircraft()
     # 15 degrees, less a little for the height, of 0.05 each from 0800h.
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
+    # Sealed, too: in format 2 words have places of their own.
+    key = change.copy / "key"
+    key.write_text(f"key 1 {'5a' * 16}\n", encoding="utf-8")
+    key.chmod(0o600)
+    rows, _ = change.fly_aircraft("--format", "2", "--key", "key")
+    assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
 
 
 @pytest.fixture(scope="module")
