@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Random mixes of all kinds of faults, each a short flight of its own.
 
-A mix's number is all that is needed to make it again. Sticks and sensors
-stand for 40 ms at least, so that a word tells when it stood at the console.
-What must never happen is the safety monitor's to know.
+A mix's number is all that is needed to make it again. Half of them fly as the
+report has it; the others in the fast schedule, in step, with a clock that
+drifts, sealed, or with orders besides the sticks, or in several of these.
+Sticks and sensors stand for 40 ms at least, so that a word tells when it stood
+at the console. What must never happen is the safety monitor's to know.
 """
 
 import random
@@ -18,9 +20,19 @@ NODES = ("gsc", "mcs")
 WAYS = ("up", "down")
 
 
+MOST_DRIFT_PPM = 200
+KNOWN_KINDS = (0, 0x100, 0x200, 0x300, 0x400)
+KEY = f"key 1 {'5a' * 16}\n"
+
+
 class Mix(NamedTuple):
+    """Schedule and drift are among the options; the safety monitor is told,
+    too. The files are by the option that names them."""
+
     options: tuple
     files: dict
+    schedule: str
+    drift: str
 
 
 def at_ms(time):
@@ -94,6 +106,49 @@ def fault(chance, time, node):
             f" {chance.randrange(1, 0x10000):x}"]
 
 
+def orders(chance, length_ms):
+    """Configurations, good and bad, and blocks of other kinds, most of which
+    nobody knows."""
+    kinds = (*KNOWN_KINDS, *(chance.randrange(0x1000) for _ in KNOWN_KINDS))
+    lines = []
+    at = chance.uniform(0, length_ms)
+    while at < length_ms:
+        time = at_ms(at)
+        at += 100 + chance.uniform(0, length_ms / 3)
+        if chance.random() < 0.5:
+            orbit_ms = chance.randrange(0, 20_000, 100)
+            lines.append(f"{time} configure {chance.randrange(0, 4)}"
+                         f" {orbit_ms} {orbit_ms + 20_000}")
+        else:
+            words = [chance.randrange(0x1000)
+                     for _ in range(chance.randrange(13))]
+            lines.append(" ".join(map(str, (
+                time, "block", f"{chance.choice(kinds):x}", *words))))
+    return "\n".join(lines) + "\n"
+
+
+def ways_to_fly(chance, length_ms):
+    """Options besides the report's, their files, schedule and drift."""
+    options, files = [], {}
+    schedule, drift = "report", "0"
+    if chance.random() < 0.5:
+        return options, files, schedule, drift
+    if chance.random() < 0.5:
+        schedule = "fast"
+        options += ["--schedule", schedule]
+    if chance.random() < 0.5:
+        options += ["--lock"]
+    if chance.random() < 0.5:
+        drift = str(chance.randint(-MOST_DRIFT_PPM, MOST_DRIFT_PPM))
+        options += [f"--drift={drift}"]
+    if chance.random() < 0.3:
+        options += ["--format", "2"]
+        files["key"] = KEY
+    if chance.random() < 0.3:
+        files["orders"] = orders(chance, length_ms)
+    return options, files, schedule, drift
+
+
 def of_number(number):
     """The mix of that number: the options of its flight, and its files."""
     chance = random.Random(f"mix {number}")
@@ -110,7 +165,9 @@ def of_number(number):
     options = ("--seconds", f"{frames / FRAMES_PER_S:.2f}",
                "--phase", str(chance.randrange(NUMBERS.frame_ticks)), "--seed", str(number),
                "--processors", chance.choice(("1", "1", "1", "2")))
-    return Mix(options, {
-        "sticks": script(chance, data.STICKS, length_ms, 8),
-        "sensors": script(chance, data.SENSORS, length_ms, 0),
-        "faults": "".join(f"{line}\n" for line in lines)})
+    files = {"sticks": script(chance, data.STICKS, length_ms, 8),
+             "sensors": script(chance, data.SENSORS, length_ms, 0),
+             "faults": "".join(f"{line}\n" for line in lines)}
+    more, more_files, schedule, drift = ways_to_fly(
+        random.Random(f"mix {number} flies"), length_ms)
+    return Mix((*options, *more), files | more_files, schedule, drift)

@@ -58,6 +58,11 @@ def fly(folder, phase, seed, frames, faults):
                           capture_output=True, text=True)
 
 
+# What a mix's files are called, by the option that names them.
+FILES = {"sticks": "sticks.csv", "sensors": "sensors.csv",
+         "faults": "faults.txt", "orders": "orders.txt", "key": "key"}
+
+
 def lines_of(case, first):
     for fault in case.faults:
         at_ms = (first * cases.FRAME_US + fault.at_us) / 1000
@@ -90,23 +95,31 @@ def by_theory(name, flight):
     return 0.0
 
 
-def findings_in(folder):
-    """What the safety monitor finds in a flight of this folder."""
+def findings_in(folder, *flown):
+    """What the safety monitor finds in a flight of this folder, flown in
+    the report's schedule and without drift unless it is told."""
     return monitor.check(folder / "record.csv", folder / "sticks.csv",
-                         folder / "sensors.csv", folder / "faults.txt")
+                         folder / "sensors.csv", folder / "faults.txt",
+                         *flown)
 
 
 def fly_mix(number, folder):
     """The command that flies it, and its result."""
     mix = mixes.of_number(number)
     command = [str(PROGRAM), "fly", "--quiet", *mix.options]
-    for option, name in (("sticks", "sticks.csv"), ("sensors", "sensors.csv"),
-                         ("faults", "faults.txt")):
-        (folder / name).write_text(mix.files[option], encoding="ascii")
+    for option, text in mix.files.items():
+        name = FILES[option]
+        (folder / name).write_text(text, encoding="ascii")
+        (folder / name).chmod(0o600)
         command += [f"--{option}", name]
     command += ["--record", "record.csv"]
     return command, subprocess.run(command, cwd=folder, check=False,
                                    capture_output=True, text=True)
+
+
+def findings_in_mix(number, folder):
+    mix = mixes.of_number(number)
+    return findings_in(folder, mix.schedule, mix.drift)
 
 
 def run_mixes(name):
@@ -123,7 +136,7 @@ def run_mixes(name):
                     f"mix {number}: status {flown.returncode}:"
                     f" {flown.stderr.strip()}")
                 continue
-            findings = findings_in(folder)
+            findings = findings_in_mix(number, folder)
             result["frames"] += findings.rows
             result["faults"] += len(
                 (folder / "faults.txt").read_text().splitlines())
@@ -140,7 +153,7 @@ def show_mix(number, folder):
     if flown.returncode != 0:
         print(flown.stderr.strip())
         return 1
-    findings = findings_in(folder)
+    findings = findings_in_mix(number, folder)
     for line in (*findings.violations, *findings.wrong_blocks):
         print(line)
     print(f"mix {number}: {len(findings.violations)} violations,"
