@@ -224,4 +224,13 @@ package Partitions.System_Calls is
      (What : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
+   --  What the system writes into is as long as C's, in bytes.
+   pragma Compile_Time_Error
+     (Time_Span'Size /= 8 * 16
+      or else Poll_Request'Size /= 8 * 8
+      or else Address_Info'Size /= 8 * 48
+      or else Line_Settings'Size /= 8 * 44
+      or else Signal_Set'Size /= 8 * 128,
+      "a record is not as long as its struct");
+
 end Partitions.System_Calls;
