@@ -93,14 +93,6 @@ package body Host.Key_Files is
       Line   : String;
       Into   : in out Key_List);
 
-   function Format_Of (Value : String) return Format_Number is
-   begin
-      if Value not in "1" | "2" then
-         Refuse ("--format: " & Quoted (Value) & " is neither 1 nor 2");
-      end if;
-      return (if Value = "1" then 1 else 2);
-   end Format_Of;
-
    procedure Check (Format : Format_Number; Has_Key : Boolean) is
    begin
       if Format = 2 and then not Has_Key then

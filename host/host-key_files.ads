@@ -13,9 +13,6 @@ with URV.Sessions;    use URV.Sessions;
 
 package Host.Key_Files is
 
-   --  What --format says. Raises Bad_Input.
-   function Format_Of (Value : String) return Format_Number;
-
    --  Format 2 needs a key, format 1 has none. Raises Bad_Input.
    procedure Check (Format : Format_Number; Has_Key : Boolean);
 

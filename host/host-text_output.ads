@@ -4,7 +4,7 @@
 --  log of a fast simulation are most of what it has to do, so numbers are
 --  formatted by hand.
 --
---  A writer is open only if its output was asked for. Sim.Outputs opens
+--  A writer is open only if its output was asked for. Host.Outputs opens
 --  all of a flight.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;

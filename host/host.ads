@@ -4,6 +4,8 @@
 --  simulation, the real-time partitions and the tests. Text in and out,
 --  scripts, scales, the bench and the memories behind the boards.
 
+with Interfaces;
+
 with Telemetry;
 with URVOS;        use URVOS;
 with URVOS.Frames; use URVOS.Frames;
@@ -31,12 +33,23 @@ package Host is
    Tick_Time   : constant Microseconds := Microseconds_Per_Tick;
    Major_Frame : constant Microseconds := Frame_Length;
 
+   --  The time, rounded up to major frames.
+   function Whole_Frames (Time : Microseconds) return Microseconds is
+     ((Time + Major_Frame - 1) / Major_Frame * Major_Frame);
+
    --  How many ticks the aircraft's frame may lag behind (D-12).
    subtype Phase_Ticks is Natural range 0 .. Ticks_Per_Major_Frame - 1;
 
    --  As a rule it lags by 6 ms, however long a tick is (EVI-12). At about
    --  3 ms its block would just miss its turn on the link.
    Usual_Phase : constant Phase_Ticks := 6_000 / Microseconds_Per_Tick;
+
+   --  By how many millionths the aircraft's ticks may be longer than the
+   --  ground's (FRM-6).
+   type Drift_Number is range -200 .. 200;
+
+   --  Where chance begins.
+   type Seed_Number is new Interfaces.Unsigned_64;
 
    subtype Schedule_Name is URVOS.Task_Trees.Schedule_Name;
 

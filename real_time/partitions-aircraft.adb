@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Real_Time;
-with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Devices.CORE_Memory;
 with Host;                use Host;
@@ -35,8 +34,8 @@ package body Partitions.Aircraft is
    function Servos return PWM_Buffer is
      (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
-   procedure Prepare (Chosen : Partitions.Options.Choices) is
-      use type Partitions.Options.Plant_Kind;
+   procedure Prepare (Chosen : Host.Options.Choices) is
+      use Host.Options;
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
    begin
       Bench.Start (Schedule => Chosen.Schedule);
@@ -44,10 +43,10 @@ package body Partitions.Aircraft is
       MCS.Frame_Lock.Set (Has_Lock);
       Set.On := Chosen.Laws;
       MCS.Law_Settings.Write (Set);
-      if Chosen.Script /= Null_Unbounded_String then
-         Load (Sensors, To_String (Chosen.Script));
+      if Is_Given (Chosen, Sensors_Option) then
+         Load (Sensors, Value (Chosen, Sensors_Option));
       end if;
-      if Chosen.Plant = Partitions.Options.JSBSim_Plant then
+      if Chosen.Plant = JSBSim_Plant then
          Plant.Start (Chosen.Schedule);
       end if;
    end Prepare;

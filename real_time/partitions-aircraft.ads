@@ -4,9 +4,9 @@
 --  with a lag, other sensors held, or any of them as a file says
 --  (--sensors); or an aircraft in JSBSim (--plant jsbsim; GND-6).
 
+with Host.Options;
 with Host.Text_Output;
 with MCS;
-with Partitions.Options;
 with Partitions.Reports;
 with Partitions.Rows; use Partitions.Rows;
 with URV.Buffers;     use URV.Buffers;
@@ -14,7 +14,7 @@ with URV.Buffers;     use URV.Buffers;
 package Partitions.Aircraft is
 
    --  Raises Host.Bad_Input.
-   procedure Prepare (Chosen : Partitions.Options.Choices);
+   procedure Prepare (Chosen : Host.Options.Choices);
 
    --  What the A/D board's channels see. Asked once for each scan: the
    --  surfaces have then moved for a major frame.

@@ -4,23 +4,25 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Partitions.Console;
 with Partitions.Console_Port;
+with Partitions.Frame_Packets;
 with Partitions.Publisher;
 with Partitions.Reports; use Partitions.Reports;
 
 package body Partitions.Ground_Station is
 
-   procedure Prepare (Chosen : Partitions.Options.Choices) is
+   procedure Prepare (Chosen : Host.Options.Choices) is
+      use Host.Options;
    begin
-      if Chosen.Script /= Null_Unbounded_String then
-         Console.Load (To_String (Chosen.Script));
+      if Is_Given (Chosen, Sticks_Option) then
+         Console.Load (Value (Chosen, Sticks_Option));
       end if;
-      if Chosen.Pilot /= Null_Unbounded_String then
-         Console.Take_Aboard (To_String (Chosen.Pilot));
+      if Is_Given (Chosen, Pilot_Option) then
+         Console.Take_Aboard (Value (Chosen, Pilot_Option));
       end if;
-      if Chosen.Console /= Null_Unbounded_String then
-         Console_Port.Open (To_String (Chosen.Console));
+      if Is_Given (Chosen, Console_Option) then
+         Console_Port.Open (Value (Chosen, Console_Option));
       end if;
-      Publisher.Choose (Chosen.Packets);
+      Publisher.Choose (Frame_Packets.Version_Number (Chosen.Packets));
       for Place of Chosen.Publish loop
          exit when Place = Null_Unbounded_String;
          Publisher.Open (To_String (Place));

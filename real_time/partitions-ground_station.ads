@@ -3,14 +3,14 @@
 --  What the ground's partition has besides its node: where the sticks come
 --  from, and who is sent what CORE has (GND-2, GND-3).
 
+with Host.Options;
 with Host.Text_Output;
-with Partitions.Options;
 with Partitions.Reports;
 
 package Partitions.Ground_Station is
 
    --  Raises Host.Bad_Input.
-   procedure Prepare (Chosen : Partitions.Options.Choices);
+   procedure Prepare (Chosen : Host.Options.Choices);
 
    function Has_Truth return Boolean is (False);
 

@@ -5,7 +5,6 @@ with Interfaces.C;  use Interfaces.C;
 
 with Devices.CORE_Memory;      use Devices.CORE_Memory;
 with GSC;
-with Host.Complaints;
 with Partitions.Clocks;
 with Partitions.Console;
 with Partitions.Console_Port;
@@ -119,11 +118,6 @@ package body Partitions.Publisher is
 
    procedure Open (Place : String) is
    begin
-      if Number_Of_Places = Most_Places then
-         Host.Complaints.Refuse
-           ("--publish is given more than"
-            & Integer'Image (Most_Places) & " times");
-      end if;
       Places (Number_Of_Places + 1) := Sockets.Sender ("--publish", Place);
       Number_Of_Places := Number_Of_Places + 1;
    end Open;

@@ -4,18 +4,19 @@
 --  GND-2). The node makes the packet; a task of its own sends it and waits
 --  for nobody.
 
+with Host.Options;
 with Partitions.Frame_Packets; use Partitions.Frame_Packets;
 with Partitions.Rows;          use Partitions.Rows;
 with URVOS;                    use URVOS;
 
 package Partitions.Publisher is
 
-   Most_Places : constant := 8;
+   Most_Places : constant := Host.Options.Most_Places;
 
    --  The version of the packets, 1 unless said. Before the first one.
    procedure Choose (Version : Version_Number);
 
-   --  Sends to udp:HOST:PORT, too. Raises Host.Bad_Input.
+   --  Sends to udp:HOST:PORT, too; to so many at most. Raises Host.Bad_Input.
    procedure Open (Place : String);
 
    --  The frame's row of the record has been taken.

@@ -2,7 +2,6 @@
 
 with Ada.Characters.Handling;
 with Ada.Exceptions;
-with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with GNAT.OS_Lib;
 
@@ -11,19 +10,21 @@ with Host.Complaints;
 with Host.Event_Log;
 with Host.Key_Files;
 with Host.Names;
+with Host.Option_Help;
+with Host.Options;          use Host.Options;
+with Host.Outputs;          use Host.Outputs;
 with Host.Text_Numbers;
 with Host.Truth_Columns;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
 with Partitions.Notes;
-with Partitions.Options;    use Partitions.Options;
-with Partitions.Outputs;    use Partitions.Outputs;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
 with URV.Seals;
 with URVOS;
+with URVOS.Task_Trees;
 
 procedure Partitions.Run is
 
@@ -44,6 +45,12 @@ procedure Partitions.Run is
    Received : constant String :=
      (if This = Ground then "downlink" else "uplink");
 
+   Program : constant Host.Options.Program :=
+     (if This = Ground then URV_GSC else URV_MCS);
+
+   --  How the program is used.
+   procedure Print_Usage;
+
    --  For who sits at the terminal.
    procedure Note (What : String);
 
@@ -62,6 +69,35 @@ procedure Partitions.Run is
    procedure Write_Summary;
 
    procedure Print_Summary;
+
+   procedure Print_Usage is
+      A_Dead_Plant : constant String :=
+        (if This = Ground then "" else ", a dead plant");
+   begin
+      Put_Line
+        (Screen,
+         "usage: " & Ada.Characters.Handling.To_Lower (Program'Image)
+         & " --link LINK [options]");
+      New_Line (Screen);
+      Put_Line
+        (Screen,
+         "Runs the " & (if This = Ground then "ground station core"
+                        else "aircraft's control system")
+         & " in real time, until SIGINT or SIGTERM.");
+      Put_Line
+        (Screen,
+         "SIGUSR1 raises a processor exception, SIGUSR2 presses the reset"
+         & " switch.");
+      New_Line (Screen);
+      Host.Option_Help.Print (Screen, Program);
+      New_Line (Screen);
+      Put_Line
+        (Screen,
+         "Exit status: 0 run; 2 a bad command line, input file or link;");
+      Put_Line
+        (Screen,
+         "1 an output cannot be written, an internal fault" & A_Dead_Plant);
+   end Print_Usage;
 
    procedure Note (What : String) is
    begin
@@ -132,18 +168,18 @@ procedure Partitions.Run is
          exit when not Found;
          Frames := Item.Value (1) + 1;
          Look_Around;
-         if Is_Open (Files (Record_File)) then
+         if Is_Open (Files (Record_Option)) then
             for Place in 1 .. Item.Length loop
                if Place > 1 then
-                  Put (Files (Record_File), ',');
+                  Put (Files (Record_Option), ',');
                end if;
-               Put (Files (Record_File), Item.Value (Place));
+               Put (Files (Record_Option), Item.Value (Place));
             end loop;
             if Item.Has_Truth then
                Host.Truth_Columns.Put_Values
-                 (Files (Record_File), Item.Truth);
+                 (Files (Record_Option), Item.Truth);
             end if;
-            New_Line (Files (Record_File));
+            New_Line (Files (Record_Option));
          end if;
          exit when Last_Frame > 0 and then Frames >= Last_Frame;
       end loop;
@@ -191,7 +227,7 @@ procedure Partitions.Run is
    procedure Write_Summary is
       Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Result : Reports.Report;
-      To     : Writer renames Files (Summary_File);
+      To     : Writer renames Files (Summary_Option);
    begin
       Reports.Begin_Report (Result, To);
       Reports.Put_Field (Result, To, "seconds", In_Hundredths (Frames), 2);
@@ -237,7 +273,7 @@ procedure Partitions.Run is
         (Image (Long_Long_Integer (Total)) & " " & What
          & (if Total = 1 then "" else "s"));
    begin
-      Attach_Screen (Screen);
+      Attach_Screen (Screen, Is_Error => Use_Standard_Output (Chosen));
       Put_Line
         (Screen,
          "run       " & Seconds (Frames) & " s, "
@@ -255,47 +291,49 @@ procedure Partitions.Run is
    end Print_Summary;
 
 begin
-   Chosen := Parsed (This);
-   if Chosen.Help then
+   Chosen := Parsed (Program, First => 1);
+   if Chosen.Wants_Help then
       Attach_Screen (Screen);
-      Print_Usage (Screen, This);
+      Print_Usage;
       Close (Screen);
       Leave (0);
    end if;
 
    if Chosen.Format = 2 then
       This_Node.Seal_Link
-        (2, Host.Key_Files.Keys_From (To_String (Chosen.Key)),
+        (2, Host.Key_Files.Keys_From (Value (Chosen, Key_Option)),
          Host.Key_Files.Random_Nonce);
    end if;
    Prepare (Chosen);
-   Links.Open (To_String (Chosen.Link));
-   Outputs.Open (Files, Chosen.Outputs);
-   if Is_Open (Files (Record_File)) then
+   Links.Open (Value (Chosen, Link_Option));
+   Outputs.Open (Files, Chosen);
+   if Is_Open (Files (Record_Option)) then
       Put
-        (Files (Record_File),
+        (Files (Record_Option),
          "frame,time_ms" & Column_Names & ",overruns,clock_us");
       if Has_Truth then
-         Host.Truth_Columns.Put_Names (Files (Record_File));
+         Host.Truth_Columns.Put_Names (Files (Record_Option));
       end if;
-      New_Line (Files (Record_File));
+      New_Line (Files (Record_Option));
    end if;
 
-   if Chosen.In_Phase then
+   if Is_Given (Chosen, Phase_Option) then
       Clocks.Await_Phase (Chosen.Phase);
    end if;
-   Note ("listening at " & To_String (Chosen.Link));
+   Note ("listening at " & Value (Chosen, Link_Option));
    Clocks.Switch_On;
-   This_Node.Switch_On (Chosen.Processors, Chosen.Schedule);
-   Write_Rows (Number (Chosen.Frames));
+   This_Node.Switch_On
+     (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule);
+   Write_Rows
+     (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 
-   if Is_Open (Files (Summary_File)) then
+   if Is_Open (Files (Summary_Option)) then
       Write_Summary;
    end if;
-   if Is_Open (Files (Events_File)) then
+   if Is_Open (Files (Events_Option)) then
       Host.Event_Log.Write
-        (Files (Events_File), Host.Names.Name (This), This_Node.Log, 0);
-      Put_Events (Files (Events_File));
+        (Files (Events_Option), Host.Names.Name (This), This_Node.Log, 0);
+      Put_Events (Files (Events_Option));
    end if;
    Outputs.Close (Files);
    if not Chosen.Quiet then

@@ -9,9 +9,9 @@
 --  line, input file or link.
 
 with Host;
+with Host.Options;
 with Host.Text_Output;
 with Partitions.Nodes;
-with Partitions.Options;
 with Partitions.Reports;
 
 generic
@@ -19,7 +19,7 @@ generic
    with package This_Node is new Partitions.Nodes (<>);
 
    --  Opens what the command line asks for. Raises Host.Bad_Input.
-   with procedure Prepare (Chosen : Options.Choices);
+   with procedure Prepare (Chosen : Host.Options.Choices);
    with function Column_Names return String;
 
    --  Rows have an aircraft's truth.

@@ -281,7 +281,7 @@ package body Sim.Conditions is
 
    function Introduction
      (Given : Script;
-      Seed  : Noise.Seed_Number;
+      Seed  : Seed_Number;
       From  : Start_Place) return String
    is
       Seeded : constant Positive :=

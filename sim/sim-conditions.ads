@@ -34,7 +34,7 @@ package Sim.Conditions is
    --  and with a start in the air there is none.
    function Introduction
      (Given : Script;
-      Seed  : Noise.Seed_Number;
+      Seed  : Seed_Number;
       From  : Start_Place) return String;
 
    --  The errors of the sensors' next measurement.

@@ -359,7 +359,7 @@ package body Sim.Engine is
    procedure Start
      (Lag        : Microseconds;
       Script     : Faults.Script;
-      Seed       : Noise.Seed_Number;
+      Seed       : Seed_Number;
       Processors : Processor_Count := 1;
       Drift      : Drift_Number := 0) is
    begin

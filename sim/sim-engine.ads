@@ -13,7 +13,6 @@
 with Host.Text_Output;
 with Sim.Faults;
 with Sim.Nodes; use Sim.Nodes;
-with Sim.Noise;
 
 package Sim.Engine is
 
@@ -24,7 +23,7 @@ package Sim.Engine is
    procedure Start
      (Lag        : Microseconds;
       Script     : Faults.Script;
-      Seed       : Noise.Seed_Number;
+      Seed       : Seed_Number;
       Processors : Processor_Count := 1;
       Drift      : Drift_Number := 0);
 

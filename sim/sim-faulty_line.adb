@@ -70,7 +70,7 @@ package body Sim.Faulty_Line is
    procedure Prepare
      (Made   : in out Line;
       Script : Faults.Script;
-      Seed   : Noise.Seed_Number)
+      Seed   : Seed_Number)
    is
       Silences : Windows.List;
    begin

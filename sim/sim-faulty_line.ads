@@ -62,7 +62,7 @@ package Sim.Faulty_Line is
    procedure Prepare
      (Made   : in out Line;
       Script : Faults.Script;
-      Seed   : Noise.Seed_Number);
+      Seed   : Seed_Number);
 
    --  Sends one character. Time is when its start bit begins, and must not
    --  decrease within a direction. Every character that a DUART sends is

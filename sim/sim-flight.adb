@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Calendar; use Ada.Calendar;
-with Ada.Strings.Unbounded;
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
@@ -9,6 +8,7 @@ with Host.Complaints;
 with Host.Event_Log;
 with Host.Key_Files;
 with Host.Names;
+with Host.Outputs;         use Host.Outputs;
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
@@ -28,7 +28,6 @@ with Sim.JSBSim;
 with Sim.Latency;
 with Sim.Nodes;
 with Sim.Noise;
-with Sim.Outputs;         use Sim.Outputs;
 with Sim.Progress;
 with Sim.Signals;
 with Sim.Summary;
@@ -46,9 +45,9 @@ with URVOS.Frames;        use URVOS.Frames;
 
 package body Sim.Flight is
 
-   use Ada.Strings.Unbounded;
+   Standard_Length : constant Microseconds := 60 * Microseconds_Per_Second;
+
    use type Sim.Conditions.Start_Place;
-   use Options;
 
    --  Everything that a flight reads, writes and remembers. There is one
    --  flight.
@@ -104,13 +103,24 @@ package body Sim.Flight is
       Flown   : Microseconds;
       Elapsed : Duration);
 
-   function Given (Name : Unbounded_String) return Boolean is
-     (Length (Name) > 0);
-
    --  Whether the pilot stands beside the runway.
    function Is_By_Eye (Chosen : Choices) return Boolean is
-     (Given (Chosen.Pilot)
-      and then Pilot.Is_By_Eye (To_String (Chosen.Pilot)));
+     (Is_Given (Chosen, Pilot_Option)
+      and then Pilot.Is_By_Eye (Value (Chosen, Pilot_Option)));
+
+   --  In whole frames: as --seconds says; else as long as the pilot or the
+   --  sticks need; else 60 s.
+   function Flight_Length (Chosen : Choices) return Microseconds;
+
+   function Flight_Length (Chosen : Choices) return Microseconds is
+      Needed : constant Microseconds :=
+        (if Chosen.Length > 0 then Chosen.Length
+         elsif Is_Given (Chosen, Pilot_Option)
+         then Pilot.Length (Value (Chosen, Pilot_Option))
+         else Stick_Scripts.Length (Sticks));
+   begin
+      return Whole_Frames (if Needed > 0 then Needed else Standard_Length);
+   end Flight_Length;
 
    --  Whether the error is one of those with which every start begins: no
    --  message has come yet.
@@ -169,7 +179,7 @@ package body Sim.Flight is
       if Is_By_Eye (Chosen) and then Begins = Sim.Conditions.In_The_Air
       then
          Complaints.Refuse
-           ("--pilot " & To_String (Chosen.Pilot) & " and the condition"
+           ("--pilot " & Value (Chosen, Pilot_Option) & " and the condition"
             & " ""start air"" do not go together");
       end if;
       Sight  := Noise.Seeded (Chosen.Seed, Noise.The_Eyes);
@@ -184,26 +194,26 @@ package body Sim.Flight is
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
-      if Given (Chosen.Key) then
-         Keys := Key_Files.Keys_From (To_String (Chosen.Key));
+      if Is_Given (Chosen, Key_Option) then
+         Keys := Key_Files.Keys_From (Value (Chosen, Key_Option));
       end if;
-      if Given (Chosen.Inputs (Stick_File)) then
-         Stick_Scripts.Load (Sticks, To_String (Chosen.Inputs (Stick_File)));
+      if Is_Given (Chosen, Sticks_Option) then
+         Stick_Scripts.Load (Sticks, Value (Chosen, Sticks_Option));
       end if;
-      if Given (Chosen.Inputs (Sensor_File)) then
+      if Is_Given (Chosen, Sensors_Option) then
          Sensor_Scripts.Load
-           (Sensors, To_String (Chosen.Inputs (Sensor_File)));
+           (Sensors, Value (Chosen, Sensors_Option));
       end if;
-      if Given (Chosen.Inputs (Fault_File)) then
-         Sim.Faults.Load (Faults, To_String (Chosen.Inputs (Fault_File)));
+      if Is_Given (Chosen, Faults_Option) then
+         Sim.Faults.Load (Faults, Value (Chosen, Faults_Option));
       end if;
-      if Given (Chosen.Inputs (Condition_File)) then
+      if Is_Given (Chosen, Conditions_Option) then
          Sim.Conditions.Load
-           (Conditions, To_String (Chosen.Inputs (Condition_File)));
+           (Conditions, Value (Chosen, Conditions_Option));
       end if;
-      if Given (Chosen.Inputs (Order_File)) then
+      if Is_Given (Chosen, Orders_Option) then
          Ground_Orders.Load
-           (Orders, To_String (Chosen.Inputs (Order_File)));
+           (Orders, Value (Chosen, Orders_Option));
       end if;
    end Load_Inputs;
 
@@ -261,7 +271,7 @@ package body Sim.Flight is
 
    procedure End_Frame (Chosen : Choices; Time : Microseconds) is
       Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
-      Writer : Text_Output.Writer renames Files (Record_File);
+      Writer : Text_Output.Writer renames Files (Record_Option);
       Words  : Console_Words;
       Seen   : Pilot.Sight;
    begin
@@ -283,16 +293,16 @@ package body Sim.Flight is
              Link         => Engine.Link,
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown,
-             Has_Laws     => Has_Laws (Chosen),
+             Has_Laws     => Chosen.Laws,
              Laws         => URV.Law_Status.To_Row
                                (Nodes.Laws, Nodes.Failed_Surfaces,
                                 Nodes.Configured),
              Laws_Told    => Nodes.CORE (Ground).Aircraft_Log
                                (URV.Law_Status.Row_Number),
-             Has_Orders   => Given (Chosen.Inputs (Order_File))));
+             Has_Orders   => Is_Given (Chosen, Orders_Option)));
       end if;
 
-      if Given (Chosen.Pilot) then
+      if Is_Given (Chosen, Pilot_Option) then
          if Is_By_Eye (Chosen) and then Frame mod Eyes.Frames_Between = 0 then
             Eyes.Look (Shown, Sight, Seen);
             Pilot.See (Seen);
@@ -339,7 +349,7 @@ package body Sim.Flight is
               (Microseconds'Min (Stick_Scripts.Next_Time (Sticks),
                                  Sensor_Scripts.Next_Time (Sensors)),
                Ground_Orders.Next_Time (Orders)));
-         Engine.Run (Next, Files (Wire_File));
+         Engine.Run (Next, Files (Wire_Option));
 
          if Next = Due then
             Take_Answer;
@@ -461,9 +471,9 @@ package body Sim.Flight is
                end;
             end loop;
 
-            if Text_Output.Is_Open (Files (Event_File)) then
+            if Text_Output.Is_Open (Files (Events_Option)) then
                Event_Log.Write
-                 (Files (Event_File), Name, Log,
+                 (Files (Events_Option), Name, Log,
                   Switched_On =>
                     (case Node is
                         when Ground   => 0,
@@ -472,25 +482,27 @@ package body Sim.Flight is
          end;
       end loop;
 
-      if Has_Laws (Chosen) then
+      if Chosen.Laws then
          Report_Failed_Surfaces (Further);
       end if;
 
       if Is_By_Eye (Chosen) then
          Circuit_Quality.Report (Further);
-      elsif Chosen.Plant = JSBSim_Plant and then Given (Chosen.Pilot) then
+      elsif Chosen.Plant = JSBSim_Plant
+        and then Is_Given (Chosen, Pilot_Option)
+      then
          Flight_Quality.Report (Further);
       end if;
 
-      if Text_Output.Is_Open (Files (Summary_File)) then
-         Summary.Write (Files (Summary_File), Figures, Further);
+      if Text_Output.Is_Open (Files (Summary_Option)) then
+         Summary.Write (Files (Summary_Option), Figures, Further);
       end if;
       Outputs.Close (Files);
 
       if not Chosen.Quiet then
          Text_Output.Attach_Screen
            (Screen,
-            Is_Error => Use_Standard_Output (Chosen.Outputs));
+            Is_Error => Use_Standard_Output (Chosen));
          Summary.Print (Screen, Figures, Further);
          Text_Output.Close (Screen);
       end if;
@@ -503,16 +515,11 @@ package body Sim.Flight is
       Elapsed : Duration;
    begin
       Load_Inputs (Chosen);
-      Length := Flight_Length
-        (Chosen,
-         Otherwise =>
-           (if Given (Chosen.Pilot)
-            then Pilot.Length (To_String (Chosen.Pilot))
-            else Stick_Scripts.Length (Sticks)));
+      Length := Flight_Length (Chosen);
 
       Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Lock (Chosen.Lock);
-      Nodes.Set_Laws (Has_Laws (Chosen));
+      Nodes.Set_Laws (Chosen.Laws);
       Nodes.Seal_Link
         (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
       Engine.Start
@@ -527,29 +534,29 @@ package body Sim.Flight is
       else
          Bench.Start (Servo_Faults (Chosen), Chosen.Schedule);
       end if;
-      if Given (Chosen.Pilot) then
-         Pilot.Start (To_String (Chosen.Pilot));
+      if Is_Given (Chosen, Pilot_Option) then
+         Pilot.Start (Value (Chosen, Pilot_Option));
          Flight_Quality.Start;
          Circuit_Quality.Start;
       end if;
 
       Signals.Watch;
-      Outputs.Open (Files, Chosen.Inputs, Chosen.Outputs);
-      if Text_Output.Is_Open (Files (Record_File)) then
+      Outputs.Open (Files, Chosen);
+      if Text_Output.Is_Open (Files (Record_Option)) then
          Flight_Record.Write_Header
-           (Files (Record_File),
+           (Files (Record_Option),
             Has_Truth  => Chosen.Plant = JSBSim_Plant,
-            Has_Laws   => Has_Laws (Chosen),
-            Has_Orders => Given (Chosen.Inputs (Order_File)));
+            Has_Laws   => Chosen.Laws,
+            Has_Orders => Is_Given (Chosen, Orders_Option));
       end if;
-      if Text_Output.Is_Open (Files (Wire_File)) then
-         Wire_Log.Write_Header (Files (Wire_File));
+      if Text_Output.Is_Open (Files (Wire_Option)) then
+         Wire_Log.Write_Header (Files (Wire_Option));
       end if;
 
       Progress.Start
         (Length,
          Wanted => not Chosen.Quiet,
-         Beside => Use_Standard_Output (Chosen.Outputs));
+         Beside => Use_Standard_Output (Chosen));
       Began := Clock;
       Fly_Through (Chosen, Length, Flown);
       Elapsed := Clock - Began;

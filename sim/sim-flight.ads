@@ -2,7 +2,7 @@
 
 --  One flight, from the files it reads to the files it leaves.
 
-with Sim.Options;
+with Host.Options; use Host.Options;
 
 package Sim.Flight is
 
@@ -10,6 +10,6 @@ package Sim.Flight is
    --  any output file is opened. Raises Bad_Input. When the user wants no
    --  more (Sim.Signals) the flight ends with the frame, and Flown is less
    --  than was chosen.
-   procedure Fly (Chosen : Options.Choices; Flown : out Microseconds);
+   procedure Fly (Chosen : Choices; Flown : out Microseconds);
 
 end Sim.Flight;

@@ -15,8 +15,6 @@ with Sim.Faults;
 
 package Sim.Noise is
 
-   type Seed_Number is new Interfaces.Unsigned_64;
-
    --  Where the numbers come from.
    type Source is private;
 

@@ -17,8 +17,4 @@ package Sim is
    function Other (Than : Node) return Node is
      (if Than = Ground then Aircraft else Ground);
 
-   --  By how many millionths the aircraft's ticks may be longer than the
-   --  ground's (FRM-6).
-   type Drift_Number is range -200 .. 200;
-
 end Sim;

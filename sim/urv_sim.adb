@@ -12,17 +12,18 @@ with Ada.Text_IO;
 
 with Host;             use Host;
 with Host.Complaints;
+with Host.Options;
 with Host.Scaling;
 with Host.Text_Numbers;
 with Host.Text_Output;
 with Sim;              use Sim;
+with Sim.Commands;
 with Sim.Flight;
 with Sim.JSBSim;
 with Sim.Nodes;
 with Sim.Numbers;
 with Sim.One_Thread;
 pragma Unreferenced (Sim.One_Thread);
-with Sim.Options;
 with Sim.Signals;
 
 procedure Urv_Sim is
@@ -35,7 +36,7 @@ procedure Urv_Sim is
    --  Seconds with two decimals, as frames are long.
    function Seconds (Time : Microseconds) return String;
 
-   procedure Fly (Chosen : Options.Choices);
+   procedure Fly (Chosen : Host.Options.Choices);
 
    procedure Complain (What : String) is
    begin
@@ -54,7 +55,7 @@ procedure Urv_Sim is
         & Image (Hundredths mod 10);
    end Seconds;
 
-   procedure Fly (Chosen : Options.Choices) is
+   procedure Fly (Chosen : Host.Options.Choices) is
       Flown : Microseconds;
    begin
       Flight.Fly (Chosen, Flown);
@@ -69,22 +70,22 @@ procedure Urv_Sim is
 begin
    Signals.Ignore_Broken_Pipes;
    declare
-      Chosen : constant Options.Choices := Options.Parsed;
+      Asked  : constant Commands.Call := Commands.Parsed;
       Screen : Text_Output.Writer;
    begin
-      case Chosen.Order is
-         when Options.Fly     =>
-            Fly (Chosen);
-         when Options.Help    =>
+      case Asked.Order is
+         when Commands.Fly     =>
+            Fly (Asked.Chosen);
+         when Commands.Help    =>
             Text_Output.Attach_Screen (Screen);
-            Options.Print_Usage (Screen, Chosen.Topic);
-         when Options.Items   =>
+            Commands.Print_Usage (Screen, Asked.About);
+         when Commands.Items   =>
             Text_Output.Attach_Screen (Screen);
             Scaling.Print (Screen);
-         when Options.Numbers =>
+         when Commands.Numbers =>
             Text_Output.Attach_Screen (Screen);
             Numbers.Print (Screen);
-         when Options.Version =>
+         when Commands.Version =>
             Text_Output.Attach_Screen (Screen);
             Text_Output.Put_Line (Screen, "urv_sim " & Host.Version);
       end case;

@@ -92,6 +92,17 @@ def test_a_bad_option_is_refused(node, options, what):
     assert_refused(run(node, *options), node, what)
 
 
+def options_of(node):
+    """Those in the help."""
+    return re.findall(r"^  (--[a-z]+)", run(node, "--help").stdout, re.M)
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_an_unknown_option_is_told_what_there_is(node):
+    assert_refused(run(node, "--wings", "2"), node,
+                   "there are " + ", ".join(options_of(node)) + "\n")
+
+
 @pytest.mark.parametrize("node, options", [
     ("mcs", ("--sticks", "--console", "--packets", "--pilot", "--publish")),
     ("gsc", ("--sensors", "--plant", "--laws")),
@@ -108,7 +119,7 @@ PLACE = "udp:127.0.0.1:6009"
     ("gsc", ("--console", PLACE, "--sticks", "s"),
      "--sticks and --console do not go together"),
     ("gsc", ("--pilot", "level", "--sticks", "s"),
-     "--sticks and --pilot do not go together"),
+     "--pilot and --sticks do not go together"),
     ("gsc", ("--pilot", "ace"), "there are standard, level"),
     ("gsc", ("--console", "127.0.0.1:6009"), "is not udp:HOST:PORT"),
     ("gsc", ("--console", "udp:127.0.0.1"), "is not udp:HOST:PORT"),
@@ -154,8 +165,7 @@ def test_gnd6_a_plant_without_a_python_is_refused(monkeypatch):
 def test_the_page_and_the_help_have_the_same_options():
     page = (ROOT / "docs" / "real-time.md").read_text(encoding="utf-8")
     told = set(re.findall(r"^\| `(--[a-z]+)", page, re.M))
-    helped = {node: set(re.findall(r"^  (--[a-z]+)", run(
-        node, "--help").stdout, re.M)) for node in NODES}
+    helped = {node: set(options_of(node)) for node in NODES}
     assert told == helped["gsc"] | helped["mcs"]
     assert helped["gsc"] - helped["mcs"] == {
         "--sticks", "--console", "--packets", "--pilot", "--publish"}
@@ -199,6 +209,26 @@ def test_a_summary_is_printed_unless_quiet(node):
                      *quiet)
         assert result.returncode == 0
         assert (result.stdout == "") == bool(quiet)
+
+
+def test_an_output_named_by_a_dash_is_standard_output():
+    """What people read then goes to standard error."""
+    own, other = free_ports(2)
+    result = run("gsc", "--link", udp(own, other), "--seconds", "0.2",
+                 "--record", "-")
+    assert result.returncode == 0
+    assert result.stdout.startswith("frame,time_ms,")
+    assert "\nrun  " not in result.stdout and "\nrun  " in result.stderr
+
+
+def test_an_output_that_is_the_input_is_refused(tmp_path):
+    script = tmp_path / "script.csv"
+    script.write_text("time_ms,roll\n0,1\n", encoding="utf-8")
+    own, other = free_ports(2)
+    result = run("gsc", "--link", udp(own, other), "--sticks", script,
+                 "--summary", script)
+    assert_refused(result, "gsc", "--summary and --sticks name the same file")
+    assert script.read_text("utf-8") == "time_ms,roll\n0,1\n"
 
 
 needs_full_device = pytest.mark.skipif(

@@ -410,11 +410,19 @@ def test_two_outputs_in_one_file(refused, tmp_path, second):
     ("--sticks", "time_ms,roll\n0,1\n"),
     ("--sensors", "time_ms,rpm\n0,1\n"),
     ("--faults", "0 cut 1\n"),
+    ("--orders", "0 configure 1 100 100\n"),
 ])
 def test_output_that_is_an_input(refused, write, option, text):
     write("in", text)
     said = refused("fly", option, "in", "--summary", "./in")
     assert said == f"urv_sim: --summary and {option} name the same file"
+
+
+def test_sec5_an_output_that_is_the_file_of_keys(refused, write, tmp_path):
+    write("keys", "key 1 " + "0123456789abcdef" * 2 + "\n")
+    (tmp_path / "keys").chmod(0o600)
+    said = refused("fly", "--format", "2", "--key", "keys", "--wire", "keys")
+    assert said == "urv_sim: --wire and --key name the same file"
 
 
 # --- what is taken --------------------------------------------------------

@@ -1,17 +1,77 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Host.Pilot;
-with Host.Schedules;
-with Host.Text_Numbers;
+with Ada.Command_Line; use Ada.Command_Line;
+
+with Host.Complaints; use Host.Complaints;
+with Host.Option_Help;
 with Sim.Conditions;
 with Sim.Faults;
 with Sim.Ground_Orders;
 
-package body Sim.Options.Usage is
+package body Sim.Commands is
 
-   procedure Print
+   With_Help : constant String := "fly, items, numbers";
+   All_Names : constant String := With_Help & ", help, --version";
+
+   --  The command of that name, or Help for one that is not among them.
+   function Command_Of (Name : String) return Command is
+     (if Name = "fly" then Fly
+      elsif Name = "items" then Items
+      elsif Name = "numbers" then Numbers
+      elsif Name = "--version" then Version
+      else Help);
+
+   procedure Refuse_Command (Name : String; Names : String) with No_Return;
+
+   --  Refuses arguments after so many.
+   procedure Expect_No_More (Than : Positive);
+
+   procedure Refuse_Command (Name : String; Names : String) is
+   begin
+      Refuse ("unknown command " & Quoted (Name) & "; there are " & Names);
+   end Refuse_Command;
+
+   procedure Expect_No_More (Than : Positive) is
+   begin
+      if Argument_Count > Than then
+         Refuse ("unexpected argument " & Quoted (Argument (Than + 1)));
+      end if;
+   end Expect_No_More;
+
+   function Parsed return Call is
+      Result : Call;
+   begin
+      if Argument_Count = 0 then
+         Refuse ("no command; there are " & All_Names);
+      end if;
+
+      Result.Order := Command_Of (Argument (1));
+      case Result.Order is
+         when Fly =>
+            Result.Chosen := Host.Options.Parsed (Host.Options.URV_Sim, 2);
+            if Result.Chosen.Wants_Help then
+               Result.Order := Help;
+               Result.About := Fly;
+            end if;
+         when Items | Numbers | Version =>
+            Expect_No_More (Than => 1);
+         when Help =>
+            if Argument (1) not in "help" | "--help" | "-h" then
+               Refuse_Command (Argument (1), All_Names);
+            elsif Argument_Count > 1 then
+               Expect_No_More (Than => 2);
+               if Command_Of (Argument (2)) not in Fly | Items | Numbers then
+                  Refuse_Command (Argument (2), With_Help);
+               end if;
+               Result.About := Command_Of (Argument (2));
+            end if;
+      end case;
+      return Result;
+   end Parsed;
+
+   procedure Print_Usage
      (To    : in out Text_Output.Writer;
-      Topic : Help_Topic)
+      About : Command)
    is
       procedure Put (Line : String);
 
@@ -42,43 +102,7 @@ package body Sim.Options.Usage is
       procedure Put_Fly is
       begin
          Put ("options of fly (--option VALUE or --option=VALUE)");
-         Put ("  --seconds S       length of the flight");
-         Put ("                    (60, or that of the sticks or the pilot)");
-         Put ("  --plant PLANT     bench or jsbsim (bench)");
-         Put ("  --sticks FILE     the pilot's sticks, CSV (neutral)");
-         Put ("  --pilot NAME      the simulated pilot flies: "
-              & Pilot.Names);
-         Put ("                    (nobody); needs --plant jsbsim");
-         Put ("  --sensors FILE    the bench's sensors, CSV (neutral)");
-         Put ("  --faults FILE     what goes wrong (nothing)");
-         Put ("  --conditions FILE wind, ballast, errors of sensors (none);");
-         Put ("                    needs --plant jsbsim");
-         Put ("  --orders FILE     what the ground orders besides the sticks"
-              & " (nothing)");
-         Put ("  --seed N          of all that happens by chance (1)");
-         Put ("  --phase TICKS     the aircraft's frame lags, 0 to"
-              & Phase_Ticks'Last'Image & " ("
-              & Text_Numbers.Image (Long_Long_Integer (Usual_Phase)) & ")");
-         Put ("  --drift PPM       the aircraft's ticks are longer by so");
-         Put ("                    many millionths, -200 to 200 (0)");
-         Put ("  --lock            the aircraft's frames come in step with");
-         Put ("                    the ground's");
-         Put ("  --schedule NAME   of both nodes' tasks: " & Schedules.Names
-              & " (report)");
-         Put ("  --processors N    of each node, 1 or 2 (1)");
-         Put ("  --laws LAWS       the aircraft's control laws, on or off");
-         Put ("                    (on with jsbsim, off with the bench)");
-         Put ("  --format N        of the messages, 1 or 2, which is sealed"
-              & " (1)");
-         Put ("  --key FILE        both nodes' keys, for format 2");
-         Put ("  --record FILE     flight record, CSV");
-         Put ("  --summary FILE    result, JSON");
-         Put ("  --wire FILE       every byte on the serial link, CSV");
-         Put ("  --events FILE     both error logs, JSON lines: node, kind,");
-         Put ("                    count, first_frame, last_frame, first_ms,");
-         Put ("                    last_ms, last_detail");
-         Put ("  --pace PACE       max or realtime (max)");
-         Put ("  --quiet           no progress, no summary");
+         Host.Option_Help.Print (To, Host.Options.URV_Sim);
          Put ("An output named - is standard output; the summary for people");
          Put ("then goes to standard error.");
          Put ("");
@@ -119,8 +143,8 @@ package body Sim.Options.Usage is
       end Put_Numbers;
 
    begin
-      case Topic is
-         when All_Commands =>
+      case About is
+         when Help | Version =>
             Put_Commands;
             Put_Fly;
             Put ("");
@@ -129,13 +153,13 @@ package body Sim.Options.Usage is
             Put_Numbers;
             Put ("");
             Put ("docs/urv_sim.md has it all, with examples");
-         when Of_Fly =>
+         when Fly =>
             Put_Fly;
-         when Of_Items =>
+         when Items =>
             Put_Items;
-         when Of_Numbers =>
+         when Numbers =>
             Put_Numbers;
       end case;
-   end Print;
+   end Print_Usage;
 
-end Sim.Options.Usage;
+end Sim.Commands;

@@ -1,0 +1,44 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the value of an option says. Title is the option's, with its dashes.
+--  A value that says nothing is refused, with what would have been one:
+--  raises Bad_Input.
+
+with Host.Text_Numbers; use Host.Text_Numbers;
+
+package Host.Option_Values is
+
+   --  Seconds with at most six decimals, above 0 and up to the longest, which
+   --  is whole seconds.
+   function Time_Of
+     (Title   : String;
+      Value   : String;
+      Longest : Microseconds) return Microseconds;
+
+   --  From 0 to Last.
+   function Whole_Of
+     (Title : String;
+      Value : String;
+      Last  : Number) return Number;
+
+   --  From -Last to Last.
+   function Signed_Of
+     (Title : String;
+      Value : String;
+      Last  : Natural) return Integer;
+
+   subtype One_Or_Two is Positive range 1 .. 2;
+
+   function Number_Of (Title : String; Value : String) return One_Or_Two;
+
+   --  Whether it is the first of two words, not the second.
+   function Is_First
+     (Title  : String;
+      Value  : String;
+      First  : String;
+      Second : String) return Boolean;
+
+   procedure Refuse_Value (Title : String; Value : String; What : String)
+     with No_Return;
+
+end Host.Option_Values;

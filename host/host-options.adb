@@ -1,0 +1,249 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Command_Line;        use Ada.Command_Line;
+
+with Host.Complaints;   use Host.Complaints;
+with Host.Key_Files;
+with Host.Pilot;
+with Host.Text_Numbers; use Host.Text_Numbers;
+
+package body Host.Options is
+
+   use URVOS.Task_Trees;
+
+   type Option_Set is array (Option) of Boolean;
+
+   --  Finds the option of that name, or refuses it.
+   function Option_Of (Whose : Program; Title : String) return Option;
+
+   --  Takes an option's value over into the choices.
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String);
+
+   --  Another place to publish at.
+   procedure Add_Place (Chosen : in out Choices; Place : Unbounded_String);
+
+   --  Refuses options that do not go together, and one that is missing.
+   procedure Check (Whose : Program; Chosen : Choices);
+
+   function Name (Which : Option) return String is
+      Image : constant String := To_Lower (Which'Image);
+      Kind  : constant String := "_option";
+   begin
+      return "--" & Image (Image'First .. Image'Last - Kind'Length);
+   end Name;
+
+   function Value_Name (Which : Option) return String is
+     (case Which is
+         when Link_Option                      => "LINK",
+         when Seconds_Option                   => "S",
+         when Plant_Option                     => "PLANT",
+         when Pilot_Option | Schedule_Option   => "NAME",
+         when Phase_Option                     => "TICKS",
+         when Drift_Option                     => "PPM",
+         when Laws_Option                      => "LAWS",
+         when Pace_Option                      => "PACE",
+         when Seed_Option | Processors_Option
+            | Format_Option | Packets_Option   => "N",
+         when Sticks_Option | Sensors_Option .. Orders_Option
+            | Key_Option | Output_Option       => "FILE",
+         when Console_Option | Publish_Option  => "udp:HOST:PORT",
+         when Lock_Option | Quiet_Option       => "");
+
+   function Option_Of (Whose : Program; Title : String) return Option is
+      Names : Unbounded_String;
+   begin
+      for Which in Option loop
+         if Has (Whose, Which) then
+            if Name (Which) = Title then
+               return Which;
+            end if;
+            Append (Names, (if Names = "" then "" else ", ") & Name (Which));
+         end if;
+      end loop;
+      if Title'Length > 1 and then Title (Title'First) = '-' then
+         Refuse
+           ("unknown option " & Quoted (Title) & "; there are "
+            & To_String (Names));
+      else
+         Refuse ("unexpected argument " & Quoted (Title));
+      end if;
+   end Option_Of;
+
+   procedure Choose
+     (Chosen : in out Choices;
+      Which  : Option;
+      Value  : String)
+   is
+      Title : constant String := Name (Which);
+   begin
+      Chosen.Values (Which) := To_Unbounded_String (Value);
+      case Which is
+         when Seconds_Option =>
+            Chosen.Length := Time_Of (Title, Value, Longest_Time);
+         when Plant_Option =>
+            Chosen.Plant :=
+              (if Is_First (Title, Value, "bench", "jsbsim")
+               then Bench_Plant else JSBSim_Plant);
+         when Seed_Option =>
+            Chosen.Seed := Seed_Number
+              (Whole_Of (Title, Value, Number'Last));
+         when Phase_Option =>
+            Chosen.Phase := Phase_Ticks
+              (Whole_Of (Title, Value, Number (Phase_Ticks'Last)));
+         when Drift_Option =>
+            Chosen.Drift := Drift_Number
+              (Signed_Of (Title, Value, Integer (Drift_Number'Last)));
+         when Lock_Option =>
+            Chosen.Lock := True;
+         when Schedule_Option =>
+            Chosen.Schedule :=
+              (if Is_First (Title, Value, "report", "fast")
+               then Report else Fast);
+         when Processors_Option =>
+            Chosen.Processors := Number_Of (Title, Value);
+         when Laws_Option =>
+            Chosen.Laws := Is_First (Title, Value, "on", "off");
+         when Format_Option =>
+            Chosen.Format :=
+              URV.Seals.Format_Number (Number_Of (Title, Value));
+         when Packets_Option =>
+            Chosen.Packets := Number_Of (Title, Value);
+         when Publish_Option =>
+            Add_Place (Chosen, To_Unbounded_String (Value));
+         when Pace_Option =>
+            Chosen.Pace :=
+              (if Is_First (Title, Value, "max", "realtime")
+               then Max else Realtime);
+         when Quiet_Option =>
+            Chosen.Quiet := True;
+         when Link_Option | Sticks_Option .. Orders_Option | Key_Option
+            | Console_Option | Output_Option =>
+            null;
+      end case;
+   end Choose;
+
+   procedure Add_Place (Chosen : in out Choices; Place : Unbounded_String) is
+   begin
+      for Free of Chosen.Publish loop
+         if Free = Null_Unbounded_String then
+            Free := Place;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (Name (Publish_Option) & " is given more than"
+         & Integer'Image (Most_Places) & " times");
+   end Add_Place;
+
+   procedure Check (Whose : Program; Chosen : Choices) is
+
+      Has_Aircraft : constant Boolean := Chosen.Plant = JSBSim_Plant;
+
+      function Given (Which : Option) return Boolean is
+        (Is_Given (Chosen, Which));
+
+      procedure Refuse_Both (One : Option; Other : String) with No_Return;
+
+      procedure Refuse_Both (One : Option; Other : String) is
+      begin
+         Refuse (Name (One) & " and " & Other & " do not go together");
+      end Refuse_Both;
+
+      Aircraft : constant String := Name (Plant_Option) & " jsbsim";
+
+   begin
+      if Has (Whose, Link_Option) and then not Given (Link_Option) then
+         Refuse (Name (Link_Option) & " is missing; ""--help"" explains it");
+      end if;
+      Key_Files.Check (Chosen.Format, Given (Key_Option));
+      if Given (Sticks_Option) and then Given (Console_Option) then
+         Refuse_Both (Sticks_Option, Name (Console_Option));
+      elsif Given (Sticks_Option) and then Given (Pilot_Option) then
+         Refuse_Both (Pilot_Option, Name (Sticks_Option));
+      elsif Given (Sensors_Option) and then Has_Aircraft then
+         Refuse_Both (Sensors_Option, Aircraft);
+      elsif Given (Conditions_Option) and then not Has_Aircraft then
+         Refuse
+           (Name (Conditions_Option) & " are those of an aircraft: add "
+            & Aircraft);
+      elsif Whose = URV_Sim and then Given (Pilot_Option) then
+         if not Pilot.Exists (Value (Chosen, Pilot_Option)) then
+            Refuse_Value
+              (Name (Pilot_Option), Value (Chosen, Pilot_Option),
+               "not a flight the pilot knows; there are " & Pilot.Names);
+         elsif not Has_Aircraft then
+            Refuse
+              (Name (Pilot_Option) & " needs an aircraft to fly: add "
+               & Aircraft);
+         end if;
+      end if;
+   end Check;
+
+   function Parsed (Whose : Program; First : Positive) return Choices is
+      Chosen : Choices;
+      Given  : Option_Set := (others => False);
+      Index  : Positive   := First;
+
+      --  The value that follows an option in an argument of its own.
+      function Next_Argument return String is
+        (if Index < Argument_Count then Argument (Index + 1) else "");
+
+   begin
+      while Index <= Argument_Count loop
+         declare
+            Text  : constant String := Argument (Index);
+            Equal : Natural := Text'First;
+            Which : Option;
+         begin
+            if Text in "--help" | "-h" | "help" then
+               Chosen.Wants_Help := True;
+               return Chosen;
+            end if;
+
+            --  Only an option is split, a stray argument is not.
+            while Equal <= Text'Last
+              and then (Text (Equal) /= '='
+                        or else Text (Text'First) /= '-')
+            loop
+               Equal := Equal + 1;
+            end loop;
+            Which := Option_Of (Whose, Text (Text'First .. Equal - 1));
+
+            if Given (Which) and then Which /= Publish_Option then
+               Refuse (Name (Which) & " is given twice");
+            end if;
+            Given (Which) := True;
+
+            if Value_Name (Which) = "" then
+               if Equal <= Text'Last then
+                  Refuse (Name (Which) & " takes no value");
+               end if;
+               Choose (Chosen, Which, "");
+            elsif Equal < Text'Last then
+               Choose (Chosen, Which, Text (Equal + 1 .. Text'Last));
+            elsif Equal = Text'Last
+              or else Next_Argument = ""
+              or else (Next_Argument'Length >= 2
+                       and then Next_Argument (1 .. 2) = "--")
+            then
+               Refuse (Name (Which) & " needs a value");
+            else
+               Choose (Chosen, Which, Next_Argument);
+               Index := Index + 1;
+            end if;
+         end;
+         Index := Index + 1;
+      end loop;
+
+      if not Given (Laws_Option) then
+         Chosen.Laws := Chosen.Plant = JSBSim_Plant;
+      end if;
+      Check (Whose, Chosen);
+      return Chosen;
+   end Parsed;
+
+end Host.Options;

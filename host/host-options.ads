@@ -1,0 +1,111 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The options of all programs, and what was asked for with them:
+--  --option VALUE or --option=VALUE, in any order, each once but --publish.
+--  Whatever is wrong with them raises Bad_Input (SIM-1, RTP-2).
+--  --phase is the phase between the two nodes' clocks (D-12), --schedule that
+--  of the tasks (FRM-5).
+--
+--  A new option is a literal here with its program, and in the body the name
+--  of its value and what becomes of it; Host.Option_Help explains it.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Host.Option_Values; use Host.Option_Values;
+with URV.Seals;
+
+package Host.Options is
+
+   type Program is (URV_Sim, URV_GSC, URV_MCS);
+
+   --  In the order of the help. Seconds_Option is written --seconds.
+   type Option is
+     (Link_Option, Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
+      Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
+      Seed_Option, Phase_Option, Drift_Option, Lock_Option, Schedule_Option,
+      Processors_Option, Laws_Option, Format_Option, Key_Option,
+      Console_Option, Packets_Option, Publish_Option, Record_Option,
+      Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
+
+   subtype Output_Option is Option range Record_Option .. Events_Option;
+
+   function Has (Whose : Program; Which : Option) return Boolean is
+     (case Which is
+         when Link_Option                               => Whose /= URV_Sim,
+         when Sticks_Option | Pilot_Option              => Whose /= URV_MCS,
+         when Plant_Option | Sensors_Option
+            | Laws_Option                               => Whose /= URV_GSC,
+         when Console_Option .. Publish_Option          => Whose = URV_GSC,
+         when Faults_Option .. Seed_Option | Drift_Option
+            | Wire_Option | Pace_Option                 => Whose = URV_Sim,
+         when others                                    => True);
+
+   --  As it is written, with its dashes.
+   function Name (Which : Option) return String;
+
+   --  What its value is called; "" for an option without a value.
+   function Value_Name (Which : Option) return String;
+
+   --  What is behind the boards.
+   type Plant_Kind is (Bench_Plant, JSBSim_Plant);
+
+   --  As fast as possible, or as fast as the clock on the wall.
+   type Pace_Kind is (Max, Realtime);
+
+   --  Where the ground's frames are published; empty after the last one.
+   Most_Places : constant := 8;
+   type Place_List is array (1 .. Most_Places) of Unbounded_String;
+
+   --  The values as they were given; empty when they were not.
+   type Value_List is array (Option) of Unbounded_String;
+
+   Longest_Time : constant Microseconds :=
+     10_000_000 * Microseconds_Per_Second;
+
+   type Choices is record
+      Wants_Help : Boolean := False;
+
+      Values     : Value_List;
+      Publish    : Place_List;
+
+      --  0 when --seconds was not given.
+      Length     : Microseconds range 0 .. Longest_Time := 0;
+
+      Plant      : Plant_Kind := Bench_Plant;
+      Seed       : Seed_Number := 1;
+      Phase      : Phase_Ticks := Usual_Phase;
+      Drift      : Drift_Number := 0;
+      Schedule   : Schedule_Name := URVOS.Task_Trees.Report;
+
+      --  Of each node.
+      Processors : One_Or_Two := 1;
+
+      --  The aircraft's control laws (EXT-3): unless the user says, with an
+      --  aircraft.
+      Laws       : Boolean := False;
+
+      --  Of the messages, which have keys in format 2.
+      Format     : URV.Seals.Format_Number := 1;
+
+      --  The version of the packets that are published.
+      Packets    : One_Or_Two := 1;
+
+      Pace       : Pace_Kind := Max;
+
+      --  The aircraft's frames come in step with the ground's.
+      Lock       : Boolean := False;
+
+      Quiet      : Boolean := False;
+   end record;
+
+   function Is_Given (Chosen : Choices; Which : Option) return Boolean is
+     (Chosen.Values (Which) /= Null_Unbounded_String)
+     with Pre => Value_Name (Which) /= "";
+
+   function Value (Chosen : Choices; Which : Option) return String is
+     (To_String (Chosen.Values (Which)));
+
+   --  The options that the program was called with, from that argument on.
+   function Parsed (Whose : Program; First : Positive) return Choices;
+
+end Host.Options;

@@ -1,0 +1,165 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Ada.Directories;
+with GNAT.OS_Lib; use GNAT.OS_Lib;
+
+with Host.Complaints; use Host.Complaints;
+
+package body Host.Outputs is
+
+   Null_Device : constant String := "/dev/null";
+
+   --  What was found of an output on the way to opening it.
+   type Attempt is record
+      File    : File_Descriptor := Invalid_FD;
+      Existed : Boolean := False;
+   end record;
+   type Attempt_List is array (Output_Option) of Attempt;
+
+   --  The file that a name means, symbolic links followed.
+   function Place (Name : String) return String;
+
+   --  Do both names mean one file, and not the null device?
+   function Same_File (Left, Right : String) return Boolean;
+
+   procedure Check_Distinct (Chosen : Choices);
+
+   --  Opens a file as it is, or creates it.
+   procedure Try (Name : String; Made : out Attempt);
+
+   --  Takes everything back.
+   procedure Give_Up (Attempts : Attempt_List; Chosen : Choices);
+
+   function Is_Input (Which : Option) return Boolean is
+     (Which not in Output_Option and then Value_Name (Which) = "FILE");
+
+   function Place (Name : String) return String is
+     (if Name = Standard_Output then Standard_Output
+      else Normalize_Pathname (Name, Resolve_Links => True));
+
+   function Same_File (Left, Right : String) return Boolean is
+     (Left /= ""
+      and then Right /= ""
+      and then Place (Left) = Place (Right)
+      and then Place (Left) /= Null_Device);
+
+   procedure Check_Distinct (Chosen : Choices) is
+   begin
+      for Output in Output_Option loop
+         for Other in Option range Option'First .. Output loop
+            if Same_File (Value (Chosen, Output), Value (Chosen, Other))
+              and then
+                (if Is_Input (Other)
+                 then Value (Chosen, Output) /= Standard_Output
+                 else Other in Output_Option and then Other /= Output)
+            then
+               Refuse
+                 (Name (Output) & " and " & Name (Other)
+                  & " name the same file");
+            end if;
+         end loop;
+      end loop;
+   end Check_Distinct;
+
+   procedure Try (Name : String; Made : out Attempt) is
+   begin
+      if Name = Standard_Output then
+         Made := (File => Text_Output.Screen, Existed => True);
+         return;
+      end if;
+
+      --  Appending creates a file that is missing and leaves what a file
+      --  holds untouched.
+      Made.Existed := Ada.Directories.Exists (Name);
+      Made.File    := Open_Append (Name, Binary);
+   end Try;
+
+   procedure Give_Up (Attempts : Attempt_List; Chosen : Choices) is
+      Deleted : Boolean;
+   begin
+      for Output in Output_Option loop
+         if Attempts (Output).File /= Invalid_FD then
+            Close (Attempts (Output).File);
+            if not Attempts (Output).Existed then
+               --  A link to nothing now leads to the file to delete.
+               Delete_File (Place (Value (Chosen, Output)), Deleted);
+            end if;
+         end if;
+      end loop;
+   end Give_Up;
+
+   procedure Open (Files : in out File_Set; Chosen : Choices) is
+      Attempts : Attempt_List;
+
+      procedure Refuse_Output (Output : Output_Option) with No_Return;
+
+      procedure Refuse_Output (Output : Output_Option) is
+         Reason : constant String := Errno_Message;
+      begin
+         Give_Up (Attempts, Chosen);
+         Refuse
+           (Name (Output) & ": " & Quoted (Value (Chosen, Output))
+            & " cannot be created: " & Reason);
+      end Refuse_Output;
+
+   begin
+      Check_Distinct (Chosen);
+
+      for Output in Output_Option loop
+         if Is_Given (Chosen, Output) then
+            Try (Value (Chosen, Output), Attempts (Output));
+            if Attempts (Output).File = Invalid_FD then
+               Refuse_Output (Output);
+            end if;
+         end if;
+      end loop;
+
+      --  All can be written. Only now is old content let go. Devices and
+      --  pipes hold none, and a pipe's reader would see it close.
+      for Output in Output_Option loop
+         declare
+            Name      : constant String  := Value (Chosen, Output);
+            Is_Screen : constant Boolean := Name = Standard_Output;
+         begin
+            if Attempts (Output).Existed
+              and then not Is_Screen
+              and then Is_Regular_File (Name)
+            then
+               Close (Attempts (Output).File);
+               Attempts (Output).File := Create_File (Name, Binary);
+               if Attempts (Output).File = Invalid_FD then
+                  Refuse_Output (Output);
+               end if;
+            end if;
+
+            if Attempts (Output).File /= Invalid_FD then
+               Text_Output.Attach
+                 (Files (Output), Attempts (Output).File,
+                  Options.Name (Output) & ": "
+                  & (if Is_Screen then "standard output" else Quoted (Name)));
+            end if;
+         end;
+      end loop;
+   end Open;
+
+   procedure Close (Files : in out File_Set) is
+   begin
+      for File of Files loop
+         Text_Output.Close (File);
+      end loop;
+   end Close;
+
+   procedure Rescue (Files : in out File_Set) is
+   begin
+      for File of Files loop
+         begin
+            Text_Output.Close (File);
+         exception
+            when Bad_Input =>
+               --  The first thing that went wrong is what is told.
+               null;
+         end;
+      end loop;
+   end Rescue;
+
+end Host.Outputs;
