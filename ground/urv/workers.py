@@ -49,7 +49,7 @@ def connected(scheduler, count):
     with tempfile.TemporaryDirectory(prefix="urv-") as place, \
             distributed.LocalCluster(
                 n_workers=count, threads_per_worker=1, processes=True,
-                dashboard_address=None, local_directory=place,
+                dashboard_address="127.0.0.1:0", local_directory=place,
                 silence_logs=logging.CRITICAL) as cluster, \
             distributed.Client(cluster) as client:
         yield client
