@@ -4,6 +4,22 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 package body Expectations is
 
+   function Contracts_Are_Executed return Boolean is
+      Executed : Boolean := False;
+
+      --  An assertion that notes that it is looked at.
+      function Noted return Boolean;
+
+      function Noted return Boolean is
+      begin
+         Executed := True;
+         return True;
+      end Noted;
+   begin
+      pragma Assert (Noted);
+      return Executed;
+   end Contracts_Are_Executed;
+
    procedure Expect_Refusal
      (What   : String;
       Action : not null access procedure;

@@ -673,16 +673,29 @@ package body Link_Tests is
    end Every_Fault;
 
    procedure One_More is
-      Longer : Natural := 0;
+      Tried : Natural := 0;
+
+      --  One character more than a message has, whichever.
+      type Byte_Set is array (Byte) of Boolean;
+      Every : constant Byte_Set := (others => True);
+
+      --  Contracts know no value of a character but whether it is a header
+      --  or the checksum: where they are executed, which takes a hundred
+      --  times as long, none, each and all of its bits change.
+      Some_Of_Them : constant Byte_Set :=
+        (0 | 1 | 2 | 4 | 8 | 16 | 32 | 64 | 128 | 255 => True,
+         others                                       => False);
+      Masks : constant Byte_Set :=
+        (if Contracts_Are_Executed then Some_Of_Them else Every);
    begin
       --  Every character of a data message, either way, comes with one more
-      --  behind it, whichever: never is the block taken before it is sent
-      --  again, and never a wrong one (Take tells).
+      --  behind it: never is the block taken before it is sent again, and
+      --  never a wrong one (Take tells).
       for Sender in Station loop
          for Number in
            1 .. (if Sender = Ground then Up_Data else Down_Data)
          loop
-            for Mask in Byte loop
+            for Mask in Byte when Masks (Mask) loop
                declare
                   Item : Link;
                begin
@@ -694,7 +707,7 @@ package body Link_Tests is
                   Spoilt_How    := Doubled;
                   Spoilt_Mask   := Mask;
                   Run (Item, Frame, Spoil'Access);
-                  Longer := Longer + 1;
+                  Tried := Tried + 1;
                   Expect_Block
                     (Item, (if Sender = Ground then Aircraft else Ground), 1);
                   Expect
@@ -707,7 +720,10 @@ package body Link_Tests is
             end loop;
          end loop;
       end loop;
-      Expect_Number ("tried", Longer, (Up_Data + Down_Data) * 256);
+      Expect_Number
+        ("tried", Tried,
+         (Up_Data + Down_Data)
+         * (if Contracts_Are_Executed then 10 else 256));
    end One_More;
 
    procedure Cuts is
