@@ -16,6 +16,8 @@ import re
 import subprocess
 from pathlib import Path
 
+import proof_stamp
+
 FOLDER = Path("proofs", "canaries")
 RESULTS = Path("obj", "canaries", "gnatprove")
 COMMAND = ["gnatprove", "-P", f"{FOLDER}/canaries.gpr", "-XURV_Mode=flight",
@@ -75,18 +77,22 @@ def not_analysed(names, results):
         yield f"{unit}: nothing of this canary was analysed"
 
 
-def failures(root):
+def failures(root, inputs):
     """Let GNATprove look at the canaries; say which do not fail as they
-    must."""
-    # All is analysed anew. What provers did not find stays in the folders
-    # beside, by goal and steps, and is not looked for again.
-    for old in [*(root / RESULTS).glob("*.spark"),
-                *(root / RESULTS).glob("*.ali")]:
-        old.unlink()
-    output = subprocess.run(
-        COMMAND, cwd=root, env=ENVIRONMENT, capture_output=True, text=True,
-        check=False
-    )
+    must. They are about the sources that inputs() has."""
+    stamp = proof_stamp.Stamp(root / RESULTS, COMMAND, lambda: [
+        *inputs(), *sorted((root / FOLDER).glob("*.*"))])
+    said, status = "", 0
+    if not stamp.held():
+        # All is analysed anew. What provers did not find stays in the folders
+        # beside, by goal and steps, and is not looked for again.
+        for old in [*(root / RESULTS).glob("*.spark"),
+                    *(root / RESULTS).glob("*.ali")]:
+            old.unlink()
+        done = subprocess.run(
+            COMMAND, cwd=root, env=ENVIRONMENT, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, check=False)
+        said, status = done.stdout, done.returncode
     results = [
         json.loads(path.read_text(encoding="utf-8"))
         for path in sorted((root / RESULTS).glob("*.spark"))
@@ -98,8 +104,10 @@ def failures(root):
     ]
     names = [path.name for path in sources(root)]
     wrong = [*not_analysed(names, results), *judge(expected(root), checks)]
-    if wrong or output.returncode != 0:
-        print(output.stdout + output.stderr, end="")
-    if output.returncode != 0:
-        wrong.append(f"gnatprove ended with {output.returncode}")
+    if status != 0:
+        wrong.append(f"gnatprove ended with {status}")
+    if wrong:
+        print(said, end="")
+    else:
+        stamp.write()
     return wrong

@@ -14,7 +14,6 @@ Exit status: 0 yes; 1 no, each reason on a line of its own.
 """
 
 import argparse
-import hashlib
 import json
 import re
 import shutil
@@ -26,6 +25,8 @@ from pathlib import Path
 
 import ada_source
 import proof_canaries
+import proof_stamp
+from proof_stamp import sha256
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "proofs" / "record.json"
@@ -46,10 +47,6 @@ PROVED_ENTITY = re.compile(
 SKIPPED_ENTITY = re.compile(r"  \S+ at (\S+):(\d+) skipped;")
 
 
-def sha256(data):
-    return hashlib.sha256(data).hexdigest()
-
-
 def sources(root):
     """Every Ada source of the proof, by its path in the repository."""
     paths = sorted(ada_source.sources(root, *FOLDERS))
@@ -60,6 +57,17 @@ def hashes(root):
     """The hash of every file that decides what is to be proved."""
     files = {**sources(root), CONFIGURATION: root / CONFIGURATION}
     return {name: sha256(path.read_bytes()) for name, path in files.items()}
+
+
+def inputs(root):
+    """Every file that decides what is to be proved, and how."""
+    return [*sources(root).values(), root / CONFIGURATION, root / PROJECT]
+
+
+def sessions(root):
+    """Where GNATprove keeps who proved what."""
+    return sorted(path for path in (root / "proofs").rglob("why3*")
+                  if path.is_file())
 
 
 def canary_hashes(root):
@@ -113,9 +121,16 @@ class Proof:
         self.sessions = set()
 
         results = root / RESULTS
-        # Old results of units that are gone would be read as well.
-        shutil.rmtree(results, ignore_errors=True)
-        complaints = self.run(root, [*COMMAND, *more_switches])
+        command = [*COMMAND, *more_switches]
+        self.stamp = proof_stamp.Stamp(
+            results, command, lambda: inputs(root), lambda: sessions(root))
+        complaints = []
+        if self.stamp.held():
+            print("proof: nothing has changed since it was proved here")
+        else:
+            # Old results of units that are gone would be read as well.
+            shutil.rmtree(results, ignore_errors=True)
+            complaints = self.run(root, command)
         if self.failures:
             return
         for path in sorted(results.glob("*.spark")):
@@ -267,7 +282,7 @@ def compare_checks(record, proof):
 
 def canaries_alive(root):
     """Claims that were proved and must not be, or fail for other reasons."""
-    failures = proof_canaries.failures(root)
+    failures = proof_canaries.failures(root, lambda: inputs(root))
     if not failures:
         number = len(proof_canaries.expected(root))
         print(f"proof: {number} false claims, none proved")
@@ -303,6 +318,7 @@ def prove():
     if not proof.failures:
         tidy_sessions(proof)
         write_record(proof)
+        proof.stamp.write()
         print(f"proof: {proof.total()} checks, all proved")
     return proof.failures
 
@@ -320,7 +336,9 @@ def check(anew):
     if not shutil.which("gnatprove"):
         print("proof: gnatprove is not on the PATH, nothing proved anew")
         return []
-    state = sha256(json.dumps([record, tool_versions()]).encode())
+    state = sha256(json.dumps([
+        record, proof_stamp.hashes([*inputs(ROOT), *proof_stamp.tool_files()])
+    ]).encode())
     if STAMP.exists() and STAMP.read_text(encoding="utf-8") == state:
         print("proof: already proved anew here, by the same tools")
         return []

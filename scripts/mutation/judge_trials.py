@@ -56,6 +56,7 @@ TESTS = {
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],
     "scripts/proof_canaries.py": ["canaries", "proof_record"],
+    "scripts/proof_stamp.py": ["proof_record", "canaries"],
     "scripts/seal_tags.py": ["seal"],
     "scripts/safety/*": ["safety_monitor", "safety_mixes"],
     "scripts/trace/*": ["traceability"],

@@ -102,6 +102,8 @@ class Prover:
         monkeypatch.setattr(
             proof_record, "STAMP", self.root / "obj" / "proved.sha256")
         monkeypatch.setattr(proof_record, "canaries_alive", self.canaries)
+        # They are many files, and the same in each of these tests.
+        monkeypatch.setattr(proof_record.proof_stamp, "compiler_files", set)
         path = f"{self.tools}:{os.environ['PATH']}"
         monkeypatch.setenv("PATH", path)
         monkeypatch.setitem(
@@ -109,6 +111,7 @@ class Prover:
         self.sung = []
         self.is_version("FSF 12.1")
         self.finds()
+        self.runs.touch()
 
     def write(self, name, text):
         path = self.root / name
@@ -134,6 +137,13 @@ class Prover:
 
     def number_of_runs(self):
         return len(self.runs.read_text().splitlines())
+
+    def runs_of(self, proofs):
+        """How often GNATprove runs for some proofs, each all well or not."""
+        before = self.number_of_runs()
+        for is_well in proofs:
+            assert (proof_record.prove() == []) is is_well
+        return self.number_of_runs() - before
 
 
 @pytest.fixture
@@ -293,3 +303,83 @@ def test_a_proof_anew_is_done_again_for_another_tool(prover):
     prover.is_version("FSF 12.2")
     assert proof_record.check(anew=True) == []
     assert prover.number_of_runs() == runs + 1
+
+
+# --- a second run ------------------------------------------------------------
+
+def test_a_second_run_reads_the_results_of_the_first(prover):
+    assert proof_record.prove() == []
+    proof_record.RECORD.unlink()
+    assert prover.runs_of([True, True]) == 0
+    assert json.loads(proof_record.RECORD.read_text())["checks"] == 3
+
+
+CHANGES = {
+    "a source": lambda prover: prover.write("src/shop.adb", "--  New.\n"),
+    "one source more": lambda prover: prover.write("src/shop-a.ads", "--\n"),
+    "one source less": lambda prover: (prover.root / "src/shop.adb").unlink(),
+    "the project": lambda prover: prover.write(
+        "urv.gpr", (prover.root / "urv.gpr").read_text() + "--  New.\n"),
+    "the profile": lambda prover: prover.write("ravenscar.adc", "--\n"),
+    "a session": lambda prover: prover.write(
+        "proofs/sessions/shop/why3session.xml", "<new/>"),
+    "the tool": lambda prover: prover.is_version("FSF 12.2"),
+    "a prover": lambda prover: prover.write(
+        "../libexec/spark/bin/z3", "another"),
+    "a result": lambda prover: prover.write(
+        "obj/flight/gnatprove/shop.spark", json.dumps(results()) + " "),
+    "the report": lambda prover: prover.write(
+        "obj/flight/gnatprove/gnatprove.out", REPORT + "\n"),
+    "a stamp that is gone": lambda prover: (
+        prover.root / "obj/flight/gnatprove/holds.sha256").unlink(),
+}
+
+
+@pytest.mark.parametrize("what", CHANGES)
+def test_gnatprove_runs_again_when_anything_has_changed(prover, what):
+    assert proof_record.prove() == []
+    CHANGES[what](prover)
+    is_well = what != "one source more"
+    assert prover.runs_of([is_well]) == 1
+    assert prover.runs_of([is_well]) == (0 if is_well else 1)
+
+
+def test_gnatprove_runs_again_with_other_switches_or_surroundings(
+        prover, monkeypatch):
+    assert proof_record.prove() == []
+    monkeypatch.setattr(proof_record, "COMMAND",
+                        [*proof_record.COMMAND, "--level=0"])
+    assert prover.runs_of([True, True]) == 1
+    monkeypatch.setenv("ADA_INCLUDE_PATH", "elsewhere")
+    assert prover.runs_of([True, True]) == 1
+
+
+def test_gnatprove_runs_again_after_a_run_that_was_not_all_well(prover):
+    prover.finds(severity("proof", "medium"))
+    assert prover.runs_of([False, False]) == 2
+    prover.finds()
+    prover.sung = ["a canary was proved"]
+    assert prover.runs_of([False, False]) == 2
+
+
+def test_what_is_changed_while_it_is_proved_is_proved_again(
+        prover, monkeypatch):
+    with monkeypatch.context() as changed:
+        changed.setattr(proof_record, "tidy_sessions", lambda _: prover.write(
+            "src/shop.adb", "--  New.\n"))
+        assert proof_record.prove() == []
+    assert prover.runs_of([True, True]) == 1
+
+
+def test_the_compiler_and_its_packages_are_among_the_tools(tmp_path,
+                                                           monkeypatch):
+    prover = tmp_path / "bin" / "gnatprove"
+    theory = tmp_path / "share" / "spark" / "theories" / "ada.mlw"
+    for path in (prover, theory):
+        path.parent.mkdir(parents=True)
+        path.touch(mode=0o755)
+    monkeypatch.setenv("PATH", f"{prover.parent}:{os.environ['PATH']}")
+    files = proof_record.proof_stamp.tool_files()
+    assert {prover, theory} <= set(files)
+    assert {"system.ads", "a-textio.adb"} <= {path.name for path in files}
+    assert any("gcc" in path.name for path in files)
