@@ -34,12 +34,18 @@ SLOWEST = 10
 
 # The files of tests of the simulation that `make check` leaves out: they take
 # longest.
-SLOW = ("aircraft", "campaign", "exploration", "faults", "flight", "fuzz",
-        "link_theory", "pilot", "planted", "starts", "traceability", "truth")
+SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
+        "exploration", "faults", "flight", "fuzz", "link_cuts", "link_theory",
+        "mutants", "pilot", "planted", "safety_mixes", "starts", "surfaces",
+        "traceability", "truth")
 
-# The files of tests of the ground station in which time passes as it does:
-# nobody else keeps the processors busy.
+# The files of tests of the ground station in which time passes as it does.
 LIVE = ("ground", "mavlink", "page", "station")
+
+# So many tests in which time passes as it does run at once, of any file. They
+# wait more than they work: two processors have time for more of them, and who
+# is kept waiting looks at frames, not at a clock.
+LIVE_AT_ONCE = {"at_once": "3", "spread": "worksteal"}
 
 BROKEN = (0, 1, 0)
 
@@ -106,18 +112,18 @@ def unit_tests(mode):
     return tuple(map(int, totals.groups()))
 
 
-def python_tests(projects, name, without=(), at_once="auto", told=None):
-    """Build what the tests of a folder fly, then run them: those of one file
-    one after another, those of several files at once, as many as there are
-    processors."""
+def python_tests(projects, name, without=(), at_once="auto",
+                 spread="loadfile", told=None):
+    """Build what the tests of a folder fly, then run them: as many at once as
+    there are processors or are named. Those of one file or group run one after
+    another, unless they are spread otherwise."""
     if not all([build(project, mode) for project, mode in projects]):
         return BROKEN
     report = RESULTS / f"{told or name}.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
-    pytest += ["-n", at_once, "--dist", "loadfile",
-               "--no-loadscope-reorder"]
+    pytest += ["-n", at_once, "--dist", spread, "--no-loadscope-reorder"]
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
@@ -158,23 +164,23 @@ def quick_simulation_tests():
 
 
 def real_time_tests():
-    # Nobody but the partitions keeps the processors busy.
-    return python_tests([PARTITIONS], "real_time", at_once="0")
+    return python_tests([PARTITIONS], "real_time", **LIVE_AT_ONCE)
 
 
 def ground_tests():
     names = [path.stem.removeprefix("test_")
              for path in (ROOT / "tests" / "ground").glob("test_*.py")]
     results = (
-        python_tests([SIMULATION, PARTITIONS], "ground", at_once="0",
-                     without=[name for name in names if name not in LIVE]),
+        python_tests([SIMULATION, PARTITIONS], "ground",
+                     [name for name in names if name not in LIVE],
+                     **LIVE_AT_ONCE),
         python_tests([], "ground", without=LIVE, told="ground-files"))
     return tuple(map(sum, zip(*results)))
 
 
 def change_tests():
-    """Each builds its own copy."""
-    return python_tests([], "changes", at_once="0")
+    """Each group builds its own copy."""
+    return python_tests([], "changes", spread="loadgroup")
 
 
 def one_test(*command):

@@ -8,6 +8,7 @@
 """
 
 import json
+import os
 import random
 import re
 import signal
@@ -156,9 +157,17 @@ class Console:
         self.socket.close()
 
 
+# Tests that run at once look for ports in places of their own: a port that is
+# found free is taken a little later only.
+WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:])
+MOST_WORKERS = 16
+
+
 def free_ports(count):
     """The first of so many ports in a row that nobody has."""
-    for first in random.sample(range(20_000, 32_000, 10), 100):
+    places = range(20_000 + 10 * (WORKER % MOST_WORKERS), 32_000,
+                   10 * MOST_WORKERS)
+    for first in random.sample(places, len(places)):
         held = []
         try:
             for port in range(first, first + count):

@@ -87,7 +87,7 @@ def test_the_quick_parts_leave_out_only_what_is_slow():
         assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
 
 
-def test_each_file_of_the_ground_runs_once_and_the_live_ones_alone(
+def test_each_file_of_the_ground_runs_once_and_the_live_ones_apart(
         place, monkeypatch):
     folder = place / "tests" / "ground"
     folder.mkdir(parents=True)
@@ -97,16 +97,17 @@ def test_each_file_of_the_ground_runs_once_and_the_live_ones_alone(
             ROOT / "tests" / "ground" / f"test_{name}.py").exists()
     ran = []
 
-    def python_tests(_, name, without=(), at_once="auto", told=None):
-        ran.append((at_once, sorted(
+    def python_tests(_, name, without=(), at_once="auto", spread="loadfile",
+                     told=None):
+        ran.append((at_once, spread, sorted(
             path.stem.removeprefix("test_")
             for path in (place / "tests" / name).iterdir()
             if path.stem.removeprefix("test_") not in without)))
         return (1, 0, 0)
     monkeypatch.setattr(run_tests, "python_tests", python_tests)
     assert run_tests.ground_tests() == (2, 0, 0)
-    assert ran == [("0", sorted(run_tests.LIVE)),
-                   ("auto", ["convert", "report"])]
+    assert ran == [("3", "worksteal", sorted(run_tests.LIVE)),
+                   ("auto", "loadfile", ["convert", "report"])]
 
 
 PROGRAM = """\
