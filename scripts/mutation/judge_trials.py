@@ -97,15 +97,20 @@ def programs_for(path):
                 if path.startswith(folder))
 
 
+def judges():
+    """What judges, in Python: the names of its files."""
+    names = [path.relative_to(ROOT).as_posix()
+             for folder in ("scripts", "sim")
+             for path in sorted((ROOT / folder).rglob("*.py"))]
+    return [name for name in names if name not in TRY_MUTANTS]
+
+
 def every_mutant():
     """Of what judges, in Ada; and every place for one in Python."""
     found = mutants.Code(ROOT).mutants(mutants.JUDGES)
-    for path in [*sorted((ROOT / "scripts").rglob("*.py")),
-                 *sorted((ROOT / "sim").rglob("*.py"))]:
-        name = path.relative_to(ROOT).as_posix()
-        if name not in TRY_MUTANTS:
-            found += python_mutants.places(
-                name, path.read_text(encoding="utf-8"))
+    for name in judges():
+        found += python_mutants.places(
+            name, (ROOT / name).read_text(encoding="utf-8"))
     return found
 
 

@@ -14,6 +14,7 @@ import flight_trials  # noqa: E402
 import judge_trials  # noqa: E402
 import mutants  # noqa: E402
 import python_mutants  # noqa: E402
+from ada_source import sources  # noqa: E402 - mutants finds it
 
 SPEC = """
 package Shop with Pure, SPARK_Mode is
@@ -206,11 +207,23 @@ def test_each_folder_of_src_has_its_turn_and_tests():
 
 def test_each_judge_has_tests():
     """Those that its table names are there."""
-    paths = {mutant.path for mutant in judge_trials.every_mutant()}
+    paths = {path.relative_to(ROOT).as_posix()
+             for path in sources(ROOT, *mutants.JUDGES)}
+    paths |= {*judge_trials.judges()}
     assert {path.split("/")[0] for path in paths} >= {
-        "real_time", "scripts", "sim"}
+        *mutants.JUDGES, "scripts"}
     for path in paths:
         tests = judge_trials.tests_for(path)
         assert tests
         for test in tests:
             assert (ROOT / test).exists(), (path, test)
+
+
+def test_every_judge_has_mutants():
+    """Of a file in Ada and of one in Python they are found."""
+    code = mutants.Code(ROOT)
+    assert {mutant.path.split("/")[0]
+            for mutant in code.mutants(mutants.JUDGES)} == {*mutants.JUDGES}
+    name = "scripts/link_cuts.py"
+    assert name in judge_trials.judges()
+    assert python_mutants.places(name, (ROOT / name).read_text("utf-8"))
