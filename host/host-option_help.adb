@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Host.Loss_Times;
 with Host.Pilot;
 with Host.Text_Numbers;
 
@@ -63,6 +64,12 @@ package body Host.Option_Help is
          when Laws_Option =>
             "the aircraft's control laws, on or off (on with jsbsim, off with"
             & " the bench)",
+         when Orbit_After_Option =>
+            "with the laws: so long after the last uplink comes an orbit, "
+            & Loss_Times.Orbit_Range & " (5)",
+         when Terminate_After_Option =>
+            "the same of the end of the flight, " & Loss_Times.Finish_Range
+            & " (120)",
          when Format_Option =>
             "of the messages, 1 or 2, which is sealed (1)",
          when Key_Option =>

@@ -2,6 +2,8 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Command_Line;        use Ada.Command_Line;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Maps;        use Ada.Strings.Maps;
 
 with Host.Complaints;   use Host.Complaints;
 with Host.Key_Files;
@@ -33,13 +35,18 @@ package body Host.Options is
       Image : constant String := To_Lower (Which'Image);
       Kind  : constant String := "_option";
    begin
-      return "--" & Image (Image'First .. Image'Last - Kind'Length);
+      return
+        "--"
+        & Translate
+            (Image (Image'First .. Image'Last - Kind'Length),
+             To_Mapping ("_", "-"));
    end Name;
 
    function Value_Name (Which : Option) return String is
      (case Which is
          when Link_Option                      => "LINK",
-         when Seconds_Option                   => "S",
+         when Seconds_Option | Orbit_After_Option
+            | Terminate_After_Option           => "S",
          when Plant_Option                     => "PLANT",
          when Pilot_Option | Schedule_Option   => "NAME",
          when Phase_Option                     => "TICKS",
@@ -107,6 +114,10 @@ package body Host.Options is
             Chosen.Processors := Number_Of (Title, Value);
          when Laws_Option =>
             Chosen.Laws := Is_First (Title, Value, "on", "off");
+         when Orbit_After_Option =>
+            Loss_Times.Read_Orbit (Value, Chosen.Loss);
+         when Terminate_After_Option =>
+            Loss_Times.Read_Finish (Value, Chosen.Loss);
          when Format_Option =>
             Chosen.Format :=
               URV.Seals.Format_Number (Number_Of (Title, Value));
@@ -160,6 +171,10 @@ package body Host.Options is
          Refuse (Name (Link_Option) & " is missing; ""--help"" explains it");
       end if;
       Key_Files.Check (Chosen.Format, Given (Key_Option));
+      Loss_Times.Check
+        (Chosen.Loss,
+         Given (Orbit_After_Option) or else Given (Terminate_After_Option),
+         Chosen.Laws);
       if Given (Sticks_Option) and then Given (Console_Option) then
          Refuse_Both (Sticks_Option, Name (Console_Option));
       elsif Given (Sticks_Option) and then Given (Pilot_Option) then

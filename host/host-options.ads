@@ -11,6 +11,7 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Host.Loss_Times;
 with Host.Option_Values; use Host.Option_Values;
 with URV.Seals;
 
@@ -18,12 +19,14 @@ package Host.Options is
 
    type Program is (URV_Sim, URV_GSC, URV_MCS);
 
-   --  In the order of the help. Seconds_Option is written --seconds.
+   --  In the order of the help. Seconds_Option is written --seconds,
+   --  Orbit_After_Option --orbit-after.
    type Option is
      (Link_Option, Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
       Seed_Option, Phase_Option, Drift_Option, Lock_Option, Schedule_Option,
-      Processors_Option, Laws_Option, Format_Option, Key_Option,
+      Processors_Option, Laws_Option, Orbit_After_Option,
+      Terminate_After_Option, Format_Option, Key_Option,
       Console_Option, Packets_Option, Publish_Option, Record_Option,
       Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
 
@@ -34,7 +37,7 @@ package Host.Options is
          when Link_Option                               => Whose /= URV_Sim,
          when Sticks_Option | Pilot_Option              => Whose /= URV_MCS,
          when Plant_Option | Sensors_Option
-            | Laws_Option                               => Whose /= URV_GSC,
+            | Laws_Option .. Terminate_After_Option     => Whose /= URV_GSC,
          when Console_Option .. Publish_Option          => Whose = URV_GSC,
          when Faults_Option .. Seed_Option | Drift_Option
             | Wire_Option | Pace_Option                 => Whose = URV_Sim,
@@ -83,6 +86,9 @@ package Host.Options is
       --  The aircraft's control laws (EXT-3): unless the user says, with an
       --  aircraft.
       Laws       : Boolean := False;
+
+      --  What a lost link means when, with the laws (EXT-5).
+      Loss       : Loss_Times.Pair;
 
       --  Of the messages, which have keys in format 2.
       Format     : URV.Seals.Format_Number := 1;

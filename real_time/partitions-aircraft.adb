@@ -5,6 +5,7 @@ with Ada.Real_Time;
 with Devices.CORE_Memory;
 with Host;                use Host;
 with Host.Bench;
+with Host.Loss_Times;
 with Host.Sensor_Scripts; use Host.Sensor_Scripts;
 with Partitions.Clocks;
 with Partitions.Columns;  use Partitions.Columns;
@@ -42,6 +43,7 @@ package body Partitions.Aircraft is
       Has_Lock := Chosen.Lock;
       MCS.Frame_Lock.Set (Has_Lock);
       Set.On := Chosen.Laws;
+      Set.By := Loss_Times.Frames_Of (Chosen.Loss);
       MCS.Law_Settings.Write (Set);
       if Is_Given (Chosen, Sensors_Option) then
          Load (Sensors, Value (Chosen, Sensors_Option));

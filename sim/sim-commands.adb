@@ -3,10 +3,10 @@
 with Ada.Command_Line; use Ada.Command_Line;
 
 with Host.Complaints; use Host.Complaints;
+with Host.Ground_Orders;
 with Host.Option_Help;
 with Sim.Conditions;
 with Sim.Faults;
-with Sim.Ground_Orders;
 
 package body Sim.Commands is
 

@@ -6,7 +6,9 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
 with Host.Complaints;
 with Host.Event_Log;
+with Host.Ground_Orders;
 with Host.Key_Files;
+with Host.Loss_Times;
 with Host.Names;
 with Host.Outputs;         use Host.Outputs;
 with Host.Pilot;
@@ -23,7 +25,6 @@ with Sim.Eyes;
 with Sim.Faults;
 with Sim.Flight_Quality;
 with Sim.Flight_Record;
-with Sim.Ground_Orders;
 with Sim.JSBSim;
 with Sim.Latency;
 with Sim.Nodes;
@@ -519,7 +520,7 @@ package body Sim.Flight is
 
       Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Lock (Chosen.Lock);
-      Nodes.Set_Laws (Chosen.Laws);
+      Nodes.Set_Laws (Chosen.Laws, Loss_Times.Frames_Of (Chosen.Loss));
       Nodes.Seal_Link
         (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
       Engine.Start

@@ -109,10 +109,11 @@ package body Sim.Nodes is
    function Lock return URVOS.Frame_Locks.Lock_State is
      (MCS.Frame_Lock.Contents);
 
-   procedure Set_Laws (On : Boolean) is
+   procedure Set_Laws (On : Boolean; By : URV.Link_Loss.Times) is
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
    begin
       Set.On := On;
+      Set.By := By;
       MCS.Law_Settings.Write (Set);
    end Set_Laws;
 

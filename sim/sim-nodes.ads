@@ -12,6 +12,7 @@ with URV.Buffers;  use URV.Buffers;
 with URV.Configurations;
 with URV.Errors;
 with URV.Laws;
+with URV.Link_Loss;
 with URV.Seal_Blocks;
 with URV.Seals;
 with URV.Sessions;
@@ -100,7 +101,7 @@ package Sim.Nodes is
    function Lock return URVOS.Frame_Locks.Lock_State;
 
    --  The aircraft's control laws are there or not, from the next start on.
-   procedure Set_Laws (On : Boolean);
+   procedure Set_Laws (On : Boolean; By : URV.Link_Loss.Times);
 
    --  The ground's console orders a block besides the sticks.
    procedure Order (Block : Uplink_Buffer);

@@ -44,7 +44,8 @@ DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
 PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
-             "--lock": NODES, "--schedule": NODES, "--laws": ("urv_mcs",)}
+             "--lock": NODES, "--schedule": NODES, "--laws": ("urv_mcs",),
+             "--orbit-after": ("urv_mcs",), "--terminate-after": ("urv_mcs",)}
 """Options that are the nodes' own, and whose. What they mean and what is
 wrong with them the nodes say."""
 
@@ -79,7 +80,14 @@ def ground(
         None, metavar="NAME", help="Of the tasks, report or fast."),
     laws: str | None = typer.Option(
         None, metavar="LAWS",
-        help="The aircraft's control laws, on or off."),
+        help="The aircraft's control laws, on or off; on unless said."),
+    orbit_after: str | None = typer.Option(
+        None, metavar="S",
+        help="So long after the last uplink the aircraft begins an orbit;"
+        " else 5."),
+    terminate_after: str | None = typer.Option(
+        None, metavar="S",
+        help="So long after it its flight is terminated; else 120."),
     page_port: int = typer.Option(8090, min=1, max=65535,
                                   help="Of the station's page."),
     yamcs_port: int = typer.Option(8092, min=1, max=65535,
@@ -105,7 +113,8 @@ def ground(
     flight.given = {
         "--format": message_format, "--key": key and key.resolve(),
         "--processors": processors, "--lock": lock or None,
-        "--schedule": schedule, "--laws": laws}
+        "--schedule": schedule, "--laws": laws,
+        "--orbit-after": orbit_after, "--terminate-after": terminate_after}
     try:
         flight.start(pilot, yamcs, mavlink, seconds)
         status = flight.watch()

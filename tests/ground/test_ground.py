@@ -105,7 +105,8 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
     key = tmp_path / "link.key"
     assert urv("keygen", key).returncode == 0
     given = {"--format": "2", "--key": str(key), "--processors": "1",
-             "--schedule": "fast", "--laws": "on"}
+             "--schedule": "fast", "--laws": "on", "--orbit-after": "10",
+             "--terminate-after": "60.5"}
     with Ground(tmp_path, "--no-yamcs", "--lock",
                 *(word for pair in given.items() for word in pair)) as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
@@ -123,7 +124,9 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
 
 @pytest.mark.parametrize("given, said", [
     (("--format", "3"), '--format: "3" is neither 1 nor 2'),
-    (("--laws", "maybe"), '--laws: "maybe" is neither "on" nor "off"')])
+    (("--laws", "maybe"), '--laws: "maybe" is neither "on" nor "off"'),
+    (("--laws", "off", "--orbit-after", "10"), "--orbit-after and"
+     " --terminate-after are times of the control laws: add --laws on")])
 def test_gnd31_what_a_node_refuses_is_told_in_its_words(
         tmp_path, urv, given, said):
     result = urv("ground", "--no-yamcs", "--folder", tmp_path / "flight",

@@ -94,7 +94,7 @@ def test_a_bad_option_is_refused(node, options, what):
 
 def options_of(node):
     """Those in the help."""
-    return re.findall(r"^  (--[a-z]+)", run(node, "--help").stdout, re.M)
+    return re.findall(r"^  (--[a-z-]+)", run(node, "--help").stdout, re.M)
 
 
 @pytest.mark.parametrize("node", NODES)
@@ -105,7 +105,8 @@ def test_an_unknown_option_is_told_what_there_is(node):
 
 @pytest.mark.parametrize("node, options", [
     ("mcs", ("--sticks", "--console", "--packets", "--pilot", "--publish")),
-    ("gsc", ("--sensors", "--plant", "--laws")),
+    ("gsc", ("--sensors", "--plant", "--laws", "--orbit-after",
+             "--terminate-after")),
 ])
 def test_each_node_has_options_of_its_own(node, options):
     for option in options:
@@ -135,6 +136,10 @@ PLACE = "udp:127.0.0.1:6009"
     ("gsc", ("--packets", "3"), "neither 1 nor 2"),
     ("mcs", ("--plant", "brick"), 'neither "bench" nor "jsbsim"'),
     ("mcs", ("--laws", "perhaps"), 'neither "on" nor "off"'),
+    ("mcs", ("--orbit-after", "10"), "add --laws on"),
+    ("mcs", ("--laws", "on", "--orbit-after", "61"), "from 1 to 60"),
+    ("mcs", ("--laws", "on", "--terminate-after", "3"),
+     "do not come after the 5 s"),
     ("mcs", ("--plant", "jsbsim", "--sensors", "s"),
      "--sensors and --plant jsbsim do not go together"),
 ])

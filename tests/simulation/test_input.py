@@ -58,7 +58,7 @@ def refused(urv_sim, tmp_path):
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--faults", "--conditions", "--orders", "--seed", "--phase",
            "--drift", "--lock", "--schedule", "--processors", "--laws",
-           "--format", "--key", "--record",
+           "--orbit-after", "--terminate-after", "--format", "--key", "--record",
            "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
@@ -116,6 +116,24 @@ COMMAND_LINES = [
     *((["fly", "--processors", value],
        f'--processors: "{value}" is neither 1 nor 2')
       for value in ("0", "3", "12", "-1", "two", "1.0")),
+    *((["fly", "--laws", "on", "--orbit-after", value],
+       f'--orbit-after: "{value}" is not a number of seconds from 1 to 60'
+       " with at most one decimal")
+      for value in ("0.9", "60.1", "-1", "5.55", "soon")),
+    *((["fly", "--laws", "on", "--terminate-after", value],
+       f'--terminate-after: "{value}" is not a number of seconds from 2 to'
+       " 300 with at most one decimal")
+      for value in ("1.9", "300.1", "never")),
+    (["fly", "--laws", "on", "--terminate-after", "5"],
+     "--terminate-after: 5 s do not come after the 5 s of --orbit-after"),
+    (["fly", "--plant", "jsbsim", "--terminate-after=10.5",
+      "--orbit-after=20"],
+     "--terminate-after: 10.5 s do not come after the 20 s of --orbit-after"),
+    *((["fly", *laws, option, "30"],
+       "--orbit-after and --terminate-after are times of the control laws:"
+       " add --laws on")
+      for option in ("--orbit-after", "--terminate-after")
+      for laws in ([], ["--plant", "jsbsim", "--laws", "off"])),
     *((["fly", "--seconds", value],
        f'--seconds: "{value}" is not a number of seconds above 0 and up to'
        " 10000000 with at most six decimals")

@@ -122,6 +122,25 @@ def test_ext5_a_cut_of_10_s_at_17_s_is_that_of_the_page(tmp_path):
                                                              HOLDING}
 
 
+def test_ext5_times_are_those_of_the_command_line_until_the_ground_sets_others(
+        tmp_path):
+    """From the last uplink on, to a frame."""
+    for name, orders, orbit, end in (("usual", "# none", 75, 210),
+                                     ("set", "500 configure 0 2000 9000",
+                                      100, 450)):
+        folder = tmp_path / name
+        folder.mkdir()
+        (folder / "faults.txt").write_text("2000 cut 60000\n")
+        (folder / "orders.txt").write_text(orders + "\n")
+        flight = fly_in(folder, "--laws", "on", "--seconds", "14",
+                        "--orbit-after", "1.5", "--terminate-after=4.2",
+                        "--orders", "orders.txt", "--faults", "faults.txt")
+        link = flight.record["laws.link"]
+        assert link.count(HOLDING) == orbit - 25
+        assert link.count(ORBITING) == end - orbit
+        assert link[-1] == TERMINATED
+
+
 def test_ext5_after_its_time_it_glides_and_the_link_alone_is_no_way_out(
         tmp_path):
     (tmp_path / "faults.txt").write_text("5000 cut 122000\n")

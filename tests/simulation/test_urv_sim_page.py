@@ -40,11 +40,11 @@ def told(urv_sim):
 # --- the page and the program ----------------------------------------------
 
 def test_the_page_has_every_option_and_no_other(told):
-    of_help = re.findall(r"^  (--[a-z]+(?: [A-Z]+)?)", told, re.M)
-    assert len(of_help) == 23
+    of_help = re.findall(r"^  (--[a-z-]+(?: [A-Z]+)?)", told, re.M)
+    assert len(of_help) == 25
     assert names_in("Options of `fly`") == of_help
     on_page = {option for code in [*CODE, *(text for _, text in BLOCKS)]
-               for option in re.findall(r"(?<![\w-])--[a-z]+", code)}
+               for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", code)}
     assert on_page - {"--option"} == \
         {option.split()[0] for option in of_help} | {"--version"}
 

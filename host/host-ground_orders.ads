@@ -5,9 +5,11 @@
 
 with Ada.Containers.Vectors;
 
-with URV.Buffers; use URV.Buffers;
+package Host.Ground_Orders is
 
-package Sim.Ground_Orders is
+   --  An order takes the place of a frame's commands. Between two of them
+   --  the aircraft must hear enough not to think that the link is lost.
+   Least_Between : constant Microseconds := 100_000;
 
    type Order_Kind is (Configure, Block);
 
@@ -44,4 +46,4 @@ private
      (if From.Next > From.Orders.Last_Index then Never
       else From.Orders (From.Next).Time);
 
-end Sim.Ground_Orders;
+end Host.Ground_Orders;

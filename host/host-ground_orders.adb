@@ -5,9 +5,8 @@ with Host.Orders;
 with Host.Text_Input;    use Host.Text_Input;
 with Host.Text_Numbers;  use Host.Text_Numbers;
 with URV.Configurations;
-with URVOS;              use URVOS;
 
-package body Sim.Ground_Orders is
+package body Host.Ground_Orders is
 
    use type Number;
 
@@ -17,10 +16,6 @@ package body Sim.Ground_Orders is
    package Lines renames Host.Orders;
 
    Longest_Time : constant Number := 10_000_000_000 * 1_000;
-
-   --  An order takes the place of a frame's commands. Between two of them
-   --  the aircraft must hear enough not to think that the link is lost.
-   Least_Between : constant Microseconds := 100_000;
 
    --  Times of a configuration, in tenths of a second.
    Milliseconds_A_Tenth : constant := 100;
@@ -225,4 +220,4 @@ package body Sim.Ground_Orders is
       From.Next := From.Next + 1;
    end Advance;
 
-end Sim.Ground_Orders;
+end Host.Ground_Orders;
