@@ -35,12 +35,14 @@ package Host.Options is
    function Has (Whose : Program; Which : Option) return Boolean is
      (case Which is
          when Link_Option                               => Whose /= URV_Sim,
-         when Sticks_Option | Pilot_Option              => Whose /= URV_MCS,
+         when Sticks_Option | Pilot_Option
+            | Orders_Option                             => Whose /= URV_MCS,
          when Plant_Option | Sensors_Option
             | Laws_Option .. Terminate_After_Option     => Whose /= URV_GSC,
          when Console_Option .. Publish_Option          => Whose = URV_GSC,
-         when Faults_Option .. Seed_Option | Drift_Option
-            | Wire_Option | Pace_Option                 => Whose = URV_Sim,
+         when Faults_Option | Conditions_Option
+            | Seed_Option | Drift_Option | Wire_Option
+            | Pace_Option                               => Whose = URV_Sim,
          when others                                    => True);
 
    --  As it is written, with its dashes.

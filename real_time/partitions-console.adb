@@ -12,6 +12,7 @@ with Partitions.Clocks;
 with Partitions.Columns;     use Partitions.Columns;
 with Partitions.Console_Port; use Partitions.Console_Port;
 with Partitions.Occurrences;
+with Partitions.Orders;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.Routing;
@@ -52,7 +53,8 @@ package body Partitions.Console is
    In_Row : Sticks;
 
    --  Of the environment task.
-   Told : Sticks;
+   Told        : Sticks;
+   Told_Orders : URVOS.Count := 0;
 
    --  What the script has by now.
    procedure Follow_Script (Item : in out Sticks);
@@ -62,6 +64,8 @@ package body Partitions.Console is
 
    --  The pilot flies, or watches.
    procedure Ask_Pilot (Item : in out Sticks; Pilot_Wanted : Boolean);
+
+   use type URVOS.Count;
 
    procedure Load (File : String) is
    begin
@@ -133,6 +137,7 @@ package body Partitions.Console is
          Ask_Pilot (Item, Pilot_Wanted);
       end if;
       Present.Set (Item);
+      Orders.Send_Due;
 
       Words := (others => Neutral_Value);
       for Command in Command_Item loop
@@ -203,6 +208,10 @@ package body Partitions.Console is
          end case;
       end if;
       Told := Item;
+      if Orders.Sent > Told_Orders then
+         Told_Orders := Orders.Sent;
+         Tell ("order" & Told_Orders'Image & " sent up");
+      end if;
       return To_String (News);
    end Next_News;
 

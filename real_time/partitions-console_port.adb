@@ -6,9 +6,12 @@ with Interfaces.C;                 use Interfaces.C;
 
 with Partitions.Clocks;
 with Partitions.Console_Packets; use Partitions.Console_Packets;
+with Partitions.Order_Packets;
+with Partitions.Orders;
 with Partitions.Sockets;
 with Partitions.System_Calls;    use Partitions.System_Calls;
 with URV.Buffers;                use URV.Buffers;
+with URV.Configurations;
 
 package body Partitions.Console_Port is
 
@@ -34,6 +37,14 @@ package body Partitions.Console_Port is
       procedure Take
         (Item : Packet; Now : Time; Age : Ada.Real_Time.Time_Span);
 
+      --  The order is one of who has the sticks, or nobody has them. It
+      --  follows the sticks and the orders before.
+      procedure Check_Order
+        (Run      : Octets.Number;
+         Sequence : Octets.Number;
+         Now      : Time;
+         Follows  : out Boolean);
+
       procedure Drop;
 
       function Contents (Now : Time) return Situation;
@@ -47,6 +58,10 @@ package body Partitions.Console_Port is
       Any     : Boolean := False;
       Good    : Count   := 0;
       Bad     : Count   := 0;
+
+      --  Of the last order that followed.
+      Ordered_By : Octets.Number := 0;
+      Ordered    : Octets.Number := 0;
    end Latest;
 
    protected body Latest is
@@ -70,6 +85,23 @@ package body Partitions.Console_Port is
             Bad := Incremented (Bad);
          end if;
       end Take;
+
+      procedure Check_Order
+        (Run      : Octets.Number;
+         Sequence : Octets.Number;
+         Now      : Time;
+         Follows  : out Boolean) is
+      begin
+         Follows :=
+           (if Any and then Run = Item.Run then Sequence > Item.Sequence
+            else Sequence > 0
+              and then (not Any or else Now - Made_At >= Longest_Silence))
+           and then (Run /= Ordered_By or else Sequence > Ordered);
+         if Follows then
+            Ordered_By := Run;
+            Ordered := Sequence;
+         end if;
+      end Check_Order;
 
       procedure Drop is
       begin
@@ -109,18 +141,52 @@ package body Partitions.Console_Port is
 
    function Is_Open return Boolean is (Port /= Invalid);
 
-   --  A datagram has come.
+   --  How far two times lie from each other.
+   function Between (One, Another : Octets.Number) return Octets.Number is
+     (if One > Another then One - Another else Another - One);
+
+   --  A datagram has come: sticks, or an order.
    procedure Take_In (Datagram : Octets.Octet_Array);
+   procedure Take_Sticks (Datagram : Octets.Octet_Array);
+   procedure Take_Order (Datagram : Octets.Octet_Array);
 
    procedure Take_In (Datagram : Octets.Octet_Array) is
+   begin
+      if Order_Packets.Is_Meant (Datagram) then
+         Take_Order (Datagram);
+      else
+         Take_Sticks (Datagram);
+      end if;
+   end Take_In;
+
+   procedure Take_Order (Datagram : Octets.Octet_Array) is
+      Item     : Order_Packets.Packet;
+      Is_Taken : Boolean;
+   begin
+      Order_Packets.Read (Datagram, Item, Is_Taken);
+      Is_Taken :=
+        Is_Taken
+        and then Between (Clocks.UTC, Item.Made_At) <=
+                   Octets.Number (Longest_Way);
+      if Is_Taken then
+         Latest.Check_Order (Item.Run, Item.Sequence, Clock, Is_Taken);
+      end if;
+      if Is_Taken then
+         Orders.Give (URV.Configurations.Block_Of (Item.Item), Is_Taken);
+      end if;
+      if not Is_Taken then
+         Latest.Drop;
+      end if;
+   end Take_Order;
+
+   procedure Take_Sticks (Datagram : Octets.Octet_Array) is
       Item     : Packet;
       Is_Valid : Boolean;
       Now      : constant Octets.Number := Clocks.UTC;
       Way      : Octets.Number;
    begin
       Read (Datagram, Item, Is_Valid);
-      Way := (if Now > Item.Made_At then Now - Item.Made_At
-              else Item.Made_At - Now);
+      Way := Between (Now, Item.Made_At);
       if Is_Valid and then Way <= Octets.Number (Longest_Way) then
          Latest.Take
            (Item, Clock,
@@ -130,7 +196,7 @@ package body Partitions.Console_Port is
       else
          Latest.Drop;
       end if;
-   end Take_In;
+   end Take_Sticks;
 
    task Listener;
 

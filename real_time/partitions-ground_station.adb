@@ -5,6 +5,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Partitions.Console;
 with Partitions.Console_Port;
 with Partitions.Frame_Packets;
+with Partitions.Orders;
 with Partitions.Publisher;
 with Partitions.Reports; use Partitions.Reports;
 
@@ -22,6 +23,9 @@ package body Partitions.Ground_Station is
       if Is_Given (Chosen, Console_Option) then
          Console_Port.Open (Value (Chosen, Console_Option));
       end if;
+      if Is_Given (Chosen, Orders_Option) then
+         Orders.Load (Value (Chosen, Orders_Option));
+      end if;
       Publisher.Choose (Frame_Packets.Version_Number (Chosen.Packets));
       for Place of Chosen.Publish loop
          exit when Place = Null_Unbounded_String;
@@ -35,6 +39,7 @@ package body Partitions.Ground_Station is
    begin
       Put_Field
         (Result, To, "publish_not_sent", Reports.Number (Publisher.Not_Sent));
+      Put_Field (Result, To, "orders_sent", Reports.Number (Orders.Sent));
       Begin_Group (Result, To, "console");
       Put_Field (Result, To, "packets", Reports.Number (Console_Port.Taken));
       Put_Field (Result, To, "bad", Reports.Number (Console_Port.Dropped));

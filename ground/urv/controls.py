@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Between the pages and the ground's node: sticks, hand-overs, marks.
+"""Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
-GND-21 who flies, GND-22 when nobody does, GND-29 the simulated pilot.
+GND-21 who flies, GND-22 when nobody does, GND-29 the simulated pilot, GND-35
+orders.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from urv import items, packets
+from urv.orders import Orders, Setting
 from urv.sticks import Sticks
 from urv.view import CAUTION, INFO, View
 
@@ -35,6 +37,7 @@ class Controls:
                  now: Callable[[], float] = time.monotonic) -> None:
         self.view = view
         self.sticks = Sticks()
+        self.orders = Orders()
         self.refused = 0
         self.bad_messages = 0
         self.packets_sent = 0
@@ -73,6 +76,8 @@ class Controls:
                 self._hand_to_pilot(console, now)
             case {"t": "lost", "what": what}:
                 self._lose(console, what)
+            case {"t": "order", "table": table, "orbit": orbit, "end": end}:
+                self._order(console, Setting(table, orbit, end), now)
             case {"t": "mark", "text": text}:
                 self.view.note(INFO, "mark", text or "mark")
             case {"t": "seen", "key": key}:
@@ -90,6 +95,7 @@ class Controls:
         now = self._now()
         self.sticks.tick(now)
         self.view.look(now)
+        self.orders.look(self.view.frame, now)
         if self.sticks.holder is None:
             for key in LOST:
                 self.view.alerts.away(LOST[key][0], now, 0.0)
@@ -116,8 +122,20 @@ class Controls:
             "asker": sticks.asker,
             "left": round(sticks.left(now), 1),
             "archive": self.archive,
+            "order": self.orders.shown(self.view.laws),
             "station": {"refused": self.refused, "bad": self.bad_messages,
                         "sent": self.packets_sent}}
+
+    def _order(self, console: int, wanted: Setting, now: float) -> None:
+        """Only the holder's orders go up, as only the holder's sticks do."""
+        serial = self.orders.order(
+            console, wanted, self.view.frame,
+            self._send is not None and self.sticks.holder == console, now)
+        if serial is not None:
+            self._sequence += 1
+            self._send(packets.OrderPacket(
+                self._run, self._sequence, time.time_ns() // 1000, serial,
+                wanted.table, wanted.orbit, wanted.end).encode())
 
     def _pilot_flies(self) -> bool:
         frame = self.view.frame
@@ -180,6 +198,9 @@ class Controls:
         for text in self.sticks.said:
             self.view.note(INFO, "sticks", text)
         self.sticks.said.clear()
+        for level, text in self.orders.said:
+            self.view.note(level, "order", text)
+        self.orders.said.clear()
 
 
 def about(item: items.Item) -> dict[str, Any]:

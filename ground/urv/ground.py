@@ -45,6 +45,7 @@ DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 NODES = ("urv_mcs", "urv_gsc")
 PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
              "--lock": NODES, "--schedule": NODES, "--laws": ("urv_mcs",),
+             "--orders": ("urv_gsc",),
              "--orbit-after": ("urv_mcs",), "--terminate-after": ("urv_mcs",)}
 """Options that are the nodes' own, and whose. What they mean and what is
 wrong with them the nodes say."""
@@ -88,6 +89,9 @@ def ground(
     terminate_after: str | None = typer.Option(
         None, metavar="S",
         help="So long after it its flight is terminated; else 120."),
+    orders: Path | None = typer.Option(
+        None, metavar="FILE",
+        help="What the ground orders besides the sticks."),
     page_port: int = typer.Option(8090, min=1, max=65535,
                                   help="Of the station's page."),
     yamcs_port: int = typer.Option(8092, min=1, max=65535,
@@ -114,6 +118,7 @@ def ground(
         "--format": message_format, "--key": key and key.resolve(),
         "--processors": processors, "--lock": lock or None,
         "--schedule": schedule, "--laws": laws,
+        "--orders": orders and orders.resolve(),
         "--orbit-after": orbit_after, "--terminate-after": terminate_after}
     try:
         flight.start(pilot, yamcs, mavlink, seconds)

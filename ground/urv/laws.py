@@ -55,6 +55,10 @@ class Laws:
     not_valid: tuple[str, ...]
     silent: int
     failed: tuple[str, ...]
+    serial: int = 0
+    """Of the configuration that was taken last; 0 when none was."""
+    table: int = 0
+    """The gains that it has set."""
 
     @classmethod
     def of(cls, frame: packets.FramePacket) -> Laws | None:
@@ -72,7 +76,7 @@ class Laws:
             _name(LATERAL, lateral), _name(VERTICAL, vertical),
             _name(POWER, power), _name(LINK, link),
             _set(SENSORS, low | high << WORD_BITS), silent,
-            _set(FAILING, failed))
+            _set(FAILING, failed), *divmod(row.detail, 1 << NIBBLE_BITS))
 
     @property
     def mode(self) -> str:

@@ -2,8 +2,8 @@
 """The packets between the ground's node and the station (GND-1).
 
 docs/station-packets.md has their layouts. A frame packet goes from urv_gsc
-to the station each major frame, a console packet from the station to
-urv_gsc. What is not such a packet raises PacketError, which says why.
+to the station each major frame, a console packet and an order packet from
+the station to urv_gsc. What is not such a packet raises PacketError, which says why.
 """
 
 from __future__ import annotations
@@ -95,6 +95,15 @@ def row_at(node: str, row: int) -> int:
 _CONSOLE_MAGIC = int.from_bytes(b"URVC")
 _CONSOLE = struct.Struct(f">IHHIIQ{len(COMMANDS)}HH")
 CONSOLE_LENGTH = _CONSOLE.size
+
+
+LARGEST_SERIAL = 0xFFF
+"""Of a configuration; the first is 1."""
+CONFIGURATION = 0x400
+"""The kind of block that an order packet asks for."""
+_ORDER_MAGIC = int.from_bytes(b"URVO")
+_ORDER = struct.Struct(">IHHIIQ5H")
+ORDER_LENGTH = _ORDER.size
 
 
 class PacketError(ValueError):
@@ -307,6 +316,51 @@ class ConsolePacket:
                 raise PacketError(
                     f"console packet: {name} is {word}, not 0 to "
                     f"{items.LARGEST_WORD}")
+
+
+@dataclass(frozen=True)
+class OrderPacket:
+    """A configuration that the station orders. Times are in tenths of a
+    second."""
+
+    run: int
+    sequence: int
+    time_us: int
+    serial: int
+    table: int
+    orbit: int
+    end: int
+
+    def encode(self) -> bytes:
+        """The datagram."""
+        self._check_items()
+        try:
+            return _ORDER.pack(
+                _ORDER_MAGIC, VERSION, ORDER_LENGTH, self.run, self.sequence,
+                self.time_us, CONFIGURATION, self.serial, self.table,
+                self.orbit, self.end)
+        except struct.error as error:
+            raise PacketError(f"order packet: {error}") from error
+
+    @classmethod
+    def decode(cls, data: bytes) -> OrderPacket:
+        """The packet in a datagram."""
+        _check("order packet", data, _ORDER_MAGIC, {VERSION: ORDER_LENGTH})
+        _, _, _, run, sequence, time_us, kind, *values = _ORDER.unpack(data)
+        if kind != CONFIGURATION:
+            raise PacketError(f"order packet: kind {kind:04x}h, not "
+                              f"{CONFIGURATION:04x}h")
+        packet = cls(run, sequence, time_us, *values)
+        packet._check_items()
+        return packet
+
+    def _check_items(self) -> None:
+        for name in ("serial", "table", "orbit", "end"):
+            value, least = getattr(self, name), name == "serial"
+            if not least <= value <= LARGEST_SERIAL:
+                raise PacketError(
+                    f"order packet: {name} is {value}, not {int(least)} to "
+                    f"{LARGEST_SERIAL}")
 
 
 def _check(what: str, data: bytes, magic: int,

@@ -222,6 +222,7 @@ class View:
                 "short": self.laws.short, "mode": self.laws.mode,
                 "link": self.laws.link, "alone": self.laws.is_alone,
                 "not_valid": self.laws.not_valid,
+                "serial": self.laws.serial, "table": self.laws.table,
                 "failed": self.laws.failed},
             "words": self.frame.words,
             "values": self.values,

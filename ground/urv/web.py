@@ -371,6 +371,11 @@ def understood(text: str) -> dict[str, Any] | None:
                         and 0 <= word <= items.LARGEST_WORD
                         for word in words)):
             return {"t": "sticks", "words": tuple(words)}
+        case {"t": "order", "table": table, "orbit": orbit, "end": end} if (
+                all(type(value) is int
+                    and 0 <= value <= packets.LARGEST_SERIAL
+                    for value in (table, orbit, end))):
+            return {"t": "order", "table": table, "orbit": orbit, "end": end}
         case {"t": "answer", "yes": bool(yes)}:
             return {"t": "answer", "yes": yes}
         case {"t": "mark", "text": str(note)} if len(note) <= LONGEST_MARK:

@@ -43,7 +43,8 @@ def laws_row(*words):
 
 class FakeNode(threading.Thread):
     """words replaces words of the record, cut stops the downlink, silent all
-    packets; laws are words of the laws' row; speed 0 stands still at a row. sent is the newest packet."""
+    packets; laws are words of the laws' row; refuses is why orders are refused,
+    None when they are lost; speed 0 stands still at a row. sent is the newest packet."""
 
     def __init__(self, record, to, console_port=0, row=0, pilot=False):
         super().__init__(daemon=True)
@@ -56,6 +57,8 @@ class FakeNode(threading.Thread):
         self.logs = [list(NO_LOG), list(NO_LOG)]
         self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
         self.laws = ()
+        self.orders = []
+        self.refuses = 0
         self.pilot = (packets.Pilot.HANDS_OFF if pilot
                       else packets.Pilot.NONE)
         self.sent = None
@@ -86,6 +89,9 @@ class FakeNode(threading.Thread):
                 data = self.socket.recv(2048)
             except BlockingIOError:
                 return
+            if data.startswith(b"URVO"):
+                self.obey(packets.OrderPacket.decode(data))
+                continue
             try:
                 packet = packets.ConsolePacket.decode(data)
             except packets.PacketError:
@@ -97,6 +103,18 @@ class FakeNode(threading.Thread):
                 self.pilot = (
                     packets.Pilot.FLIES if packet.flags
                     else packets.Pilot.HANDS_OFF)
+
+    def obey(self, packet):
+        """The aircraft takes an order, refuses it, or nothing comes of it."""
+        self.orders.append(packet)
+        if self.refuses:
+            kind = packets.KINDS.index("configuration_refused")
+            row = self.logs[1][kind]
+            self.logs[1][kind] = packets.LogRow(
+                row.count + 1, 7, 7, self.refuses)
+        elif self.refuses is not None:
+            self.laws = (*self.laws, *[0] * 6)[:6] + (
+                packet.serial << 4 | packet.table,)
 
     def console(self):
         """State, words and sequence number at the converter."""

@@ -16,7 +16,7 @@ sys.path.insert(0, str(ROOT / "ground"))
 from urv import packets  # noqa: E402
 from urv.packets import (  # noqa: E402
     ConsoleFlags, ConsolePacket, ConsoleState, Event, FramePacket, LinkState,
-    LogRow, PacketError, Pilot)
+    LogRow, OrderPacket, PacketError, Pilot)
 
 PAGE = (ROOT / "docs" / "station-packets.md").read_text(encoding="utf-8")
 
@@ -41,6 +41,12 @@ def some_console():
         run=0x01020304, sequence=0x05060708, time_us=0x090A0B0C0D0E0F10,
         words=tuple(range(0x700, 0x700 + 13)),
         flags=ConsoleFlags.PILOT_FLIES)
+
+
+def some_order():
+    return OrderPacket(
+        run=0x01020304, sequence=0x05060708, time_us=0x090A0B0C0D0E0F10,
+        serial=0x111, table=0x222, orbit=0x333, end=0x444)
 
 
 def table_after(heading):
@@ -125,11 +131,36 @@ def test_gnd1_a_console_packet_stands_as_the_page_says():
     assert sum(at["flags"]) == len(data)
 
 
+def test_gnd35_an_order_packet_stands_as_the_page_says():
+    packet = some_order()
+    data = packet.encode()
+    at = table_after("## Order packet")
+    for name, value in (
+            ("magic", 0x5552564F), ("version", 1), ("length", 34),
+            ("run", packet.run), ("sequence", packet.sequence),
+            ("time", packet.time_us), ("kind", 0x400), ("serial", 0x111),
+            ("table", 0x222), ("orbit", 0x333), ("end", 0x444)):
+        assert number(data, at[name]) == value, name
+    assert sum(at["end"]) == len(data) == 34
+
+
+@pytest.mark.parametrize("name, wrong", [
+    ("serial", 0), ("serial", 4096), ("table", 4096), ("orbit", -1),
+    ("end", 4096)])
+def test_gnd35_an_order_is_of_what_a_block_can_carry(name, wrong):
+    with pytest.raises(PacketError, match=f"{name} is {wrong}, not"):
+        replace(some_order(), **{name: wrong}).encode()
+    with pytest.raises(PacketError, match="kind 0401h, not 0400h"):
+        data = some_order().encode()
+        OrderPacket.decode(data[:24] + b"\4\1" + data[26:])
+
+
 def test_gnd1_what_is_encoded_is_decoded():
     for version in (1, 2):
         packet = some_frame(version)
         assert FramePacket.decode(packet.encode()) == packet
     assert ConsolePacket.decode(some_console().encode()) == some_console()
+    assert OrderPacket.decode(some_order().encode()) == some_order()
 
 
 def test_gnd1_link_counts_stand_in_the_page_s_order():
@@ -188,7 +219,8 @@ def test_gnd1_only_what_has_happened_is_an_event():
 @pytest.mark.parametrize("kind, packet, lengths, versions", [
     (FramePacket, some_frame(1), "1108 or 1332", "1 or 2"),
     (FramePacket, some_frame(2), "1108 or 1332", "1 or 2"),
-    (ConsolePacket, some_console(), "52", "1")])
+    (ConsolePacket, some_console(), "52", "1"),
+    (OrderPacket, some_order(), "34", "1")])
 def test_gnd1_another_length_magic_or_version_is_refused(
         kind, packet, lengths, versions):
     data = packet.encode()
@@ -248,7 +280,8 @@ def test_gnd1_garbage_raises_nothing_but_a_packet_error():
     chance = random.Random(1)
     for kind, packet in ((FramePacket, some_frame(1)),
                          (FramePacket, some_frame(2)),
-                         (ConsolePacket, some_console())):
+                         (ConsolePacket, some_console()),
+                         (OrderPacket, some_order())):
         good = packet.encode()
         for _ in range(2_000):
             data = bytearray(good[:chance.randrange(len(good) + 1)]

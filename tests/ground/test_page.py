@@ -369,6 +369,45 @@ def test_gnd22_a_hidden_page_lets_the_sticks_fall_silent(station, pages):
         alert["name"] for alert in station.state()["alerts"]}
 
 
+def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
+    station.node.laws = (0x1000,)
+    page, other = pages.open(), pages.open()
+    page.keyboard.press("c")
+    assert page.locator("#send_order").is_disabled()
+    hold(page)
+    page.locator("#send_order:enabled").wait_for()
+    page.locator("#gains").select_option("1")
+    # What is typed there moves no switch.
+    page.locator("#orbit_after").fill("")
+    page.locator("#orbit_after").press_sequentially("2.5")
+    page.locator("#end_after").fill("61")
+    page.locator("#send_order").click()
+    page.locator("#ordered.taken", has_text="taken by the aircraft").wait_for()
+    [order] = station.node.orders
+    assert (order.table, order.orbit, order.end) == (1, 25, 610)
+    assert page.locator("#in_force").inner_text() == (
+        "number 1: gains 1 (softer), orbit after 2.5 s, end after 61 s")
+    until(lambda: station.node.heard, "sticks")
+    assert station.node.heard[-1][1].words[5:] == (0,) * 8
+    station.node.refuses = 3
+    page.locator("#send_order:enabled").click()
+    page.locator("#ordered.caution",
+                 has_text="refused by the aircraft: a control law").wait_for()
+    # Who watches sees it, and cannot order.
+    other.keyboard.press("c")
+    other.locator("#ordered.caution", has_text="refused").wait_for()
+    assert other.locator("#send_order").is_disabled()
+    # The instruments are not covered, and the stick's keys fly again.
+    assert page.evaluate("""() => {
+        const box = id => document.getElementById(id).getBoundingClientRect();
+        return box("orders").top - box("systems").bottom;
+    }""") >= -1
+    page.keyboard.press("8")
+    until(lambda: station.node.heard[-1][1].words[-1] == 4095, "flaps")
+    page.keyboard.press("c")
+    page.locator("#orders").wait_for(state="hidden")
+
+
 EVIL = "<img src=x onerror=document.title='owned'><script>1</script>"
 
 
@@ -426,6 +465,17 @@ def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
                              " document.documentElement.scrollHeight]") == [
             width, height]
         assert overlaps(page) == []
+        page.keyboard.press("c")
+        inside = page.evaluate("""() => {
+          const all = document.getElementById("orders");
+          const box = all.getBoundingClientRect();
+          return !all.open || box.width === 0
+            || (all.scrollHeight <= all.clientHeight + 1
+                && all.scrollWidth <= all.clientWidth + 1
+                && box.right <= innerWidth && box.bottom <= innerHeight);
+        }""")
+        assert inside, (width, "orders")
+        assert page.locator("#orders").is_visible() == (width >= 900)
         sticks = page.locator("#sticks").is_visible()
         assert sticks == (width >= 900)
         for shown in ("#attitude", "#speed", "#height", "#bars", "#alerts",
@@ -477,11 +527,14 @@ def test_gnd28_every_text_has_contrast(station, pages, scheme):
     station.node.laws = TROUBLE
     page = pages.open(scheme=scheme)
     page.locator("#attitude .doubt").wait_for()
-    page.locator("#alert_list li.warning", has_text="ALTERNATOR").wait_for()
-    # Not "battery not valid", which the laws tell.
-    page.locator('#alert_list li.caution[data-key^="gsc.downlink.battery"]'
-                 ).wait_for()
+    page.locator("#alert_list li.warning[data-key^=gsc]",
+                 has_text="ALTERNATOR").wait_for()
+    # The laws do not believe it either, which is another one.
+    page.locator("#alert_list li.caution[data-key^=gsc]",
+                 has_text="BATTERY").wait_for()
     hold(page)
+    page.keyboard.press("c")
+    page.locator("#orders").wait_for()
     assert page.evaluate(CONTRAST) == []
     page.keyboard.press("k")
     page.locator("#alert_list li.warning:not(.unseen)",

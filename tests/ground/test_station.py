@@ -393,6 +393,102 @@ def test_gnd27_a_mark_is_an_event_in_one_line(station):
     until(lambda: station.state()["station"]["bad"] == 1, "refused")
 
 
+# Orders
+
+WANTED = {"t": "order", "table": 1, "orbit": 20, "end": 90}
+REFUSED_KIND = packets.KINDS.index("configuration_refused")
+
+
+def ordered(station, state):
+    """What the station says of the newest order, once it is so."""
+    return station.wait(
+        lambda found: found["order"]["state"] == state, state)["order"]
+
+
+def holder(station):
+    console = station.console()
+    console.say({"t": "take"})
+    console.until(lambda state: state["holder"] == console.number, "sticks")
+    return console
+
+
+def test_gnd35_the_holder_s_order_goes_up_and_the_aircraft_takes_it(station):
+    console = holder(station)
+    assert station.state()["order"]["state"] == "none"
+    console.say(WANTED)
+    assert "taken by the aircraft" in ordered(station, "taken")["text"]
+    [packet] = station.node.orders
+    assert (packet.serial, packet.table, packet.orbit, packet.end) == (
+        1, 1, 20, 90)
+    state = station.wait(lambda state: state["laws"], "laws")
+    assert (state["laws"]["serial"], state["laws"]["table"]) == (1, 1)
+    assert state["order"]["in_force"] == (
+        "number 1: gains 1 (softer), orbit after 2 s, end after 9 s")
+    console.say(WANTED | {"table": 0})
+    until(lambda: len(station.node.orders) == 2, "another")
+    assert station.node.orders[1].serial == 2
+    # Its number follows those of the sticks.
+    assert packet.sequence < station.node.orders[1].sequence
+
+
+def test_gnd35_only_who_holds_the_sticks_orders(station):
+    watcher = station.console()
+    watcher.say(WANTED)
+    assert "does not hold the sticks" in ordered(station, "refused")["text"]
+    console = holder(station)
+    watcher.say(WANTED)
+    console.say(WANTED)
+    ordered(station, "taken")
+    assert len(station.node.orders) == 1
+
+
+@pytest.mark.parametrize("reason, said", [
+    (2, "a value is none that may be set"),
+    (3, "a control law flies the aircraft"),
+    (4, "its control laws are off")])
+def test_gnd35_what_the_aircraft_refuses_is_told_with_its_reason(
+        station, reason, said):
+    station.node.logs[1][REFUSED_KIND] = packets.LogRow(4, 1, 2, 1)
+    station.node.refuses = reason
+    console = holder(station)
+    console.say(WANTED)
+    told = ordered(station, "refused")
+    assert told["text"] == f"number 1 refused by the aircraft: {said}"
+    assert station.wait(lambda state: state["order"], "it")["order"][
+        "in_force"] != told["text"]
+    line = until(lambda: [line for line in station.lines()
+                          if line["kind"] == "order"
+                          and line["level"] == "caution"], "a line")[0]
+    assert said in line["text"]
+
+
+def test_gnd35_an_order_that_is_lost_is_told_and_another_may_follow(station):
+    station.node.refuses = None
+    console = holder(station)
+    console.say(WANTED)
+    ordered(station, "waiting")
+    console.say(WANTED)
+    assert "no answer to number 1" in ordered(station, "lost")["text"]
+    assert len(station.node.orders) == 1
+    station.node.refuses = 0
+    console.say(WANTED)
+    ordered(station, "taken")
+    assert station.node.orders[1].serial == 2
+
+
+def test_gnd35_its_number_is_another_than_the_aircraft_has(station):
+    """Whoever set that: a file, or a station before this one."""
+    station.node.laws = (0x1000, 0, 0, 0, 0, 0, 4095 << 4)
+    console = holder(station)
+    told = station.wait(
+        lambda state: (state["laws"] or {}).get("serial") == 4095, "laws")
+    assert told["order"]["in_force"] == (
+        "number 4095: gains 0 (usual), times not known here")
+    console.say(WANTED)
+    ordered(station, "taken")
+    assert station.node.orders[0].serial == 1
+
+
 # Safety
 
 FOREIGN = [
@@ -495,6 +591,11 @@ def test_gnd24_garbage_at_the_page_stops_nobody(station):
     '{"t": "sticks", "words": [true,0,0,0,0,0,0,0,0,0,0,0,0]}',
     '{"t": "sticks", "words": [1e3,0,0,0,0,0,0,0,0,0,0,0,0]}',
     '{"t": "mark", "text": 7}', '{"t": "lost", "what": "x"}',
+    '{"t": "order"}', '{"t": "order", "table": 1, "orbit": 20}',
+    '{"t": "order", "table": 1, "orbit": 20, "end": 4096}',
+    '{"t": "order", "table": -1, "orbit": 20, "end": 90}',
+    '{"t": "order", "table": true, "orbit": 20, "end": 90}',
+    '{"t": "order", "table": 1, "orbit": 2.5, "end": 90}',
     '{"t": "answer", "yes": 1}', '{"t": "nothing"}', "[" * 4000])
 def test_gnd24_what_no_page_says_is_not_understood(message):
     assert web.understood(message) is None

@@ -16,7 +16,8 @@ from conftest import ROOT, TIME_LIMIT_S
 
 sys.path.insert(0, str(ROOT / "ground"))
 
-from urv.packets import ConsoleFlags, ConsolePacket, FramePacket  # noqa: E402
+from urv.packets import (  # noqa: E402
+    ConsoleFlags, ConsolePacket, FramePacket, OrderPacket)
 
 # A console sends so often.
 PERIOD_S = 0.02
@@ -106,6 +107,19 @@ class Console:
         self.sent.setdefault(sequence, packet)
         self.send_bytes(packet.encode())
         return packet
+
+    def order(self, serial, table, orbit, end, **changes):
+        """A configuration, with the next number: so it follows the sticks,
+        which then must not be those of another packet."""
+        with self._lock:
+            sequence = changes.pop("sequence", len(self.sent) + 1)
+            packet = OrderPacket(**{
+                "run": self.run, "sequence": sequence, "time_us": utc_us(),
+                "serial": serial, "table": table, "orbit": orbit, "end": end,
+                **changes})
+            self.sent.setdefault(sequence, packet)
+            self.send_bytes(packet.encode())
+            return packet
 
     def send_bytes(self, data):
         self._socket.sendto(data, self._to)

@@ -104,7 +104,7 @@ def test_an_unknown_option_is_told_what_there_is(node):
 
 
 @pytest.mark.parametrize("node, options", [
-    ("mcs", ("--sticks", "--console", "--packets", "--pilot", "--publish")),
+    ("mcs", ("--sticks", "--console", "--orders", "--packets", "--pilot", "--publish")),
     ("gsc", ("--sensors", "--plant", "--laws", "--orbit-after",
              "--terminate-after")),
 ])
@@ -169,11 +169,12 @@ def test_gnd6_a_plant_without_a_python_is_refused(monkeypatch):
 
 def test_the_page_and_the_help_have_the_same_options():
     page = (ROOT / "docs" / "real-time.md").read_text(encoding="utf-8")
-    told = set(re.findall(r"^\| `(--[a-z]+)", page, re.M))
+    told = set(re.findall(r"^\| `(--[a-z-]+)", page, re.M))
     helped = {node: set(options_of(node)) for node in NODES}
     assert told == helped["gsc"] | helped["mcs"]
     assert helped["gsc"] - helped["mcs"] == {
-        "--sticks", "--console", "--packets", "--pilot", "--publish"}
+        "--sticks", "--console", "--orders", "--packets", "--pilot",
+        "--publish"}
 
 
 @pytest.mark.parametrize("node, option", [

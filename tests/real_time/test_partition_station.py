@@ -2,12 +2,14 @@
 """GND-2: GSC CORE goes out in frame packets. GND-3, GND-4: sticks come in
 console packets, and a console that falls silent is held, then neutral.
 GND-5: the simulated pilot aboard the ground's partition. GND-7: what the
-aircraft's laws tell."""
+aircraft's laws tell. GND-35: orders besides the sticks."""
 
 import random
 import re
 import signal
 import struct
+import time
+from dataclasses import replace
 
 import pytest
 
@@ -415,3 +417,79 @@ def test_gnd5_the_pilot_flies_until_a_console_takes_the_sticks(
         else:
             assert packet.pilot == Pilot.HANDS_OFF
             assert sticks_of(packet) in (ONE, THIRD, SAFE)
+
+
+REFUSED = KINDS.index("configuration_refused")
+
+
+def configured(packet):
+    """Number and table of the configuration that the aircraft has."""
+    told = Laws.of(packet)
+    return told and (told.serial, told.table)
+
+
+@flies_again
+def test_gnd35_orders_of_a_file_go_up_in_their_time(
+    start_both, station, write
+):
+    frames = station(Frames)
+    orders = write("orders.txt", "500 configure 1 2000 9000\n"
+                   "600 configure 7 2000 9000\n700 block 500 1 2\n")
+    mcs, gsc = start_both(
+        mcs=("--laws", "on"),
+        gsc=("--packets", "2", "--publish", frames.place, "--orders", orders))
+    frames.wait_until(lambda packet: configured(packet) == (1, 1))
+    told = frames.wait_until(lambda packet: packet.logs[1][REFUSED].count)
+    mcs, gsc = mcs.stop(), gsc.stop()
+    assert gsc.summary["orders_sent"] == 3
+    assert told.logs[1][REFUSED].detail == 2
+    need("configuration_refused" in mcs.events
+         and "unknown_code" in mcs.events, mcs, gsc)
+    assert mcs.events["unknown_code"]["last_detail"] == 0x500
+    assert mcs.events["configuration_refused"]["count"] == 1
+
+
+@flies_again
+def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
+    start_both, station
+):
+    """Those of another one are dropped while its packets come, and so is what
+    is no order, an old one, and one that comes again."""
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = start_both(
+        mcs=("--laws", "on"),
+        gsc=("--packets", "2", "--publish", frames.place,
+             "--console", console.place))
+    console.move(ONE[:5] + (0,) * 8)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.LIVE
+        and packet.is_fresh)
+    good = console.order(5, 1, 20, 90)
+    frames.wait_until(lambda packet: configured(packet) == (5, 1))
+    bad = frames.all[-1].link["console_bad"]
+    later = len(console.sent) + 10_000
+    for why, data in (
+            ("again", good.encode()),
+            ("short", good.encode()[:-1]),
+            ("another run", replace(good, run=9, sequence=later,
+                                    time_us=utc_us()).encode()),
+            ("old", replace(good, sequence=later).encode())):
+        if why == "old":
+            time.sleep(0.6)
+        console.send_bytes(data)
+        bad += 1
+        frames.wait_until(
+            lambda packet, bad=bad: packet.link["console_bad"] >= bad)
+        need(frames.all[-1].link["console_bad"] == bad)
+    # When nobody has the sticks, who is there may order.
+    console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.HELD)
+    other = Console(int(console.place.rpartition(":")[2]), run=2)
+    other.order(6, 0, 30, 80)
+    frames.wait_until(lambda packet: configured(packet) == (6, 0))
+    other.close()
+    mcs, gsc = mcs.stop(), gsc.stop()
+    assert gsc.summary["orders_sent"] == 2
+    need("configuration_refused" not in mcs.events, mcs, gsc)

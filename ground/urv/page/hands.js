@@ -18,6 +18,7 @@ export const KEYS = [
   ["Y N", "give, keep the sticks when asked"],
   ["M", "write a mark; Enter sets it, Esc leaves it"],
   ["K", "acknowledge all alerts"], ["L", "light or dark"],
+  ["C", "orders: gains of the laws, times of a lost link"],
 ];
 const BUTTONS = [
   ["right stick", "roll, pitch"],
@@ -157,7 +158,8 @@ export class Hands {
   }
 
   key(event) {
-    if (event.target.matches?.("input[type=range], #mark")) return;
+    if (event.target.matches?.(
+      "input[type=range], #mark, #orders input, #orders select")) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = named(event);
     const once = !event.repeat;

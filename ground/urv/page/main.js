@@ -5,6 +5,7 @@
 import { byId, html, put, say } from "./draw.js";
 import { Flight } from "./flight.js";
 import { Hands, store, stored } from "./hands.js";
+import { Orders } from "./orders.js";
 import { showAlerts, showLines } from "./panels.js";
 import { Systems } from "./systems.js";
 
@@ -34,6 +35,7 @@ const send = (message) => {
 const flight = new Flight();
 const systems = new Systems();
 const hands = new Hands(send);
+const orders = new Orders(send);
 const acknowledge = (key) => send({ t: "seen", key });
 
 function connect() {
@@ -106,6 +108,7 @@ function draw() {
   show_status(value, lost, silent);
   show_laws(lost);
   show_holder(silent);
+  orders.draw(state.order, state.holder === hello.console, silent || !there);
   body.dataset.seq = state.seq;
   body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
 }
@@ -271,7 +274,8 @@ byId("mark").addEventListener("keydown", (event) => {
   if (event.key === "Escape") byId("mark").blur();
 });
 addEventListener("keydown", (event) => {
-  if (event.target === byId("mark") || event.repeat || event.ctrlKey
+  if (event.target.matches?.("#mark, #orders input, #orders select") || event.repeat
+    || event.ctrlKey
     || event.metaKey || event.altKey) return;
   if (event.key === "m" || event.key === "M") {
     byId("mark").focus();
@@ -280,6 +284,8 @@ addEventListener("keydown", (event) => {
     acknowledge(null);
   } else if (event.key === "l" || event.key === "L") {
     turn_theme();
+  } else if (event.key === "c" || event.key === "C") {
+    orders.turn();
   } else if (event.key === "?") {
     byId("keys").showModal();
   }
