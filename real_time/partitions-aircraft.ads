@@ -24,6 +24,9 @@ package Partitions.Aircraft is
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
 
+   --  Nothing stands behind the others.
+   function Last_Names return String is ("");
+
    --  See Partitions.Run: the plant, and the frames in step (FRM-6).
    function Next_News (Now : String) return String;
    procedure Put_Counts

@@ -15,6 +15,7 @@ with Partitions.Occurrences;
 with Partitions.Orders;
 with Telemetry.Boards;
 with URV.CORE_Layout;
+with URV.Law_Status;
 with URV.Routing;
 
 package body Partitions.Console is
@@ -166,6 +167,22 @@ package body Partitions.Console is
          (Tally.Sent, Tally.Scrapped, Tally.Received, Tally.Bad,
           Tally.Resets));
    end Append_Values;
+
+   function Law_Names return String is
+     (",laws.told,laws.told_invalid_low,laws.told_invalid_high"
+      & ",laws.told_silent,laws.told_failed,laws.told_configuration");
+
+   procedure Append_Laws (To : in out Row) is
+      use Devices.CORE_Memory;
+
+      Told : constant Log_Row :=
+        GSC.CORE_Memory.Contents.Aircraft_Log (URV.Law_Status.Row_Number);
+   begin
+      for Word of Told (Occurrences_High .. Last_Frame_High) loop
+         Append (To, Number (Word));
+      end loop;
+      Append (To, Number (Told (Last_Detail)));
+   end Append_Laws;
 
    function Recorded return Sticks is (In_Row);
 

@@ -27,6 +27,11 @@ package Partitions.Console is
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
 
+   --  The same of what the aircraft tells of its control laws (GND-7): 0 when
+   --  nothing has come.
+   function Law_Names return String;
+   procedure Append_Laws (To : in out Row);
+
    type Pilot_State is (No_Pilot, Hands_Off, Flies);
 
    --  What the converter saw last, and whose it was. Sequence is that of the

@@ -25,4 +25,5 @@ package Partitions.GSC_Node is new Partitions.Nodes
    CORE_Task           => GSC.CORE_Task,
    Sample              => Partitions.Console.Sample,
    Append_Values       => Partitions.Console.Append_Values,
+   Append_Last         => Partitions.Console.Append_Laws,
    Publish             => Partitions.Publisher.Publish);

@@ -166,6 +166,7 @@ package body Partitions.Nodes is
       Append_Values (Item);
       Append (Item, Number (Late));
       Append (Item, Number (Machine_Time (Clock)));
+      Append_Last (Item);
       Queue.Put (Item);
       Publish (Item);
    end Observe_Frame;

@@ -66,6 +66,9 @@ generic
    with procedure Sample (Words : out Channel_Words);
    with procedure Append_Values (To : in out Row);
 
+   --  What stands behind all else in a row.
+   with procedure Append_Last (To : in out Row) is null;
+
    --  The row has been taken.
    with procedure Publish (Item : Row) is null;
 

@@ -310,7 +310,7 @@ begin
    if Is_Open (Files (Record_Option)) then
       Put
         (Files (Record_Option),
-         "frame,time_ms" & Column_Names & ",overruns,clock_us");
+         "frame,time_ms" & Column_Names & ",overruns,clock_us" & Last_Names);
       if Has_Truth then
          Host.Truth_Columns.Put_Names (Files (Record_Option));
       end if;

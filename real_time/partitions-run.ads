@@ -21,6 +21,7 @@ generic
    --  Opens what the command line asks for. Raises Host.Bad_Input.
    with procedure Prepare (Chosen : Host.Options.Choices);
    with function Column_Names return String;
+   with function Last_Names return String;
 
    --  Rows have an aircraft's truth.
    with function Has_Truth return Boolean;

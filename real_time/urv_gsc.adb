@@ -16,6 +16,7 @@ procedure Urv_GSC is
       This_Node    => Partitions.GSC_Node,
       Prepare      => Partitions.Ground_Station.Prepare,
       Column_Names => Partitions.Console.Column_Names,
+      Last_Names   => Partitions.Console.Law_Names,
       Has_Truth    => Partitions.Ground_Station.Has_Truth,
       Next_News    => Partitions.Console.Next_News,
       Put_Counts   => Partitions.Ground_Station.Put_Counts,

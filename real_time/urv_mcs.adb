@@ -15,6 +15,7 @@ procedure Urv_MCS is
       This_Node    => Partitions.MCS_Node,
       Prepare      => Partitions.Aircraft.Prepare,
       Column_Names => Partitions.Aircraft.Column_Names,
+      Last_Names   => Partitions.Aircraft.Last_Names,
       Has_Truth    => Partitions.Plant.Is_There,
       Next_News    => Partitions.Aircraft.Next_News,
       Put_Counts   => Partitions.Aircraft.Put_Counts,

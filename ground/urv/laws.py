@@ -73,21 +73,15 @@ class Laws:
         lateral, vertical, power, link = (
             modes >> NIBBLE_BITS * place & 15 for place in range(4))
         return cls(
-            _name(LATERAL, lateral), _name(VERTICAL, vertical),
-            _name(POWER, power), _name(LINK, link),
+            name_of(LATERAL, lateral), name_of(VERTICAL, vertical),
+            name_of(POWER, power), name_of(LINK, link),
             _set(SENSORS, low | high << WORD_BITS), silent,
             _set(FAILING, failed), *divmod(row.detail, 1 << NIBBLE_BITS))
 
     @property
     def mode(self) -> str:
         """What flies: lateral, vertical and power, but for what is direct."""
-        if self.lateral == self.vertical:
-            axes = [self.lateral]
-        else:
-            axes = [self.lateral, self.vertical]
-        if self.power != "direct":
-            axes.append(self.power)
-        return "/".join(axes)
+        return mode_name(self.lateral, self.vertical, self.power)
 
     @property
     def short(self) -> str:
@@ -103,7 +97,13 @@ class Laws:
         return self.link in ALONE
 
 
-def _name(names: tuple[str, ...], place: int) -> str:
+def mode_name(lateral: str, vertical: str, power: str) -> str:
+    """Of what flies the axes and the throttle."""
+    axes = [lateral] if lateral == vertical else [lateral, vertical]
+    return "/".join(axes + ([] if power == "direct" else [power]))
+
+
+def name_of(names: tuple[str, ...], place: int) -> str:
     """One that this station does not know has its number."""
     return names[place] if place < len(names) else f"number {place}"
 

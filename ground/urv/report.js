@@ -258,8 +258,8 @@ class EventPlot {
   }
 
   draw() {
-    const roles = { event: "ink", gap: "faint", caution: "caution",
-                    warning: "warning" };
+    const roles = { law: "first", event: "ink", gap: "faint",
+                    caution: "caution", warning: "warning" };
     const traces = this.happened.map((one, row) => {
       const x = [], y = [];
       for (const [begin, end] of one.spans) {

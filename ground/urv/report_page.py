@@ -16,7 +16,7 @@ import zlib
 from html import escape
 from pathlib import Path
 
-from urv import faults, panels, verdicts
+from urv import faults, flown_laws, panels, verdicts
 
 FOLDER = Path(__file__).parent
 
@@ -48,10 +48,15 @@ def page(flights, events, summary):
     answers = [
         verdicts.flown(flight, quality if isinstance(quality, dict) else None),
         verdicts.link(flight, summary), verdicts.limits(flight)]
+    laws = [flown_laws.of(each) for each in flights]
+    answers += [each.answer() for each in laws[:1] if each]
     other = None
     if len(flights) > 1:
         other = [verdicts.flown(flights[1], None),
                  verdicts.link(flights[1], None), verdicts.limits(flights[1])]
+        # Beside those of the first flight, if it has any.
+        other += [each.answer() if each else None
+                  for each in laws[1:] if laws[0]]
     return "".join((
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
         "<meta charset=\"utf-8\">\n"
@@ -206,7 +211,8 @@ def exceedances(flight, events):
 
 def happened(flight, events):
     """What the plot of events shows, a line for each kind."""
-    found = []
+    laws = flown_laws.of(flight)
+    found = list(laws.happened()) if laws else []
     for event in events:
         found.append({
             "label": f"{event.node} {event.kind}", "level": "event",

@@ -475,3 +475,74 @@ def test_gnd14_make_fly_ends_with_the_report():
         r"bin/urv report flight/record\.csv --summary flight/summary\.json"
         r"\s+--events flight/events\.jsonl\s+-o flight/report\.html",
         said.replace("\\\n", " ")), said
+
+
+# The laws
+
+LAW_STICKS = """\
+time_ms,switch2,switch3
+0,0,0
+6000,4095,0
+10000,4095,4095
+14000,0,0
+"""
+
+
+@pytest.fixture(scope="session")
+def lawful(tmp_path_factory):
+    """The folder of a flight on the bench with laws, a lost link and what the
+    ground has set."""
+    folder = tmp_path_factory.mktemp("lawful")
+    for name, text in (("sticks.csv", LAW_STICKS),
+                       ("faults.txt", "18000 cut 7000\n"),
+                       ("orders.txt", "2000 configure 1 2000 60000\n")):
+        (folder / name).write_text(text, encoding="utf-8")
+    return fly(folder, "--laws", "on", "--seconds", "30", "--sticks",
+               "sticks.csv", "--faults", "faults.txt", "--orders",
+               "orders.txt")
+
+
+def as_the_ground_has_it(folder, tmp_path):
+    """The record without what the aircraft alone knows."""
+    with (folder / "record.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    kept = [name for name in rows[0] if not name.startswith("laws.")
+            or name.startswith("laws.told")]
+    path = tmp_path / "ground.csv"
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, kept, extrasaction="ignore",
+                                lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
+
+
+@pytest.mark.parametrize("late", [0.0, 1.5], ids=["aircraft's", "ground's"])
+def test_gnd14_a_report_tells_what_the_laws_did(lawful, report, tmp_path,
+                                                late):
+    record = (as_the_ground_has_it(lawful, tmp_path) if late
+              else lawful / "record.csv")
+    page = report(record).read_text("utf-8")
+    text = re.sub(r"<[^>]*>", " ", page[:page.index("<script")])
+    assert "What did the control laws do?" in text
+    # While the link is cut nothing of it comes down.
+    assert f"link was lost: {'' if late else 'holding, '}orbiting." in text
+    taken = re.search(
+        r"configuration 1 taken\s+([\d.]+)\s+s, gains 1 \(softer\)", text)
+    assert 2.0 <= float(taken[1]) <= 2.1 + late
+    happened = {one["label"]: one["spans"] for one in json.loads(re.search(
+        r'id="data">(.*?)</script>', page, re.S)[1])["happened"]}
+    [bank] = happened["law: bank by stick/pitch by stick"]
+    assert bank == pytest.approx([6.0, 10.0], abs=0.3 + late)
+    [holds] = happened["law: bank by stick/altitude/airspeed"]
+    assert holds == pytest.approx([10.0, 14.0], abs=0.3 + late)
+    [orbiting] = happened["alone: orbiting"]
+    if not late:
+        assert orbiting == pytest.approx([20.0, 26.0], abs=0.1)
+        assert happened["alone: holding"] == [
+            pytest.approx([18.5, 20.0], abs=0.1)]
+    assert orbiting[1] == pytest.approx(26.0, abs=0.1 + late)
+
+
+def test_gnd14_without_laws_a_report_says_nothing_of_them(sagging, report):
+    assert "control laws" not in report(*of(sagging)).read_text("utf-8")

@@ -173,7 +173,23 @@ def test_gnd7_the_second_version_has_what_the_laws_tell(
     linked = Laws("direct", "direct", "direct", "linked", (), 0, ())
     told = frames.wait_until(lambda packet: Laws.of(packet) == linked)
     mcs, gsc = mcs.stop(), gsc.stop()
+    frames.finish()
     assert told.version == 2
+    # The record has the same, by the names that the simulation's has.
+    sent = {packet.sequence: packet.logs[1][LAWS_ROW - 1]
+            for packet in frames.all}
+    assert list(gsc.rows[0])[-6:] == [
+        f"laws.told{name}" for name in (
+            "", "_invalid_low", "_invalid_high", "_silent", "_failed",
+            "_configuration")]
+    assert {row["laws.told"] for row in gsc.rows} > {0}
+    for row in gsc.rows:
+        if row["frame"] in sent:
+            words = sent[row["frame"]]
+            assert list(row.values())[-6:] == [
+                words.count >> 16, words.count & 0xFFFF,
+                words.first_frame >> 16, words.first_frame & 0xFFFF,
+                words.last_frame >> 16, words.detail], row["frame"]
     for row in told.logs[1][len(KINDS):LAWS_ROW - 1] + told.logs[0][
             len(KINDS):]:
         assert row == LogRow()
