@@ -40,6 +40,10 @@ PATIENCE_S = 10.0
 answer, is dropped."""
 SLOW_S = 2.0
 """A page that does not take its state is dropped."""
+UNDRAWN = 2
+"""So many states may be on their way to a page that says which it has drawn:
+one that waits for the next picture, and one behind it. More would wait in the
+network, and be old when they are seen."""
 
 HEADERS = {
     "Content-Security-Policy":
@@ -145,10 +149,18 @@ class Page:
         self.alerts = -1
         self.line = 0
         self.state: str | None = None
+        self.sent = 0
+        self.drawn: int | None = None
+        self.left_out = 0
         self.wake = asyncio.Event()
         self.credit = 2 * MESSAGES_A_SECOND
         self.filled = 0.0
         self.bad = 0
+
+    @property
+    def is_behind(self) -> bool:
+        """It says what it has drawn, and has enough to draw."""
+        return self.drawn is not None and self.sent - self.drawn >= UNDRAWN
 
     def allowed(self, now: float) -> bool:
         """Whether it may say one more thing already."""
@@ -298,6 +310,10 @@ class Station:
                 if page.bad > MOST_BAD_MESSAGES:
                     await self._drop(page, "messages nobody understands")
                     return
+            elif said["t"] == "drawn":
+                # What it was never sent it cannot have drawn.
+                page.drawn = min(said["number"], page.sent)
+                page.wake.set()
             else:
                 self.controls.hears(page.number, said)
 
@@ -312,12 +328,15 @@ class Station:
 
     async def _write(self, page: Page, request: web.Request) -> None:
         """Sends the newest of everything; a state that could not go in time
-        is never sent late."""
+        is never sent late (GND-36). The number of a state stands in it, and
+        how many were left out before."""
         try:
             await self._send(page, self.controls.hello(page.number))
             while True:
                 await page.wake.wait()
                 page.wake.clear()
+                if page.is_behind:
+                    continue
                 alerts = self.controls.view.alerts
                 if page.alerts != alerts.changed:
                     page.alerts = alerts.changed
@@ -331,7 +350,10 @@ class Station:
                         {"t": "log", "lines": lines}))
                 state, page.state = page.state, None
                 if state is not None:
-                    await self._send(page, state)
+                    page.sent += 1
+                    await self._send(
+                        page, f'{state[:-1]},"number":{page.sent},'
+                        f'"left_out":{page.left_out}}}')
         except (ConnectionError, RuntimeError):
             # It has gone; whoever listens to it knows.
             pass
@@ -352,6 +374,7 @@ class Station:
         state = json.dumps({"t": "state"} | self.controls.shown(),
                            separators=(",", ":"))
         for page in self.pages.values():
+            page.left_out += page.state is not None
             page.state = state
             page.wake.set()
 
@@ -371,6 +394,9 @@ def understood(text: str) -> dict[str, Any] | None:
                         and 0 <= word <= items.LARGEST_WORD
                         for word in words)):
             return {"t": "sticks", "words": tuple(words)}
+        case {"t": "drawn", "number": number} if (
+                type(number) is int and number >= 0):
+            return {"t": "drawn", "number": number}
         case {"t": "order", "table": table, "orbit": orbit, "end": end} if (
                 all(type(value) is int
                     and 0 <= value <= packets.LARGEST_SERIAL

@@ -562,3 +562,28 @@ def test_gnd25_pictures_follow_the_frames(station, pages):
     })""")
     assert drawn == sorted(drawn)
     assert drawn[-1] - drawn[0] >= 50
+
+
+BUSY = """
+setInterval(() => {
+  const ends = performance.now() + 200;
+  while (performance.now() < ends);
+}, 220);
+"""
+
+
+def test_gnd36_a_page_that_is_too_slow_says_so_and_shows_the_newest(
+        station, pages):
+    """Its thread is busy with something else nine tenths of the time."""
+    page = pages.open(script=BUSY)
+    slow = page.locator("#slow", has_text="left out")
+    slow.wait_for()
+    assert number(slow.inner_text()) < 25
+    # Not later and later: after 15 s it is what it was.
+    first = station.state()["seq"]
+    station.wait(lambda state: state["seq"] > first + 750, "15 s")
+    lags = []
+    for _ in range(20):
+        shown = seen_frame(page)
+        lags.append(station.state()["seq"] - shown)
+    assert min(lags) <= 100, lags

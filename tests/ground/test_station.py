@@ -591,6 +591,8 @@ def test_gnd24_garbage_at_the_page_stops_nobody(station):
     '{"t": "sticks", "words": [true,0,0,0,0,0,0,0,0,0,0,0,0]}',
     '{"t": "sticks", "words": [1e3,0,0,0,0,0,0,0,0,0,0,0,0]}',
     '{"t": "mark", "text": 7}', '{"t": "lost", "what": "x"}',
+    '{"t": "drawn"}', '{"t": "drawn", "number": -1}',
+    '{"t": "drawn", "number": true}', '{"t": "drawn", "number": 1.5}',
     '{"t": "order"}', '{"t": "order", "table": 1, "orbit": 20}',
     '{"t": "order", "table": 1, "orbit": 20, "end": 4096}',
     '{"t": "order", "table": -1, "orbit": 20, "end": 90}',
@@ -643,6 +645,44 @@ def test_gnd24_a_page_that_takes_nothing_is_dropped(station):
         f"console {deaf.number} dropped" in line["text"]
         or f"console {deaf.number} closed" in line["text"]
         for line in station.lines()), "a word of it")
+
+
+def test_gnd36_a_page_that_is_slow_gets_the_newest_and_not_what_was(station):
+    """It says which state it has drawn. What it is sent thereafter is of the
+    frames that the station had by then, however many it has left out."""
+    station.wait(lambda state: state["rate"] >= 40, "frames")
+    slow = station.console()
+    first = last = slow.next("state")["number"]
+    slow.say({"t": "drawn", "number": first})
+    known, left_out = {}, []
+    for _ in range(16):
+        state = slow.next("state")
+        assert state["number"] == last + 1
+        last = state["number"]
+        # What was under way before its first word comes first.
+        if last - first > 8:
+            assert state["seq"] >= known[last - 2] - 2
+        left_out.append(state["left_out"])
+        time.sleep(0.2)
+        known[last] = station.state()["seq"]
+        slow.say({"t": "drawn", "number": last})
+    assert left_out == sorted(left_out)
+    assert left_out[-1] - left_out[3] > 20
+
+
+def test_gnd36_a_page_that_draws_nothing_is_sent_no_more(station):
+    console = station.console()
+    first = console.next("state")["number"]
+    console.say({"t": "drawn", "number": first})
+    # Those on the way when it said so, and two.
+    console.socket.settimeout(2.0)
+    with pytest.raises(websocket.WebSocketTimeoutException):
+        while True:
+            last = console.next("state")["number"]
+    # It is there all the same, and goes on when it has drawn them.
+    console.socket.settimeout(PATIENCE_S)
+    console.say({"t": "drawn", "number": last})
+    assert console.next("state")["number"] == last + 1
 
 
 def test_gnd24_half_open_and_slow_clients_do_not_hold_the_door(station):

@@ -14,6 +14,9 @@ const LOST = 500;
 // States come every 40 ms; one is late only after that.
 const BETWEEN = 60;
 const AGAIN = 500;
+const SECOND = 1000;
+// Less is no news: each busy machine leaves out one now and then.
+const SLOW = 3;
 const BARS = 5;
 const FRAMES_A_SECOND = 50;
 
@@ -25,12 +28,23 @@ let state = null;
 let came = 0;
 let closed = performance.now();
 let drawing = false;
+let told = 0;
+
+// When each state came, and how many the station had left out by then.
+const left = [];
 
 const send = (message) => {
   if (socket?.readyState === WebSocket.OPEN) {
     socket.send(JSON.stringify(message));
   }
 };
+
+// The station sends no state before it knows that there is room for it.
+const drawn = () => send({ t: "drawn", number: state.number });
+
+document.addEventListener("visibilitychange", () => {
+  if (document.hidden && state !== null) drawn();
+});
 
 const flight = new Flight();
 const systems = new Systems();
@@ -45,10 +59,15 @@ function connect() {
     if (message.t === "state") {
       state = message;
       came = performance.now();
+      left.push([came, message.left_out]);
       if (hello) draw_soon();
+      // Nobody sees a hidden page, but it must not be old when it is seen.
+      if (!hello || document.hidden) drawn();
     } else if (message.t === "hello") {
       hello = message;
       there = true;
+      left.length = 0;
+      told = 0;
       byId("lines").replaceChildren();
       flight.learn(hello.items);
       systems.learn(hello.items);
@@ -73,6 +92,10 @@ function draw_soon() {
   requestAnimationFrame(() => {
     drawing = false;
     draw();
+    if (state !== null && there && state.number !== told) {
+      told = state.number;
+      drawn();
+    }
   });
 }
 
@@ -92,6 +115,7 @@ function draw() {
   body.dataset.frame = there ? aged(frame) : "lost";
   body.dataset.down = there ? aged(frame === null ? null : down) : "lost";
   show_lost(now, frame, down);
+  show_slow();
   if (state === null || state.values === undefined || hello === null) return;
   const value = {};
   const words = {};
@@ -172,6 +196,19 @@ function show_status(value, lost, silent) {
   say(archive, !there ? "\u2013\u2013" : kept.replace(" frames", ""));
   archive.title = kept;
   archive.classList.toggle("caution", state.archive?.lost ?? false);
+}
+
+// How many states of the last second were left out, because this page, or the
+// way to it, is too slow for them: what it shows is the newest all the same.
+function show_slow() {
+  const now = performance.now();
+  while (left.length > 2 && now - left[1][0] > SECOND) left.shift();
+  const out = there && left.length > 0 ? left.at(-1)[1] - left[0][1] : 0;
+  byId("slow").hidden = out < SLOW;
+  if (out >= SLOW) {
+    say(byId("slow"), `\u25c6 slow page: ${left.length - 1} pictures a second,`
+      + ` ${out} left out`);
+  }
 }
 
 // The sensors that an instrument shows: it says which of them the laws do not
