@@ -26,8 +26,10 @@ EXPECTED_EVERY_S = 0.15
 OUT_OF_DATE_S = 1.9 * EXPECTED_EVERY_S
 
 # It looks for such ones once a second only. So another parameter says at once
-# that no frames come.
-WATCHED_EVERY_S = 0.1
+# that no frames come: ten of them, and so much later as the watch looks. Each
+# look is a task of the one thread that all timers of Yamcs's processor share.
+MISSING_AFTER_S = 0.2
+WATCHED_EVERY_S = 0.05
 FRAMES = ("coming", "MISSING")
 WATCH = """
         org.yamcs.mdb.ProcessorData here = execCtx.getProcessorData();
@@ -105,7 +107,7 @@ def _watch_frames(pymdb, system):
             {FRAMES[1]: pymdb.AlarmLevel.CRITICAL}))
     pymdb.Algorithm(
         system, "watch_frames", language="java-expression",
-        text=WATCH.format(milliseconds=round(1000 * OUT_OF_DATE_S),
+        text=WATCH.format(milliseconds=round(1000 * MISSING_AFTER_S),
                           coming=FRAMES[0], missing=FRAMES[1]),
         inputs=[pymdb.InputParameter("sequence")],
         outputs=[pymdb.OutputParameter(frames)],

@@ -6,6 +6,7 @@ packets with random words compared with what urv.packets and urv.items say.
 """
 
 import random
+import re
 import xml.etree.ElementTree as ElementTree
 
 import pytest
@@ -209,9 +210,13 @@ def test_gnd34_what_comes_no_more_is_told_within_half_a_second(
     trigger, = database.root.iterfind(
         ".//x:CustomAlgorithm//x:OnPeriodicRateTrigger", NAMESPACE)
     # What is left is for the way to the eye.
-    assert out_of_date_s + float(trigger.get("fireRateInSeconds")) <= 0.4
+    looks_s = float(trigger.get("fireRateInSeconds"))
+    assert out_of_date_s + looks_s <= 0.4
     text = database.root.find(".//x:AlgorithmText", NAMESPACE).text
-    assert f"<= {1000 * out_of_date_s:.0f};" in " ".join(text.split())
+    after_ms = int(re.search(r"<= (\d+);", text)[1])
+    # Half of the time stays for what Yamcs waits for a processor, and for the
+    # way to the eye. Less than five frames would be each busy machine's.
+    assert 100 <= after_ms <= 250 - 1000 * looks_s
 
 
 def test_gnd11_limits_are_those_of_the_items(database):
