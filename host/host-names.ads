@@ -16,4 +16,16 @@ package Host.Names is
    function Name (Item : Status_Item) return String;
    function Name (Which : Node) return String;
 
+   --  Of the words of the laws' row (URV.Law_Status); empty for the one that
+   --  is none.
+   function Law_Word_Name (Which : Log_Field) return String is
+     (case Which is
+         when Occurrences_High => "modes",
+         when Occurrences_Low  => "invalid_low",
+         when First_Frame_High => "invalid_high",
+         when First_Frame_Low  => "silent",
+         when Last_Frame_High  => "failed",
+         when Last_Frame_Low   => "",
+         when Last_Detail      => "configuration");
+
 end Host.Names;

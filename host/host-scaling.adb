@@ -3,6 +3,7 @@
 with Ada.Long_Float_Text_IO;
 with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 
+with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Limits;      use Host.Limits;
 with Host.Names;       use Host.Names;
 with Host.Text_Output; use Host.Text_Output;
@@ -129,6 +130,13 @@ package body Host.Scaling is
            (Name (Item), "pwm", PWM_Item'Pos (Item),
             (if Item in Servo_Item
              then Columns (Servos (Item)) else Without_Scale));
+      end loop;
+      for Word in Log_Field loop
+         if Law_Word_Name (Word) /= "" then
+            Put_Item
+              (Law_Word_Name (Word), "laws", Log_Field'Pos (Word),
+               Without_Scale);
+         end if;
       end loop;
    end Print;
 

@@ -38,12 +38,13 @@ package Host.Scaling is
    --  range, the first for what is not a number.
    function To_Word (Value : Long_Float; By : Scale) return Converter_Value;
 
-   --  Every word of the three buffers, one a line, as CSV (GND-11):
+   --  Every word of the three buffers and of what the control laws tell, one a
+   --  line, as CSV (GND-11):
    --  name,buffer,position,unit,at_0,at_4095, then the four limits of
    --  Host.Limits, then per_word,zero_word: the value of a word is
    --  per_word * (word - zero_word). Positions count from 1 as in figures 4
    --  and 13 of the report. What there is not is empty: the scale of
-   --  error/status and discretes, limits of all but sensors.
+   --  error/status, discretes and the laws' words, limits of all but sensors.
    procedure Print (To : in out Text_Output.Writer)
      with Pre => Text_Output.Is_Open (To);
 

@@ -128,10 +128,11 @@ package body Sim.Commands is
 
       procedure Put_Items is
       begin
-         Put ("items prints a line for each word of the uplink, the downlink");
-         Put ("and the PWM board: name, buffer, position, unit, what words 0");
-         Put ("and 4095 stand for, the limits of warnings and cautions, what");
-         Put ("a word is worth, and the word that stands for zero");
+         Put ("items prints a line for each word of the uplink, the");
+         Put ("downlink, the PWM board and the laws' row: name, buffer,");
+         Put ("position, unit, what words 0 and 4095 stand for, the limits");
+         Put ("of warnings and cautions, what a word is worth, and the word");
+         Put ("that stands for zero");
       end Put_Items;
 
       procedure Put_Numbers is

@@ -280,6 +280,17 @@ class _Entries:
                 ("failed", "a bit for each surface")), 1):
             yield self.whole_number(system, name, WORD_BITS, what,
                                     at + word * WORD_BITS, comes)
+        # The last word: above four bits with the table stands the number.
+        at_last = at + (items.of_buffer("laws")[-1].position - 1) * WORD_BITS
+        for name, bits, place, what in (
+                ("configuration", WORD_BITS, 0,
+                 "that was taken last: its number times 16, and its table"),
+                ("configuration_number", WORD_BITS - laws.NIBBLE_BITS, 0,
+                 "of the one that was taken last, 0 when none was"),
+                ("gains_table", laws.NIBBLE_BITS,
+                 WORD_BITS - laws.NIBBLE_BITS, "that it has set")):
+            yield self.whole_number(system, name, bits, what,
+                                    at_last + place, comes)
         for path, names, word, level, yes, what, frames in (
                 ("laws.sensor", laws.SENSORS, 1, "WARNING", "NOT VALID",
                  "the laws do not believe it", STARTS_FRAMES),

@@ -170,7 +170,10 @@ def expected(frame):
         row = frame.logs[1][packets.LAWS_ROW - 1]
         values |= {"laws/not_valid_low": row.count & 0xFFFF,
                    "laws/not_valid_high": row.first_frame >> 16,
-                   "laws/failed": row.last_frame >> 16}
+                   "laws/failed": row.last_frame >> 16,
+                   "laws/configuration": row.detail,
+                   "laws/configuration_number": told.serial,
+                   "laws/gains_table": told.table}
         for kind, names, those, yes in (
                 ("sensor", laws.SENSORS, told.not_valid, "NOT VALID"),
                 ("surface", laws.FAILING, told.failed, "FAILED")):
@@ -195,7 +198,7 @@ def test_gnd12_nothing_of_the_packet_is_left_out(database):
     # Rows for kinds that there are not yet; of the laws' row only the words
     # and bits that mean something; the ground has no laws.
     spare = 2 * (packets.LAWS_ROW - 1 - len(packets.KINDS)) * 14 + 14
-    unused = 2 * 16
+    unused = 16
     assert len(taken) == 8 * (packets.FRAME_LENGTH - spare) - unused
     size = database.container.find(
         ".//x:SizeInBits/x:FixedValue", NAMESPACE)

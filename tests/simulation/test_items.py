@@ -2,7 +2,9 @@
 """`urv_sim items` and the tables in docs/items.md say the same (BUF-1, BUF-2,
 PWM-2, GND-11)."""
 
-from conftest import COMMANDS, ROOT, SENSORS, SERVOS
+import re
+
+from conftest import COMMANDS, ROOT, SENSORS, SERVOS, fly_in
 
 COLUMNS = ["name", "buffer", "position", "unit", "at_0", "at_4095"]
 LIMITS = ["warning_low", "caution_low", "caution_high", "warning_high"]
@@ -19,7 +21,7 @@ def tables():
 def documented():
     """Those of items, without what a column is about."""
     return [cells[:6] for cells in tables()
-            if cells[1] in ("uplink", "downlink", "pwm")]
+            if cells[1] in ("uplink", "downlink", "pwm", "laws")]
 
 
 def documented_limits():
@@ -76,6 +78,8 @@ def test_gnd11_both_ways_to_write_a_scale_are_the_same_line(urv_sim):
 def test_items_stand_in_the_order_of_figure_4(urv_sim):
     names = {"uplink": [], "downlink": [], "pwm": []}
     for name, buffer, position, *_ in printed(urv_sim)[1:]:
+        if buffer == "laws":
+            continue
         names[buffer].append(name)
         assert int(position) == len(names[buffer]), name
     assert names == {
@@ -83,6 +87,23 @@ def test_items_stand_in_the_order_of_figure_4(urv_sim):
         "downlink": [*SENSORS, "error"],
         "pwm": [*SERVOS],
     }
+
+
+def test_gnd11_the_laws_words_are_those_of_their_page_and_the_record(
+        urv_sim, tmp_path):
+    """The first is in the record in its parts."""
+    words = [(row[0], row[2]) for row in printed(urv_sim)[1:]
+             if row[1] == "laws"]
+    page = (ROOT / "docs/control-laws.md").read_text("utf-8")
+    table = re.findall(r"^\| ([\d, ]+) \| (`[a-z_`, ]+`) \|", page, re.M)
+    assert words == [
+        (name, place) for places, names in table for place, name in zip(
+            places.split(", "), re.findall(r"[a-z_]+", names), strict=True)]
+    (tmp_path / "orders.txt").write_text("# nothing\n")
+    flight = fly_in(tmp_path, "--seconds", "1", "--laws", "on", "--orders",
+                    "orders.txt")
+    for name, _ in words[1:]:
+        assert f"laws.{name}" in flight.record
 
 
 def test_the_record_has_these_columns(fly):
