@@ -52,6 +52,7 @@ TESTS = {
     "scripts/flight_numbers.py": ["campaign_checker", "link_theory"],
     "scripts/floods.py": ["partition_flood"],
     "scripts/link_cuts.py": ["laws"],
+    "scripts/laws/costs.py": ["law_costs"],
     "scripts/laws/*": ["margins", "surfaces"],
     "scripts/machine_pauses.py": ["timing"],
     "scripts/mutation/*": ["mutants"],
