@@ -32,89 +32,54 @@ package body Explore.Link is
    type Flags_Access is access Flags;
    Is_Calm : Flags_Access;
 
-   --  How many sides there are of either when nobody follows a block. No
-   --  step may lead elsewhere: the arrays would not have a place for it.
+   --  How many sides there are of either that faults may lead to.
    Ups, Downs : Side := 0;
 
+   --  And how many there is room for. What is found later receives a message
+   --  from its first character on, after the last fault.
+   More                 : constant := 6_000;
+   Ups_Room, Downs_Room : Side := 0;
+
    function Place (Item : Pair) return Long_Long_Integer is
-     (Long_Long_Integer (Item.Ground) * Long_Long_Integer (Downs)
+     (Long_Long_Integer (Item.Ground) * Long_Long_Integer (Downs_Room)
       + Long_Long_Integer (Item.Aircraft));
 
-   procedure Find_Calm (Result : in out Findings);
+   --  The pairs of which both sides are quiet.
+   procedure Find_Calm;
 
-   procedure Find_Calm (Result : in out Findings) is
-      Next           : Natural := 0;
-      G, H, A, B     : Natural;
-      There          : Pair;
-
-      procedure Note (Item : Pair);
-
-      procedure Note (Item : Pair) is
-      begin
-         if not Is_Calm (Place (Item)) then
-            Is_Calm (Place (Item)) := True;
-            Calm.Append (Item);
-         end if;
-      end Note;
+   procedure Find_Calm is
    begin
-      Ups := Side (Ground.Sides_Found);
-      Downs := Side (Aircraft.Sides_Found);
-      Is_Calm := new Flags'
-        (0 .. Long_Long_Integer (Ups) * Long_Long_Integer (Downs) - 1 =>
-           False);
+      Is_Calm := new Flags
+        (0 .. Long_Long_Integer (Ups_Room) * Long_Long_Integer (Downs_Room)
+              - 1);
+      Is_Calm.all := (others => False);
       for Up in 0 .. Ups - 1 loop
          if Ground.Is_Quiet (Up) then
             for Down in 0 .. Downs - 1 loop
                if Aircraft.Is_Quiet (Down) then
-                  Note ((Up, Down));
+                  Is_Calm (Place ((Up, Down))) := True;
+                  Calm.Append (Pair'(Up, Down));
                end if;
             end loop;
          end if;
       end loop;
-
-      while Next < Natural (Calm.Length) loop
-         There := Calm (Next);
-         Next := Next + 1;
-         Ground.Step
-           (There.Ground, Aircraft.On_Line (There.Aircraft), Does_Either,
-            G, H);
-         Aircraft.Step
-           (There.Aircraft, Ground.On_Line (There.Ground), Does_Either,
-            A, B);
-         for I in G .. H loop
-            for J in A .. B loop
-               Result.Transitions := Result.Transitions + 1;
-               Note ((Ground.Nth (I).To, Aircraft.Nth (J).To));
-            end loop;
-         end loop;
-      end loop;
    end Find_Calm;
 
-   procedure Find_Quiet
-     (Result : out Findings; After_Put : out Natural)
-   is
-      --  For each pair, whether the ground's controller has put a block.
-      type Distances is array
-        (Long_Long_Integer range <>, Boolean range <>) of Distance;
+   procedure Find_Quiet (Result : out Findings) is
+      type Distances is array (Long_Long_Integer range <>) of Distance;
       type Distances_Access is access Distances;
-      Known  : constant Distances_Access := new Distances'
-        (0 .. Long_Long_Integer (Ground.Sides_Found)
-              * Long_Long_Integer (Aircraft.Sides_Found) - 1 =>
-           (Boolean => Unknown));
+      procedure Free is new Ada.Unchecked_Deallocation
+        (Distances, Distances_Access);
+      Known  : Distances_Access;
       Length : Distance;
 
-      procedure Go (From : Pair; Has_Put : Boolean; Far : out Distance);
+      procedure Go (From : Pair; Far : out Distance);
 
-      --  Where it leads when the ground's controller does this.
-      procedure Go_On
-        (From    : Pair;
-         Act     : Controller_Act;
-         Has_Put : Boolean;
-         Most    : in out Distance);
-
-      procedure Go (From : Pair; Has_Put : Boolean; Far : out Distance) is
-         Here : Distance renames Known (Place (From), Has_Put);
-         Most : Distance := 1;
+      procedure Go (From : Pair; Far : out Distance) is
+         Here       : Distance renames Known (Place (From));
+         Most       : Distance := 1;
+         Beyond     : Distance;
+         G, H, A, B : Natural;
       begin
          if Here = On_The_Way then
             Result.Ends_Always := False;
@@ -123,71 +88,59 @@ package body Explore.Link is
             Result.States := Result.States + 1;
             if Is_Calm (Place (From)) then
                Here := 1;
-            else
-               Here := On_The_Way;
-               Go_On (From, Waits, Has_Put, Most);
-               if not Has_Put and then Most /= On_The_Way then
-                  Go_On (From, Puts_Old, True, Most);
-               end if;
-               if Most = On_The_Way then
-                  Way_Gone.Append (From);
-               else
-                  Here := Most + 1;
-               end if;
+               Far := Here;
+               return;
             end if;
+
+            Here := On_The_Way;
+            Ground.Step
+              (From.Ground, Aircraft.On_Line (From.Aircraft), Does_Either,
+               G, H);
+            Aircraft.Step
+              (From.Aircraft, Ground.On_Line (From.Ground), Does_Either,
+               A, B);
+            for I in G .. H loop
+               for J in A .. B loop
+                  Result.Transitions := Result.Transitions + 1;
+                  Go ((Ground.Nth (I).To, Aircraft.Nth (J).To), Beyond);
+                  if Beyond = On_The_Way then
+                     Way_Gone.Append (From);
+                     Far := On_The_Way;
+                     return;
+                  end if;
+                  Most := Distance'Max (Most, Beyond);
+               end loop;
+            end loop;
+            Here := Most + 1;
          end if;
          Far := Here;
       end Go;
-
-      procedure Go_On
-        (From    : Pair;
-         Act     : Controller_Act;
-         Has_Put : Boolean;
-         Most    : in out Distance)
-      is
-         G, H, A, B : Natural;
-         Beyond     : Distance;
-      begin
-         Ground.Step
-           (From.Ground, Aircraft.On_Line (From.Aircraft), Act, G, H);
-         Aircraft.Step
-           (From.Aircraft, Ground.On_Line (From.Ground), Does_Either, A, B);
-         for I in G .. H loop
-            for J in A .. B loop
-               Result.Transitions := Result.Transitions + 1;
-               Go
-                 ((Ground.Nth (I).To, Aircraft.Nth (J).To), Has_Put, Beyond);
-               Most := Distance'Max (Most, Beyond);
-               if Most = On_The_Way then
-                  return;
-               end if;
-            end loop;
-         end loop;
-      end Go_On;
    begin
       Result := (others => <>);
-      After_Put := 0;
       Way_Gone.Clear;
-      Find_Calm (Result);
+      Ups := Side (Ground.Sides_Found);
+      Downs := Side (Aircraft.Sides_Found);
+      Ups_Room := Ups + More;
+      Downs_Room := Downs + More;
+      Known := new Distances
+        (0 .. Long_Long_Integer (Ups_Room) * Long_Long_Integer (Downs_Room)
+              - 1);
+      Known.all := (others => Unknown);
+      Find_Calm;
       Search :
       for Up in 0 .. Ups - 1 loop
          for Down in 0 .. Downs - 1 loop
-            for Has_Put in Boolean loop
-               Go ((Up, Down), Has_Put, Length);
-               exit Search when not Result.Ends_Always;
-               Result.Worst :=
-                 Natural'Max (Result.Worst, Natural (Length) - 1);
-               if Has_Put then
-                  After_Put := Natural'Max (After_Put, Natural (Length) - 1);
-               end if;
-            end loop;
+            Go ((Up, Down), Length);
+            exit Search when not Result.Ends_Always;
+            Result.Worst := Natural'Max (Result.Worst, Natural (Length) - 1);
          end loop;
       end loop Search;
+      Free (Known);
 
-      if Side (Ground.Sides_Found) /= Ups
-        or else Side (Aircraft.Sides_Found) /= Downs
+      if Side (Ground.Sides_Found) > Ups_Room
+        or else Side (Aircraft.Sides_Found) > Downs_Room
       then
-         raise Program_Error with "a step leads to a side not found before";
+         raise Program_Error with "there are more sides than there is room";
       end if;
    end Find_Quiet;
 
@@ -195,6 +148,7 @@ package body Explore.Link is
 
    procedure Find_Delivery (Way : Direction; Result : out Findings) is
 
+      Frame : constant Positive := Explore.Frame;
       subtype Moment is Natural range 0 .. Frame - 1;
 
       --  The states with their distances, by a hash of the state: the
@@ -274,10 +228,9 @@ package body Explore.Link is
          Far                  : out Distance)
       is
          State      : constant Unsigned_64 :=
-           (((Unsigned_64 (From.Ground) * 2 ** 16
-              + Unsigned_64 (From.Aircraft)) * 2 ** 7
-             + Unsigned_64 (Until_Up)) * 2 ** 7
-            + Unsigned_64 (Until_Down)) * 2
+           ((Unsigned_64 (From.Ground) * 2 ** 16
+             + Unsigned_64 (From.Aircraft)) * 2 ** 8
+            + Unsigned_64 (Until_Up)) * 2
            + Boolean'Pos (Has_Come) + 1;
          At_Spot    : constant Unsigned_64 := Spot (State);
          G, H, A, B : Natural;

@@ -2,10 +2,10 @@
 
 --  Both boards together, after the last fault.
 --
---  Find_Quiet: from every pair of sides, whatever the controllers do, the
---  pair comes to where a quiet pair may come to. Find_Delivery: from there,
---  with both controllers giving a block once a frame, at every phase of
---  either, a block given after the last fault is received.
+--  Find_Quiet: from every pair of sides, whatever the controllers do, both
+--  are quiet after a while. Find_Delivery: from there, with both controllers
+--  giving a block once a frame, at every phase of either, a block given
+--  after the last fault is received.
 
 package Explore.Link is
 
@@ -22,13 +22,10 @@ package Explore.Link is
       Ends_Always : Boolean := True;
    end record;
 
-   --  The ground's controller puts a block once in it, at any time, or not
-   --  at all; After_Put is the longest way after that, and must be shorter
-   --  than a frame, in which there is no other.
-   procedure Find_Quiet
-     (Result : out Findings; After_Put : out Natural);
+   --  Both controllers put blocks whenever they like, without limit.
+   procedure Find_Quiet (Result : out Findings);
 
-   --  The pairs that quiet pairs lead to.
+   --  The pairs of which both sides are quiet.
    function Calm_Pairs return Natural;
 
    procedure Find_Delivery (Way : Direction; Result : out Findings);

@@ -2,24 +2,14 @@
 
 package body Explore is
 
-   function Byte_Of (Sum : Byte) return Byte is
-   begin
-      for Value in Byte loop
-         if Sum_Of (Value) = Sum then
-            return Value;
-         end if;
-      end loop;
-      raise Program_Error;
-   end Byte_Of;
+   Now : Block_Lengths := Real_Lengths;
 
-   function Unlike_All return Byte is
+   procedure Set_Lengths (Lengths : Block_Lengths) is
    begin
-      for Value in Byte loop
-         if not Is_Sent (Value) then
-            return Value;
-         end if;
-      end loop;
-      raise Program_Error;
-   end Unlike_All;
+      Now := Lengths;
+   end Set_Lengths;
+
+   function Length_Of (Sender : Station) return Block_Length is
+     (Now (Sender));
 
 end Explore;

@@ -3,31 +3,52 @@
 --  Exhaustive exploration of the telemetry link: both boards, and what is
 --  on the line, as states; one character time as a step.
 --
---  docs/exploration.md says what is explored and what is not.
+--  docs/evidence/exploration.md says what is explored and what is not.
 
-with Telemetry.Checksum;
+with Telemetry;         use Telemetry;
 with Telemetry.Headers; use Telemetry.Headers;
-with URVOS;             use URVOS;
 
 package Explore is
 
-   --  Blocks of one byte, both ways.
-   Length : constant Block_Length := 1;
+   --  The bytes of a block, by who sends it.
+   type Block_Lengths is array (Station) of Block_Length;
 
-   --  The frame of both controllers, in character times: the 9 characters
-   --  of an exchange and the 4 that its waits take, and as much time to spare
-   --  as in the real frame, 208 less 91 and 4.
-   Frame : constant := 126;
+   --  What the flight software has.
+   Real_Lengths : constant Block_Lengths :=
+     (Ground => Uplink_Length, Aircraft => Downlink_Length);
+
+   --  From now on blocks are of these lengths, which the program is told
+   --  when it starts.
+   procedure Set_Lengths (Lengths : Block_Lengths);
+
+   function Length_Of (Sender : Station) return Block_Length;
+
+   --  The characters of an exchange, and the most that its two guard times
+   --  take.
+   function Exchange return Positive is
+     (Positive (Length_Of (Ground)) + Positive (Length_Of (Aircraft)) + 7);
+   Guard_Times : constant := 4;
+
+   --  The frame of both controllers, in character times. The real one has
+   --  208; one with shorter blocks has as much time to spare.
+   To_Spare : constant := 113;
+   function Frame return Positive is (Exchange + Guard_Times + To_Spare);
 
    --  From whatever state, both boards are in step again within this time.
-   In_Step_Within : constant := 80;
+   function In_Step_Within return Positive is (4 * Exchange + 44);
 
-   --  What is on the line for one character time.
-   type Symbol is range 0 .. 256;
-   Silence : constant Symbol := 0;
-
-   function To_Symbol (Value : Byte) return Symbol is (Symbol (Value) + 1);
-   function To_Byte (Value : Symbol) return Byte is (Byte (Value - 1));
+   --  What is on the line for a character time. A byte of a block, or its
+   --  checksum, may look like anything to who does not take it for that, so
+   --  which byte it is is no part of a state.
+   type Symbol is
+     (Silence,
+      Data_Begins,   --  the first character of a data message
+      Data_Goes_On,  --  a byte of its block
+      Data_Ends,     --  its checksum
+      Command,
+      Good, Good_And_Wants,
+      Bad, Bad_And_Wants);
+   subtype Wild_Symbol is Symbol range Data_Goes_On .. Data_Ends;
 
    --  A side: a board and what it has on the line. Sides are numbered as
    --  they are found.
@@ -40,43 +61,11 @@ package Explore is
       Puts_Fresh,   --  a block to be followed to the other end
       Does_Either); --  it waits or puts an old block
 
-   --  Where a character time leads: Good tells that a block was received
-   --  with a good checksum.
+   --  Where a character time leads: Good tells that a message was received
+   --  whole, from its first character to its last.
    type Outcome is record
       To   : Side;
       Good : Boolean;
    end record;
-
-   --  The checksum of a block of one byte.
-   function Sum_Of (Value : Byte) return Byte is
-     (Telemetry.Checksum.Next
-        (Telemetry.Checksum.Next
-           (Telemetry.Checksum.First_Value, Encode ((Data, Length))),
-         Value));
-
-   --  The byte whose checksum that is.
-   function Byte_Of (Sum : Byte) return Byte;
-
-   --  The first characters that mean something between the two boards.
-   function Has_Meaning (Value : Byte) return Boolean is
-     (Value in 16#55# | 16#4B# | 16#D2# | 16#2D# | 16#CC# | 16#33#);
-
-   --  The bytes that a block may hold: 0, which is like no other; those
-   --  that look like a first character; those whose checksum does; and that
-   --  which is the checksum of a doubled first character.
-   function Is_Content (Value : Byte) return Boolean is
-     (Value = 0
-      or else Has_Meaning (Value)
-      or else Has_Meaning (Sum_Of (Value))
-      or else Value = Sum_Of (Encode ((Data, Length))));
-
-   --  Every character that a board may send.
-   function Is_Sent (Value : Byte) return Boolean is
-     (Has_Meaning (Value)
-      or else Is_Content (Value)
-      or else Is_Content (Byte_Of (Value)));
-
-   --  A checksum that no character sent is equal to.
-   function Unlike_All return Byte;
 
 end Explore;

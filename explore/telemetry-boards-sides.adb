@@ -2,7 +2,9 @@
 
 with Ada.Containers.Hashed_Maps;
 with Ada.Containers.Vectors;
+with Ada.Numerics.Discrete_Random;
 with Interfaces;          use Interfaces;
+with Telemetry.Checksum;
 with Telemetry.Memory;    use Telemetry.Memory;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Senders;   use Telemetry.Senders;
@@ -11,10 +13,16 @@ package body Telemetry.Boards.Sides is
 
    pragma Suppress (Tampering_Check);
 
-      Fresh_Board : constant Board := New_Board (Role, Length, Length);
+   Peer : constant Station := (if Role = Ground then Aircraft else Ground);
 
-   --  A number that tells boards apart that differ in more than counts and
-   --  data nobody reads.
+   function Fresh_Board return Board is
+     (New_Board (Role, Length_Of (Role), Length_Of (Peer)));
+
+   --  The first character of a message of ours, and of one to us.
+   function Our_Header return Byte is (Data_Header (Length_Of (Role)));
+   function Their_Header return Byte is (Data_Header (Length_Of (Peer)));
+
+   --  A number that tells normal boards apart.
    type Key is new Unsigned_64;
 
    function Hash (Value : Key) return Ada.Containers.Hash_Type is
@@ -23,9 +31,11 @@ package body Telemetry.Boards.Sides is
 
    type Board_Number is new Natural;
 
-   --  A followed block is marked behind its data, where nobody looks.
-   Mark_Place : constant Byte_Index := 2;
-   Mark       : constant Byte := 1;
+   --  A followed block has this first byte. A message that was received from
+   --  its first character on, after the last fault, is marked in the receive
+   --  buffer that it does not go to.
+   Mark_Place : constant Byte_Index := 1;
+   Mark       : constant Byte := 16#A5#;
 
    type Way is record
       To     : Board_Number;
@@ -49,56 +59,54 @@ package body Telemetry.Boards.Sides is
    --  Outcomes by side, character heard and act: where they begin, and in
    --  Ends where they end; 0 for those not yet found.
    All_Outcomes : Outcome_Vectors.Vector;
-   Symbols_Used : constant := 40;
+   Places       : constant := (Symbol'Pos (Symbol'Last) + 1) * 4;
    Begins, Ends : Number_Vectors.Vector;
 
-   type Symbol_Place is range 0 .. Symbols_Used - 1;
-   Places       : array (Symbol) of Symbol_Place := (others => 0);
-
-   Other_Sum : constant Byte := Unlike_All;
-   Contents  : array (Byte) of Boolean;
-   Sums_Kept : array (Byte) of Boolean;
-   Bytes_Of  : array (Byte) of Byte;
-
-   function Normal (Item : Board) return Board;
+   function Normal (Item : Board; Is_Aligned : Boolean) return Board;
    function Key_Of (Item : Board) return Key;
-   function Number_Of (Item : Board) return Board_Number;
+   function Number_Of (Item : Board; Is_Aligned : Boolean)
+     return Board_Number;
    function Side_Of (Item : Way) return Side;
    function With_Block (Item : Board; Fresh : Boolean) return Board;
-   procedure Hear
-     (Item         : in out Board;
-      Data         : Byte;
-      Parity_Error : Boolean);
 
-   --  A unit of the board's timer. Good tells that a message was taken.
-   procedure Let_Pass (Item : in out Board; Good : out Boolean);
+   --  What it may lead to when a normal board hears this, on a line that
+   --  spoils nothing.
+   type Hearing_Result is record
+      To         : Board;
+      Is_Aligned : Boolean;
+   end record;
+   package Result_Vectors is new Ada.Containers.Vectors
+     (Positive, Hearing_Result);
+   function Hearings (Item : Board; Heard : Symbol)
+     return Result_Vectors.Vector;
 
-   --  The next character for one choice of the block's content.
-   procedure Poll
-     (Item    : in out Board;
-      Content : Byte;
-      Output  : out Symbol);
+   --  A unit of the board's timer. Good tells that an aligned message was
+   --  taken.
+   procedure Let_Pass
+     (Item : in out Board; Is_Aligned : Boolean; Good : out Boolean);
 
-   --  The content of the block is not yet read, and the next poll does.
-   function Content_Is_Open (Item : Board) return Boolean is
-     (Item.Control.State = Sending and then Item.Control.Sender.Sent = 1);
+   procedure Poll (Item : in out Board; Output : out Symbol);
 
    function Is_On_Its_Way (Item : Board) return Boolean is
      (Item.Control.State in Sending | Awaiting_Status);
 
-   function Normal (Item : Board) return Board is
+   --  A normal board that receives a message of which it has heard all.
+   function Is_Aligned (Item : Board) return Boolean is
+     (Has_Message (Item.Control.Receiver)
+      and then Item.Receive_Pair.Slots (Second).Data (Mark_Place) = Mark);
+
+   function Normal (Item : Board; Is_Aligned : Boolean) return Board is
       Result : Board := Item;
       Source : constant Slot :=
         (if Is_On_Its_Way (Item) then Item.Control.Sender.Source
          elsif Any_Full (Item.Transmit_Pair)
          then Newest_Full (Item.Transmit_Pair)
          else First);
-      Sum    : Byte;
 
       --  A buffer without what nobody reads.
-      function Bare (Which : Slot; Keep : Boolean) return Buffer;
+      function Bare (Which : Slot) return Buffer;
 
-      function Bare (Which : Slot; Keep : Boolean) return Buffer is
+      function Bare (Which : Slot) return Buffer is
          From : Buffer renames Item.Transmit_Pair.Slots (Which);
       begin
          return Bared : Buffer do
@@ -106,9 +114,8 @@ package body Telemetry.Boards.Sides is
                Bared.Full := True;
                Bared.Busy := From.Busy;
                Bared.Attempts := From.Attempts;
-               Bared.Data (Mark_Place) := From.Data (Mark_Place);
-               if Keep then
-                  Bared.Data (1) := From.Data (1);
+               if From.Data (Mark_Place) = Mark then
+                  Bared.Data (Mark_Place) := Mark;
                end if;
             end if;
          end return;
@@ -120,35 +127,35 @@ package body Telemetry.Boards.Sides is
          Result.Control.Silence := 0;
       end if;
 
-      --  The controller has taken what came.
+      --  At the end of its idle time the ground forgets what it has sent.
+      if Item.Control.State = Idling then
+         Result.Control.In_A_Row := 0;
+      end if;
+
+      --  The controller has taken what came. A message that is not aligned
+      --  may have the right checksum or not, whatever it was till now.
       Result.Receive_Pair := (Newest => Second, others => <>);
       Result.Control.Receiver :=
         (State => Item.Control.Receiver.State, others => <>);
       if Has_Message (Item.Control.Receiver) then
          Result.Receive_Pair.Slots (First).Busy := True;
-         Result.Control.Receiver.Received := Item.Control.Receiver.Received;
-         Result.Control.Receiver.Damaged := Item.Control.Receiver.Damaged;
-         Sum := Item.Control.Receiver.Sum;
-         if Item.Control.Receiver.Received = 1 then
-            if Item.Control.Receiver.State = At_End
-              or else Item.Control.Receiver.Damaged
-              or else not Sums_Kept (Sum)
-            then
-               Sum := Other_Sum;
-            end if;
-            Result.Receive_Pair.Slots (First).Data (1) := Bytes_Of (Sum);
+         if Is_Aligned then
+            Result.Receive_Pair.Slots (Second).Data (Mark_Place) := Mark;
          end if;
-         Result.Control.Receiver.Sum := Sum;
+         Result.Control.Receiver.Received := Item.Control.Receiver.Received;
+         Result.Control.Receiver.Damaged :=
+           Item.Control.Receiver.State = At_End
+           and then Item.Control.Receiver.Damaged;
+         Result.Control.Receiver.Sum := Checksum.Of_Message
+           (Their_Header, Result.Receive_Pair.Slots (First).Data,
+            Item.Control.Receiver.Received);
       end if;
 
       --  The block on its way, or the newest, first.
       Result.Transmit_Pair := Empty_Pair;
-      Result.Transmit_Pair.Slots (First) :=
-        Bare
-          (Source,
-           Item.Control.State = Sending and then Item.Control.Sender.Sent = 2);
+      Result.Transmit_Pair.Slots (First) := Bare (Source);
       if Is_On_Its_Way (Item) then
-         Result.Transmit_Pair.Slots (Second) := Bare (Other (Source), False);
+         Result.Transmit_Pair.Slots (Second) := Bare (Other (Source));
          if Result.Transmit_Pair.Slots (Second).Full then
             Result.Transmit_Pair.Newest := Second;
          end if;
@@ -156,7 +163,11 @@ package body Telemetry.Boards.Sides is
       Result.Control.Sender := (others => <>);
       if Item.Control.State = Sending then
          Result.Control.Sender.Sent := Item.Control.Sender.Sent;
-         Result.Control.Sender.Sum := Item.Control.Sender.Sum;
+         if Item.Control.Sender.Sent > 0 then
+            Result.Control.Sender.Sum := Checksum.Of_Message
+              (Our_Header, Result.Transmit_Pair.Slots (First).Data,
+               Byte_Count (Item.Control.Sender.Sent - 1));
+         end if;
       end if;
       return Result;
    end Normal;
@@ -177,42 +188,34 @@ package body Telemetry.Boards.Sides is
       Add (Natural (Item.Control.Silence), 128);
       Add (Natural (Item.Control.Downlink_Turns), 3);
       Add (Boolean'Pos (Item.Control.Clear_To_Send), 2);
+      Add (Natural (Item.Control.In_A_Row), Natural (Row_Count'Last) + 1);
       Add (Receiver_State'Pos (Item.Control.Receiver.State), 4);
-      Add (Natural (Item.Control.Receiver.Received), 2);
+      Add (Natural (Item.Control.Receiver.Received), Longest_Block + 1);
       Add (Boolean'Pos (Item.Control.Receiver.Damaged), 2);
-      Add
-        ((if Has_Message (Item.Control.Receiver)
-          then Natural (Item.Control.Receiver.Sum) else 0),
-         256);
-      Add (Slot'Pos (Item.Control.Receiver.Target), 2);
-      Add (Slot'Pos (Item.Receive_Pair.Newest), 2);
-      Add (Slot'Pos (Item.Transmit_Pair.Newest), 2);
-      Add (Slot'Pos (Item.Control.Sender.Source), 2);
+      Add (Boolean'Pos (Is_Aligned (Item)), 2);
       Add
         ((if Item.Control.State = Sending
           then Natural (Item.Control.Sender.Sent) else 0),
-         3);
-      Add
-        ((if Item.Control.State = Sending and then Item.Control.Sender.Sent = 2
-          then Natural (Item.Control.Sender.Sum) else 0),
-         256);
+         Longest_Block + 3);
       for Which in Slot loop
-         Add (Boolean'Pos (Item.Receive_Pair.Slots (Which).Full), 2);
          declare
             From : Buffer renames Item.Transmit_Pair.Slots (Which);
          begin
             Add (Boolean'Pos (From.Full), 2);
             Add (Natural (From.Attempts), 3);
             Add
-              ((if From.Full then Natural (From.Data (Mark_Place)) else 0),
+              (Boolean'Pos
+                 (From.Full and then From.Data (Mark_Place) = Mark),
                2);
          end;
       end loop;
       return Result;
    end Key_Of;
 
-   function Number_Of (Item : Board) return Board_Number is
-      Reduced  : constant Board := Normal (Item);
+   function Number_Of (Item : Board; Is_Aligned : Boolean)
+     return Board_Number
+   is
+      Reduced  : constant Board := Normal (Item, Is_Aligned);
       Position : Key_Maps.Cursor;
       Is_New   : Boolean;
    begin
@@ -232,11 +235,11 @@ package body Telemetry.Boards.Sides is
       Is_New   : Boolean;
    begin
       Sides_Map.Insert
-        (Key (Item.To) * 512 + Key (Item.Output),
+        (Key (Item.To) * 16 + Symbol'Pos (Item.Output),
          Natural (Sides_List.Length), Position, Is_New);
       if Is_New then
          Sides_List.Append (Item);
-         for Index in 1 .. Symbols_Used * 4 loop
+         for Index in 1 .. Places loop
             Begins.Append (0);
             Ends.Append (0);
          end loop;
@@ -257,93 +260,171 @@ package body Telemetry.Boards.Sides is
       return Result;
    end With_Block;
 
-   procedure Hear
-     (Item         : in out Board;
-      Data         : Byte;
-      Parity_Error : Boolean)
-   is
-   begin
-      Calls := Calls + 1;
-      Accept_Character (Item, Data, Parity_Error);
-   end Hear;
+   --  A message has come to where its checksum is expected.
+   function Expects_Sum (Item : Board) return Boolean is
+     (Item.Control.Receiver.State = In_Data
+      and then Item.Control.Receiver.Received = Item.Control.Receive_Length);
 
-   procedure Let_Pass (Item : in out Board; Good : out Boolean) is
+   function Hearings (Item : Board; Heard : Symbol)
+     return Result_Vectors.Vector
+   is
+      Result : Result_Vectors.Vector;
+
+      procedure Hear (Data : Byte);
+
+      procedure Hear (Data : Byte) is
+         Next : Board := Item;
+      begin
+         Calls := Calls + 1;
+         Accept_Character (Next, Data, False);
+         Result.Append
+           (Hearing_Result'
+              (Next,
+               (if Has_Message (Item.Control.Receiver) then Is_Aligned (Item)
+                else Heard = Data_Begins)));
+      end Hear;
+
+      --  What the sender of this has put on the line, if it is known.
+      Data : constant Byte :=
+        (case Heard is
+            when Data_Begins         => Their_Header,
+            when Command        => Encode ((Kind => Command_To_Downlink)),
+            when Good           => Encode ((Status, True, False)),
+            when Good_And_Wants => Encode ((Status, True, True)),
+            when Bad            => Encode ((Status, False, False)),
+            when Bad_And_Wants  => Encode ((Status, False, True)),
+            when others         => 0);
+   begin
+      if Expects_Sum (Item) then
+         if Is_Aligned (Item) then
+            if Heard /= Data_Ends then
+               raise Program_Error with "a message ends somewhere else";
+            end if;
+         else
+            Hear (not Item.Control.Receiver.Sum);
+         end if;
+         Hear (Item.Control.Receiver.Sum);
+      elsif Heard in Wild_Symbol
+        and then Is_Listening (Item.Control)
+        and then Item.Control.Receiver.State = At_Start
+      then
+         --  Any byte at all.
+         for Value in Byte loop
+            if Value = 0 or else Is_Valid (Value) then
+               Hear (Value);
+            end if;
+         end loop;
+      else
+         Hear (Data);
+      end if;
+      return Result;
+   end Hearings;
+
+   procedure Let_Pass
+     (Item : in out Board; Is_Aligned : Boolean; Good : out Boolean)
+   is
       Before : constant Count := Item.Control.Messages;
    begin
       Calls := Calls + 1;
       Elapse (Item, 1);
-      Good := Item.Control.Messages > Before;
+      Good := Is_Aligned and then Item.Control.Messages > Before;
    end Let_Pass;
 
-   procedure Poll
-     (Item    : in out Board;
-      Content : Byte;
-      Output  : out Symbol)
-   is
+   procedure Poll (Item : in out Board; Output : out Symbol) is
+      Owes : constant Boolean := Item.Control.Owed /= None;
       Send : Boolean;
       Data : Byte;
+      Says : Telemetry.Headers.Header;
    begin
       Calls := Calls + 1;
-      if Content_Is_Open (Item) then
-         Item.Transmit_Pair.Slots (Item.Control.Sender.Source).Data (1) :=
-           Content;
-      end if;
       Next_Character (Item, Send, Data);
-      Output := (if Send then To_Symbol (Data) else Silence);
-      if Send and then not Sums_Kept (Data) then
-         raise Program_Error with "a character sent is not in the list";
+      Output := Silence;
+      if not Send then
+         return;
+      elsif not Owes and then Item.Control.State = Sending then
+         Output :=
+           (if Item.Control.Sender.Sent = 1 then Data_Begins
+            else Data_Goes_On);
+      elsif not Owes and then Item.Control.State = Awaiting_Status then
+         Output := Data_Ends;
+      elsif Is_Valid (Data) then
+         Says := Decode (Data);
+         Output :=
+           (case Says.Kind is
+               when Command_To_Downlink => Command,
+               when Headers.Status      =>
+                 (if Says.Good
+                  then (if Says.Wants_Downlink then Good_And_Wants else Good)
+                  else (if Says.Wants_Downlink then Bad_And_Wants else Bad)),
+               when Headers.Data        => Silence);
+      end if;
+      if Output = Silence
+        or else (Output = Data_Begins and then Data /= Our_Header)
+      then
+         raise Program_Error with "a character sent makes no sense";
       end if;
    end Poll;
 
    procedure Explore_Alone is
       Next   : Natural := 0;
-      Ignore : Board_Number;
       Unused : Side;
-      Output : Symbol;
-      Result : Board := Fresh_Board;
+
+      --  It is a state; so it is with something of ours on the line.
+      procedure Note (Item : Board; Output : Symbol := Silence);
+
+      procedure Note (Item : Board; Output : Symbol := Silence) is
+         Number : constant Board_Number := Number_Of (Item, False);
+      begin
+         Unused := Side_Of ((Number, Silence));
+         if Output /= Silence then
+            Unused := Side_Of ((Number, Output));
+         end if;
+      end Note;
+
+      Output  : Symbol;
+      Cut_Off : Symbol;
+      Result  : Board;
    begin
-      Ignore := Number_Of (Result);
+      Note (Fresh_Board);
       while Next < Natural (Boards_List.Length) loop
          declare
             Here : constant Board := Boards_List (Next);
          begin
             Result := Here;
             Elapse (Result, 1);
-            Ignore := Number_Of (Result);
+            Note (Result);
 
             Result := Here;
             Elapse (Result, Character_Times'Last);
-            Ignore := Number_Of (Result);
+            Note (Result);
 
-            Ignore := Number_Of (With_Block (Here, False));
+            Note (With_Block (Here, False));
 
             Result := Here;
             Start (Result);
-            Ignore := Number_Of (Result);
+            Note (Result);
 
             Result := Here;
             Clear_Transmit_Half (Result);
-            Ignore := Number_Of (Result);
+            Note (Result);
 
             for Data in Byte loop
                for Parity_Error in Boolean loop
-                  Result := Here;
-                  Hear (Result, Data, Parity_Error);
-                  Ignore := Number_Of (Result);
+                  if Data = 0
+                    or else Expects_Sum (Here)
+                    or else Here.Control.Receiver.State = At_Start
+                  then
+                     Calls := Calls + 1;
+                     Result := Here;
+                     Accept_Character (Result, Data, Parity_Error);
+                     Note (Result);
+                  end if;
                end loop;
             end loop;
 
-            for Content in Byte loop
-               if Contents (Content)
-                 and then (Content = 0 or else Content_Is_Open (Here))
-               then
-                  Result := Here;
-                  Poll (Result, Content, Output);
-                  --  The character may be lost.
-                  Unused := Side_Of ((Number_Of (Result), Output));
-                  Unused := Side_Of ((Number_Of (Result), Silence));
-               end if;
-            end loop;
+            Result := Here;
+            Poll (Result, Output);
+            Note (Result, Output);
          end;
          Next := Next + 1;
       end loop;
@@ -358,15 +439,18 @@ package body Telemetry.Boards.Sides is
             if Here.Output /= Silence then
                Result := From;
                Elapse (Result, 1);
-               Unused := Side_Of ((Number_Of (Result), Here.Output));
-               Unused := Side_Of
-                 ((Number_Of (With_Block (From, False)), Here.Output));
+               Note (Result, Here.Output);
+               Note (With_Block (From, False), Here.Output);
+
+               --  What begins a message may now be the last of it.
+               Cut_Off := (if Here.Output = Data_Begins then Data_Goes_On
+                           else Here.Output);
                Result := From;
                Clear_Transmit_Half (Result);
-               Unused := Side_Of ((Number_Of (Result), Here.Output));
+               Note (Result, Cut_Off);
                Result := From;
                Start (Result);
-               Unused := Side_Of ((Number_Of (Result), Here.Output));
+               Note (Result, Cut_Off);
             end if;
          end;
          Next := Next + 1;
@@ -386,6 +470,7 @@ package body Telemetry.Boards.Sides is
    begin
       return On_Line (Item) = Silence
         and then not Is_Talking (Here.Control)
+        and then not Here.Control.Clear_To_Send
         and then
           (Here.Control.State = Idling or else not Is_Waiting (Here.Control));
    end Is_Quiet;
@@ -394,9 +479,7 @@ package body Telemetry.Boards.Sides is
       Here : Board renames
         Boards_List (Natural (Sides_List (Natural (Item)).To));
    begin
-      return On_Line (Item) /= Silence
-        and then Here.Control.Line_Taken
-        and then Here.Control.State = Awaiting_Status
+      return On_Line (Item) = Data_Ends
         and then
           (not Fresh
            or else Here.Transmit_Pair.Slots (Here.Control.Sender.Source).Data
@@ -454,11 +537,11 @@ package body Telemetry.Boards.Sides is
          Good   : Boolean;
          Polled : Boolean)
       is
-         Result : Board := Fresh_Board;
-         Now    : Symbol;
+         From    : constant Board := Boards_List (Natural (Here));
+         Aligned : constant Boolean := Is_Aligned (From);
+         Result  : Board := From;
+         Now     : Symbol;
          Is_Good : Boolean;
-         Is_Open : constant Boolean :=
-           Content_Is_Open (Boards_List (Natural (Here)));
       begin
          if Left = (Happening => False)
            and then (Output /= Silence or else Polled)
@@ -468,33 +551,33 @@ package body Telemetry.Boards.Sides is
          end if;
 
          if Output = Silence and then not Polled then
-            for Content in Byte loop
-               if Contents (Content) and then (Content = 0 or else Is_Open)
-               then
-                  Result := Boards_List (Natural (Here));
-                  Poll (Result, Content, Now);
-                  Go (Number_Of (Result), Left, Now, Good, True);
-               end if;
-            end loop;
+            Poll (Result, Now);
+            Go (Number_Of (Result, Aligned), Left, Now, Good, True);
          end if;
 
          for What in Happening loop
             if Left (What) then
-               Result := Boards_List (Natural (Here));
-               Is_Good := Good;
+               Result := From;
                case What is
                   when Timer   =>
-                     Let_Pass (Result, Is_Good);
-                     Is_Good := Is_Good or Good;
+                     Let_Pass (Result, Aligned, Is_Good);
+                     Go
+                       (Number_Of (Result, Aligned),
+                        (Left with delta What => False),
+                        Output, Good or Is_Good, False);
                   when Hearing =>
-                     Hear (Result, To_Byte (Heard), False);
+                     for Item of Hearings (From, Heard) loop
+                        Go
+                          (Number_Of (Item.To, Item.Is_Aligned),
+                           (Left with delta What => False),
+                           Output, Good, False);
+                     end loop;
                   when Putting =>
-                     Result := With_Block (Result, Fresh);
+                     Go
+                       (Number_Of (With_Block (From, Fresh), Aligned),
+                        (Left with delta What => False),
+                        Output, Good, False);
                end case;
-               Go
-                 (Number_Of (Result),
-                  (Left with delta What => False),
-                  Output, Is_Good, False);
             end if;
          end loop;
       end Go;
@@ -509,7 +592,7 @@ package body Telemetry.Boards.Sides is
       First, Last : out Natural)
    is
       Place : constant Natural :=
-        (Natural (From) * Symbols_Used + Natural (Places (Heard))) * 4
+        Natural (From) * Places + Symbol'Pos (Heard) * 4
         + Controller_Act'Pos (Controller);
       Start : constant Board_Number := Sides_List (Natural (From)).To;
       Found : Outcome_Vectors.Vector;
@@ -538,8 +621,6 @@ package body Telemetry.Boards.Sides is
    function Image (Item : Side) return String is
       Here : Board renames
         Boards_List (Natural (Sides_List (Natural (Item)).To));
-      Digit  : constant String := "0123456789ABCDEF";
-      Output : constant Symbol := On_Line (Item);
 
       function Blocks return String;
 
@@ -549,146 +630,251 @@ package body Telemetry.Boards.Sides is
           else "")
          & (if Here.Transmit_Pair.Slots (Second).Full then " newer" else ""));
    begin
-      return (if Output = Silence then "--"
-              else Digit (Natural (To_Byte (Output) / 16) + 1)
-                   & Digit (Natural (To_Byte (Output) mod 16) + 1))
+      return On_Line (Item)'Image
         & " " & Here.Control.State'Image
+        & (if Here.Control.State = Sending
+           then Here.Control.Sender.Sent'Image else "")
         & " " & Here.Control.Receiver.State'Image
+        & (if Here.Control.Receiver.State = In_Data
+           then Here.Control.Receiver.Received'Image else "")
+        & (if Is_Aligned (Here) then " aligned" else "")
         & " silence" & Here.Control.Silence'Image
         & (if Here.Control.Owed /= None
            then " owes " & Here.Control.Owed'Image else "")
         & (if Here.Control.Downlink_Turns > 0
            then " turns" & Here.Control.Downlink_Turns'Image else "")
+        & (if Here.Control.In_A_Row > 0
+           then " sent" & Here.Control.In_A_Row'Image else "")
+        & (if Here.Control.Clear_To_Send then " clear" else "")
         & Blocks;
    end Image;
 
-   procedure Check_Normal (States : out Natural; Is_Exact : out Boolean) is
-      Seen : Board_Vectors.Vector;
-      Map  : Key_Maps.Map;
-      Next : Natural := 0;
+   package Byte_Chance is new Ada.Numerics.Discrete_Random (Byte);
 
-      --  Everything stays, but for counts, and data in buffers that are
-      --  neither full nor being filled.
-      procedure Note (Item : Board);
+   procedure Check_Normal
+     (Trials : Positive; Calls : out Natural; Is_Exact : out Boolean)
+   is
+      Chance : Byte_Chance.Generator;
 
-      --  The same happened to a board and to its normal form.
-      procedure Compare
-        (Left, Right : Board; Left_Output, Right_Output : Integer);
+      function Some_Byte return Byte is (Byte_Chance.Random (Chance));
+      function Either return Boolean is (Some_Byte < 128);
+      function Either_Slot return Slot is (if Either then First else Second);
 
-      procedure Note (Item : Board) is
-         Kept     : Board := Item;
-         Position : Key_Maps.Cursor;
-         Is_New   : Boolean;
+      --  A block by chance, of which many bytes look like first characters.
+      function Some_Block return Block_Data;
+
+      --  A board whose normal form Item is.
+      function Full_Board (Item : Board) return Board;
+
+      --  The board is now one of those.
+      procedure Compare (Now : Board; Options : Result_Vectors.Vector);
+      procedure Compare (Now : Board; Aligned : Boolean; Option : Board);
+
+      procedure Try (Item : Board);
+
+      function Some_Block return Block_Data is
+         Result : Block_Data;
       begin
-         Kept.Control.Messages := 0;
-         Kept.Control.Tally := (others => 0);
-         Map.Insert (Key_Of (Kept), 0, Position, Is_New);
-         if Is_New then
-            Seen.Append (Kept);
+         for Value of Result loop
+            loop
+               Value := Some_Byte;
+               exit when Is_Valid (Value)
+                 or else (Either and then Value /= Mark);
+            end loop;
+         end loop;
+         return Result;
+      end Some_Block;
+
+      function Full_Board (Item : Board) return Board is
+         Result : Board := Item;
+         Source : constant Slot := Either_Slot;
+      begin
+         Result.Control.Messages := Count (Some_Byte);
+         Result.Control.Tally := (others => Count (Some_Byte));
+         if not Is_Waiting (Item.Control) then
+            Result.Control.Silence := Character_Times (Some_Byte);
          end if;
-      end Note;
 
-      procedure Compare
-        (Left, Right : Board; Left_Output, Right_Output : Integer) is
-      begin
-         Note (Left);
-         if Left_Output /= Right_Output
-           or else Key_Of (Normal (Left)) /= Key_Of (Normal (Right))
+         if Item.Control.State = Idling then
+            Result.Control.In_A_Row := Row_Count (Some_Byte mod 3);
+         end if;
+
+         Result.Control.Receiver.Target := Either_Slot;
+         Result.Receive_Pair.Newest := Either_Slot;
+         for Which in Slot loop
+            Result.Receive_Pair.Slots (Which) :=
+              (Full => Either, Data => Some_Block, others => <>);
+         end loop;
+         if Has_Message (Item.Control.Receiver) then
+            Result.Receive_Pair.Slots (Result.Control.Receiver.Target) :=
+              (Busy => True, Data => Some_Block, others => <>);
+            Result.Control.Receiver.Sum := Checksum.Of_Message
+              (Their_Header,
+               Result.Receive_Pair.Slots
+                 (Result.Control.Receiver.Target).Data,
+               Item.Control.Receiver.Received);
+            if Item.Control.Receiver.State = In_Data then
+               Result.Control.Receiver.Damaged :=
+                 Either and then not Is_Aligned (Item);
+            end if;
+         else
+            Result.Control.Receiver.Received :=
+              Byte_Count (Some_Byte mod Longest_Block);
+            Result.Control.Receiver.Sum := Some_Byte;
+            Result.Control.Receiver.Damaged := Either;
+         end if;
+
+         Result.Transmit_Pair.Slots (Source) :=
+           Item.Transmit_Pair.Slots (First);
+         Result.Transmit_Pair.Slots (Other (Source)) :=
+           Item.Transmit_Pair.Slots (Second);
+         Result.Transmit_Pair.Newest :=
+           (if Item.Transmit_Pair.Slots (Second).Full then Other (Source)
+            else Either_Slot);
+         for Which in Slot loop
+            Result.Transmit_Pair.Slots (Which).Data := Some_Block;
+         end loop;
+         if not Is_On_Its_Way (Item) and then Any_Full (Item.Transmit_Pair)
+           and then Either
          then
-            Is_Exact := False;
+            Result.Transmit_Pair.Newest := Source;
+            Result.Transmit_Pair.Slots (Other (Source)).Full := True;
+            Result.Transmit_Pair.Slots (Other (Source)).Attempts :=
+              Boolean'Pos (Either);
          end if;
+         Result.Control.Sender.Source := Source;
+         if Item.Control.State = Sending then
+            if Item.Control.Sender.Sent > 0 then
+               Result.Control.Sender.Sum := Checksum.Of_Message
+                 (Our_Header, Result.Transmit_Pair.Slots (Source).Data,
+                  Byte_Count (Item.Control.Sender.Sent - 1));
+            end if;
+         else
+            Result.Control.Sender.Sent :=
+              Character_Count (Some_Byte mod Longest_Block);
+            Result.Control.Sender.Sum := Some_Byte;
+         end if;
+         return Result;
+      end Full_Board;
+
+      procedure Compare (Now : Board; Options : Result_Vectors.Vector) is
+      begin
+         Calls := Calls + 1;
+         Is_Exact := Is_Exact
+           and then Is_Sound (Now)
+           and then
+             (for some Option of Options =>
+                Normal (Option.To, Option.Is_Aligned) =
+                  Normal (Now, Option.Is_Aligned));
       end Compare;
 
-      --  A character that is neither sent by a board nor the checksum of one
-      --  that is.
-      function Is_Foreign (Data : Byte) return Boolean is
-        (not Sums_Kept (Data)
-         and then Data /= Other_Sum
-         and then not Sums_Kept (Bytes_Of (Data))
-         and then Bytes_Of (Data) /= Data);
+      procedure Compare (Now : Board; Aligned : Boolean; Option : Board) is
+      begin
+         Compare
+           (Now, Result_Vectors.To_Vector ((Option, Aligned), 1));
+      end Compare;
 
-      Foreign : Byte := 0;
-   begin
-      while not Is_Foreign (Foreign) loop
-         Foreign := Foreign + 1;
-      end loop;
-      Is_Exact := True;
-      Note (Fresh_Board);
-      while Next < Natural (Seen.Length) loop
-         declare
-            Here    : constant Board := Seen (Next);
-            Reduced : constant Board := Normal (Here);
-            L, R    : Board;
-            Of_L, Of_R : Boolean;
-            S, T    : Symbol;
-            Taken   : Block_Data;
-            Ignore  : Boolean;
-         begin
-            L := Here;
-            R := Reduced;
-            Let_Pass (L, Of_L);
-            Let_Pass (R, Of_R);
-            Compare (L, R, Boolean'Pos (Of_L), Boolean'Pos (Of_R));
+      procedure Try (Item : Board) is
+         Aligned    : constant Boolean := Is_Aligned (Item);
+         Full       : constant Board := Full_Board (Item);
+         L, R       : Board;
+         Of_L, Of_R : Boolean;
+         S, T       : Symbol;
+         Taken      : Block_Data;
+      begin
+         Compare (Full, Aligned, Item);
 
-            L := Here;
-            R := Reduced;
-            Start (L);
-            Start (R);
-            Compare (L, R, 0, 0);
+         for Time in Character_Times range 1 .. 2 loop
+            L := Full;
+            R := Item;
+            Elapse (L, Time);
+            Elapse (R, Time);
+            Compare (L, Aligned, R);
+            Is_Exact := Is_Exact
+              and then
+                (L.Control.Messages > Full.Control.Messages) =
+                  (R.Control.Messages > 0);
+         end loop;
 
-            L := Here;
-            R := Reduced;
-            Clear_Transmit_Half (L);
-            Clear_Transmit_Half (R);
-            Compare (L, R, 0, 0);
+         L := Full;
+         R := Item;
+         Start (L);
+         Start (R);
+         Compare (L, False, R);
 
-            Compare
-              (With_Block (Here, False), With_Block (Reduced, False), 0, 0);
+         L := Full;
+         R := Item;
+         Clear_Transmit_Half (L);
+         Clear_Transmit_Half (R);
+         Compare (L, Aligned, R);
 
-            --  The controller takes what came. Nobody else notices.
-            L := Here;
-            Take (L, Taken, Of_L, Ignore);
-            Compare (L, Reduced, 0, 0);
+         L := Full;
+         Put (L, Some_Block, Of_L);
+         Compare (L, Aligned, With_Block (Item, False));
 
-            for Content in Byte loop
-               if Contents (Content)
-                 and then (Content = 0 or else Content_Is_Open (Here))
-               then
-                  L := Here;
-                  R := Reduced;
-                  Poll (L, Content, S);
-                  Poll (R, Content, T);
-                  Compare (L, R, Integer (S), Integer (T));
-               end if;
-            end loop;
+         --  The controller takes what came. Nobody else notices.
+         L := Full;
+         Take (L, Taken, Of_L, Of_R);
+         Compare (L, Aligned, Item);
 
-            --  The characters that a board may send, and one unlike them.
-            for Data in Byte loop
-               if Sums_Kept (Data) or else Data = Foreign then
-                  for Parity_Error in Boolean loop
-                     L := Here;
-                     R := Reduced;
-                     Hear (L, Data, Parity_Error);
-                     Hear (R, Data, Parity_Error);
-                     Compare (L, R, 0, 0);
+         L := Full;
+         R := Item;
+         Poll (L, S);
+         Poll (R, T);
+         Compare (L, Aligned, R);
+         Is_Exact := Is_Exact and then S = T;
+
+         for Heard in Data_Begins .. Symbol'Last loop
+            if not Aligned
+              or else Heard =
+                (if Item.Control.Receiver.State = At_End then Silence
+                 elsif Expects_Sum (Item) then Data_Ends
+                 else Data_Goes_On)
+            then
+               declare
+                  Options : constant Result_Vectors.Vector :=
+                    Hearings (Item, Heard);
+               begin
+                  for Data in Byte loop
+                     if (case Heard is
+                           when Data_Begins         => Data = Their_Header,
+                           when Data_Goes_On | Data_Ends  => not Aligned
+                             or else not Expects_Sum (Item)
+                             or else Data = Full.Control.Receiver.Sum,
+                           when Command        => Data =
+                             Encode ((Kind => Command_To_Downlink)),
+                           when Good           =>
+                             Data = Encode ((Status, True, False)),
+                           when Good_And_Wants =>
+                             Data = Encode ((Status, True, True)),
+                           when Bad            =>
+                             Data = Encode ((Status, False, False)),
+                           when Bad_And_Wants  =>
+                             Data = Encode ((Status, False, True)))
+                     then
+                        L := Full;
+                        Accept_Character (L, Data, False);
+                        Compare (L, Options);
+                     end if;
                   end loop;
-               end if;
-            end loop;
-         end;
-         Next := Next + 1;
+               end;
+            end if;
+         end loop;
+      end Try;
+   begin
+      Calls := 0;
+      Is_Exact := True;
+      Byte_Chance.Reset (Chance, 1);
+      for Item of Boards_List loop
+         for Trial in 1 .. Trials loop
+            Try (Item);
+            if Has_Message (Item.Control.Receiver)
+              and then not Item.Control.Receiver.Damaged
+            then
+               Try (Normal (Item, True));
+            end if;
+         end loop;
       end loop;
-      States := Next;
    end Check_Normal;
 
-   Used : Symbol_Place := 0;
-begin
-   for Value in Byte loop
-      Contents (Value) := Is_Content (Value);
-      Sums_Kept (Value) := Is_Sent (Value);
-      Bytes_Of (Value) := Byte_Of (Value);
-      if Is_Sent (Value) then
-         Used := Used + 1;
-         Places (To_Symbol (Value)) := Used;
-      end if;
-   end loop;
 end Telemetry.Boards.Sides;

@@ -6,8 +6,8 @@
 --  The states are records of type Board, and every step is a call of its
 --  operations. As a child this package sees what a board is made of. Results
 --  are kept, so that each is called once for each state. Two boards that
---  differ only in what can never make a difference outside (Normal) are one
---  state; Check_Normal verifies that.
+--  differ only in what can never make a difference outside, or in what their
+--  blocks say, are one state (Normal); Check_Normal verifies that.
 
 with Explore; use Explore;
 
@@ -24,7 +24,7 @@ package Telemetry.Boards.Sides is
    function Sides_Found return Natural;
    function Calls_Made return Natural;
 
-   function On_Line (Item : Side) return Symbol;
+   function On_Line (Item : Side) return Symbol with Inline;
 
    --  Nothing on the line or owed, and nothing waited for but the end of
    --  the ground's idle time.
@@ -50,9 +50,11 @@ package Telemetry.Boards.Sides is
 
    function Image (Item : Side) return String;
 
-   --  Explores the board once more with everything in it but its counts and
-   --  data nobody reads, and verifies that Normal loses nothing: same
-   --  output, and the same normal state after any operation.
-   procedure Check_Normal (States : out Natural; Is_Exact : out Boolean);
+   --  Gives every board that Explore_Alone found a content by chance in all
+   --  that Normal leaves out, Trials times, and verifies that nothing is lost
+   --  by it: whatever an operation does to that board, with any byte, is
+   --  among what it does to the normal one. Calls tells how many there were.
+   procedure Check_Normal
+     (Trials : Positive; Calls : out Natural; Is_Exact : out Boolean);
 
 end Telemetry.Boards.Sides;

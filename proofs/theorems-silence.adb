@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Telemetry.Memory; use Telemetry.Memory;
-with URVOS;            use URVOS;
+with URVOS; use URVOS;
 
 package body Theorems.Silence with SPARK_Mode is
 
@@ -50,9 +49,9 @@ package body Theorems.Silence with SPARK_Mode is
       Waiting, On_Line : Buffer_Pair;
       After            : Control)
    is
-      pragma Unreferenced (On_Line);
    begin
       pragma Assert (Prepared (Item, Waiting) = Item);
+      pragma Assert (After = Spoken (Item, On_Line));
       pragma Assert (After.Receiver = Item.Receiver);
       pragma Assert (if After.Line_Taken then not Has_Message (Item.Receiver));
    end Speaks_Or_Waits;
@@ -102,5 +101,10 @@ package body Theorems.Silence with SPARK_Mode is
    begin
       Comes_To_Rest (Item, Times);
    end Ground_Outwaits_Aircraft;
+
+   procedure No_Third_In_A_Row (Item : Control; Blocks : Buffer_Pair) is null;
+
+   procedure Free_After_Idle_Time
+     (Item : Control; Time : Character_Times; Blocks : Buffer_Pair) is null;
 
 end Theorems.Silence;

@@ -5,6 +5,7 @@
 
 with Telemetry;           use Telemetry;
 with Telemetry.Boards;    use Telemetry.Boards;
+with Telemetry.Memory;    use Telemetry.Memory;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Senders;   use Telemetry.Senders;
 with Telemetry.Turns;     use Telemetry.Turns;
@@ -102,5 +103,39 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        Is_Sound (Item)
        and then At_Rest (Item)
        and then Times < Natural (Idle_Time);
+
+   --  After two data messages the ground sends no third, whatever its
+   --  controller puts: it commands, or idles (D-28).
+   procedure No_Third_In_A_Row (Item : Control; Blocks : Buffer_Pair)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Is_At_Rest (Item)
+       and then Item.In_A_Row = Row_Count'Last,
+     Post   =>
+       Prepared (Item, Blocks).In_A_Row = Item.In_A_Row
+       and then Prepared (Item, Blocks).State =
+         (if Item.Downlink_Turns = 0 then Idling else Ready);
+
+   --  It is free to send again only after its idle time of silence: time
+   --  takes the count back only into that, or at the end of it.
+   procedure Free_After_Idle_Time
+     (Item : Control; Time : Character_Times; Blocks : Buffer_Pair)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then not Is_Judged_After (Item, Time)
+       and then Item.Role = Ground,
+     Post   =>
+       (if Elapsed (Item, Time, Blocks).In_A_Row < Item.In_A_Row
+        then Elapsed (Item, Time, Blocks).State = Idling
+          or else Item.State = Idling)
+       and then
+         (if Item.State = Idling
+            and then Elapsed (Item, Time, Blocks).State /= Idling
+          then Natural (Item.Silence) + Natural (Time) >=
+                 Natural (Idle_Time));
 
 end Theorems.Silence;

@@ -40,6 +40,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    --  A ground that knows of a waiting downlink asks for it twice at most.
    type Turn_Count is range 0 .. 2;
 
+   --  After two data messages the ground idles before the next (D-28).
+   type Row_Count is range 0 .. 2;
+
    --  The lengths are those of the blocks that the board sends and is sent.
    type Control is record
       Role            : Station;
@@ -53,6 +56,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       Silence         : Character_Times := 0;      --  nothing heard or sent
       Downlink_Turns  : Turn_Count      := 0;      --  ground: commands left
       Clear_To_Send   : Boolean         := False;  --  aircraft: may downlink
+      In_A_Row        : Row_Count       := 0;      --  ground: sent since idle
 
       --  Data messages received, for the controller (LNK-10).
       Messages        : Count           := 0;
@@ -64,15 +68,15 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      ((if Item.Owed /= None
        then Item.State = Ready and then Item.Receiver.State = At_Start)
       and then
-        (if Has_Message (Item.Receiver)
-         then Item.State =
+        (if Has_Message (Item.Receiver) then Item.State =
            (if Item.Role = Ground then Awaiting_Data else Ready))
       and then
         (if Item.Role = Ground
          then Item.Receiver.State /= Out_Of_Step
            and then not Item.Clear_To_Send
          else Item.State not in Awaiting_Data | Idling
-           and then Item.Downlink_Turns = 0))
+           and then Item.Downlink_Turns = 0
+           and then Item.In_A_Row = 0))
    with Global => null;
 
    --  The board has something on the line or is about to: the link is half
@@ -123,9 +127,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
          State    =>
            (if Item.State = Idling then Ready else After_Break (Item)),
          Silence  => 0,
+         In_A_Row => 0,
          Tally    => (Item.Tally with delta
-           Bad      =>
-             Counted (Item.Tally.Bad, Has_Message (Item.Receiver)),
+           Bad      => Counted (Item.Tally.Bad, Has_Message (Item.Receiver)),
            Scrapped => Counted
              (Item.Tally.Scrapped,
               Is_Scrapped
@@ -142,29 +146,25 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    with Global => null;
 
    function Is_Over_After
-     (Item : Control; Time : Character_Times) return Boolean
-   is
+     (Item : Control; Time : Character_Times) return Boolean is
      (Is_Waiting (Item) and then Time >= Time_Left (Item))
    with Global => null;
 
    --  A message that went no further than its end is judged.
    function Is_Judged_After
-     (Item : Control; Time : Character_Times) return Boolean
-   is
+     (Item : Control; Time : Character_Times) return Boolean is
      (Is_Over_After (Item, Time) and then Item.Receiver.State = At_End)
    with Global => null;
 
    --  Any other board that has waited for too long resets itself.
    function Is_Reset_After
-     (Item : Control; Time : Character_Times) return Boolean
-   is
+     (Item : Control; Time : Character_Times) return Boolean is
      (Is_Over_After (Item, Time) and then Item.Receiver.State /= At_End)
    with Global => null;
 
    function Elapsed
      (Item : Control; Time : Character_Times; Blocks : Buffer_Pair)
-      return Control
-   is
+      return Control is
      (if Is_Reset_After (Item, Time) then Reset (Item, Blocks)
       elsif Is_Waiting (Item)
       then (Item with delta Silence => Item.Silence + Time)
@@ -220,8 +220,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
               else Item.Downlink_Turns),
 
            --  The ground needs no permission and disregards it (LNK-3).
-           Clear_To_Send  =>
-             Item.Clear_To_Send
+           Clear_To_Send  => Item.Clear_To_Send
              or else (What.Kind = Command and then Item.Role = Aircraft),
            Tally          => (Item.Tally with delta
              Scrapped => Counted
@@ -248,9 +247,8 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Not_Taken => Counted
              (Item.Tally.Not_Taken,
               not Item.Receiver.Damaged and then Both_Full (Received)))))
-   with
-     Global => null,
-     Post   => (if Is_Sound (Item) then Is_Sound (Judged'Result));
+   with Global => null,
+     Post => (if Is_Sound (Item) then Is_Sound (Judged'Result));
 
    --  What is said
 
@@ -264,15 +262,18 @@ package Telemetry.Turns with Pure, SPARK_Mode is
 
    --  The board may begin to send a block.
    function May_Begin_Block
-     (Item : Control; Blocks : Buffer_Pair) return Boolean
-   is
+     (Item : Control; Blocks : Buffer_Pair) return Boolean is
      (Is_At_Rest (Item)
-      and then (Item.Role = Ground or else Item.Clear_To_Send)
+      and then
+        (if Item.Role = Ground
+         then Item.In_A_Row < Row_Count'Last
+         else Item.Clear_To_Send)
       and then Any_Full (Blocks))
    with Global => null;
 
    --  A block that begins is the newest, and is alone (LNK-7). A permission
-   --  that finds no block lapses.
+   --  that finds no block lapses. A ground that has said all, or enough,
+   --  idles (D-28).
    function Prepared (Item : Control; Blocks : Buffer_Pair) return Control is
      (if May_Begin_Block (Item, Blocks)
       then
@@ -280,16 +281,19 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Sender        => (Source => Newest_Full (Blocks), others => <>),
            State         => Sending,
            Clear_To_Send => False,
+           In_A_Row      => Item.In_A_Row + Boolean'Pos (Item.Role = Ground),
            Tally         => (Item.Tally with delta
              Sent    => Incremented (Item.Tally.Sent),
              Cleared => Counted (Item.Tally.Cleared, Both_Full (Blocks))))
+      elsif Is_At_Rest (Item)
+        and then Item.In_A_Row > 0 and then Item.Downlink_Turns = 0
+      then (Item with delta State => Idling, Silence => 0)
       else
         (Item with delta
            Clear_To_Send =>
              Item.Clear_To_Send and then not Is_At_Rest (Item)))
-   with
-     Global => null,
-     Post   => (if Is_Sound (Item) then Is_Sound (Prepared'Result));
+   with Global => null,
+     Post => (if Is_Sound (Item) then Is_Sound (Prepared'Result));
 
    --  The ground, without a block of its own, lets the aircraft send one
    --  (LNK-8).
@@ -311,9 +315,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
          Item.Transmit_Length)
       elsif May_Command (Item) then Encode ((Kind => Command_To_Downlink))
       else 0)
-   with
-     Global => null,
-     Pre    => Fits (Item, Blocks);
+   with Global => null, Pre => Fits (Item, Blocks);
 
    function Spoken (Item : Control; Blocks : Buffer_Pair) return Control is
      ((Item with delta
@@ -332,18 +334,16 @@ package Telemetry.Turns with Pure, SPARK_Mode is
             else Item.State),
          Owed           => None,
          Line_Taken     =>
-           Item.Owed /= None
-           or else Item.State = Sending
+           Item.Owed /= None or else Item.State = Sending
            or else May_Command (Item),
 
          --  Dead space begins when our last character has left.
          Silence        => (if Item.Line_Taken then 0 else Item.Silence),
          Downlink_Turns =>
            Item.Downlink_Turns - (if May_Command (Item) then 1 else 0)))
-   with
-     Global => null,
-     Pre    => Fits (Item, Blocks),
-     Post   =>
+   with Global => null,
+     Pre  => Fits (Item, Blocks),
+     Post =>
        Fits (Spoken'Result, Blocks)
        and then (if Is_Sound (Item) then Is_Sound (Spoken'Result));
 

@@ -30,6 +30,8 @@ package body Link_Tests is
    procedure Priority;
    procedure Retry_Priority;
    procedure Nothing_To_Send;
+   procedure Idles;
+   procedure Puts_Always;
    procedure Told_Before;
    procedure Messages;
    procedure Every_Fault;
@@ -561,6 +563,40 @@ package body Link_Tests is
       Expect_Recovered ("after silence", Item);
    end Nothing_To_Send;
 
+   procedure Idles is
+      Item : Link;
+   begin
+      --  The exchange is over with the aircraft's status, after 33 or 34.
+      Give (Item, Ground, 1);
+      Run (Item, 50);
+      Expect
+        ("the ground idles", Control_Of (Item.Ground_Board).State = Idling,
+         True);
+      Run (Item, 12);
+      Expect
+        ("the ground is ready", Control_Of (Item.Ground_Board).State = Ready,
+         True);
+      Expect ("it was no reset", Resets (Item), 0);
+   end Idles;
+
+   procedure Puts_Always is
+      Item : Link;
+   begin
+      Give (Item, Aircraft, 7);
+      for Time in 1 .. 5 * Frame loop
+         Give (Item, Ground, Byte (Time mod 250) + 1);
+         Run (Item, 1);
+      end loop;
+
+      --  Two messages with their answers and 24 characters of silence take 90
+      --  at least: without the silence there would be 30 messages.
+      Expect
+        ("messages between idle times",
+         Tally (Item.Ground_Board).Sent in 20 .. 24, True);
+      Expect_Block (Item, Ground, 7);
+      Expect ("resets", Resets (Item), 0);
+   end Puts_Always;
+
    procedure Told_Before is
       --  The longest waits announced.
       type Longest_Waits is array (Station) of Character_Times;
@@ -896,6 +932,12 @@ package body Link_Tests is
       Add
         (Suite, "LNK-9 silence without data is no error",
          Nothing_To_Send'Access);
+      Add
+        (Suite, "LNK-9 D-28 after an exchange the ground idles",
+         Idles'Access);
+      Add
+        (Suite, "LNK-9 D-28 a ground with ever new blocks idles after two",
+         Puts_Always'Access);
       Add
         (Suite, "LNK-9 D-7 a board tells when it starts afresh, and does",
          Told_Before'Access);
