@@ -60,21 +60,29 @@ package body Seal_Tests is
    --  Word n is 100h + n + Mark; the last one is 5.
    function Data_Of (From : Station; Mark : Word) return Block_Data;
 
-   function Closed (Item : in out Link; From : Station; Mark : Word := 0)
+   function Closed (Both : in out Link; From : Station; Mark : Word := 0)
                     return Block_Data;
 
    --  Up to a session, with a sealed block each way.
-   procedure Shake_Hands (Item : in out Link);
+   procedure Shake_Hands (Both : in out Link);
 
    procedure Expect_Opening
      (What     : String;
-      Item     : in out Link;
+      Both     : in out Link;
       By       : Station;
       Block    : Block_Data;
       Expected : Outcome);
 
+   --  What one end sends next is that to the other.
+   procedure Expect_Next
+     (What     : String;
+      Both     : in out Link;
+      From     : Station;
+      Expected : Outcome;
+      Mark     : Word := 0);
+
    --  A frame without a block.
-   procedure Pass (Item : in out Link; By : Station; Frames : Positive);
+   procedure Pass (Both : in out Link; By : Station; Frames : Positive);
 
    function Data_Of (From : Station; Mark : Word) return Block_Data is
       Result : Block_Data := (others => 0);
@@ -90,18 +98,18 @@ package body Seal_Tests is
       return Result;
    end Data_Of;
 
-   function Closed (Item : in out Link; From : Station; Mark : Word := 0)
+   function Closed (Both : in out Link; From : Station; Mark : Word := 0)
                     return Block_Data
    is
       Result : Block_Data := Data_Of (From, Mark);
    begin
-      Close (Item (From), Result);
+      Close (Both (From), Result);
       return Result;
    end Closed;
 
    procedure Expect_Opening
      (What     : String;
-      Item     : in out Link;
+      Both     : in out Link;
       By       : Station;
       Block    : Block_Data;
       Expected : Outcome)
@@ -109,34 +117,41 @@ package body Seal_Tests is
       Data  : Block_Data := Block;
       Found : Outcome;
    begin
-      Open (Item (By), Data, True, Found);
+      Open (Both (By), Data, True, Found);
       Expect_Outcome (What, Found, Expected);
       Expect
         (What & ", words are there", (for some Each of Data => Each /= 0),
          Found in Taken);
    end Expect_Opening;
 
-   procedure Pass (Item : in out Link; By : Station; Frames : Positive) is
+   procedure Expect_Next
+     (What     : String;
+      Both     : in out Link;
+      From     : Station;
+      Expected : Outcome;
+      Mark     : Word := 0) is
+   begin
+      Expect_Opening
+        (What, Both, Other (From), Closed (Both, From, Mark), Expected);
+   end Expect_Next;
+
+   procedure Pass (Both : in out Link; By : Station; Frames : Positive) is
       Data  : Block_Data;
       Found : Outcome;
    begin
       for Frame in 1 .. Frames loop
          Data := (others => 0);
-         Open (Item (By), Data, False, Found);
+         Open (Both (By), Data, False, Found);
          Expect_Outcome ("no block", Found, Nothing_Came);
       end loop;
    end Pass;
 
-   procedure Shake_Hands (Item : in out Link) is
+   procedure Shake_Hands (Both : in out Link) is
    begin
-      Expect_Opening
-        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
-      Expect_Opening
-        ("answer", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
-      Expect_Opening
-        ("first up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
-      Expect_Opening
-        ("first down", Item, Ground, Closed (Item, Aircraft), Opened);
+      Expect_Next ("call", Both, Ground, Hello_Taken);
+      Expect_Next ("answer", Both, Aircraft, Hello_Taken);
+      Expect_Next ("first up", Both, Ground, Opened_Anew);
+      Expect_Next ("first down", Both, Aircraft, Opened);
    end Shake_Hands;
 
    procedure Known_Tags is
@@ -187,12 +202,12 @@ package body Seal_Tests is
    end Places_On_The_Wire;
 
    procedure Words_Come_Through is
-      Item  : Link := New_Link;
+      Both  : Link := New_Link;
       Given : Block_Data;
       Block : Block_Data;
       Found : Outcome;
    begin
-      Shake_Hands (Item);
+      Shake_Hands (Both);
 
       --  All values of 16 bits; each comes to every place.
       for Value in Word loop
@@ -205,8 +220,8 @@ package body Seal_Tests is
                Given (2 * Which - 1) := Byte (Value / 256);
                Given (2 * Which) := Byte (Value mod 256);
                Block := Given;
-               Close (Item (From), Block);
-               Open (Item (Other (From)), Block, True, Found);
+               Close (Both (From), Block);
+               Open (Both (Other (From)), Block, True, Found);
                Expect_Outcome ("sealed", Found, Opened);
                for Place in Word_Place range 1 .. Words_Of (From) loop
                   Expect
@@ -224,73 +239,60 @@ package body Seal_Tests is
    end Words_Come_Through;
 
    procedure Three_Steps is
-      Item : Link := New_Link;
+      Both : Link := New_Link;
    begin
       --  Nothing is taken before both have told their nonces.
-      Expect_Opening
-        ("an answer to nothing", Item, Ground, Closed (Item, Aircraft),
-         Hello_Repeated);
-      Shake_Hands (Item);
+      Expect_Next ("an answer to nothing", Both, Aircraft, Hello_Repeated);
+      Shake_Hands (Both);
       for Number in Word range 1 .. 10 loop
-         Expect_Opening
-           ("up", Item, Aircraft, Closed (Item, Ground, Number), Opened);
-         Expect_Opening
-           ("down", Item, Ground, Closed (Item, Aircraft, Number), Opened);
+         Expect_Next ("up", Both, Ground, Opened, Number);
+         Expect_Next ("down", Both, Aircraft, Opened, Number);
       end loop;
 
       --  An answer that comes twice, or late, changes nothing.
-      Item := New_Link;
-      Expect_Opening
-        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
-      Expect_Opening
-        ("call again", Item, Aircraft, Closed (Item, Ground),
-         Hello_Repeated);
-      Expect_Opening
-        ("answer", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
-      Expect_Opening
-        ("answer again", Item, Ground, Closed (Item, Aircraft),
-         Hello_Repeated);
-      Expect_Opening
-        ("up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
-      Expect_Opening
-        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+      Both := New_Link;
+      Expect_Next ("call", Both, Ground, Hello_Taken);
+      Expect_Next ("call again", Both, Ground, Hello_Repeated);
+      Expect_Next ("answer", Both, Aircraft, Hello_Taken);
+      Expect_Next ("answer again", Both, Aircraft, Hello_Repeated);
+      Expect_Next ("up", Both, Ground, Opened_Anew);
+      Expect_Next ("down", Both, Aircraft, Opened);
    end Three_Steps;
 
    procedure Taken_Once is
-      Item  : Link := New_Link;
+      Both  : Link := New_Link;
       Older : Block_Data;
       Newer : Block_Data;
    begin
-      Shake_Hands (Item);
+      Shake_Hands (Both);
       for From in Station loop
-         Older := Closed (Item, From, 1);
-         Newer := Closed (Item, From, 2);
+         Older := Closed (Both, From, 1);
+         Newer := Closed (Both, From, 2);
          Expect_Opening
-           ("the newer", Item, Other (From), Newer, Opened);
+           ("the newer", Both, Other (From), Newer, Opened);
          Expect_Opening
-           ("the same again", Item, Other (From), Newer, Not_Opened);
+           ("the same again", Both, Other (From), Newer, Not_Opened);
          Expect_Opening
-           ("the older", Item, Other (From), Older, Not_Opened);
-         Expect_Opening
-           ("the next", Item, Other (From), Closed (Item, From), Opened);
+           ("the older", Both, Other (From), Older, Not_Opened);
+         Expect_Next ("the next", Both, From, Opened);
       end loop;
    end Taken_Once;
 
    procedure Losses is
-      Item   : Link;
+      Both   : Link;
       Unused : Block_Data;
    begin
       for From in Station loop
          for Lost in Positive range 1 .. 4_096 loop
             if Lost in 1 .. 3 | 4_094 .. 4_096 then
-               Item := New_Link;
-               Shake_Hands (Item);
+               Both := New_Link;
+               Shake_Hands (Both);
                for Each in 1 .. Lost loop
-                  Unused := Closed (Item, From);
+                  Unused := Closed (Both, From);
                end loop;
                Expect_Opening
                  ("after" & Lost'Image & " were lost from " & From'Image,
-                  Item, Other (From), Closed (Item, From),
+                  Both, Other (From), Closed (Both, From),
                   (if From = Ground and then Lost = 4_096
                    then Not_Opened else Opened));
             end if;
@@ -299,14 +301,14 @@ package body Seal_Tests is
    end Losses;
 
    procedure Every_Bit_Counts is
-      Item    : Link := New_Link;
+      Both    : Link := New_Link;
       Block   : Block_Data;
       Altered : Block_Data;
       Length  : Byte_Count;
    begin
       for Kind in 1 .. 2 loop
          for From in Station loop
-            Block := Closed (Item, From);
+            Block := Closed (Both, From);
             Length := Covered (From) + Tag_Bytes (From);
             for Where in 1 .. Length loop
                for Bit in 0 .. 7 loop
@@ -314,7 +316,7 @@ package body Seal_Tests is
                   Altered (Where) :=
                     Altered (Where) xor Byte (2 ** Bit);
                   declare
-                     Copy  : Link := Item;
+                     Copy  : Link := Both;
                      Found : Outcome;
                   begin
                      Open (Copy (Other (From)), Altered, True, Found);
@@ -326,27 +328,27 @@ package body Seal_Tests is
                end loop;
             end loop;
          end loop;
-         Item := New_Link;
-         Shake_Hands (Item);
+         Both := New_Link;
+         Shake_Hands (Both);
       end loop;
    end Every_Bit_Counts;
 
    procedure Other_Direction is
-      Item   : Link := New_Link;
+      Both   : Link := New_Link;
       Unused : Block_Data;
    begin
       Expect_Opening
-        ("own hello", Item, Ground, Closed (Item, Ground), Not_Opened);
+        ("own hello", Both, Ground, Closed (Both, Ground), Not_Opened);
       Expect_Opening
-        ("own hello", Item, Aircraft, Closed (Item, Aircraft), Not_Opened);
-      Item := New_Link;
-      Shake_Hands (Item);
-      Unused := Closed (Item, Ground);
-      Unused := Closed (Item, Aircraft);
+        ("own hello", Both, Aircraft, Closed (Both, Aircraft), Not_Opened);
+      Both := New_Link;
+      Shake_Hands (Both);
+      Unused := Closed (Both, Ground);
+      Unused := Closed (Both, Aircraft);
       Expect_Opening
-        ("own block", Item, Ground, Closed (Item, Ground), Not_Opened);
+        ("own block", Both, Ground, Closed (Both, Ground), Not_Opened);
       Expect_Opening
-        ("own block", Item, Aircraft, Closed (Item, Aircraft), Not_Opened);
+        ("own block", Both, Aircraft, Closed (Both, Aircraft), Not_Opened);
    end Other_Direction;
 
    procedure Other_Session is
@@ -365,141 +367,122 @@ package body Seal_Tests is
    end Other_Session;
 
    procedure Other_Key is
-      Item : Link := New_Link (Keys_1, Keys_2);
+      Both : Link := New_Link (Keys_1, Keys_2);
    begin
-      Expect_Opening
-        ("another number", Item, Aircraft, Closed (Item, Ground),
-         Unknown_Key);
-      Expect_Opening
-        ("another number", Item, Ground, Closed (Item, Aircraft),
-         Unknown_Key);
+      Expect_Next ("another number", Both, Ground, Unknown_Key);
+      Expect_Next ("another number", Both, Aircraft, Unknown_Key);
 
-      Item := New_Link
+      Both := New_Link
         (Keys_1,
          (First  => (True, 1, (K0 => Count_Key.K0, K1 => Count_Key.K1 + 1)),
           Second => (others => <>)));
-      Expect_Opening
-        ("another key", Item, Aircraft, Closed (Item, Ground), Not_Opened);
-      Expect_Opening
-        ("another key", Item, Ground, Closed (Item, Aircraft), Not_Opened);
+      Expect_Next ("another key", Both, Ground, Not_Opened);
+      Expect_Next ("another key", Both, Aircraft, Not_Opened);
    end Other_Key;
 
    procedure Key_Change is
-      Item : Link;
+      Both : Link;
    begin
       --  The old key, then both in the aircraft, then the ground has the
       --  new one first, then the new alone.
       for Step in 1 .. 4 loop
-         Item :=
+         Both :=
            (case Step is
                when 1      => New_Link (Keys_1, Keys_12),
                when 2      => New_Link (Keys_12, Keys_12),
                when 3      => New_Link (Keys_21, Keys_12),
                when others => New_Link (Keys_2, Keys_12));
-         Shake_Hands (Item);
+         Shake_Hands (Both);
          Expect_Number
-           ("key in step" & Step'Image, Integer (Item (Ground).Active.Number),
+           ("key in step" & Step'Image, Integer (Both (Ground).Active.Number),
             (if Step < 3 then 1 else 2));
       end loop;
    end Key_Change;
 
    procedure Ground_Restarts is
-      Item : Link := New_Link;
+      Both : Link := New_Link;
       Old  : Block_Data;
    begin
-      Shake_Hands (Item);
-      Old := Closed (Item, Ground);
-      Item (Ground) := New_Seal (Ground, 2, Keys_1, 9_000);
+      Shake_Hands (Both);
+      Old := Closed (Both, Ground);
+      Both (Ground) := New_Seal (Ground, 2, Keys_1, 9_000);
 
       --  The aircraft has just heard its session, and waits.
-      Pass (Item, Aircraft, 1);
+      Pass (Both, Aircraft, 1);
+      Expect_Next ("too early", Both, Ground, Hello_Out_Of_Turn);
+      Shake_Hands (Both);
       Expect_Opening
-        ("too early", Item, Aircraft, Closed (Item, Ground),
-         Hello_Out_Of_Turn);
-      Shake_Hands (Item);
-      Expect_Opening
-        ("of before the start", Item, Aircraft, Old, Not_Opened);
+        ("of before the start", Both, Aircraft, Old, Not_Opened);
    end Ground_Restarts;
 
    procedure Aircraft_Restarts is
-      Item    : Link := New_Link;
+      Both    : Link := New_Link;
       Called  : Block_Data;
       Old     : Block_Data;
    begin
-      Called := Closed (Item, Ground);
-      Shake_Hands (Item);
-      Old := Closed (Item, Ground);
-      Item (Aircraft) := New_Seal (Aircraft, 2, Keys_1, 9_000);
-      Expect_Opening ("no session", Item, Aircraft, Old, Not_Opened);
+      Called := Closed (Both, Ground);
+      Shake_Hands (Both);
+      Old := Closed (Both, Ground);
+      Both (Aircraft) := New_Seal (Aircraft, 2, Keys_1, 9_000);
+      Expect_Opening ("no session", Both, Aircraft, Old, Not_Opened);
       Expect_Opening
-        ("the hello of before", Item, Aircraft, Called, Hello_Taken);
+        ("the hello of before", Both, Aircraft, Called, Hello_Taken);
       Expect_Opening
-        ("and the block", Item, Aircraft, Old, Not_Opened);
+        ("and the block", Both, Aircraft, Old, Not_Opened);
 
       --  Its hellos are heeded when its blocks have stayed away.
-      Pass (Item, Ground, 1);
-      Expect_Opening
-        ("too early", Item, Ground, Closed (Item, Aircraft),
-         Hello_Out_Of_Turn);
-      Expect_Opening
-        ("call again", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
-      Shake_Hands (Item);
+      Pass (Both, Ground, 1);
+      Expect_Next ("too early", Both, Aircraft, Hello_Out_Of_Turn);
+      Expect_Next ("call again", Both, Aircraft, Hello_Taken);
+      Shake_Hands (Both);
    end Aircraft_Restarts;
 
    procedure Hellos_Are_Disregarded is
-      Item : Link := New_Link;
+      Both : Link := New_Link;
       Hello_Up, Hello_Down : Block_Data;
    begin
       --  Hellos of an earlier session of the same ground and aircraft.
-      Hello_Up := Closed (Item, Ground);
-      Shake_Hands (Item);
-      Item (Ground) := Begun_Anew (Item (Ground));
-      Pass (Item, Aircraft, 3);
-      Expect_Opening
-        ("call", Item, Aircraft, Closed (Item, Ground), Hello_Taken);
-      Hello_Down := Closed (Item, Aircraft);
-      Expect_Opening ("answer", Item, Ground, Hello_Down, Hello_Taken);
-      Expect_Opening
-        ("up", Item, Aircraft, Closed (Item, Ground), Opened_Anew);
-      Expect_Opening
-        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+      Hello_Up := Closed (Both, Ground);
+      Shake_Hands (Both);
+      Both (Ground) := Begun_Anew (Both (Ground));
+      Pass (Both, Aircraft, 3);
+      Expect_Next ("call", Both, Ground, Hello_Taken);
+      Hello_Down := Closed (Both, Aircraft);
+      Expect_Opening ("answer", Both, Ground, Hello_Down, Hello_Taken);
+      Expect_Next ("up", Both, Ground, Opened_Anew);
+      Expect_Next ("down", Both, Aircraft, Opened);
 
       Expect_Opening
-        ("call of before", Item, Aircraft, Hello_Up, Hello_Out_Of_Turn);
+        ("call of before", Both, Aircraft, Hello_Up, Hello_Out_Of_Turn);
       Expect_Opening
-        ("answer of before", Item, Ground, Hello_Down, Hello_Out_Of_Turn);
+        ("answer of before", Both, Ground, Hello_Down, Hello_Out_Of_Turn);
 
       --  In a gap the call is answered, but the session stays as it is.
-      Pass (Item, Aircraft, 5);
+      Pass (Both, Aircraft, 5);
       Expect_Opening
-        ("call of before", Item, Aircraft, Hello_Up, Hello_Taken);
-      Expect_Opening
-        ("up", Item, Aircraft, Closed (Item, Ground), Opened);
-      Expect_Opening
-        ("down", Item, Ground, Closed (Item, Aircraft), Opened);
+        ("call of before", Both, Aircraft, Hello_Up, Hello_Taken);
+      Expect_Next ("up", Both, Ground, Opened);
+      Expect_Next ("down", Both, Aircraft, Opened);
    end Hellos_Are_Disregarded;
 
    procedure Long_Silence is
-      Item   : Link := New_Link;
+      Both   : Link := New_Link;
       Unused : Block_Data;
    begin
       --  What is sent meanwhile is more than an uplink can tell.
-      Shake_Hands (Item);
-      Pass (Item, Aircraft, Longest_Silence);
-      Pass (Item, Ground, Longest_Silence);
+      Shake_Hands (Both);
+      Pass (Both, Aircraft, Longest_Silence);
+      Pass (Both, Ground, Longest_Silence);
       for Lost in 1 .. 4_096 loop
-         Unused := Closed (Item, Ground);
+         Unused := Closed (Both, Ground);
       end loop;
-      Expect_Opening
-        ("given up", Item, Aircraft, Closed (Item, Ground), Not_Opened);
-      Expect_Opening
-        ("so it says hello", Item, Ground, Closed (Item, Aircraft),
-         Hello_Taken);
-      Shake_Hands (Item);
+      Expect_Next ("given up", Both, Ground, Not_Opened);
+      Expect_Next ("so it says hello", Both, Aircraft, Hello_Taken);
+      Shake_Hands (Both);
    end Long_Silence;
 
    procedure One_Format is
-      Item : Link := New_Link;
+      Both : Link := New_Link;
       Old  : Link := New_Link;
    begin
       Old (Ground).Format := 1;
@@ -507,37 +490,36 @@ package body Seal_Tests is
       for Kind in 1 .. 2 loop
          for From in Station loop
             Expect_Opening
-              ("format 2 to 1", Old, Other (From), Closed (Item, From),
+              ("format 2 to 1", Old, Other (From), Closed (Both, From),
                Wrong_Format);
             Expect_Opening
-              ("format 1 to 2", Item, Other (From), Closed (Old, From),
+              ("format 1 to 2", Both, Other (From), Closed (Old, From),
                Wrong_Format);
             Expect_Opening
               ("format 1 to 1", Old, Other (From), Closed (Old, From),
                Opened);
          end loop;
-         Item := New_Link;
-         Shake_Hands (Item);
+         Both := New_Link;
+         Shake_Hands (Both);
       end loop;
    end One_Format;
 
    procedure Numbers_Used_Up is
-      Item : Link := New_Link;
+      Both : Link := New_Link;
    begin
       for From in Station loop
-         Item := New_Link;
-         Shake_Hands (Item);
-         Item (From).Active.Sent := Last_Number - 1;
-         Item (Other (From)).Active.Newest := Last_Number - 1;
+         Both := New_Link;
+         Shake_Hands (Both);
+         Both (From).Active.Sent := Last_Number - 1;
+         Both (Other (From)).Active.Newest := Last_Number - 1;
          Expect_Opening
-           ("the last", Item, Other (From), Closed (Item, From), Opened);
-         Pass (Item, Other (From), 3);
+           ("the last", Both, Other (From), Closed (Both, From), Opened);
+         Pass (Both, Other (From), 3);
          if From = Aircraft then
-            Pass (Item, Aircraft, 3);
-            Expect_Opening
-              ("hello", Item, Ground, Closed (Item, Aircraft), Hello_Taken);
+            Pass (Both, Aircraft, 3);
+            Expect_Next ("hello", Both, Aircraft, Hello_Taken);
          end if;
-         Shake_Hands (Item);
+         Shake_Hands (Both);
       end loop;
    end Numbers_Used_Up;
 

@@ -44,16 +44,18 @@ package body Surfaces_Tests is
 
    Free : constant Surface_Flags := None;
 
-   --  A frame: the monitor sees the scan of a frame ago, then the servos get
-   --  their words. A stuck one stays; all sensors are off by Bias.
+   --  In each frame the monitor sees the scan of a frame ago, then the servos
+   --  get their words. A stuck one stays; all sensors are off by Bias.
    procedure Fly
-     (Item  : in out Rig;
-      Words : Surface_Demands;
-      Stuck : Surface_Flags := Free;
-      Bias  : Number        := 0;
-      Is_Old : Boolean      := False);
+     (Plane  : in out Rig;
+      Words  : Surface_Demands;
+      Stuck  : Surface_Flags := Free;
+      Bias   : Number        := 0;
+      Is_Old : Boolean       := False;
+      Frames : Positive      := 1);
 
-   procedure Move (Item : in out Rig; Stuck : Surface_Flags; Steps : Positive);
+   procedure Move
+     (Plane : in out Rig; Stuck : Surface_Flags; Steps : Positive);
 
    --  The way of a surface in 2 ms.
    function Longest (Which : Surface) return Exact is
@@ -98,20 +100,20 @@ package body Surfaces_Tests is
    is (Demands_Of (Servos (Wanted, Now)));
 
    procedure Move
-     (Item : in out Rig; Stuck : Surface_Flags; Steps : Positive) is
+     (Plane : in out Rig; Stuck : Surface_Flags; Steps : Positive) is
    begin
       for Step in 1 .. Steps loop
          for Which in Surface loop
             if not Stuck (Which) then
-               Item.Lagged (Which) := Item.Lagged (Which)
-                 + (Exact (Item.Words (Which)) - Item.Lagged (Which))
+               Plane.Lagged (Which) := Plane.Lagged (Which)
+                 + (Exact (Plane.Words (Which)) - Plane.Lagged (Which))
                    * 0.019_8;
-               Item.Place (Which) := Item.Place (Which)
+               Plane.Place (Which) := Plane.Place (Which)
                  + Exact'Max
                      (-Longest (Which),
                       Exact'Min
                         (Longest (Which),
-                         Item.Lagged (Which) - Item.Place (Which)));
+                         Plane.Lagged (Which) - Plane.Place (Which)));
             end if;
          end loop;
       end loop;
@@ -131,23 +133,26 @@ package body Surfaces_Tests is
    end Image_Of;
 
    procedure Fly
-     (Item  : in out Rig;
-      Words : Surface_Demands;
-      Stuck : Surface_Flags := Free;
-      Bias  : Number        := 0;
-      Is_Old : Boolean      := False) is
+     (Plane  : in out Rig;
+      Words  : Surface_Demands;
+      Stuck  : Surface_Flags := Free;
+      Bias   : Number        := 0;
+      Is_Old : Boolean       := False;
+      Frames : Positive      := 1) is
    begin
-      --  The scan of a frame ago is what the node has now.
-      Item.Seen := Item.Scanned;
-      for Which in Surface loop
-         Item.Scanned (Which) := Within
-           (Number (Item.Place (Which)) + Bias, Demand'First, Demand'Last);
+      for Frame in 1 .. Frames loop
+         --  The scan of a frame ago is what the node has now.
+         Plane.Seen := Plane.Scanned;
+         for Which in Surface loop
+            Plane.Scanned (Which) := Within
+              (Number (Plane.Place (Which)) + Bias, Demand'First, Demand'Last);
+         end loop;
+         Plane.Watch := With_Sent
+           (Next (Plane.Watch, Image_Of (Plane.Seen, Is_Old)), Words);
+         Move (Plane, Stuck, 2);
+         Plane.Words := Words;
+         Move (Plane, Stuck, 8);
       end loop;
-      Item.Watch := With_Sent
-        (Next (Item.Watch, Image_Of (Item.Seen, Is_Old)), Words);
-      Move (Item, Stuck, 2);
-      Item.Words := Words;
-      Move (Item, Stuck, 8);
    end Fly;
 
    function Count (Failed : Surface_Flags) return Natural is
@@ -160,11 +165,11 @@ package body Surfaces_Tests is
    end Count;
 
    procedure Sound_Ones is
-      Item : Rig;
+      Plane : Rig;
    begin
       for Frame in 1 .. 2_000 loop
          --  Steps from stop to stop, quick ones and slow ones.
-         Fly (Item,
+         Fly (Plane,
               Everywhere
                 (if Frame < 60 then 0
                  elsif Frame / 7 mod 2 = 0 then 1_900 - Frame
@@ -172,82 +177,65 @@ package body Surfaces_Tests is
                  else Frame mod 150 * 10 - 700),
               Bias => Frame mod 21 - 10);
       end loop;
-      Expect_Number ("named", Count (Item.Watch.Failed), 0);
+      Expect_Number ("named", Count (Plane.Watch.Failed), 0);
    end Sound_Ones;
 
    procedure Stuck_Ones is
    begin
       for Which in Surface loop
          declare
-            Item  : Rig;
+            Plane  : Rig;
             Named : Natural := 0;
          begin
-            for Frame in 1 .. 100 loop
-               Fly (Item, Everywhere (0));
-            end loop;
+            Fly (Plane, Everywhere (0), Frames => 100);
             for Frame in 1 .. 25 loop
-               Fly (Item, Everywhere (400), (None with delta Which => True));
-               if Item.Watch.Failed (Which) and then Named = 0 then
+               Fly (Plane, Everywhere (400), (None with delta Which => True));
+               if Plane.Watch.Failed (Which) and then Named = 0 then
                   Named := Frame;
                end if;
             end loop;
             Expect (Which'Image & " named", Named in 4 .. 25, True);
             Expect_Number
-              (Which'Image & " alone", Count (Item.Watch.Failed), 1);
+              (Which'Image & " alone", Count (Plane.Watch.Failed), 1);
             Expect_Number
-              ("bit", Integer (Bits_Of (Item.Watch.Failed)),
+              ("bit", Integer (Bits_Of (Plane.Watch.Failed)),
                2 ** Surface'Pos (Which));
          end;
       end loop;
    end Stuck_Ones;
 
    procedure Small_Offset is
-      Item : Rig;
+      Plane : Rig;
    begin
-      for Frame in 1 .. 100 loop
-         Fly (Item, Everywhere (0));
-      end loop;
-      for Frame in 1 .. 500 loop
-         Fly (Item, Everywhere (0), Bias => Allowance);
-      end loop;
-      Expect_Number ("named within", Count (Item.Watch.Failed), 0);
-      for Frame in 1 .. 50 loop
-         Fly (Item, Everywhere (0), Bias => Allowance + 20);
-      end loop;
-      Expect_Number ("named beyond", Count (Item.Watch.Failed), 10);
+      Fly (Plane, Everywhere (0), Frames => 100);
+      Fly (Plane, Everywhere (0), Bias => Allowance, Frames => 500);
+      Expect_Number ("named within", Count (Plane.Watch.Failed), 0);
+      Fly (Plane, Everywhere (0), Bias => Allowance + 20, Frames => 50);
+      Expect_Number ("named beyond", Count (Plane.Watch.Failed), 10);
    end Small_Offset;
 
    procedure Old_Sensors is
-      Item : Rig;
+      Plane : Rig;
    begin
-      for Frame in 1 .. 100 loop
-         Fly (Item, Everywhere (0));
-      end loop;
-      for Frame in 1 .. 50 loop
-         Fly (Item, Everywhere (400), (others => True), Is_Old => True);
-      end loop;
-      Expect_Number ("named by old ones", Count (Item.Watch.Failed), 0);
+      Fly (Plane, Everywhere (0), Frames => 100);
+      Fly (Plane, Everywhere (400), (others => True), Is_Old => True,
+           Frames => 50);
+      Expect_Number ("named by old ones", Count (Plane.Watch.Failed), 0);
    end Old_Sensors;
 
    procedure After_A_Restart is
-      Item : Rig;
+      Plane : Rig;
    begin
-      for Frame in 1 .. 100 loop
-         Fly (Item, Everywhere (0));
-      end loop;
-      for Frame in 1 .. 25 loop
-         Fly (Item, Everywhere (400),
-              (Left_Rudder => True, others => False));
-      end loop;
+      Fly (Plane, Everywhere (0), Frames => 100);
+      Fly (Plane, Everywhere (400),
+           (Left_Rudder => True, others => False), Frames => 25);
       --  The others went elsewhere while nobody watched.
-      Item.Words := Everywhere (-700);
-      Move (Item, Free, 300);
-      Item.Watch := Restarted (Item.Watch);
-      for Frame in 1 .. 100 loop
-         Fly (Item, Everywhere (-700));
-      end loop;
-      Expect ("still known", Item.Watch.Failed (Left_Rudder), True);
-      Expect_Number ("no other", Count (Item.Watch.Failed), 1);
+      Plane.Words := Everywhere (-700);
+      Move (Plane, Free, 300);
+      Plane.Watch := Restarted (Plane.Watch);
+      Fly (Plane, Everywhere (-700), Frames => 100);
+      Expect ("still known", Plane.Watch.Failed (Left_Rudder), True);
+      Expect_Number ("no other", Count (Plane.Watch.Failed), 1);
    end After_A_Restart;
 
    procedure Figure_13 is
@@ -350,7 +338,7 @@ package body Surfaces_Tests is
    end record;
 
    procedure Run
-     (Item     : in out Engine_Rig;
+     (Engine   : in out Engine_Rig;
       Asked    : Lever;
       Obeyed   : Lever;
       Frames   : Positive;
@@ -358,7 +346,7 @@ package body Surfaces_Tests is
       Is_Known : Boolean         := True);
 
    procedure Run
-     (Item     : in out Engine_Rig;
+     (Engine   : in out Engine_Rig;
       Asked    : Lever;
       Obeyed   : Lever;
       Frames   : Positive;
@@ -366,24 +354,24 @@ package body Surfaces_Tests is
       Is_Known : Boolean         := True) is
    begin
       for Frame in 1 .. Frames loop
-         Item.Watch := Engines.Next
-           (Item.Watch, Asked, Law_Units.Level (Item.Speed), Airspeed,
+         Engine.Watch := Engines.Next
+           (Engine.Watch, Asked, Law_Units.Level (Engine.Speed), Airspeed,
             Is_Known);
-         Item.Speed := Item.Speed
-           + (Exact (Engines.Steady (Obeyed, Airspeed)) - Item.Speed) / 25.0;
+         Engine.Speed := Engine.Speed
+           + (Exact (Engines.Steady (Obeyed, Airspeed)) - Engine.Speed) / 25.0;
       end loop;
    end Run;
 
    procedure Engine_Follows is
-      Item : Engine_Rig;
+      Engine : Engine_Rig;
    begin
-      Run (Item, 2_048, 2_048, 500);
+      Run (Engine, 2_048, 2_048, 500);
       for Round in 1 .. 10 loop
-         Run (Item, 4_095, 4_095, 17 * Round);
-         Run (Item, 0, 0, 29 * Round, Airspeed => 2_900);
-         Run (Item, 1_500, 1_500, 40);
+         Run (Engine, 4_095, 4_095, 17 * Round);
+         Run (Engine, 0, 0, 29 * Round, Airspeed => 2_900);
+         Run (Engine, 1_500, 1_500, 40);
       end loop;
-      Expect ("told", Item.Watch.Failed, False);
+      Expect ("told", Engine.Watch.Failed, False);
    end Engine_Follows;
 
    procedure Engine_Does_Not is
@@ -391,33 +379,33 @@ package body Surfaces_Tests is
       for Eighth in Number range 0 .. 7 loop
          declare
             Stuck : constant Lever := Eighth * Engines.Per_Eighth;
-            Item  : Engine_Rig;
+            Engine  : Engine_Rig;
          begin
-            Run (Item, 2_048, 2_048, 500);
-            Run (Item, (if Stuck < 2_048 then 4_095 else 0), Stuck, 250);
-            Expect ("stuck at" & Stuck'Image, Item.Watch.Failed, True);
-            Run (Item, 2_048, 2_048, 500);
-            Expect ("not forgotten", Item.Watch.Failed, True);
+            Run (Engine, 2_048, 2_048, 500);
+            Run (Engine, (if Stuck < 2_048 then 4_095 else 0), Stuck, 250);
+            Expect ("stuck at" & Stuck'Image, Engine.Watch.Failed, True);
+            Run (Engine, 2_048, 2_048, 500);
+            Expect ("not forgotten", Engine.Watch.Failed, True);
          end;
       end loop;
    end Engine_Does_Not;
 
    procedure Engine_Unknown is
-      Item : Engine_Rig;
+      Engine : Engine_Rig;
    begin
-      Run (Item, 2_048, 2_048, 500);
-      Run (Item, 4_095, 0, 500, Airspeed => Engines.Slowest - 1);
-      Run (Item, 4_095, 0, 500, Is_Known => False);
-      Expect ("told", Item.Watch.Failed, False);
+      Run (Engine, 2_048, 2_048, 500);
+      Run (Engine, 4_095, 0, 500, Airspeed => Engines.Slowest - 1);
+      Run (Engine, 4_095, 0, 500, Is_Known => False);
+      Expect ("told", Engine.Watch.Failed, False);
       Expect_Number
         ("bit", Integer (Failed_Bits ((others => <>))), 0);
-      Run (Item, 4_095, 0, 500);
-      Expect ("told when it is known", Item.Watch.Failed, True);
+      Run (Engine, 4_095, 0, 500);
+      Expect ("told when it is known", Engine.Watch.Failed, True);
       Expect_Number
         ("bit of the throttle",
          Integer
            (Failed_Bits
-              (With_Engine ((others => <>), Item.Watch, Power => 0))),
+              (With_Engine ((others => <>), Engine.Watch, Power => 0))),
          1_024);
    end Engine_Unknown;
 
