@@ -18,21 +18,13 @@ package body Theorems.Configurations with SPARK_Mode is
       case Where is
          when Roll =>
             pragma Assert (Kind_Of (Block) = Value);
-         when Pitch =>
+         when Pitch | Switch_1 =>
             pragma Assert (not Is_Twice (Block (Pitch), Block (Switch_1)));
-         when Yaw =>
+         when Yaw | Switch_2 =>
             pragma Assert (not Is_Twice (Block (Yaw), Block (Switch_2)));
-         when Throttle =>
+         when Throttle | Switch_3 =>
             pragma Assert (not Is_Twice (Block (Throttle), Block (Switch_3)));
-         when Brake =>
-            pragma Assert (not Is_Twice (Block (Brake), Block (Switch_4)));
-         when Switch_1 =>
-            pragma Assert (not Is_Twice (Block (Pitch), Block (Switch_1)));
-         when Switch_2 =>
-            pragma Assert (not Is_Twice (Block (Yaw), Block (Switch_2)));
-         when Switch_3 =>
-            pragma Assert (not Is_Twice (Block (Throttle), Block (Switch_3)));
-         when Switch_4 =>
+         when Brake | Switch_4 =>
             pragma Assert (not Is_Twice (Block (Brake), Block (Switch_4)));
          when Switch_5 =>
             pragma Assert
