@@ -5,7 +5,10 @@ package body Sim.Agenda is
    --  The time and, so that one comparison finds the first of several at
    --  the same instant, the place of the event in the order of events.
    type Entry_Time is range 0 .. 2 ** 63 - 1;
-   Never : constant Entry_Time := Entry_Time'Last;
+   Never  : constant Entry_Time := Entry_Time'Last;
+   Places : constant := 16;
+   pragma Compile_Time_Error
+     (Event'Range_Length > Places, "every event needs its place");
 
    Entries : array (Event) of Entry_Time := (others => Never);
 
@@ -17,7 +20,7 @@ package body Sim.Agenda is
    procedure Schedule (What : Event; Time : Microseconds) is
    begin
       Entries (What) :=
-        Entry_Time (Time) * Event'Range_Length + Event'Pos (What);
+        Entry_Time (Time) * Places + Event'Pos (What);
    end Schedule;
 
    procedure Cancel (What : Event) is
@@ -35,8 +38,8 @@ package body Sim.Agenda is
       loop
          First := Entry_Time'Min (First, Entries (Candidate));
       end loop;
-      What := Event'Val (First mod Event'Range_Length);
-      Time := Microseconds (First / Event'Range_Length);
+      What := Event'Val (First mod Places);
+      Time := Microseconds (First / Places);
    end Find_First;
 
 end Sim.Agenda;

@@ -60,12 +60,16 @@ package body Sim.Engine is
      (Time : Microseconds;
       Wire : in out Text_Output.Writer);
 
+   --  No stall has begun that Ask_Stalled has not seen the end of.
+   function Runs (Which : Node; Time : Microseconds) return Boolean;
+
    --  The board's processor stands still. Its timer is set on by every
    --  stall that is over.
    procedure Ask_Stalled
      (Which   : Node;
       Time    : Microseconds;
-      Stalled : out Boolean);
+      Stalled : out Boolean)
+   with No_Inline;
 
    --  The character times since the board's timer was last asked.
    procedure Ask_Timer
@@ -73,11 +77,11 @@ package body Sim.Engine is
       Time    : Microseconds;
       Elapsed : out Character_Times);
 
-   --  What has come from the sender reaches the other board.
+   --  A character reaches the board.
    procedure Hear
-     (Sender    : Node;
+     (Listener  : Node;
       Time      : Microseconds;
-      Heard     : Arrival_List;
+      Heard     : Arrival;
       May_Speak : out Boolean);
 
    --  Gives the telemetry board its turn, if its transmitter is empty.
@@ -184,6 +188,9 @@ package body Sim.Engine is
       end case;
    end Do_Harm;
 
+   function Runs (Which : Node; Time : Microseconds) return Boolean is
+     (Next (Boards (Which).Stalls).First > Time);
+
    procedure Ask_Stalled
      (Which   : Node;
       Time    : Microseconds;
@@ -214,33 +221,31 @@ package body Sim.Engine is
    end Ask_Timer;
 
    procedure Hear
-     (Sender    : Node;
+     (Listener  : Node;
       Time      : Microseconds;
-      Heard     : Arrival_List;
+      Heard     : Arrival;
       May_Speak : out Boolean)
    is
-      Listener : constant Node := Other (Sender);
-      Board    : Hardware renames Boards (Listener);
-      Stalled  : Boolean;
-      Elapsed  : Character_Times;
+      Board   : Hardware renames Boards (Listener);
+      Stalled : Boolean := False;
+      Elapsed : Character_Times;
    begin
-      May_Speak := False;
-      Ask_Stalled (Listener, Time, Stalled);
-      if Stalled then
-         Board.Overrun := Board.Overrun or else Heard.Length > 0;
-         return;
+      if not Runs (Listener, Time) then
+         Ask_Stalled (Listener, Time, Stalled);
       end if;
-
-      for Index in 1 .. Heard.Length loop
+      if Stalled then
+         Board.Overrun := True;
+         May_Speak := False;
+      else
          Ask_Timer (Listener, Time, Elapsed);
          Accept_Character
            (Listener,
             Elapsed,
-            Heard.Items (Index).Data,
-            Heard.Items (Index).Parity_Error or else Board.Overrun,
+            Heard.Data,
+            Heard.Parity_Error or else Board.Overrun,
             May_Speak);
          Board.Overrun := False;
-      end loop;
+      end if;
    end Hear;
 
    procedure Serve_Telemetry
@@ -259,10 +264,12 @@ package body Sim.Engine is
          return;
       end if;
 
-      Ask_Stalled (Which, Time, Stalled);
-      if Stalled then
-         Schedule (Time_Out (Which), Next (Board.Stalls).Stop);
-         return;
+      if not Runs (Which, Time) then
+         Ask_Stalled (Which, Time, Stalled);
+         if Stalled then
+            Schedule (Time_Out (Which), Next (Board.Stalls).Stop);
+            return;
+         end if;
       end if;
 
       Ask_Timer (Which, Time, Elapsed);
@@ -302,14 +309,12 @@ package body Sim.Engine is
       Wire   : in out Text_Output.Writer)
    is
       Board     : Hardware renames Boards (Sender);
-      Itself    : Arrival_List;
       May_Speak : Boolean := False;
    begin
       Cancel (Sent (Sender));
 
       if not Board.On_Line.Is_Lost then
-         Append (Itself, Board.On_Line.Itself);
-         Hear (Sender, Time, Itself, May_Speak);
+         Hear (Other (Sender), Time, Board.On_Line.Itself, May_Speak);
       end if;
       if Board.On_Line.After.Length > 0 then
          Append (Board.Added, Board.On_Line.After);
@@ -329,11 +334,15 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    is
-      Board     : Hardware renames Boards (Sender);
-      May_Speak : Boolean;
+      Board            : Hardware renames Boards (Sender);
+      Unused_May_Speak : Boolean;
    begin
       Cancel (Extra (Sender));
-      Hear (Sender, Time, Board.Added, May_Speak);
+      for Index in 1 .. Board.Added.Length loop
+         Hear
+           (Other (Sender), Time, Board.Added.Items (Index),
+            Unused_May_Speak);
+      end loop;
       Board.Added.Length := 0;
       Serve_Telemetry (Other (Sender), Time, Wire);
    end Hear_Extra;
@@ -344,7 +353,10 @@ package body Sim.Engine is
       Wire  : in out Text_Output.Writer) is
    begin
       Controllers.Tick (Which, Time);
-      Serve_Telemetry (Which, Time, Wire);
+      --  A board that waits for the other one says nothing meanwhile.
+      if not Is_Due (Time_Out (Which)) then
+         Serve_Telemetry (Which, Time, Wire);
+      end if;
    end Tick;
 
    procedure End_Start

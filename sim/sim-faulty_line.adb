@@ -32,6 +32,22 @@ package body Sim.Faulty_Line is
       Time    : Microseconds;
       Mask    : in out Faults.Character_Bits);
 
+   --  A fault may have something to do with the character being sent.
+   function Is_Disturbed
+     (Carrier : One_Way; Time : Microseconds) return Boolean
+   is
+     (Carrier.Next_Time <= Time
+      or else Carrier.Next_Due = Carrier.Sent
+      or else Carrier.Next_Noise <= Time
+      or else Windows.Next (Carrier.Silences).First < Time + Character_Time);
+
+   --  What comes of it then.
+   procedure Disturb
+     (Carrier : in out One_Way;
+      Time    : Microseconds;
+      Heard   : in out Delivery)
+   with No_Inline;
+
    function Has_Odd_Ones (Mask : Faults.Character_Bits) return Boolean;
 
    procedure Append (To : in out Arrival_List; Added : Arrival) is
@@ -209,23 +225,13 @@ package body Sim.Faulty_Line is
       return Odd;
    end Has_Odd_Ones;
 
-   procedure Transmit
-     (Over     : in out Line;
-      Way      : Direction;
-      Time     : Microseconds;
-      Data     : Byte;
-      Heard    : out Delivery)
+   procedure Disturb
+     (Carrier : in out One_Way;
+      Time    : Microseconds;
+      Heard   : in out Delivery)
    is
-      Carrier : One_Way renames Over.Ways (Way);
-      Meant   : Effect;
+      Meant : Effect;
    begin
-      Carrier.Sent := Carrier.Sent + 1;
-
-      Heard.Before.Length := 0;
-      Heard.After.Length  := 0;
-      Heard.Is_Lost       := False;
-      Heard.Itself        := (Data, Parity_Error => False);
-
       if Carrier.Next_Time <= Time then
          Make_Due (Carrier, Time);
       end if;
@@ -249,7 +255,7 @@ package body Sim.Faulty_Line is
 
       if Meant.Mask /= 0 then
          Heard.Itself :=
-           (Data xor Byte (Meant.Mask mod Parity_Bit),
+           (Heard.Itself.Data xor Byte (Meant.Mask mod Parity_Bit),
             Parity_Error => Has_Odd_Ones (Meant.Mask));
       end if;
       if Meant.Inserted.Length > 0 then
@@ -258,6 +264,27 @@ package body Sim.Faulty_Line is
       for Copy in 1 .. Meant.Copies loop
          Append (Heard.After, Heard.Itself);
       end loop;
+   end Disturb;
+
+   procedure Transmit
+     (Over     : in out Line;
+      Way      : Direction;
+      Time     : Microseconds;
+      Data     : Byte;
+      Heard    : out Delivery)
+   is
+      Carrier : One_Way renames Over.Ways (Way);
+   begin
+      Carrier.Sent := Carrier.Sent + 1;
+
+      Heard.Before.Length := 0;
+      Heard.After.Length  := 0;
+      Heard.Is_Lost       := False;
+      Heard.Itself        := (Data, Parity_Error => False);
+
+      if Is_Disturbed (Carrier, Time) then
+         Disturb (Carrier, Time, Heard);
+      end if;
    end Transmit;
 
 end Sim.Faulty_Line;

@@ -72,7 +72,8 @@ package Sim.Faulty_Line is
       Way      : Direction;
       Time     : Microseconds;
       Data     : Byte;
-      Heard    : out Delivery);
+      Heard    : out Delivery)
+   with Inline;
 
 private
 

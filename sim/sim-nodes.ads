@@ -59,7 +59,8 @@ package Sim.Nodes is
    procedure Take_Start
      (Which   : Node;
       Wanted  : out Boolean;
-      Channel : out Devices.AD_Board.Channel_Number);
+      Channel : out Devices.AD_Board.Channel_Number)
+   with Inline;
 
    procedure Finish_Conversion
      (Which  : Node;
@@ -74,14 +75,16 @@ package Sim.Nodes is
       Elapsed      : Telemetry.Character_Times;
       Data         : Byte;
       Parity_Error : Boolean;
-      May_Speak    : out Boolean);
+      May_Speak    : out Boolean)
+   with Inline;
 
    procedure Next_Character
      (Which     : Node;
       Elapsed   : Telemetry.Character_Times;
       Send      : out Boolean;
       Data      : out Byte;
-      Time_Left : out Telemetry.Character_Times);
+      Time_Left : out Telemetry.Character_Times)
+   with Inline;
 
    --  Before the nodes are switched on.
    procedure Set_Schedule (Schedule : Schedule_Name);
