@@ -69,6 +69,10 @@ package body Sim.Flight is
    Shown    : Shown_State := (others => 0.0);
    Delays   : Latency.Collector;
 
+   --  The end of the ground's frame whose quality is observed when the
+   --  aircraft's true state is known; Never if none waits.
+   Unobserved : Microseconds := Host.Never;
+
    procedure Load_Inputs (Chosen : Choices);
 
    procedure Start_Aircraft (Chosen : Choices);
@@ -87,8 +91,12 @@ package body Sim.Flight is
    --  JSBSim has gone on for a frame.
    procedure Take_Answer;
 
-   --  A major frame of the ground has ended.
-   procedure End_Frame (Chosen : Choices; Time : Microseconds);
+   --  How well the aircraft flew up to the end of the ground's frame.
+   procedure Observe;
+
+   --  A major frame of the ground has ended. Waits: JSBSim has not answered.
+   procedure End_Frame
+     (Chosen : Choices; Time : Microseconds; Waits : Boolean);
 
    --  Flies for that time, or until the user wants no more.
    procedure Fly_Through
@@ -127,6 +135,11 @@ package body Sim.Flight is
    --  message has come yet.
    function Is_Usual
      (Kind : Error_Kind; History : Logs.History) return Boolean;
+
+   --  Whether somebody sees at the end of each of the ground's frames where
+   --  the aircraft is.
+   function Shows_Truth (Chosen : Choices) return Boolean is
+     (Text_Output.Is_Open (Files (Record_Option)) or else Is_By_Eye (Chosen));
 
    --  When in the aircraft's frame the servos have new commands.
    function PWM_Offset (Chosen : Choices) return Microseconds is
@@ -257,8 +270,10 @@ package body Sim.Flight is
 
          when JSBSim_Plant =>
             Sim.JSBSim.Begin_Step (Servos);
-            Due := Microseconds'Min
-              (Frame_End, Time + Time_To_Scan (Chosen));
+            Due := Time + Time_To_Scan (Chosen);
+            if Shows_Truth (Chosen) then
+               Due := Microseconds'Min (Due, Frame_End);
+            end if;
       end case;
    end Step_Plant;
 
@@ -268,9 +283,20 @@ package body Sim.Flight is
       Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
       Sim.JSBSim.End_Step (Errors, Measured, Truth, Shown);
       Engine.Set_Sensors (Measured);
+      Observe;
    end Take_Answer;
 
-   procedure End_Frame (Chosen : Choices; Time : Microseconds) is
+   procedure Observe is
+   begin
+      if Unobserved < Host.Never then
+         Flight_Quality.Observe (Unobserved, Truth, Pilot.Present_Targets);
+         Unobserved := Host.Never;
+      end if;
+   end Observe;
+
+   procedure End_Frame
+     (Chosen : Choices; Time : Microseconds; Waits : Boolean)
+   is
       Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
       Writer : Text_Output.Writer renames Files (Record_Option);
       Words  : Console_Words;
@@ -316,7 +342,10 @@ package body Sim.Flight is
          if Is_By_Eye (Chosen) then
             Circuit_Quality.Observe (Time, Truth);
          elsif Chosen.Plant = JSBSim_Plant then
-            Flight_Quality.Observe (Time, Truth, Pilot.Present_Targets);
+            Unobserved := Time;
+            if not Waits then
+               Observe;
+            end if;
          end if;
       end if;
 
@@ -363,7 +392,7 @@ package body Sim.Flight is
          end if;
 
          if Next = Frame_End then
-            End_Frame (Chosen, Frame_End);
+            End_Frame (Chosen, Frame_End, Waits => Due < Host.Never);
             exit when Frame_End = Length or else Signals.Interrupted;
             if Chosen.Pace = Realtime then
                delay until Began + Duration (Frame_End) / 1_000_000;
@@ -392,6 +421,9 @@ package body Sim.Flight is
             Engine.Set_Sensors (Measured);
          end if;
       end loop;
+      if Due < Host.Never then
+         Take_Answer;
+      end if;
       Flown := Frame_End;
    end Fly_Through;
 
