@@ -334,6 +334,22 @@ package body Theorems.Results with SPARK_Mode is
       Prove_Orders_Are_Alike (One, Other, Moved);
    end Of_Terminate_Caller;
 
+   procedure Of_Store_Byte
+     (Item         : Receiver;
+      Pair         : Buffer_Pair;
+      Length       : Block_Length;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   is
+      One, Other        : Receiver := Item;
+      One_Pair, As_Well : Buffer_Pair := Pair;
+   begin
+      Store_Byte (One, One_Pair, Length, Data, Parity_Error);
+      Store_Byte (Other, As_Well, Length, Data, Parity_Error);
+      Same := One = Other and then One_Pair = As_Well;
+   end Of_Store_Byte;
+
    procedure Of_Accept_Character
      (Item         : Receiver;
       Pair         : Buffer_Pair;

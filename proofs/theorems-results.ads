@@ -237,6 +237,18 @@ package Theorems.Results with SPARK_Mode, Ghost is
 
    --  The telemetry board
 
+   procedure Of_Store_Byte
+     (Item         : Receiver;
+      Pair         : Buffer_Pair;
+      Length       : Block_Length;
+      Data         : Byte;
+      Parity_Error : Boolean;
+      Same         : out Boolean)
+   with
+     Global => null,
+     Pre    => Fits (Item, Pair, Length) and then Takes_Byte (Item, Length),
+     Post   => Same;
+
    procedure Of_Accept_Character
      (Item         : Receiver;
       Pair         : Buffer_Pair;

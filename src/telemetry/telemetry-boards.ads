@@ -97,6 +97,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
       Data         : Byte;
       Parity_Error : Boolean)
    with
+     Inline,
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>
@@ -143,6 +144,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
       Send : out Boolean;
       Data : out Byte)
    with
+     Inline,
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>
@@ -169,6 +171,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    --  one that waits at the end of a message judges it.
    procedure Elapse (Item : in out Board; Time : Character_Times)
    with
+     Inline,
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>

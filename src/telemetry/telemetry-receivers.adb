@@ -2,6 +2,32 @@
 
 package body Telemetry.Receivers with SPARK_Mode is
 
+   procedure Store_Byte
+     (Item         : in out Receiver;
+      Pair         : in out Buffer_Pair;
+      Length       : Block_Length;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   is
+      Was    : constant Receiver    := Item with Ghost;
+      Before : constant Buffer_Pair := Pair with Ghost;
+   begin
+      Item.Received := Item.Received + 1;
+      Item.Sum := Checksum.Next (Item.Sum, Data);
+      Item.Damaged := Item.Damaged or Parity_Error;
+      Pair.Slots (Item.Target).Data (Item.Received) := Data;
+      Checksum.Same_Bytes_Same_Sum
+        (Data_Header (Length),
+         Before.Slots (Item.Target).Data,
+         Pair.Slots (Item.Target).Data,
+         Was.Received);
+      pragma Assert
+        (Item.Sum = Checksum.Of_Message
+           (Data_Header (Length),
+            Pair.Slots (Item.Target).Data,
+            Item.Received));
+   end Store_Byte;
+
    procedure Accept_Character
      (Item         : in out Receiver;
       Pair         : in out Buffer_Pair;
@@ -14,23 +40,12 @@ package body Telemetry.Receivers with SPARK_Mode is
       Was    : constant Receiver    := Item;
       Before : constant Buffer_Pair := Pair with Ghost;
    begin
-      Outcome := Outcome_Of (Was, Length, Wants_Data, Data, Parity_Error);
-      Item := Receiver_After (Was, Pair, Outcome.Kind, Data, Parity_Error);
-
-      if Is_Stored (Was, Outcome.Kind) then
-         --  In place, for this is what comes most often.
-         Pair.Slots (Item.Target).Data (Item.Received) := Data;
-         Checksum.Same_Bytes_Same_Sum
-           (Data_Header (Length),
-            Before.Slots (Item.Target).Data,
-            Pair.Slots (Item.Target).Data,
-            Was.Received);
-         pragma Assert
-           (Item.Sum = Checksum.Of_Message
-              (Data_Header (Length),
-               Pair.Slots (Item.Target).Data,
-               Item.Received));
+      if Takes_Byte (Item, Length) then
+         Outcome := (others => <>);
+         Store_Byte (Item, Pair, Length, Data, Parity_Error);
       else
+         Outcome := Outcome_Of (Was, Length, Wants_Data, Data, Parity_Error);
+         Item := Receiver_After (Was, Pair, Outcome.Kind, Data, Parity_Error);
          pragma Assert
            (if Outcome.Kind = Block_Begun
             then Item.Sum =

@@ -214,6 +214,29 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      Global => null,
      Pre    => Item.Received < Longest_Block;
 
+   --  The next character is a byte of the block.
+   function Takes_Byte (Item : Receiver; Length : Block_Length) return Boolean
+   is
+     (Item.State = In_Data and then Item.Received < Length)
+   with Global => null;
+
+   --  It has come: what most characters are, so it is done in place.
+   procedure Store_Byte
+     (Item         : in out Receiver;
+      Pair         : in out Buffer_Pair;
+      Length       : Block_Length;
+      Data         : Byte;
+      Parity_Error : Boolean)
+   with
+     Inline,
+     Global => null,
+     Pre    => Fits (Item, Pair, Length) and then Takes_Byte (Item, Length),
+     Post   =>
+       Fits (Item, Pair, Length)
+       and then Item = Receiver_After
+         (Item'Old, Pair'Old, Nothing, Data, Parity_Error)
+       and then Pair = Pair_With_Byte (Item'Old, Pair'Old, Data);
+
    --  A character has come.
    procedure Accept_Character
      (Item         : in out Receiver;
