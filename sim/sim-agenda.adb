@@ -42,4 +42,15 @@ package body Sim.Agenda is
       Time := Microseconds (First / Places);
    end Find_First;
 
+   function First_Besides (What : Event) return Microseconds is
+      First : Entry_Time := Never;
+   begin
+      for Candidate in Event loop
+         if Candidate /= What then
+            First := Entry_Time'Min (First, Entries (Candidate));
+         end if;
+      end loop;
+      return Microseconds (First / Places);
+   end First_Besides;
+
 end Sim.Agenda;

@@ -28,4 +28,7 @@ package Sim.Agenda is
    procedure Find_First (What : out Event; Time : out Microseconds)
    with Inline;
 
+   --  When the first of the others happens.
+   function First_Besides (What : Event) return Microseconds;
+
 end Sim.Agenda;

@@ -164,26 +164,38 @@ package body Sim.Controllers is
       end if;
    end Serve_Converter;
 
-   procedure End_Conversion (Which : Node; Time : Microseconds) is
+   procedure End_Conversion
+     (Which      : Node;
+      Time       : Microseconds;
+      Until_Time : Microseconds)
+   is
       Item   : Controller renames Controllers (Which);
+      Now    : Microseconds := Time;
       Raised : Boolean;
    begin
-      while Next (Item.Stalls).Stop <= Time loop
-         Skip (Item.Stalls);
+      loop
+         while Next (Item.Stalls).Stop <= Now loop
+            Skip (Item.Stalls);
+         end loop;
+
+         --  A board that stands still converts anew when it goes on.
+         if Next (Item.Stalls).First <= Now then
+            Schedule
+              (Converted (Which), Next (Item.Stalls).Stop + Conversion_Time);
+            return;
+         end if;
+
+         Cancel (Converted (Which));
+         Finish_Conversion
+           (Which, Item.Held, not Item.Is_Starting, Raised);
+         Serve_Converter (Which, Now);
+         Answer_Exception (Which, Now, Raised);
+
+         Now := Now + Conversion_Time;
+         exit when Raised
+           or else not Is_Due (Converted (Which))
+           or else Now >= Until_Time;
       end loop;
-
-      --  A board that stands still converts anew when it goes on.
-      if Next (Item.Stalls).First <= Time then
-         Schedule
-           (Converted (Which), Next (Item.Stalls).Stop + Conversion_Time);
-         return;
-      end if;
-
-      Cancel (Converted (Which));
-      Finish_Conversion
-        (Which, Item.Held, not Item.Is_Starting, Raised);
-      Serve_Converter (Which, Time);
-      Answer_Exception (Which, Time, Raised);
    end End_Conversion;
 
    procedure Tick (Which : Node; Time : Microseconds) is

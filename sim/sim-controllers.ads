@@ -47,8 +47,12 @@ package Sim.Controllers is
    --  A minor frame begins, the node's first one with power up.
    procedure Tick (Which : Node; Time : Microseconds);
 
-   --  A conversion is done.
-   procedure End_Conversion (Which : Node; Time : Microseconds);
+   --  A conversion is done, and so are those after it until something else
+   --  happens.
+   procedure End_Conversion
+     (Which      : Node;
+      Time       : Microseconds;
+      Until_Time : Microseconds);
 
    --  The reset switch, or an exception. One during a start begins it anew,
    --  as the last one says; but power up stays a cold start until one is

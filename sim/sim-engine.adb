@@ -412,8 +412,14 @@ package body Sim.Engine is
             when Character_Up   => End_Character (Ground, Time, Wire);
             when Character_Down => End_Character (Aircraft, Time, Wire);
             when Hardware_Fault => Do_Harm (Time, Wire);
-            when GSC_Converted  => Controllers.End_Conversion (Ground, Time);
-            when MCS_Converted  => Controllers.End_Conversion (Aircraft, Time);
+            when GSC_Converted  =>
+               Controllers.End_Conversion
+                 (Ground, Time,
+                  Microseconds'Min (Stop, First_Besides (GSC_Converted)));
+            when MCS_Converted  =>
+               Controllers.End_Conversion
+                 (Aircraft, Time,
+                  Microseconds'Min (Stop, First_Besides (MCS_Converted)));
             when GSC_Time_Out   => Serve_Telemetry (Ground, Time, Wire);
             when MCS_Time_Out   => Serve_Telemetry (Aircraft, Time, Wire);
             when GSC_Clock      => Tick (Ground, Time, Wire);
