@@ -53,6 +53,59 @@ def answered_after():
     return GUARD - sum(starts) / len(starts) / cases.CHARACTER_US
 
 
+class Turn(NamedTuple):
+    """How a turn of the ground may end: it need not be taken again; or it
+    ended with the ground's idle time, for nothing was heard of it."""
+
+    probability: float
+    characters: float
+    is_good: bool = False
+    is_idled: bool = False
+
+
+def turns(q, whole, spoken, silent):
+    """The ends of a turn after which so many characters were spoken, or so
+    many if the first one was lost; the message that counts is whole so often."""
+    return (Turn(whole * q, spoken, is_good=True),
+            Turn((q - whole) * q, spoken),
+            Turn(q * (1 - q), spoken + IDLE, is_idled=True),
+            Turn(1 - q, silent + DEAD_SPACE + IDLE, is_idled=True))
+
+
+def taken_twice(ends):
+    """A turn that did not end well is taken once more."""
+    for first in ends:
+        if first.is_good:
+            yield first
+        else:
+            for second in ends:
+                yield second._replace(
+                    probability=first.probability * second.probability,
+                    characters=first.characters + second.characters)
+
+
+def exchanges(rate):
+    """Each length of an exchange, the ground's idle time at its end (D-28)
+    included, with its probability."""
+    q = (1 - rate) ** 9
+    answer = answered_after() + 1
+    up = turns(q, q**UP, UP + answer, UP)
+    down = turns(q, q**DOWN, 1 + DOWN + answer, 1)
+    for sent in taken_twice(up):
+        for asked in taken_twice(down):
+            yield (sent.probability * asked.probability,
+                   sent.characters + asked.characters
+                   + (0 if asked.is_idled else IDLE))
+
+
+def late_start(rate):
+    """How many characters a frame's exchange begins late, on average, for the
+    one before it was not over. That one is taken to have begun in time."""
+    frame = cases.FRAME_US / cases.CHARACTER_US
+    return sum(probability * max(0, characters - frame)
+               for probability, characters in exchanges(rate))
+
+
 def theory(rate):
     """Per block: the fraction delivered, how often it is sent, and for the
     uplink how long it takes from the controller to the other board."""
@@ -76,7 +129,7 @@ def theory(rate):
     known = 1 - (1 - q**2) ** 2
     down_sent = known * q * (1 + (1 - q) + q * (1 - q) + q**2 * (q - b))
     return {"up_delivered": up_delivered, "up_sent": up_sent,
-            "up_ms": up_characters * CHARACTER_MS,
+            "up_ms": (up_characters + late_start(rate)) * CHARACTER_MS,
             "down_delivered": down_sent * b, "down_sent": down_sent}
 
 

@@ -58,6 +58,12 @@ class Frames:
                 if shows(self.all[place]):
                     return self.all[place]
 
+    def show_within(self, number, shows):
+        """Whether one of so many packets from now on shows something."""
+        left = itertools.count(number - 1, -1)
+        return shows(self.wait_until(
+            lambda packet: shows(packet) or next(left) == 0))
+
     def wait_for(self, number):
         """So many more packets."""
         for _ in range(number):

@@ -444,6 +444,17 @@ def configured(packet):
     return told and (told.serial, told.table)
 
 
+def taken(frames, console, serial, table, *times):
+    """An order, sent again until the aircraft tells that it has it: a machine
+    that is late may lose the one block that it goes up in."""
+    for _ in range(10):
+        order = console.order(serial, table, *times)
+        if frames.show_within(
+                50, lambda packet: configured(packet) == (serial, table)):
+            return order
+    raise AssertionError(f"order {serial} is not taken")
+
+
 @flies_again
 def test_gnd35_orders_of_a_file_go_up_in_their_time(
     start_both, station, write
@@ -481,8 +492,7 @@ def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
     frames.wait_until(
         lambda packet: packet.console_state == ConsoleState.LIVE
         and packet.is_fresh)
-    good = console.order(5, 1, 20, 90)
-    frames.wait_until(lambda packet: configured(packet) == (5, 1))
+    good = taken(frames, console, 5, 1, 20, 90)
     bad = frames.all[-1].link["console_bad"]
     later = len(console.sent) + 10_000
     for why, data in (
@@ -503,9 +513,8 @@ def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
     frames.wait_until(
         lambda packet: packet.console_state == ConsoleState.HELD)
     other = Console(int(console.place.rpartition(":")[2]), run=2)
-    other.order(6, 0, 30, 80)
-    frames.wait_until(lambda packet: configured(packet) == (6, 0))
+    taken(frames, other, 6, 0, 30, 80)
     other.close()
     mcs, gsc = mcs.stop(), gsc.stop()
-    assert gsc.summary["orders_sent"] == 2
+    assert gsc.summary["orders_sent"] >= 2
     need("configuration_refused" not in mcs.events, mcs, gsc)
