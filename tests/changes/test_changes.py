@@ -148,7 +148,6 @@ class Change:
                         **at_start)
 
 
-@pytest.mark.xdist_group("sensor")
 def test_one_more_sensor_word():
     """It comes down from the plant to CORE of the ground."""
     change = Change("sensor")
@@ -171,11 +170,6 @@ def task():
     return Change("task")
 
 
-# Those of one copy run one after another.
-of_the_task = pytest.mark.xdist_group("task")
-
-
-@of_the_task
 def test_one_more_task(task):
     """It tells the ground of what it sees in CORE."""
     task.expect_cost()
@@ -224,7 +218,6 @@ def left_out(task, lines):
             (task.copy / name).write_text(text, encoding="utf-8")
 
 
-@of_the_task
 def test_a_task_that_is_left_out_does_not_build(task):
     """Its name, its row and its step are lines of the patch of one more task,
     each left out by itself."""
@@ -235,7 +228,6 @@ def test_a_task_that_is_left_out_does_not_build(task):
         assert "battery_task" in result.stderr.lower(), result.stderr
 
 
-@of_the_task
 def test_an_instance_that_no_list_names_is_noticed(task):
     """All three lines left out at once: that builds, for nothing runs it."""
     assert task.build("sim/urv_sim.gpr").returncode == 0
@@ -248,7 +240,6 @@ def test_an_instance_that_no_list_names_is_noticed(task):
     assert "1 failed, 1 passed" in tables.stdout
 
 
-@pytest.mark.xdist_group("hundred-hertz")
 def test_frames_of_10_ms():
     change = Change("hundred-hertz")
     change.expect_cost()
