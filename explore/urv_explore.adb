@@ -17,7 +17,6 @@ with Explore.Ground_Sides;
 with Explore.Link;     use Explore.Link;
 with Telemetry;        use Telemetry;
 with Telemetry.Headers;
-with Telemetry.Turns;
 
 procedure URV_Explore is
 
@@ -166,8 +165,8 @@ begin
    Put_Line
      ("blocks of" & Explore.Length_Of (Telemetry.Ground)'Image & " and"
       & Explore.Length_Of (Telemetry.Aircraft)'Image & " bytes, dead space"
-      & Turns.Dead_Space'Image & ", idle time"
-      & Turns.Idle_Time'Image & ", frame"
+      & Telemetry.Dead_Space'Image & ", idle time"
+      & Telemetry.Idle_Time'Image & ", frame"
       & Integer'Image (Explore.Frame) & " character times");
    Flush;
 

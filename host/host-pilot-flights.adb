@@ -62,14 +62,14 @@ package body Host.Pilot.Flights is
      (case Of_Flight is
          when Standard_Flight => Standard_Length,
          when Level_Flight    => Level_Length,
-         when Circuit_Flight  => Circuits.Length);
+         when Flight_By_Eye   => Circuits.Length);
 
    function Targets_At (Of_Flight : Flight; Time : Microseconds)
                         return Targets
    is (case Of_Flight is
           when Standard_Flight => Targets_In (Standard_Legs, Time),
           when Level_Flight    => Targets_In (Level_Legs, Time),
-          when Circuit_Flight  => (others => <>));
+          when Flight_By_Eye   => (others => <>));
 
    function Targets_In (Legs : Leg_List; Time : Microseconds) return Targets
    is

@@ -4,16 +4,20 @@
 
 private package Host.Pilot.Flights is
 
-   type Flight is (Standard_Flight, Level_Flight, Circuit_Flight);
+   --  A damped circuit is one with the law that damps the rates on (EXT-3).
+   type Flight is
+     (Standard_Flight, Level_Flight, Circuit_Flight, Damped_Circuit_Flight);
 
    --  The last ones.
-   subtype Flight_By_Eye is Flight range Circuit_Flight .. Circuit_Flight;
+   subtype Flight_By_Eye is Flight
+     range Circuit_Flight .. Damped_Circuit_Flight;
 
    function Name (Of_Flight : Flight) return String is
      (case Of_Flight is
-         when Standard_Flight => "standard",
-         when Level_Flight    => "level",
-         when Circuit_Flight  => "circuit");
+         when Standard_Flight       => "standard",
+         when Level_Flight          => "level",
+         when Circuit_Flight        => "circuit",
+         when Damped_Circuit_Flight => "damped-circuit");
 
    function Length (Of_Flight : Flight) return Microseconds;
 

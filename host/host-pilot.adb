@@ -299,6 +299,9 @@ package body Host.Pilot is
          Circuits.Move
            (Now, Mind.Stale > 0, Mind.Sight, Mind.Sight_Is_New, Console);
          Mind.Sight_Is_New := False;
+         if Mind.Flown = Damped_Circuit_Flight then
+            Console (Switch_1) := Converter_Value'Last;
+         end if;
          return;
       end if;
       if Mind.Has_Seen then

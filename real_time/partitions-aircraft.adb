@@ -13,8 +13,10 @@ with Partitions.Plant;
 with Telemetry.Boards;
 with URV.CORE_Layout;
 with URV.Laws;
+with URV.Law_Status;
 with URV.PWM_Layout;
 with URV.Routing;
+with URV.Surface_Monitor;
 with URVOS;               use URVOS;
 with URVOS.Frame_Locks;   use URVOS.Frame_Locks;
 with URVOS.Frames;        use URVOS.Frames;
@@ -110,6 +112,35 @@ package body Partitions.Aircraft is
          To.Truth := Plant.Truth;
       end if;
    end Append_Values;
+
+   function Last_Names return String is
+     (if MCS.Law_Settings.Contents.On
+      then ",laws.lateral,laws.vertical,laws.power,laws.link"
+        & ",laws.invalid_low,laws.invalid_high,laws.silent,laws.failed"
+        & ",laws.configuration"
+      else "");
+
+   procedure Append_Laws (To : in out Row) is
+      use Devices.CORE_Memory;
+
+      Told  : constant Log_Row :=
+        URV.Law_Status.To_Row
+          (MCS.Law_Memory.Contents,
+           URV.Surface_Monitor.Failed_Bits (MCS.Surface_Memory.Contents),
+           MCS.Law_Configured.Contents);
+      Modes : Word := Told (Occurrences_High);
+   begin
+      if MCS.Law_Settings.Contents.On then
+         for Part in 1 .. 4 loop
+            Append (To, Number (Modes mod 16));
+            Modes := Modes / 16;
+         end loop;
+         for Word of Told (Occurrences_Low .. Last_Frame_High) loop
+            Append (To, Number (Word));
+         end loop;
+         Append (To, Number (Told (Last_Detail)));
+      end if;
+   end Append_Laws;
 
    function Next_News (Now : String) return String is
       Of_Plant : constant String := Plant.Next_News (Now);

@@ -24,8 +24,10 @@ package Partitions.Aircraft is
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
 
-   --  Nothing stands behind the others.
-   function Last_Names return String is ("");
+   --  With the control laws, what they say of themselves (EXT-3), by the
+   --  names that the simulation's record has.
+   function Last_Names return String;
+   procedure Append_Laws (To : in out Row);
 
    --  See Partitions.Run: the plant, and the frames in step (FRM-6).
    function Next_News (Now : String) return String;

@@ -25,4 +25,5 @@ package Partitions.MCS_Node is new Partitions.Nodes
    CORE_Task           => MCS.CORE_Task,
    Sample              => Partitions.Aircraft.Sample,
    Append_Values       => Partitions.Aircraft.Append_Values,
+   Append_Last         => Partitions.Aircraft.Append_Laws,
    Observe             => Partitions.Aircraft.Observe);

@@ -8,7 +8,6 @@ with Partitions.Exceptions;
 with Partitions.Flood_Guards; use Partitions.Flood_Guards;
 with Partitions.Links; use Partitions.Links;
 with Telemetry;        use Telemetry;
-with Telemetry.Turns;  use Telemetry.Turns;
 
 package body Partitions.Telemetry_Processor is
 

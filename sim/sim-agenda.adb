@@ -4,7 +4,7 @@ package body Sim.Agenda is
 
    --  The time and, so that one comparison finds the first of several at
    --  the same instant, the place of the event in the order of events.
-   type Entry_Time is range 0 .. 2 ** 63 - 1;
+   type Entry_Time is mod 2 ** 64;
    Never  : constant Entry_Time := Entry_Time'Last;
    Places : constant := 16;
    pragma Compile_Time_Error
@@ -12,41 +12,70 @@ package body Sim.Agenda is
 
    Entries : array (Event) of Entry_Time := (others => Never);
 
+   --  What hardly ever happens is looked at only when it changes.
+   Is_Rare    : constant array (Event) of Boolean :=
+     (Extra_Up | Extra_Down | Hardware_Fault | GSC_Started | MCS_Started =>
+        True,
+      others => False);
+   First_Rare : Entry_Time := Never;
+
+   procedure Enter (What : Event; Time : Entry_Time) with Inline_Always;
+   procedure Find_First_Rare with No_Inline;
+
+   procedure Find_First_Rare is
+   begin
+      First_Rare := Never;
+      for Candidate in Event loop
+         if Is_Rare (Candidate) then
+            First_Rare := Entry_Time'Min (First_Rare, Entries (Candidate));
+         end if;
+      end loop;
+   end Find_First_Rare;
+
+   procedure Enter (What : Event; Time : Entry_Time) is
+   begin
+      Entries (What) := Time;
+      if Is_Rare (What) then
+         Find_First_Rare;
+      end if;
+   end Enter;
+
    procedure Clear is
    begin
       Entries := (others => Never);
+      First_Rare := Never;
    end Clear;
 
    procedure Schedule (What : Event; Time : Microseconds) is
    begin
-      Entries (What) :=
-        Entry_Time (Time) * Places + Event'Pos (What);
+      Enter (What, Entry_Time (Time) * Places + Event'Pos (What));
    end Schedule;
 
    procedure Cancel (What : Event) is
    begin
-      Entries (What) := Never;
+      Enter (What, Never);
    end Cancel;
 
    function Is_Due (What : Event) return Boolean is
      (Entries (What) /= Never);
 
    procedure Find_First (What : out Event; Time : out Microseconds) is
-      First : Entry_Time := Entries (Event'First);
+      First : Entry_Time := First_Rare;
    begin
-      for Candidate in Event range Event'Succ (Event'First) .. Event'Last
-      loop
-         First := Entry_Time'Min (First, Entries (Candidate));
+      for Candidate in Event loop
+         if not Is_Rare (Candidate) then
+            First := Entry_Time'Min (First, Entries (Candidate));
+         end if;
       end loop;
       What := Event'Val (First mod Places);
       Time := Microseconds (First / Places);
    end Find_First;
 
    function First_Besides (What : Event) return Microseconds is
-      First : Entry_Time := Never;
+      First : Entry_Time := First_Rare;
    begin
       for Candidate in Event loop
-         if Candidate /= What then
+         if not Is_Rare (Candidate) and then Candidate /= What then
             First := Entry_Time'Min (First, Entries (Candidate));
          end if;
       end loop;

@@ -29,6 +29,6 @@ package Sim.Agenda is
    with Inline;
 
    --  When the first of the others happens.
-   function First_Besides (What : Event) return Microseconds;
+   function First_Besides (What : Event) return Microseconds with Inline;
 
 end Sim.Agenda;

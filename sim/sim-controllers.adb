@@ -68,7 +68,15 @@ package body Sim.Controllers is
 
    --  Begins the conversion that the controller has asked for, if any. The
    --  board holds the channel's value from now on.
-   procedure Serve_Converter (Which : Node; Time : Microseconds);
+   procedure Serve_Converter (Which : Node; Time : Microseconds)
+   with Inline_Always;
+
+   --  End_Conversion, apart for each node.
+   procedure Convert
+     (Which      : Node;
+      Time       : Microseconds;
+      Until_Time : Microseconds)
+   with Inline_Always;
 
    procedure Prepare
      (Lag        : Microseconds;
@@ -164,7 +172,7 @@ package body Sim.Controllers is
       end if;
    end Serve_Converter;
 
-   procedure End_Conversion
+   procedure Convert
      (Which      : Node;
       Time       : Microseconds;
       Until_Time : Microseconds)
@@ -196,6 +204,17 @@ package body Sim.Controllers is
            or else not Is_Due (Converted (Which))
            or else Now >= Until_Time;
       end loop;
+   end Convert;
+
+   procedure End_Conversion
+     (Which      : Node;
+      Time       : Microseconds;
+      Until_Time : Microseconds) is
+   begin
+      case Which is
+         when Ground   => Convert (Ground, Time, Until_Time);
+         when Aircraft => Convert (Aircraft, Time, Until_Time);
+      end case;
    end End_Conversion;
 
    procedure Tick (Which : Node; Time : Microseconds) is

@@ -75,27 +75,41 @@ package body Sim.Engine is
    procedure Ask_Timer
      (Which   : Node;
       Time    : Microseconds;
-      Elapsed : out Character_Times);
+      Elapsed : out Character_Times)
+   with Inline_Always;
+
+   --  What happens to most characters is done apart for each node: what is
+   --  known of it need not be looked up (EVI-14).
 
    --  A character reaches the board.
    procedure Hear
      (Listener  : Node;
       Time      : Microseconds;
       Heard     : Arrival;
-      May_Speak : out Boolean);
+      May_Speak : out Boolean)
+   with Inline_Always;
 
    --  Gives the telemetry board its turn, if its transmitter is empty.
+   procedure Serve
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer)
+   with Inline_Always;
+
+   --  The same, where it is seldom done.
    procedure Serve_Telemetry
      (Which : Node;
       Time  : Microseconds;
-      Wire  : in out Text_Output.Writer);
+      Wire  : in out Text_Output.Writer)
+   with No_Inline;
 
    --  The node's character has been sent: the other board hears it, then
    --  either may speak.
    procedure End_Character
      (Sender : Node;
       Time   : Microseconds;
-      Wire   : in out Text_Output.Writer);
+      Wire   : in out Text_Output.Writer)
+   with Inline_Always;
 
    --  The other board hears what the line has added to the node's
    --  characters.
@@ -212,12 +226,21 @@ package body Sim.Engine is
       Elapsed : out Character_Times)
    is
       Board : Hardware renames Boards (Which);
-      Whole : constant Microseconds :=
-        (Time - Board.Timer) / Character_Time;
+      Since : constant Microseconds'Base := Time - Board.Timer;
+      Whole : Microseconds;
    begin
-      Board.Timer := Board.Timer + Whole * Character_Time;
-      Elapsed := Character_Times
-        (Microseconds'Min (Whole, Microseconds (Character_Times'Last)));
+      --  Mostly none or one.
+      if Since < Character_Time then
+         Elapsed := 0;
+      elsif Since < 2 * Character_Time then
+         Board.Timer := Board.Timer + Character_Time;
+         Elapsed := 1;
+      else
+         Whole := Since / Character_Time;
+         Board.Timer := Board.Timer + Whole * Character_Time;
+         Elapsed := Character_Times
+           (Microseconds'Min (Whole, Microseconds (Character_Times'Last)));
+      end if;
    end Ask_Timer;
 
    procedure Hear
@@ -248,7 +271,7 @@ package body Sim.Engine is
       end if;
    end Hear;
 
-   procedure Serve_Telemetry
+   procedure Serve
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer)
@@ -301,6 +324,17 @@ package body Sim.Engine is
            (Time_Out (Which),
             Board.Timer + Microseconds (Time_Left) * Character_Time);
       end if;
+   end Serve;
+
+   procedure Serve_Telemetry
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer) is
+   begin
+      case Which is
+         when Ground   => Serve (Ground, Time, Wire);
+         when Aircraft => Serve (Aircraft, Time, Wire);
+      end case;
    end Serve_Telemetry;
 
    procedure End_Character
@@ -326,7 +360,7 @@ package body Sim.Engine is
       if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
          Serve_Telemetry (Other (Sender), Time, Wire);
       end if;
-      Serve_Telemetry (Sender, Time, Wire);
+      Serve (Sender, Time, Wire);
    end End_Character;
 
    procedure Hear_Extra

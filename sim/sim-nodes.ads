@@ -60,13 +60,14 @@ package Sim.Nodes is
      (Which   : Node;
       Wanted  : out Boolean;
       Channel : out Devices.AD_Board.Channel_Number)
-   with Inline;
+   with Inline_Always;
 
    procedure Finish_Conversion
      (Which  : Node;
       Value  : Word;
       Is_Up  : Boolean;
-      Raised : out Boolean);
+      Raised : out Boolean)
+   with Inline_Always;
 
    --  The telemetry board: see Telemetry.Shared_Boards.
 
@@ -76,7 +77,7 @@ package Sim.Nodes is
       Data         : Byte;
       Parity_Error : Boolean;
       May_Speak    : out Boolean)
-   with Inline;
+   with Inline_Always;
 
    procedure Next_Character
      (Which     : Node;
@@ -84,7 +85,7 @@ package Sim.Nodes is
       Send      : out Boolean;
       Data      : out Byte;
       Time_Left : out Telemetry.Character_Times)
-   with Inline;
+   with Inline_Always;
 
    --  Before the nodes are switched on.
    procedure Set_Schedule (Schedule : Schedule_Name);

@@ -3,7 +3,6 @@
 with Devices.AD_Board;
 with Telemetry;
 with Telemetry.Senders; use Telemetry.Senders;
-with Telemetry.Turns;
 with URVOS.Task_Trees;
 with URV.Buffers;       use URV.Buffers;
 with URVOS.Frames;      use URVOS.Frames;
@@ -44,9 +43,9 @@ package body Sim.Numbers is
       --  The ground answers a downlink that it has asked for.
       Put ("exchange_up_characters", Up + 2);
       Put ("exchange_down_characters", Down + 1);
-      Put ("dead_space_characters", Natural (Telemetry.Turns.Dead_Space));
-      Put ("guard_characters", Natural (Telemetry.Turns.Guard_Time));
-      Put ("idle_characters", Natural (Telemetry.Turns.Idle_Time));
+      Put ("dead_space_characters", Natural (Telemetry.Dead_Space));
+      Put ("guard_characters", Natural (Telemetry.Guard_Time));
+      Put ("idle_characters", Natural (Telemetry.Idle_Time));
       Text_Output.New_Line (To);
       Text_Output.Put_Line (To, "}");
    end Print;

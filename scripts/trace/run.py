@@ -5,8 +5,9 @@
     scripts/trace/run.py check     says what is missing; exit status 1 if so
     scripts/trace/run.py renew     writes the links that comments and tests'
                                    names call for into the requirements
-    scripts/trace/run.py export [FOLDER]
-                                   HTML by StrictDoc, in trace/ or FOLDER
+    scripts/trace/run.py export [FOLDER [UID ...]]
+                                   HTML by StrictDoc, in trace/ or FOLDER; with
+                                   the links of all requirements or of those
 """
 
 import shutil
@@ -95,11 +96,16 @@ def renew():
     (ROOT / requirements_file.FILE).write_text(text, encoding="utf-8")
 
 
-def export(html):
-    """Let StrictDoc write the requirements with their links as HTML."""
+def export(html, wanted=()):
+    """Let StrictDoc write the requirements as HTML, with the links of those
+    wanted or of all."""
     repository = gaps.Repository(ROOT)
     by_uid = {item.uid: item for item in repository.requirements}
+    if strange := set(wanted) - set(by_uid):
+        print(f"no requirements: {', '.join(sorted(strange))}")
+        return 2
     linked = {uid: relations(repository, item)
+              if not wanted or uid in wanted else []
               for uid, item in by_uid.items()}
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
@@ -139,8 +145,8 @@ def main(arguments):
             return report()
         case ["export"]:
             return export(ROOT / "trace") | report()
-        case ["export", folder]:
-            return export(Path(folder)) | report()
+        case ["export", folder, *wanted]:
+            return export(Path(folder), wanted) | report()
         case _:
             print(__doc__, file=sys.stderr)
             return 2

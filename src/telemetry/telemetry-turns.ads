@@ -18,15 +18,6 @@ with Telemetry.Senders;   use Telemetry.Senders;
 
 package Telemetry.Turns with Pure, SPARK_Mode is
 
-   --  How long a board waits for the other one, and how long the line must
-   --  be silent before the ground starts afresh.
-   Dead_Space : constant Character_Times := 20;
-   Idle_Time  : constant Character_Times := 24;
-
-   --  How long a board waits at the end of a data message: longer than one
-   --  character, so that a message with one more is bad (LNK-5, D-27).
-   Guard_Time : constant Character_Times := 2;
-
    type Turn is
      (Ready,             --  nothing of ours is on its way
       Sending,           --  a data message

@@ -5,7 +5,8 @@
 --  This package has the bytes of a block, the unit of the board's timer,
 --  who is who on the link, and what a board counts.
 
-with URVOS; use URVOS;
+with URVOS;        use URVOS;
+with URVOS.Frames; use URVOS.Frames;
 
 package Telemetry with Pure, SPARK_Mode is
 
@@ -32,6 +33,30 @@ package Telemetry with Pure, SPARK_Mode is
    Microseconds_Per_Character : constant := 96;
 
    type Character_Times is range 0 .. 1_000;
+
+   --  How long a board waits at the end of a data message: longer than one
+   --  character, so that a message with one more is bad (LNK-5, D-27).
+   Guard_Time : constant Character_Times := 2;
+
+   --  The characters that a major frame has room for, and those of an
+   --  exchange without faults: both data messages with header, checksum and
+   --  guard time, both answers and the command (LNK-2, FRM-1).
+   Room_In_Frame : constant :=
+     Ticks_Per_Major_Frame * Microseconds_Per_Tick
+     / Microseconds_Per_Character;
+   Exchange      : constant :=
+     Uplink_Length + Downlink_Length + 2 * (2 + Guard_Time) + 3;
+
+   --  How long the line must be silent before the ground starts afresh, as
+   --  it is behind each exchange (D-28); shorter where the frame is. A board
+   --  waits for the other one less long (LNK-9).
+   Idle_Time  : constant Character_Times :=
+     Character_Times'Min (24, Room_In_Frame - Exchange - 1);
+   Dead_Space : constant Character_Times := Idle_Time * 5 / 6;
+
+   pragma Compile_Time_Error
+     (Dead_Space < 5,
+      "a major frame has no room for an exchange and the ground's idle time");
 
    type Statistics is record
       Sent      : Count := 0;   --  data messages, retries included

@@ -243,11 +243,8 @@ def test_an_instance_that_no_list_names_is_noticed(task):
 def test_frames_of_10_ms():
     change = Change("hundred-hertz")
     change.expect_cost()
-    # The tick; and the waits of the boards, for an exchange and the ground's
-    # idle time (D-28) are to fit into half the time.
-    lines = {name: len(change.lines(name, "+"))
-             for name in change.files()["product"]}
-    assert sorted(lines.values()) == [1, 2]
+    name, = change.files()["product"]
+    assert len(change.lines(name, "+")) == 1
     change.expect_built_and_tested()
     rows, summary = change.fly_aircraft()
     assert len(rows) == summary["frames"] == 100 * SECONDS

@@ -54,7 +54,6 @@ def test_gnd6_sticks_move_the_aircraft_in_lock_step(start, write):
     up, down = free_ports(2)
     sticks = write("sticks.csv", HEADER + ",".join(map(str, (0, *BANKING))))
     mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
-    mcs.words_move = True
     wait_for_line(mcs, "listening at")
     gsc = start("gsc", udp(down, up), "--phase", 0, "--sticks", sticks,
                 "--seconds", 4)
@@ -107,7 +106,6 @@ def test_gnd6_sticks_move_the_aircraft_in_lock_step(start, write):
 @flies_again
 def test_gnd6_a_killed_plant_is_told_and_the_node_flies_on(start):
     mcs = start("mcs", udp(*free_ports(2)), *JSBSIM, quiet=False)
-    mcs.words_move = True
     wait_for_line(mcs, "listening at")
     plant = plant_of(mcs)
     os.kill(plant, signal.SIGKILL)
@@ -138,7 +136,6 @@ def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
     up, down = free_ports(2)
     sticks = write("sticks.csv", HEADER + ",".join(map(str, (0, *BANKING))))
     mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
-    mcs.words_move = True
     wait_for_line(mcs, "listening at")
     gsc = start("gsc", udp(down, up), "--phase", 0, "--sticks", sticks)
     wait_for_line(mcs, "peer heard at")
@@ -158,7 +155,6 @@ def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
 
 def test_gnd6_no_plant_outlives_its_partition(start):
     mcs = start("mcs", udp(*free_ports(2)), *JSBSIM, quiet=False)
-    mcs.words_move = True
     wait_for_line(mcs, "listening at")
     plant = plant_of(mcs)
     mcs.program.kill()

@@ -88,7 +88,6 @@ def test_saf9_warm_starts_in_flight_have_no_violation(
         gsc=("--seconds", seconds, "--sticks", sticks))
     mcs.await_begin()
     gsc.await_begin()
-    mcs.words_move = gsc.words_move = True
     for run, which in ((mcs, signal.SIGUSR1), (gsc, signal.SIGUSR2),
                        (mcs, signal.SIGUSR2), (gsc, signal.SIGUSR1)):
         time.sleep(0.4)

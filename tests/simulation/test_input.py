@@ -88,7 +88,7 @@ COMMAND_LINES = [
      '--pace: "fast" is neither "max" nor "realtime"'),
     (["fly", "--pilot", "nobody"],
      '--pilot: "nobody" is not a flight the pilot knows;'
-     " there are standard, level, circuit"),
+     " there are standard, level, circuit, damped-circuit"),
     *((["fly", "--pilot", "standard", *more],
        "--pilot needs an aircraft to fly: add --plant jsbsim")
       for more in ([], ["--plant", "bench"])),

@@ -9,7 +9,6 @@ with Telemetry.Checksum;
 with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Shared_Boards;
-with Telemetry.Turns;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URV.Errors;          use URV.Errors;
@@ -130,7 +129,7 @@ package body LOG_Task_Tests is
       Hear (0);
       Hear (if Is_Good then Sum else Sum xor 1);
       Board.Next_Character
-        (Turns.Guard_Time, Answers, Unused_Data, Unused_Time);
+        (Telemetry.Guard_Time, Answers, Unused_Data, Unused_Time);
       Expect ("answers", Answers, True);
       Speak;
    end Hear_Block;

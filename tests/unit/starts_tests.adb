@@ -14,7 +14,6 @@ with Telemetry;           use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
 with Telemetry.Receivers;
-with Telemetry.Turns;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URVOS.Self_Tests;    use URVOS.Self_Tests;
@@ -474,10 +473,10 @@ package body Starts_Tests is
       --  When the guard time is over it is taken, and the answer sent.
       if Node = Ground then
          GSC.Telemetry_Board.Next_Character
-           (Telemetry.Turns.Guard_Time, Answers, Status, Unused_Time);
+           (Telemetry.Guard_Time, Answers, Status, Unused_Time);
       else
          MCS.Telemetry_Board.Next_Character
-           (Telemetry.Turns.Guard_Time, Answers, Status, Unused_Time);
+           (Telemetry.Guard_Time, Answers, Status, Unused_Time);
       end if;
       Expect ("answers", Answers, True);
    end Receive_Message;

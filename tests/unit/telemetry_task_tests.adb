@@ -7,7 +7,6 @@ with Telemetry;     use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Receivers;
 with Telemetry.Shared_Boards;
-with Telemetry.Turns;
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
 with URV.Codecs;
@@ -106,7 +105,7 @@ package body Telemetry_Task_Tests is
 
       --  When the guard time is over it answers, and the line is free again.
       Board_In.Next_Character
-        (Turns.Guard_Time, Unused_Send, Status, Unused_Time);
+        (Telemetry.Guard_Time, Unused_Send, Status, Unused_Time);
       Board_In.Next_Character (1, Unused_Send, Status, Unused_Time);
    end Receive_Block;
 
