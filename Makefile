@@ -22,7 +22,7 @@ help:
 	@echo "Evidence: measure it. RENEW=--renew writes the result into docs."
 	@echo "  make explore    explore both telemetry boards exhaustively"
 	@echo "  make campaign   spoil the link in every way, see it recover;"
-	@echo "                  CAMPAIGN=tiny|short|full JOBS=N"
+	@echo "                  CAMPAIGN=tiny|short|full FORMAT=1|2 JOBS=N"
 	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
 	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
@@ -139,13 +139,17 @@ size:
 	@python3 scripts/node_size.py
 
 # SCHEDULER: of Dask, whose workers fly instead of processes here.
+# FORMAT: of the messages; 2 is sealed. ONLY=single,soak: of the cases.
 CAMPAIGN := short
+FORMAT   := 1
+ONLY     :=
 JOBS     :=
 SCHEDULER :=
 campaign:
 	@scripts/setup.sh campaign
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@.venv/bin/python scripts/campaign/run.py $(CAMPAIGN) \
+	   --format $(FORMAT) $(if $(ONLY),--only $(ONLY)) \
 	   $(if $(JOBS),--jobs $(JOBS)) \
 	   $(if $(SCHEDULER),--scheduler $(SCHEDULER))
 

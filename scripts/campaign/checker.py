@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads a flight's record and wire and says whether the link kept its word.
 
-Knows the protocol from docs/link.md and nothing of the flight software.
+Knows the protocol from docs/link.md and docs/security.md and nothing of the
+flight software.
 """
 
 import bisect
@@ -9,6 +10,7 @@ import re
 from typing import NamedTuple
 
 import data
+import sealed_blocks
 from cases import CHARACTER_US, FRAME_US, NUMBERS
 
 # A major frame without a fault: one block each way, see link.* in the record.
@@ -46,6 +48,14 @@ MESSAGE_LENGTHS = {
              0xCC: 1}}
 
 
+def is_kept(block, before):
+    """Nothing came: the same words, from then on marked as old."""
+    words, _, mark = block.rpartition(",")
+    words_before, _, mark_before = before.rpartition(",")
+    return block == before or (
+        words == words_before and int(mark) == int(mark_before) | STALE)
+
+
 class Wrong(NamedTuple):
     """A block in CORE that never was sent."""
 
@@ -58,9 +68,10 @@ class Flight:
     """What a flight left: for each frame the age of what CORE holds, whether
     it says of itself that it is old, and what the link counted in it; when
     each character was sent. What is wrong with the messages on the wire, or
-    with the counts beside them, is in wire_errors."""
+    with the counts beside them, is in wire_errors. Came_twice is how many
+    blocks a seal refuses because they are repeated."""
 
-    def __init__(self, record, wire, frames):
+    def __init__(self, record, wire, frames, message_format=1, phase=0):
         self.newest = {"up": [], "down": []}
         self.stale = {"up": set(), "down": set()}
         self.link = []
@@ -70,6 +81,9 @@ class Flight:
         self._read_record(record, frames)
         self._read_wire(wire)
         self._check_counts()
+        self._check_format(message_format)
+        self.came_twice = (sealed_blocks.came_twice(self.said, phase)
+                           if message_format == 2 else 0)
 
     def _read_record(self, path, frames):
         columns = {"up": MCS_UPLINK, "down": GSC_DOWNLINK}
@@ -98,7 +112,7 @@ class Flight:
                         last[way] = number
                     elif last[way] == NOTHING_YET:
                         number = NOTHING_YET
-                    elif block != before[way]:
+                    elif not is_kept(block, before[way]):
                         self.wrong.append(
                             Wrong(frame, way, tuple(map(int, row[column]))))
                     before[way] = block
@@ -112,6 +126,7 @@ class Flight:
             text = wire.read()
         self.times = {}
         self.messages = {}
+        self.said = {}
         for way in ("up", "down"):
             self.times[way] = [
                 int(time) for time in
@@ -119,6 +134,7 @@ class Flight:
             sent = bytes.fromhex(b"".join(
                 re.findall(rb"," + way.encode() + rb",(..)", text)).decode())
             counts = dict.fromkeys(MESSAGE_LENGTHS[way], 0)
+            said = self.said[way] = []
             place = 0
             while place < len(sent):
                 first = sent[place]
@@ -129,8 +145,18 @@ class Flight:
                         f" {first:02x}")
                     break
                 counts[first] += 1
+                said.append((self.times[way][place],
+                             sent[place:place + length]))
                 place += length
             self.messages[way] = counts
+
+    def _check_format(self, message_format):
+        for way, said in self.said.items():
+            blocks = [message[1:-1] for _, message in said if len(message) > 1]
+            self.wire_errors += [
+                f"{way}: {what}" for what in (
+                    sealed_blocks.wrongs(blocks, way) if message_format == 2
+                    else sealed_blocks.marked(blocks))]
 
     def _check_counts(self):
         """The boards' counts against what was on the wire."""

@@ -22,6 +22,7 @@ WAYS = ("up", "down")
 
 MOST_DRIFT_PPM = 200
 KNOWN_KINDS = (0, 0x100, 0x200, 0x300, 0x400)
+# Not made anew for each flight: the same number leaves the same bytes.
 KEY = f"key 1 {'5a' * 16}\n"
 
 
@@ -149,8 +150,9 @@ def ways_to_fly(chance, length_ms):
     return options, files, schedule, drift
 
 
-def of_number(number):
-    """The mix of that number: the options of its flight, and its files."""
+def of_number(number, message_format=1):
+    """The mix of that number: the options of its flight, and its files. In
+    format 2 all fly sealed, else some."""
     chance = random.Random(f"mix {number}")
     frames = chance.randrange(
         SHORTEST_S * FRAMES_PER_S, LONGEST_S * FRAMES_PER_S + 1)
@@ -170,4 +172,7 @@ def of_number(number):
              "faults": "".join(f"{line}\n" for line in lines)}
     more, more_files, schedule, drift = ways_to_fly(
         random.Random(f"mix {number} flies"), length_ms)
+    if message_format == 2 and "key" not in more_files:
+        more += ["--format", "2"]
+        more_files["key"] = KEY
     return Mix((*options, *more), files | more_files, schedule, drift)

@@ -7,9 +7,14 @@
   run.py mix NUMBER FOLDER   leaves a random mix's files and record in the
                              folder, says how it is flown and what is wrong
 
+With --format 2 every flight is sealed (docs/security.md). With --only GROUPS
+only the shards of these groups are flown (cases.py).
+
 Dask spreads the shards over processors here or, with --scheduler, over
-workers anywhere (docs/monte-carlo.md). Results are left in campaign/. Exit
-status: 0 when every check of every shard held.
+workers anywhere (docs/monte-carlo.md). Results are left in campaign/, each as
+it comes: a run that was broken off goes on where it stopped, as long as
+program and scripts are the same. Exit status: 0 when every check of every
+shard held.
 """
 
 import argparse
@@ -17,6 +22,7 @@ import csv
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -38,13 +44,20 @@ from flight_numbers import FRAMES_PER_S, NUMBERS  # noqa: E402
 
 PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
+SHARDS = "shards.jsonl"
 
 # What travels to the workers.
 CARGO = ("bin/urv_sim", "scripts/campaign", "scripts/safety",
          "scripts/flight_numbers.py")
 
 
-def fly(folder, phase, seed, frames, faults):
+def write_key(path):
+    path.touch(mode=0o600)
+    path.chmod(0o600)
+    path.write_text(mixes.KEY, encoding="ascii")
+
+
+def fly(folder, phase, seed, frames, faults, message_format=1):
     lag = phase * NUMBERS.tick_us // 1000
     data.write_script(folder / "sticks.csv", data.STICKS, frames, 0)
     data.write_script(folder / "sensors.csv", data.SENSORS, frames, lag)
@@ -53,7 +66,11 @@ def fly(folder, phase, seed, frames, faults):
                "--phase", phase, "--seed", seed,
                "--sticks", "sticks.csv", "--sensors", "sensors.csv",
                "--faults", "faults.txt",
-               "--record", "record.csv", "--wire", "wire.csv"]
+               "--record", "record.csv", "--wire", "wire.csv",
+               "--summary", "summary.json"]
+    if message_format == 2:
+        write_key(folder / "key")
+        command += ["--format", 2, "--key", "key"]
     return subprocess.run(list(map(str, command)), cwd=folder, check=False,
                           capture_output=True, text=True)
 
@@ -97,15 +114,21 @@ def by_theory(name, flight):
 
 def findings_in(folder, *flown):
     """What the safety monitor finds in a flight of this folder, flown in
-    the report's schedule and without drift unless it is told."""
+    the report's schedule, without drift or lock unless it is told."""
     return monitor.check(folder / "record.csv", folder / "sticks.csv",
                          folder / "sensors.csv", folder / "faults.txt",
                          *flown)
 
 
-def fly_mix(number, folder):
+def refused_in(folder):
+    """How many blocks the nodes refused, by their error logs."""
+    summary = json.loads((folder / "summary.json").read_text("utf-8"))
+    return sum(count for event, count in summary["events"].items()
+               if event.endswith(".block_refused"))
+
+
+def fly_mix(mix, folder):
     """The command that flies it, and its result."""
-    mix = mixes.of_number(number)
     command = [str(PROGRAM), "fly", "--quiet", *mix.options]
     for option, text in mix.files.items():
         name = FILES[option]
@@ -117,12 +140,16 @@ def fly_mix(number, folder):
                                    capture_output=True, text=True)
 
 
-def findings_in_mix(number, folder):
-    mix = mixes.of_number(number)
-    return findings_in(folder, mix.schedule, mix.drift)
+def findings_in_mix(mix, folder):
+    """The checksum lets wrong blocks through, the seal none."""
+    findings = findings_in(folder, mix.schedule, mix.drift,
+                           "--lock" in mix.options)
+    return findings._replace(violations=findings.violations + [
+        f"sealed, and yet: {what}" for what in findings.wrong_blocks
+        if "key" in mix.files])
 
 
-def run_mixes(name):
+def run_mixes(name, message_format):
     """A shard of random mixes: only what the safety monitor says counts."""
     _, first, stop = name.split("/")
     result = new_result(name)
@@ -130,13 +157,14 @@ def run_mixes(name):
         folder = Path(folder)
         for number in range(int(first), int(stop)):
             result["cases"] += 1
-            _, flown = fly_mix(number, folder)
+            mix = mixes.of_number(number, message_format)
+            _, flown = fly_mix(mix, folder)
             if flown.returncode != 0:
                 result["failures"].append(
                     f"mix {number}: status {flown.returncode}:"
                     f" {flown.stderr.strip()}")
                 continue
-            findings = findings_in_mix(number, folder)
+            findings = findings_in_mix(mix, folder)
             result["frames"] += findings.rows
             result["faults"] += len(
                 (folder / "faults.txt").read_text().splitlines())
@@ -146,14 +174,15 @@ def run_mixes(name):
     return result
 
 
-def show_mix(number, folder):
+def show_mix(number, folder, message_format=1):
     folder.mkdir(parents=True, exist_ok=True)
-    command, flown = fly_mix(number, folder)
+    mix = mixes.of_number(number, message_format)
+    command, flown = fly_mix(mix, folder)
     print(f"cd {folder}\n{' '.join(command)}", flush=True)
     if flown.returncode != 0:
         print(flown.stderr.strip())
         return 1
-    findings = findings_in_mix(number, folder)
+    findings = findings_in_mix(mix, folder)
     for line in (*findings.violations, *findings.wrong_blocks):
         print(line)
     print(f"mix {number}: {len(findings.violations)} violations,"
@@ -164,13 +193,14 @@ def show_mix(number, folder):
 def new_result(name):
     return {"shard": name, "cases": 0, "frames": 0, "faults": 0,
             "recovered_within": [0] * (checker.LONGEST + 1), "wrong": 0,
-            "wrong_by_theory": 0.0, "failures": []}
+            "refused": 0, "came_twice": 0, "wrong_by_theory": 0.0,
+            "failures": []}
 
 
-def run_shard(name):
+def run_shard(name, message_format=1):
     group = name.split("/")[0]
     if group == "mix":
-        return run_mixes(name)
+        return run_mixes(name, message_format)
     phase, seed, made = cases.of_shard(name)
     starts = [cases.LEAD]
     for case in made:
@@ -186,13 +216,15 @@ def run_shard(name):
         folder = Path(folder)
         flown = fly(folder, phase, seed, frames, "".join(
             f"{line}\n" for case, first in zip(made, starts, strict=False)
-            for line in lines_of(case, first)))
+            for line in lines_of(case, first)), message_format)
         if flown.returncode != 0:
             failures.append(f"{name}: status {flown.returncode}:"
                             f" {flown.stderr.strip()}")
             return result
         flight = checker.Flight(
-            folder / "record.csv", folder / "wire.csv", frames)
+            folder / "record.csv", folder / "wire.csv", frames,
+            message_format, phase)
+        refused = refused_in(folder)
         failures += [f"{name}: {what}"
                      for what in findings_in(folder).violations]
 
@@ -201,6 +233,12 @@ def run_shard(name):
     failures += [f"{name}: {error}" for error in flight.errors]
     if group not in ("reset", "start"):
         failures += [f"{name}: {error}" for error in flight.wire_errors]
+        result["came_twice"] = flight.came_twice
+    result["refused"] = refused - result["came_twice"]
+    if result["refused"] < 0 or (
+            result["refused"] > 0 and group not in CHANCE):
+        failures.append(f"{name}: {refused} blocks refused,"
+                        f" {result['came_twice']} came twice")
     flight.learn_lags(cases.LEAD - 1)
     if any(not flight.is_calm(frame)
            for frame in range(cases.LEAD // 2, cases.LEAD)):
@@ -220,9 +258,13 @@ def run_shard(name):
             result["recovered_within"][took] += 1
         while wrong and wrong[0].frame < stop:
             block = wrong.pop(0)
-            if len(case.faults) == 1:
+            if len(case.faults) == 1 or message_format == 2:
                 failures.append(f"{name}: {what}: wrong data {block}")
     return result
+
+
+# Of these the checksum may let a wrong block through.
+CHANCE = ("many", "soak")
 
 
 def too_many(count, expected):
@@ -230,7 +272,7 @@ def too_many(count, expected):
     return count > expected + 5 * math.sqrt(expected) + 3
 
 
-def report(results, size, seconds):
+def report(results, size, seconds, message_format=1):
     groups = {}
     for result in results:
         parts = result["shard"].split("/")
@@ -238,10 +280,11 @@ def report(results, size, seconds):
         total = groups.setdefault(group, {
             "shards": 0, "cases": 0, "faults": 0, "frames": 0,
             "recovered_within": [0] * (checker.LONGEST + 1), "wrong": 0,
-            "wrong_by_theory": 0.0, "failures": []})
+            "refused": 0, "came_twice": 0, "wrong_by_theory": 0.0,
+            "failures": []})
         total["shards"] += 1
-        for name in ("cases", "faults", "frames", "wrong", "wrong_by_theory",
-                     "failures"):
+        for name in ("cases", "faults", "frames", "wrong", "refused",
+                     "came_twice", "wrong_by_theory", "failures"):
             total[name] += result[name]
         total["recovered_within"] = [
             a + b for a, b in zip(total["recovered_within"],
@@ -250,19 +293,21 @@ def report(results, size, seconds):
     for group, total in groups.items():
         failures += total["failures"]
         # How often the checksum is put to the test in a mix nobody knows.
-        if group != "mix" and too_many(total["wrong"],
-                                       total["wrong_by_theory"]):
-            failures.append(f"{group}: {total['wrong']} wrong blocks, about"
+        passed = total["wrong"] + total["refused"]
+        if group != "mix" and too_many(passed, total["wrong_by_theory"]):
+            failures.append(f"{group}: {passed} wrong blocks, about"
                             f" {total['wrong_by_theory']:.1f} expected")
 
     columns = ["cases", "faults", "frames", "after 0",
                *map(str, range(1, checker.LONGEST)),
-               f"{checker.LONGEST} frames", "wrong", "by theory", "failures"]
+               f"{checker.LONGEST} frames", "wrong", "refused",
+               "came twice", "by theory", "failures"]
     table = [["", *columns]]
     for group, total in groups.items():
         table.append([group, total["cases"], total["faults"],
                       total["frames"], *total["recovered_within"],
-                      total["wrong"], f"{total['wrong_by_theory']:.1f}",
+                      total["wrong"], total["refused"], total["came_twice"],
+                      f"{total['wrong_by_theory']:.1f}",
                       len(total["failures"])])
     sums = [sum(float(row[n]) for row in table[1:])
             for n in range(1, len(columns) + 1)]
@@ -274,7 +319,8 @@ def report(results, size, seconds):
     with (RESULTS / "results.csv").open("w", newline="") as out:
         csv.writer(out).writerows(table)
     (RESULTS / "summary.json").write_text(json.dumps(
-        {"size": size, "wall_seconds": round(seconds), "groups": groups,
+        {"size": size, "format": message_format,
+         "wall_seconds": round(seconds), "groups": groups,
          "failures": failures}, indent=1) + "\n")
 
     widths = [max(len(str(row[n])) for row in table)
@@ -292,27 +338,68 @@ def report(results, size, seconds):
     return 1 if failures else 0
 
 
-def run_campaign(size, jobs, scheduler):
+def flown_before(program, message_format):
+    """What this program, with these scripts, has flown in this format: the
+    shards by name. A last line may have been broken off."""
+    path = RESULTS / SHARDS
+    found = {}
+    if path.exists():
+        for line in path.read_text("utf-8").splitlines():
+            try:
+                result = json.loads(line)
+            except ValueError:
+                continue
+            if (result.get("program"), result.get("format")) == (
+                    program, message_format):
+                found[result["shard"]] = result
+    return found
+
+
+def keep(result, program, message_format):
+    """A line begins anew, wherever the last one was broken off."""
+    with (RESULTS / SHARDS).open("a", encoding="utf-8") as shards:
+        shards.write("\n" + json.dumps(
+            result | {"program": program, "format": message_format}))
+
+
+def planned(size, only=None):
+    """The names of the shards, of some groups only if so wanted."""
+    return [name for name in cases.plan(size)
+            if not only or name.split("/")[0] in only]
+
+
+def run_campaign(size, jobs, scheduler, message_format=1, only=None):
     from urv import cargo, progress, workers
 
     RESULTS.mkdir(exist_ok=True)
-    names = list(cases.plan(size))
+    names = planned(size, only)
     began = time.monotonic()
     sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.run_python)
+    flown = flown_before(sent.hash, message_format)
+    results = {name: flown[name] for name in names if name in flown}
+    before = len(results)
+    if before:
+        print(f"{before} of {len(names)} shards were flown before")
     wanted = ({"name": name, "command": [
-        "scripts/campaign/run.py", "shard", name]} for name in names)
-    results = {}
-    with progress.bar("flying") as told:
-        for job, answer in workers.done(sent, wanted, scheduler, jobs):
-            results[job["name"]] = (
-                answer.get("said") or new_result(job["name"]) | {
-                    "failures": [f"{job['name']}: no result:"
-                                 f" {answer['fault']}"]})
-            told(SimpleNamespace(size=len(names), position=len(results)))
-    ordered = [results[name] for name in names]
-    (RESULTS / "shards.jsonl").write_text(
-        "".join(f"{json.dumps(result)}\n" for result in ordered))
-    return report(ordered, size, time.monotonic() - began)
+        "scripts/campaign/run.py", "shard", name,
+        "--format", str(message_format)]}
+        for name in names if name not in flown)
+    try:
+        with progress.bar("flying") as told:
+            for job, answer in workers.done(sent, wanted, scheduler, jobs):
+                if "said" in answer:
+                    keep(answer["said"], sent.hash, message_format)
+                results[job["name"]] = (
+                    answer.get("said") or new_result(job["name"]) | {
+                        "failures": [f"{job['name']}: no result:"
+                                     f" {answer['fault']}"]})
+                told(SimpleNamespace(size=len(names), position=len(results)))
+    except KeyboardInterrupt:
+        print(f"{size}: broken off after {len(results)} of {len(names)}"
+              " shards; it goes on from here next time")
+        return 130
+    return report([results[name] for name in names], size,
+                  time.monotonic() - began, message_format)
 
 
 def main():
@@ -325,6 +412,10 @@ def main():
                         help="at once, here")
     parser.add_argument("--scheduler", metavar="ADDRESS",
                         help="of Dask, whose workers fly instead")
+    parser.add_argument("--format", type=int, choices=(1, 2), default=1,
+                        help="of the messages; 2 is sealed")
+    parser.add_argument("--only", metavar="GROUPS",
+                        help="of the shards, with commas between them")
     given = parser.parse_args()
     if (given.size in ("shard", "mix")) != (given.name is not None):
         parser.error("a shard, and only a shard, has a name; a mix a number")
@@ -333,11 +424,19 @@ def main():
     if given.size == "mix":
         if not given.name.isdecimal():
             parser.error(f"a mix's number is a whole one, not {given.name!r}")
-        return show_mix(int(given.name), given.folder)
+        return show_mix(int(given.name), given.folder, given.format)
     if given.size == "shard":
-        print(json.dumps(run_shard(given.name)), flush=True)
+        print(json.dumps(run_shard(given.name, given.format)), flush=True)
         return 0
-    return run_campaign(given.size, given.jobs, given.scheduler)
+    # Whoever ends it breaks it off as Ctrl-C does.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    only = given.only.split(",") if given.only else None
+    unknown = set(only or ()) - {
+        name.split("/")[0] for name in cases.plan(given.size)}
+    if unknown:
+        parser.error(f"no such group: {', '.join(sorted(unknown))}")
+    return run_campaign(given.size, given.jobs, given.scheduler, given.format,
+                        only)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""LNK-9, INI-1: the smallest campaign, and that its checker sees what it
+"""LNK-9, INI-1, SEC-1: the smallest campaign, and that its checker sees what it
 should."""
 
 import subprocess
@@ -26,6 +26,28 @@ def test_link_recovers(name):
     result = run.run_shard(name)
     assert result["failures"] == []
     assert sum(result["recovered_within"]) == result["cases"] > 0
+
+
+@pytest.mark.parametrize("name", [
+    "single/3/0/72000/400", "many/3/0/400", "stall/0/mcs/5/2000",
+    "reset/7/gsc/2000", "start/3/mcs/warm/2000", "start/3/gsc/processor/2000",
+    "cut/3/3/60", "soak/3/4/1e-2/2000", "calm/6/200", "mix/0/20"])
+def test_sec1_a_sealed_link_recovers_in_the_same_bounds(name):
+    result = run.run_shard(name, 2)
+    assert result["failures"] == []
+    assert result["wrong"] == 0
+    if not name.startswith("mix"):
+        assert sum(result["recovered_within"]) == result["cases"] > 0
+
+
+def test_sec1_what_the_checksum_lets_through_is_refused():
+    """Not the same blocks: other bytes agree with the checksum by chance."""
+    name = "many/3/0/400"
+    plain, sealed = (run.run_shard(name, number) for number in (1, 2))
+    assert plain["wrong"] > 0 == plain["refused"]
+    assert sealed["refused"] > 0 == sealed["wrong"]
+    assert sealed["came_twice"] > 0
+    assert sealed["failures"] == []
 
 
 def test_every_single_fault_is_in_the_full_campaign():
@@ -55,15 +77,17 @@ FRAMES = 80
 def flown(tmp_path):
     """A flight with these faults; its record and wire may be altered."""
 
-    def fly(faults="", alter=None):
-        result = run.fly(tmp_path, 3, 1, FRAMES, faults or "# none\n")
+    def fly(faults="", alter=None, message_format=1, flown=None):
+        result = run.fly(tmp_path, 3, 1, FRAMES, faults or "# none\n",
+                         flown or message_format)
         assert result.returncode == 0, result.stderr
         if alter:
             name, change = alter
             path = tmp_path / name
             path.write_text(change(path.read_text()))
         flight = checker.Flight(
-            tmp_path / "record.csv", tmp_path / "wire.csv", FRAMES)
+            tmp_path / "record.csv", tmp_path / "wire.csv", FRAMES,
+            message_format)
         flight.learn_lags(39)
         return flight
 
@@ -87,6 +111,31 @@ def test_a_flight_without_faults_is_calm(flown):
     flight = flown()
     assert flight.errors == flight.wire_errors == flight.wrong == []
     assert all(flight.is_calm(frame) for frame in range(10, FRAMES))
+
+
+def test_sec1_a_sealed_flight_without_faults_is_calm(flown, tmp_path):
+    flight = flown(message_format=2)
+    assert flight.errors == flight.wire_errors == flight.wrong == []
+    assert all(flight.is_calm(frame) for frame in range(10, FRAMES))
+    assert (tmp_path / "key").stat().st_mode & 0o777 == 0o600
+    assert run.refused_in(tmp_path) == flight.came_twice == 0
+
+
+def test_sec1_what_no_checksum_sees_a_seal_does(flown, tmp_path):
+    """Two bits of data 17 apart, and the parity bits of their characters: the
+    checksum's polynomial divides x^17 + 1."""
+    faults = "1000 up flip 7 101\n1000 up flip 9 102\n"
+    assert [wrong.way for wrong in flown(faults).wrong] == ["up"]
+    flight = flown(faults, message_format=2)
+    assert flight.wrong == flight.errors == flight.wire_errors == []
+    assert run.refused_in(tmp_path) == 1
+    assert flight.came_twice == 0
+
+
+@pytest.mark.parametrize("told, flown_in", [(1, 2), (2, 1)])
+def test_a_flight_of_the_other_format_is_seen(flown, told, flown_in):
+    errors = flown(message_format=told, flown=flown_in).wire_errors
+    assert [error.split(":")[0] for error in errors] == ["up", "down"]
 
 
 @pytest.mark.parametrize("column", ["mcs.uplink.switch8",
@@ -150,7 +199,8 @@ def test_a_shard_that_cannot_fly_fails(monkeypatch):
 
 def shard_result(**changed):
     return {"shard": "many/3/0/100", "cases": 100, "frames": 1000,
-            "faults": 250, "recovered_within": [0, 50, 50, 0, 0, 0], "wrong": 0,
+            "faults": 250, "recovered_within": [0, 50, 50, 0, 0, 0],
+            "wrong": 0, "refused": 0, "came_twice": 0,
             "wrong_by_theory": 1.0, "failures": [], **changed}
 
 
@@ -158,6 +208,8 @@ def shard_result(**changed):
     ({}, 0),
     ({"wrong": 3}, 0),
     ({"wrong": 30}, 1),
+    ({"refused": 3, "came_twice": 90}, 0),
+    ({"wrong": 15, "refused": 15}, 1),
     ({"failures": ["many/3/0/100: 800 up drop 1: recovered after 4 frames"]},
      1),
 ])

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-10, LNK-9: whatever may be wrong with a flight of the campaign makes it fail,
-each thing alone. The flights here are written by hand, and perfect but for
-one thing."""
+"""EVI-10, LNK-9, SEC-1: whatever may be wrong with a flight of the campaign
+makes it fail, each thing alone. The flights here are written by hand, and
+perfect but for one thing."""
 
 import json
 import subprocess
 import sys
+from collections import Counter
 
 import pytest
 from conftest import ROOT
@@ -15,6 +16,7 @@ sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
 import cases  # noqa: E402
 import checker  # noqa: E402
 import run  # noqa: E402
+import sealed_blocks  # noqa: E402
 
 from urv import cargo, workers  # noqa: E402
 
@@ -37,6 +39,7 @@ class ByHand(checker.Flight):
                          "down": {0x87: frames, 0x2D: frames, 0xD2: 0,
                                   0x33: 0, 0xCC: 0}}
         self.wrong, self.errors, self.wire_errors = [], [], []
+        self.came_twice = 0
 
     def counts(self, frame, **more):
         """From this frame on, so many more are counted."""
@@ -239,6 +242,19 @@ def test_words_never_sent_are_told_once_data_has_come(
     assert flight.newest[way][frame] == checker.NEVER_SENT
 
 
+@pytest.mark.parametrize("marks, told", [
+    ((0, 1, 1), [30]), ((2, 3), [30]), ((1, 1), [30]), ((0, 0), [30]),
+    ((1, 0), [30, 31]), ((0, 2), [30, 31]), ((0, 3), [30, 31])])
+def test_wrong_words_are_told_again_unless_they_are_kept(
+        tmp_path, marks, told):
+    def change(row):
+        if 30 <= row[0] < 30 + len(marks):
+            row[checker.MCS_UPLINK] = [7] * 13 + [marks[row[0] - 30]]
+
+    flight = read(tmp_path, record_of(FRAMES, change))
+    assert [each.frame for each in flight.wrong] == told
+
+
 # --- a shard -------------------------------------------------------------------
 
 GROUPS = {
@@ -254,8 +270,9 @@ def shard(monkeypatch):
     """The result of a shard of one case, in a flight that is calm but for
     what is changed."""
 
-    def fly(name, change=lambda flight, first: None):
-        def flight(record, wire, frames):
+    def fly(name, change=lambda flight, first: None, message_format=1,
+            refused=0):
+        def flight(record, wire, frames, *_):
             one = ByHand(frames)
             change(one, cases.LEAD)
             for way in LAG:
@@ -268,7 +285,8 @@ def shard(monkeypatch):
         monkeypatch.setattr(run.checker, "Flight", flight)
         monkeypatch.setattr(run, "findings_in", lambda _:
                             run.monitor.Findings([], [], 0))
-        return run.run_shard(name)
+        monkeypatch.setattr(run, "refused_in", lambda _: refused)
+        return run.run_shard(name, message_format)
 
     return fly
 
@@ -338,6 +356,111 @@ def test_wrong_words_fail_where_one_fault_cannot_make_them(shard, name):
     assert result["wrong"] == 1
 
 
+@pytest.mark.parametrize("name", GROUPS)
+def test_sec1_wrong_words_fail_in_every_sealed_shard(shard, name):
+    result = shard(name, lambda flight, first: flight.wrong.append(
+        checker.Wrong(first + 1, "up", (1,) * checker.UPLINK)), 2)
+    assert len(result["failures"]) == result["wrong"] == 1
+    assert "wrong data" in result["failures"][0]
+
+
+@pytest.mark.parametrize("message_format", [1, 2])
+@pytest.mark.parametrize("refused, twice", [(0, 0), (2, 2), (3, 2), (1, 2)])
+@pytest.mark.parametrize("name", GROUPS)
+def test_what_is_refused_came_twice_or_was_altered_by_several_faults(
+        shard, name, refused, twice, message_format):
+    def change(flight, _):
+        flight.came_twice = twice
+
+    result = shard(name, change, message_format, refused)
+    if not GROUPS[name][0]:
+        # Where messages break off nobody can tell which came twice.
+        twice = 0
+    several = name.startswith(("many", "soak"))
+    assert result["came_twice"] == twice
+    assert result["refused"] == refused - twice
+    assert result["failures"] == (
+        [] if refused == twice or several and refused > twice else
+        [f"{name}: {refused} blocks refused, {twice} came twice"])
+
+
+# --- sealed blocks on the wire -----------------------------------------------
+
+HELLO = bytes([0xB0]) + bytes(55)
+
+
+def sealed_block(way, number, other=0):
+    block = bytearray([0xA0, other] + [0] * (26 if way == "up" else 54))
+    if way == "up":
+        block[20:22] = (0x3000 + number % 4096).to_bytes(2, "big")
+    else:
+        block[43:48] = number.to_bytes(5, "big")
+    return bytes(block)
+
+
+WIRES = {
+    "hellos, then blocks": (("hello", "hello", 1, 2, 2, 3), None),
+    "one that was never sent": ((1, 3), None),
+    "a hello within a session": ((1, "hello"), "begins with b0 after"),
+    "a plain one at first": (("hello", "plain"), "begins with 00 before"),
+    "a plain one": ((1, 2, "plain"), "begins with 00 after"),
+    "an older one": ((1, 3, 2), "block 2 after 3"),
+    "another with that number": ((1, 2, "other 2"), "block 2 after 2"),
+    "one without a number": ((0,), "block 0 after none"),
+}
+
+
+@pytest.mark.parametrize("way", LAG)
+@pytest.mark.parametrize("name", WIRES)
+def test_sec3_sealed_blocks_are_in_order(way, name):
+    numbers, wrong = WIRES[name]
+    said = {"hello": HELLO, "plain": bytes(56),
+            "other 2": sealed_block(way, 2, 1)}
+    blocks = [said.get(each) or sealed_block(way, each) for each in numbers]
+    found = list(sealed_blocks.wrongs(blocks, way))
+    assert len(found) == (wrong is not None)
+    assert wrong is None or wrong in found[0]
+
+
+def test_sec4_an_uplink_tells_12_bits_of_its_number():
+    blocks = [sealed_block("up", number) for number in range(1, 9_000, 1_500)]
+    assert list(sealed_blocks.wrongs(blocks, "up")) == []
+    assert list(sealed_blocks.wrongs(blocks[::-1], "up")) != []
+
+
+@pytest.mark.parametrize("first, marked", [(0, 0), (0x0F, 0), (0x10, 1),
+                                           (0xA0, 1), (0xB0, 1)])
+def test_blocks_of_format_1_have_no_mark(first, marked):
+    found = list(sealed_blocks.marked([bytes(28), bytes([first] + [0] * 27)]))
+    assert len(found) == marked
+
+
+@pytest.mark.parametrize("way", LAG)
+@pytest.mark.parametrize("phase, times, twice", [
+    (0, (5_000,), 0),
+    # The newest of a frame is taken: the same one again takes its place.
+    (0, (5_000, 12_000), 0), (0, (5_000, 21_000), 1),
+    (0, (5_000, 21_000, 41_000), 2),
+    (0, (19_999, 20_000), 0), (0, (20_000, 20_001), 1),
+    # The aircraft's frames begin 2 ms a tick later, the ground's do not.
+    (7, (5_000, 12_000), {"up": 0, "down": 0}),
+    (7, (5_000, 15_000), {"up": 1, "down": 0}),
+    (7, (15_000, 21_000), {"up": 0, "down": 1})])
+def test_what_came_twice_is_counted_by_the_receivers_frames(
+        way, phase, times, twice):
+    receiver, good = sealed_blocks.ANSWERED_BY[way]
+    message = bytes([0x1E]) + sealed_block(way, 1) + b"\0"
+    for answer in good:
+        said = {way: [(time - 3_000, message) for time in times],
+                receiver: [(time, bytes([answer])) for time in times]}
+        assert sealed_blocks.came_twice(said, phase) == (
+            twice[way] if isinstance(twice, dict) else twice)
+    said[way] = [(at, bytes([0x1E]) + HELLO + b"\0") for at, _ in said[way]]
+    assert sealed_blocks.came_twice(said, phase) == 0
+    said[receiver] = [(time, b"\xcc") for time in times]
+    assert sealed_blocks.came_twice(said, phase) == 0
+
+
 # --- the sum ---------------------------------------------------------------------
 
 @pytest.mark.parametrize("count, expected, is_too_many", [
@@ -377,21 +500,106 @@ def test_a_shard_without_a_result_fails(
         # In any order.
         for place, job in reversed(list(enumerate(jobs))):
             yield job, ({"fault": "KilledWorker"} if place < lost else {
-                "said": {
-                    "shard": job["name"], "cases": 1, "faults": 1,
-                    "frames": 1, "wrong": 0, "wrong_by_theory": 0.0,
-                    "recovered_within": [1] + [0] * checker.LONGEST,
-                    "failures": []}})
+                "said": run.new_result(job["name"])})
 
     monkeypatch.setattr(run, "RESULTS", tmp_path)
     monkeypatch.setattr(workers, "done", done)
+    monkeypatch.setattr(cargo, "packed", lambda *_: b"")
     assert run.run_campaign(size, 2, "tcp://somewhere:1") == lost
     said = capsys.readouterr().out
     assert (f"FAILED {names[0]}: no result: KilledWorker" in said) == (
         lost == 1)
-    shards = [json.loads(line)["shard"] for line in (
-        tmp_path / "shards.jsonl").read_text("utf-8").splitlines()]
-    assert shards == names
+    # It is to be flown the next time.
+    assert kept_in(tmp_path) == names[lost:][::-1]
+
+
+def kept_in(folder):
+    lines = (folder / "shards.jsonl").read_text("utf-8").splitlines()
+    return [json.loads(line)["shard"] for line in lines if line]
+
+
+class Broken:
+    """Workers that fly so many shards until someone ends the campaign."""
+
+    def __init__(self, monkeypatch, tmp_path):
+        monkeypatch.setattr(run, "RESULTS", tmp_path)
+        monkeypatch.setattr(workers, "done", self.done)
+        monkeypatch.setattr(cargo, "packed", lambda *_: self.program)
+        self.program = b"one"
+
+    def done(self, _sent, jobs, *_):
+        for job in jobs:
+            if len(self.asked) == self.at_most:
+                raise KeyboardInterrupt
+            self.asked.append(job["name"])
+            yield job, {"said": run.new_result(job["name"]) | {"faults": 1}}
+
+    def flies(self, at_most=None, message_format=1):
+        """The exit status, and the shards that were asked for."""
+        self.asked, self.at_most = [], at_most
+        return run.run_campaign("tiny", 1, None, message_format), self.asked
+
+
+@pytest.fixture
+def broken(monkeypatch, tmp_path):
+    return Broken(monkeypatch, tmp_path)
+
+
+def test_a_campaign_that_is_broken_off_goes_on(broken, tmp_path, capsys):
+    names = list(cases.plan("tiny"))
+    assert broken.flies(5) == (130, names[:5])
+    assert f"broken off after 5 of {len(names)} shards" in (
+        capsys.readouterr().out)
+    assert broken.flies(3) == (130, names[5:8])
+    assert broken.flies() == (0, names[8:])
+    assert f"tiny: {len(names)} faults, 0 failures" in capsys.readouterr().out
+    assert kept_in(tmp_path) == names
+    assert broken.flies() == (0, [])
+
+
+def test_shards_of_the_other_format_are_flown(broken):
+    names = list(cases.plan("tiny"))
+    broken.flies(5)
+    assert broken.flies(7, message_format=2) == (130, names[:7])
+    assert broken.flies(0) == (130, [])
+    assert broken.flies(1) == (130, names[5:6])
+    assert broken.flies(1, message_format=2) == (130, names[7:8])
+
+
+def test_shards_of_another_program_or_script_are_flown(broken):
+    names = list(cases.plan("tiny"))
+    broken.flies(5)
+    broken.program = b"two"
+    assert broken.flies(5) == (130, names[:5])
+    broken.program = b"one"
+    assert broken.flies(1) == (130, names[5:6])
+
+
+@pytest.mark.parametrize("size", [1, 30, 200])
+def test_a_shard_whose_line_was_broken_off_is_flown_again(
+        broken, tmp_path, size):
+    names = list(cases.plan("tiny"))
+    broken.flies(3)
+    kept = tmp_path / "shards.jsonl"
+    kept.write_bytes(kept.read_bytes()[:-size])
+    assert broken.flies(1) == (130, names[2:3])
+    assert broken.flies(1) == (130, names[3:4])
+
+
+def test_a_failure_is_told_again(broken, monkeypatch, capsys):
+    wrong = run.new_result("calm/3/1") | {"failures": ["odd"]}
+    monkeypatch.setattr(run, "new_result", lambda name: wrong | {
+        "shard": name, "failures": ["odd"] if name == "calm/3/200" else []})
+    assert broken.flies()[0] == 1
+    assert broken.flies() == (1, [])
+    assert capsys.readouterr().out.count("FAILED odd") == 2
+
+
+def test_only_some_groups_are_flown_if_so_wanted():
+    names = run.planned("tiny", ["soak", "calm"])
+    assert {name.split("/")[0] for name in names} == {"soak", "calm"}
+    assert names == [name for name in cases.plan("tiny") if name in names]
+    assert run.planned("tiny") == list(cases.plan("tiny"))
 
 
 def test_workers_fly_shards_as_they_are_flown_here(tmp_path):
@@ -407,3 +615,27 @@ def test_workers_fly_shards_as_they_are_flown_here(tmp_path):
         "scripts/campaign/run.py", "shard", "x"]})
     assert "said" not in wrong
     assert wrong["fault"]
+
+
+@pytest.mark.parametrize("length, times", [(30, 2.22), (58, 2.29)])
+def test_lnk5_two_characters_with_two_wrong_bits(length, times):
+    """How many pass, counted over all of them, in times of 1 in 256. The
+    ninth bit of a character is its parity."""
+    patterns = [1 << one | 1 << other for one in range(9)
+                for other in range(one)]
+    sums = []
+    for place in range(length):
+        after = [pattern & 0xFF for pattern in patterns]
+        for _ in range(length - 1 - place):
+            for index, value in enumerate(after):
+                for _ in range(8):
+                    value = value >> 1 ^ (0x9C if value & 1 else 0)
+                after[index] = value
+        sums.append(Counter(after))
+    passed = sum(count * sums[other][value]
+                 for place, one in enumerate(sums)
+                 for other in range(place)
+                 for value, count in one.items())
+    pairs = length * (length - 1) // 2 * len(patterns) ** 2
+    assert len(patterns) == 36
+    assert 256 * passed / pairs == pytest.approx(times, abs=0.005)
