@@ -122,9 +122,15 @@ class Record:
         """The row before this one is not that of the frame before."""
         return self._more("frame", place) > 1
 
+    def is_blurred_within(self, first, last):
+        """A row between these times, or the one behind them, is blurred."""
+        return any(map(self.is_blurred, range(
+            bisect.bisect_left(self.times, first),
+            min(bisect.bisect_right(self.times, last) + 1, len(self.times)))))
+
     def is_blurred(self, place):
         """Rows are missing before this one, or the node's tasks ran late in
-        its frame: CORE may have missed a message and have its repetition."""
+        its frame: CORE may have missed a message, or a row what CORE had."""
         if place == 0:
             return self.counts.get("overruns", [0])[0] > 0
         return self.lacks_rows(place) or self._more("overruns", place) > 0
@@ -180,19 +186,16 @@ def differing(names, before, words):
 
 class Sent:
     """The messages that a node's CORE had, to find where those of the other
-    node came from. In a blurred row the mark is not judged."""
+    node came from."""
 
-    def __init__(self, times, messages, is_blurred=lambda place: False):
+    def __init__(self, times, messages):
         self.times, self.messages = times, messages
-        self.is_blurred = is_blurred
 
     def earliest(self, wanted, first, last):
         """The earliest time of a row that has the message."""
         for place in range(bisect.bisect_left(self.times, first),
                            bisect.bisect_right(self.times, last)):
-            message = self.messages[place]
-            if message == wanted or (
-                    message[:-1] == wanted[:-1] and self.is_blurred(place)):
+            if self.messages[place] == wanted:
                 return self.times[place]
         return None
 
@@ -248,19 +251,22 @@ class Checker:
         return wrong
 
     def check_marks(self, record, after, near_start,
-                    is_blurred=lambda place: False):
+                    is_blurred=lambda place: False,
+                    came_unmarked=lambda place: False):
         """A message that says that it is old moves nothing: what the servos
         do newly is what a message said that does not. CORE may have it
-        `after` so many rows."""
+        `after` so many rows, or have had it between two. What it had where
+        tasks ran late, nobody knows."""
         times = record.times
         for place, before, words in changes(record.pwm, SAFE_ROW):
             near = record.mcs_uplink[place:place + after + 1]
-            if len(near) < after + 1 or near_start(times[place]) or (
+            if len(near) < after + 1 or is_blurred(place) or near_start(
+                    times[place]) or (
                     record.by_law[place] and is_by_law(before, words, near)):
                 continue
-            if not any((not is_stale(message) or is_blurred(place))
-                       and transformed(message[:13]) == words
-                       for message in near):
+            if not any(transformed(message[:13]) == words
+                       for at, message in enumerate(near, place)
+                       if not is_stale(message) or came_unmarked(at)):
                 self.say(times[place],
                          f"pwm: {differing(SERVOS, before, words)}: no"
                          " message in mcs.uplink that is not marked as old"
@@ -270,11 +276,13 @@ class Checker:
 class Flight(Checker):
     """A flight of the simulation."""
 
-    def __init__(self, record, sticks, sensors, faults, schedule, drift):
+    def __init__(self, record, sticks, sensors, faults, schedule, drift,
+                 lock):
         super().__init__()
         self.record = Record(record)
         self.own_scan_us = OWN_SCAN_US[schedule]
         self.drifts = drift not in (None, "0")
+        self.lock = lock
         self.faults = disturbances.of_file(faults)
         self.console = self._console(sticks)
         self.orders = self.console.map(orders_of)
@@ -324,13 +332,25 @@ class Flight(Checker):
             self.check_servos(wrong)
             self.check_marks(
                 self.record, 1, lambda time: self.faults.starts["mcs"].touch(
-                    time - FRAME_US, time + FRAME_US))
+                    time - FRAME_US, time + FRAME_US),
+                came_unmarked=self.came_unmarked)
             self.check_link(
                 self.record.times, self.record.gsc_downlink,
                 self.fresh_downlinks, self.downlink_rows,
                 self.excuse_downlink, "gsc.downlink", (*SENSORS, "error"))
         return Findings(self.violations, self.wrong_blocks,
                         len(self.record.times))
+
+    def came_unmarked(self, place):
+        """Two frames of the aircraft may end between two rows, for in step
+        they are shorter. When nothing comes in the second, CORE has marked
+        what came in the first: new words, which the ground sent unmarked."""
+        if not self.lock or place == 0:
+            return False
+        old, message = self.record.mcs_uplink[place - 1:place + 1]
+        return old[:-1] != message[:-1] and self.fresh_uplinks.earliest(
+            (*message[:-1], message[-1] & ~STALE),
+            *self.uplink_rows(self.record.times[place])) is not None
 
     def window(self, time, calm_us, disturbed_us, sender):
         """From when on a scan may have begun whose words arrive newly at
@@ -464,9 +484,10 @@ class Flight(Checker):
 
 
 def check(record, sticks=None, sensors=None, faults=None,
-          schedule="report", drift=None):
+          schedule="report", drift=None, lock=False):
     """A flight of the simulation, from its record and what it was given."""
-    return Flight(record, sticks, sensors, faults, schedule, drift).run()
+    return Flight(record, sticks, sensors, faults, schedule, drift,
+                  lock).run()
 
 
 class Partitions(Checker):
@@ -515,7 +536,7 @@ class Partitions(Checker):
         if gsc and mcs and gsc.times and mcs.times:
             self.check_link(
                 mcs.times, mcs.mcs_uplink,
-                Sent(gsc.times, gsc.gsc_uplink, gsc.is_blurred),
+                Sent(gsc.times, gsc.gsc_uplink),
                 lambda time: (self.window(time, PARTITION_UP_US),
                               time + self.late_before(time)),
                 lambda time, first, words, is_new: self.excuse(
@@ -523,7 +544,7 @@ class Partitions(Checker):
                 "mcs.uplink", (*COMMANDS, "error"))
             self.check_link(
                 gsc.times, gsc.gsc_downlink,
-                Sent(mcs.times, mcs.mcs_downlink, mcs.is_blurred),
+                Sent(mcs.times, mcs.mcs_downlink),
                 lambda time: (self.window(time, PARTITION_DOWN_US),
                               time + self.late_before(time)),
                 lambda time, first, words, is_new: self.excuse(
@@ -535,11 +556,13 @@ class Partitions(Checker):
 
     def excuse(self, sender, time, first, is_new):
         """What stands while its node starts; what a node sent that started
-        before its CORE had it."""
+        before its CORE had it, or whose tasks ran late."""
         listener = "mcs" if sender == "gsc" else "gsc"
         if not is_new and self.starts[listener].touch(time, time):
             return "stands"
         if self.starts[sender].touch(first, time):
+            return "sent"
+        if getattr(self, sender).is_blurred_within(first, time):
             return "sent"
         return "wrong" if self.disturbed.touch(first, time) else None
 
@@ -586,6 +609,8 @@ def main():
     parser.add_argument("--schedule", choices=sorted(OWN_SCAN_US),
                         default="report", help="that the nodes kept")
     parser.add_argument("--drift", help="of the aircraft's clock")
+    parser.add_argument("--lock", action="store_true",
+                        help="the aircraft came in step")
     for node in disturbances.NODES:
         parser.add_argument(f"--{node}", help="record of that partition")
     given = parser.parse_args()
@@ -596,7 +621,7 @@ def main():
         findings = (
             check_partitions(given.gsc, given.mcs) if partitions
             else check(given.record, given.sticks, given.sensors,
-                       given.faults, given.schedule, given.drift))
+                       given.faults, given.schedule, given.drift, given.lock))
     except (OSError, ValueError) as error:
         print(f"monitor.py: {error}", file=sys.stderr)
         return 2

@@ -154,7 +154,7 @@ def must_be_safe(folder, record, options):
         for name in ("sticks", "sensors", "faults")
         if options.get(f"--{name}")},
         schedule=options.get("--schedule", "report"),
-        drift=options.get("--drift"))
+        drift=options.get("--drift"), lock="--lock" in options)
     assert findings.violations == [], "\n".join(findings.violations)
 
 

@@ -41,14 +41,20 @@ def test_sem2_mbx3_krn5_the_thermostat_in_virtual_time(processors):
 @pytest.mark.parametrize("processors", [1, 2])
 def test_sem2_mbx3_d25_the_thermostat_in_real_time(processors):
     """Where the machine runs a task late the counts may be others, but none
-    of a P that gave up without the V that owned nothing."""
+    of a P that gave up without the V that owned nothing. Of two processors
+    one may be late for a message and not for its frame."""
+    missed = []
     for _ in range(10):
         result = flown("real", processors)
         assert (result["SEMAPHORE_NOT_CLAIMED"]
                 == result["SEMAPHORE_NOT_OWNED"])
-        if result["TASK_OVERRUN"] == 0:
+        if result["TASK_OVERRUN"] == 0 and result["misses"] == 0:
             break
+        if result["TASK_OVERRUN"] == 0:
+            missed.append(result["misses"])
     else:
+        assert processors == 2 or not missed, missed
+        assert len(missed) < 10, missed
         pytest.skip("the machine never ran for five seconds")
     assert 1995 <= result.pop("temperature") <= 2010
     assert {"temperature": 2001, **result} == EXPECTED

@@ -30,6 +30,13 @@ def test_saf9_nothing_unasked_happens_in_a_random_mix(name):
     assert result["frames"] >= 100 * result["cases"] == 100 * 100
 
 
+# In step two frames of the aircraft end between two rows, and CORE has
+# marked in the second what came in the first.
+@pytest.mark.parametrize("number", (1224, 1298, 1545))
+def test_saf9_what_came_between_two_rows_came_unmarked(number):
+    assert run.run_shard(f"mix/{number}/{number + 1}")["failures"] == []
+
+
 @pytest.mark.parametrize("size, fewest", [("tiny", 500), ("full", 20_000)])
 def test_there_are_as_many_mixes_as_promised(size, fewest):
     shards = [name.split("/")[1:] for name in cases.plan(size)
@@ -96,7 +103,7 @@ def test_saf9_a_stalled_converter_makes_a_scan_straddle_a_change(
     half a millisecond, though the ground's converter stood still. They were
     flown as the report has it."""
     monkeypatch.setattr(mixes, "ways_to_fly", lambda *_: AS_REPORTED)
-    run.fly_mix(number, tmp_path)
+    run.fly_mix(mixes.of_number(number), tmp_path)
     assert run.findings_in(tmp_path).violations == []
     scan = monitor.Flight.scan
     monkeypatch.setattr(monitor.Flight, "scan", lambda *given: scan(
@@ -124,6 +131,26 @@ def test_what_the_monitor_finds_fails_the_mix(found, tmp_path, capsys):
     assert result["wrong"] == 2
     assert run.show_mix(3, tmp_path) == 1
     assert "20 ms: pwm: unasked\n40 ms: wrong block" in capsys.readouterr().out
+
+
+def test_sec1_a_wrong_block_fails_a_sealed_mix(found, tmp_path):
+    found(wrong=["40 ms: wrong block passed"])
+    assert run.run_shard("mix/3/4")["failures"] == []
+    assert run.run_shard("mix/3/4", 2)["failures"] == [
+        "mix 3: sealed, and yet: 40 ms: wrong block passed"]
+    assert run.show_mix(3, tmp_path, 2) == 1
+
+
+def test_all_mixes_of_a_sealed_campaign_are_sealed():
+    for number in range(100):
+        mix, sealed = (mixes.of_number(number, each) for each in (1, 2))
+        assert " ".join(sealed.options).count("--format 2") == 1
+        assert sealed.files["key"] == mixes.KEY
+        # Else they are as in format 1.
+        assert [option for option in sealed.options if option not in (
+            "--format", "2")] == [option for option in mix.options
+                                  if option not in ("--format", "2")]
+        assert sealed.files | mix.files == sealed.files
 
 
 def test_what_the_monitor_finds_fails_a_case_of_the_campaign(found):

@@ -433,7 +433,8 @@ class Blurred:
 
 @pytest.mark.parametrize("late, seen", [
     (Blurred(overruns=0), True), (Blurred(overruns=1), False),
-    (Blurred(overruns=0, missing=1), False), (Blurred(7, overruns=1), True)])
+    (Blurred(overruns=0, missing=1), False), (Blurred(7, overruns=0), True),
+    (Blurred(7, overruns=1), False), (Blurred(7, 0, missing=1), False)])
 def test_partitions_a_message_that_core_missed_on_a_late_machine_is_none(
         partitions, late, seen):
     assert ("not marked as old" in said(partitions(late))) == seen
@@ -459,6 +460,25 @@ def test_partitions_what_stood_in_a_missing_row_is_not_judged(
 
     findings = said(partitions(alter))
     assert ("gsc.uplink, shown as fresh" in findings) == seen
+
+
+@pytest.mark.parametrize("missing, late_ms, seen", [
+    (0, 0, True), (1, 0, False), (0, 580, False), (0, 300, True)])
+def test_partitions_what_was_sent_where_the_machine_was_late_is_not_judged(
+        partitions, missing, late_ms, seen):
+    def alter(node, cells):
+        if node == "gsc":
+            cells.put(620, 620, "gsc.downlink.altitude", 77)
+            return
+        cells.titles.append("overruns")
+        for row in cells.table[1:]:
+            row.append(str(int(0 < late_ms <= float(row[1]))))
+        at = next(place for place, row in enumerate(cells.table)
+                  if place and float(row[1]) == 580)
+        del cells.table[at - missing:at]
+
+    findings = said(partitions(alter))
+    assert ("the other node never had this" in findings) == seen
 
 
 def test_partitions_what_a_test_disturbs_is_no_violation(partitions):
