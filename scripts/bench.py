@@ -87,7 +87,8 @@ SPEEDS = {
     "two at once": "two such flights at once, each",
     "simulation then": "the same at {}",
     "jsbsim": f"**with JSBSim and its pilot, {JSBSIM_S} s, once it flies**",
-    "jsbsim alone": "JSBSim alone, the same steps",
+    "jsbsim alone": "JSBSim alone, the same steps and properties",
+    "jsbsim bare": "the steps alone",
     "jsbsim then": "with JSBSim at {}",
 }
 """What is measured in times real time."""
@@ -253,8 +254,9 @@ def flights(then, workload):
         found[f"{seconds} s"] = 1e3 * seconds_of(bench(seconds))
     found["jsbsim"], whole = said_by(jsbsim())
     found["whole"] = 1e3 * whole
-    found["jsbsim alone"], _ = said_by(
-        [PYTHON, "scripts/bench/jsbsim_alone.py", str(JSBSIM_S)])
+    for what, options in (("jsbsim alone", ()), ("jsbsim bare", ("--bare",))):
+        found[what], _ = said_by(
+            [PYTHON, "scripts/bench/jsbsim_alone.py", str(JSBSIM_S), *options])
     if then:
         found["simulation then"] = FLIGHT_S / seconds_of(
             bench(FLIGHT_S, then))

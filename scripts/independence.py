@@ -88,11 +88,14 @@ def run(*command, **more):
 # --- switches --------------------------------------------------------------
 
 def build(project, name, switches):
-    """Where the programs are."""
+    """Where the programs are. With contracts they are built as the tests
+    are."""
     place = "independence-" + re.sub(r"\W+", "-", name).strip("-").lower()
+    pragmas = ([f"-gnatec={ROOT / 'tests' / 'urv_tests.adc'}"]
+               if "-gnata" in switches else [])
     status, _ = run("gprbuild", "-q", "-p", "-j0", "-P", project,
                     "-XURV_Mode=host", f"--subdirs={place}",
-                    "-cargs:Ada", *switches)
+                    "-cargs:Ada", *switches, *pragmas)
     if status != 0:
         sys.exit(f"independence: {project} does not build with"
                  f" {' '.join(switches)}")
