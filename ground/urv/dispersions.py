@@ -14,11 +14,14 @@ import math
 import random
 from typing import NamedTuple
 
+# Flights from the runway and back onto it.
+CIRCUITS = ("circuit", "damped-circuit")
+
 # Even between the two. A circuit begins towards the east, and like any pilot
 # this one takes off and lands into the wind.
-WIND_FROM_DEG = {"circuit": (0, 180)}
+WIND_FROM_DEG = dict.fromkeys(CIRCUITS, (0, 180))
 EVERYWHERE_DEG = (0, 360)
-WIND_KT = {"circuit": (0, 10)}
+WIND_KT = dict.fromkeys(CIRCUITS, (0, 10))
 USUAL_WIND_KT = (0, 15)
 TURBULENCE_KT = (0, 15)
 BALLAST_LB = (-5, 15)
@@ -81,7 +84,7 @@ def draw(seed, pilot, seconds, surface_percent=0):
         f"ballast {values['ballast_lb']} {values['ballast_aft_in']}"]
     for sensor, spread in BIAS.items():
         bias = round(chance.gauss(0.0, spread), 3)
-        if sensor == "altitude" and pilot == "circuit":
+        if sensor == "altitude" and pilot in CIRCUITS:
             # Below zero the altimeter shows zero: nobody takes off with it.
             bias = abs(bias)
         values[f"bias_{sensor}"] = bias

@@ -18,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CARGO = ("bin/urv_sim", "sim/jsbsim")
 
 # The flights that the pilot knows, in s.
-LENGTHS = {"standard": 180, "level": 60, "circuit": 300}
+LENGTHS = {"standard": 180, "level": 60, "circuit": 300,
+           "damped-circuit": 300}
 LONGEST_S = 3600
 
 OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",

@@ -66,9 +66,7 @@ def table(caption, titles, cells):
 
 def rates(campaign, flights):
     """How many were well, with exact bounds."""
-    trials = len(flights)
-
-    def row(text, well):
+    def row(text, well, trials=len(flights)):
         least, most = success.clopper_pearson(well, trials)
         return (escape(text), f"{well} of {trials}", percent(well / trials),
                 f"{percent(least)} to {percent(most)}")
@@ -77,6 +75,13 @@ def rates(campaign, flights):
                                  for each in flights))
              for limit in success.limits(campaign.pilot)]
     cells.append(row("all of it", sum(each.is_success for each in flights)))
+    sound = [each for each in flights
+             if each.is_sound and "surfaces_named" in each.measured]
+    if sound:
+        cells.append(row(
+            "no surface named as failed, of flights in which none fails",
+            sum(not each.measured["surfaces_named"] for each in sound),
+            len(sound)))
     return "<section id=\"rates\">\n" + table(
         "How many were well", ("what", "flights", "rate",
                                "95 % bounds, Clopper-Pearson"), cells

@@ -30,6 +30,11 @@ class Flight(NamedTuple):
         return max(self.used.values())
 
     @property
+    def is_sound(self):
+        """No surface of it fails."""
+        return not self.drawn.get("surface_fault")
+
+    @property
     def is_success(self):
         return self.worst <= 1.0
 
@@ -44,6 +49,9 @@ def flight(pilot, job, result):
     for name in LINK:
         if name in summary.get("link", {}):
             measured[name] = float(summary["link"][name])
+    if summary:
+        measured["surfaces_named"] = float(
+            len(summary.get("failed_surfaces", ())))
     used = {limit.name: limit.used(summary)
             for limit in success.limits(pilot)}
     return Flight(job["seed"], job["values"], measured, used,

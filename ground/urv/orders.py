@@ -90,8 +90,8 @@ class Orders:
         return None
 
     def look(self, frame: packets.FramePacket | None, now: float) -> None:
-        """Whether the aircraft has answered."""
-        if self.state != "waiting" or frame is None:
+        """Whether the aircraft has answered, however late."""
+        if self.state not in ("waiting", "lost") or frame is None:
             return
         told = Laws.of(frame)
         row = _row(frame)
@@ -103,7 +103,7 @@ class Orders:
             why = REFUSED.get(row.detail, f"reason {row.detail}")
             self._is("refused", "caution",
                      f"{number} refused by the aircraft: {why}")
-        elif now >= self._until:
+        elif self.state == "waiting" and now >= self._until:
             self._is("lost", "caution",
                      f"no answer to {number}: it may be lost, send it again")
 

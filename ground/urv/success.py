@@ -7,6 +7,8 @@ Each limit gives how much of it a flight used: up to 1 is well.
 import math
 from typing import NamedTuple
 
+from urv.dispersions import CIRCUITS
+
 # What cannot be measured, or must not happen at all.
 BEYOND = 10.0
 
@@ -61,7 +63,7 @@ LANDED = (
 
 
 def limits(pilot):
-    return LANDED if pilot == "circuit" else FLOWN
+    return LANDED if pilot in CIRCUITS else FLOWN
 
 
 def clopper_pearson(successes, trials, confidence=0.95):

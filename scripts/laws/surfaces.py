@@ -2,19 +2,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flights with a surface that has failed, with the laws and direct (EXT-6).
 
-    scripts/laws/surfaces.py [--renew] [--jobs N] [--sound N] [--sample N]
+    scripts/laws/surfaces.py [--renew] [--jobs N] [--sound N]
+                             [--sample N | --only-sound]
 
 Each of the ten aerodynamic surfaces is stuck at nine places of its travel, or
 floats, in three conditions, 10 s after the beginning of a flight of 60 s: in hold
 of altitude and airspeed, and direct, where the simulated pilot flies level.
 Flown is a flight whose bank stays within 15 degrees and whose altitude within
-100 ft. Then flights without a fault, in turbulence, each with another seed: no
-surface may be named. --sample takes so many cases of the grid, drawn by lot.
---renew writes docs/evidence/surfaces.md and surfaces.svg beside it.
+100 ft. Then flights of 20 s without a fault, in turbulence, each with another
+seed: no surface may be named. --sample takes so many cases of the grid, drawn by
+lot; --only-sound none. --renew writes docs/evidence/surfaces.md and surfaces.svg
+beside it; with --only-sound the page's last line.
 """
 
 import argparse
 import csv
+import json
 import os
 import random
 import subprocess
@@ -34,6 +37,7 @@ PICTURE = PAGE.with_suffix(".svg")
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 FAULT_MS, SECONDS, FRAME_MS = 10_000, 60, 20
+SOUND_SECONDS = 20
 MOST_BANK, MOST_OFF = 15.0, 100.0
 NEUTRAL = 2048
 
@@ -112,8 +116,7 @@ def must_be_flown(case):
             or abs(case.where) <= 0.9 * HIGHEST[family])
 
 
-def record(folder, case, fault, seed=1):
-    """The rows of the flight from the fault on."""
+def fly(folder, case, fault, *options):
     folder = Path(folder)
     (folder / "sticks.csv").write_text(STICKS, encoding="ascii")
     (folder / "faults.txt").write_text("# None.\n" + fault, encoding="ascii")
@@ -122,12 +125,16 @@ def record(folder, case, fault, seed=1):
     how = (["--laws", "on", "--sticks", "sticks.csv"] if case.laws
            else ["--laws", "off", "--pilot", "level"])
     subprocess.run(
-        [PROGRAM, "fly", "--plant", "jsbsim", *how, "--seconds", str(SECONDS),
-         "--seed", str(seed), "--faults", "faults.txt",
-         "--conditions", "conditions.txt", "--quiet",
-         "--record", "record.csv"],
+        [PROGRAM, "fly", "--plant", "jsbsim", *how, "--faults", "faults.txt",
+         "--conditions", "conditions.txt", "--quiet", *options],
         cwd=folder, check=True, stdin=subprocess.DEVNULL)
-    with (folder / "record.csv").open(encoding="ascii", newline="") as lines:
+
+
+def record(folder, case, fault):
+    """The rows of the flight from the fault on."""
+    fly(folder, case, fault, "--seconds", str(SECONDS), "--seed", "1",
+        "--record", "record.csv")
+    with (Path(folder) / "record.csv").open(encoding="ascii", newline="") as lines:
         rows = list(csv.DictReader(lines))
     return rows[FAULT_MS // FRAME_MS:]
 
@@ -157,8 +164,11 @@ def sound(seed):
     """Who is named in a flight without a fault, in turbulence."""
     case = Case("left_aileron", 0, "turbulence", True)
     with tempfile.TemporaryDirectory() as folder:
-        rows = record(folder, case, "", seed)
-    return int(rows[-1]["laws.failed"])
+        fly(folder, case, "", "--seconds", str(SOUND_SECONDS), "--seed",
+            str(seed), "--summary", "summary.json")
+        summary = json.loads(
+            (Path(folder) / "summary.json").read_text("utf-8"))
+    return summary.get("failed_surfaces", [])
 
 
 # --- the page ----------------------------------------------------------------
@@ -321,8 +331,25 @@ A surface can be told once it is {OFF_WORDS} words off its own
 ({100 * in_time / max(1, tellable):.1f} %), the slowest after
 {longest / 1000:.2f} s. Another one than it was named in {len(wrong)}.
 
-In {flights} flights without a fault, in light turbulence, {alarms} named one.
-"""
+{sound_line(flights, alarms)}"""
+
+
+def sound_line(flights, alarms):
+    return (f"In {flights} flights of {SOUND_SECONDS} s without a fault, in light"
+            f" turbulence, {alarms} named one.\n")
+
+
+def sounded(jobs, number):
+    """In how many flights without a fault a surface was named."""
+    alarms = 0
+    with ProcessPoolExecutor(jobs) as pool:
+        for count, failed in enumerate(
+                pool.map(sound, range(1, number + 1), chunksize=4), 1):
+            alarms += bool(failed)
+            if count % 500 == 0:
+                print(f"surfaces: {count} without a fault, {alarms} named one",
+                      file=sys.stderr)
+    return alarms
 
 
 def main():
@@ -334,7 +361,18 @@ def main():
                         help="flights without a fault")
     parser.add_argument("--sample", type=int,
                         help="so many cases of the grid")
+    parser.add_argument("--only-sound", action="store_true",
+                        help="no case of the grid")
     chosen = parser.parse_args()
+    if chosen.only_sound:
+        alarms = sounded(chosen.jobs, chosen.sound)
+        print(sound_line(chosen.sound, alarms), end="")
+        if chosen.renew:
+            before = PAGE.read_text(encoding="utf-8").splitlines(True)
+            PAGE.write_text("".join(
+                [*before[:-1], sound_line(chosen.sound, alarms)]),
+                encoding="utf-8")
+        sys.exit("surfaces: a sound surface was named" if alarms else 0)
     every = cases(chosen.sample)
     with ProcessPoolExecutor(chosen.jobs) as pool:
         found = {}
@@ -343,8 +381,7 @@ def main():
             if len(found) % 60 == 0:
                 print(f"surfaces: {len(found)} of {len(every)}",
                       file=sys.stderr)
-        alarms = sum(failed != 0 for failed in
-                     pool.map(sound, range(1, chosen.sound + 1)))
+    alarms = sounded(chosen.jobs, chosen.sound)
     text = page(found, alarms, chosen.sound)
     print(text)
     if chosen.renew:

@@ -14,7 +14,9 @@ from types import SimpleNamespace
 import pytest
 from conftest import ROOT
 
-from urv import cargo, dispersions, monte_carlo, success, workers
+from urv import (
+    cargo, dispersions, monte_carlo, monte_carlo_page, monte_carlo_results,
+    success, workers)
 
 pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
 distributed = pytest.importorskip("distributed")
@@ -115,6 +117,23 @@ def test_a_flight_that_says_nothing_is_no_success():
     assert whole.used({"flight_quality": {"crashed": False}}) == 0.0
     assert bank.used({"flight_quality": {
         "bank_left_deg": 30.0, "bank_right_deg": -90.0}}) == 1.5
+
+
+@pytest.mark.parametrize("fails, named, said", [
+    (None, [], "1 of 1"), (0.0, [], "1 of 1"),
+    (0.0, ["left_aileron"], "0 of 1"), (1.0, ["left_aileron"], None)])
+def test_a_surface_is_named_wrongly_only_where_none_fails(
+        fails, named, said):
+    drawn = {} if fails is None else {"surface_fault": fails}
+    flight = monte_carlo_results.flight(
+        "level", {"seed": 1, "values": drawn},
+        {"summary": {"frames": 1} | ({"failed_surfaces": named} if named
+                                     else {})})
+    assert flight.measured["surfaces_named"] == len(named)
+    page = monte_carlo_page.rates(
+        SimpleNamespace(pilot="level"), [flight])
+    row = re.search(r"no surface named.*?</tr>", page, re.S)
+    assert (said in row[0]) if said else row is None
 
 
 # --- whoever flies it -------------------------------------------------------
@@ -259,7 +278,8 @@ def test_cargo_that_changed_on_its_way_is_refused(sent, tmp_path):
     (("--flights", 2, "--again", 3),
      "either --flights or --again is needed, and not both"),
     (("--flights", 2, "--pilot", "ace"),
-     "--pilot: \"ace\" is nobody; there are standard, level, circuit"),
+     "--pilot: \"ace\" is nobody; there are standard, level, circuit,"
+     " damped-circuit"),
     (("--flights", 2, "--workers", 2, "--scheduler", "tcp://127.0.0.1:1"),
      "--workers are workers here, and do not go together with --scheduler"),
 ])

@@ -476,6 +476,16 @@ def test_gnd35_an_order_that_is_lost_is_told_and_another_may_follow(station):
     assert station.node.orders[1].serial == 2
 
 
+def test_gnd35_an_answer_that_comes_late_is_one(station):
+    """A machine that is late shows the aircraft's word after its time."""
+    station.node.refuses = None
+    console = holder(station)
+    console.say(WANTED)
+    ordered(station, "lost")
+    station.node.laws = (0, 0, 0, 0, 0, 0, 1 << 4 | 1)
+    ordered(station, "taken")
+
+
 def test_gnd35_its_number_is_another_than_the_aircraft_has(station):
     """Whoever set that: a file, or a station before this one."""
     station.node.laws = (0x1000, 0, 0, 0, 0, 0, 4095 << 4)

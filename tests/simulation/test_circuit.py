@@ -6,6 +6,7 @@ import pytest
 from conftest import FRAMES_PER_S, fly_in
 from test_flight import has_jsbsim
 
+CIRCUITS = ("circuit", "damped-circuit")
 CIRCUIT = ("--plant", "jsbsim", "--pilot", "circuit")
 
 WINDS = {
@@ -21,11 +22,18 @@ def _jsbsim_is_there():
         pytest.skip("JSBSim is not installed: make fly installs it")
 
 
-@pytest.fixture(scope="module", params=WINDS)
+@pytest.fixture(scope="module", params=[
+    (pilot, wind) for pilot in CIRCUITS for wind in WINDS], ids="-".join)
 def flight(request, tmp_path_factory):
-    folder = tmp_path_factory.mktemp(request.param)
-    (folder / "conditions.txt").write_text(WINDS[request.param])
-    return fly_in(folder, *CIRCUIT, "--conditions", "conditions.txt")
+    """Both have the laws; nobody switches one on in the first."""
+    pilot, wind = request.param
+    folder = tmp_path_factory.mktemp(f"{pilot}-{wind}")
+    (folder / "conditions.txt").write_text(WINDS[wind])
+    flight = fly_in(folder, "--plant", "jsbsim", "--pilot", pilot,
+                    "--conditions", "conditions.txt")
+    damped = int(pilot == "damped-circuit")
+    assert set(flight.record["laws.lateral"][100:]) == {damped}
+    return flight
 
 
 def truth(flight, name):
