@@ -12,7 +12,7 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, TIME_LIMIT_S
 
 from urv import (
     cargo, dispersions, monte_carlo, monte_carlo_page, monte_carlo_results,
@@ -175,7 +175,7 @@ def test_a_flight_is_flown_again_alone(urv, tmp_path, flown):
     (folder / "record.csv").unlink()
     command = result.stdout.splitlines()[0]
     subprocess.run(["sh", "-c", command], check=True, cwd=tmp_path,
-                   capture_output=True, timeout=60)
+                   capture_output=True, timeout=TIME_LIMIT_S)
     assert (folder / "record.csv").read_bytes() == before
 
 

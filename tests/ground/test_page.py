@@ -556,8 +556,7 @@ def test_gnd28_every_text_has_contrast(station, pages, scheme):
     page.keyboard.press("l")
     assert page.evaluate("document.documentElement.dataset.theme") == (
         "light" if scheme == "dark" else "dark")
-    page.wait_for_timeout(200)
-    assert page.evaluate(CONTRAST) == []
+    until(lambda: page.evaluate(CONTRAST) == [], "contrast")
 
 
 def test_gnd25_pictures_follow_the_frames(station, pages):
