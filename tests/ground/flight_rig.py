@@ -113,17 +113,22 @@ class Archive:
         return list(self.client.list_events(**self.span))
 
     def fetch(self, last, columns):
-        """Waits until the frame of that number is there."""
-        self.stored = until(lambda: self._frames(last), "the last frame")
+        """Waits until the frame of that number is there. A busy machine's
+        Yamcs is far behind, and further when it is asked for everything."""
+        until(lambda: self._newest() >= last, "the last frame",
+              5 * PATIENCE_S, pause=0.5)
+        self.stored = [(packet.sequence_number, packet.generation_time)
+                       for packet in self._packets(page_size=500)]
         self.values = {
             column: until(lambda column=column: self._values(column), "values")
             for column in columns}
 
-    def _frames(self, last):
-        found = [(packet.sequence_number, packet.generation_time)
-                 for packet in self.client.list_packets(
-                     name="/URV/frame", page_size=500, **self.span)]
-        return found if found and max(found)[0] >= last else None
+    def _newest(self):
+        newest = next(iter(self._packets(page_size=1, descending=True)), None)
+        return newest.sequence_number if newest else -1
+
+    def _packets(self, **more):
+        return self.client.list_packets(name="/URV/frame", **self.span, **more)
 
     def _values(self, column):
         from yamcs.client import YamcsError

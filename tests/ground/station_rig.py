@@ -30,7 +30,7 @@ sys.path.insert(0, str(ROOT / "ground"))
 from fake_node import FakeNode  # noqa: E402 - finds the packages
 
 
-def until(condition, what, patience=PATIENCE_S):
+def until(condition, what, patience=PATIENCE_S, pause=0.02):
     """The first thing that is so, or the test fails."""
     ends = time.monotonic() + patience
     while True:
@@ -38,7 +38,7 @@ def until(condition, what, patience=PATIENCE_S):
         if found:
             return found
         assert time.monotonic() < ends, f"never came: {what}"
-        time.sleep(0.02)
+        time.sleep(pause)
 
 
 class Station:

@@ -263,7 +263,8 @@ def test_gnd30_yamcs_has_every_frame_as_the_record_has_it(tmp_path):
                    "gsc.downlink.roll_attitude", "gsc.uplink.throttle")
         archive.fetch(ground.state()["seq"], columns)
         until(lambda: [event for event in archive.events()
-                       if event.message == "gear <up>"], "the mark")
+                       if event.message == "gear <up>"], "the mark",
+              pause=0.5)
         kinds = {event.event_type for event in archive.events()}
         assert {"run", "mark", "error"} <= kinds
 
