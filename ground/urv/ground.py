@@ -38,7 +38,7 @@ REFUSES = 2
 ENDS_S = 10.0
 """Who has not ended by then is killed."""
 STARTS_S = 30.0
-LATER_BY = 10
+LATER_BY = 5
 """Yamcs is so much nicer than who flies."""
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 

@@ -36,8 +36,9 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
          0, Level'Last))
    with Global => null;
 
-   --  How much a bound comes in a frame: the whole range in four seconds.
-   Narrowing : constant := 12;
+   --  How much a bound comes in a frame: the whole range in ten seconds. A
+   --  sound engine, throttled back bit by bit in turbulence, changed by 11.
+   Narrowing : constant := 8;
 
    --  500 rev/min: what a hot day, a hill of air and a poor sensor change.
    Allowance : constant := 250;

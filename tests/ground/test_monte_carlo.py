@@ -179,6 +179,15 @@ def test_a_flight_is_flown_again_alone(urv, tmp_path, flown):
     assert (folder / "record.csv").read_bytes() == before
 
 
+def test_ext6_a_sound_engine_in_turbulence_is_not_named(urv, tmp_path):
+    """Throttled back bit by bit, it slows down later than its bounds did."""
+    result = urv("monte-carlo", "--again", 577, "-o", "again")
+    assert result.returncode == 0, result.stderr
+    summary = json.loads(
+        (tmp_path / "again" / "577" / "summary.json").read_text("utf-8"))
+    assert "failed_surfaces" not in summary
+
+
 class Dask:
     """A scheduler and workers as they are anywhere: Python with packages, an
     empty folder, and no word of this repository."""
