@@ -8,7 +8,7 @@
     scripts/bench.py --runs 2           for a look
 
 All sides run in turn, 15 times, on this machine: a ratio means the same on
-any. Medians are compared; the spread is that of the middle half. Programs of
+any. It is the median of each turn's; the spread is that of the middle half. Programs of
 calls run on one processor, as an ordinary user.
 """
 
@@ -92,6 +92,12 @@ SPEEDS = {
     "jsbsim then": "with JSBSim at {}",
 }
 """What is measured in times real time."""
+
+OWN = {**{peer: what for what, peers in PEERS.items() for peer in peers},
+       "two at once": "simulation", "simulation then": "simulation",
+       "jsbsim alone": "jsbsim", "jsbsim bare": "jsbsim",
+       "jsbsim then": "jsbsim"}
+"""Beside which of ours a peer stands."""
 
 SPANS = {
     "start": "a flight of one frame",
@@ -233,6 +239,10 @@ def jsbsim(program=SIMULATION):
                str(JSBSIM_S), program=program)
 
 
+def alone(*options):
+    return [PYTHON, "scripts/bench/jsbsim_alone.py", str(JSBSIM_S), *options]
+
+
 def two_at_once():
     """Times real time of each."""
     start = time.perf_counter()
@@ -244,24 +254,24 @@ def two_at_once():
 
 
 def flights(then, workload):
-    """Speeds and milliseconds of one run."""
-    found = {"simulation": FLIGHT_S / seconds_of(bench(FLIGHT_S)),
-             "two at once": two_at_once(),
-             "start": 1e3 * seconds_of(bench(1 / FRAMES_PER_S)),
-             "workload": 1e3 * seconds_of(
-                 [workload, str(FLIGHT_S * FRAMES_PER_S)])}
-    for seconds in (10, 100, 1000):
-        found[f"{seconds} s"] = 1e3 * seconds_of(bench(seconds))
-    found["jsbsim"], whole = said_by(jsbsim())
-    found["whole"] = 1e3 * whole
-    for what, options in (("jsbsim alone", ()), ("jsbsim bare", ("--bare",))):
-        found[what], _ = said_by(
-            [PYTHON, "scripts/bench/jsbsim_alone.py", str(JSBSIM_S), *options])
+    """Speeds and milliseconds of one run; who is compared follows at once."""
+    found = {"simulation": FLIGHT_S / seconds_of(bench(FLIGHT_S))}
     if then:
         found["simulation then"] = FLIGHT_S / seconds_of(
             bench(FLIGHT_S, then))
+    found["two at once"] = two_at_once()
+    found["start"] = 1e3 * seconds_of(bench(1 / FRAMES_PER_S))
+    found["workload"] = 1e3 * seconds_of(
+        [workload, str(FLIGHT_S * FRAMES_PER_S)])
+    for seconds in (10, 100, 1000):
+        found[f"{seconds} s"] = 1e3 * seconds_of(bench(seconds))
+    found["jsbsim alone"], _ = said_by(alone())
+    found["jsbsim"], whole = said_by(jsbsim())
+    found["whole"] = 1e3 * whole
+    if then:
         found["jsbsim then"], whole = said_by(jsbsim(then))
         found["whole then"] = 1e3 * whole
+    found["jsbsim bare"], _ = said_by(alone("--bare"))
     return found
 
 
@@ -269,6 +279,13 @@ def summary(values):
     """Median and the middle half."""
     low, middle, high = statistics.quantiles(values, n=4)
     return {"median": middle, "low": low, "high": high}
+
+
+def beside(values, own):
+    """The median of what part of ours each was in its turn: a machine that is
+    slow for a while is so for both."""
+    return statistics.median(
+        value / ours for value, ours in zip(values, own, strict=True))
 
 
 def measure(commit, runs):
@@ -295,7 +312,9 @@ def measure(commit, runs):
         if sys.stdout.isatty():
             print()
         bounds = latencies(folder)
-    return {what: summary(values) for what, values in found.items()}, bounds
+    return {what: {**summary(values),
+                   "beside": beside(values, found[OWN.get(what, what)])}
+            for what, values in found.items()}, bounds
 
 
 def spread(cost):
@@ -310,7 +329,7 @@ def of_calls(found):
                     f" {spread(own)} | 1 |")
         rows += [f"| {name_of(peer)} | {found[peer]['median']:.1f} |"
                  f" {spread(found[peer])} |"
-                 f" {found[peer]['median'] / own['median']:.2f} |"
+                 f" {found[peer]['beside']:.2f} |"
                  for peer in peers]
     return "\n".join(rows)
 
@@ -318,14 +337,11 @@ def of_calls(found):
 def of_flights(found, commit):
     rows = ["| what | times real time | spread | part of URV's |",
             "|---|---|---|---|"]
-    own = None
     for what, text in SPEEDS.items():
         if what in found:
             speed = found[what]
-            own = speed if text.startswith("**") else own
             rows.append(f"| {text.format(commit)} | {speed['median']:.0f} |"
-                        f" {spread(speed)} |"
-                        f" {speed['median'] / own['median']:.2f} |")
+                        f" {spread(speed)} | {speed['beside']:.2f} |")
     rows += ["", "| what | takes, ms | spread |", "|---|---|---|"]
     rows += [f"| {text.format(commit)} | {found[what]['median']:.1f} |"
              f" {spread(found[what])} |"
@@ -335,7 +351,8 @@ def of_flights(found, commit):
 
 def page(found, bounds, commit, runs):
     least, most = bounds
-    return (f"{of_calls(found)}\n\nMedians of {runs} runs.\n\n![the same as plots]({PICTURE.name})\n\n"
+    return (f"{of_calls(found)}\n\nMedians of {runs} runs; of a ratio, that of"
+            f" each run's own.\n\n![the same as plots]({PICTURE.name})\n\n"
             f"{of_flights(found, commit)}\n\n"
             f"From the console to the servos in the simulation, at every phase"
             f" of the frames: {least} to {most} ms.\n")
