@@ -15,8 +15,6 @@ with URV.Configurations;
 
 package body Partitions.Console_Port is
 
-   use type Octets.Number;
-
    Port : File := Invalid;
    Gate : Suspension_Object;
 

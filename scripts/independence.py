@@ -272,6 +272,7 @@ def try_newcomer(folder, newcomer):
         if who == "user":
             must(in_system(system, "root", f"chown -R {USER} /home/{USER}"),
                  "chown")
+        must(in_system(system, who, "git init -q ~/urv"), "git")
         return what_happens(system, home, debian, who)
     finally:
         left(system)
