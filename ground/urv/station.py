@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import secrets
 import signal
@@ -147,7 +148,10 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
             kept.write(json.dumps(line.shown()) + "\n")
             kept.flush()
         except OSError as error:
-            # A full disk must not stop who flies.
+            # A full disk must not stop who flies. What is left cannot be
+            # written at its end, either.
+            with contextlib.suppress(OSError):
+                kept.close()
             kept = None
             view.alerts.report(
                 "events file", "caution", "EVENTS FILE",
