@@ -290,7 +290,9 @@ def page(found, alarms, flights):
     wrong = wrongly_named(found)
     return f"""# Surfaces that fail
 
-`make surfaces RENEW=--renew` writes this page.
+`make surfaces RENEW=--renew` writes this page; its last line
+`scripts/laws/surfaces.py --only-sound --sound 8000 --renew`, in an hour of
+processor time.
 
 Each surface is stuck at {PLACES} places, from stop to stop, or floats, from
 {FAULT_MS // 1000} s of a flight of {SECONDS} s on. It is flown when from then on
