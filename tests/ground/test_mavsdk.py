@@ -33,10 +33,11 @@ class Watcher:
 
     def find(self):
         """Whether the aircraft has been found; then it is listened to."""
-        if not self.station.system_count():
+        # A system is counted before its autopilot is.
+        system = self.station.first_autopilot(0.0)
+        if system is None:
             return False
-        self.aircraft = telemetry.Telemetry(
-            self.station.first_autopilot(0.0))
+        self.aircraft = telemetry.Telemetry(system)
         self.aircraft.subscribe_attitude_euler(
             lambda one, *_: self.attitudes.update(
                 {one.timestamp_us: (one.roll_deg, one.pitch_deg)}))
