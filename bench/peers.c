@@ -223,6 +223,26 @@ static void heap_frame(int turn, int tasks)
    }
 }
 
+/* As many decisions as there are tasks; each sleeps for a time by lot. */
+
+static void scattered_heap(int turn, int tasks)
+{
+   static uint32_t seed = 1;
+   (void)turn;
+   for (int decision = 0; decision < tasks; decision++) {
+      entry e = take(&ready);
+      seed = seed * 1103515245u + 12345u;
+      put(&asleep, (entry){ ticks + 1 + (seed >> 16) % tasks, e.which });
+      while (ready.count == 0) {
+         ticks++;
+         while (asleep.count > 0 && asleep.at[1].key <= ticks) {
+            entry woken = take(&asleep);
+            put(&ready, (entry){ tasks - woken.which, woken.which });
+         }
+      }
+   }
+}
+
 /* CRC-8/DARC by a table of 256 bytes. */
 
 static uint8_t table[256], sum;
@@ -312,6 +332,9 @@ int main(void)
    for (int i = 0; i < 5; i++) {
       fill_heap(tasks[i]);
       measure("c_heap", tasks[i], heap_frame, 4000 / tasks[i], tasks[i]);
+      fill_heap(tasks[i]);
+      measure("c_heap_scattered", tasks[i], scattered_heap,
+              4000 / tasks[i], tasks[i]);
    }
    fill_table();
    measure("c_table", 56, table_checksum, 1000, 1);

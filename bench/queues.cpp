@@ -31,25 +31,52 @@ static void frame(Queue &ready, Queue &asleep, std::uint64_t &ticks, int tasks)
    }
 }
 
+// As many decisions as there are tasks; each sleeps for a time by lot.
+static void scattered(Queue &ready, Queue &asleep, std::uint64_t &ticks,
+                      int tasks)
+{
+   static std::uint32_t seed = 1;
+   for (int decision = 0; decision < tasks; decision++) {
+      const int runs = ready.top().second;
+      ready.pop();
+      seed = seed * 1103515245u + 12345u;
+      asleep.push({ticks + 1 + (seed >> 16) % tasks, runs});
+      while (ready.empty()) {
+         ticks++;
+         while (!asleep.empty() && asleep.top().first <= ticks) {
+            const int which = asleep.top().second;
+            asleep.pop();
+            ready.push({std::uint64_t(tasks - which), which});
+         }
+      }
+   }
+}
+
+template <typename Turn>
+static void measure(const char *what, int tasks, Turn turn)
+{
+   Queue ready, asleep;
+   std::uint64_t ticks = 0;
+   std::vector<double> took;
+   const int times = 4000 / tasks;
+   for (int which = 0; which < tasks; which++)
+      ready.push({std::uint64_t(tasks - which), which});
+   for (int number = 0; number < turns; number++) {
+      const auto began = std::chrono::steady_clock::now();
+      for (int time = 0; time < times; time++)
+         turn(ready, asleep, ticks, tasks);
+      took.push_back(std::chrono::duration<double, std::nano>(
+         std::chrono::steady_clock::now() - began).count());
+   }
+   std::nth_element(took.begin(), took.begin() + turns / 2, took.end());
+   std::printf("%s %d %.1f\n", what, tasks, took[turns / 2] / times / tasks);
+}
+
 int main()
 {
    for (const int tasks : {2, 10, 16, 100, 500}) {
-      Queue ready, asleep;
-      std::uint64_t ticks = 0;
-      std::vector<double> took;
-      const int frames = 4000 / tasks;
-      for (int which = 0; which < tasks; which++)
-         ready.push({std::uint64_t(tasks - which), which});
-      for (int turn = 0; turn < turns; turn++) {
-         const auto began = std::chrono::steady_clock::now();
-         for (int number = 0; number < frames; number++)
-            frame(ready, asleep, ticks, tasks);
-         took.push_back(std::chrono::duration<double, std::nano>(
-            std::chrono::steady_clock::now() - began).count());
-      }
-      std::nth_element(took.begin(), took.begin() + turns / 2, took.end());
-      std::printf("cpp_queue %d %.1f\n", tasks,
-                  took[turns / 2] / frames / tasks);
+      measure("cpp_queue", tasks, frame);
+      measure("cpp_queue_scattered", tasks, scattered);
    }
    return 0;
 }

@@ -2,13 +2,14 @@
 
 package body Theorems.Alike_Schedulers with SPARK_Mode is
 
-   --  Equals are alike, and who is alike one that is alike a third is alike
-   --  the third.
+   --  What is the same is alike, and who is alike one that is alike a third
+   --  is alike the third.
 
    procedure Prove_Equals_Are_Alike (One, Other : Scheduler)
    with
      Global => null,
-     Pre    => One = Other,
+     Pre    =>
+       Is_The_Same (One, Other) or else Is_The_Same (Other, One),
      Post   => Are_Alike (One, Other);
 
    procedure Prove_Alike (First, Middle, Last : Scheduler)

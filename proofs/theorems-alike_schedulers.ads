@@ -40,8 +40,8 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Are_Alike (One_Before, Other_Before)
-       and then One = One_Before
-       and then Other = Other_Before,
+       and then Is_The_Same (One_Before, One)
+       and then Is_The_Same (Other_Before, Other),
      Post   => Are_Alike (One, Other);
 
    --  Of two TCBs one is ahead.

@@ -27,6 +27,18 @@ package body Theorems.Scheduling with SPARK_Mode is
    procedure Prove_Nobody_Is_Woken_Early
      (First, Middle, Last : Scheduler) is null;
 
+   --  Who sleeps is not due.
+   procedure Prove_None_Is_Due (S : Scheduler)
+   with
+     Global => null,
+     Pre    => Is_Sound (S),
+     Post   =>
+       (for all Which in TCB_Number =>
+          (if Queue_Of (S, Which) = Timer
+           then Release_Of (S, Which) > Clock (S)));
+
+   procedure Prove_None_Is_Due (S : Scheduler) is null;
+
    procedure Step (S : in out Scheduler; Call : Scheduler_Call) is
       Before : constant Scheduler := S;
    begin
@@ -114,6 +126,7 @@ package body Theorems.Scheduling with SPARK_Mode is
          end if;
          Prove_Nobody_Is_Woken_Early (Before, Last, S);
       end loop;
+      Prove_None_Is_Due (S);
    end Run;
 
 end Theorems.Scheduling;

@@ -54,6 +54,9 @@ PEERS = {
     "semaphore 1": ("c_lock 1",),
     **{f"decision {tasks}": (f"c_heap {tasks}", f"cpp_queue {tasks}")
        for tasks in TASKS},
+    **{f"scattered {tasks}": (f"c_heap_scattered {tasks}",
+                              f"cpp_queue_scattered {tasks}")
+       for tasks in TASKS},
     **{f"exit {tasks}": () for tasks in TASKS},
     "switch 2": ("c_switch 2",),
     "checksum 56": ("c_table 56",),
@@ -72,8 +75,11 @@ NAMES = {
     "c_lock": "C: a pthread mutex, locked and unlocked",
     "decision": "scheduler: SLEEP, wake and choice, {} tasks",
     "exit": "scheduler: SLEEP, choice, wake and EXIT, {} tasks",
+    "scattered": "the same, of {} tasks that sleep for times by lot",
     "c_heap": "C: two binary heaps",
+    "c_heap_scattered": "C: two binary heaps",
     "cpp_queue": "C++: two `std::priority_queue`",
+    "cpp_queue_scattered": "C++: two `std::priority_queue`",
     "switch": "a switch between two Ravenscar tasks",
     "c_switch": "C: between two threads, by a condition variable",
     "checksum": "checksum of {} bytes",

@@ -11,17 +11,37 @@ with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 procedure Urv_Bench_Tasks is
 
-   Tree  : Task_Tree;
-   Tasks : Scheduler;
-   Now   : Clock_Tick := 0;
+   type Lot is mod 2**32;
+
+   Tree   : Task_Tree;
+   Number : constant Positive := Tree'Length;
+   Tasks  : Scheduler;
+   Now    : Clock_Tick := 0;
+   Seed   : Lot := 1;
+
+   --  Time passes until a task runs.
+   procedure Wake_Somebody;
 
    --  Every task sleeps until the next frame, and is woken and chosen again:
    --  a decision is a choice and a sleep.
    procedure Decide (Turn : Positive);
 
+   --  The task that runs sleeps for a time by lot, so that it seldom goes
+   --  behind all others.
+   procedure Decide_By_Lot (Turn : Positive);
+
    --  The task that runs gives way to one of higher priority, which ends its
    --  frame and is woken for the next.
    procedure Give_Way (Turn : Positive);
+
+   procedure Wake_Somebody is
+   begin
+      while Is_Idle (Tasks) loop
+         Now := Now + 1;
+         Wake (Tasks, Now);
+         Dispatch (Tasks);
+      end loop;
+   end Wake_Somebody;
 
    procedure Decide (Turn : Positive) is
       pragma Unreferenced (Turn);
@@ -35,6 +55,15 @@ procedure Urv_Bench_Tasks is
       Dispatch (Tasks);
    end Decide;
 
+   procedure Decide_By_Lot (Turn : Positive) is
+      pragma Unreferenced (Turn);
+   begin
+      Seed := Seed * 1_103_515_245 + 12_345;
+      Sleep (Tasks, Now + 1 + Tick (Seed / 2**16) mod Tick (Number));
+      Dispatch (Tasks);
+      Wake_Somebody;
+   end Decide_By_Lot;
+
    procedure Give_Way (Turn : Positive) is
       pragma Unreferenced (Turn);
    begin
@@ -47,10 +76,10 @@ procedure Urv_Bench_Tasks is
       end if;
    end Give_Way;
 
-   Number : constant Positive := Tree'Length;
-
    procedure Time_Decision is new Bench_Times
      (Decide, "decision" & Number'Image, 4_000 / Number, Each => Number);
+   procedure Time_Scattered is new Bench_Times
+     (Decide_By_Lot, "scattered" & Number'Image, 4_000);
    procedure Time_Exit is new Bench_Times
      (Give_Way, "exit" & Number'Image, 1_000);
 begin
@@ -63,4 +92,6 @@ begin
    Start (Tasks, Tree, 0);
    Time_Decision;
    Time_Exit;
+   Wake_Somebody;
+   Time_Scattered;
 end Urv_Bench_Tasks;

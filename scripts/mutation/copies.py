@@ -12,7 +12,8 @@ from fates import ROOT
 
 WORKPLACE = ROOT / "obj" / "mutation"
 COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "ground",
-          "scripts", "urv.gpr", "ravenscar.adc")
+          "scripts", "urv.gpr", "ravenscar.adc",
+          "partitions.adc")
 
 # A mutant may have a condition that is always true. What only helps to debug
 # would cost building time.

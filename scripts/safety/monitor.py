@@ -191,10 +191,17 @@ class Sent:
     def __init__(self, times, messages):
         self.times, self.messages = times, messages
 
+    def _places(self, first, last):
+        return range(bisect.bisect_left(self.times, first),
+                     bisect.bisect_right(self.times, last))
+
+    def between(self, first, last):
+        """The messages of the rows between these times."""
+        return [self.messages[place] for place in self._places(first, last)]
+
     def earliest(self, wanted, first, last):
         """The earliest time of a row that has the message."""
-        for place in range(bisect.bisect_left(self.times, first),
-                           bisect.bisect_right(self.times, last)):
+        for place in self._places(first, last):
             if self.messages[place] == wanted:
                 return self.times[place]
         return None
@@ -252,7 +259,7 @@ class Checker:
 
     def check_marks(self, record, after, near_start,
                     is_blurred=lambda place: False,
-                    came_unmarked=lambda place: False):
+                    between_rows=lambda place, words: False):
         """A message that says that it is old moves nothing: what the servos
         do newly is what a message said that does not. CORE may have it
         `after` so many rows, or have had it between two. What it had where
@@ -265,8 +272,8 @@ class Checker:
                     record.by_law[place] and is_by_law(before, words, near)):
                 continue
             if not any(transformed(message[:13]) == words
-                       for at, message in enumerate(near, place)
-                       if not is_stale(message) or came_unmarked(at)):
+                       for message in near if not is_stale(message)
+                       ) and not between_rows(place + after, words):
                 self.say(times[place],
                          f"pwm: {differing(SERVOS, before, words)}: no"
                          " message in mcs.uplink that is not marked as old"
@@ -333,7 +340,7 @@ class Flight(Checker):
             self.check_marks(
                 self.record, 1, lambda time: self.faults.starts["mcs"].touch(
                     time - FRAME_US, time + FRAME_US),
-                came_unmarked=self.came_unmarked)
+                between_rows=self.came_between_rows)
             self.check_link(
                 self.record.times, self.record.gsc_downlink,
                 self.fresh_downlinks, self.downlink_rows,
@@ -341,16 +348,14 @@ class Flight(Checker):
         return Findings(self.violations, self.wrong_blocks,
                         len(self.record.times))
 
-    def came_unmarked(self, place):
+    def came_between_rows(self, place, words):
         """Two frames of the aircraft may end between two rows, for in step
-        they are shorter. When nothing comes in the second, CORE has marked
-        what came in the first: new words, which the ground sent unmarked."""
-        if not self.lock or place == 0:
-            return False
-        old, message = self.record.mcs_uplink[place - 1:place + 1]
-        return old[:-1] != message[:-1] and self.fresh_uplinks.earliest(
-            (*message[:-1], message[-1] & ~STALE),
-            *self.uplink_rows(self.record.times[place])) is not None
+        they are shorter. Of what came in the first CORE may have no row: the
+        ground's does, where it says so unmarked."""
+        return self.lock and any(
+            transformed(message[:13]) == words and not is_stale(message)
+            for message in self.fresh_uplinks.between(
+                *self.uplink_rows(self.record.times[place])))
 
     def window(self, time, calm_us, disturbed_us, sender):
         """From when on a scan may have begun whose words arrive newly at
@@ -427,7 +432,10 @@ class Flight(Checker):
     def excuse_downlink(self, time, first, words, is_new):
         if not is_new and self.faults.silent["gsc"].touch(time, time):
             return "stands"
-        if self.faults.starts["mcs"].touch(first - 2 * FRAME_US, time):
+        # Of a frame that ends between two rows, or before a start, the
+        # aircraft's CORE has no row.
+        if self.lock or self.faults.starts["mcs"].touch(
+                first - 2 * FRAME_US, time):
             if self.sensors is None or self.sensors.earliest_scan(
                     words[:-1], first - 2 * FRAME_US, time,
                     self.scan("mcs", first, time)) is not None:

@@ -84,12 +84,13 @@ class Timeline:
         after the changes that follow."""
         times, words = self.times, self.words
         earliest = max(first, times[place])
+        until = last if scan.is_free else last + scan.lasts_us
         crossed = begins = None
         for channel, word in enumerate(seen):
             while words[place][channel] not in (word, None):
                 place += 1
                 if (channel == 0 or place == len(times)
-                        or times[place] > last):
+                        or times[place] > until):
                     return False
                 time = times[place]
                 # The last one before the change; one that begins with it
@@ -100,7 +101,7 @@ class Timeline:
                 if scan.is_free:
                     if time - crossed >= scan.lasts_us:
                         return False
-                elif (begins != grid or begins < earliest
+                elif (begins != grid or not earliest <= begins <= last
                         or time - begins >= scan.lasts_us):
                     return False
         return True

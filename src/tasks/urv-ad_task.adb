@@ -10,6 +10,9 @@ package body URV.AD_Task with SPARK_Mode is
    --  Hands on the words of the last scan.
    procedure Hand_On (Fresh : out Boolean);
 
+   --  Of a scan that ends later than its minor frame the words are too old.
+   procedure Discard_Late_Scan;
+
    procedure Hand_On (Fresh : out Boolean) is
       Item    : Channel_Words;
       Success : Boolean;
@@ -20,6 +23,13 @@ package body URV.AD_Task with SPARK_Mode is
          Errors.Report (Image_Not_Consumed, 0);
       end if;
    end Hand_On;
+
+   procedure Discard_Late_Scan is
+      Unused_Item  : Channel_Words;
+      Unused_Fresh : Boolean;
+   begin
+      ADINT_Variable.Receive (Unused_Item, Unused_Fresh);
+   end Discard_Late_Scan;
 
    procedure Initialise is
       Set            : constant Schedule_Name := Schedule.Contents;
@@ -48,6 +58,7 @@ package body URV.AD_Task with SPARK_Mode is
             Errors.Report (AD_No_Scan, Word (Reached));
          end if;
          if Set = Fast then
+            Discard_Late_Scan;
             Doing.Write (Scanning);
          end if;
       end if;

@@ -7,7 +7,8 @@
 --  passes on the words of the one before, with the error word set.
 --
 --  In the fast schedule (FRM-5) it begins the scan, waits a minor frame, and
---  hands on that scan: its words are 2 ms old, not 20.
+--  hands on that scan: its words are 2 ms old, not 20. A scan that ends
+--  later is handed on by nobody.
 
 with URVOS.Frames;          use URVOS.Frames;
 with URVOS.Kernel_Calls;    use URVOS.Kernel_Calls;

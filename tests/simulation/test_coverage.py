@@ -147,7 +147,8 @@ def test_the_least_is_that_of_the_requirement():
     # decisions of the program.
     assert {*coverage.PROGRAMS} - {*coverage.COUNT_DECISIONS} == {"contracts"}
     for _, _, switches in coverage.PROGRAMS.values():
-        assert switches in (["-gnatp"], ["-gnata"])
+        assert switches[0] in ("-gnatp", "-gnata")
+    assert coverage.PROGRAMS["partitions"][2][1].endswith("ravenscar.adc")
 
 
 def test_percents_are_not_rounded_up(judged):

@@ -340,6 +340,21 @@ package body AD_Tests is
       Expect_Start (0);
       Expect_Errors ("no scan", Errors, (1 => AD_No_Scan), Detail => 1);
 
+      --  One that ends too late is not taken for the next frame's.
+      AD.Run_Transaction;
+      Image := Images.Taken ("without a scan", AD_Variable);
+      for Number in Channel loop
+         Convert (16#300#);
+      end loop;
+      AD.Run_Transaction;
+      Expect_Start (0);
+      AD.Run_Transaction;
+      Image := Images.Taken ("without a scan again", AD_Variable);
+      Expect ("the words of the late one", Image.Words (0), 16#300#);
+      Expect ("are stale", Image.Error_Status, Stale_Data);
+      Expect_Errors
+        ("none in time", Errors, (1 => AD_No_Scan), Detail => 32);
+
       --  A start of the node's tasks begins anew.
       AD.Initialise;
       Expect_Release ("after a start", False);

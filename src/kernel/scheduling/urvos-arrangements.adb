@@ -2,51 +2,83 @@
 
 package body URVOS.Arrangements with SPARK_Mode is
 
+   type Place_Table is array (TCB_Number) of Place with Ghost;
+
+   --  Who stands somewhere is found.
+   procedure Prove_Found (Row : Arrangement; Places : Place_Table)
+   with
+     Ghost,
+     Global => null,
+     Pre    => (for all Which in TCB_Number => Row (Places (Which)) = Which),
+     Post   =>
+       (for all Which in TCB_Number => Row (Place_Of (Row, Which)) = Which);
+
+   function Place_Of (Row : Arrangement; Which : TCB_Number) return Place is
+   begin
+      for Where in Place range 1 .. Place'Last - 1 loop
+         if Row (Where) = Which then
+            return Where;
+         end if;
+         pragma Loop_Invariant
+           (for all Passed in 1 .. Where => Row (Passed) /= Which);
+      end loop;
+      return Place'Last;
+   end Place_Of;
+
+   procedure Prove_Found (Row : Arrangement; Places : Place_Table) is
+   begin
+      for Which in TCB_Number loop
+         pragma Assert (Row (Places (Which)) = Which);
+         pragma Loop_Invariant
+           (for all Found in 1 .. Which =>
+              Row (Place_Of (Row, Found)) = Found);
+      end loop;
+   end Prove_Found;
+
    function Initial_Arrangement return Arrangement is
-     ((TCBs   => (for Where in Place => TCB_Number (Where)),
-       Places => (for Which in TCB_Number => Place (Which))));
+      Row : constant Arrangement :=
+        (for Where in Place => TCB_Number (Where));
+   begin
+      Prove_Found (Row, (for Which in TCB_Number => Place (Which)));
+      return Row;
+   end Initial_Arrangement;
 
    procedure Move (Row : in out Arrangement; From, To : Place) is
       Before : constant Arrangement := Row with Ghost;
-      Moved  : constant TCB_Number := Row.TCBs (From);
+      Moved  : constant TCB_Number := Row (From);
    begin
       if From < To then
-         for Where in From .. To - 1 loop
-            Row.TCBs (Where) := Row.TCBs (Where + 1);
-            Row.Places (Row.TCBs (Where)) := Where;
-            pragma Loop_Invariant
-              (for all I in Place =>
-                 Row.TCBs (I) =
-                   (if I in From .. Where
-                    then Before.TCBs (I + 1)
-                    else Before.TCBs (I)));
-            pragma Loop_Invariant
-              (for all Which in TCB_Number =>
-                 Row.Places (Which) =
-                   (if Before.Places (Which) in From + 1 .. Where + 1
-                    then Before.Places (Which) - 1
-                    else Before.Places (Which)));
-         end loop;
-      else
-         for Where in reverse To + 1 .. From loop
-            Row.TCBs (Where) := Row.TCBs (Where - 1);
-            Row.Places (Row.TCBs (Where)) := Where;
-            pragma Loop_Invariant
-              (for all I in Place =>
-                 Row.TCBs (I) =
-                   (if I in Where .. From
-                    then Before.TCBs (I - 1)
-                    else Before.TCBs (I)));
-            pragma Loop_Invariant
-              (for all Which in TCB_Number =>
-                 Row.Places (Which) =
-                   (if Before.Places (Which) in Where - 1 .. From - 1
-                    then Before.Places (Which) + 1
-                    else Before.Places (Which)));
-         end loop;
+         Row (From .. To - 1) := Row (From + 1 .. To);
+         pragma Assert
+           (for all Where in Place =>
+              Row (Where) =
+                Before (if Where in From .. To - 1 then Where + 1
+                        else Where));
+      elsif To < From then
+         Row (To + 1 .. From) := Row (To .. From - 1);
+         pragma Assert
+           (for all Where in Place =>
+              Row (Where) =
+                Before (if Where in To + 1 .. From then Where - 1
+                        else Where));
       end if;
-      Row.TCBs (To) := Moved;
-      Row.Places (Moved) := To;
+      Row (To) := Moved;
+
+      --  Who is at a place came from one, and each is where it was moved to.
+      pragma Assert
+        (for all Where in Place =>
+           Row (Where) = Before (Place_After_Move (Where, To, From)));
+      pragma Assert
+        (for all Where in Place =>
+           Row (Place_After_Move (Where, From, To)) = Before (Where));
+      Prove_Found
+        (Row,
+         (for Which in TCB_Number =>
+            Place_After_Move (Place_Of (Before, Which), From, To)));
+      pragma Assert
+        (for all Where in Place =>
+           Place_Of (Before, Row (Where))
+           = Place_After_Move (Where, To, From));
    end Move;
 
 end URVOS.Arrangements;

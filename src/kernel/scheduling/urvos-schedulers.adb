@@ -146,36 +146,64 @@ package body URVOS.Schedulers with SPARK_Mode is
        and then Order_Is_Kept (S'Old, S, Except => Running_TCB (S'Old))
        and then Is_In_Its_Place (S, Running_TCB (S'Old));
 
+   --  Whom to stand behind is mostly the last; else the search is by halves.
+
    function Behind_Priority
      (S     : Scheduler;
-      Level : Priority) return Integer is
+      Level : Priority) return Integer
+   is
+      First  : Integer := Running_Last (S) + 1;
+      Beyond : Integer := Ready_Last (S) + 1;
+      Middle : Integer := Ready_Last (S);
    begin
-      for Where in Running_Last (S) + 1 .. Ready_Last (S) loop
-         if S.Blocks (TCB_At (S.Row, Place (Where))).Priority < Level then
-            return Where;
+      while First < Beyond loop
+         if S.Blocks (TCB_At (S.Row, Place (Middle))).Priority >= Level then
+            First := Middle + 1;
+         else
+            Beyond := Middle;
          end if;
+         pragma Loop_Variant (Decreases => Beyond - First);
+         pragma Loop_Invariant
+           (First in Running_Last (S) + 1 .. Beyond
+            and then Beyond <= Ready_Last (S) + 1);
          pragma Loop_Invariant
            (for all Which in TCB_Number =>
-              (if Place_Number (S, Which) in Running_Last (S) + 1 .. Where
-               then Priority_Of (S, Which) >= Level));
+              (if Queue_Of (S, Which) = Ready
+                 and then Place_Number (S, Which) not in First .. Beyond - 1
+               then (Place_Number (S, Which) < First)
+                    = (Priority_Of (S, Which) >= Level)));
+         Middle := (First + Beyond - 1) / 2;
       end loop;
-      return Ready_Last (S) + 1;
+      return First;
    end Behind_Priority;
 
    function Behind_Tick
      (S       : Scheduler;
-      Release : Tick) return Integer is
+      Release : Tick) return Integer
+   is
+      First  : Integer := Ready_Last (S) + 1;
+      Beyond : Integer := Timer_Last (S) + 1;
+      Middle : Integer := Timer_Last (S);
    begin
-      for Where in Ready_Last (S) + 1 .. Timer_Last (S) loop
-         if S.Blocks (TCB_At (S.Row, Place (Where))).Release > Release then
-            return Where;
+      while First < Beyond loop
+         if S.Blocks (TCB_At (S.Row, Place (Middle))).Release <= Release then
+            First := Middle + 1;
+         else
+            Beyond := Middle;
          end if;
+         pragma Loop_Variant (Decreases => Beyond - First);
+         pragma Loop_Invariant
+           (First in Ready_Last (S) + 1 .. Beyond
+            and then Beyond <= Timer_Last (S) + 1);
          pragma Loop_Invariant
            (for all Which in TCB_Number =>
-              (if Place_Number (S, Which) in Ready_Last (S) + 1 .. Where
-               then Release_Of (S, Which) <= Release));
+              (if Queue_Of (S, Which) = Timer
+                 and then Place_Number (S, Which) not in First .. Beyond - 1
+               then (Place_Number (S, Which) < First)
+                    = (Release_Of (S, Which) <= Release)));
+         Middle := (First + Beyond - 1) / 2;
       end loop;
-      return Timer_Last (S) + 1;
+      return First;
    end Behind_Tick;
 
    procedure Load (S : in out Scheduler; Header : Task_Header) is
@@ -241,7 +269,6 @@ package body URVOS.Schedulers with SPARK_Mode is
    is
       Before : constant Scheduler := S with Ghost;
    begin
-      pragma Assert (Queue_Of (S, Which) = Free);
       Prove_Next_Free (S, Which);
       Load (S, Tree (Which));
       pragma Assert (Is_Loaded (S, Which, Tree (Which)));
@@ -250,21 +277,11 @@ package body URVOS.Schedulers with SPARK_Mode is
            (if Other /= Which then Is_Unchanged (Before, S, Other)));
       pragma Assert
         (for all Other in TCB_Number =>
-           (if Other > Which then Queue_Of (S, Other) = Free
-            else Is_Loaded (S, Other, Tree (Other))));
-      pragma Assert
-        (for all Other in TCB_Number =>
            (if Other /= Which
               and then Queue_Of (S, Other) = Queue_Of (S, Which)
             then Other < Which
               and then Is_Ahead (S, Which, Other) =
                          not Is_Ahead (S, Other, Which)));
-      pragma Assert
-        (for all A in TCB_Number =>
-           (for all B in TCB_Number =>
-              (if A /= Which and then B /= Which
-                 and then Queue_Of (S, A) = Queue_Of (S, B)
-               then Is_Ahead (S, A, B) = Is_Ahead (Before, A, B))));
       pragma Assert (Equals_Are_In_Turn (S));
    end Load_Next;
 
@@ -323,6 +340,7 @@ package body URVOS.Schedulers with SPARK_Mode is
       Last   : Scheduler with Ghost;
       First  : TCB_Number;
    begin
+      pragma Assert (Is_In_Wake_Order (Before, S));
       while Sleeper_Is_Due (S, Now) loop
          Last := S;
          First := TCB_At (S.Row, Place (Ready_Last (S) + 1));
@@ -379,15 +397,11 @@ package body URVOS.Schedulers with SPARK_Mode is
         and then S.Blocks (TCB_At (S.Row, 2)).Priority >
                  S.Blocks (Caller).Priority
       then
-         pragma Assert (Queue_Of (S, TCB_At (S.Row, 2)) = Ready);
          pragma Assert (Has_Higher_Ready (S));
          Give_Way (S);
          declare
             Waiting : constant Scheduler := S with Ghost;
-            First   : constant TCB_Number := TCB_At (Before.Row, 2)
-            with Ghost;
          begin
-            pragma Assert (Queue_Of (Waiting, First) = Ready);
             Choose (S);
             pragma Assert (Running_TCB (S) /= Caller);
             Prove_Handed_Over

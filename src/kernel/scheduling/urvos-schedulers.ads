@@ -143,6 +143,17 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      Global   => null,
      Annotate => (GNATprove, Inline_For_Proof);
 
+   --  Nothing has changed at all.
+   function Is_The_Same (Before, After : Scheduler) return Boolean is
+     (After = Before
+      and then
+        (for all Which in TCB_Number => Is_Unchanged (Before, After, Which))
+      and then
+        (for all A in TCB_Number =>
+           (for all B in TCB_Number =>
+              Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
+   with Ghost, Global => null;
+
    --  Among all but one, those that share a queue stand as they stood.
    function Order_Is_Kept
      (Before, After : Scheduler;
@@ -259,7 +270,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
        and then Clock (S) = Clock (S'Old)
        and then
          (if not Is_Idle (S'Old) or else Is_Settled (S'Old)
-          then S = S'Old
+          then Is_The_Same (S'Old, S)
           else not Is_Idle (S)
             and then Is_Best_Ready (S'Old, Running_TCB (S))
             and then Is_Same_Task (S'Old, S, Running_TCB (S))
@@ -419,7 +430,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                  (S'Old, S,
                   Caller => Running_TCB (S'Old),
                   Best   => Running_TCB (S))
-          else S = S'Old);
+          else Is_The_Same (S'Old, S));
 
    --  The tick that SLEEP makes of a wish: a task that wants to sleep until
    --  a tick that has passed sleeps until the next one.

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""D-29: what flies is built under all of the Ravenscar profile but the count
+that detects blocking."""
+
+import subprocess
+
+import pytest
+from conftest import ROOT
+
+UNIT = "package Anything is\nend Anything;\n"
+
+
+@pytest.fixture
+def asked(tmp_path):
+    """What a unit's library file says that the pragmas of a file ask for:
+    policies and detections, and each restriction."""
+    def asked(pragmas):
+        folder = tmp_path / pragmas
+        folder.mkdir()
+        (folder / "anything.ads").write_text(UNIT)
+        subprocess.run(["gcc", "-c", "-gnat2022",
+                        f"-gnatec={ROOT / pragmas}", "anything.ads"],
+                       cwd=folder, check=True)
+        lines = (folder / "anything.ali").read_text().splitlines()
+        return ({word for line in lines if line.startswith("P ")
+                 for word in line.split()[1:]},
+                {line for line in lines if line.startswith("RR ")})
+    return asked
+
+
+def test_d29_partitions_have_the_profile_but_its_detection(asked):
+    profile, restrictions = asked("ravenscar.adc")
+    flies, flying_restrictions = asked("partitions.adc")
+    assert profile - flies == {"DB"} and flies <= profile
+    assert len(restrictions) >= 25
+    assert flying_restrictions == restrictions
