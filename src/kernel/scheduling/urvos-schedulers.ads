@@ -546,10 +546,13 @@ private
      (Integer (Place_Of (S.Row, Which)));
 
    function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name is
-     (if Place_Number (S, Which) <= Running_Last (S) then Running
-      elsif Place_Number (S, Which) <= Ready_Last (S) then Ready
-      elsif Place_Number (S, Which) <= Timer_Last (S) then Timer
-      else Free);
+     (declare
+         Where : constant Integer := Place_Number (S, Which);
+      begin
+         (if Where <= Running_Last (S) then Running
+          elsif Where <= Ready_Last (S) then Ready
+          elsif Where <= Timer_Last (S) then Timer
+          else Free));
 
    function Is_Ahead
      (S            : Scheduler;
