@@ -12,6 +12,7 @@ from conftest import (
     COMMANDS, ROOT, RanLate, different_rows, flies_again, known_of, need,
     ran_late, script, script_seconds,
 )
+from peer import UPLINK, data_message
 
 sys.path.insert(0, str(ROOT / "scripts" / "safety"))
 
@@ -57,18 +58,20 @@ def test_saf9_a_flight_of_both_nodes_has_no_violation(
 
 @flies_again
 def test_saf4_saf9_the_monitor_lets_no_command_of_before_power_up_pass(
-    start, start_both, write, terminals
+    start, write, terminals
 ):
-    """A ground that was there before has filled the line."""
+    """A ground that was there before has left a message on the line."""
     old, young = different_rows(2, len(COMMANDS), 6)
     links = serial(terminals)
-    before = start("gsc", links[1], "--seconds", 0.5, "--sticks", write(
-        "old.csv", script(COMMANDS, [old]).replace("\n250,", "\n0,")))
-    assert before.end().summary["frames"] >= 25
-    runs = start_both(
-        links, mcs=("--seconds", 1.5),
-        gsc=("--seconds", 1.5, "--sticks", write(
-            "young.csv", script(COMMANDS, [young]))))
+    with open(terminals.devices[1], "wb", buffering=0) as line:
+        line.write(data_message(UPLINK, (*old, 0)))
+    # The aircraft first: another command right behind makes that one bad.
+    aircraft = start("mcs", links[0], "--phase", 3, "--seconds", 1.5)
+    aircraft.await_begin()
+    time.sleep(0.2)
+    runs = aircraft, start(
+        "gsc", links[1], "--seconds", 1.5, "--sticks", write(
+            "young.csv", script(COMMANDS, [young])))
     mcs, gsc = (run.end() for run in runs)
     assert old not in mcs.words("mcs.uplink", COMMANDS)
 
