@@ -4,7 +4,7 @@
 
 .PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
         theory bench size trace mutate planted real_time timing trials coverage \
-        independence margins surfaces clean
+        independence margins surfaces times clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -36,6 +36,8 @@ help:
 	@echo "  make surfaces   flights with a failed surface, SAMPLE=N [RENEW]"
 	@echo "  make bench      calls and simulation beside what one would take"
 	@echo "                  instead, BEFORE=COMMIT beside then's [RENEW]"
+	@echo "  make times      how long builds, tests and the proof take [RENEW];"
+	@echo "                  an hour, WORKS=\"build test\" for some"
 	@echo "  make size       static data of each node's flight software"
 	@echo "  make trace      requirements with their links, in trace/"
 
@@ -133,6 +135,12 @@ bench:
 	@scripts/setup.sh bench
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@.venv/bin/python scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
+
+# WORKS: build, test, again, nothing.
+WORKS :=
+times:
+	@scripts/setup.sh test
+	@.venv/bin/python scripts/work_times.py $(RENEW) $(WORKS)
 
 size:
 	@scripts/setup.sh size

@@ -16,6 +16,8 @@ failed ones, and each part with its result and time (EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 
+import concurrent.futures
+import os
 import re
 import shutil
 import subprocess
@@ -87,16 +89,27 @@ def every_source():
 
 
 def unit_tests(mode):
+    """Every so-maniest test in a process of its own, for each processor one."""
     if not build("tests/urv_tests.gpr", mode):
         return BROKEN
+    shares = len(os.sched_getaffinity(0))
+    with concurrent.futures.ThreadPoolExecutor(shares) as pool:
+        totals = list(pool.map(
+            lambda number: unit_share(mode, number, shares),
+            range(1, shares + 1)))
+    return tuple(map(sum, zip(*totals)))
+
+
+def unit_share(mode, number, shares):
     totals = None
-    program = f"bin/urv_tests_{mode}"
+    command = [f"bin/urv_tests_{mode}", str(number), str(shares)]
     began = time.monotonic()
     with subprocess.Popen(
-        [program], cwd=ROOT, stdout=subprocess.PIPE, text=True
+        command, cwd=ROOT, stdout=subprocess.PIPE, text=True
     ) as running:
         for line in running.stdout:
-            print(line, end="", flush=True)
+            sys.stdout.write(line)
+            sys.stdout.flush()
             totals = TOTALS.match(line)
             if ended := UNIT_TEST.match(line):
                 now = time.monotonic()
@@ -105,7 +118,7 @@ def unit_tests(mode):
                 began = now
     # Its last line is its totals, or it did not get to its end.
     if not totals:
-        early = f"{program} ended early, status {running.returncode}"
+        early = f"{' '.join(command)} ended early, status {running.returncode}"
         print(early)
         tests.append(Test(0, True, early))
         return BROKEN
@@ -179,8 +192,8 @@ def ground_tests():
 
 
 def change_tests():
-    """One after another: those of one copy must not meet."""
-    return python_tests([], "changes")
+    """Those of one copy must not meet: they are a group."""
+    return python_tests([], "changes", spread="loadgroup")
 
 
 def one_test(*command):

@@ -16,7 +16,7 @@ For a test, with this folder in sys.path:
 
     findings = monitor.check(record, sticks=None, sensors=None, faults=None)
     findings = monitor.check_partitions(gsc=None, mcs=None, starts=(),
-                                        disturbed=())
+                                        disturbed=(), schedule="report")
     assert findings.violations == []
 
 All paths. `findings.violations` is a list of text; `findings.wrong_blocks` has
@@ -83,6 +83,9 @@ OWN_SCAN_US = {
 PARTITION_UP_US = {"calm": 50_000, "disturbed": 90_000}
 PARTITION_DOWN_US = {"calm": 60_000, "disturbed": 100_000}
 PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
+# In the fast schedule the ground's row comes 10 ms after its TELOUT, when the
+# aircraft may have had the uplink for 7.1: its row was first.
+PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
 
 
 class Findings(NamedTuple):
@@ -501,8 +504,9 @@ def check(record, sticks=None, sensors=None, faults=None,
 class Partitions(Checker):
     """A flight of one or both partitions."""
 
-    def __init__(self, gsc, mcs, starts, disturbed):
+    def __init__(self, gsc, mcs, starts, disturbed, schedule):
         super().__init__()
+        self.row_later_us = PARTITION_ROW_LATER_US[schedule]
         self.gsc = Record(gsc, "clock_us") if gsc else None
         self.mcs = Record(mcs, "clock_us") if mcs else None
         self.starts = {node: Spans((at - FRAME_US, at + 5 * FRAME_US)
@@ -546,7 +550,8 @@ class Partitions(Checker):
                 mcs.times, mcs.mcs_uplink,
                 Sent(gsc.times, gsc.gsc_uplink),
                 lambda time: (self.window(time, PARTITION_UP_US),
-                              time + self.late_before(time)),
+                              time + self.row_later_us
+                              + self.late_before(time)),
                 lambda time, first, words, is_new: self.excuse(
                     "gsc", time, first, is_new),
                 "mcs.uplink", (*COMMANDS, "error"))
@@ -599,9 +604,10 @@ class Partitions(Checker):
                              + text(COMMANDS, words[:-1]))
 
 
-def check_partitions(gsc=None, mcs=None, starts=(), disturbed=()):
+def check_partitions(gsc=None, mcs=None, starts=(), disturbed=(),
+                     schedule="report"):
     """A flight of the partitions, from their records."""
-    return Partitions(gsc, mcs, starts, disturbed).run()
+    return Partitions(gsc, mcs, starts, disturbed, schedule).run()
 
 
 def text(names, words):
@@ -627,7 +633,8 @@ def main():
         parser.error("either a record, or --gsc or --mcs or both")
     try:
         findings = (
-            check_partitions(given.gsc, given.mcs) if partitions
+            check_partitions(given.gsc, given.mcs, schedule=given.schedule)
+            if partitions
             else check(given.record, given.sticks, given.sensors,
                        given.faults, given.schedule, given.drift, given.lock))
     except (OSError, ValueError) as error:

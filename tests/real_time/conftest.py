@@ -180,6 +180,7 @@ class Run:
     def __init__(self, node, folder, link, *options, quiet=True):
         folder.mkdir(exist_ok=True)
         self.node = node
+        self.schedule = "fast" if "fast" in options else "report"
         self.outputs = Outputs(folder)
 
         # When it was told to do something, in us of the monotonic clock.
@@ -283,6 +284,7 @@ def known_of(runs):
     return {
         "starts": [start for run in runs for start in starts_of(run)],
         "disturbed": [span for run in runs for span in disturbed_of(run)],
+        "schedule": runs[0].schedule,
     }
 
 

@@ -13,12 +13,14 @@ import run_tests  # noqa: E402
 
 @pytest.fixture
 def place(tmp_path, monkeypatch):
-    """A folder of its own, where nothing has run and all builds."""
+    """A folder of its own, where nothing has run and all builds, and one
+    processor."""
     monkeypatch.setattr(run_tests, "ROOT", tmp_path)
     monkeypatch.setattr(run_tests, "RESULTS", tmp_path / "results")
     monkeypatch.setattr(run_tests, "tests", [])
     monkeypatch.setattr(run_tests, "building", [])
     monkeypatch.setattr(run_tests, "build", lambda *_: True)
+    monkeypatch.setattr(run_tests.os, "sched_getaffinity", lambda _: {0})
     (tmp_path / "bin").mkdir()
     (tmp_path / "results").mkdir()
     return tmp_path
@@ -139,6 +141,20 @@ def test_unit_tests_that_end_early_have_failed(place, end, capsys):
     assert unit_tests(place, end) == run_tests.BROKEN
     assert run_tests.tests[-1].failed
     assert "ended early" in run_tests.tests[-1].name
+
+
+def test_each_processor_has_its_share_of_the_unit_tests(place, monkeypatch):
+    monkeypatch.setattr(run_tests.os, "sched_getaffinity", lambda _: {0, 3, 5})
+    program = place / "bin" / "urv_tests_host"
+    program.write_text("#!/bin/sh\n[ $1 != 2 ] || sleep 0.1\n"
+                       "echo \"ok   MBX-1 $1 of $2\"\n"
+                       "[ $1 = 3 ] || echo '1 passed, 0 failed, 0 skipped'\n",
+                       encoding="utf-8")
+    program.chmod(0o755)
+    assert run_tests.unit_tests("host") == (2, 1, 0)
+    assert {test.name.partition(" ended")[0] for test in run_tests.tests} == {
+        "MBX-1 1 of 3", "MBX-1 2 of 3", "MBX-1 3 of 3",
+        "bin/urv_tests_host 3 3"}
 
 
 PYTHON_TESTS = """\

@@ -374,6 +374,21 @@ def test_partitions_on_a_machine_that_is_late_have_none_either(partitions):
     assert partitions(late_us=300_000).violations == []
 
 
+def test_in_the_fast_schedule_the_grounds_row_may_come_later(partitions):
+    def told(late_ms, schedule):
+        def alter(node, cells):
+            column = cells.titles.index("clock_us")
+            for row in cells.table[1:] if node == "gsc" else ():
+                row[column] = str(int(row[column]) + 1000 * late_ms)
+
+        return "never had this" in said(partitions(alter, schedule=schedule))
+
+    first = {schedule: next(late_ms for late_ms in range(0, 60, 2)
+                            if told(late_ms, schedule))
+             for schedule in ("report", "fast")}
+    assert first["fast"] - first["report"] == 8
+
+
 def old_command(first_ms, last_ms, source_ms):
     """The aircraft obeys what the console said at another time."""
     def alter(node, cells):

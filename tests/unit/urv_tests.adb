@@ -2,19 +2,30 @@
 
 --  Runs the unit tests: one line a test, then the totals. The exit status
 --  is that of success only if every test passed.
+--
+--  urv_tests NUMBER SHARES    every so-maniest of them: 1 2, 2 2
 
 with Ada.Command_Line; use Ada.Command_Line;
+with AUnit.Options;    use AUnit.Options;
 with AUnit.Run;
 with All_Tests;
 with Live_Results;     use Live_Results;
+with Test_Shares;      use Test_Shares;
 
 procedure URV_Tests is
    procedure Run is
      new AUnit.Run.Test_Runner_With_Results (All_Tests.Suite);
 
+   Chosen   : aliased Share;
+   Options  : AUnit_Options := Default_Options;
    Reporter : Totals_Reporter;
    Results  : Live_Result;
 begin
-   Run (Reporter, Results);
+   if Argument_Count > 0 then
+      Chosen.Number    := Positive'Value (Argument (1));
+      Chosen.Of_Shares := Positive'Value (Argument (2));
+      Options.Filter   := Chosen'Unchecked_Access;
+   end if;
+   Run (Reporter, Results, Options);
    Set_Exit_Status (if Results.Successful then Success else Failure);
 end URV_Tests;
