@@ -170,11 +170,6 @@ def task():
     return Change("task")
 
 
-# Those that share a copy run one after another.
-ONE_COPY = pytest.mark.xdist_group("task")
-
-
-@ONE_COPY
 def test_one_more_task(task):
     """It tells the ground of what it sees in CORE."""
     task.expect_cost()
@@ -223,7 +218,6 @@ def left_out(task, lines):
             (task.copy / name).write_text(text, encoding="utf-8")
 
 
-@ONE_COPY
 def test_a_task_that_is_left_out_does_not_build(task):
     """Its name, its row and its step are lines of the patch of one more task,
     each left out by itself."""
@@ -234,7 +228,6 @@ def test_a_task_that_is_left_out_does_not_build(task):
         assert "battery_task" in result.stderr.lower(), result.stderr
 
 
-@ONE_COPY
 def test_an_instance_that_no_list_names_is_noticed(task):
     """All three lines left out at once: that builds, for nothing runs it."""
     assert task.build("sim/urv_sim.gpr").returncode == 0
