@@ -5,6 +5,7 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
 with Devices.AD_Board; use Devices.AD_Board;
+with Partitions.Gates; use Partitions.Gates;
 
 package body Partitions.Converter is
 
@@ -16,35 +17,20 @@ package body Partitions.Converter is
 
    Power : Suspension_Object;
 
-   protected Interrupts is
-      entry Hold;
-      procedure Release;
-   private
-      Is_Free : Boolean := True;
-   end Interrupts;
+   --  The board's hardware, and the controller that begins scans.
+   Hardware_Side   : constant Side := Left;
+   Controller_Side : constant Side := Right;
 
-   protected body Interrupts is
-
-      entry Hold when Is_Free is
-      begin
-         Is_Free := False;
-      end Hold;
-
-      procedure Release is
-      begin
-         Is_Free := True;
-      end Release;
-
-   end Interrupts;
+   Interrupts : Gate;
 
    procedure Hold_Interrupts is
    begin
-      Interrupts.Hold;
+      Enter (Interrupts, From => Controller_Side);
    end Hold_Interrupts;
 
    procedure Release_Interrupts is
    begin
-      Interrupts.Release;
+      Leave (Interrupts, From => Controller_Side);
    end Release_Interrupts;
 
    --  The channel has been started: converts it, and those that the
@@ -62,13 +48,13 @@ package body Partitions.Converter is
       Sample (Words);
       delay until Clock + Scan_Time;
       loop
-         Hold_Interrupts;
+         Enter (Interrupts, From => Hardware_Side);
          Board.Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
          if Interrupt then
             Interrupt_Controller;
          end if;
          Board.Take_Start (Wanted, Next);
-         Release_Interrupts;
+         Leave (Interrupts, From => Hardware_Side);
          exit when not Wanted;
          if Next <= Present then
             Sample (Words);

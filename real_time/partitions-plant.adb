@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Streams;              use Ada.Streams;
+with Ada.Streams;                  use Ada.Streams;
 with Ada.Characters.Latin_1;
-with Ada.Strings.Unbounded;    use Ada.Strings.Unbounded;
-with GNAT.OS_Lib;              use GNAT.OS_Lib;
-with Interfaces.C;             use Interfaces.C;
+with Ada.Strings.Unbounded;        use Ada.Strings.Unbounded;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with GNAT.OS_Lib;                  use GNAT.OS_Lib;
+with Interfaces.C;                 use Interfaces.C;
 
 with Host.Plant_Program;
 with MCS;
@@ -27,6 +28,9 @@ package body Partitions.Plant is
 
    type Plant_State is (In_Time, Is_Late, Is_Dead);
 
+   --  There are commands for the next frame.
+   Asked : Suspension_Object;
+
    protected Aircraft is
 
       procedure Settle (Words : Sensor_Words; State : Shown_State);
@@ -34,8 +38,7 @@ package body Partitions.Plant is
       --  The node has new words for the servos.
       procedure Ask (Servos : PWM_Buffer);
 
-      --  Waits for them.
-      entry Await_Servos (Servos : out PWM_Buffer);
+      function Servos return PWM_Buffer;
 
       procedure Answer (Words : Sensor_Words; State : Shown_State);
 
@@ -54,7 +57,6 @@ package body Partitions.Plant is
       Shown    : Shown_State  := (others => 0.0);
       Sensors  : Sensor_Words := Neutral_Sensors;
       Commands : PWM_Buffer   := Safe_Outputs;
-      Wanted   : Boolean      := False;   --  commands not taken yet
       Flying   : Boolean      := False;   --  an answer is to come
       Now      : Plant_State  := In_Time;
       Flown    : URVOS.Count  := 0;
@@ -79,16 +81,12 @@ package body Partitions.Plant is
       begin
          if not Flying and then Now /= Is_Dead then
             Commands := Servos;
-            Wanted := True;
             Flying := True;
+            Set_True (Asked);
          end if;
       end Ask;
 
-      entry Await_Servos (Servos : out PWM_Buffer) when Wanted is
-      begin
-         Servos := Commands;
-         Wanted := False;
-      end Await_Servos;
+      function Servos return PWM_Buffer is (Commands);
 
       procedure Answer (Words : Sensor_Words; State : Shown_State) is
       begin
@@ -280,12 +278,11 @@ package body Partitions.Plant is
    task Flight;
 
    task body Flight is
-      Servos  : PWM_Buffer;
       Is_Good : Boolean;
    begin
       loop
-         Aircraft.Await_Servos (Servos);
-         Fly_Frame (Servos, Is_Good);
+         Suspend_Until_True (Asked);
+         Fly_Frame (Aircraft.Servos, Is_Good);
          if not Is_Good then
             Note_Death;
          end if;

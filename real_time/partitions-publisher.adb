@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Real_Time; use Ada.Real_Time;
-with Interfaces.C;  use Interfaces.C;
+with Ada.Real_Time;                use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Interfaces.C;                 use Interfaces.C;
 
 with Devices.CORE_Memory;      use Devices.CORE_Memory;
 with GSC;
@@ -47,13 +48,17 @@ package body Partitions.Publisher is
    type Slot is mod Capacity;
    type Packet_Array is array (Slot) of Packet;
 
+   --  The sender waits for it when it has found the queue empty.
+   Something_Put : Suspension_Object;
+
    protected Queue is
 
       --  Is_Taken is False when there is no room.
       procedure Put (Item : Packet; Is_Taken : out Boolean);
 
-      --  To be followed by Done, when the packet has been sent.
-      entry Take (Item : out Packet);
+      --  Found is False when the queue is empty; else to be followed by Done,
+      --  when the packet has been sent.
+      procedure Take (Item : out Packet; Found : out Boolean);
       procedure Done;
 
       function Is_Empty return Boolean;
@@ -62,7 +67,6 @@ package body Partitions.Publisher is
       Packets : Packet_Array;
       First   : Slot    := 0;
       Length  : Natural := 0;
-      Ready   : Boolean := False;
       Sending : Boolean := False;
    end Queue;
 
@@ -78,17 +82,19 @@ package body Partitions.Publisher is
          if Is_Taken then
             Packets (First + Slot'Mod (Length)) := Item;
             Length := Length + 1;
-            Ready := True;
+            Set_True (Something_Put);
          end if;
       end Put;
 
-      entry Take (Item : out Packet) when Ready is
+      procedure Take (Item : out Packet; Found : out Boolean) is
       begin
          Item := Packets (First);
-         First := First + 1;
-         Length := Length - 1;
-         Ready := Length > 0;
-         Sending := True;
+         Found := Length > 0;
+         if Found then
+            First := First + 1;
+            Length := Length - 1;
+            Sending := True;
+         end if;
       end Take;
 
       procedure Done is
@@ -226,12 +232,17 @@ package body Partitions.Publisher is
    task Sender;
 
    task body Sender is
-      Item : Packet;
+      Item  : Packet;
+      Found : Boolean;
    begin
       loop
-         Queue.Take (Item);
-         Send_All (Item);
-         Queue.Done;
+         Queue.Take (Item, Found);
+         if Found then
+            Send_All (Item);
+            Queue.Done;
+         else
+            Suspend_Until_True (Something_Put);
+         end if;
       end loop;
    end Sender;
 

@@ -1,6 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+
 package body Partitions.Rows is
+
+   --  A row was put, or none comes any more.
+   News : Suspension_Object;
 
    procedure Append (To : in out Row; Value : Number) is
    begin
@@ -19,17 +24,20 @@ package body Partitions.Rows is
          else
             Rows (First + Place'Mod (Length)) := Item;
             Length := Length + 1;
-            Ready := True;
+            Set_True (News);
          end if;
       end Put;
 
       procedure Finish is
       begin
          Done := True;
-         Ready := True;
+         Set_True (News);
       end Finish;
 
-      entry Take (Item : out Row; Found : out Boolean) when Ready is
+      procedure Take
+        (Item    : out Row;
+         Found   : out Boolean;
+         Is_Over : out Boolean) is
       begin
          Item := Rows (First);
          Found := Length > 0;
@@ -37,11 +45,21 @@ package body Partitions.Rows is
             First := First + 1;
             Length := Length - 1;
          end if;
-         Ready := Done or else Length > 0;
+         Is_Over := Done;
       end Take;
 
       function Left_Out return Count is (Missing);
 
    end Queue;
+
+   procedure Await (Item : out Row; Found : out Boolean) is
+      Is_Over : Boolean;
+   begin
+      loop
+         Queue.Take (Item, Found, Is_Over);
+         exit when Found or else Is_Over;
+         Suspend_Until_True (News);
+      end loop;
+   end Await;
 
 end Partitions.Rows;

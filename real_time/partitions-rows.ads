@@ -30,6 +30,10 @@ package Partitions.Rows is
    type Place is mod Capacity;
    type Row_Array is array (Place) of Row;
 
+   --  Waits for the next row. Found is False when there is none left. For one
+   --  task.
+   procedure Await (Item : out Row; Found : out Boolean);
+
    protected Queue is
 
       --  A row that finds no room is left out.
@@ -38,8 +42,11 @@ package Partitions.Rows is
       --  No row comes any more.
       procedure Finish;
 
-      --  Waits for the next row. Found is False when there is none left.
-      entry Take (Item : out Row; Found : out Boolean);
+      --  Found is False when there is none; Is_Over when none comes any more.
+      procedure Take
+        (Item    : out Row;
+         Found   : out Boolean;
+         Is_Over : out Boolean);
 
       function Left_Out return Count;
 
@@ -49,7 +56,6 @@ package Partitions.Rows is
       Length  : Natural := 0;
       Done    : Boolean := False;
       Missing : Count   := 0;
-      Ready   : Boolean := False;
    end Queue;
 
 end Partitions.Rows;

@@ -164,7 +164,7 @@ procedure Partitions.Run is
       Found : Boolean;
    begin
       loop
-         Queue.Take (Item, Found);
+         Await (Item, Found);
          exit when not Found;
          Frames := Item.Value (1) + 1;
          Look_Around;

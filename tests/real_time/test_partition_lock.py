@@ -7,10 +7,6 @@ import pytest
 from conftest import (
     COMMANDS, different_rows, flies_again, free_ports, need, script, udp)
 
-# A known defect (docs/real-time.md): in some flights it stands still for ever.
-pytestmark = pytest.mark.xfail(
-    run=False, reason="in real time the aircraft may stand still with --lock")
-
 HOLD_MS = 100
 SECONDS = 3
 

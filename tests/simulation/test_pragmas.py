@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """D-29: what flies is built under all of the Ravenscar profile but the count
-that detects blocking."""
+that detects blocking. D-30: it has no entries."""
 
 import subprocess
 
@@ -34,3 +34,27 @@ def test_d29_partitions_have_the_profile_but_its_detection(asked):
     assert profile - flies == {"DB"} and flies <= profile
     assert len(restrictions) >= 25
     assert flying_restrictions == restrictions
+
+
+def test_d30_a_partition_with_an_entry_is_not_built(tmp_path):
+    (tmp_path / "anything.ads").write_text(
+        UNIT.replace("\nend", """
+   protected Door is
+      entry Wait;
+   private
+      Is_Open : Boolean := False;
+   end Door;
+end"""))
+    (tmp_path / "anything.adb").write_text("""package body Anything is
+   protected body Door is
+      entry Wait when Is_Open is
+      begin
+         null;
+      end Wait;
+   end Door;
+end Anything;
+""")
+    built = subprocess.run(
+        ["gcc", "-c", "-gnat2022", f"-gnatec={ROOT / 'partitions.adc'}",
+         "anything.adb"], cwd=tmp_path, capture_output=True, text=True)
+    assert "Max_Protected_Entries" in built.stderr
