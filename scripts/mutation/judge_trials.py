@@ -31,7 +31,7 @@ AIRCRAFT = ["aircraft", "truth", "pilot", "flight"]
 IN_REAL_TIME = ["partition_arguments", "partition_peers", "partition_safety",
                 "partition_signals", "partition_reports", "partition_flights",
                 "partition_input", "partition_plant", "partition_station",
-                "partition_flood"]
+                "partition_flood", "partition_lock", "gates"]
 
 # The tests for a changed file: those of the first pattern that it matches.
 TESTS = {
