@@ -14,6 +14,8 @@ package body Sim.JSBSim.Process is
    --  has to read Python and JSBSim from its disk.
    Longest_Wait : constant Duration := 60.0;
 
+   Has_Ended : constant String := "JSBSim's process has ended";
+
    --  At the end the other process has this long before it is killed.
    Ending_Polls : constant := 300;
    Ending_Poll  : constant Duration := 0.01;
@@ -59,7 +61,7 @@ package body Sim.JSBSim.Process is
       end loop;
    exception
       when Socket_Error =>
-         raise Plant_Failure with "JSBSim's process has ended";
+         raise Plant_Failure with Has_Ended;
    end Send;
 
    procedure Look_For (Length : Natural);
@@ -114,12 +116,16 @@ package body Sim.JSBSim.Process is
          Next := Last + 1;
          Receive_Some (Next);
          if Last < Next then
-            raise Plant_Failure with "JSBSim's process has ended";
+            raise Plant_Failure with Has_Ended;
          end if;
       end loop;
    exception
-      when Socket_Error =>
-         raise Plant_Failure with "JSBSim's process is dead or mute";
+      when Error : Socket_Error =>
+         if Resolve_Exception (Error) = Resource_Temporarily_Unavailable then
+            raise Plant_Silence with
+              "JSBSim's process has said nothing for a minute";
+         end if;
+         raise Plant_Failure with Has_Ended;
    end Receive;
 
    function Received_Line return String is

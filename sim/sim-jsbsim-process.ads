@@ -11,8 +11,8 @@ private package Sim.JSBSim.Process is
    --  script is missing.
    procedure Spawn;
 
-   --  Raise Plant_Failure when the process has ended, or gives no sign of
-   --  life for a minute.
+   --  Raise Plant_Failure when the process has ended, Plant_Silence when it
+   --  gives no sign of life for a minute.
    procedure Send (Message : Stream_Element_Array);
    procedure Receive (Message : out Stream_Element_Array);
 

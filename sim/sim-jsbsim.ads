@@ -14,8 +14,9 @@ with URV.Buffers;         use URV.Buffers;
 
 package Sim.JSBSim is
 
-   --  The other process ended or does not answer.
+   --  The other process has ended; it does not answer.
    Plant_Failure : exception;
+   Plant_Silence : exception;
 
    --  The aircraft, trimmed in level flight at 70 kt, 1000 ft above the
    --  field, heading east, with neutral servos, unless Further lines of the

@@ -97,7 +97,7 @@ exception
       Complaints.Print (Error);
       Set_Exit_Status (Exit_Status (Complaints.Exit_Status));
 
-   when Error : JSBSim.Plant_Failure =>
+   when Error : JSBSim.Plant_Failure | JSBSim.Plant_Silence =>
       Complain ("--plant jsbsim: " & Exception_Message (Error));
       Set_Exit_Status (Failure);
 
