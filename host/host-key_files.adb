@@ -235,13 +235,13 @@ package body Host.Key_Files is
       end if;
 
       Value := (K0 => Swapped (Half (1)), K1 => Swapped (Half (2)));
-      if Into (Second).Is_There then
+      if Into (Second).Is_Present then
          Refuse_Line ("a third key; two at most may be valid");
       elsif Is_Known (Into, Key_Number (Of_Key)) then
          Refuse_Line ("the second key has the number of the first");
       elsif Value = No_Key then
          Refuse_Line ("a key of zeros is none");
-      elsif Into (URV.Sessions.First).Is_There then
+      elsif Into (URV.Sessions.First).Is_Present then
          Into (Second) := (True, Key_Number (Of_Key), Value);
       else
          Into (URV.Sessions.First) := (True, Key_Number (Of_Key), Value);
@@ -285,7 +285,7 @@ package body Host.Key_Files is
          end if;
       end loop;
       Wipe;
-      if not Result (URV.Sessions.First).Is_There then
+      if not Result (URV.Sessions.First).Is_Present then
          Refuse (Name, 1, "has no key; bin/urv keygen makes one");
       end if;
       return Result;

@@ -49,38 +49,38 @@ package body Theorems.In_Step with SPARK_Mode is
        or else Rank (Next (Item, Apart)) <= Bound - Step;
 
    procedure The_Clock_Keeps_Its_Order
-     (Clock : Frame_Clock;
-      Wish  : Frame_Wish) is null;
+     (Clock   : Frame_Clock;
+      Request : Frame_Request) is null;
 
    procedure A_Frame_Lasts_9_To_11_Ticks
-     (Start  : Clock_Tick;
-      Wishes : Wish_List) is
+     (Start    : Clock_Tick;
+      Requests : Request_List) is
    begin
       for Ticks in Tick_Count range 0 .. 8 loop
          pragma Assert
-           (After (Start, Wishes, Ticks) = (Start + Tick (Ticks), False));
+           (After (Start, Requests, Ticks) = (Start + Tick (Ticks), False));
          pragma Loop_Invariant
            (for all Earlier in Tick_Count range 0 .. Ticks =>
-              After (Start, Wishes, Earlier) =
+              After (Start, Requests, Earlier) =
                 (Start + Tick (Earlier), False));
       end loop;
       pragma Assert
-        (After (Start, Wishes, 9) =
-           Ticked (After (Start, Wishes, 8), Wishes (9)));
+        (After (Start, Requests, 9) =
+           Ticked (After (Start, Requests, 8), Requests (9)));
       pragma Assert
-        (After (Start, Wishes, 10) =
-           Ticked (After (Start, Wishes, 9), Wishes (10)));
+        (After (Start, Requests, 10) =
+           Ticked (After (Start, Requests, 9), Requests (10)));
       pragma Assert
-        (After (Start, Wishes, 11) =
-           Ticked (After (Start, Wishes, 10), Wishes (11)));
+        (After (Start, Requests, 11) =
+           Ticked (After (Start, Requests, 10), Requests (11)));
    end A_Frame_Lasts_9_To_11_Ticks;
 
-   procedure No_Wish_No_Change (Clock : Frame_Clock) is null;
+   procedure No_Request_No_Change (Clock : Frame_Clock) is null;
 
-   procedure Without_Uplink_No_Wish (Item : Lock_State; Frame : Clock_Tick)
+   procedure Without_Uplink_No_Request (Item : Lock_State; Frame : Clock_Tick)
    is null;
 
-   procedure A_Wish_Is_For_One_Frame
+   procedure A_Request_Is_For_One_Frame
      (Item       : Lock_State;
       Fresh      : Boolean;
       Frame, Now : Clock_Tick) is null;

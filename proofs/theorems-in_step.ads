@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Frames in step (FRM-6): the kernel's clock keeps its order and a frame
---  lasts 9, 10 or 11 ticks, whatever is wished; and the aircraft's frames come
---  in step with the ground's from any phase, and stay so, under any drift up
---  to 200 ppm and any pattern of lost blocks that leaves one in 25 frames.
+--  lasts 9, 10 or 11 ticks, whatever is requested; and the aircraft's frames
+--  come in step with the ground's from any phase, and stay so, under any drift
+--  up to 200 ppm and any pattern of lost blocks that leaves one in 25 frames.
 --
 --  The model of the phase: times are microseconds of the aircraft's clock. An
 --  uplink comes so long before the TELIN that takes it, the newest if several
@@ -21,81 +21,82 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
    --  It never runs back, and leaves out nothing but a last minor frame,
    --  in which no task is released (Theorems.Order).
    procedure The_Clock_Keeps_Its_Order
-     (Clock : Frame_Clock;
-      Wish  : Frame_Wish)
+     (Clock   : Frame_Clock;
+      Request : Frame_Request)
    with
      Global => null,
      Post   =>
-       Ticked (Clock, Wish).Now in Clock.Now .. Clock.Now + 2
+       Ticked (Clock, Request).Now in Clock.Now .. Clock.Now + 2
        and then
-         (if Ticked (Clock, Wish).Now = Clock.Now and then not Clock.Held
+         (if Ticked (Clock, Request).Now = Clock.Now and then not Clock.Held
             and then Clock.Now < Last_Tick
           then Minor_Frame_Of (Clock.Now) = Minor_Frame'Last
-            and then Ticked (Clock, Wish).Held)
+            and then Ticked (Clock, Request).Held)
        and then
-         (if Ticked (Clock, Wish).Now = Clock.Now + 2
+         (if Ticked (Clock, Request).Now = Clock.Now + 2
           then Minor_Frame_Of (Clock.Now + 1) = Minor_Frame'Last);
 
-   --  What is wished at each tick of a frame.
+   --  What is requested at each tick of a frame.
    type Tick_Count is range 0 .. 11;
-   type Wish_List is array (Tick_Count range 1 .. 11) of Frame_Wish;
+   type Request_List is array (Tick_Count range 1 .. 11) of Frame_Request;
 
    --  The clock so many ticks after a frame began.
    function After
-     (Start  : Clock_Tick;
-      Wishes : Wish_List;
-      Ticks  : Tick_Count) return Frame_Clock
+     (Start    : Clock_Tick;
+      Requests : Request_List;
+      Ticks    : Tick_Count) return Frame_Clock
    is
      (if Ticks = 0 then (Start, Held => False)
-      else Ticked (After (Start, Wishes, Ticks - 1), Wishes (Ticks)))
+      else Ticked (After (Start, Requests, Ticks - 1), Requests (Ticks)))
    with
      Global             => null,
      Subprogram_Variant => (Decreases => Ticks);
 
-   --  Whatever is wished, and however the wish changes.
+   --  Whatever is requested, and however that changes.
    procedure A_Frame_Lasts_9_To_11_Ticks
-     (Start  : Clock_Tick;
-      Wishes : Wish_List)
+     (Start    : Clock_Tick;
+      Requests : Request_List)
    with
      Global => null,
      Pre    => Start mod Ticks_Per_Major_Frame = 0
        and then Start <= Last_Tick - 20,
      Post   =>
        (for all Ticks in Tick_Count range 0 .. 8 =>
-          After (Start, Wishes, Ticks) = (Start + Tick (Ticks), False))
-       and then After (Start, Wishes, 9).Now in Start + 9 .. Start + 10
+          After (Start, Requests, Ticks) = (Start + Tick (Ticks), False))
+       and then After (Start, Requests, 9).Now in Start + 9 .. Start + 10
        and then
-         (if After (Start, Wishes, 9).Now = Start + 9
-          then After (Start, Wishes, 10).Now in Start + 9 .. Start + 10
+         (if After (Start, Requests, 9).Now = Start + 9
+          then After (Start, Requests, 10).Now in Start + 9 .. Start + 10
             and then
-              (if After (Start, Wishes, 10).Now = Start + 9
-               then After (Start, Wishes, 11).Now = Start + 10));
+              (if After (Start, Requests, 10).Now = Start + 9
+               then After (Start, Requests, 11).Now = Start + 10));
 
-   --  A clock of which nothing is wished.
-   procedure No_Wish_No_Change (Clock : Frame_Clock)
+   --  A clock of which nothing is requested.
+   procedure No_Request_No_Change (Clock : Frame_Clock)
    with
      Global => null,
      Pre    => not Clock.Held
-       and then Frame_Of (Clock.Now) /= No_Wish.Frame,
+       and then Frame_Of (Clock.Now) /= No_Request.Frame,
      Post   =>
-       Ticked (Clock, No_Wish) = (Advanced (Clock.Now), Held => False);
+       Ticked (Clock, No_Request) = (Advanced (Clock.Now), Held => False);
 
-   --  Without an uplink nothing is wished of a frame, and all that is wished
-   --  is of the frame in which one was taken.
+   --  Without an uplink nothing is requested of a frame, and any request is of
+   --  the frame in which one was taken.
 
-   procedure Without_Uplink_No_Wish (Item : Lock_State; Frame : Clock_Tick)
+   procedure Without_Uplink_No_Request (Item : Lock_State; Frame : Clock_Tick)
    with
      Global => null,
-     Post   => Taken (Item, False, Frame).Wish.Length = Usual_Length;
+     Post   => Taken (Item, False, Frame).Request.Length = Usual_Length;
 
-   procedure A_Wish_Is_For_One_Frame
+   procedure A_Request_Is_For_One_Frame
      (Item       : Lock_State;
       Fresh      : Boolean;
       Frame, Now : Clock_Tick)
    with
      Global => null,
      Pre    => Frame_Of (Now) /= Frame,
-     Post   => Length_Of (Now, Taken (Item, Fresh, Frame).Wish) = Usual_Length;
+     Post   =>
+       Length_Of (Now, Taken (Item, Fresh, Frame).Request) = Usual_Length;
 
    --  The phase
 

@@ -54,7 +54,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    =>
-       Theirs.Is_There
+       Theirs.Is_Present
        and then Key_Of (Mine, Sender) = Key_Of (Theirs, Sender)
        and then Theirs.Newest < Last_Number
        and then Number > Theirs.Newest
@@ -77,18 +77,18 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Pre    => Item.Format = 2,
      Post   =>
        (if What = Opened
-        then Item'Old.Active.Is_There
+        then Item'Old.Active.Is_Present
           and then Item.Active.Newest > Item'Old.Active.Newest
           and then Item.Active =
             (Item'Old.Active with delta Newest => Item.Active.Newest)
         elsif What = Opened_Anew
-        then Item'Old.Pending.Is_There
+        then Item'Old.Pending.Is_Present
           and then Item.Active.Newest > Item'Old.Pending.Newest
           and then Item.Active =
             (Item'Old.Pending with delta Newest => Item.Active.Newest)
         elsif What /= Hello_Taken
         then Item.Active = Item'Old.Active
-          or else not Item.Active.Is_There);
+          or else not Item.Active.Is_Present);
 
    --  What is refused changes nothing but the time since something opened.
    procedure What_Is_Refused_Changes_Nothing
@@ -117,7 +117,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
           (if Item.Role = Aircraft
            then Item.Pending.Aircraft_Nonce = Item.Own'Old
              and then Item.Own = Item.Own'Old + 1
-           elsif Item.Active.Is_There
+           elsif Item.Active.Is_Present
            then Item.Active.Ground_Nonce = Item.Own
            else Item.Own = Item.Own'Old + 1)
         else Item.Own = Item.Own'Old

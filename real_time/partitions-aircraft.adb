@@ -75,7 +75,7 @@ package body Partitions.Aircraft is
 
    procedure Sample (Words : out Channel_Words) is
    begin
-      if Plant.Is_There then
+      if Plant.Is_Present then
          Plant.Look (Measured);
       else
          Sample_Bench;
@@ -107,7 +107,7 @@ package body Partitions.Aircraft is
          (Tally.Received, Tally.Bad, Tally.Sent, Tally.Scrapped,
           Tally.Resets));
       Append (To, Number (Servos_At));
-      To.Has_Truth := Plant.Is_There;
+      To.Has_Truth := Plant.Is_Present;
       if To.Has_Truth then
          To.Truth := Plant.Truth;
       end if;

@@ -42,8 +42,8 @@ generic
    with procedure Tell_Time (Now : Clock_Tick);
    with procedure Report_Overrun (Who : Task_Id);
    with procedure Look_At_Frame
-     (Ticks : Tick_Count;
-      Wish  : out Frame_Wish)
+     (Ticks   : Tick_Count;
+      Request : out Frame_Request)
    is URVOS.Usual_Frames;
 
    --  Its boards.

@@ -223,13 +223,13 @@ package body Partitions.Plant is
       Aircraft.Settle (Sensors, Shown);
    end Start;
 
-   function Is_There return Boolean is (Line /= Invalid);
+   function Is_Present return Boolean is (Line /= Invalid);
 
    function Truth return Shown_State is (Aircraft.Present);
 
    procedure Fly (Servos : PWM_Buffer; Heard : Boolean) is
    begin
-      if Is_There and then Heard then
+      if Is_Present and then Heard then
          Aircraft.Ask (Servos);
       end if;
    end Fly;
@@ -296,7 +296,7 @@ package body Partitions.Plant is
    procedure Look_After_Plant is
       Next : Stream_Element_Array (1 .. 1);
    begin
-      if Is_There
+      if Is_Present
         and then System_Calls.Receive
           (Line, Next'Address, Next'Length, Leave_There + Dont_Wait) = 0
       then
@@ -332,7 +332,7 @@ package body Partitions.Plant is
      (Result : in out Partitions.Reports.Report;
       To     : in out Host.Text_Output.Writer) is
    begin
-      if Is_There then
+      if Is_Present then
          Begin_Group (Result, To, "plant");
          Put_Field (Result, To, "frames", Reports.Number (Aircraft.Frames));
          Put_Field

@@ -22,7 +22,7 @@ package Partitions.Plant is
    --  Host.Bad_Input.
    procedure Start (Schedule : Schedule_Name);
 
-   function Is_There return Boolean;
+   function Is_Present return Boolean;
 
    --  The servos have new words, and so many messages have been received.
    procedure Fly (Servos : PWM_Buffer; Heard : Boolean);

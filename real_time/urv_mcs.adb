@@ -16,7 +16,7 @@ procedure Urv_MCS is
       Prepare      => Partitions.Aircraft.Prepare,
       Column_Names => Partitions.Aircraft.Column_Names,
       Last_Names   => Partitions.Aircraft.Last_Names,
-      Has_Truth    => Partitions.Plant.Is_There,
+      Has_Truth    => Partitions.Plant.Is_Present,
       Next_News    => Partitions.Aircraft.Next_News,
       Put_Counts   => Partitions.Aircraft.Put_Counts,
       Put_Events   => Partitions.Plant.Put_Events,

@@ -113,9 +113,9 @@ package body Sim.Controllers is
      (Which : Node;
       Minor : Minor_Frame) return Microseconds
    is
-      Item  : Controller renames Controllers (Which);
-      Shown : constant Minor_Frame := Minor_Frame_Of (Item.Clock.Now);
-      Wish  : Frame_Wish;
+      Item    : Controller renames Controllers (Which);
+      Shown   : constant Minor_Frame := Minor_Frame_Of (Item.Clock.Now);
+      Request : Frame_Request;
 
       --  Ticks until the next frame begins.
       Left  : Microseconds;
@@ -127,11 +127,11 @@ package body Sim.Controllers is
          return Time_Of_Tick
            (Which, Item.Ticks - 1 + Microseconds (Minor - Shown));
       end if;
-      Look_At_Frame (Which, 0, Wish);
+      Look_At_Frame (Which, 0, Request);
       Left := Ticks_Per_Major_Frame - Microseconds (Shown);
       if not Item.Clock.Held then
          Left := Left
-           + Microseconds'Base (Length_Of (Item.Clock.Now, Wish))
+           + Microseconds'Base (Length_Of (Item.Clock.Now, Request))
            - Microseconds'Base (Usual_Length);
       end if;
       return Time_Of_Tick
@@ -218,9 +218,9 @@ package body Sim.Controllers is
    end End_Conversion;
 
    procedure Tick (Which : Node; Time : Microseconds) is
-      Item   : Controller renames Controllers (Which);
-      Wish   : Frame_Wish;
-      Raised : Boolean := False;
+      Item    : Controller renames Controllers (Which);
+      Request : Frame_Request;
+      Raised  : Boolean := False;
    begin
       Item.Ticks := Item.Ticks + 1;
       Schedule (Clock (Which), Time_Of_Tick (Which, Item.Ticks));
@@ -229,8 +229,8 @@ package body Sim.Controllers is
          Item.Is_Starting := True;
          Start (Which, Time);
       else
-         Look_At_Frame (Which, 1, Wish);
-         Item.Clock := Ticked (Item.Clock, Wish);
+         Look_At_Frame (Which, 1, Request);
+         Item.Clock := Ticked (Item.Clock, Request);
          if not Item.Is_Starting and then not Item.Clock.Held then
             Clock_Interrupt (Which, Item.Clock.Now, Raised);
             Serve_Converter (Which, Time);

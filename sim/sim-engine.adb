@@ -56,7 +56,7 @@ package body Sim.Engine is
       Wire  : in out Text_Output.Writer);
 
    --  The next fault of a node's hardware happens.
-   procedure Do_Harm
+   procedure Apply_Hardware_Fault
      (Time : Microseconds;
       Wire : in out Text_Output.Writer);
 
@@ -159,7 +159,7 @@ package body Sim.Engine is
       Serve_Telemetry (Which, Time, Wire);
    end Start_Anew;
 
-   procedure Do_Harm
+   procedure Apply_Hardware_Fault
      (Time : Microseconds;
       Wire : in out Text_Output.Writer)
    is
@@ -200,7 +200,7 @@ package body Sim.Engine is
          when others =>
             null;
       end case;
-   end Do_Harm;
+   end Apply_Hardware_Fault;
 
    function Runs (Which : Node; Time : Microseconds) return Boolean is
      (Next (Boards (Which).Stalls).First > Time);
@@ -445,7 +445,7 @@ package body Sim.Engine is
             when Extra_Down     => Hear_Extra (Aircraft, Time, Wire);
             when Character_Up   => End_Character (Ground, Time, Wire);
             when Character_Down => End_Character (Aircraft, Time, Wire);
-            when Hardware_Fault => Do_Harm (Time, Wire);
+            when Hardware_Fault => Apply_Hardware_Fault (Time, Wire);
             when GSC_Converted  =>
                Controllers.End_Conversion
                  (Ground, Time,

@@ -96,13 +96,13 @@ package body Sim.Nodes is
    end Set_Lock;
 
    procedure Look_At_Frame
-     (Which : Node;
-      Ticks : URVOS.Frame_Clocks.Tick_Count;
-      Wish  : out URVOS.Frame_Clocks.Frame_Wish) is
+     (Which   : Node;
+      Ticks   : URVOS.Frame_Clocks.Tick_Count;
+      Request : out URVOS.Frame_Clocks.Frame_Request) is
    begin
       case Which is
-         when Ground   => URVOS.Usual_Frames (Ticks, Wish);
-         when Aircraft => MCS.Look_At_Frame (Ticks, Wish);
+         when Ground   => URVOS.Usual_Frames (Ticks, Request);
+         when Aircraft => MCS.Look_At_Frame (Ticks, Request);
       end case;
    end Look_At_Frame;
 

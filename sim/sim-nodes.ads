@@ -94,12 +94,12 @@ package Sim.Nodes is
    --  in step with the ground's.
    procedure Set_Lock (On : Boolean);
 
-   --  What a node wishes of its present frame. Its clock has ticked since
+   --  What a node requests of its present frame. Its clock has ticked since
    --  this was last asked, or not.
    procedure Look_At_Frame
-     (Which : Node;
-      Ticks : URVOS.Frame_Clocks.Tick_Count;
-      Wish  : out URVOS.Frame_Clocks.Frame_Wish);
+     (Which   : Node;
+      Ticks   : URVOS.Frame_Clocks.Tick_Count;
+      Request : out URVOS.Frame_Clocks.Frame_Request);
 
    --  What the aircraft knows of its being in step.
    function Lock return URVOS.Frame_Locks.Lock_State;

@@ -15,12 +15,14 @@ package Canaries.In_Step with Pure, SPARK_Mode, Ghost is
      Pre    => Is_In_Step (Item),
      Post   => Item.Before >= Tick_Time;  --  VC_POSTCONDITION
 
-   --  A wish that comes in the last tick of a frame is still heard.
-   procedure Ten_Ticks_Are_A_Frame (Clock : Frame_Clock; Wish : Frame_Wish)
+   --  A request that comes in the last tick of a frame is still heard.
+   procedure Ten_Ticks_Are_A_Frame
+     (Clock   : Frame_Clock;
+      Request : Frame_Request)
    with
      Global => null,
      Pre    => Clock.Now < Last_Tick,
      Post   =>
-       Ticked (Clock, Wish).Now = Clock.Now + 1;  --  VC_POSTCONDITION
+       Ticked (Clock, Request).Now = Clock.Now + 1;  --  VC_POSTCONDITION
 
 end Canaries.In_Step;

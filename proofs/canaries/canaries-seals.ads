@@ -35,7 +35,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    =>
-       Item.Is_There
+       Item.Is_Present
        and then Number_At (Block) = Item.Newest
        and then Has_Tag
          (Block, Aircraft,

@@ -19,12 +19,12 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
 
    --  What somebody wants: that the frame that begins with this tick lasts
    --  so long. Others last as long as ever.
-   type Frame_Wish is record
+   type Frame_Request is record
       Frame  : Clock_Tick   := 0;
       Length : Frame_Length := Usual_Length;
    end record;
 
-   No_Wish : constant Frame_Wish := (others => <>);
+   No_Request : constant Frame_Request := (others => <>);
 
    --  Since somebody last looked.
    subtype Tick_Count is Natural range 0 .. 1;
@@ -43,22 +43,22 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
 
    --  How long the present frame is to last.
    function Length_Of
-     (Now  : Clock_Tick;
-      Wish : Frame_Wish) return Frame_Length
+     (Now     : Clock_Tick;
+      Request : Frame_Request) return Frame_Length
    is
-     (if Wish.Frame = Frame_Of (Now) then Wish.Length else Usual_Length)
+     (if Request.Frame = Frame_Of (Now) then Request.Length else Usual_Length)
    with Global => null;
 
    --  The clock after one more tick of the oscillator.
    function Ticked
-     (Clock : Frame_Clock;
-      Wish  : Frame_Wish) return Frame_Clock
+     (Clock   : Frame_Clock;
+      Request : Frame_Request) return Frame_Clock
    is
      (if Minor_Frame_Of (Clock.Now) = Minor_Frame'Last - 1
-        and then Length_Of (Clock.Now, Wish) < Usual_Length
+        and then Length_Of (Clock.Now, Request) < Usual_Length
       then (Advanced (Advanced (Clock.Now)), Held => False)
       elsif Minor_Frame_Of (Clock.Now) = Minor_Frame'Last
-        and then Length_Of (Clock.Now, Wish) > Usual_Length
+        and then Length_Of (Clock.Now, Request) > Usual_Length
         and then not Clock.Held
       then (Clock.Now, Held => True)
       else (Advanced (Clock.Now), Held => False))

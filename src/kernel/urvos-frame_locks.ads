@@ -34,7 +34,7 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
       --  since a frame was changed.
       Out_Of_Step : Out_Count  := 0;
 
-      Wish        : Frame_Wish;
+      Request : Frame_Request;
 
       --  For who watches: messages come where they should, or at the tick
       --  beside, since the frame that began with this tick; and how many
@@ -102,11 +102,11 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
       then (Item with delta
               Is_Waiting => False,
               Waited     => 0,
-              Wish       => (Frame, Usual_Length))
+              Request    => (Frame, Usual_Length))
       else (Item with delta
               Is_Waiting  => False,
               Waited      => 0,
-              Wish        => (Frame, Length_Asked (Item)),
+              Request     => (Frame, Length_Asked (Item)),
               Out_Of_Step => Next_Out (Item),
               Is_In_Step  =>
                 Item.Waited <= 2

@@ -29,7 +29,7 @@ package body URVOS.Shared_Frame_Locks with SPARK_Mode is
          end if;
       end Take;
 
-      function Wish return Frame_Wish is (State.Wish);
+      function Request return Frame_Request is (State.Request);
 
       function Contents return Lock_State is (State);
 

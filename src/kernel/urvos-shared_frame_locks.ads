@@ -23,7 +23,7 @@ package URVOS.Shared_Frame_Locks with SPARK_Mode is
 
       procedure Take (Fresh : Boolean; Now : Clock_Tick);
 
-      function Wish return Frame_Wish;
+      function Request return Frame_Request;
 
       function Contents return Lock_State;
 

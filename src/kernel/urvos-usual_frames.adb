@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-procedure URVOS.Usual_Frames (Ticks : Tick_Count; Wish : out Frame_Wish)
+procedure URVOS.Usual_Frames (Ticks : Tick_Count; Request : out Frame_Request)
 with SPARK_Mode
 is
    pragma Unreferenced (Ticks);
 begin
-   Wish := No_Wish;
+   Request := No_Request;
 end URVOS.Usual_Frames;

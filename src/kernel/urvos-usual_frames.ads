@@ -4,8 +4,8 @@
 
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 
-procedure URVOS.Usual_Frames (Ticks : Tick_Count; Wish : out Frame_Wish)
+procedure URVOS.Usual_Frames (Ticks : Tick_Count; Request : out Frame_Request)
 with
   SPARK_Mode,
   Global => null,
-  Post   => Wish = No_Wish;
+  Post   => Request = No_Request;

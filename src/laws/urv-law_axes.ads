@@ -33,7 +33,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
 
    --  Each output's target, and where the law would have it: what is beyond
    --  the target's limits is saturation.
-   subtype Wish is Number range -200_000 .. 200_000;
+   subtype Unlimited is Number range -200_000 .. 200_000;
 
    --  Bank as the laws reckon with it, and what a level turn with it needs.
 
@@ -98,9 +98,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Post   => Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
 
-   function Roll_Wish
+   function Unlimited_Roll
      (Reference : Reckoned; Now : Readings; Trim : Roll_Trim; By : Gain)
-      return Wish
+      return Unlimited
    is
      (Bank_Error (Reference, Now) * By / Per_Thousand
       - Now.Roll_Rate * Roll_Damping / Per_Thousand
@@ -124,9 +124,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Post   => Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
 
-   function Pitch_Wish
+   function Unlimited_Pitch
      (Reference : Nose; Now : Readings; Trim : Pitch_Trim; By : Gain)
-      return Wish
+      return Unlimited
    is
      (Pitch_Error (Reference, Now) * By / Per_Thousand
       - (Now.Pitch_Rate - Turn_Pitch_Rate (Now.Bank))
@@ -207,9 +207,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Pre    => Moved in -4_095 .. 4_095;
 
-   function Throttle_Wish
+   function Unlimited_Throttle
      (Target : Level; Now : Readings; Wanted : Climb; Trim : Power_Trim)
-      return Wish
+      return Unlimited
    is
      ((Target - Now.Airspeed) * Speed_Gain
       + Wanted * Speed_For_Climb / 1_000

@@ -170,7 +170,7 @@ package body URV.Laws with SPARK_Mode is
       By   : Gain_Table)
    is
       Target : Demand;
-      Wanted : Wish;
+      Wanted : Unlimited;
    begin
       case Item.Flown.Lateral is
          when Direct =>
@@ -191,7 +191,7 @@ package body URV.Laws with SPARK_Mode is
                    when Orbit         => Orbit_Bank_At (Now.Airspeed),
                    when others        => 0),
                Bank_Slew);
-            Wanted := Roll_Wish
+            Wanted := Unlimited_Roll
               (Item.Bank_Wanted, Now, Item.Roll_Trim, By.For_Bank);
             Target := Within (Wanted, -Roll_Authority, Roll_Authority);
       end case;
@@ -235,7 +235,7 @@ package body URV.Laws with SPARK_Mode is
       By     : Gain_Table)
    is
       Target : Demand;
-      Wanted : Wish;
+      Wanted : Unlimited;
       Aim    : Nose;
    begin
       case Item.Flown.Vertical is
@@ -276,7 +276,7 @@ package body URV.Laws with SPARK_Mode is
             end if;
             Item.Pitch_Wanted :=
               Stepped (Item.Pitch_Wanted, Aim, Pitch_Slew);
-            Wanted := Pitch_Wish
+            Wanted := Unlimited_Pitch
               (Item.Pitch_Wanted, Now, Item.Pitch_Trim, By.For_Pitch);
             Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
       end case;
@@ -303,7 +303,7 @@ package body URV.Laws with SPARK_Mode is
       Hand : Sticks)
    is
       Target : Lever;
-      Wanted : Wish;
+      Wanted : Unlimited;
    begin
       case Item.Flown.Power is
          when Direct =>
@@ -318,7 +318,7 @@ package body URV.Laws with SPARK_Mode is
                Item.Lever_Held := Hand.Throttle;
                Item.Power_Trim := Item.Last.Throttle * 1_000;
             end if;
-            Wanted := Throttle_Wish
+            Wanted := Unlimited_Throttle
               (Held_Speed (Item.Speed_Held, Hand.Throttle - Item.Lever_Held),
                Now,
                (if Item.Flown.Vertical = Hold_Altitude

@@ -50,13 +50,13 @@ package body MCS with SPARK_Mode is
          Now   => Now);
    end Follow_Ground;
 
-   procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish) is
+   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request) is
       Available : constant Boolean := Telemetry_Board.Has_Received;
    begin
       if Ticks > 0 then
          Frame_Lock.Tick (Available);
       end if;
-      Wish := Frame_Lock.Wish;
+      Request := Frame_Lock.Request;
    end Look_At_Frame;
 
    procedure Run_Step

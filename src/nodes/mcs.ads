@@ -256,8 +256,8 @@ package MCS with SPARK_Mode is
       Reset_Variables, Restart_Variables, Say_Refused);
 
    --  For the clock: it has ticked so often since it last looked, once at
-   --  most, and this is what is wished of the present frame (FRM-6).
-   procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish)
+   --  most, and this is what is requested of the present frame (FRM-6).
+   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request)
    with Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
 
    --  For the kernel: the time of what is reported, and what it reports.

@@ -113,7 +113,7 @@ package URV.Seals with Pure, SPARK_Mode is
    --  The ground calls: an answer is one to its own nonce.
    function Answer_Of_Hello (Item : Seal; Block : Block_Data) return Outcome
    is
-     (if not Item.Active.Is_There
+     (if not Item.Active.Is_Present
       then
         (if Nonce_At (Block, Answered_Place) = Item.Own
            and then Hello_Number (Block) = Item.Keys (First).Number
@@ -129,11 +129,11 @@ package URV.Seals with Pure, SPARK_Mode is
 
    --  The aircraft answers.
    function Call_Of_Hello (Item : Seal; Block : Block_Data) return Outcome is
-     (if Item.Pending.Is_There
+     (if Item.Pending.Is_Present
         and then Nonce_At (Block, Own_Place) = Item.Pending.Ground_Nonce
         and then Hello_Number (Block) = Item.Pending.Number
       then Hello_Repeated
-      elsif Item.Active.Is_There
+      elsif Item.Active.Is_Present
         and then (Item.Silence < Patience
                   or else Nonce_At (Block, Own_Place)
                             = Item.Active.Ground_Nonce)
@@ -179,7 +179,7 @@ package URV.Seals with Pure, SPARK_Mode is
              (Item.Keys, Hello_Number (Block),
               Ground_Nonce   => Nonce_At (Block, Own_Place),
               Aircraft_Nonce => Item.Own))
-      elsif Item.Active.Is_There then Begun_Anew (Item)
+      elsif Item.Active.Is_Present then Begun_Anew (Item)
       else
         (Item with delta
            Active  => New_Session
@@ -243,13 +243,13 @@ package URV.Seals with Pure, SPARK_Mode is
    --  A block to send
 
    function Says_Hello (Item : Seal) return Boolean is
-     (Item.Pending.Is_There
-      or else not Item.Active.Is_There
+     (Item.Pending.Is_Present
+      or else not Item.Active.Is_Present
       or else Item.Active.Sent >= Last_Number)
    with Global => null;
 
    function Own_Hello (Item : Seal) return Block_Data is
-     (if Item.Pending.Is_There
+     (if Item.Pending.Is_Present
       then Hello (Item.Pending.Number, Item.Pending.Aircraft_Nonce,
                   Item.Pending.Ground_Nonce)
       else Hello (Item.Keys (First).Number, Item.Own, 0))
@@ -280,7 +280,7 @@ package URV.Seals with Pure, SPARK_Mode is
 
    --  Before a block is sent: the numbers may be used up.
    function Renewed (Item : Seal) return Seal is
-     (if Item.Active.Is_There and then Item.Active.Sent >= Last_Number
+     (if Item.Active.Is_Present and then Item.Active.Sent >= Last_Number
       then Begun_Anew (Item)
       else Item)
    with Global => null;

@@ -19,20 +19,20 @@ package URV.Sessions with Pure, SPARK_Mode is
    No_Key : constant Key := (K0 => 0, K1 => 0);
 
    type Numbered_Key is record
-      Is_There : Boolean    := False;
-      Number   : Key_Number := 0;
-      Value    : Key        := No_Key;
+      Is_Present : Boolean    := False;
+      Number     : Key_Number := 0;
+      Value      : Key        := No_Key;
    end record;
 
    type Key_Place is (First, Second);
    type Key_List is array (Key_Place) of Numbered_Key;
 
    function Is_Known (Keys : Key_List; Number : Key_Number) return Boolean is
-     (for some Each of Keys => Each.Is_There and then Each.Number = Number)
+     (for some Each of Keys => Each.Is_Present and then Each.Number = Number)
    with Global => null;
 
    function Found (Keys : Key_List; Number : Key_Number) return Key is
-     (if Keys (First).Is_There and then Keys (First).Number = Number
+     (if Keys (First).Is_Present and then Keys (First).Number = Number
       then Keys (First).Value
       else Keys (Second).Value)
    with Global => null;
@@ -78,7 +78,7 @@ package URV.Sessions with Pure, SPARK_Mode is
    with Global => null;
 
    type Session is record
-      Is_There       : Boolean    := False;
+      Is_Present     : Boolean    := False;
       Number         : Key_Number := 0;
       Ground_Nonce   : Nonce      := 0;
       Aircraft_Nonce : Nonce      := 0;
@@ -98,7 +98,7 @@ package URV.Sessions with Pure, SPARK_Mode is
       Ground_Nonce   : Nonce;
       Aircraft_Nonce : Nonce) return Session
    is
-     ((Is_There       => True,
+     ((Is_Present     => True,
        Number         => Number,
        Ground_Nonce   => Ground_Nonce,
        Aircraft_Nonce => Aircraft_Nonce,
@@ -147,7 +147,7 @@ package URV.Sessions with Pure, SPARK_Mode is
       Sender : Station;
       Item   : Session) return Boolean
    is
-     (Item.Is_There
+     (Item.Is_Present
       and then Number_Of (Block, Sender, Item.Newest) > Item.Newest
       and then Has_Tag
         (Block, Sender,

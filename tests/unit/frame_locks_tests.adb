@@ -73,21 +73,21 @@ package body Frame_Locks_Tests is
       Item := Taken (Item, Fresh, Frame);
    end Take;
 
-   procedure Expect_Wish
+   procedure Expect_Request
      (What   : String;
       Item   : Lock_State;
       Frame  : Clock_Tick;
       Length : Integer);
 
-   procedure Expect_Wish
+   procedure Expect_Request
      (What   : String;
       Item   : Lock_State;
       Frame  : Clock_Tick;
       Length : Integer) is
    begin
-      Expect (What & ", frame", Item.Wish.Frame, Frame);
-      Expect_Number (What & ", length", Integer (Item.Wish.Length), Length);
-   end Expect_Wish;
+      Expect (What & ", frame", Item.Request.Frame, Frame);
+      Expect_Number (What & ", length", Integer (Item.Request.Length), Length);
+   end Expect_Request;
 
    procedure Directions is
       Item : Lock_State;
@@ -96,10 +96,10 @@ package body Frame_Locks_Tests is
          Item := At_Start;
          for Frame in Clock_Tick range 1 .. 3 loop
             Take (Item, Ticks, 10 * Frame);
-            Expect_Wish ("not yet", Item, 10 * Frame, 10);
+            Expect_Request ("not yet", Item, 10 * Frame, 10);
          end loop;
          Take (Item, Ticks, 40);
-         Expect_Wish
+         Expect_Request
            ("waited" & Ticks'Image, Item, 40,
             (case Ticks is when 1 => 10, when 2 .. 5 => 9, when others => 11));
          Expect ("in step", Item.Is_In_Step, Ticks = 1);
@@ -111,7 +111,7 @@ package body Frame_Locks_Tests is
          Expect
            ("longer", Item.Lengthened, (if Ticks in 1 .. 5 then 0 else 1));
          Take (Item, Ticks, 50);
-         Expect_Wish ("begins anew", Item, 50, 10);
+         Expect_Request ("begins anew", Item, 50, 10);
       end loop;
    end Directions;
 
@@ -124,7 +124,7 @@ package body Frame_Locks_Tests is
             Take (Item, 0, 10);
          end loop;
          Take (Item, 1, 20);
-         Expect_Wish ("forgiven", Item, 20, 10);
+         Expect_Request ("forgiven", Item, 20, 10);
       end loop;
       Expect ("in step", Item.Is_In_Step, True);
 
@@ -133,23 +133,23 @@ package body Frame_Locks_Tests is
          Take (Item, 0, 10);
          for Lost in 1 .. 20 loop
             Take (Item, 4, 20, Fresh => False);
-            Expect_Wish ("nothing told", Item, 20, 10);
+            Expect_Request ("nothing told", Item, 20, 10);
             Item := Taken (Item, False, 30);
-            Expect_Wish ("nothing came", Item, 30, 10);
+            Expect_Request ("nothing came", Item, 30, 10);
          end loop;
       end loop;
       Expect ("still in step", Item.Is_In_Step, True);
       Take (Item, 0, 40);
-      Expect_Wish ("the fourth", Item, 40, 11);
+      Expect_Request ("the fourth", Item, 40, 11);
 
       --  A start forgets all but what was wished.
       Take (Item, 3, 50);
       Item := Restarted (Item);
-      Expect_Wish ("of before", Item, 50, 10);
+      Expect_Request ("of before", Item, 50, 10);
       Expect ("who knows", Item.Is_In_Step, False);
       for Number in 1 .. 3 loop
          Take (Item, 3, 60);
-         Expect_Wish ("counts from none", Item, 60, 10);
+         Expect_Request ("counts from none", Item, 60, 10);
       end loop;
    end Patient;
 
@@ -165,13 +165,13 @@ package body Frame_Locks_Tests is
             Lock.Take (Fresh => True, Now => 123);
          end loop;
          Expect_Number
-           ("length", Integer (Length_Of (125, Lock.Wish)),
+           ("length", Integer (Length_Of (125, Lock.Request)),
             (if Is_On then 9 else 10));
-         Expect_Number ("of the next", Integer (Length_Of (130, Lock.Wish)),
+         Expect_Number ("of the next", Integer (Length_Of (130, Lock.Request)),
                         10);
          Lock.Begin_Anew;
          Expect_Number
-           ("after a start", Integer (Length_Of (125, Lock.Wish)),
+           ("after a start", Integer (Length_Of (125, Lock.Request)),
             (if Is_On then 9 else 10));
       end loop;
    end Switched_Off;

@@ -90,25 +90,25 @@ package body Shared_Nodes_Tests is
    end Step;
 
    procedure Processor_Tick (Now : Clock_Tick; Expected : Order_Name) is
-      Todo           : Order;
+      Next_Order     : Order;
       Unused_Runs_On : Boolean;
    begin
-      This_Node.Look (Who, Todo);
+      This_Node.Look (Who, Next_Order);
       Expect
-        ("processor" & Who'Image & " at tick" & Now'Image, Todo.Name,
+        ("processor" & Who'Image & " at tick" & Now'Image, Next_Order.Name,
          Expected);
-      case Todo.Name is
+      case Next_Order.Name is
          when Carry_On =>
             Executive.Clock_Interrupt (Now);
          when Load_Tasks =>
             Executive.Start
-              ((if Todo.Passed then Pair (Now) else Empty_Tree), Now);
+              ((if Next_Order.Passed then Pair (Now) else Empty_Tree), Now);
          when Begin_Start =>
-            Begun := Todo.Condition;
+            Begun := Next_Order.Condition;
          when Stand_Still =>
             null;
       end case;
-      if Todo.Name in Carry_On | Load_Tasks then
+      if Next_Order.Name in Carry_On | Load_Tasks then
          loop
             exit when This_Node.Is_Start_Wanted or else Executive.Is_Idle;
             Executive.Run_Step (Unused_Runs_On);
@@ -281,25 +281,25 @@ package body Shared_Nodes_Tests is
    end Sums;
 
    procedure Absent_Processor is
-      Lone : Node;
-      Todo : Order;
+      Lone       : Node;
+      Next_Order : Order;
    begin
       --  A seat that is not taken has nothing to do, and nobody waits for
       --  it.
       Lone.Switch_On (1, Time_First);
-      Lone.Look (2, Todo);
-      Expect ("before the start", Todo.Name, Stand_Still);
-      Lone.Look (1, Todo);
-      Expect ("the master", Todo.Name, Begin_Start);
+      Lone.Look (2, Next_Order);
+      Expect ("before the start", Next_Order.Name, Stand_Still);
+      Lone.Look (1, Next_Order);
+      Expect ("the master", Next_Order.Name, Begin_Start);
       Lone.Note_Tested (True);
-      Lone.Look (2, Todo);
-      Expect ("after the test", Todo.Name, Stand_Still);
-      Lone.Look (1, Todo);
-      Expect ("the master", Todo.Name, Load_Tasks);
-      Lone.Look (2, Todo);
-      Expect ("when tasks run", Todo.Name, Stand_Still);
-      Lone.Look (1, Todo);
-      Expect ("the master", Todo.Name, Carry_On);
+      Lone.Look (2, Next_Order);
+      Expect ("after the test", Next_Order.Name, Stand_Still);
+      Lone.Look (1, Next_Order);
+      Expect ("the master", Next_Order.Name, Load_Tasks);
+      Lone.Look (2, Next_Order);
+      Expect ("when tasks run", Next_Order.Name, Stand_Still);
+      Lone.Look (1, Next_Order);
+      Expect ("the master", Next_Order.Name, Carry_On);
    end Absent_Processor;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

@@ -40,21 +40,21 @@ package body Start_Orders_Tests is
       Who      : Seat;
       Expected : Order_Name)
    is
-      Todo : Order;
+      Next_Order : Order;
    begin
-      Look (State, Who, Todo);
-      Expect ("order of processor" & Who'Image, Todo.Name, Expected);
+      Look (State, Who, Next_Order);
+      Expect ("order of processor" & Who'Image, Next_Order.Name, Expected);
    end Expect_Order;
 
    procedure Expect_Start
      (State     : in out Node_State;
       Condition : Start_Condition)
    is
-      Todo : Order;
+      Next_Order : Order;
    begin
-      Look (State, Master, Todo);
-      Expect ("order of the master", Todo.Name, Begin_Start);
-      Expect ("condition", Todo.Condition, Condition);
+      Look (State, Master, Next_Order);
+      Expect ("order of the master", Next_Order.Name, Begin_Start);
+      Expect ("condition", Next_Order.Condition, Condition);
    end Expect_Start;
 
    procedure Expect_Load
@@ -62,12 +62,12 @@ package body Start_Orders_Tests is
       Who    : Seat;
       Passed : Boolean)
    is
-      Todo : Order;
+      Next_Order : Order;
    begin
-      Look (State, Who, Todo);
-      Expect ("order of processor" & Who'Image, Todo.Name, Load_Tasks);
-      Expect ("passed", Todo.Passed, Passed);
-      Expect_Number ("number", Integer (Todo.Number), Integer (Who));
+      Look (State, Who, Next_Order);
+      Expect ("order of processor" & Who'Image, Next_Order.Name, Load_Tasks);
+      Expect ("passed", Next_Order.Passed, Passed);
+      Expect_Number ("number", Integer (Next_Order.Number), Integer (Who));
    end Expect_Load;
 
    procedure One_Processor is
@@ -219,14 +219,14 @@ package body Start_Orders_Tests is
 
       procedure Take_Turn (Item : in out Watched; Who : Seat) is
          Is_Testing : constant Boolean := Item.Does (Master) = Begin_Start;
-         Todo       : Order;
+         Next_Order : Order;
       begin
-         Look (Item.State, Who, Todo);
+         Look (Item.State, Who, Next_Order);
          if Is_Testing then
-            Expect ("during phases 1 and 2", Todo.Name, Stand_Still);
+            Expect ("during phases 1 and 2", Next_Order.Name, Stand_Still);
          end if;
 
-         case Todo.Name is
+         case Next_Order.Name is
             when Stand_Still =>
                null;
 
@@ -239,21 +239,22 @@ package body Start_Orders_Tests is
                      or else Item.Does (Which) = Stand_Still),
                   True);
                Expect ("somebody has wished for it", Item.Is_Due, True);
-               Expect ("what was wished for last", Todo.Condition, Item.Due);
+               Expect
+                 ("what was wished for last", Next_Order.Condition, Item.Due);
                Item.Is_Due := False;
                Item.Loaded := (others => False);
 
             when Load_Tasks =>
                Expect ("loads once", Item.Loaded (Who), False);
                Expect ("has stood still", Item.Does (Who), Stand_Still);
-               Expect ("as the test says", Todo.Passed, Item.Passed);
-               Expect ("its own tasks", Todo.Number = Who, True);
+               Expect ("as the test says", Next_Order.Passed, Item.Passed);
+               Expect ("its own tasks", Next_Order.Number = Who, True);
                Item.Loaded (Who) := True;
 
             when Carry_On =>
                Expect ("has loaded its tasks", Item.Loaded (Who), True);
          end case;
-         Item.Does (Who) := Todo.Name;
+         Item.Does (Who) := Next_Order.Name;
       end Take_Turn;
 
       procedure Expect_Progress (From : Watched) is

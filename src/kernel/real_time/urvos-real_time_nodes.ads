@@ -40,11 +40,11 @@ generic
    --  The master's clock has ticked so long after it should have.
    with procedure Observe_Tick (Late : Time_Span);
 
-   --  The clock has ticked so often since it last looked: what is wished of
+   --  The clock has ticked so often since it last looked: what is requested of
    --  the present frame (FRM-6).
    with procedure Look_At_Frame
-     (Ticks : Tick_Count;
-      Wish  : out Frame_Wish)
+     (Ticks   : Tick_Count;
+      Request : out Frame_Request)
    is URVOS.Usual_Frames;
 package URVOS.Real_Time_Nodes
   with
@@ -63,7 +63,7 @@ is
 
    --  A reset or an exception: the node starts again when the tasks that
    --  now run have ended their steps, at the next tick after that. Of
-   --  several wishes the last one counts.
+   --  several requests the last one counts.
    procedure Request_Start (Condition : Start_Condition)
    with Global => (In_Out => Processors);
 

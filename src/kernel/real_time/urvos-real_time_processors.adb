@@ -38,7 +38,7 @@ is
    task Processor;
 
    --  What is to be done at a tick.
-   procedure Follow_Orders (Todo : out Order);
+   procedure Follow_Orders (Next_Order : out Order);
 
    --  Until the clock ticks, no task is due any more, or somebody wants the
    --  node to start again.
@@ -46,14 +46,14 @@ is
 
    procedure Follow_Clock (Observed : Boolean) is
       Present : constant Time := Clock;
-      Wish    : Frame_Wish;
+      Request : Frame_Request;
    begin
       if Present >= Next_Tick then
          if Observed and then Who = Master then
             Observe_Tick (Present - Next_Tick);
          end if;
-         Look_At_Frame ((if Who = Master then 1 else 0), Wish);
-         This_Node.Follow (Present, Wish, Now, Next_Tick);
+         Look_At_Frame ((if Who = Master then 1 else 0), Request);
+         This_Node.Follow (Present, Request, Now, Next_Tick);
          Tell_Time (Now);
       end if;
    end Follow_Clock;
@@ -78,13 +78,13 @@ is
       end if;
    end Step;
 
-   procedure Follow_Orders (Todo : out Order) is
+   procedure Follow_Orders (Next_Order : out Order) is
       Processors : constant Processor_Number := This_Node.Processors;
       Schedule   : constant Schedule_Name    := This_Node.Schedule;
       Passed     : Boolean;
    begin
-      This_Node.Look (Who, Todo);
-      case Todo.Name is
+      This_Node.Look (Who, Next_Order);
+      case Next_Order.Name is
          when Carry_On =>
             Executive.Clock_Interrupt (Now);
 
@@ -92,13 +92,14 @@ is
             null;
 
          when Begin_Start =>
-            Begin_Again (Todo.Condition, Now, Passed);
+            Begin_Again (Next_Order.Condition, Now, Passed);
             This_Node.Note_Tested (Passed);
 
          when Load_Tasks =>
             Executive.Start
-              ((if Todo.Passed
-                then Tasks.Tree_Of (Processors, Todo.Number, Now, Schedule)
+              ((if Next_Order.Passed
+                then Tasks.Tree_Of
+                  (Processors, Next_Order.Number, Now, Schedule)
                 else Empty_Tree),
                Now);
       end case;
@@ -119,8 +120,8 @@ is
    end Run_Steps;
 
    task body Processor is
-      Todo     : Order;
-      Begun_At : Clock_Tick;
+      Next_Order : Order;
+      Begun_At   : Clock_Tick;
    begin
       Suspend_Until_True (Switch);
       Next_Tick := This_Node.Switched_On_At;
@@ -128,15 +129,15 @@ is
       Tell_Time (Now);
       loop
          Begun_At := Now;
-         Follow_Orders (Todo);
-         if Todo.Name in Carry_On | Load_Tasks then
+         Follow_Orders (Next_Order);
+         if Next_Order.Name in Carry_On | Load_Tasks then
             Run_Steps;
          end if;
          This_Node.Note_Tick (Who, Now, Executive.Overruns);
 
          if Now = Begun_At then
             delay until Next_Tick;
-            Follow_Clock (Observed => Todo.Name /= Begin_Start);
+            Follow_Clock (Observed => Next_Order.Name /= Begin_Start);
          end if;
       end loop;
    end Processor;

@@ -37,7 +37,9 @@ generic
    with procedure Tell_Time (Now : Clock_Tick);
    with procedure Report_Overrun (Who : Task_Id);
    with procedure Observe_Tick (Late : Time_Span);
-   with procedure Look_At_Frame (Ticks : Tick_Count; Wish : out Frame_Wish);
+   with procedure Look_At_Frame
+     (Ticks   : Tick_Count;
+      Request : out Frame_Request);
 package URVOS.Real_Time_Processors
   with
     SPARK_Mode,

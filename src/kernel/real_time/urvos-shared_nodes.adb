@@ -28,12 +28,12 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
          State := Requested (State, Condition);
       end Request;
 
-      procedure Look (Who : Seat; Todo : out Order) is
+      procedure Look (Who : Seat; Next_Order : out Order) is
       begin
          if Who <= State.Processors then
-            Look (State, Who, Todo);
+            Look (State, Who, Next_Order);
          else
-            Todo := (others => <>);
+            Next_Order := (others => <>);
          end if;
       end Look;
 
@@ -54,7 +54,7 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
 
       procedure Follow
         (Present   : Time;
-         Wish      : Frame_Wish;
+         Request   : Frame_Request;
          Now       : out Clock_Tick;
          Next_Tick : out Time)
       is
@@ -64,7 +64,7 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
             exit when Next > Present;
             Next := Next + Tick_Time;
             Before := Clock.Now;
-            Clock := Ticked (Clock, Wish);
+            Clock := Ticked (Clock, Request);
             if Clock.Now = Before then
                Shifted := Shifted + Tick_Time;
             elsif Clock.Now > Before + 1 then

@@ -27,7 +27,7 @@ package URVOS.Shared_Nodes with SPARK_Mode is
       --  now run have ended their steps, at the next tick after that.
       procedure Request (Condition : Start_Condition);
 
-      procedure Look (Who : Seat; Todo : out Order);
+      procedure Look (Who : Seat; Next_Order : out Order);
 
       procedure Note_Tested (Passed : Boolean);
 
@@ -44,7 +44,7 @@ package URVOS.Shared_Nodes with SPARK_Mode is
       --  this tick, and ticks next at that time.
       procedure Follow
         (Present   : Time;
-         Wish      : Frame_Wish;
+         Request   : Frame_Request;
          Now       : out Clock_Tick;
          Next_Tick : out Time);
 

@@ -3,12 +3,12 @@
 package body URVOS.Start_Orders with SPARK_Mode is
 
    procedure Look
-     (State : in out Node_State;
-      Who   : Seat;
-      Todo  : out Order) is
+     (State      : in out Node_State;
+      Who        : Seat;
+      Next_Order : out Order) is
    begin
       State := Heard (State);
-      Todo := Order_For (State, Who);
+      Next_Order := Order_For (State, Who);
       State := State_After (State, Who);
    end Look;
 

@@ -57,7 +57,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
         State.Done (Which) or else Which > State.Processors)
    with Global => null;
 
-   --  Of several wishes the last one counts.
+   --  Of several requests the last one counts.
    function Requested
      (State     : Node_State;
       Condition : Start_Condition) return Node_State
@@ -75,7 +75,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
 
    --  A processor looks what it has to do.
 
-   --  A wish is heard when all run.
+   --  A request is heard when all run.
    function Heard (State : Node_State) return Node_State is
      (if State.Doing = Running and then State.Is_Wanted
       then (State with delta Doing => Stopping, Done => (others => False))
@@ -87,7 +87,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
      ((State with delta Done => (State.Done with delta Who => True)))
    with Global => null;
 
-   --  For a state in which a wish has been heard.
+   --  For a state in which a request has been heard.
 
    function Order_For (State : Node_State; Who : Seat) return Order is
      (case State.Doing is
@@ -118,46 +118,46 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    with Global => null;
 
    procedure Look
-     (State : in out Node_State;
-      Who   : Seat;
-      Todo  : out Order)
+     (State      : in out Node_State;
+      Who        : Seat;
+      Next_Order : out Order)
    with
      Global => null,
      Pre    => Who <= State.Processors,
      Post   =>
-       Todo = Order_For (Heard (State'Old), Who)
+       Next_Order = Order_For (Heard (State'Old), Who)
        and then State = State_After (Heard (State'Old), Who)
 
        --  Nobody runs a step from the time when all stand still until the
        --  start's phases 1 and 2 are over.
        and then
-         (if Todo.Name = Begin_Start
+         (if Next_Order.Name = Begin_Start
           then Who = Master
             and then All_Done (State)
             and then State.Doing = Testing
-            and then Todo.Condition = State'Old.Wanted
+            and then Next_Order.Condition = State'Old.Wanted
             and then State'Old.Is_Wanted)
        and then
          (if State'Old.Doing = Testing
-          then Todo.Name = Stand_Still and then State = State'Old)
+          then Next_Order.Name = Stand_Still and then State = State'Old)
 
        --  Each loads its tasks once.
        and then
-         (if Todo.Name = Load_Tasks
+         (if Next_Order.Name = Load_Tasks
           then State'Old.Doing = Loading
             and then not State'Old.Done (Who)
             and then State.Done (Who)
-            and then Todo.Passed = State.Passed)
+            and then Next_Order.Passed = State.Passed)
 
-       --  A wish is granted by phases 1 and 2, and not lost before.
+       --  A request is granted by phases 1 and 2, and not lost before.
        and then
          State.Is_Wanted =
-           (State'Old.Is_Wanted and then Todo.Name /= Begin_Start)
+           (State'Old.Is_Wanted and then Next_Order.Name /= Begin_Start)
        and then State.Wanted = State'Old.Wanted
 
        --  Whoever is told to carry on has tasks, and no start is under way.
        and then
-         (if Todo.Name = Carry_On
+         (if Next_Order.Name = Carry_On
           then State.Doing in Running | Loading
             and then State = State'Old);
 

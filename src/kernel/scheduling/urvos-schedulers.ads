@@ -432,7 +432,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
                   Best   => Running_TCB (S))
           else Is_The_Same (S'Old, S));
 
-   --  The tick that SLEEP makes of a wish: a task that wants to sleep until
+   --  The tick that SLEEP makes of a request: a task that wants to sleep until
    --  a tick that has passed sleeps until the next one.
    function Wake_Up_Tick (Now : Clock_Tick; Until_Tick : Tick) return Tick is
      (if Until_Tick > Now then Until_Tick else Now + 1)
