@@ -50,16 +50,34 @@ class Ground:
         return self
 
     def __exit__(self, *_):
+        started = self.started()
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         self.status = self.process.wait(PATIENCE_S)
         assert self.left() == []
+        assert not [each for each in started if Path(f"/proc/{each}").exists()]
 
     def said(self):
         return self.log.read_text("utf-8")
 
+    def started(self):
+        """Processes below bin/urv ground. One that has a key may be looked
+        into by root alone: whose child it is everybody may know."""
+        parents = {}
+        for stat in Path("/proc").glob("[0-9]*/stat"):
+            try:
+                after_name = stat.read_text().rpartition(")")[2]
+            except OSError:
+                continue
+            parents[int(stat.parent.name)] = int(after_name.split()[1])
+        found, new = set(), {self.process.pid}
+        while new:
+            new = {child for child, parent in parents.items() if parent in new}
+            found |= new
+        return found
+
     def left(self):
-        """Processes that this flight has started."""
+        """Processes in this flight's folder, whoever their parent is."""
         found = []
         for process in Path("/proc").glob("[0-9]*"):
             try:
@@ -71,8 +89,11 @@ class Ground:
 
     def named(self, word):
         """The process of the flight with that word in its command line."""
-        for process in self.left():
-            line = Path(f"/proc/{process}/cmdline").read_bytes()
+        for process in sorted(self.started()):
+            try:
+                line = Path(f"/proc/{process}/cmdline").read_bytes()
+            except OSError:
+                continue
             if word.encode() in line:
                 return process
         raise AssertionError(f"no process {word}")

@@ -33,7 +33,8 @@ def test_d29_partitions_have_the_profile_but_its_detection(asked):
     flies, flying_restrictions = asked("partitions.adc")
     assert profile - flies == {"DB"} and flies <= profile
     assert len(restrictions) >= 25
-    assert flying_restrictions == restrictions
+    # GNAT 14 has one more for Restricted than for Ravenscar.
+    assert flying_restrictions >= restrictions
 
 
 def test_d30_a_partition_with_an_entry_is_not_built(tmp_path):
