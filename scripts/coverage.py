@@ -94,23 +94,21 @@ def build_and_run(program):
     run("gprbuild", "-q", "-p", "-j1", "-P", project, f"-XURV_Mode={mode}",
         f"--subdirs=coverage-{program}",
         "-cargs:Ada", *SWITCHES, *switches, "-largs", "-fprofile-arcs")
+    built = ROOT / "bin" / f"coverage-{program}"
     if program == "flights":
-        run_pytest(SHORT + tuple(f"tests/simulation/test_{name}.py"
-                                 for name in FLIGHTS))
+        run_pytest(built, [*SHORT, *(f"tests/simulation/test_{name}.py"
+                                     for name in FLIGHTS)])
     elif program == "partitions":
-        run_pytest(["tests/real_time"])
+        run_pytest(built, ["tests/real_time"])
     else:
-        run(folder_of(program) / f"urv_tests_{mode}",
-            stdout=subprocess.DEVNULL)
+        run(built / f"urv_tests_{mode}", stdout=subprocess.DEVNULL)
 
 
-def folder_of(program):
-    return ROOT / "bin" / f"coverage-{program}"
-
-
-def run_pytest(files):
-    programs = {"URV_SIM": str(folder_of("flights") / "urv_sim"),
-                "URV_PARTITIONS": str(folder_of("partitions"))}
+def run_pytest(built, files):
+    """With these programs, copied to where they find the aircraft: it is
+    beside the folder that they are in."""
+    shutil.copytree(built, HTML, dirs_exist_ok=True)
+    programs = {"URV_SIM": str(HTML / "urv_sim"), "URV_PARTITIONS": str(HTML)}
     run(sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider",
         *files, env={**os.environ, **programs})
 

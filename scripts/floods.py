@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether a flood delays a node's ticks (RTP-3).
 
-    scripts/floods.py [SECONDS]    needs bin/urv_mcs (make real_time)
+    scripts/floods.py [SECONDS]    needs bin/urv_mcs (make real_time), or
+                                   that of the folder URV_PARTITIONS
 
 Flies the aircraft's node three times: beside nothing; beside a flood of
 100,000 datagrams a second to a port that is not its own; and with that flood
@@ -11,6 +12,7 @@ to its port from its peer's address. Prints how late its clock ticked, in us.
 
 import json
 import multiprocessing
+import os
 import socket
 import subprocess
 import sys
@@ -19,6 +21,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+PARTITIONS = Path(os.environ.get("URV_PARTITIONS", ROOT / "bin"))
 RATE = 100_000
 AT_ONCE = 100
 
@@ -45,7 +48,7 @@ def flown(seconds, source=None, target=None):
     with tempfile.TemporaryDirectory() as folder:
         summary = Path(folder, "summary.json")
         node = subprocess.Popen(
-            [ROOT / "bin" / "urv_mcs", "--quiet", "--seconds", str(seconds),
+            [PARTITIONS / "urv_mcs", "--quiet", "--seconds", str(seconds),
              "--link", "udp:127.0.0.1:7101:127.0.0.1:7102",
              "--summary", summary])
         if flooder:

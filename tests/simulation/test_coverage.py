@@ -4,6 +4,7 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
@@ -239,3 +240,21 @@ def test_only_sources_of_src_are_counted(gcov, tmp_path):
 def test_counts_of_another_build_end_it(gcov):
     with pytest.raises(SystemExit, match="stamp mismatch with notes file"):
         gcov("", "some.gcda:stamp mismatch with notes file\n")
+
+
+def test_evi4_programs_stand_where_they_find_the_aircraft(tmp_path,
+                                                          monkeypatch):
+    """plant.py and its Python are beside the folder of a program; in a
+    folder of bin it would find neither, and the flights with JSBSim fail."""
+    built = tmp_path / "bin" / "coverage-flights"
+    built.mkdir(parents=True)
+    (built / "urv_sim").touch()
+    monkeypatch.setattr(coverage, "HTML", tmp_path / "coverage")
+    began = {}
+    monkeypatch.setattr(coverage, "run",
+                        lambda *command, env: began.update(env))
+    coverage.run_pytest(built, ["a test"])
+    program = Path(began["URV_SIM"])
+    assert program.exists()
+    assert program.parent.parent == tmp_path
+    assert Path(began["URV_PARTITIONS"]) == program.parent
