@@ -8,6 +8,8 @@ with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Schedulers;   use URVOS.Schedulers;
 
+with URVOS.Schedulers.Changes; use URVOS.Schedulers.Changes;
+
 package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
 
    --  The queues of both stand in the same order.

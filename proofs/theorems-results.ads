@@ -20,6 +20,8 @@ with URVOS.Error_Logs;
 with URVOS.Frames;
 with URVOS.ROM_Checks;
 with URVOS.Schedulers;
+with URVOS.Schedulers.Calls;
+with URVOS.Schedulers.Changes;
 with URVOS.Semaphores;
 with URVOS.Start_Orders;
 with URVOS.Task_Trees;
@@ -41,6 +43,8 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use URVOS.Arrangements;
    use URVOS.Frames;
    use URVOS.Schedulers;
+   use URVOS.Schedulers.Calls;
+   use URVOS.Schedulers.Changes;
    use URVOS.Semaphores;
    use URVOS.Start_Orders;
    use URVOS.Task_Trees;

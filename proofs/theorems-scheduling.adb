@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
+
 package body Theorems.Scheduling with SPARK_Mode is
 
    --  What holds from a first state to a middle one, and from there to a

@@ -42,7 +42,10 @@ TASKS = (2, 10, 16, 100, 500)
 """How many tasks the scheduler has; the flight software's has up to 16."""
 
 KERNEL = ("urvos.ads", "urvos-frames.ads", "scheduling/urvos-arrangements",
-          "scheduling/urvos-schedulers", "scheduling/urvos-schedulers-lemmas",
+          "scheduling/urvos-schedulers", "scheduling/urvos-schedulers-calls",
+          "scheduling/urvos-schedulers-changes",
+          "scheduling/urvos-schedulers-lemmas",
+          "scheduling/urvos-schedulers-places",
           "scheduling/urvos-task_trees")
 
 PEERS = {

@@ -9,6 +9,8 @@ with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Schedulers;   use URVOS.Schedulers;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
+with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
+
 procedure Urv_Bench_Tasks is
 
    type Lot is mod 2**32;

@@ -149,8 +149,9 @@ def mutate(kind, arguments):
     unproved = [m for m in picked if now[m.name]["fate"] == PASSED]
     if unproved:
         print(f"mutation: {len(unproved)} pass the tests, go to the proof")
-    return run_stage(kind, kind.trial.prove, unproved, digests,
-                     arguments.jobs)
+        return run_stage(kind, kind.trial.prove, unproved, digests,
+                         arguments.jobs)
+    return 0
 
 
 def main():

@@ -10,6 +10,8 @@ with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Schedulers;   use URVOS.Schedulers;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
+with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
+
 package body Schedulers_Tests is
 
    --  The tests, in order.

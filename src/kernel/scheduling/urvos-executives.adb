@@ -3,6 +3,8 @@
 with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Schedulers;   use URVOS.Schedulers;
 
+with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
+
 package body URVOS.Executives
   with
     SPARK_Mode,
@@ -93,7 +95,7 @@ is
 
       case Call.Name is
          when Kernel_Calls.Exit_Call =>
-            Schedulers.Exit_Call (Tasks);
+            Schedulers.Calls.Exit_Call (Tasks);
             Note_Overrun (Before, Id_Of (Tasks, Running_TCB (Tasks)));
             Runs_On := Running_TCB (Tasks) = Caller;
 

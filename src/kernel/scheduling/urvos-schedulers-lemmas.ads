@@ -2,6 +2,8 @@
 
 --  What the scheduler's code needs for its proof (KRN-1 to KRN-4).
 
+with URVOS.Schedulers.Changes; use URVOS.Schedulers.Changes;
+
 private package URVOS.Schedulers.Lemmas with Pure, SPARK_Mode, Ghost is
 
    --  The TCB stands in its queue where its priority or its tick says.
