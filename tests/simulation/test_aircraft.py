@@ -354,3 +354,32 @@ def test_it_answers_each_frame_with_what_was_asked_for():
 ])
 def test_what_it_does_not_have_it_refuses(item, answer):
     assert serve(ITEMS + item + b"\n" if item else ITEMS) == answer
+
+
+# --- the table of steps ----------------------------------------------------
+
+def test_sim3_each_pair_of_servos_moves_out_back_and_rests():
+    out, back, rest = (aircraft_steps.commands(frame)
+                       for frame in (0, aircraft_steps.OUT,
+                                     aircraft_steps.BACK))
+    assert (out["left_aileron"], back["right_aileron"],
+            rest["left_aileron"]) == (6.0, -6.0, 0.0)
+    assert rest == aircraft_steps.TRIM
+    second = aircraft_steps.commands(aircraft_steps.TURN)
+    assert (second["left_elevator"], second["left_aileron"]) == (3.0, 0.0)
+
+
+def test_sim3_the_table_of_steps_is_in_last_bits(monkeypatch, tmp_path):
+    """Each sensor is as far from the best as its step is, in halves."""
+    bits = {name: 0.5 for name in aircraft_steps.SHOWN}
+    monkeypatch.setattr(aircraft_steps, "last_bits", lambda: bits)
+    monkeypatch.setattr(aircraft_steps, "flown", lambda step: [
+        [sign * step / 1000] * len(bits) for sign in (1, 1)])
+    page = tmp_path / "aircraft.md"
+    page.write_text("before\n\n| sensor | old |\n|---|---|\n\nafter\n")
+    monkeypatch.setattr(aircraft_steps, "PAGE", page)
+    aircraft_steps.main(["--renew"])
+    text = page.read_text()
+    assert text.startswith("before\n\n| sensor | 1 ms | 2 ms | 4 ms |")
+    assert text.endswith("|\n\nafter\n")
+    assert "| rpm | 1.0 | 3.0 | 7.0 | 9.0 | 19.0 |" in text

@@ -4,6 +4,7 @@ makes it fail, each thing alone. The flights here are written by hand, and
 perfect but for one thing."""
 
 import json
+import math
 import subprocess
 import sys
 from collections import Counter
@@ -428,6 +429,12 @@ def test_sec4_an_uplink_tells_12_bits_of_its_number():
     assert list(sealed_blocks.wrongs(blocks[::-1], "up")) != []
 
 
+def test_sec4_a_downlink_tells_32_bits_of_its_number():
+    blocks = [sealed_block("down", number)
+              for number in (2**31 - 1, 2**32 - 2, 1)]
+    assert list(sealed_blocks.wrongs(blocks, "down")) == []
+
+
 @pytest.mark.parametrize("first, marked", [(0, 0), (0x0F, 0), (0x10, 1),
                                            (0xA0, 1), (0xB0, 1)])
 def test_blocks_of_format_1_have_no_mark(first, marked):
@@ -485,6 +492,19 @@ def test_theory_of_bit_errors_is_small_and_grows_with_the_flight():
     # Two or more of 30 or 58 characters, each with two wrong bits: about
     # (30 * 29 + 58 * 57) / 2 times (36 / 10**6) ** 2, every 256th unseen.
     assert few / 1_000 == pytest.approx(2_088 * 3.6e-5 ** 2 / 256, rel=0.5)
+
+
+def test_theory_of_bit_errors_counts_every_number_of_spoilt_characters():
+    rate, frames = 0.01, 1_000
+    right = (1 - rate) ** 9
+    unseen = sum(math.comb(9, bits) * rate ** bits * (1 - rate) ** (9 - bits)
+                 for bits in (2, 4, 6, 8))
+    expected = frames * right / 256 * sum(
+        math.comb(length, spoilt) * unseen ** spoilt
+        * right ** (length - spoilt)
+        for length in (29, 57) for spoilt in range(2, length + 1))
+    assert run.by_theory("soak/3/0/1e-2/100", ByHand(frames)) == (
+        pytest.approx(expected, rel=1e-6))
 
 
 @pytest.mark.parametrize("size", ["tiny", "short"])

@@ -2,18 +2,23 @@
 """EVI-3: what the mutation changes, of Ada and of Python, and what it leaves
 alone."""
 
+import json
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
 
+import fates  # noqa: E402
 import flight_trials  # noqa: E402
 import judge_trials  # noqa: E402
+import kinds  # noqa: E402
 import mutants  # noqa: E402
 import python_mutants  # noqa: E402
+import report  # noqa: E402
 from ada_source import sources  # noqa: E402 - mutants finds it
 
 SPEC = """
@@ -227,3 +232,73 @@ def test_every_judge_has_mutants():
     name = "scripts/link_cuts.py"
     assert name in judge_trials.judges()
     assert python_mutants.places(name, (ROOT / name).read_text("utf-8"))
+
+
+# --- results, and what is said of them --------------------------------------
+
+def result(name, fate, path="sim/one.adb"):
+    return {"name": name, "fate": fate, "path": path, "line": 1,
+            "change": f"{name} -> other"}
+
+
+def test_each_kind_has_its_own_files_and_order():
+    flight, judges = kinds.KINDS["flight"], kinds.KINDS["judges"]
+    assert flight.results.name == "results.jsonl"
+    assert judges.results.name == "judges.jsonl"
+    assert judges.judged.parent == judges.results.parent == kinds.FOLDER
+    turns = [kinds.flight_turn(f"src/{folder}/a/b.adb")
+             for folder in mutants.FOLDERS]
+    assert turns == sorted(turns) and len(set(turns)) == len(turns)
+
+
+def test_evi3_a_table_counts_what_builds_by_fate():
+    results = [result("a", "tests"), result("b", "tests"),
+               result("c", fates.SURVIVED), result("d", fates.PASSED),
+               result("e", fates.EQUIVALENT), result("f", fates.SURVIVED),
+               result("g", fates.INVALID)]
+    text, total = report.table(results, {"f"}, by_package=True)
+    assert total == {"tests": 2, "survived": 2, "equivalent": 2}
+    assert report.score(total) == 50.0
+    lines = text.splitlines()
+    assert lines[1] == "|---|" + "--:|" * len(report.COLUMNS)
+    assert lines[2] == "| `one` | 6 | 2 |  |  | 2 | 2 | 50.0% |"
+    assert [line.split("|")[1].strip() for line in lines[2:]] == [
+        "`one`", "**sim**", "**all**"]
+    assert report.cells("x", {"tests": 2, "simulation": 0, "proof": 0,
+                              "survived": 1, "equivalent": 0}).endswith(
+        "| 66.6% |")
+
+
+def test_evi3_a_survivor_is_judged_and_only_a_survivor():
+    results = [result("a", "tests"), result("b", fates.SURVIVED)]
+    total = {"tests": 1, "simulation": 0, "proof": 0, "survived": 1}
+    one = {"name": "b", "change": "b -> other", "reason": "so"}
+    assert list(report.problems(results, {"b": one}, total, 50)) == []
+    for judgements, goal, said in (
+            ({}, 50, "survives, not judged"),
+            ({"b": one}, 51, "less than 51%"),
+            ({"b": one, "a": one}, 50, "is no survivor"),
+            ({"b": one | {"change": "c"}}, 50, "another change"),
+            ({"b": one | {"reason": " "}}, 50, "without a reason")):
+        found = list(report.problems(results, judgements, total, goal))
+        assert len(found) == 1 and said in found[0]
+
+
+def test_the_last_result_of_a_mutant_counts(tmp_path):
+    file = tmp_path / "results.jsonl"
+    assert fates.read(file) == {}
+    file.write_text("".join(json.dumps(result("a", fate)) + "\n"
+                            for fate in (fates.SURVIVED, "tests")))
+    assert fates.read(file)["a"]["fate"] == "tests"
+    assert fates.digest("scripts/bench.py") != fates.digest("urv.gpr")
+
+
+def test_progress_tells_how_many_are_done_and_alive(capsys):
+    progress = fates.Progress(3)
+    for fate in ("tests", fates.SURVIVED, fates.PASSED):
+        progress.step(SimpleNamespace(path="sim/one.adb", line=7), fate)
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split("] ")[1].split(" alive")[0] for line in lines] == [
+        "1/3, 0", "2/3, 1", "3/3, 2"]
+    assert lines[2].startswith("[" + "#" * 30 + "]")
+    assert lines[0].endswith("one.adb:7 tests")

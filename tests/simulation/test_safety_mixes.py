@@ -80,6 +80,15 @@ def test_half_of_the_mixes_fly_as_the_report_has_it():
     said = [" ".join(mix.options) for mix in made]
     for option in ("--schedule fast", "--lock", "--drift=", "--format 2"):
         assert 50 < sum(option in words for words in said), option
+    flying = len(made) - len(plain)
+    for rare in ("key", "orders"):
+        share = sum(rare in mix.files for mix in made) / flying
+        assert share == pytest.approx(0.3, abs=0.1), rare
+    drifts = [int(mix.drift) for mix in made]
+    assert max(map(abs, drifts)) <= mixes.MOST_DRIFT_PPM
+    for sign in (1, -1):
+        assert sum(sign * drift > mixes.MOST_DRIFT_PPM / 2
+                   for drift in drifts) > 10
     assert any(all(option in words for option in (
         "--schedule fast", "--lock", "--drift=", "--format 2"))
         for words in said)
