@@ -5,6 +5,7 @@ are, and no loop has less than is wanted."""
 import re
 import sys
 
+import pytest
 from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "scripts" / "laws"))
@@ -49,3 +50,29 @@ def test_numbers_are_read_as_ada_has_them(tmp_path):
     assert vars(law_gains.gains(tmp_path / "gains.ads")) == {
         "Frames": 50, "Much": 1000, "Hold": 25, "Speed": 1920,
         "Low": -12000}
+
+
+def column(text, head, speed):
+    """By name, what a table of the page says at a speed."""
+    lines = text[text.index(head):].split("\n\n")[0].splitlines()
+    place = [cell.strip() for cell in lines[0].split("|")].index(speed)
+    return {cells[1].strip(): cells[place].strip()
+            for cells in (line.split("|") for line in lines[2:])}
+
+
+def test_the_page_has_what_one_condition_gives_anew(monkeypatch, capsys):
+    """The models, the loops, their margins and poles, at 70 kt."""
+    pytest.importorskip("control", reason="make margins installs it")
+    import margins
+    monkeypatch.setattr(margins, "SPEEDS", (70,))
+    monkeypatch.setattr(margins, "BALLASTS", (0,))
+    of = law_gains.gains()
+    result = margins.measured(of)
+    assert max(result.misfits) < 0.03
+    assert margins.complaints(result) == []
+    again = margins.page(result, [])
+    for head in ("| loop | 60 kt", "| | 60 kt"):
+        there = column(PAGE, head, "70 kt")
+        assert there
+        assert column(again, head.replace("60", "70"), "70 kt") == there
+    assert "all loops have them" in again
