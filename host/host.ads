@@ -53,8 +53,14 @@ package Host is
 
    subtype Schedule_Name is URVOS.Task_Trees.Schedule_Name;
 
-   --  In this tick of the aircraft's frame the servos get new commands, and
-   --  so many ticks later the next scan begins (FRM-2, FRM-5).
+   --  In these ticks of the aircraft's frame its scans begin and the servos
+   --  get new commands; from these it is so many until the next scan (FRM-2,
+   --  FRM-5).
+
+   function Scan_Tick (Schedule : Schedule_Name) return Phase_Ticks is
+     (case Schedule is
+         when URVOS.Task_Trees.Report => 0,
+         when URVOS.Task_Trees.Fast   => 1);
 
    function Servo_Tick (Schedule : Schedule_Name) return Phase_Ticks is
      (case Schedule is
@@ -62,7 +68,7 @@ package Host is
          when URVOS.Task_Trees.Fast   => 4);
 
    function Ticks_To_Scan (Schedule : Schedule_Name) return Phase_Ticks is
-     (Ticks_Per_Major_Frame - Servo_Tick (Schedule));
+     (Ticks_Per_Major_Frame - Servo_Tick (Schedule) + Scan_Tick (Schedule));
 
    --  On the serial link (D-4).
    Character_Time : constant Microseconds :=

@@ -7,7 +7,7 @@
 --
 --  The model of the phase: times are microseconds of the aircraft's clock. An
 --  uplink comes so long before the TELIN that takes it, the newest if several
---  do. The ground's frame lasts 20,000 us, more or less 5: 200 ppm are 4.
+--  do. Of a frame of 20,000 us 200 ppm are 4.
 
 with URVOS;              use URVOS;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
@@ -107,8 +107,8 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
    subtype Phase is Integer range 0 .. Frame_Time - 1;
 
    --  What drifts apart between two uplinks that are taken, at most 25 frames
-   --  from each other.
-   Most_Drift : constant := 25 * 5;
+   --  from each other: 200 ppm of these, with what rounds them up.
+   Most_Drift : constant := 25 * 4 + 1;
    subtype Drift is Integer range -Most_Drift .. Most_Drift;
 
    type Situation is record
@@ -150,12 +150,12 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
           2 * Tick_Time - 1 + Most_Drift * (Integer (Item.Out_Of) + 1))
    with Global => null;
 
-   --  So it comes 1.5 to 4.5 ms before it.
+   --  So it comes 1.59 to 4.41 ms before it.
    procedure In_Step_Is_In_Time (Item : Situation)
    with
      Global => null,
      Pre    => Is_In_Step (Item),
-     Post   => Item.Before in 1_500 .. 4_499;
+     Post   => Item.Before in 1_596 .. 4_403;
 
    procedure It_Stays_In_Step (Item : Situation; Apart : Drift)
    with

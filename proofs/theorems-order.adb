@@ -25,7 +25,6 @@ package body Theorems.Order with SPARK_Mode is
       pragma Assert
         (for all Who in MCS.Task_Name =>
            MCS.Task_List (Who) (Set).Offset < Minor_Frame'Last);
-      pragma Assert (MCS.Task_List (MCS.AD_Task) (Set).Offset = 0);
    end A_Frame_Is_Done_Within_It;
 
    procedure A_Ground_Frame_Is_Done_Within_It

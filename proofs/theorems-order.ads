@@ -5,7 +5,9 @@
 --  frame, on any run that keeps the releases, on one processor or two, in
 --  the report's schedule and in the fast one. Who runs at the same tick as
 --  those it consumes from is on the same processor, which runs them first
---  because they stand first. In the report's schedule that is only LAW.
+--  because they stand first. In the report's schedule that is only LAW. In
+--  the fast one a task behind AD runs when AD's scan has come, within the
+--  minor frame: AD waits for it with EXIT, which lets no lower one run.
 
 with GSC;
 with MCS;
@@ -22,11 +24,6 @@ package Theorems.Order with SPARK_Mode, Ghost is
    use type MCS.Task_Name;
    use type GSC.Task_Name;
 
-   --  In the fast schedule the AD task begins the scan at its release, and
-   --  hands it on a minor frame later.
-   function Scan_Time (Set : Schedule_Name) return Tick is
-     (if Set = Fast then 1 else 0);
-
    --  No task has overrun: each runs in the minor frame in which it is
    --  released, in the major frame that follows Now. Which of those that
    --  share a minor frame runs first is left open.
@@ -37,8 +34,7 @@ package Theorems.Order with SPARK_Mode, Ghost is
       Set : Schedule_Name) return Boolean
    is
      (for all Who in MCS.Task_Name =>
-        Run (Who) = MCS.Tasks.Next_Release_Of (Who, Now, Set)
-          + (if Who = MCS.AD_Task then Scan_Time (Set) else 0));
+        Run (Who) = MCS.Tasks.Next_Release_Of (Who, Now, Set));
 
    function Is_Legal
      (Run : GSC_Run;
@@ -46,8 +42,7 @@ package Theorems.Order with SPARK_Mode, Ghost is
       Set : Schedule_Name) return Boolean
    is
      (for all Who in GSC.Task_Name =>
-        Run (Who) = GSC.Tasks.Next_Release_Of (Who, Now, Set)
-          + (if Who = GSC.AD_Task then Scan_Time (Set) else 0));
+        Run (Who) = GSC.Tasks.Next_Release_Of (Who, Now, Set));
 
    --  The variables between the tasks that pass within a frame: figure 2.
    --  ADINT_variable is not one of them: in the report's schedule it passes
@@ -134,29 +129,29 @@ package Theorems.Order with SPARK_Mode, Ghost is
                    and then Run (Consumer) = Run (Producer)
                    and then Is_Chosen_First (Producer, Consumer, Set)))));
 
-   --  The fast schedule: from the scan's beginning the aircraft's sensors
-   --  are with the telemetry board a tick later, and commands at the servos
-   --  at the tick that takes them from it.
+   --  The fast schedule: in the minor frame in which they are scanned the
+   --  aircraft's sensors are with the telemetry board, so that an uplink that
+   --  comes one to two ticks before TELIN finds them there; commands are at
+   --  the servos at the tick that takes them from it.
    procedure Aircraft_Is_Fast (Run : MCS_Run; Now : Clock_Tick)
    with
      Global => null,
      Pre    => Is_Legal (Run, Now, Fast),
      Post   =>
-       Run (MCS.TELOUT_Task) =
-         MCS.Tasks.Next_Release_Of (MCS.AD_Task, Now, Fast) + 1
+       Run (MCS.TELOUT_Task) = Run (MCS.AD_Task)
+       and then Run (MCS.TELIN_Task) = Run (MCS.TELOUT_Task) + 3
        and then Run (MCS.PWM_Task) = Run (MCS.TELIN_Task)
        and then Run (MCS.CORE_Task) = Run (MCS.TELIN_Task);
 
-   --  The console's words are with the telemetry board a tick after their
-   --  scan began; what comes from it is in CORE at the tick that takes it,
-   --  five ticks after the board was given the uplink.
+   --  The console's words are with the telemetry board in the minor frame in
+   --  which they are scanned; what comes from it is in CORE at the tick that
+   --  takes it, five ticks after that minor frame began.
    procedure Ground_Is_Fast (Run : GSC_Run; Now : Clock_Tick)
    with
      Global => null,
      Pre    => Is_Legal (Run, Now, Fast),
      Post   =>
-       Run (GSC.TELOUT_Task) =
-         GSC.Tasks.Next_Release_Of (GSC.AD_Task, Now, Fast) + 1
+       Run (GSC.TELOUT_Task) = Run (GSC.AD_Task)
        and then Run (GSC.CORE_Task) = Run (GSC.TELIN_Task)
        and then Run (GSC.TELIN_Task) = Run (GSC.TELOUT_Task) + 5;
 

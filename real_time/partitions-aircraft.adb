@@ -73,9 +73,11 @@ package body Partitions.Aircraft is
       end loop;
    end Sample_Bench;
 
-   procedure Sample (Words : out Channel_Words) is
+   procedure Sample (Is_Next : Boolean; Words : out Channel_Words) is
    begin
-      if Plant.Is_Present then
+      if Is_Next then
+         null;
+      elsif Plant.Is_Present then
          Plant.Look (Measured);
       else
          Sample_Bench;

@@ -18,7 +18,7 @@ package Partitions.Aircraft is
 
    --  What the A/D board's channels see. Asked once for each scan: the
    --  surfaces have then moved for a major frame.
-   procedure Sample (Words : out Channel_Words);
+   procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
 
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;

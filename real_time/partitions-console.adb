@@ -125,7 +125,8 @@ package body Partitions.Console is
       end if;
    end Ask_Pilot;
 
-   procedure Sample (Words : out Channel_Words) is
+   procedure Sample (Is_Next : Boolean; Words : out Channel_Words) is
+      pragma Unreferenced (Is_Next);   --  the ground scans once a frame
       Item         : Sticks  := Present.Get;
       Pilot_Wanted : Boolean := True;
    begin

@@ -12,10 +12,11 @@ package body Partitions.Converter is
    Scan_Time : constant Time_Span :=
      Channel_Words'Length * Microseconds (Microseconds_Per_Conversion);
 
-   --  How soon a start is seen.
-   Look_Again : constant Time_Span := Milliseconds (1);
+   --  A scan that is begun so soon after one has ended follows it.
+   Right_Behind : constant Time_Span := Scan_Time;
 
-   Power : Suspension_Object;
+   --  The controller may have started a channel.
+   Asked : Suspension_Object;
 
    --  The board's hardware, and the controller that begins scans.
    Hardware_Side   : constant Side := Left;
@@ -31,58 +32,68 @@ package body Partitions.Converter is
    procedure Release_Interrupts is
    begin
       Leave (Interrupts, From => Controller_Side);
+      Set_True (Asked);
    end Release_Interrupts;
 
-   --  The channel has been started: converts it, and those that the
-   --  controller starts thereafter. One that is not behind the last begins
-   --  another scan: the controller has given up the one before.
-   procedure Convert (First : Channel_Number);
+   --  When the last scan ended, or was due to.
+   Ended : Time := Time_First;
 
-   procedure Convert (First : Channel_Number) is
-      Words     : Channel_Words;
-      Present   : Channel_Number := First;
-      Next      : Channel_Number;
-      Interrupt : Boolean;
-      Wanted    : Boolean;
+   --  Samples the channels and returns when their scan is due to end.
+   procedure Scan (Words : out Channel_Words);
+
+   --  The channel has been started: converts it, and those behind it that the
+   --  controller starts thereafter. Wanted tells that it has then started one
+   --  that is not: another scan, for it has given up the one before.
+   procedure Convert
+     (Channel : in out Channel_Number;
+      Wanted  : out Boolean);
+
+   procedure Scan (Words : out Channel_Words) is
+      Present : constant Time    := Clock;
+      Is_Next : constant Boolean := Present < Ended + Right_Behind;
    begin
-      Sample (Words);
-      delay until Clock + Scan_Time;
+      Sample (Is_Next, Words);
+      Ended := (if Is_Next then Ended else Present) + Scan_Time;
+      delay until Ended;
+   end Scan;
+
+   procedure Convert
+     (Channel : in out Channel_Number;
+      Wanted  : out Boolean)
+   is
+      Words     : Channel_Words;
+      Present   : Channel_Number;
+      Interrupt : Boolean;
+   begin
+      Scan (Words);
+      Enter (Interrupts, From => Hardware_Side);
       loop
-         Enter (Interrupts, From => Hardware_Side);
+         Present := Channel;
          Board.Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
          if Interrupt then
             Interrupt_Controller;
          end if;
-         Board.Take_Start (Wanted, Next);
-         Leave (Interrupts, From => Hardware_Side);
-         exit when not Wanted;
-         if Next <= Present then
-            Sample (Words);
-            delay until Clock + Scan_Time;
-         end if;
-         Present := Next;
+         Board.Take_Start (Wanted, Channel);
+         exit when not Wanted or else Channel <= Present;
       end loop;
+      Leave (Interrupts, From => Hardware_Side);
    end Convert;
 
-   task Hardware with Priority => System.Priority'Last - 3;
+   --  At the ceiling of what it shares with the controller: where threads have
+   --  priorities, none of its calls changes them.
+   task Hardware with Priority => System.Priority'Last;
 
    task body Hardware is
       Wanted  : Boolean;
       Channel : Channel_Number;
    begin
-      Suspend_Until_True (Power);
       loop
+         Suspend_Until_True (Asked);
          Board.Take_Start (Wanted, Channel);
-         if Wanted then
-            Convert (Channel);
-         end if;
-         delay until Clock + Look_Again;
+         while Wanted loop
+            Convert (Channel, Wanted);
+         end loop;
       end loop;
    end Hardware;
-
-   procedure Switch_On is
-   begin
-      Set_True (Power);
-   end Switch_On;
 
 end Partitions.Converter;

@@ -5,8 +5,9 @@
 --
 --  A scan is 32 conversions, each started by the interrupt before it. They
 --  are made together when the last of them is due, 512 us after the first
---  was started, from values held at the start: the controller takes them at
---  its next major frame.
+--  was started, from values held at the start. A scan that the controller
+--  begins right behind another begins when that one ended: on the target a
+--  few instructions pass in between, here two threads take turns.
 --
 --  On the target the controller's processor takes the interrupt between two
 --  of its instructions, and as soon as the conversion is over. Here another
@@ -21,15 +22,15 @@ with URV.Buffers; use URV.Buffers;
 generic
    Board : in out Devices.Shared_AD_Board.Board;
 
-   --  What the channels see.
-   with procedure Sample (Words : out Channel_Words);
+   --  What the channels see. Is_Next tells that the scan follows another of
+   --  the same frame.
+   with procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
    with procedure Interrupt_Controller;
 package Partitions.Converter is
 
-   procedure Switch_On;
-
-   --  In between no conversion ends. The task and the start that begin scans
-   --  are never there at the same time.
+   --  In between no conversion ends, and behind it the hardware looks for a
+   --  start. The task and the start that begin scans are never there at the
+   --  same time.
    procedure Hold_Interrupts;
    procedure Release_Interrupts;
 

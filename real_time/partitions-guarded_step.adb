@@ -24,6 +24,9 @@ begin
       Fail;
    else
       Run_Step (Who, First_Run, Now, Call);
+      if Call.Name = Exit_Call then
+         return;   --  the transaction goes on
+      end if;
       Ended := Clock;
       Costs (Who).Add (Clocks.Tenths_Of_Microseconds (Ended - Began));
       Responses (Who).Add

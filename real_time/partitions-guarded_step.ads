@@ -16,7 +16,8 @@ generic
    type Distributions is array (Task_Name) of Distribution;
 
    --  What the transactions take, and when they end after the tick at which
-   --  their minor frame began; in tenths of microseconds.
+   --  their minor frame began; in tenths of microseconds. Of a transaction
+   --  that calls EXIT the last step is measured.
    Costs     : in out Distributions;
    Responses : in out Distributions;
 

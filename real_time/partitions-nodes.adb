@@ -222,7 +222,6 @@ package body Partitions.Nodes is
       Host.Memory_Hardware.Repair (Processor_Board);
       Telemetry_Hardware.Switch_On;
       Node.Switch_On (Processors, Switched_On_At, Chosen);
-      Converter_Hardware.Switch_On;
    end Switch_On;
 
    function Overruns return Count is

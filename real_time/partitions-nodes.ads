@@ -62,8 +62,9 @@ generic
    TELOUT_Task : Tasks.Task_Name;
    CORE_Task   : Tasks.Task_Name;
 
-   --  What the converter's channels see, and a row of the record.
-   with procedure Sample (Words : out Channel_Words);
+   --  What the converter's channels see (see Partitions.Converter), and a row
+   --  of the record.
+   with procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
    with procedure Append_Values (To : in out Row);
 
    --  What stands behind all else in a row.

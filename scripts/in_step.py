@@ -30,13 +30,16 @@ FRAME_MS = 20
 IN_STEP_MS = 20_000
 
 # From the beginning of a scan to the servo, and to the ground's CORE, at most.
-BOUNDS_MS = {"report": {"servo": 35.572, "core": 59.62},
-             "fast": {"servo": 9.572, "core": 13.62}}
+BOUNDS_MS = {"report": {"servo": 35.475, "core": 59.428},
+             "fast": {"servo": 7.987, "core": 9.892}}
+# Of the fast schedule, from the change.
+MEDIAN_MS = 20
 # When in the ground's frame CORE has what TELIN took.
-CORE_MS = {"report": 8, "fast": 12}
+CORE_MS = {"report": 8, "fast": 10}
 
 DRIFTS = (-200, -100, -37, 0, 37, 100, 200)
-SENSOR = "airspeed"
+# The first to be sampled in a scan, so the oldest when it arrives.
+SENSOR = "right_flap_1"
 
 
 class Measured(NamedTuple):
@@ -47,11 +50,13 @@ class Measured(NamedTuple):
 
 
 def changes(random_, count):
-    """Times in us, so far apart that each has arrived before the next."""
-    time = IN_STEP_MS * 1000
-    for _ in range(count):
-        time += random_.randrange(100_000, 160_000)
-        yield time
+    """Times in us, so far apart that each has arrived before the next. One
+    comes in each so-maniest part of a frame, so that how long they wait for a
+    scan is spread evenly."""
+    parts = [(part + random_.random()) / count for part in range(count)]
+    random_.shuffle(parts)
+    for number, part in enumerate(parts, 1):
+        yield IN_STEP_MS * 1000 + number * 140_000 + int(part * 20_000)
 
 
 def script(path, column, times):
@@ -81,18 +86,16 @@ def fly(phase, drift, schedule, processors, changed=300, program=PROGRAM):
     random_ = random.Random(f"{phase} {drift}")
     sticks, sensors = (list(changes(random_, changed)) for _ in range(2))
     seconds = max(sticks[-1], sensors[-1]) / 1e6 + 0.5
+    options = ["--lock", f"--drift={drift}", "--schedule", schedule,
+               "--phase", str(phase), "--processors", str(processors)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder)
         script(path / "sticks.csv", "roll", sticks)
         script(path / "sensors.csv", SENSOR, sensors)
-        subprocess.run(
-            [program, "fly", "--lock", f"--drift={drift}", "--schedule",
-             schedule, "--phase", str(phase), "--processors",
-             str(processors), "--seconds", f"{seconds:.6f}", "--sticks",
-             path / "sticks.csv", "--sensors", path / "sensors.csv",
-             "--record", path / "record.csv", "--summary",
-             path / "summary.json", "--quiet"], check=True)
-        summary = json.loads((path / "summary.json").read_text("utf-8"))
+        summary = summary_of(
+            program, *options, "--seconds", f"{seconds:.6f}",
+            "--sticks", path / "sticks.csv", "--sensors",
+            path / "sensors.csv", "--record", path / "record.csv")
         core = core_latencies(path / "record.csv", sensors)
     latency = summary["latency_ms"]
     assert (latency["measured"], latency["expired"]) == (changed, 0), latency
@@ -101,7 +104,13 @@ def fly(phase, drift, schedule, processors, changed=300, program=PROGRAM):
         summary["lock"]["in_step_since_s"] * 1000,
         [latency[name] for name in ("min", "median", "max")],
         sorted(row - after - time / 1000 for row, time in core),
-        left_out(summary))
+        left_out_in_step(summary, program, *options))
+
+
+def summary_of(program, *options):
+    return json.loads(subprocess.run(
+        [program, "fly", *options, "--summary", "-", "--quiet"], check=True,
+        capture_output=True).stdout)
 
 
 def left_out(summary):
@@ -109,12 +118,18 @@ def left_out(summary):
     return summary["frames"] - summary["link"]["downlink_received"]
 
 
+def left_out_in_step(summary, program, *options):
+    """Besides those of the first two seconds, when it is not in step yet."""
+    return left_out(summary) - left_out(
+        summary_of(program, *options, "--seconds", "2"))
+
+
 def fly_long(phase, drift, schedule, frames, program=PROGRAM):
-    done = subprocess.run(
-        [program, "fly", "--lock", f"--drift={drift}", "--schedule", schedule,
-         "--phase", str(phase), "--seconds", str(frames * FRAME_MS / 1000),
-         "--summary", "-", "--quiet"], check=True, capture_output=True)
-    return left_out(json.loads(done.stdout))
+    options = ["--lock", f"--drift={drift}", "--schedule", schedule,
+               "--phase", str(phase)]
+    summary = summary_of(
+        program, *options, "--seconds", str(frames * FRAME_MS / 1000))
+    return left_out_in_step(summary, program, *options)
 
 
 def wrongs(found, schedule):
@@ -126,9 +141,12 @@ def wrongs(found, schedule):
                         ("core", found.core_ms[-1])):
         if worst > bounds[name] + FRAME_MS:
             yield f"{name} after {worst:.3f} ms"
-    if schedule == "fast" and found.servo_ms[1] > 20:
-        yield f"median {found.servo_ms[1]} ms"
-    if found.left_out > 3:
+    if schedule == "fast":
+        for name, times in (("servo", [found.servo_ms[1]]),
+                            ("core", found.core_ms)):
+            if times[len(times) // 2] > MEDIAN_MS:
+                yield f"{name} median {times[len(times) // 2]} ms"
+    if found.left_out:
         yield f"{found.left_out} downlinks left out"
 
 
@@ -157,7 +175,7 @@ def main():
                   + "".join(f"; WRONG: {one}" for one in wrong), flush=True)
     for drift in DRIFTS if given.frames else ():
         missed = fly_long(drift % 10, drift, given.schedule, given.frames)
-        failed = failed or missed > 3
+        failed = failed or missed > 0
         print(f"{given.frames} frames, drift {drift}: {missed} without a"
               " downlink", flush=True)
     return 1 if failed else 0

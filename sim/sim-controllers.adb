@@ -74,8 +74,9 @@ package body Sim.Controllers is
    --  End_Conversion, apart for each node.
    procedure Convert
      (Which      : Node;
-      Time       : Microseconds;
-      Until_Time : Microseconds)
+      Time       : in out Microseconds;
+      Until_Time : Microseconds;
+      Have_Run   : out Boolean)
    with Inline_Always;
 
    procedure Prepare
@@ -174,20 +175,21 @@ package body Sim.Controllers is
 
    procedure Convert
      (Which      : Node;
-      Time       : Microseconds;
-      Until_Time : Microseconds)
+      Time       : in out Microseconds;
+      Until_Time : Microseconds;
+      Have_Run   : out Boolean)
    is
       Item   : Controller renames Controllers (Which);
-      Now    : Microseconds := Time;
       Raised : Boolean;
    begin
+      Have_Run := False;
       loop
-         while Next (Item.Stalls).Stop <= Now loop
+         while Next (Item.Stalls).Stop <= Time loop
             Skip (Item.Stalls);
          end loop;
 
          --  A board that stands still converts anew when it goes on.
-         if Next (Item.Stalls).First <= Now then
+         if Next (Item.Stalls).First <= Time then
             Schedule
               (Converted (Which), Next (Item.Stalls).Stop + Conversion_Time);
             return;
@@ -196,24 +198,32 @@ package body Sim.Controllers is
          Cancel (Converted (Which));
          Finish_Conversion
            (Which, Item.Held, not Item.Is_Starting, Raised);
-         Serve_Converter (Which, Now);
-         Answer_Exception (Which, Now, Raised);
+         Serve_Converter (Which, Time);
+         Answer_Exception (Which, Time, Raised);
 
-         Now := Now + Conversion_Time;
-         exit when Raised
-           or else not Is_Due (Converted (Which))
-           or else Now >= Until_Time;
+         --  Behind a scan, or where none is expected.
+         if not Is_Due (Converted (Which)) and then not Item.Is_Starting then
+            Look_Again (Which, Raised);
+            Serve_Converter (Which, Time);
+            Answer_Exception (Which, Time, Raised);
+            Have_Run := True;
+            return;
+         end if;
+
+         exit when Raised or else Time + Conversion_Time >= Until_Time;
+         Time := Time + Conversion_Time;
       end loop;
    end Convert;
 
    procedure End_Conversion
      (Which      : Node;
-      Time       : Microseconds;
-      Until_Time : Microseconds) is
+      Time       : in out Microseconds;
+      Until_Time : Microseconds;
+      Have_Run   : out Boolean) is
    begin
       case Which is
-         when Ground   => Convert (Ground, Time, Until_Time);
-         when Aircraft => Convert (Aircraft, Time, Until_Time);
+         when Ground   => Convert (Ground, Time, Until_Time, Have_Run);
+         when Aircraft => Convert (Aircraft, Time, Until_Time, Have_Run);
       end case;
    end End_Conversion;
 

@@ -48,11 +48,13 @@ package Sim.Controllers is
    procedure Tick (Which : Node; Time : Microseconds);
 
    --  A conversion is done, and so are those after it until something else
-   --  happens.
+   --  happens. Behind a scan's last one, at that time, tasks that wait for it
+   --  have run.
    procedure End_Conversion
      (Which      : Node;
-      Time       : Microseconds;
-      Until_Time : Microseconds);
+      Time       : in out Microseconds;
+      Until_Time : Microseconds;
+      Have_Run   : out Boolean);
 
    --  The reset switch, or an exception. One during a start begins it anew,
    --  as the last one says; but power up stays a cold start until one is

@@ -16,12 +16,14 @@ with URVOS.Starts;         use URVOS.Starts;
 
 package body Sim.Engine is
 
-   Time_Out : constant array (Node) of Event :=
+   Time_Out  : constant array (Node) of Event :=
      (Ground => GSC_Time_Out, Aircraft => MCS_Time_Out);
-   Sent     : constant array (Node) of Event :=
+   Sent      : constant array (Node) of Event :=
      (Ground => Character_Up, Aircraft => Character_Down);
-   Extra    : constant array (Node) of Event :=
+   Extra     : constant array (Node) of Event :=
      (Ground => Extra_Up, Aircraft => Extra_Down);
+   Converted : constant array (Node) of Event :=
+     (Ground => GSC_Converted, Aircraft => MCS_Converted);
 
    --  What a telemetry board's hardware knows.
    type Hardware is record
@@ -118,11 +120,22 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer);
 
-   --  The controller has run: what it gave the telemetry board may be sent.
+   --  The controller has run: what it gave the telemetry board may be sent. A
+   --  board that waits for the other one says nothing meanwhile.
+   procedure Serve_Behind_Tasks
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer);
 
    procedure Tick
      (Which : Node;
       Time  : Microseconds;
+      Wire  : in out Text_Output.Writer);
+
+   procedure End_Conversion
+     (Which : Node;
+      Time  : Microseconds;
+      Stop  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
    procedure End_Start
@@ -381,17 +394,43 @@ package body Sim.Engine is
       Serve_Telemetry (Other (Sender), Time, Wire);
    end Hear_Extra;
 
+   procedure Serve_Behind_Tasks
+     (Which : Node;
+      Time  : Microseconds;
+      Wire  : in out Text_Output.Writer) is
+   begin
+      if not Is_Due (Time_Out (Which)) then
+         Serve_Telemetry (Which, Time, Wire);
+      end if;
+   end Serve_Behind_Tasks;
+
    procedure Tick
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer) is
    begin
       Controllers.Tick (Which, Time);
-      --  A board that waits for the other one says nothing meanwhile.
-      if not Is_Due (Time_Out (Which)) then
-         Serve_Telemetry (Which, Time, Wire);
-      end if;
+      Serve_Behind_Tasks (Which, Time, Wire);
    end Tick;
+
+   procedure End_Conversion
+     (Which : Node;
+      Time  : Microseconds;
+      Stop  : Microseconds;
+      Wire  : in out Text_Output.Writer)
+   is
+      Last     : Microseconds := Time;
+      Have_Run : Boolean;
+   begin
+      Controllers.End_Conversion
+        (Which, Last,
+         Until_Time =>
+           Microseconds'Min (Stop, First_Besides (Converted (Which))),
+         Have_Run   => Have_Run);
+      if Have_Run then
+         Serve_Behind_Tasks (Which, Last, Wire);
+      end if;
+   end End_Conversion;
 
    procedure End_Start
      (Which : Node;
@@ -446,14 +485,8 @@ package body Sim.Engine is
             when Character_Up   => End_Character (Ground, Time, Wire);
             when Character_Down => End_Character (Aircraft, Time, Wire);
             when Hardware_Fault => Apply_Hardware_Fault (Time, Wire);
-            when GSC_Converted  =>
-               Controllers.End_Conversion
-                 (Ground, Time,
-                  Microseconds'Min (Stop, First_Besides (GSC_Converted)));
-            when MCS_Converted  =>
-               Controllers.End_Conversion
-                 (Aircraft, Time,
-                  Microseconds'Min (Stop, First_Besides (MCS_Converted)));
+            when GSC_Converted  => End_Conversion (Ground, Time, Stop, Wire);
+            when MCS_Converted  => End_Conversion (Aircraft, Time, Stop, Wire);
             when GSC_Time_Out   => Serve_Telemetry (Ground, Time, Wire);
             when MCS_Time_Out   => Serve_Telemetry (Aircraft, Time, Wire);
             when GSC_Clock      => Tick (Ground, Time, Wire);

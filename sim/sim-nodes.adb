@@ -20,7 +20,8 @@ package body Sim.Nodes is
 
    Failed : Boolean := False;
 
-   --  Says that a node's program has failed, the first time.
+   --  Says that a node's program has failed, the first time. An error of the
+   --  bus was ordered.
    procedure Complain
      (Which : Node; Error : Ada.Exceptions.Exception_Occurrence);
 
@@ -32,9 +33,14 @@ package body Sim.Nodes is
    function Has_Failed return Boolean is (Failed);
 
    procedure Complain
-     (Which : Node; Error : Ada.Exceptions.Exception_Occurrence) is
+     (Which : Node; Error : Ada.Exceptions.Exception_Occurrence)
+   is
+      use type Ada.Exceptions.Exception_Id;
    begin
-      if not Failed then
+      if not Failed
+        and then Ada.Exceptions.Exception_Identity (Error) /=
+                   Host.Memory_Hardware.Bus_Error'Identity
+      then
          Failed := True;
          Ada.Text_IO.Put_Line
            (Ada.Text_IO.Standard_Error,
@@ -77,8 +83,6 @@ package body Sim.Nodes is
             MCS_Time.Start (Condition, Now, Number, MCS.Schedule.Contents);
       end case;
    exception
-      when Host.Memory_Hardware.Bus_Error =>
-         Raised := True;
       when Error : others =>
          Raised := True;
          Complain (Which, Error);
@@ -150,12 +154,23 @@ package body Sim.Nodes is
          when Aircraft => MCS_Time.Clock_Interrupt (Now);
       end case;
    exception
-      when Host.Memory_Hardware.Bus_Error =>
-         Raised := True;
       when Error : others =>
          Raised := True;
          Complain (Which, Error);
    end Clock_Interrupt;
+
+   procedure Look_Again (Which : Node; Raised : out Boolean) is
+   begin
+      Raised := False;
+      case Which is
+         when Ground   => GSC_Time.Look_Again;
+         when Aircraft => MCS_Time.Look_Again;
+      end case;
+   exception
+      when Error : others =>
+         Raised := True;
+         Complain (Which, Error);
+   end Look_Again;
 
    procedure Take_Start
      (Which   : Node;

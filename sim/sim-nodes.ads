@@ -53,6 +53,9 @@ package Sim.Nodes is
       Now    : URVOS.Frames.Clock_Tick;
       Raised : out Boolean);
 
+   --  An interrupt has been handled, which a task may wait for.
+   procedure Look_Again (Which : Node; Raised : out Boolean);
+
    --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.
    --  The controller is interrupted if it wants to be, and is not down.
 

@@ -72,19 +72,23 @@ SENSORS_DISTURBED_US = 120_000
 
 # Before the row's time, when the scan began that CORE has as fresh, by
 # schedule. The aircraft's frame ends up to 18 ms after the ground's begins;
-# in step it may last 2 ms longer.
+# in step it may last 2 ms longer. In the fast schedule the scan is the first,
+# the second or the third of those that begin 6 ms before CORE.
 OWN_SCAN_US = {
     "report": {"gsc": (40_000, 20_000), "mcs": (48_000, 8_000)},
     "fast": {"gsc": (20_000, 20_000 - SCAN_US),
-             "mcs": (30_000, 8_000 - SCAN_US)}}
+             "mcs": (28_000, 6_000 - 3 * SCAN_US)}}
+
+# So long after a tick the aircraft's scans begin, one behind the other.
+SCAN_OFFSETS_US = {"report": (0,), "fast": (0, SCAN_US, 2 * SCAN_US)}
 
 # In the partitions a row is taken when CORE has the frame's words; between
 # the rows that show a message at both ends, and at the console and in CORE.
 PARTITION_UP_US = {"calm": 50_000, "disturbed": 90_000}
 PARTITION_DOWN_US = {"calm": 60_000, "disturbed": 100_000}
 PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
-# In the fast schedule the ground's row comes 10 ms after its TELOUT, when the
-# aircraft may have had the uplink for 7.1: its row was first.
+# In the fast schedule the ground's row comes 10 ms after its scan, when the
+# aircraft may have had the uplink for 6.5: its row was first.
 PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
 
 
@@ -291,6 +295,7 @@ class Flight(Checker):
         super().__init__()
         self.record = Record(record)
         self.own_scan_us = OWN_SCAN_US[schedule]
+        self.scan_offsets_us = SCAN_OFFSETS_US[schedule]
         self.drifts = drift not in (None, "0")
         self.lock = lock
         self.faults = disturbances.of_file(faults)
@@ -394,7 +399,8 @@ class Flight(Checker):
             FRAME_US if is_slow else SCAN_US,
             FRAME_US if node == "gsc" else TICK_US,
             self.faults.silent[node].touch(first, last)
-            or node == "mcs" and (is_slow or self.drifts))
+            or node == "mcs" and (is_slow or self.drifts),
+            self.scan_offsets_us if node == "mcs" else (0,))
 
     def check_own(self, node, values, line):
         """What CORE has of its own node as fresh is of the node's scan

@@ -19,12 +19,18 @@ FRAME_US = NUMBERS.frame_us
 
 
 class Scan(NamedTuple):
-    """How long a scan takes at the most, and when it may begin: at whole
-    multiples of a time, or, about a start, at any."""
+    """How long a scan takes at the most, and when it may begin: so long after
+    whole multiples of a time, or, about a start, at any."""
 
     lasts_us: int
     grid_us: int
     is_free: bool = False
+    offsets_us: tuple = (0,)
+
+    def last_before(self, time):
+        """When the last scan began before this time."""
+        return max((time - 1 - offset) // self.grid_us * self.grid_us + offset
+                   for offset in self.offsets_us)
 
 
 def to_us(text):
@@ -95,7 +101,7 @@ class Timeline:
                 time = times[place]
                 # The last one before the change; one that begins with it
                 # sees only what is new.
-                grid = (time - 1) // scan.grid_us * scan.grid_us
+                grid = scan.last_before(time)
                 if crossed is None:
                     crossed, begins = time, grid
                 if scan.is_free:

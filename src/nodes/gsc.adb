@@ -43,7 +43,7 @@ package body GSC with SPARK_Mode is
          end case;
       else
          case Who is
-            when AD_Task        => AD.Run_Transaction;
+            when AD_Task        => AD.Run_Transaction (Now);
             when TELIN_Task     => TELIN.Run_Transaction;
             when GDCIN_Task     => GDCIN.Run_Transaction;
             when GDCOUT_Task    => GDCOUT.Run_Transaction;
@@ -58,7 +58,7 @@ package body GSC with SPARK_Mode is
          Offset => Task_List (Who) (Set).Offset,
          others => <>);
       if Who = AD_Task then
-         AD.Await_Scan (Now, Call);
+         AD.Await_Scan (Call);
       end if;
    end Run_Step;
 

@@ -84,7 +84,7 @@ package GSC with SPARK_Mode is
 
    package AD is new URV.AD_Task
      (For_Stick_Words, For_Stick_Images, ADINT_Variable, AD_Variable,
-      Errors, Schedule, ADINT.Begin_Scan);
+      Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => 1);
 
    package TELIN is new URV.TELIN_Task
      (For_Downlink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
@@ -181,11 +181,11 @@ package GSC with SPARK_Mode is
 
    Task_List : constant Task_Table :=
      (AD_Task        => (Report => (0, 1), Fast => (0, 1)),
-      TELIN_Task     => (Report => (0, 1), Fast => (6, 1)),
-      GDCIN_Task     => (Report => (1, 2), Fast => (6, 1)),
-      GDCOUT_Task    => (Report => (1, 2), Fast => (1, 1)),
-      TELOUT_Task    => (Report => (2, 1), Fast => (1, 1)),
-      CORE_Task      => (Report => (4, 2), Fast => (6, 1)),
+      TELIN_Task     => (Report => (0, 1), Fast => (5, 1)),
+      GDCIN_Task     => (Report => (1, 2), Fast => (5, 1)),
+      GDCOUT_Task    => (Report => (1, 2), Fast => (0, 1)),
+      TELOUT_Task    => (Report => (2, 1), Fast => (0, 1)),
+      CORE_Task      => (Report => (4, 2), Fast => (5, 1)),
       LOG_Task       => (Report => (5, 2), Fast => (7, 2)),
       SELF_TEST_Task => (Report => (6, 1), Fast => (8, 2)));
 

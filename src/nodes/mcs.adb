@@ -78,7 +78,7 @@ package body MCS with SPARK_Mode is
          end case;
       else
          case Who is
-            when AD_Task        => AD.Run_Transaction;
+            when AD_Task        => AD.Run_Transaction (Now);
             when TELIN_Task     => TELIN.Run_Transaction;
             when MDCIN_Task     => MDCIN.Run_Transaction;
             when MDCOUT_Task    => MDCOUT.Run_Transaction;
@@ -95,7 +95,7 @@ package body MCS with SPARK_Mode is
          Offset => Task_List (Who) (Set).Offset,
          others => <>);
       if Who = AD_Task then
-         AD.Await_Scan (Now, Call);
+         AD.Await_Scan (Call);
       elsif Who = TELIN_Task and then not First_Run then
          Follow_Ground (Now);
       end if;

@@ -18,6 +18,7 @@ with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Shared_Frame_Locks;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URV.AD_Scans;       use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
 with URV.Buffers;        use URV.Buffers;
@@ -110,7 +111,7 @@ package MCS with SPARK_Mode is
 
    package AD is new URV.AD_Task
      (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
-      Errors, Schedule, ADINT.Begin_Scan);
+      Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => Scan_Count'Last);
 
    package TELIN is new URV.TELIN_Task
      (For_Uplink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
@@ -217,7 +218,7 @@ package MCS with SPARK_Mode is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Task_List : constant Task_Table :=
-     (AD_Task        => (Report => (0, 1), Fast => (0, 1)),
+     (AD_Task        => (Report => (0, 1), Fast => (1, 1)),
       TELIN_Task     => (Report => (0, 1), Fast => (4, 1)),
       MDCIN_Task     => (Report => (1, 2), Fast => (4, 1)),
       MDCOUT_Task    => (Report => (1, 2), Fast => (1, 1)),

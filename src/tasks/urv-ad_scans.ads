@@ -5,13 +5,20 @@
 --  The interrupt handler stores a word and learns what to do next. Between
 --  scans no interrupt is expected; one that comes stores nothing.
 
-with URVOS;       use URVOS;
-with URV.Buffers; use URV.Buffers;
+with Devices.AD_Board; use Devices.AD_Board;
+with URVOS;            use URVOS;
+with URVOS.Frames;     use URVOS.Frames;
+with URV.Buffers;      use URV.Buffers;
 
 package URV.AD_Scans with Pure, SPARK_Mode is
 
    --  The channel being converted; after the last the scan is complete.
    type Channel_Count is range 0 .. Channel_Words'Length;
+
+   --  So many scans are over within a tick, one begun behind the other.
+   type Scan_Count is range
+     0 .. Microseconds_Per_Tick
+            / (Channel_Words'Length * Microseconds_Per_Conversion);
 
    type Scan is record
       Current : Channel_Count := Channel_Count'Last;

@@ -7,68 +7,111 @@ with URV.Routing;
 
 package body URV.AD_Task with SPARK_Mode is
 
-   --  Hands on the words of the last scan.
-   procedure Hand_On (Fresh : out Boolean);
+   procedure Hand_On (Item : Channel_Words; Fresh : Boolean);
+
+   --  Begins a scan. Of the frame before there was none, or one.
+   procedure Begin_First_Scan (Had_None : Boolean);
 
    --  Of a scan that ends later than its minor frame the words are too old.
    procedure Discard_Late_Scan;
 
-   procedure Hand_On (Fresh : out Boolean) is
-      Item    : Channel_Words;
+   --  The report's transaction: the last frame's scan, and the next one.
+   procedure Take_Last_Scan;
+
+   --  One step of a frame in the fast schedule.
+   procedure Follow_Scans (Now : Clock_Tick);
+
+   procedure Hand_On (Item : Channel_Words; Fresh : Boolean) is
       Success : Boolean;
    begin
-      ADINT_Variable.Receive (Item, Fresh);
       AD_Variable.Send (Routing.Stamped (Item, Fresh), Success);
       if not Success then
          Errors.Report (Image_Not_Consumed, 0);
       end if;
    end Hand_On;
 
+   procedure Begin_First_Scan (Had_None : Boolean) is
+      Reached : Channel_Count;
+   begin
+      Begin_Scan (Reached);
+      if Had_None then
+         Errors.Report (AD_No_Scan, Word (Reached));
+      end if;
+   end Begin_First_Scan;
+
    procedure Discard_Late_Scan is
       Unused_Item  : Channel_Words;
       Unused_Fresh : Boolean;
    begin
-      ADINT_Variable.Receive (Unused_Item, Unused_Fresh);
+      ADINT_Variable.Look (Unused_Item, Unused_Fresh);
    end Discard_Late_Scan;
+
+   procedure Take_Last_Scan is
+      Item  : Channel_Words;
+      Fresh : Boolean;
+   begin
+      ADINT_Variable.Receive (Item, Fresh);
+      Hand_On (Item, Fresh);
+      Begin_First_Scan (Had_None => not Fresh);
+   end Take_Last_Scan;
+
+   procedure Follow_Scans (Now : Clock_Tick) is
+      Before         : Progress := Present.Contents;
+      Item           : Channel_Words;
+      Fresh          : Boolean;
+      Look_Again     : Boolean;
+      Unused_Reached : Channel_Count;
+   begin
+      if Before.Doing /= Scanning then
+         Begin_First_Scan (Had_None => Before.Doing = Had_No_Scan);
+         Discard_Late_Scan;
+         Present.Write ((Scanning, 0, Begun (Now, 1)));
+         return;
+      end if;
+
+      Receiving.Receive_Step
+        (Now, Before.Patience, Item, Fresh, Look_Again);
+      if Fresh and then Before.Received < Scan_Count'Last then
+         Before.Received := Before.Received + 1;
+      end if;
+
+      if Fresh
+        and then Before.Received < Fast_Scans
+        and then not Is_Over (Before.Patience, Now)
+      then
+         Begin_Scan (Unused_Reached);
+      elsif not Look_Again then
+         Hand_On (Item, Fresh => Before.Received > 0);
+         Before.Doing :=
+           (if Before.Received > 0 then Had_Scan else Had_No_Scan);
+      end if;
+      Present.Write (Before);
+   end Follow_Scans;
 
    procedure Initialise is
       Set            : constant Schedule_Name := Schedule.Contents;
       Unused_Reached : Channel_Count;
    begin
-      Doing.Write (Had_Scan);
+      Present.Write ((others => <>));
       if Set = Report then
          Begin_Scan (Unused_Reached);
       end if;
    end Initialise;
 
-   procedure Run_Transaction is
-      Set     : constant Schedule_Name := Schedule.Contents;
-      Before  : constant Progress      := Doing.Contents;
-      Fresh   : Boolean                := Before /= Had_No_Scan;
-      Reached : Channel_Count;
+   procedure Run_Transaction (Now : Clock_Tick) is
+      Set : constant Schedule_Name := Schedule.Contents;
    begin
-      if Set = Report or else Before = Scanning then
-         Hand_On (Fresh);
-         Doing.Write (if Fresh then Had_Scan else Had_No_Scan);
-      end if;
-
-      if Set = Report or else Before /= Scanning then
-         Begin_Scan (Reached);
-         if not Fresh then
-            Errors.Report (AD_No_Scan, Word (Reached));
-         end if;
-         if Set = Fast then
-            Discard_Late_Scan;
-            Doing.Write (Scanning);
-         end if;
-      end if;
+      case Set is
+         when Report => Take_Last_Scan;
+         when Fast   => Follow_Scans (Now);
+      end case;
    end Run_Transaction;
 
-   procedure Await_Scan (Now : Clock_Tick; Call : in out Kernel_Call) is
-      Present : constant Progress := Doing.Contents;
+   procedure Await_Scan (Call : in out Kernel_Call) is
+      Item : constant Progress := Present.Contents;
    begin
-      if Present = Scanning then
-         Call := (Sleep_Call, Until_Tick => Now + 1, others => <>);
+      if Item.Doing = Scanning then
+         Call := (Exit_Call, others => <>);
       end if;
    end Await_Scan;
 

@@ -6,14 +6,18 @@
 --  Consumes ADINT_variable, produces AD_variable. A frame without a scan
 --  passes on the words of the one before, with the error word set.
 --
---  In the fast schedule (FRM-5) it begins the scan, waits a minor frame, and
---  hands on that scan: its words are 2 ms old, not 20. A scan that ends
---  later is handed on by nobody.
+--  In the fast schedule (FRM-5) it begins a scan and waits for it: RECV with
+--  a wait of a tick. It has so many scans made one after the other and hands
+--  on the last, or the newest that came within the tick. So its words are
+--  less than a tick old, and those of the tasks behind it run at the same
+--  tick. A scan that ends later is handed on by nobody.
 
 with URVOS.Frames;          use URVOS.Frames;
 with URVOS.Kernel_Calls;    use URVOS.Kernel_Calls;
+with URVOS.Receive_Calls;
 with URVOS.Shared_Data;
 with URVOS.Shared_Mailboxes;
+with URVOS.Waits;           use URVOS.Waits;
 with URV.AD_Scans;          use URV.AD_Scans;
 with URV.Buffers;           use URV.Buffers;
 with URV.Shared_Errors;     use URV.Shared_Errors;
@@ -29,22 +33,40 @@ generic
    Errors         : in out Shared_Log;
    Schedule       : in out URV.Shared_Schedules.Store;
    with procedure Begin_Scan (Reached : out Channel_Count);
+
+   --  How many scans it has made in a frame of the fast schedule.
+   Fast_Scans : Scan_Count;
 package URV.AD_Task with SPARK_Mode is
 
-   --  Of the fast schedule: the task waits for its scan; else, whether the
-   --  last one was there in time.
-   type Progress is (Had_Scan, Had_No_Scan, Scanning);
+   --  So many scans a frame.
+   function Scans return Scan_Count is (Fast_Scans)
+   with Ghost, Global => null;
 
-   package Stores is new URVOS.Shared_Data (Progress, Had_Scan);
+   --  Of the fast schedule: the task waits for a scan; else, whether there
+   --  was one in time in the last frame.
+   type Activity is (Had_Scan, Had_No_Scan, Scanning);
 
-   Doing : Stores.Store;
+   --  What it keeps from step to step: the scans of this frame that it has
+   --  received, and how long it still waits.
+   type Progress is record
+      Doing    : Activity   := Had_Scan;
+      Received : Scan_Count := 0;
+      Patience : Wait       := Begun (0, 0);
+   end record;
+
+   package Stores is new URVOS.Shared_Data (Progress, (others => <>));
+
+   package Receiving is
+     new URVOS.Receive_Calls (Words, ADINT_Variable);
+
+   Present : Stores.Store;
 
    procedure Initialise;
 
-   procedure Run_Transaction;
+   procedure Run_Transaction (Now : Clock_Tick);
 
-   --  A task that waits for its scan sleeps for a minor frame instead.
-   procedure Await_Scan (Now : Clock_Tick; Call : in out Kernel_Call)
-   with Global => (Input => Doing);
+   --  A task that waits for a scan ends its step with EXIT instead.
+   procedure Await_Scan (Call : in out Kernel_Call)
+   with Global => (Input => Present);
 
 end URV.AD_Task;

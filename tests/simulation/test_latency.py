@@ -26,8 +26,9 @@ APART = 6 * FRAME
 UPLINK = UPLINK_CHARACTERS * CHARACTER_US
 
 # When the ground's TELOUT runs after a scan began: the AD task takes it a
-# frame later, or a tick. When the aircraft's TELIN and PWM run.
-TELOUT = {"report": FRAME + 2 * TICK, "fast": TICK}
+# frame later, or as soon as its 32 channels are converted. When the aircraft's
+# TELIN and PWM run.
+TELOUT = {"report": FRAME + 2 * TICK, "fast": 32 * CONVERSION}
 TELIN = {"report": 0, "fast": 4 * TICK}
 PWM = {"report": 2 * TICK, "fast": 4 * TICK}
 
@@ -122,7 +123,7 @@ def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase, schedule):
     scan = {"report": FRAME + 2 * TICK + TICK * phase
             + (FRAME if phase < 4 else 0),
             "fast": 4 * TICK + TICK * phase
-            - (FRAME if phase > 8 else 0)}[schedule]
+            - (FRAME if phase > 7 else 0)}[schedule]
     assert (expected[0], expected[-1]) == (
         scan - 12 * CONVERSION, scan + FRAME - 1)
 

@@ -233,6 +233,9 @@ FREE, ON_GRID = (timelines.Scan(100, 50, is_free)
     ((1, 1, 2), 201, 500, ON_GRID, None),
     # That at 300 comes with the scan that begins then.
     ((2, 2, 3), 0, 500, timelines.Scan(101, 100), None),
+    # One that begins at 210 is not over at 300.
+    ((1, 2, 3), 0, 500, timelines.Scan(100, 200), None),
+    ((1, 2, 3), 0, 500, timelines.Scan(100, 200, offsets_us=(0, 10)), 110),
     # Not on a grid, for so long.
     ((1, 2, 3), 0, 500, FREE, 110),
     ((1, 2, 3), 0, 299, FREE, None),

@@ -7,6 +7,7 @@ with Expect_Value;
 with Expectations;     use Expectations;
 with Task_Rig;         use Task_Rig;
 with URVOS;            use URVOS;
+with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 with URV.AD_Scans;     use URV.AD_Scans;
@@ -59,7 +60,7 @@ package body AD_Tests is
 
    package AD is new URV.AD_Task
      (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
-      Errors, Schedule, Counted_Begin_Scan);
+      Errors, Schedule, Counted_Begin_Scan, Fast_Scans => Scan_Count'Last);
 
    --  Nothing sent, nothing reported, no conversion wanted.
    procedure Clear;
@@ -243,7 +244,7 @@ package body AD_Tests is
       Expect_Start (0);
       Images.Expect_Counts ("nothing sent at first", AD_Variable, 0, 0);
       Words.Give (ADINT_Variable, Image_Of (16#100#, 0).Words);
-      AD.Run_Transaction;
+      AD.Run_Transaction (0);
       Words.Expect_Counts ("received", ADINT_Variable, 1, 1);
       Images.Expect_Counts ("sent", AD_Variable, 1, 0);
       Image := Images.Taken ("image", AD_Variable);
@@ -265,7 +266,7 @@ package body AD_Tests is
       for Number in 1 .. 17 loop
          Convert (0);
       end loop;
-      AD.Run_Transaction;
+      AD.Run_Transaction (0);
       Image := Images.Taken ("sent all the same", AD_Variable);
       Expect ("error word", Image.Error_Status, Stale_Data);
       Expect ("the words before", Image.Words (31), 16#11F#);
@@ -276,7 +277,7 @@ package body AD_Tests is
       for Number in Channel loop
          Convert (16#200#);
       end loop;
-      AD.Run_Transaction;
+      AD.Run_Transaction (0);
       Image := Images.Taken ("the next", AD_Variable);
       Expect ("error word cleared", Image.Error_Status, No_Error);
       Expect ("the new words", Image.Words (31), 16#200#);
@@ -284,80 +285,136 @@ package body AD_Tests is
    end Old_Scan;
 
    procedure Fast_Scans is
-      Image : AD_Image;
-      Call  : Kernel_Call;
+      Begun : Natural := 0;
 
-      procedure Expect_Release (What : String; Waits : Boolean);
+      --  Steps of the AD task at this tick. It ends them with EXIT or sleeps
+      --  until the next frame.
+      procedure Run (What : String; Now : Clock_Tick; Waits : Boolean);
 
-      procedure Expect_Release (What : String; Waits : Boolean) is
+      --  It has begun another scan.
+      procedure Expect_Begun (What : String);
+
+      --  The board converts it.
+      procedure Scan (Value : Word);
+
+      procedure Expect_Image
+        (What : String; Value, Mark : Word);
+
+      procedure Run (What : String; Now : Clock_Tick; Waits : Boolean) is
+         Call : Kernel_Call := (Next_Frame_Call, Offset => 0, others => <>);
       begin
-         Call := (Next_Frame_Call, Offset => 0, others => <>);
-         AD.Await_Scan (17, Call);
-         Expect (What & ", waits", Call.Name = Sleep_Call, Waits);
-         if Waits then
-            Expect (What & ", until", Call.Until_Tick, 18);
-         end if;
-      end Expect_Release;
+         AD.Run_Transaction (Now);
+         AD.Await_Scan (Call);
+         Expect (What & ", waits", Call.Name = Exit_Call, Waits);
+         Expect (What & ", sleeps", Call.Name = Next_Frame_Call, not Waits);
+      end Run;
+
+      procedure Expect_Begun (What : String) is
+      begin
+         Begun := Begun + 1;
+         Expect_Number (What & ", scans begun", Scans_Begun, Begun);
+         Expect_Start (0);
+      end Expect_Begun;
+
+      procedure Scan (Value : Word) is
+      begin
+         Convert (Value);
+         for Number in 1 .. 31 loop
+            Expect_Start (Channel (Number));
+            Convert (Value);
+         end loop;
+      end Scan;
+
+      procedure Expect_Image
+        (What : String; Value, Mark : Word)
+      is
+         Image : constant AD_Image := Images.Taken (What, AD_Variable);
+      begin
+         Expect (What & ", first word", Image.Words (0), Value);
+         Expect (What & ", last word", Image.Words (31), Value);
+         Expect (What & ", mark", Image.Error_Status, Mark);
+      end Expect_Image;
+
+      Unused_Call : Kernel_Call := (Next_Frame_Call, others => <>);
    begin
       Clear;
       Schedule.Write (Fast);
       AD.Initialise;
       Expect_Number ("no scan at first", Scans_Begun, 0);
-      Expect_Release ("at first", False);
+      AD.Await_Scan (Unused_Call);
+      Expect
+        ("does not wait at first", Unused_Call.Name = Next_Frame_Call, True);
+
+      --  As many scans as fit a minor frame, the last handed on.
       for Frame in Word range 1 .. 2 loop
-         AD.Run_Transaction;
-         Expect_Number ("begun", Scans_Begun, Natural (Frame));
-         Expect_Start (0);
-         Images.Expect_Counts
-           ("nothing sent yet", AD_Variable, Count (Frame) - 1,
-            Count (Frame) - 1);
-         Expect_Release ("scanning", True);
-         Convert (16#100# * Frame);
-         for Number in 1 .. 31 loop
-            Expect_Start (Channel (Number));
-            Convert (16#100# * Frame);
+         Run ("frame", 10 * Tick (Frame), Waits => True);
+         for Number in Word range 1 .. Word (Scan_Count'Last) loop
+            Expect_Begun ("scan" & Number'Image);
+            Run ("too early", 10 * Tick (Frame), Waits => True);
+            Images.Expect_Counts
+              ("nothing sent yet", AD_Variable, Count (Frame) - 1,
+               Count (Frame) - 1);
+            Scan (16#100# * Frame + Number);
+            Run ("in time", 10 * Tick (Frame),
+                 Waits => Number < Word (Scan_Count'Last));
          end loop;
-         AD.Run_Transaction;
-         Expect_Number ("no other", Scans_Begun, Natural (Frame));
-         Image := Images.Taken ("the same frame's image", AD_Variable);
-         Expect ("its word", Image.Words (31), 16#100# * Frame);
-         Expect ("is fresh", Image.Error_Status, No_Error);
-         Expect_Release ("handed on", False);
+         Expect_No_Start ("behind the last");
+         Expect_Image
+           ("the last", 16#100# * Frame + Word (Scan_Count'Last), No_Error);
       end loop;
       Expect_Errors ("fresh scans", Errors, None);
+      Words.Expect_Counts
+        ("scans received", ADINT_Variable, 2 * Count (Scan_Count'Last),
+         2 * Count (Scan_Count'Last));
 
-      --  One that does not end in time.
-      AD.Run_Transaction;
-      Expect_Start (0);
+      --  The tick is over before the second: the first is what there is.
+      Run ("one scan", 30, Waits => True);
+      Expect_Begun ("one scan");
+      Scan (16#301#);
+      Run ("one scan in time", 30, Waits => True);
+      Expect_Begun ("the second");
+      Convert (16#302#);
+      Run ("the next tick", 31, Waits => False);
+      Expect_Image ("the newest in time", 16#301#, No_Error);
+      Expect_Errors ("one is enough", Errors, None);
+      Words.Expect_Counts
+        ("one missed", ADINT_Variable, 2 * Count (Scan_Count'Last) + 1,
+         2 * Count (Scan_Count'Last) + 1, Misses => 1);
+
+      --  None that ends in time.
+      Expect_Start (1);
+      Run ("no scan", 40, Waits => True);
+      Expect_Begun ("no scan");
+      Expect_Errors ("there was one before", Errors, None);
       Convert (0);
       Expect_Start (1);
-      AD.Run_Transaction;
-      Image := Images.Taken ("sent all the same", AD_Variable);
-      Expect ("the words before", Image.Words (0), 16#200#);
-      Expect ("are stale", Image.Error_Status, Stale_Data);
+      Run ("no scan in time", 41, Waits => False);
+      Expect_Image ("the words before", 16#301#, Stale_Data);
       Expect_Errors ("not told before the next", Errors, None);
-      AD.Run_Transaction;
-      Expect_Start (0);
+      Run ("the frame after", 50, Waits => True);
+      Expect_Begun ("the frame after");
       Expect_Errors ("no scan", Errors, (1 => AD_No_Scan), Detail => 1);
 
       --  One that ends too late is not taken for the next frame's.
-      AD.Run_Transaction;
-      Image := Images.Taken ("without a scan", AD_Variable);
+      Run ("none in time again", 51, Waits => False);
+      Expect_Image ("without a scan", 16#301#, Stale_Data);
       for Number in Channel loop
-         Convert (16#300#);
+         Convert (16#500#);
       end loop;
-      AD.Run_Transaction;
-      Expect_Start (0);
-      AD.Run_Transaction;
-      Image := Images.Taken ("without a scan again", AD_Variable);
-      Expect ("the words of the late one", Image.Words (0), 16#300#);
-      Expect ("are stale", Image.Error_Status, Stale_Data);
+      Run ("behind a late one", 60, Waits => True);
+      Expect_Begun ("behind a late one");
+      Run ("none but the late one", 61, Waits => False);
+      Expect_Image ("the words of the late one", 16#500#, Stale_Data);
       Expect_Errors
         ("none in time", Errors, (1 => AD_No_Scan), Detail => 32);
 
       --  A start of the node's tasks begins anew.
+      Run ("scanning", 70, Waits => True);
       AD.Initialise;
-      Expect_Release ("after a start", False);
+      AD.Await_Scan (Unused_Call);
+      Expect
+        ("does not wait after a start", Unused_Call.Name = Next_Frame_Call,
+         True);
       Schedule.Write (Report);
    end Fast_Scans;
 
@@ -366,7 +423,7 @@ package body AD_Tests is
       Clear;
       for Mark in Word range 1 .. 2 loop
          Words.Give (ADINT_Variable, (others => Mark));
-         AD.Run_Transaction;
+         AD.Run_Transaction (0);
          Expect_Errors
            ("image" & Mark'Image, Errors,
             (if Mark = 1 then None else (1 => Image_Not_Consumed)));
@@ -482,8 +539,8 @@ package body AD_Tests is
         (Suite, "AD-1 without a scan the words before go out as stale",
          Old_Scan'Access);
       Add
-        (Suite, "FRM-5 AD-1 in the fast schedule a scan is handed on in its"
-         & " frame", Fast_Scans'Access);
+        (Suite, "FRM-5 AD-1 MBX-3 in the fast schedule the newest scan of the"
+         & " minor frame is handed on in it", Fast_Scans'Access);
       Add
         (Suite, "AD-1 an image that nobody took is reported",
          Image_Unread'Access);

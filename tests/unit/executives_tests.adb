@@ -167,8 +167,8 @@ package body Executives_Tests is
          Offset : Minor_Frame) return Boolean
       is
         (case Who is
-            when MCS.AD_Task                        => Offset = 0,
-            when MCS.MDCOUT_Task | MCS.TELOUT_Task  => Offset = 1,
+            when MCS.AD_Task | MCS.MDCOUT_Task | MCS.TELOUT_Task =>
+              Offset = 1,
             when MCS.TELIN_Task | MCS.MDCIN_Task | MCS.LAW_Task
               | MCS.PWM_Task | MCS.CORE_Task        => Offset = 4,
             when others                             => Offset in 5 .. 8);
@@ -178,10 +178,10 @@ package body Executives_Tests is
          Offset : Minor_Frame) return Boolean
       is
         (case Who is
-            when GSC.AD_Task                        => Offset = 0,
-            when GSC.GDCOUT_Task | GSC.TELOUT_Task  => Offset = 1,
+            when GSC.AD_Task | GSC.GDCOUT_Task | GSC.TELOUT_Task =>
+              Offset = 0,
             when GSC.TELIN_Task | GSC.GDCIN_Task
-              | GSC.CORE_Task                       => Offset = 6,
+              | GSC.CORE_Task                       => Offset = 5,
             when others                             => Offset in 7 .. 8);
 
       --  The log and the check of the program memory have the second

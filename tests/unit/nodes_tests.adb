@@ -280,15 +280,15 @@ package body Nodes_Tests is
          MCS.LAW.Run_Transaction;
          MCS.MDCOUT.Run_Transaction;
          MCS.MDCIN.Run_Transaction;
-         MCS.AD.Run_Transaction;
-         MCS.AD.Run_Transaction;
+         MCS.AD.Run_Transaction (0);
+         MCS.AD.Run_Transaction (0);
          GSC.CORE.Run_Transaction;
          GSC.TELOUT.Run_Transaction;
          GSC.GDCOUT.Run_Transaction;
          GSC.GDCOUT.Run_Transaction;
          GSC.GDCIN.Run_Transaction;
-         GSC.AD.Run_Transaction;
-         GSC.AD.Run_Transaction;
+         GSC.AD.Run_Transaction (0);
+         GSC.AD.Run_Transaction (0);
 
          Expect_Told (Aircraft, AD_No_Scan, Misses (MCS.ADINT_Variable));
          Expect_Told (Aircraft, No_Input, Misses (MCS.TELIN_Variable));

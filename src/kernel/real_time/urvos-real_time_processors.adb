@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with System;
 with URVOS.Executives;
 
 package body URVOS.Real_Time_Processors
@@ -12,6 +13,9 @@ package body URVOS.Real_Time_Processors
 is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
+
+   --  A task that calls EXIT and runs on looks again so much later.
+   Look_Time : constant Time_Span := Microseconds (50);
 
    --  Opened by the power switch.
    Switch : Suspension_Object;
@@ -35,7 +39,8 @@ is
    package Executive is
      new URVOS.Executives (Step, Report_Overrun, Read_Clock);
 
-   task Processor;
+   --  At the ceiling of what it shares: none of its calls changes priorities.
+   task Processor with Priority => System.Priority'Last;
 
    --  What is to be done at a tick.
    procedure Follow_Orders (Next_Order : out Order);
@@ -108,14 +113,19 @@ is
    procedure Run_Steps is
       Begun_At        : constant Clock_Tick := Now;
       Is_Start_Wanted : Boolean;
-      Unused_Runs_On  : Boolean;
+      Runs_On         : Boolean;
+      Present         : Time;
    begin
       loop
          Is_Start_Wanted := This_Node.Is_Start_Wanted;
          exit when Is_Start_Wanted
            or else Now /= Begun_At
            or else Executive.Is_Idle;
-         Executive.Run_Step (Unused_Runs_On);
+         Executive.Run_Step (Runs_On);
+         if Runs_On then
+            Present := Clock;
+            delay until Present + Look_Time;
+         end if;
       end loop;
    end Run_Steps;
 

@@ -48,9 +48,10 @@ is
    --  Runs_On tells that this task called EXIT and has the processor again.
    procedure Run_Step (Runs_On : out Boolean);
 
-   --  Runs what is due. Between two ticks of a clock that stands still
-   --  nothing happens to the tasks, so one that calls EXIT and gets the
-   --  processor back runs on at the next tick.
+   --  Runs what is due. In virtual time nothing happens to the tasks between
+   --  two ticks but what an interrupt brings. So one that calls EXIT and gets
+   --  the processor back runs on when this is called again: at the next tick,
+   --  or behind an interrupt.
    procedure Run_Until_Idle;
 
    --  How often a task has overrun, since the program began.

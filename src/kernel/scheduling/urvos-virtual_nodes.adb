@@ -59,6 +59,12 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
       Processor_2.Run_Until_Idle;
    end Clock_Interrupt;
 
+   procedure Look_Again is
+   begin
+      Processor_1.Run_Until_Idle;
+      Processor_2.Run_Until_Idle;
+   end Look_Again;
+
    function Overruns return Count is
      (Saturating_Sum (Processor_1.Overruns, Processor_2.Overruns));
 

@@ -47,6 +47,10 @@ package URVOS.Virtual_Nodes with SPARK_Mode is
    --  The clock has ticked, for every processor.
    procedure Clock_Interrupt (Now : Clock_Tick);
 
+   --  An interrupt has been handled, between two ticks: a task that looks for
+   --  what it brought, with EXIT between its looks, looks again.
+   procedure Look_Again;
+
    --  How often a task has overrun, on any processor.
    function Overruns return Count;
 

@@ -1,0 +1,17 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Claims about latencies that go one too far.
+
+with Theorems.In_Step; use Theorems.In_Step;
+with Theorems.Latency; use Theorems.Latency;
+
+package Canaries.Latency with SPARK_Mode, Ghost is
+
+   --  The bound is reached.
+   procedure A_Sensor_Is_A_Microsecond_Earlier (Item : Situation)
+   with
+     Global => null,
+     Pre    => Is_In_Step (Item),
+     Post   => Sensor_To_CORE (Item) <= 9_891;  --  VC_POSTCONDITION
+
+end Canaries.Latency;
