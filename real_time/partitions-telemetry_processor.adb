@@ -200,7 +200,8 @@ package body Partitions.Telemetry_Processor is
          Is_Pressed := True;
    end Run;
 
-   task Processor with Priority => System.Priority'Last - 2;
+   --  At the ceiling of what it shares, as the converter is.
+   task Processor with Priority => System.Priority'Last;
 
    task body Processor is
    begin
