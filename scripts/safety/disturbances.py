@@ -6,7 +6,7 @@ import bisect
 import math
 from pathlib import Path
 
-from timelines import FRAME_US, to_us
+from timelines import FRAME_US, NUMBERS, to_us
 
 NODES = ("gsc", "mcs")
 WAYS = ("up", "down")
@@ -25,7 +25,8 @@ LARGEST_LAG_US = 18_000
 MESSAGE_US = 10_000
 
 # The fewest characters a frame has each way, when both nodes run.
-CHARACTERS = {"up": 32, "down": 59}
+CHARACTERS = {"up": NUMBERS.exchange_up_characters,
+              "down": NUMBERS.exchange_down_characters}
 
 
 class Spans:

@@ -11,6 +11,10 @@ import sys
 from conftest import ROOT, TIME_LIMIT_S, flies_again, need
 from test_partition_input import BEFORE, YOUNG, UDPEnd, acted_upon, command
 
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import floods  # noqa: E402
+
 # One character each, as many as the machine gets out; then so many each that
 # a machine of any speed sends more than a line brings.
 DATAGRAMS = {1: 30_000, 100: 10_000}
@@ -43,3 +47,16 @@ def test_rtp3_the_script_of_floods_flies_beside_each():
     assert int(rates[1][0]) > 0 and rates[1][1] == "0"
     rate, discarded = map(int, rates[2])
     assert discarded > 0 or 0 < rate < 30_000
+
+
+def test_rtp3_each_flood_of_the_script_has_its_place(monkeypatch, capsys):
+    """The node's own port is 7101, its peer's 7102."""
+    flown = []
+    monkeypatch.setattr(floods, "flown", lambda seconds, *places: (
+        flown.append((seconds, *places)) or (
+            {"link": {"bytes_discarded": 3}, "release_jitter_us": {}}, 7.0)))
+    floods.main(2)
+    assert flown == [(2,), (2, 7104, 7103), (2, 7102, 7101)]
+    assert [line.partition(":")[0] for line in
+            capsys.readouterr().out.splitlines()] == [
+                "no flood", "beside it", "from its peer"]

@@ -383,3 +383,18 @@ def test_sim3_the_table_of_steps_is_in_last_bits(monkeypatch, tmp_path):
     assert text.startswith("before\n\n| sensor | 1 ms | 2 ms | 4 ms |")
     assert text.endswith("|\n\nafter\n")
     assert "| rpm | 1.0 | 3.0 | 7.0 | 9.0 | 19.0 |" in text
+
+
+def test_sim3_steps_of_another_length_are_not_flown(monkeypatch):
+    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
+    times = plant.Times
+    monkeypatch.setattr(plant, "Times", lambda **given: times(
+        **{**given, "tick": given["tick"] // 2}))
+    with pytest.raises(AssertionError):
+        aircraft_steps.flown(2000)
+
+
+def test_sim3_steps_of_this_length_are_flown(monkeypatch):
+    monkeypatch.setattr(aircraft_steps, "FRAMES", 1)
+    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
+    assert len(aircraft_steps.flown(5000)) == 1

@@ -258,3 +258,15 @@ def test_evi4_programs_stand_where_they_find_the_aircraft(tmp_path,
     assert program.exists()
     assert program.parent.parent == tmp_path
     assert Path(began["URV_PARTITIONS"]) == program.parent
+
+
+def test_the_page_gets_the_table_and_keeps_the_rest(tmp_path, monkeypatch):
+    page = tmp_path / "coverage.md"
+    text = coverage.EXPLAINED.read_text("utf-8")
+    page.write_text(text, "utf-8")
+    monkeypatch.setattr(coverage, "EXPLAINED", page)
+    coverage.renew("new\n")
+    before, there, after = page.read_text("utf-8").partition(
+        "<!-- make coverage -->\nnew\n<!-- end -->\n")
+    assert there
+    assert text.startswith(before) and text.endswith(after) and after

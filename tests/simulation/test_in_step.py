@@ -64,3 +64,9 @@ def test_a_reset_is_in_step_again(tmp_path):
     lock = fly_in(tmp_path, "--lock", "--phase", "7", "--schedule", "fast",
                   "--faults", "faults.txt", "--seconds", "8").summary["lock"]
     assert 3 < lock["in_step_since_s"] < 4
+
+
+def test_drifts_are_tried_either_way_up_to_200():
+    drifts = in_step.DRIFTS
+    assert sorted(-drift for drift in drifts) == sorted(drifts)
+    assert max(drifts) == 200 and 0 in drifts

@@ -99,3 +99,46 @@ def test_a_newcomer_tried_alone_leaves_the_others_rows():
             ["old", "new", "new"]):
         assert line.startswith(f"| Debian {beginning} |")
         assert f"| {result} |" in line
+
+
+def test_sticks_move_every_50_ms_for_5_seconds():
+    rows = [line.split(",") for line in independence.STICKS.splitlines()]
+    assert [int(row[0]) for row in rows[1:]] == [*range(0, 5_000, 50)]
+    for name, *words in zip(*rows):
+        assert len(set(words)) > 1, name
+        assert name == "time_ms" or {*map(int, words)} <= {*range(4_096)}
+
+
+def test_what_git_has_is_checked_out_as_it_stands(tmp_path, monkeypatch):
+    root = tmp_path / "root"
+    (root / "folder").mkdir(parents=True)
+    (root / "folder" / "script").write_text("changed\n")
+    (root / "folder" / "script").chmod(0o755)
+    (root / "not git's").write_text("")
+    monkeypatch.setattr(independence, "ROOT", root)
+    monkeypatch.setattr(independence, "run", lambda *_, **__: (
+        0, "folder/script\0gone\0"))
+    independence.check_out(tmp_path / "home")
+    assert [path.relative_to(tmp_path / "home").as_posix()
+            for path in (tmp_path / "home").rglob("*") if path.is_file()] == [
+                "folder/script"]
+    there = tmp_path / "home" / "folder" / "script"
+    assert there.read_text() == "changed\n"
+    assert there.stat().st_mode & 0o777 == 0o755
+
+
+@pytest.mark.parametrize("who, home", [
+    ("root", "root/urv"), ("user", f"home/{independence.USER}/urv")])
+def test_a_newcomer_has_the_sources_at_home(tmp_path, monkeypatch, who, home):
+    done = []
+    for name in ("left", "fresh"):
+        monkeypatch.setattr(independence, name, lambda *_: None)
+    monkeypatch.setattr(independence, "check_out", done.append)
+    monkeypatch.setattr(independence, "in_system", lambda *_, **__: (0, ""))
+    monkeypatch.setattr(independence, "what_happens",
+                        lambda system, place, debian, user: (
+                            place.relative_to(system), user))
+    debian = next(iter(independence.SUITES))
+    assert independence.try_newcomer(tmp_path, f"{debian}/{who}") == (
+        Path(home), who)
+    assert done[0].as_posix().endswith(home)

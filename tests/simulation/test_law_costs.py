@@ -56,3 +56,24 @@ def test_evi16_more_than_is_agreed_fails(monkeypatch, capsys):
             for part, count in agreed[flight.name].items()})
         assert costs.main([]) == status
     assert "costs: direct, LAW task: " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("place", [costs.SHORT_S * costs.FRAMES_PER_S - 1, -1])
+def test_evi16_the_mode_is_that_of_the_last_frame_of_either_flight(
+        tmp_path, place):
+    codes = (2, 1, 0, 1)
+    flight = costs.Flight("one", codes)
+    rows = [[*codes, flight.failed] for _ in range(
+        costs.LONG_S * costs.FRAMES_PER_S)]
+    names = ("lateral", "vertical", "power", "link", "failed")
+
+    def written():
+        record = tmp_path / "record.csv"
+        record.write_text("".join(
+            ",".join(map(str, row)) + "\n"
+            for row in [[f"laws.{name}" for name in names], *rows]))
+        return record
+    costs.check_flown(flight, written())
+    rows[place][0] = 1
+    with pytest.raises(ValueError, match=r"one: .* are \(1, 1, 0, 1"):
+        costs.check_flown(flight, written())

@@ -3,6 +3,7 @@
 theory says."""
 
 import math
+import re
 import sys
 
 import pytest
@@ -55,3 +56,19 @@ def test_theory_where_nothing_gets_through():
     nearly = theory.theory(0.5)
     assert nearly["up_delivered"] < 1e-60
     assert math.isclose(nearly["up_sent"], 2, abs_tol=1e-9)
+
+
+def test_theory_is_what_the_page_has():
+    """To the last digit, at every rate; the measurement beside it is not
+    flown anew."""
+    page = (ROOT / "docs" / "evidence" / "link.md").read_text("utf-8")
+    rows = page.partition("<!-- make theory -->")[2].partition("<!--")[0]
+    found = {cells[1].strip(): [cell.partition("/")[0].strip()
+                                for cell in cells[2:-1]]
+             for cells in (line.split("|") for line in rows.splitlines()
+                           if re.match(r"\| \de-", line))}
+    assert len(found) == 8
+    for rate, there in found.items():
+        expected = theory.theory(float(rate))
+        assert there == [f"{expected[name]:.4f}"
+                         for name in theory.QUANTITIES], rate

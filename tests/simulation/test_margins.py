@@ -4,6 +4,7 @@ are, and no loop has less than is wanted."""
 
 import re
 import sys
+from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
@@ -76,3 +77,111 @@ def test_the_page_has_what_one_condition_gives_anew(monkeypatch, capsys):
         assert there
         assert column(again, head.replace("60", "70"), "70 kt") == there
     assert "all loops have them" in again
+
+
+# --- the models, the laws and the tables, by hand ------------------------------
+
+@pytest.fixture
+def laws():
+    """The modules that make margins has the packages of."""
+    pytest.importorskip("control", reason="make margins installs it")
+    import identify
+    import loops
+    import margins
+    return SimpleNamespace(identify=identify, loops=loops, margins=margins)
+
+
+def answered(law, inputs):
+    """What a law says to these inputs, frame by frame."""
+    state, said = [0.0] * len(law.A), []
+    for given in inputs:
+        said.append(law.C @ state + law.D @ given)
+        state = law.A @ state + law.B @ given
+    return said
+
+
+def test_what_is_delayed_is_the_input_of_two_frames_ago(laws):
+    maker = laws.loops.Maker(("one", "other"))
+    maker.now["out"] = {maker.delayed("one"): 1.0, maker.delayed("other"): 10.0}
+    inputs = [(1.0, 2.0), (3.0, 4.0), (5.0, 6.0), (7.0, 8.0), (0.0, 0.0)]
+    said = [float(out[0]) for out in answered(maker.law(("out",)), inputs)]
+    assert laws.loops.DELAY == 2
+    assert said == [0.0, 0.0, 21.0, 43.0, 65.0]
+
+
+def test_at_a_steady_altitude_that_is_wanted_the_hold_wants_no_climb(laws):
+    """What is smoothed comes to what is measured."""
+    law = laws.loops.longitudinal(law_gains.gains(), "hold")
+    # The altitude is seen so much later.
+    late = laws.loops.DELAY
+    inputs = [[100.0 if name == "altitude"
+               or name == "wanted_altitude" and frame >= late else 0.0
+               for name in law.inputs] for frame in range(2_000)]
+    wanted = [out[law.outputs.index("wanted")]
+              for out in answered(law, inputs)]
+    assert max(map(abs, wanted)) > 1
+    assert wanted[-1] == pytest.approx(0, abs=1e-6)
+
+
+def made_up(laws, gain):
+    """A model of two inputs and three outputs that fades away, and what it
+    answers to a pulse of each input, times a gain."""
+    control = pytest.importorskip("control")
+    import numpy
+    inputs, outputs = ("roll", "yaw"), laws.identify.LATERAL
+    model = control.ss(
+        [[0.9, 0.1], [0.0, 0.8]], [[1.0, 0.0], [0.5, 1.0]],
+        [[1.0, 0.0], [0.0, 20.0], [0.3, 0.4]], [[0.0, 0.0]] * 3,
+        laws.identify.FRAME_S)
+    answers = {}
+    for place, name in enumerate(inputs):
+        pulse = numpy.zeros((2, 1000))
+        pulse[place, 0] = 1.0
+        _, out = control.forced_response(
+            model, numpy.arange(1000) * laws.identify.FRAME_S, pulse)
+        answers[name] = dict(zip(outputs, gain * out, strict=True))
+    return model, answers, inputs, outputs
+
+
+@pytest.mark.parametrize("gain, misfit", [(1.0, 0.0), (0.8, 0.25), (2.0, 0.5)])
+def test_a_misfit_is_a_part_of_the_largest_answer(laws, gain, misfit):
+    assert laws.identify.misfit(*made_up(laws, gain)) == pytest.approx(
+        misfit, abs=1e-9)
+
+
+def test_a_model_is_realised_from_its_answers(laws):
+    _, answers, inputs, outputs = made_up(laws, 1.0)
+    model, _ = laws.identify.realised(answers, inputs, outputs, 2)
+    assert laws.identify.misfit(model, answers, inputs, outputs) < 1e-6
+
+
+def test_a_step_is_seen_for_8_s_from_when_the_servo_first_has_it(
+        laws, monkeypatch, tmp_path):
+    """Also where the servo moved before."""
+    margins = laws.margins
+
+    def flown(*_, cwd, **__):
+        rows = [f"{max(0, frame - 1001)},{7 * (frame > 970) + (frame > 1002)}"
+                for frame in range(1500)]
+        (cwd / "record.csv").write_text("\n".join(
+            ["truth.bank_deg,pwm.left_aileron", *rows]) + "\n")
+    monkeypatch.setattr(margins.subprocess, "run", flown)
+    step = next(each for each in margins.steps(law_gains.gains())
+                if each.stick == "roll")
+    seen = margins.fly(step, tmp_path)
+    # The row before it, 1, is what it is counted from.
+    assert list(seen) == [float(frame) for frame in range(1, 401)]
+
+
+def test_each_loop_has_its_own_least_margins_on_the_page(laws):
+    margins = laws.margins
+
+    def row(loop, speed, gain, phase):
+        return margins.Row(loop, laws.identify.Condition(speed, 0),
+                           laws.loops.Margins(gain, phase, 1.0))
+    rows = [row("a", 60, 9.0, 70.0), row("b", 60, 8.0, 50.0),
+            row("b", 70, 7.0, 60.0), row("a", 70, 11.0, 65.0)]
+    table = margins.table_of_loops(margins.Result(rows, [], []))
+    assert table.splitlines()[2:] == [
+        "| a | 9.0 | 60 kt, 200 lb | 65.0 | 70 kt, 200 lb |",
+        "| b | 7.0 | 70 kt, 200 lb | 50.0 | 60 kt, 200 lb |"]

@@ -132,6 +132,16 @@ def test_a_mutant_has_as_many_lines(found):
         assert changed.count(b"\n") == source.count(b"\n")
 
 
+def test_a_contract_is_no_part_of_a_mutant_s_name(found, tmp_path):
+    """Not of one in the middle of a file, either."""
+    spec = SPEC.replace("with Post => Is_Full'Result = (Item.Number > 4)",
+                        "with Global => null")
+    assert spec != SPEC
+    (tmp_path / "src" / "shop.ads").write_text(spec, encoding="utf-8")
+    again = mutants.Code(tmp_path).mutants()
+    assert {m.name for m in again} == {m.name for m in found}
+
+
 def test_names_are_unique_and_stay(found, tmp_path):
     names = {m.name for m in found}
     assert len(names) == len(found)

@@ -157,3 +157,20 @@ def test_a_unit_test_is_found_by_its_name(tmp_path):
                            (f'"{name} twice"', False)):
         file.write_text(text)
         assert planted.test_exists(tmp_path, name) == is_there
+
+
+def test_each_mistake_is_told_as_soon_as_it_is_tried(tree, monkeypatch):
+    """Also where what is said goes into a file."""
+    patch = tree / "tests/planted/other.patch"
+    patch.write_text(PATCH)
+    said, seen = [], []
+    monkeypatch.setattr(planted, "print", lambda text, flush=False: (
+        said.append((text, flush))), raising=False)
+    monkeypatch.setattr(planted, "renew_copy", lambda *_: None)
+    monkeypatch.setattr(planted, "run_tests", lambda *_: {})
+    monkeypatch.setattr(planted, "try_patch", lambda *_: (
+        seen.append([flush for _, flush in said]) or ""))
+    assert planted.judge(
+        tree, tree / "obj" / "copy", planted.patches(tree)) == 0
+    assert [len(flushed) for flushed in seen] == [1, 2]
+    assert all(flush for _, flush in said[:-1])

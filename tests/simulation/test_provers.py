@@ -96,3 +96,18 @@ def test_a_copy_goes_on_only_with_the_same_sources(tmp_path, monkeypatch):
 def test_what_takes_longer_is_ended(tmp_path):
     assert provers.ended_in_time(["echo", "done"], tmp_path, 1) == "done\n"
     assert provers.ended_in_time(["sleep", "600"], tmp_path, 0.001) is None
+
+
+@pytest.mark.parametrize("checks, renewed, status", [
+    (WELL, True, 0), ([*WELL, ("VC_OVERFLOW_CHECK", "low")], True, 1),
+    (None, False, 1)])
+def test_what_is_not_well_or_not_done_fails(
+        monkeypatch, capsys, checks, renewed, status):
+    pages = []
+    monkeypatch.setattr(provers, "renew", pages.append)
+    monkeypatch.setattr(provers.shutil, "which", lambda _: "gnatprove")
+    monkeypatch.setattr(provers, "prove", lambda *_: checks and result(*checks))
+    monkeypatch.setattr(sys, "argv", ["provers.py", "--renew", "--minutes", "5"])
+    assert provers.main() == status
+    assert bool(pages) == renewed
+    assert ("not done in 5 minutes" in capsys.readouterr().out) != renewed

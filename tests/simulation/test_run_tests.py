@@ -229,3 +229,13 @@ def test_a_build_that_fails_is_named(place, monkeypatch, capsys):
     (0.4, "0 s"), (59.6, "1 min 0 s"), (59.4, "59 s"), (605, "10 min 5 s")])
 def test_times_are_in_minutes_and_seconds(seconds, text):
     assert run_tests.duration(seconds) == text
+
+
+@pytest.mark.parametrize("status", [0, 1, -9])
+def test_a_part_of_one_command_fails_as_the_command(place, monkeypatch, status):
+    monkeypatch.setattr(run_tests, "run", lambda *_: status)
+    assert run_tests.links() == (
+        (1, 0, 0) if status == 0 else run_tests.BROKEN)
+    (test,) = run_tests.tests
+    assert test.failed == (status != 0)
+    assert test.name == "scripts/trace/run.py check"

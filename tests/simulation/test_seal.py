@@ -2,6 +2,7 @@
 """SEC-1 to SEC-5: the sealed link. The blocks on the wire are opened here by
 docs/security.md alone, with libsodium's SipHash."""
 
+import inspect
 import random
 import subprocess
 
@@ -222,6 +223,8 @@ def test_sec5_no_key_is_in_an_output(flights):
 
 def test_sec2_the_script_of_tags_compares_them(tool, capsys, monkeypatch):
     """It tries a million by itself."""
+    assert inspect.signature(seal_tags.main).parameters[
+        "number"].default == 1_000_000
     assert seal_tags.main(2_000, 5) == 0
     assert capsys.readouterr().out == "2000 tags, all the same\n"
     monkeypatch.setattr(seal_tags, "siphash", lambda message, key: bytes(8))

@@ -3,8 +3,10 @@
 13 is what the servos get when no law flies. A small sample of the grid of
 scripts/laws/surfaces.py."""
 
+import re
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 import pytest
 from conftest import (
@@ -133,3 +135,76 @@ def test_an_engine_that_follows_is_not_told(fly, write):
                  "sticks.csv", "--quiet")
     assert flight.record["laws.failed"][-1] == 0
     assert "failed_surfaces" not in flight.summary
+
+
+@pytest.mark.parametrize("there, is_well", [
+    ("one\n", True), ("one\nmore\n", False), ("on\n", False)])
+def test_the_table_of_another_aircraft_is_told(
+        monkeypatch, tmp_path, there, is_well):
+    table = tmp_path / "table.ads"
+    table.write_text(there, encoding="utf-8")
+    monkeypatch.setattr(allocation, "TABLE", table)
+    monkeypatch.setattr(allocation, "text", lambda: "one\n")
+    if not is_well:
+        with pytest.raises(SystemExit, match="is of another aircraft"):
+            allocation.main(["check"])
+        allocation.main(["renew"])
+    allocation.main(["check"])
+
+
+# --- the page ----------------------------------------------------------------
+
+def case(surface, condition="calm", laws=True):
+    return surfaces.Case(surface, 0, condition, laws)
+
+
+def outcome(is_flown, bank=3.0):
+    """Of a flight: its worst bank alone says whether it was flown."""
+    made = surfaces.Outcome(bank if is_flown else 90.0, 4.0, None, None, 0)
+    assert made.is_flown == is_flown
+    return made
+
+
+def test_the_page_has_a_row_of_each_surface_s_own_cases():
+    found = {
+        # A surface's name as the command line gives it, no word of ours.
+        case("".join(["left_", "aileron"])): outcome(True, 7.0),
+        case("left_aileron", "heavy"): outcome(False),
+        case("left_aileron", laws=False): outcome(True),
+        case("left_rudder"): outcome(True, 2.0)}
+    rows = {cells[1].strip(): [cell.strip() for cell in cells[2:-1]]
+            for cells in (line.split("|")
+                          for line in surfaces.table(found).splitlines()[2:])}
+    assert list(rows) == list(allocation.SURFACES)
+    assert rows["left_aileron"] == [
+        "1 of 2 (50 %)", "7 degrees, 4 ft", "0.0 heavy", "1 of 1 (100 %)"]
+    assert rows["left_rudder"] == [
+        "1 of 1 (100 %)", "2 degrees, 4 ft", "none", "none flown"]
+    assert rows["right_rudder"][0] == "none flown"
+
+
+def test_marks_stand_side_by_side_half_way_up_their_field():
+    surface = allocation.SURFACES[3]
+    where = surfaces.places(surface)[2]
+    found = {surfaces.Case(surface, where, condition, True): outcome(
+        condition != "heavy") for condition in surfaces.CONDITIONS}
+    picture = ElementTree.fromstring(surfaces.svg(found))
+    name = "{http://www.w3.org/2000/svg}"
+    fields = [(float(each.get("x")), float(each.get("y")),
+               float(each.get("width")))
+              for each in picture.iter(f"{name}rect") if each.get("x")]
+    assert len(fields) == 2 * 100
+    # Row by row, the laws' first.
+    x, y, width = fields[3 * 10 + 2]
+    marks = [(float(each.get("cx")), float(each.get("cy")))
+             for each in picture.iter(f"{name}circle")]
+    crosses = [each.get("d") for each in picture.iter(f"{name}path")]
+    assert len(marks) == 2 and len(crosses) == 1
+    for at, height in marks:
+        assert x < at < x + width
+        assert height == y + width / 2
+    left, top = map(float, re.match(
+        r"M([-.\d]+) ([-.\d]+)l8 8", crosses[0]).groups())
+    assert x < left < left + 8 < x + width
+    assert top + 4 == y + width / 2
+    assert sorted([*(at for at, _ in marks), left + 4])[-1] == left + 4

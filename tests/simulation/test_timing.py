@@ -242,3 +242,33 @@ def test_a_watcher_that_could_not_watch_is_told(codes, is_watched):
     watchers.manager, watchers.pauses = Manager(), [(5, 6), (1, 2)]
     watchers.processes = [Watcher(code) for code in codes]
     assert watchers.result() == ([(1, 2), (5, 6)] if is_watched else None)
+
+
+# --- what is flown, and the table of it ----------------------------------------
+
+def test_the_stick_moves_from_the_first_second_to_the_one_before_the_last(
+        tmp_path):
+    path = tmp_path / "sticks.csv"
+    changes = timing.write_sticks(path, 5)
+    times, words = zip(*changes)
+    assert list(times) == [*range(1_000_000, 4_000_000, timing.CHANGE_US)]
+    assert all(one != other for one, other in zip(words, words[1:]))
+    rows = [line.split(",") for line in path.read_text("utf-8").splitlines()]
+    assert rows[0] == ["time_ms", "roll"]
+    assert [(round(float(at) * 1000), int(word)) for at, word in rows[1:]] == (
+        changes)
+
+
+def test_the_table_of_a_flight_has_what_each_node_misses():
+    records = flight(10)
+    for row in records["mcs"] + records["gsc"]:
+        row |= {"link.uplink_sent": 21, "link.downlink_sent": 22}
+    summaries = {"mcs": {"frames": 14, "overruns": 5},
+                 "gsc": {"frames": 12, "overruns": 6}}
+    said = timing.flight_table(summaries, records, [])
+    for row in ("| major frames | 12 |",
+                "| without a row in the record, mcs and gsc | 3 and 1 |",
+                "| overruns, mcs and gsc | 5 and 6 |",
+                "| uplinks sent, received, bad, scrapped | 21, 0, 0, 0 |",
+                "| downlinks sent, received, bad, scrapped | 22, 0, 0, 0 |"):
+        assert row in said

@@ -134,6 +134,20 @@ def test_each_file_of_tests_is_missed():
                    for gap in gaps.requirement_gaps(repository)), name
 
 
+def test_what_tests_a_requirement_and_what_it_names_are_the_same():
+    """Each difference is told once, as what it is."""
+    repository = gaps.Repository(ROOT)
+    item = next(item for item in repository.requirements if item.uid == "LNK-9")
+    other = next(name for name in repository.tests if name not in item.tests)
+    item.tests.append(other)
+    assert list(gaps.requirement_gaps(repository)) == [
+        f"LNK-9: TESTS names {other}, which has no test of it"]
+    item.tests.remove(other)
+    own = item.tests.pop()
+    assert list(gaps.requirement_gaps(repository)) == [
+        f"LNK-9: TESTS does not name {own}, which tests it"]
+
+
 def test_each_file_that_is_no_test_is_needed_by_one():
     """Without it something does not build, or does not run."""
     unit = list((ROOT / "tests" / "unit").glob("*.ad[sb]"))

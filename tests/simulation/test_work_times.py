@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """EVI-11: what scripts/work_times.py makes of what it measured."""
 
+import os
 import sys
 
 from conftest import ROOT
@@ -33,3 +34,20 @@ def test_a_work_that_was_not_done_keeps_its_row(tmp_path, monkeypatch):
     assert page.read_text() == (
         f"before\n\n{work_times.HEAD}| a | 1 s | x |\n| b | 3 s | z |\n"
         "| c | 4 s | w |\n\nafter | work |\n")
+
+
+def test_the_tests_are_timed_without_gnatprove(tmp_path, monkeypatch):
+    prover, other = tmp_path / "prover", tmp_path / "other"
+    for folder in (prover, other):
+        folder.mkdir()
+    (prover / "gnatprove").touch()
+    monkeypatch.setenv("PATH", f"{other}{os.pathsep}{prover}")
+    ran = []
+
+    def run(clone, *command, env):
+        ran.append((clone, command, env["PATH"]))
+        return 61, "static data: 1 passed, 0 failed, 0 skipped, in 2 s\n"
+    monkeypatch.setattr(work_times, "run", run)
+    assert work_times.test(tmp_path) == [(
+        "`make test`, without GNATprove", "1 min 1 s", "static data 2 s")]
+    assert ran == [(tmp_path, ("make", "test"), str(other))]
