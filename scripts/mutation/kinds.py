@@ -40,6 +40,6 @@ KINDS = {
         lambda: mutants.Code(ROOT).mutants(), flight_turn, "table", 95.0),
     "judges": Kind(
         FOLDER / "judges.jsonl", FOLDER / "judges.toml",
-        (0.01, 2, 6), judge_trials.JudgeTrial,
+        (0.01, 1, 3), judge_trials.JudgeTrial,
         judge_trials.every_mutant, str, "judges", 90.0),
 }

@@ -8,6 +8,7 @@ import socket
 import struct
 import sys
 import threading
+from types import SimpleNamespace
 
 import pytest
 from conftest import FRAME_US, NUMBERS, ROOT, TICK_US
@@ -256,6 +257,19 @@ def test_the_signal_is_that_of_free_space(flown):
     assert ground > 3_000
     assert flown.sensors["uplink_signal_strength"] == pytest.approx(
         dbm(math.hypot(ground, flown.truth["altitude"])), abs=0.1)
+
+
+def test_the_signal_is_that_of_the_way_from_the_station(flown):
+    """North, too: a flight straight on does not show it."""
+    aircraft = flown.aircraft
+    place = SimpleNamespace(get_double_value=lambda: 5_000.0)
+    aircraft.north = aircraft.east = aircraft.altitude = place
+    for station, way in (((2_000.0, 5_000.0), (3_000, 0, 5_000)),
+                         ((5_000.0, 1_000.0), (0, 4_000, 5_000))):
+        aircraft.station = station
+        aircraft.measure_signal()
+        assert aircraft.signal.get_double_value() == pytest.approx(
+            dbm(math.hypot(*way)), abs=0.02)
 
 
 @pytest.mark.parametrize("altitude, bank, crashed", [

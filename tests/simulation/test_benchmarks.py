@@ -161,6 +161,11 @@ def test_a_picture_has_ours_in_blue(tmp_path):
     blue, gray = (plots.matplotlib.colors.to_rgba(f"tab:{name}")
                   for name in ("blue", "gray"))
     assert [bar.get_facecolor() for bar in axes.patches] == [gray, blue]
+    # Small text is of one size.
+    sizes = {text.get_fontsize() for text in axes.texts}
+    plots.lines(axes, "other", [2, 10], [("URV", [1.0, 2.0])])
+    assert sizes == {text.get_fontsize()
+                     for text in axes.get_legend().get_texts()}
     plots.pyplot.close(figure)
     plots.draw(tmp_path / "picture.svg", rows, rows, [2, 10],
                [("URV", [1.0, 2.0])])

@@ -5,7 +5,6 @@ import re
 
 import pytest
 from conftest import ROOT, fly_in
-import link_cuts
 from test_flight import has_jsbsim
 
 PILOT = ("--plant", "jsbsim", "--pilot", "standard")
@@ -154,39 +153,3 @@ def test_ext5_after_its_time_it_glides_and_the_link_alone_is_no_way_out(
     assert set(between(flight, "pwm.throttle", 128, 140)) == {0}
     assert max(map(abs, between(flight, "truth.bank_deg", 130, 140))) < 3
     assert min(between(flight, "truth.airspeed_kt", 127, 140)) > 55
-
-
-# --- the script that cuts the link -----------------------------------------------
-
-def test_ext5_the_drift_of_a_cut_is_that_until_it_ends(monkeypatch):
-    """The worst of everything else counts to the end of the flight."""
-    rows = [(4, 90, 0, 0), (5, 10, 1000, 0), (6, -12, 1030, 2),
-            (7, 5, 1010, 2), (8, 30, 900, 1)]
-
-    def flown(command, check):
-        (record,) = (after for name, after in zip(command, command[1:])
-                     if name == "--record")
-        record.write_text("\n".join(
-            ["time_ms,truth.bank_deg,truth.altitude_ft,laws.link"]
-            + [f"{second * 1000},{bank},{altitude},{link}"
-               for second, bank, altitude, link in rows]) + "\n")
-    monkeypatch.setattr(link_cuts.subprocess, "run", flown)
-    assert link_cuts.fly(5, 2) == {
-        "second": 5, "bank": 30, "low": 900, "high": 1030, "drift": 30,
-        "end_bank": 30, "end_altitude": 900, "linked": 1}
-
-
-@pytest.mark.parametrize("linked", [1.0, 0.0])
-def test_ext5_a_link_that_stays_lost_is_told(monkeypatch, capsys, linked):
-    flown = {"bank": 20, "low": 900, "high": 1100, "drift": 50,
-             "end_bank": 1, "end_altitude": 1000, "linked": linked}
-    monkeypatch.setattr(link_cuts, "fly", lambda second, _: {
-        **flown, "second": second})
-    monkeypatch.setattr(
-        link_cuts.sys, "argv", "link_cuts.py --every 90 --all".split())
-    assert link_cuts.main() == (0 if linked else 1)
-    *lines, last = capsys.readouterr().out.splitlines()
-    assert len(lines) == 2
-    assert all(line.endswith(", link lost") == (not linked) for line in lines)
-    assert last.startswith(
-        f"2 flights with a cut of 60 s, {0 if linked else 2} not well")

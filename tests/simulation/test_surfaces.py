@@ -194,6 +194,10 @@ def test_marks_stand_side_by_side_half_way_up_their_field():
                float(each.get("width")))
               for each in picture.iter(f"{name}rect") if each.get("x")]
     assert len(fields) == 2 * 100
+    # Names stand as far to the left of the fields as above them.
+    texts = {each.text: each for each in picture.iter(f"{name}text")}
+    assert (fields[0][1] - float(texts["-4/4"].get("y"))
+            == fields[0][0] - float(texts["left_aileron"].get("x")) > 0)
     # Row by row, the laws' first.
     x, y, width = fields[3 * 10 + 2]
     marks = [(float(each.get("cx")), float(each.get("cy")))
