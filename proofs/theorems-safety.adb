@@ -156,6 +156,12 @@ package body Theorems.Safety with SPARK_Mode is
      Pre    => Is_Sound (Item, Scans),
      Post   => Is_Sound (Item, Scans) and then Item.Done >= Item'Old.Done;
 
+   procedure Discard_Scan (Item : in out Ground_Way; Scans : Scan_History)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans),
+     Post   => Is_Sound (Item, Scans) and then Item.Done = Item'Old.Done;
+
    procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History)
    with
      Global => null,
@@ -369,6 +375,14 @@ package body Theorems.Safety with SPARK_Mode is
          Item.ADINT_From := Item.Done;
       end if;
    end End_Scan;
+
+   procedure Discard_Scan (Item : in out Ground_Way; Scans : Scan_History) is
+      Unused_Words : Channel_Words;
+      Unused_Fresh : Boolean;
+   begin
+      Look (Item.ADINT, Unused_Words, Unused_Fresh);
+      pragma Assert (Contents (Item.ADINT) = Held (Scans, Item.ADINT_From));
+   end Discard_Scan;
 
    procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History) is
       Words          : Channel_Words;
@@ -712,6 +726,8 @@ package body Theorems.Safety with SPARK_Mode is
          when Scan_Ends =>
             End_Scan (Ground, Scans);
             More_Scans (Line, Aircraft, Scans, Before, Ground.Done);
+         when AD_Discards =>
+            Discard_Scan (Ground, Scans);
          when AD_Runs =>
             Run_AD (Ground, Scans);
          when GDCOUT_Runs =>

@@ -230,10 +230,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    with Global => null;
 
    --  What may happen, in any order: a scan is complete, a task has its
-   --  transaction, a node starts, or has to stay silent.
+   --  transaction, a node starts, or has to stay silent. The AD task may also
+   --  discard a scan that comes too late.
    type Event_Kind is
      (Scan_Ends,
-      AD_Runs, GDCOUT_Runs, TELOUT_Runs,
+      AD_Discards, AD_Runs, GDCOUT_Runs, TELOUT_Runs,
       Ground_Cold_Start, Ground_Warm_Start,
       TELIN_Runs, MDCIN_Runs, LAW_Runs, PWM_Runs, CORE_Runs,
       Aircraft_Cold_Start, Aircraft_Warm_Start);

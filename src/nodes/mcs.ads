@@ -111,7 +111,7 @@ package MCS with SPARK_Mode is
 
    package AD is new URV.AD_Task
      (For_Sensor_Words, For_Sensor_Images, ADINT_Variable, AD_Variable,
-      Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => Scan_Count'Last);
+      Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => Scans_In_A_Tick);
 
    package TELIN is new URV.TELIN_Task
      (For_Uplink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,

@@ -15,10 +15,14 @@ package URV.AD_Scans with Pure, SPARK_Mode is
    --  The channel being converted; after the last the scan is complete.
    type Channel_Count is range 0 .. Channel_Words'Length;
 
-   --  So many scans are over within a tick, one begun behind the other.
-   type Scan_Count is range
-     0 .. Microseconds_Per_Tick
-            / (Channel_Words'Length * Microseconds_Per_Conversion);
+   --  Scans made one behind the other, and how many of them are over within a
+   --  tick.
+
+   type Scan_Count is range 0 .. 7;
+
+   Scans_In_A_Tick : constant Scan_Count :=
+     Microseconds_Per_Tick
+     / (Channel_Words'Length * Microseconds_Per_Conversion);
 
    type Scan is record
       Current : Channel_Count := Channel_Count'Last;
