@@ -123,6 +123,8 @@ class JudgeTrial(Copy):
     """Tries mutants in a copy of the whole repository."""
 
     place = "judge"
+    # Tests that fail without any change; the first worker finds them for all.
+    unfit = None
 
     def __init__(self, number):
         names = subprocess.run(
@@ -133,7 +135,6 @@ class JudgeTrial(Copy):
                          if name in ("scripts", "sim", "host", "real_time")]
         super().__init__(number)
         self.objects = {}
-        self.unfit = set()
 
     def prepare(self, _stage, wanted):
         """Why what judges does not build, or nothing. A test that fails
@@ -150,16 +151,22 @@ class JudgeTrial(Copy):
                 if status != 0:
                     return output
         self.objects = self.object_code()
-        files = dict.fromkeys(
-            file for mutant in wanted for file in tests_for(mutant.path))
+        if JudgeTrial.unfit is None:
+            JudgeTrial.unfit = self.unfit_of(dict.fromkeys(
+                file for mutant in wanted for file in tests_for(mutant.path)))
+            for test in sorted(self.unfit):
+                print(f"mutation: fails without any change, left out: {test}")
+        return None
+
+    def unfit_of(self, files):
+        """Tests that fail in this copy, and files that no test comes from."""
+        found = set()
         for file in files:
             status, output = self.pytest([file], "--maxfail=1000")
-            self.unfit |= set(FAILED.findall(output))
+            found |= set(FAILED.findall(output))
             if status not in (0, 1):
-                self.unfit.add(file)
-        for test in sorted(self.unfit):
-            print(f"mutation: fails without any change, left out: {test}")
-        return None
+                found.add(file)
+        return found
 
     def build(self, program):
         project, mode = program
