@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 URV = ROOT / "bin" / "urv"
 SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
-sys.path.insert(0, str(ROOT / "ground"))
+sys.path[:0] = [str(ROOT / "ground"), str(ROOT / "tests")]
 
 # Far longer than anything of the tests takes; a hung program is a failure.
 TIME_LIMIT_S = 300

@@ -18,7 +18,8 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
-from station_rig import PATIENCE_S, ROOT, free_ports, until
+from ports import free_ports
+from station_rig import PATIENCE_S, ROOT, until
 
 from urv import items
 
@@ -36,7 +37,7 @@ class Ground:
         self.log = folder / "ground.log"
 
     def __enter__(self):
-        ports = free_ports(7)
+        ports = free_ports(7)[0]
         self.page_port, self.yamcs_port = ports + 5, ports + 6
         with self.log.open("w") as log:
             self.process = subprocess.Popen(

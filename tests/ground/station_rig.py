@@ -8,11 +8,8 @@
 """
 
 import json
-import os
-import random
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -48,15 +45,12 @@ class Station:
         self.log = folder / "station.log"
 
     def __enter__(self):
-        keeper = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        keeper.bind(("127.0.0.1", 0))
-        console_port = keeper.getsockname()[1]
-        keeper.close()
+        self.node = FakeNode(self.record, None, **self.more)
         self.errors = self.log.open("w")
         self.process = subprocess.Popen(
             [ROOT / "bin" / "urv", "station", "--port", "0", "--frames",
              "udp:127.0.0.1:0", "--console",
-             f"udp:127.0.0.1:{console_port}", "--events", self.events,
+             f"udp:127.0.0.1:{self.node.console_port}", "--events", self.events,
              *self.options], stdout=subprocess.PIPE, stderr=self.errors,
             text=True, stdin=subprocess.DEVNULL)
         self.said = []
@@ -69,8 +63,7 @@ class Station:
         self.url = re.search(r"http://\S+", self.said[0]).group()
         self.port = int(re.search(r":(\d+)/", self.url).group(1))
         self.frames = ("127.0.0.1", int(self.said[-1].rpartition(":")[2]))
-        self.node = FakeNode(self.record, self.frames, console_port,
-                             **self.more)
+        self.node.to = self.frames
         self.node.__enter__()
         return self
 
@@ -155,30 +148,3 @@ class Console:
 
     def close(self):
         self.socket.close()
-
-
-# Tests that run at once look for ports in places of their own: a port that is
-# found free is taken a little later only.
-WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:])
-MOST_WORKERS = 16
-
-
-def free_ports(count):
-    """The first of so many ports in a row that nobody has."""
-    places = range(20_000 + 10 * (WORKER % MOST_WORKERS), 32_000,
-                   10 * MOST_WORKERS)
-    for first in random.sample(places, len(places)):
-        held = []
-        try:
-            for port in range(first, first + count):
-                for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
-                    one = socket.socket(socket.AF_INET, kind)
-                    held.append(one)
-                    one.bind(("127.0.0.1", port))
-            return first
-        except OSError:
-            continue
-        finally:
-            for one in held:
-                one.close()
-    raise AssertionError("no free ports")

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 from flight_rig import Archive, Ground, needs_yamcs
-from station_rig import PATIENCE_S, Console, free_ports, until
+from ports import free_ports
+from station_rig import PATIENCE_S, Console, until
 
 from urv import display, packets
 from urv.ground import NODES, PASSED_ON
@@ -90,7 +91,7 @@ def test_gnd31_a_port_that_is_taken_is_told(tmp_path, urv):
     with Ground(tmp_path, "--no-yamcs") as ground:
         result = urv("ground", "--no-yamcs", "--folder", tmp_path / "other",
                      "--page-port", ground.page_port,
-                     "--ports", free_ports(5))
+                     "--ports", free_ports(5)[0])
         assert result.returncode == 1
         assert "in use" in result.stderr
         assert len(result.stderr.splitlines()) == 1
@@ -132,7 +133,7 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
 def test_gnd31_what_a_node_refuses_is_told_in_its_words(
         tmp_path, urv, given, said):
     result = urv("ground", "--no-yamcs", "--folder", tmp_path / "flight",
-                 "--page-port", free_ports(1), "--ports", free_ports(5),
+                 "--page-port", free_ports(1)[0], "--ports", free_ports(5)[0],
                  *given)
     assert result.returncode == 2, result.stderr
     assert result.stderr == f"urv: urv_mcs: {said}\n"

@@ -9,7 +9,8 @@ import subprocess
 import pytest
 from conftest import URV
 from fake_node import FakeNode
-from station_rig import free_ports, until
+from ports import free_ports
+from station_rig import until
 
 from urv import items, packets
 
@@ -52,7 +53,7 @@ class Watcher:
 @pytest.fixture
 def flight(standard):
     """What the node would send of the record, and its bridge to a port."""
-    port = free_ports(1)
+    port = free_ports(1)[0]
     node = FakeNode(standard / "record.csv", None, row=500)
     bridge = subprocess.Popen(
         [URV, "mavlink", "--listen", "udp:127.0.0.1:0",

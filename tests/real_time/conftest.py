@@ -21,7 +21,6 @@ import os
 import random
 import select
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -37,9 +36,10 @@ FOLDER = Path(os.environ.get("URV_PARTITIONS", ROOT / "bin")).resolve()
 PROGRAMS = {name: FOLDER / f"urv_{name}" for name in ("mcs", "gsc")}
 SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
-sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+sys.path[:0] = [str(ROOT / "scripts" / "safety"), str(ROOT / "tests")]
 
 import monitor  # noqa: E402
+from ports import free_ports  # noqa: E402
 from timelines import FRAME_US  # noqa: E402
 
 from peer import be_prompt  # noqa: E402
@@ -69,20 +69,6 @@ SERVOS = (
     "left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2",
     "discretes",
 )
-
-
-def free_ports(number):
-    """So many UDP ports that nobody uses."""
-    sockets = [
-        socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        for _ in range(number)
-    ]
-    for each in sockets:
-        each.bind(("127.0.0.1", 0))
-    ports = [each.getsockname()[1] for each in sockets]
-    for each in sockets:
-        each.close()
-    return ports
 
 
 def udp(own, other):

@@ -17,7 +17,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "evidence" / "station.md"
 
-sys.path[:0] = [str(ROOT / "tests" / "ground"), str(ROOT / "ground")]
+sys.path[:0] = [str(ROOT / folder)
+                for folder in ("tests", "tests/ground", "ground")]
 
 LINES = []
 

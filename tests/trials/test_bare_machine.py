@@ -11,7 +11,8 @@ import urllib.error
 import urllib.request
 
 import pytest
-from station_rig import ROOT, free_ports
+from ports import free_ports
+from station_rig import ROOT
 
 sys.path.insert(0, str(ROOT / "scripts"))
 
@@ -40,7 +41,7 @@ def test_gnd31_a_bare_machine_has_a_live_display(tmp_path, found):
     folder = tmp_path / "debian"
     folder.mkdir()
     system = independence.fresh(folder, "12")
-    first = free_ports(7)
+    first = free_ports(7)[0]
     options = (f"--ports {first} --page-port {first + 5}"
                f" --yamcs-port {first + 6}")
     log = tmp_path / "ground.log"

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ports for tests that run at once, of TCP and UDP.
+
+A port that is found free is taken a little later only. So these are none that
+the system gives to who asks for any port, and each worker has its own.
+"""
+
+import os
+import random
+import socket
+
+WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:])
+MOST_WORKERS = 16
+PLACES = range(20_000 + 10 * (WORKER % MOST_WORKERS), 32_000,
+               10 * MOST_WORKERS)
+
+
+def free_ports(count):
+    """So many ports in a row that nobody has, 10 at most."""
+    for first in random.sample(PLACES, len(PLACES)):
+        ports = range(first, first + count)
+        held = []
+        try:
+            for port in ports:
+                for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
+                    one = socket.socket(socket.AF_INET, kind)
+                    held.append(one)
+                    one.bind(("127.0.0.1", port))
+            return ports
+        except OSError:
+            continue
+        finally:
+            for one in held:
+                one.close()
+    raise AssertionError("no free ports")
