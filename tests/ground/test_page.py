@@ -71,9 +71,21 @@ def seen_frame(page):
     return int(page.evaluate("document.body.dataset.seq"))
 
 
+NUMBER = re.compile(r"[\u2212-]?[\d.]+")
+
+
 def number(text):
-    return float(re.search(r"[\u2212-]?[\d.]+", text.replace("\u2007", ""))
+    return float(NUMBER.search(text.replace("\u2007", ""))
                  .group().replace("\u2212", "-"))
+
+
+def told(read):
+    """The texts of values. Digits go while no frames come, which may be on a
+    machine that is slow."""
+    def numbers():
+        texts = read()
+        return texts if all(map(NUMBER.search, texts)) else None
+    return until(numbers, "numbers")
 
 
 METERS = ("rpm", "battery_volts", "alternator_volts", "vertical_acceleration",
@@ -100,16 +112,18 @@ def test_gnd25_every_value_on_the_page_is_the_records(station, pages):
         page.wait_for_function("seq => +document.body.dataset.seq > seq",
                                arg=frame)
         for name in METERS + SURFACES:
-            text = page.locator(f"#{name}").inner_text()
+            place = page.locator(f"#{name}")
+            text, = told(place.all_inner_texts)
             item = items.COLUMNS[f"gsc.downlink.{name}"]
             places = 1 if name in SURFACES else item.decimals
             assert number(text) == pytest.approx(
                 value(name), abs=0.51 * 10 ** -places), (row, name, text)
             assert text.endswith(f" {item.unit}")
         for panel, name in (("speed", "airspeed"), ("height", "altitude")):
-            exact = page.locator(f"#{panel} .exact").first.text_content()
+            exact = told(
+                page.locator(f"#{panel} .exact").all_text_contents)[0]
             assert number(exact) == pytest.approx(value(name), abs=0.051)
-        corners = page.locator("#attitude .corner").all_text_contents()
+        corners = told(page.locator("#attitude .corner").all_text_contents)
         for text, name in zip(corners, ("pitch_attitude", "roll_attitude",
                                         "alpha", "beta"), strict=True):
             wanted = value(name)
