@@ -25,19 +25,22 @@ PROGRAMS = {
 }
 
 FLYING = ["data_path", "items", "wire", "events", "latency", "determinism",
-          "line_faults", "input", "command_line", "urv_sim_page", "starts",
-          "faults"]
+          "line_faults", "input", "command_line", "urv_sim_page", "numbers",
+          "starts", "faults"]
 AIRCRAFT = ["aircraft", "truth", "pilot", "flight"]
 IN_REAL_TIME = ["partition_arguments", "partition_peers", "partition_safety",
                 "partition_signals", "partition_reports", "partition_flights",
                 "partition_input", "partition_plant", "partition_station",
-                "partition_flood", "partition_lock", "gates"]
+                "partition_flood", "partition_lock", "partition_seal",
+                "gates"]
 
 # The tests for a changed file: those of the first pattern that it matches.
 TESTS = {
     "sim/jsbsim/servo_faults.py": ["surface_faults", *AIRCRAFT],
     "sim/jsbsim/*": AIRCRAFT + ["conditions", "surface_faults"],
-    "host/host-pilot*": AIRCRAFT[::-1] + FLYING,
+    "host/host-pilot*": AIRCRAFT[::-1] + ["circuit", *FLYING],
+    "host/host-bench*": ["bench", *FLYING],
+    "host/host-key_files*": ["seal", "partition_seal", *FLYING],
     "host/host-plant*": AIRCRAFT + FLYING,
     "sim/sim-jsbsim*": AIRCRAFT + FLYING,
     "sim/sim-flight_quality*": AIRCRAFT[::-1] + FLYING,

@@ -78,3 +78,14 @@ def test_a_scripted_surface_does_not_follow(fly, write):
                  "--seconds", "1").record
     assert set(record["gsc.downlink.left_aileron"][5:]) == {77}
     assert record["gsc.downlink.right_aileron"][-1] > 4000
+
+
+def test_the_lag_is_64_ms(fly, write):
+    """A frame of ten ticks leaves (31/32)**10 of the way to go."""
+    write("sticks.csv", stepped("roll", 4095, 0))
+    sensed = fly("--sticks", "sticks.csv").record[
+        "mcs.downlink.right_aileron"][2:]
+    to_go = [word for word in sensed[BACK_FRAME:] if 200 < word < 4000]
+    shares = [later / now for now, later in zip(to_go, to_go[1:])]
+    assert len(shares) > 5
+    assert all(abs(share - (31 / 32) ** 10) < 0.01 for share in shares), shares

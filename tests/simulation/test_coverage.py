@@ -270,3 +270,14 @@ def test_the_page_gets_the_table_and_keeps_the_rest(tmp_path, monkeypatch):
         "<!-- make coverage -->\nnew\n<!-- end -->\n")
     assert there
     assert text.startswith(before) and text.endswith(after) and after
+
+
+def test_a_unit_test_that_fails_is_told(tmp_path):
+    program = tmp_path / "tests"
+    program.write_text("#!/bin/sh\necho 'ok   one'\necho 'FAIL two'\n"
+                       "echo '     why'\necho 'ok   three'\nexit 1\n")
+    program.chmod(0o755)
+    with pytest.raises(SystemExit) as told:
+        coverage.run_unit_tests(program)
+    assert "FAIL two\n     why" in str(told.value)
+    assert "one" not in str(told.value) and "three" not in str(told.value)
