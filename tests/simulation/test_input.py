@@ -464,6 +464,16 @@ def test_length_of_a_flight(fly, options, frames):
     assert len(flight.rows) == frames
 
 
+@pytest.mark.parametrize("last_ms, frames", [
+    (0, 1), (15, 2), (20, 2), (200, 11), (205, 12)])
+def test_a_script_is_flown_until_its_last_row(fly, write, last_ms, frames):
+    """The frame in which its last row is seen is the flight's last."""
+    times = dict.fromkeys((0, last_ms))
+    write("sticks.csv", "time_ms,roll\n" + "".join(
+        f"{time},2048\n" for time in times))
+    assert fly("--sticks", "sticks.csv").summary["frames"] == frames
+
+
 def test_old_outputs_are_replaced(fly, write):
     for name in OUTPUTS:
         write(name, "old " * 100_000)
