@@ -8,7 +8,7 @@
 Unit tests, simulated flights and flights of the real-time partitions run in
 builds without optimisation or inlining. They have no run-time checks, so that
 each branch the compiler makes is one of the source: decisions are counted
-here. The unit tests run once more, optimised and with contracts executed: what only
+here. The unit tests run once more with contracts executed: what only
 contracts use is entered here.
 
 A generic's text is merged over its instances: a line is reached when it is in
@@ -59,9 +59,7 @@ PROGRAMS = {
         # Under the profile itself a call that blocks where it must not
         # raises an exception (D-29).
         ["-gnatp", f"-gnatec={ROOT / 'ravenscar.adc'}"]),
-    # Optimised, for nobody counts its decisions: without, contracts take so
-    # long on a busy machine that a node in real time gets to nothing else.
-    "contracts": ("tests/urv_tests.gpr", "host", ["-gnata", "-O1"]),
+    "contracts": ("tests/urv_tests.gpr", "host", ["-gnata"]),
 }
 COUNT_DECISIONS = ("unit", "flights", "partitions")
 
