@@ -42,7 +42,9 @@ with Waiting_Tasks_Tests;
 
 package body All_Tests is
 
-   function Suite return AUnit.Test_Suites.Access_Test_Suite is
+   function Suite (On_Clock : Boolean)
+     return AUnit.Test_Suites.Access_Test_Suite
+   is
       Result : constant AUnit.Test_Suites.Access_Test_Suite :=
         AUnit.Test_Suites.New_Suite;
    begin
@@ -59,7 +61,9 @@ package body All_Tests is
       Task_Lists_Tests.Add_To (Result);
       Start_Orders_Tests.Add_To (Result);
       Shared_Nodes_Tests.Add_To (Result);
-      Real_Time_Nodes_Tests.Add_To (Result);
+      if On_Clock then
+         Real_Time_Nodes_Tests.Add_To (Result);
+      end if;
       Laws_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);

@@ -3,18 +3,26 @@
 --  Runs the unit tests: one line a test, then the totals. The exit status
 --  is that of success only if every test passed.
 --
---  urv_tests NUMBER SHARES    every so-maniest of them: 1 2, 2 2
+--  urv_tests NUMBER SHARES [off_clock]
+--     every so-maniest of them: 1 2, 2 2; off_clock: but those of a node on
+--     the machine's clock
 
 with Ada.Command_Line; use Ada.Command_Line;
 with AUnit.Options;    use AUnit.Options;
 with AUnit.Run;
+with AUnit.Test_Suites;
 with All_Tests;
 with Live_Results;     use Live_Results;
 with Test_Shares;      use Test_Shares;
 
 procedure URV_Tests is
-   procedure Run is
-     new AUnit.Run.Test_Runner_With_Results (All_Tests.Suite);
+   Off_Clock : constant Boolean :=
+     Argument_Count = 3 and then Argument (3) = "off_clock";
+
+   function Suite return AUnit.Test_Suites.Access_Test_Suite is
+     (All_Tests.Suite (On_Clock => not Off_Clock));
+
+   procedure Run is new AUnit.Run.Test_Runner_With_Results (Suite);
 
    Chosen   : aliased Share;
    Options  : AUnit_Options := Default_Options;
