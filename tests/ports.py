@@ -2,9 +2,11 @@
 """Ports for tests that run at once, of TCP and UDP.
 
 A port that is found free is taken a little later only. So these are none that
-the system gives to who asks for any port, and each worker has its own.
+the system gives to who asks for any port, each worker has its own, and none is
+given twice before all of them were.
 """
 
+import itertools
 import os
 import random
 import socket
@@ -13,11 +15,12 @@ WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:])
 MOST_WORKERS = 16
 PLACES = range(20_000 + 10 * (WORKER % MOST_WORKERS), 32_000,
                10 * MOST_WORKERS)
+IN_TURN = itertools.cycle(random.sample(PLACES, len(PLACES)))
 
 
 def free_ports(count):
     """So many ports in a row that nobody has, 10 at most."""
-    for first in random.sample(PLACES, len(PLACES)):
+    for first in itertools.islice(IN_TURN, len(PLACES)):
         ports = range(first, first + count)
         held = []
         try:

@@ -53,7 +53,9 @@ class Frames:
             for place in itertools.count(len(self.all)):
                 while len(self.all) <= place:
                     left = deadline - time.monotonic()
-                    assert left > 0, "no frame shows it"
+                    assert left > 0, (
+                        "no frame shows it, of"
+                        f" {len(self.all)} the last is {self.all[-1:]}")
                     self._more.wait(left)
                 if shows(self.all[place]):
                     return self.all[place]

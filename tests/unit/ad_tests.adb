@@ -35,6 +35,7 @@ package body AD_Tests is
    procedure The_Board;
    procedure Each_Start_Once;
    procedure Abandoned;
+   procedure Not_Prepared;
 
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
@@ -410,8 +411,18 @@ package body AD_Tests is
       Expect_Errors
         ("none in time", Errors, (1 => AD_No_Scan), Detail => 32);
 
+      --  One that is there when the time is over is taken, the last.
+      Run ("a late look", 70, Waits => True);
+      Expect_Errors
+        ("none the frame before", Errors, (1 => AD_No_Scan), Detail => 0);
+      Expect_Begun ("a late look");
+      Scan (16#600#);
+      Run ("at the end", 71, Waits => False);
+      Expect_Number ("no other is begun", Scans_Begun, Begun);
+      Expect_Image ("the late one", 16#600#, No_Error);
+
       --  A start of the node's tasks begins anew.
-      Run ("scanning", 70, Waits => True);
+      Run ("scanning", 80, Waits => True);
       AD.Initialise;
       AD.Await_Scan (Unused_Call);
       Expect
@@ -515,6 +526,19 @@ package body AD_Tests is
       Expect ("data of channel 0", Hardware.Data, 16#222#);
    end Abandoned;
 
+   procedure Not_Prepared is
+      Hardware  : Devices.Shared_AD_Board.Board;
+      Wanted    : Boolean;
+      Interrupt : Boolean;
+      Number    : Channel_Number;
+   begin
+      Hardware.Start (5);
+      Hardware.Take_Start (Wanted, Number);
+      Hardware.Finish (16#111#, Interrupt);
+      Expect ("interrupt", Interrupt, False);
+      Expect ("data", Hardware.Data, 16#111#);
+   end Not_Prepared;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -555,6 +579,9 @@ package body AD_Tests is
       Add
         (Suite, "ADI-1 SAF-2 an abandoned conversion gives no channel a word",
          Abandoned'Access);
+      Add
+        (Suite, "INI-5 a board that nobody has prepared does not interrupt",
+         Not_Prepared'Access);
    end Add_To;
 
 end AD_Tests;

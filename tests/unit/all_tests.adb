@@ -16,6 +16,7 @@ with Frames_Tests;
 with Guarded_Step_Tests;
 with Headers_Tests;
 with In_Flight_Tests;
+with LAW_Task_Tests;
 with Laws_Tests;
 with Link_Tests;
 with LOG_Task_Tests;
@@ -65,6 +66,7 @@ package body All_Tests is
          Real_Time_Nodes_Tests.Add_To (Result);
       end if;
       Laws_Tests.Add_To (Result);
+      LAW_Task_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
       Board_Memory_Tests.Add_To (Result);

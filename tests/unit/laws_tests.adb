@@ -19,6 +19,7 @@ package body Laws_Tests is
    procedure Disconnected;
    procedure Letting_Go;
    procedure Signs;
+   procedure Let_Go_Of_The_Altitude;
    procedure Falling_Back;
    procedure Range_Check;
    procedure Rate_Check;
@@ -28,8 +29,12 @@ package body Laws_Tests is
    procedure Way_Back;
    procedure Way_Out;
    procedure On_The_Ground;
+   procedure In_The_Air;
+   procedure Glide_By_Attitude;
    procedure What_Is_Held;
    procedure Told;
+
+   type Word_List is array (Positive range <>) of Word;
 
    On_Word : constant Word := 16#FFF#;
 
@@ -143,6 +148,12 @@ package body Laws_Tests is
       Fly (Item, 1, Stick, Rolling);
       Expect ("the sticks again", Output (Item, Stick) = Stick, True);
       Expect_State ("but not yet ordered out", Item.Link.State, Terminated);
+
+      --  In a gap the switches are as last heard.
+      Item := Warm (With_On (Switch_7, With_On (Switch_4)), Rolling);
+      Fly (Item, 1, Old, Rolling);
+      Expect_State ("a gap", Item.Link.State, Linked);
+      Expect ("still direct", Item.Flown = All_Direct, True);
    end Disconnected;
 
    procedure Letting_Go is
@@ -217,6 +228,21 @@ package body Laws_Tests is
                       Is_More => True);
    end Signs;
 
+   procedure Let_Go_Of_The_Altitude is
+      Item  : URV.Laws.Memory := Warm (With_On (Switch_3));
+      Stick : Uplink_Buffer := With_On (Switch_3);
+   begin
+      for Value of Word_List'(1_000, 3_000) loop
+         Fly (Item, 1, With_On (Switch_3));
+         Expect ("held", Item.Flown.Vertical = Hold_Altitude, True);
+         Stick (Pitch) := Value;
+         Fly (Item, 1, Stick);
+         Expect ("the stick at" & Value'Image,
+                 Item.Flown =
+                   (Bank_By_Stick, Pitch_By_Stick, Hold_Airspeed), True);
+      end loop;
+   end Let_Go_Of_The_Altitude;
+
    procedure Falling_Back is
       Commands : constant Uplink_Buffer := With_On (Switch_3);
       Item     : URV.Laws.Memory := Warm (Commands);
@@ -238,6 +264,21 @@ package body Laws_Tests is
            Measuring (Roll_Rate, 0, Measuring (Roll_Attitude, 0)));
       Expect ("without both the stick", Item.Flown =
                 (Direct, Direct, Hold_Airspeed), True);
+
+      --  While a law has the lever, the sticks have their axes.
+      Fly (Item, 100, (Commands with delta Roll => 2_500, Pitch => 1_900),
+           Measuring (Roll_Rate, 0, Measuring (Roll_Attitude, 0)));
+      Expect ("roll is the stick's",
+              Output (Item, (Commands with delta Roll => 2_500)) (Roll),
+              2_500);
+      Expect ("so is pitch",
+              Output (Item, (Commands with delta Pitch => 1_900)) (Pitch),
+              1_900);
+
+      Item := Warm (Commands);
+      Fly (Item, 3, Commands, Measuring (Pitch_Attitude, 0));
+      Expect ("without a nose damping of pitch", Item.Flown =
+                (Bank_By_Stick, Damping, Hold_Airspeed), True);
    end Falling_Back;
 
    procedure Range_Check is
@@ -296,6 +337,13 @@ package body Laws_Tests is
       Expect ("then nobody but the pilot", Item.Flown = All_Direct, True);
       Expect ("all sensors", Status_Of (Item) (Occurrences_Low),
               16#FFFF#);
+      Fly (Item, 3, With_On (Switch_2),
+           (Level with delta Error_Status => Stale_Data));
+      Expect ("and so it stays", Item.Flown = All_Direct, True);
+      Fly (Item, URV.Law_Gains.Good_Scans - 1, With_On (Switch_2));
+      Expect ("a second of scans is needed", Item.Flown = All_Direct, True);
+      Fly (Item, 1, With_On (Switch_2));
+      Expect ("and is enough", Item.Flown.Lateral in Banked, True);
    end Stale_Scans;
 
    procedure Times_Of_Loss is
@@ -395,7 +443,39 @@ package body Laws_Tests is
       Expect ("it idles", Item.Flown = (Direct, Direct, Idle), True);
       Expect_Number ("throttle", Item.Last.Throttle, 0);
       Expect_Number ("elevator at rest", Item.Last.Pitch, 0);
+      Fly (Item, 6_000, Old, Standing);
+      Expect_State ("to the end", Item.Link.State, Terminated);
+      Expect ("it still idles", Item.Flown = (Direct, Direct, Idle), True);
    end On_The_Ground;
+
+   procedure In_The_Air is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      --  Slow, but not low: it stalls, it has not landed. Then low, and the
+      --  speed is not known.
+      Fly (Item, 60, Sticks, Measuring (Airspeed, 0));
+      Expect ("slow and high", Item.Is_Flying, True);
+      Fly (Item, 60, Sticks, Measuring (Altitude, 4));
+      Expect ("low and fast", Item.Is_Flying, True);
+      Fly (Item, 60, Sticks,
+           Measuring (Altitude, 4, Measuring (Airspeed, 9_999)));
+      Expect ("low, and who knows how fast", Item.Is_Flying, True);
+      Fly (Item, 60, Sticks,
+           Measuring (Altitude, 4, Measuring (Airspeed, 0)));
+      Expect ("slow and low", Item.Is_Flying, False);
+   end In_The_Air;
+
+   procedure Glide_By_Attitude is
+      Item : URV.Laws.Memory := Warm;
+   begin
+      Fly (Item, 6_500, Old);
+      Expect ("it glides", Item.Flown = (Wings_Level, Glide, Idle), True);
+      Fly (Item, 500, Old, Measuring (Airspeed, 9_999));
+      Expect ("without a speed too",
+              Item.Flown = (Wings_Level, Glide, Idle), True);
+      Expect_Number ("with its nose where the speed would be",
+                     Item.Pitch_Wanted, URV.Law_Gains.Glide_Pitch);
+   end Glide_By_Attitude;
 
    procedure What_Is_Held is
       Item  : URV.Laws.Memory := Warm (With_On (Switch_8));
@@ -423,6 +503,16 @@ package body Laws_Tests is
               Status_Of (Item) (First_Frame_High), 16#80#);
       Expect ("silent frames",
               Status_Of (Item) (First_Frame_Low), 303);
+
+      --  More than a word can tell; and no more than is counted.
+      Item.Link.Silent := Frame_Count (Word'Last) + 1;
+      Expect ("silent for long", Status_Of (Item) (First_Frame_Low),
+              Word'Last);
+      Item.Link.Silent := Frame_Count'Last;
+      Fly (Item, 2, Old);
+      Expect_Number
+        ("the count stops", Integer (Item.Link.Silent),
+         Integer (Frame_Count'Last));
    end Told;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
@@ -435,6 +525,8 @@ package body Laws_Tests is
            Letting_Go'Access);
       Add (Suite, "EXT-3 each law acts against what it measures",
            Signs'Access);
+      Add (Suite, "EXT-3 a stick that is moved lets go of the altitude",
+           Let_Go_Of_The_Altitude'Access);
       Add (Suite, "EXT-3 a law whose sensor is not valid falls back",
            Falling_Back'Access);
       Add (Suite, "EXT-3 three words out of range are not valid",
@@ -452,6 +544,10 @@ package body Laws_Tests is
            Way_Out'Access);
       Add (Suite, "EXT-5 on the ground a lost link idles",
            On_The_Ground'Access);
+      Add (Suite, "EXT-5 slow and low is the ground, all else is not",
+           In_The_Air'Access);
+      Add (Suite, "EXT-5 without an airspeed it glides by its attitude",
+           Glide_By_Attitude'Access);
       Add (Suite, "EXT-5 brake and switches stay as last heard",
            What_Is_Held'Access);
       Add (Suite, "EXT-5 the ground is told what flies and why",

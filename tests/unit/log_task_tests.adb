@@ -33,6 +33,9 @@ package body LOG_Task_Tests is
    procedure Status_Kept;
    procedure Whole_Log;
    procedure Pieces_Lost;
+   procedure No_Such_Row;
+
+   type Word_List is array (Positive range <>) of Word;
 
    --  What the task is between. The board is an aircraft's, and has counted
    --  what the tests before had it count.
@@ -472,6 +475,23 @@ package body LOG_Task_Tests is
          16#1234#);
    end Pieces_Lost;
 
+   procedure No_Such_Row is
+      Item     : URV.Log_Pieces.Receiver;
+      Complete : Boolean;
+   begin
+      for Number of Word_List'
+        (0, Word (Log_Row_Number'Last) + 1, 255)
+      loop
+         Take (Item, 16#101#, Complete);
+         Expect_Number ("a row begins", Integer (Item.Got), 1);
+         Take (Item, 16#100# + Number, Complete);
+         Expect ("row" & Number'Image & " is complete", Complete, False);
+         Expect_Number ("it has begun", Integer (Item.Got), 0);
+         Take (Item, 16#200#, Complete);
+         Expect_Number ("nor goes on", Integer (Item.Got), 0);
+      end loop;
+   end No_Such_Row;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -504,6 +524,9 @@ package body LOG_Task_Tests is
       Add
         (Suite, "SAF-7 a row of the log comes whole or not at all",
          Pieces_Lost'Access);
+      Add
+        (Suite, "SAF-7 a row that there is not is not taken",
+         No_Such_Row'Access);
    end Add_To;
 
 end LOG_Task_Tests;

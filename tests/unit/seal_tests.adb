@@ -30,6 +30,8 @@ package body Seal_Tests is
    procedure Other_Session;
    procedure Other_Key;
    procedure Key_Change;
+   procedure Key_Of_The_Call;
+   procedure Answer_To_Another;
    procedure Ground_Restarts;
    procedure Aircraft_Restarts;
    procedure Hellos_Are_Disregarded;
@@ -399,6 +401,49 @@ package body Seal_Tests is
       end loop;
    end Key_Change;
 
+   procedure Key_Of_The_Call is
+      Both   : Link := New_Link (Keys_12, Keys_12);
+      Other  : Link := New_Link (Keys_21, Keys_12);
+      Unused : Block_Data;
+   begin
+      --  Another ground calls with the same nonce and the other key.
+      Expect_Next ("call", Other, Ground, Hello_Taken);
+      Expect_Opening
+        ("answer under another key", Both, Ground, Closed (Other, Aircraft),
+         Hello_Repeated);
+      Expect_Next ("call", Both, Ground, Hello_Taken);
+      Expect_Next ("call again", Both, Ground, Hello_Repeated);
+      Other := New_Link (Keys_21, Keys_12);
+      Expect_Opening
+        ("call under another key", Both, Aircraft, Closed (Other, Ground),
+         Hello_Taken);
+
+      --  The second key may be all there is.
+      Expect
+        ("it is known",
+         Is_Known ((First => (others => <>), Second => Keys_2 (First)), 2),
+         True);
+      Expect
+        ("and found",
+         Found ((First => (others => <>), Second => Keys_2 (First)), 2)
+         = Keys_2 (First).Value,
+         True);
+   end Key_Of_The_Call;
+
+   procedure Answer_To_Another is
+      Both : Link := New_Link;
+      That : Link := New_Link (Start => 7_000);
+   begin
+      --  The aircraft's nonce is that of the session, the ground's is not.
+      Shake_Hands (Both);
+      That (Aircraft) := New_Link (Aircraft);
+      Expect_Next ("call", That, Ground, Hello_Taken);
+      Expect_Opening
+        ("answer to another ground", Both, Ground, Closed (That, Aircraft),
+         Hello_Out_Of_Turn);
+      Expect_Next ("the session goes on", Both, Aircraft, Opened);
+   end Answer_To_Another;
+
    procedure Ground_Restarts is
       Both : Link := New_Link;
       Old  : Block_Data;
@@ -555,6 +600,12 @@ package body Seal_Tests is
       Add
         (Suite, "SEC-5 while a key is changed two are good",
          Key_Change'Access);
+      Add
+        (Suite, "SEC-5 an answer has the key of its call",
+         Key_Of_The_Call'Access);
+      Add
+        (Suite, "SEC-3 an answer to another ground ends no session",
+         Answer_To_Another'Access);
       Add
         (Suite, "SEC-3 after a start of the ground they shake hands",
          Ground_Restarts'Access);

@@ -307,6 +307,26 @@ package body Surfaces_Tests is
         ("aileron back", Then_On (Right_Aileron) in -1_150 .. -850, True);
       Expect_Number
         ("flap stays", Then_On (Right_Flap_1), First (Right_Flap_1));
+
+      --  One of them has failed where it is: what it rolls is shared
+      --  between the ailerons, and only one is left to do its part.
+      Expect
+        ("with a flap that stays down",
+         Then_On (Right_Aileron)
+         - Given
+             (Level,
+              (Down with delta
+                 Failed =>
+                   (Down.Failed with delta Right_Flap_2 => True)))
+             (Right_Aileron) in 150 .. 220,
+         True);
+      Expect
+        ("none has failed: as it was wanted",
+         Demands
+           (Demands_Of (Transform (Commands)),
+            (Down with delta Failed => None))
+         = Demands_Of (Transform (Commands)),
+         True);
    end Flaps_Help;
 
    procedure Stops is

@@ -28,6 +28,7 @@ package body Type_Codes_Tests is
    --  The tests, in order.
    procedure Channels_By_Code;
    procedure Places_By_Code;
+   procedure Codes_Of_Nothing;
    procedure Unknown_Up;
    procedure Unknown_Down;
    procedure Ordered;
@@ -59,6 +60,8 @@ package body Type_Codes_Tests is
       Switch_Item  => 0,
       Error_Status => No_Error,
       others       => Neutral_Value);
+
+   type Word_List is array (Positive range <>) of Word;
 
    procedure Clear;
 
@@ -182,6 +185,85 @@ package body Type_Codes_Tests is
          True);
       Expect_Errors ("its own codes again", Errors, None);
    end Places_By_Code;
+
+   procedure Codes_Of_Nothing is
+
+      --  The code comes to the fifth place of an area, and is told; the
+      --  place keeps its word, and its code comes back.
+      procedure Expect_Kept (Code : Word; Is_Up : Boolean);
+
+      procedure Expect_Kept (Code : Word; Is_Up : Boolean) is
+         Before : constant Devices.CORE_Memory.Memory := Board.Contents;
+         Up_Codes   : Uplink_Words   := Uplink_Type_Codes;
+         Down_Codes : Downlink_Words := Downlink_Type_Codes;
+         Found      : Devices.CORE_Memory.Memory;
+      begin
+         if Is_Up then
+            Up_Codes (5) := Code;
+         else
+            Down_Codes (5) := Code;
+         end if;
+         Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
+         Up.Give (Uplink, Uplink_Of (Code xor 16#3000#));
+         Down.Give (Downlink, Downlink_Of (Code xor 16#5000#));
+         CORE_Under_Test.Run_Transaction;
+         Found := Board.Contents;
+         Expect
+           ("up, code" & Code'Image, Found.Uplink (5),
+            (if Is_Up then Before.Uplink (5)
+             else To_Words (Uplink_Of (Code xor 16#3000#)) (5)));
+         Expect
+           ("down, code" & Code'Image, Found.Downlink (5),
+            (if Is_Up then To_Words (Downlink_Of (Code xor 16#5000#)) (5)
+             else Before.Downlink (5)));
+         Expect_Errors
+           ("code" & Code'Image, Errors, (1 => Unknown_Code),
+            Detail => Code);
+
+         Up.Give (Uplink, Uplink_Of (16#500#));
+         Down.Give (Downlink, Downlink_Of (16#600#));
+         CORE_Under_Test.Run_Transaction;
+         Expect_Errors ("its own codes again", Errors, None);
+      end Expect_Kept;
+
+   begin
+      CORE_Under_Test.Initialise;
+      Up.Give (Uplink, Uplink_Of (16#100#));
+      Down.Give (Downlink, Downlink_Of (16#200#));
+      CORE_Under_Test.Run_Transaction;
+
+      --  Just below the codes of either kind, just above, and far away.
+      for Code of Word_List'
+        (Commands_Kind, Uplink_Code'Last + 1, No_Code, Word'Last)
+      loop
+         Expect_Kept (Code, Is_Up => True);
+      end loop;
+      for Code of Word_List'
+        (Sensors_Kind, Downlink_Code'Last + 1, No_Code, Word'Last)
+      loop
+         Expect_Kept (Code, Is_Up => False);
+      end loop;
+
+      --  A channel has a code above the sensors'.
+      declare
+         Codes : constant Channel_Codes :=
+           (Sensor_Codes with delta 2 => Sensor_Code'Last + 1);
+      begin
+         Expect_Number
+           ("channel", Integer (First_Unknown_Sensor (Codes)), 3);
+         Expect
+           ("the others have theirs",
+            (for all Item in Sensor_Item =>
+               Sensors_Of (Image_Of (16#300#, Error => 0), Codes) (Item)
+               = (if Channel_Of (Item) = 2 then Neutral_Downlink (Item)
+                  else 16#300# + Word (Channel_Of (Item)))),
+            True);
+      end;
+
+      --  What is of no other kind is what it always was.
+      Expect ("commands", Kind_Of (Uplink_Of (16#100#)), Commands_Kind);
+      Expect ("sensors", Kind_Of (Downlink_Of (16#100#)), Sensors_Kind);
+   end Codes_Of_Nothing;
 
    procedure Unknown_Up is
       Item : constant Uplink_Buffer :=
@@ -365,17 +447,26 @@ package body Type_Codes_Tests is
             Detail => Answer'Pos (Why));
       end Expect_Refused;
 
-      Spoilt : Uplink_Buffer;
-      Bad    : Configuration;
-      Direct : constant Uplink_Buffer := Rest;
+      Spoilt   : Uplink_Buffer;
+      Bad      : Configuration;
+      Direct   : constant Uplink_Buffer := Rest;
+      Levelled : constant Uplink_Buffer :=
+        (Rest with delta Switch_4 => 16#FFF#);
+      Steady   : constant Uplink_Buffer :=
+        (Rest with delta Switch_3 => 16#FFF#);
    begin
       Clear;
       Fly (100, In_Flight, Direct);
       for Where in Command_Item loop
-         Spoilt := Block_Of (Softly);
-         Spoilt (Where) := Spoilt (Where) xor 16#40#;
-         Expect_Refused (Where'Image, Spoilt, Not_Whole);
+         for Bit of Word_List'(16#40#, 16#1000#) loop
+            Spoilt := Block_Of (Softly);
+            Spoilt (Where) := Spoilt (Where) xor Bit;
+            Expect_Refused (Where'Image, Spoilt, Not_Whole);
+         end loop;
       end loop;
+      Expect_Refused
+        ("of no other kind",
+         (Block_Of (Softly) with delta Error_Status => No_Error), Not_Whole);
 
       for Which in Setting_Item loop
          Bad := Softly;
@@ -387,9 +478,28 @@ package body Type_Codes_Tests is
       end loop;
       Bad := (Softly with delta Orbit_From => 9);
       Expect_Refused ("too early", Block_Of (Bad), Not_In_Range);
+      Bad := (Softly with delta Orbit_From => 10, End_From => 19);
+      Expect_Refused ("too early an end", Block_Of (Bad), Not_In_Range);
       Bad := (Softly with delta End_From => 3_001);
       Expect_Refused ("too late", Block_Of (Bad), Not_In_Range);
 
+      --  One law alone: the bank's by its switch, the nose's and the
+      --  lever's for want of the other sensors.
+      Fly (2, In_Flight, Levelled);
+      Expect_Refused
+        ("bank alone", Block_Of (Softly), Law_Flies, Levelled);
+      Clear;
+      Fly (100, In_Flight, Direct);
+      Fly (3, (In_Flight with delta Roll_Rate => 0), Held);
+      MCS.Errors.Clear;
+      Expect_Refused ("nose alone", Block_Of (Softly), Law_Flies, Held);
+      Clear;
+      Fly (100, In_Flight, Direct);
+      Fly (3, (In_Flight with delta Roll_Rate | Roll_Attitude => 0), Steady);
+      MCS.Errors.Clear;
+      Expect_Refused ("lever alone", Block_Of (Softly), Law_Flies, Steady);
+      Clear;
+      Fly (100, In_Flight, Direct);
       Fly (2, In_Flight, Held);
       Expect_Refused ("a law flies", Block_Of (Softly), Law_Flies, Held);
 
@@ -453,6 +563,9 @@ package body Type_Codes_Tests is
       Add
         (Suite, "EXT-2 BUF-4 CORE has each word where its type code stands",
          Places_By_Code'Access);
+      Add
+        (Suite, "EXT-2 BUF-4 a code of no item moves no word of CORE",
+         Codes_Of_Nothing'Access);
       Add
         (Suite, "EXT-2 D-26 an unknown block goes nowhere, MDCIN",
          Unknown_Up'Access);

@@ -1,0 +1,11 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  EXT-3, EXT-6: what the LAW task reports, and when.
+
+with AUnit.Test_Suites;
+
+package LAW_Task_Tests is
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+end LAW_Task_Tests;
