@@ -43,7 +43,7 @@ with Waiting_Tasks_Tests;
 
 package body All_Tests is
 
-   function Suite (On_Clock : Boolean)
+   function Suite (Briefly : Boolean)
      return AUnit.Test_Suites.Access_Test_Suite
    is
       Result : constant AUnit.Test_Suites.Access_Test_Suite :=
@@ -62,7 +62,7 @@ package body All_Tests is
       Task_Lists_Tests.Add_To (Result);
       Start_Orders_Tests.Add_To (Result);
       Shared_Nodes_Tests.Add_To (Result);
-      if On_Clock then
+      if not Briefly then
          Real_Time_Nodes_Tests.Add_To (Result);
       end if;
       Laws_Tests.Add_To (Result);
@@ -90,8 +90,10 @@ package body All_Tests is
       Starts_Tests.Add_To (Result);
 
       --  These take the longest.
-      In_Flight_Tests.Add_To (Result);
-      Self_Test_Tests.Add_To (Result);
+      if not Briefly then
+         In_Flight_Tests.Add_To (Result);
+      end if;
+      Self_Test_Tests.Add_To (Result, Briefly);
       Link_Tests.Add_To (Result);
       return Result;
    end Suite;

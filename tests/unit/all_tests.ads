@@ -6,9 +6,11 @@ with AUnit.Test_Suites;
 
 package All_Tests is
 
-   --  Without those of a node on the machine's clock, where what is tested
-   --  is too slow for that: such a node has each tick's work to do in a tick.
-   function Suite (On_Clock : Boolean)
+   --  Briefly: for a build that executes contracts without optimisation.
+   --  Without those that fly for long or start often, and without those of a
+   --  node on the machine's clock: it would have each tick's work to do in a
+   --  tick.
+   function Suite (Briefly : Boolean)
      return AUnit.Test_Suites.Access_Test_Suite;
 
 end All_Tests;

@@ -7,6 +7,8 @@ with AUnit.Test_Suites;
 
 package Self_Test_Tests is
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+   --  Briefly: without the thousand starts.
+   procedure Add_To
+     (Suite : AUnit.Test_Suites.Access_Test_Suite; Briefly : Boolean);
 
 end Self_Test_Tests;

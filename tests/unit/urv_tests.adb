@@ -3,9 +3,8 @@
 --  Runs the unit tests: one line a test, then the totals. The exit status
 --  is that of success only if every test passed.
 --
---  urv_tests NUMBER SHARES [off_clock]
---     every so-maniest of them: 1 2, 2 2; off_clock: but those of a node on
---     the machine's clock
+--  urv_tests NUMBER SHARES [briefly]
+--     every so-maniest of them, 1 2, 2 2; briefly: see All_Tests
 
 with Ada.Command_Line; use Ada.Command_Line;
 with AUnit.Options;    use AUnit.Options;
@@ -16,11 +15,11 @@ with Live_Results;     use Live_Results;
 with Test_Shares;      use Test_Shares;
 
 procedure URV_Tests is
-   Off_Clock : constant Boolean :=
-     Argument_Count = 3 and then Argument (3) = "off_clock";
+   Briefly : constant Boolean :=
+     Argument_Count = 3 and then Argument (3) = "briefly";
 
    function Suite return AUnit.Test_Suites.Access_Test_Suite is
-     (All_Tests.Suite (On_Clock => not Off_Clock));
+     (All_Tests.Suite (Briefly));
 
    procedure Run is new AUnit.Run.Test_Runner_With_Results (Suite);
 
