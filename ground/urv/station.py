@@ -181,6 +181,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     controls = Controls(view, None if sender is None else send)
     page = web.Station(controls, token)
     runner = http.AppRunner(page.application, access_log=None,
+                            logger=web.LOG,
                             keepalive_timeout=5.0, lingering_time=1.0,
                             handler_cancellation=True, shutdown_timeout=1.0)
     await runner.setup()
@@ -203,7 +204,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
                 pushed = now
                 page.push()
 
-    await loop.create_datagram_endpoint(
+    incoming, _ = await loop.create_datagram_endpoint(
         lambda: Frames(take), sock=receiver)
     server = await loop.create_server(page.door, sock=door, backlog=64)
     host, at = door.getsockname()[:2]
@@ -245,5 +246,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
                 code=1001, message=b"the station ends"), 1.0)
             for one in list(page.pages.values())), return_exceptions=True)
         await runner.cleanup()
+        # A frame that comes now has nobody to tell.
+        incoming.close()
         if kept is not None:
             kept.close()

@@ -12,6 +12,7 @@ import asyncio
 import hmac
 import ipaddress
 import json
+import logging
 import socket
 import unicodedata
 from collections.abc import Awaitable, Callable
@@ -20,6 +21,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from aiohttp import WSMsgType, web
+from aiohttp.http_exceptions import HttpProcessingError
 
 from urv import items, packets
 from urv.controls import Controls
@@ -59,6 +61,17 @@ HEADERS = {
 }
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
+def is_worth_telling(record: logging.LogRecord) -> bool:
+    """Whether what the server logs is of a fault in here. That a request
+    makes no sense is told to who made it."""
+    return not (record.exc_info
+                and isinstance(record.exc_info[1], HttpProcessingError))
+
+
+LOG = logging.getLogger("urv.web")
+LOG.addFilter(is_worth_telling)
 
 
 def is_own_host(host: str | None) -> bool:

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv station without a browser: frames, sticks, who may what."""
 
+import dataclasses
 import random
 import re
 import socket
 import struct
+import threading
 import time
 
 import pytest
@@ -579,6 +581,23 @@ def test_gnd23_bad_options_are_refused(urv, arguments):
     assert arguments[0] in result.stderr
 
 
+@pytest.mark.parametrize("said", [
+    b"GET / HTTP/1.1\r\nHost: here\r\n\r\n\x00\x01\x02 no request\r\n\r\n",
+    b"GET / HTTP/1.1\r\nno header\r\n\r\n",
+    b"GET / HTTP/9.9.9\r\n\r\n",
+    b"GET /" + b"x" * 20_000 + b" HTTP/1.1\r\n\r\n",
+    b"GET / HTTP/1.1\r\nContent-Length: many\r\n\r\n",
+    b"POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nno length\r\n",
+])
+def test_gnd24_a_request_without_sense_is_nothing_to_tell(station, said):
+    # That the station has nothing on standard error its fixture looks at.
+    with socket.create_connection(("127.0.0.1", station.port)) as client:
+        client.sendall(said)
+        answer = b"".join(iter(lambda: client.recv(1000), b""))
+    assert b" 400 " in answer or b" 404 " in answer or b" 405 " in answer
+    assert station.get()[0] == 200
+
+
 def test_gnd24_garbage_at_the_page_stops_nobody(station):
     chance = random.Random(2)
     console = station.console()
@@ -592,6 +611,36 @@ def test_gnd24_garbage_at_the_page_stops_nobody(station):
                 pass
     before = station.state()["seq"]
     console.until(lambda state: state["seq"] > before + 25, "frames go on")
+
+
+def test_gnd24_frames_that_come_while_it_ends_stop_nobody(record, tmp_path):
+    ended = threading.Event()
+
+    def flood(packet, to):
+        # Each frame is an event for the file.
+        states = (packets.LinkState.LOST, packets.LinkState.HEARD)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            while not ended.is_set():
+                packet = dataclasses.replace(
+                    packet, sequence=packet.sequence + 1,
+                    link_state=states[packet.sequence % 2])
+                sender.sendto(packet.encode(), to)
+                time.sleep(0.000_1)
+
+    # That the station has nothing on standard error the rig looks at.
+    try:
+        with Station(record, tmp_path) as station:
+            station.flying()
+            station.node.silent = True
+            sender = threading.Thread(
+                target=flood, args=(station.node.sent, station.frames))
+            sender.start()
+            station.wait(
+                lambda state: state["seq"] > station.node.sequence + 100,
+                "the flood")
+    finally:
+        ended.set()
+    sender.join()
 
 
 @pytest.mark.parametrize("message", [
