@@ -7,6 +7,7 @@ with URVOS.Frame_Clocks;       use URVOS.Frame_Clocks;
 with URVOS.Frame_Locks;        use URVOS.Frame_Locks;
 with URVOS.Frames;             use URVOS.Frames;
 with URVOS.Shared_Frame_Locks;
+with URVOS.Usual_Frames;
 
 package body Frame_Locks_Tests is
 
@@ -16,6 +17,7 @@ package body Frame_Locks_Tests is
    procedure Directions;
    procedure Patient;
    procedure Switched_Off;
+   procedure No_Lock;
 
    procedure Lengths is
       Start : constant Clock_Tick := 70;
@@ -176,6 +178,17 @@ package body Frame_Locks_Tests is
       end loop;
    end Switched_Off;
 
+   procedure No_Lock is
+      Request : Frame_Request;
+   begin
+      for Ticks in Tick_Count loop
+         URVOS.Usual_Frames (Ticks, Request);
+         Expect
+           ("frames as usual after" & Ticks'Image & " ticks",
+            Request = No_Request, True);
+      end loop;
+   end No_Lock;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -193,6 +206,9 @@ package body Frame_Locks_Tests is
       Add
         (Suite, "FRM-6 only a lock that is on wishes anything",
          Switched_Off'Access);
+      Add
+        (Suite, "FRM-6 a node without a lock wishes for no other frame",
+         No_Lock'Access);
    end Add_To;
 
 end Frame_Locks_Tests;
