@@ -36,10 +36,6 @@ package URV.Configurations with Pure, SPARK_Mode is
 
    type Configuration is array (Setting_Item) of Field;
 
-   function Code_Of (Which : Setting_Item) return Word is
-     (Configuration_Kind + 1 + Word (Setting_Item'Pos (Which)))
-   with Global => null;
-
    --  What may be set.
 
    subtype Serial_Number is Field range 1 .. Field'Last;
