@@ -101,31 +101,31 @@ def build_and_run(program):
                                      for name in FLIGHTS)])
     elif program == "partitions":
         run_pytest(built, ["tests/real_time"])
-    elif program == "contracts":
-        # Executed without optimisation they take long: on a busy machine a
-        # node on its clock would never get to some of its tasks.
-        run_unit_tests(built / f"urv_tests_{mode}", "briefly")
     else:
-        run_unit_tests(built / f"urv_tests_{mode}")
+        # Contracts executed without optimisation take long: on a busy machine
+        # a node on its clock would never get to some of its tasks.
+        run_unit_tests(built / f"urv_tests_{mode}",
+                       "briefly" if program == "contracts" else "fully")
 
 
-def run_unit_tests(program, *choice):
+def run_unit_tests(program, choice):
     """For each processor a share of them: what a process counts is added to
     what is there. Told are the tests that fail, and why."""
     shares = len(os.sched_getaffinity(0))
 
     def run_share(number):
         return subprocess.run(
-            [program, str(number), str(shares), *choice], cwd=ROOT,
+            [program, str(number), str(shares), choice], cwd=ROOT,
             check=False, text=True, capture_output=True)
 
     with concurrent.futures.ThreadPoolExecutor(shares) as pool:
         results = list(pool.map(run_share, range(1, shares + 1)))
-    told = [told for result in results if result.returncode != 0
-            for told in (*re.findall(r"^FAIL .*(?:\n  .*)*", result.stdout,
-                                     re.M), result.stderr.rstrip())]
-    if told:
-        sys.exit("\n".join([f"coverage: failed: {program}", *told]))
+    if any(result.returncode != 0 for result in results):
+        told = [f"coverage: failed: {program}"]
+        for result in results:
+            told += re.findall(r"^FAIL .*(?:\n  .*)*", result.stdout, re.M)
+            told.append(result.stderr.rstrip())
+        sys.exit("\n".join(filter(None, told)))
 
 
 def run_pytest(built, files):

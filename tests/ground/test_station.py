@@ -2,6 +2,7 @@
 """bin/urv station without a browser: frames, sticks, who may what."""
 
 import dataclasses
+import logging
 import random
 import re
 import socket
@@ -11,6 +12,7 @@ import time
 
 import pytest
 import websocket
+from aiohttp.http_exceptions import BadHttpMethod
 from station_rig import PATIENCE_S, Station, until
 
 from urv import items, laws, packets, web
@@ -596,6 +598,17 @@ def test_gnd24_a_request_without_sense_is_nothing_to_tell(station, said):
         answer = b"".join(iter(lambda: client.recv(1000), b""))
     assert b" 400 " in answer or b" 404 " in answer or b" 405 " in answer
     assert station.get()[0] == 200
+
+
+def test_gnd24_a_fault_in_the_station_is_told_a_senseless_request_is_not():
+    def logged(error):
+        return web.is_worth_telling(logging.LogRecord(
+            "", logging.ERROR, "", 0, "", (), (type(error), error, None)))
+
+    assert logged(ValueError())
+    assert not logged(BadHttpMethod("x"))
+    assert web.is_worth_telling(
+        logging.LogRecord("", logging.ERROR, "", 0, "", (), None))
 
 
 def test_gnd24_garbage_at_the_page_stops_nobody(station):

@@ -278,6 +278,6 @@ def test_a_unit_test_that_fails_is_told(tmp_path):
                        "echo '     why'\necho 'ok   three'\nexit 1\n")
     program.chmod(0o755)
     with pytest.raises(SystemExit) as told:
-        coverage.run_unit_tests(program)
+        coverage.run_unit_tests(program, "fully")
     assert "FAIL two\n     why" in str(told.value)
     assert "one" not in str(told.value) and "three" not in str(told.value)

@@ -11,6 +11,9 @@ with URVOS.Frames; use URVOS.Frames;
 
 package Expectations is
 
+   --  Words that a test takes one after the other.
+   type Word_List is array (Positive range <>) of Word;
+
    procedure Expect is new Expect_Value (Word);
    procedure Expect is new Expect_Value (Byte);
    procedure Expect is new Expect_Value (Count);

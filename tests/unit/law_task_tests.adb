@@ -2,6 +2,7 @@
 
 with Checks;       use Checks;
 with Expectations; use Expectations;
+with Law_Rig;      use Law_Rig;
 with MCS;
 with Task_Rig;     use Task_Rig;
 with URVOS;        use URVOS;
@@ -15,40 +16,16 @@ package body LAW_Task_Tests is
    procedure Sensor_Told_Once;
    procedure Not_Consumed;
 
-   --  Level at 1000 ft and 70 kt.
-   Level : constant Downlink_Buffer :=
-     (Altitude     => 2_000,
-      Airspeed     => 2_240,
-      RPM          => 2_500,
-      Error_Status => No_Error,
-      others       => Neutral_Value);
-
    type Command_List is array (Positive range <>) of Uplink_Buffer;
-
-   --  So many frames of the aircraft's task, laws on, the sticks at rest.
-   procedure Fly (Frames : Positive; Sensors : Downlink_Buffer := Level);
 
    procedure Clear;
 
    procedure Clear is
    begin
       MCS.Reset_Variables;
-      MCS.Law_Settings.Write ((Laws_Off with delta On => True));
+      MCS.Law_Settings.Write (Laws_Off);
       MCS.Errors.Clear;
    end Clear;
-
-   procedure Fly (Frames : Positive; Sensors : Downlink_Buffer := Level) is
-      Unused_Success : Boolean;
-      Unused_Fresh   : Boolean;
-      Unused_Item    : Uplink_Buffer;
-   begin
-      for Frame in 1 .. Frames loop
-         MCS.Commands_Variable.Send (Neutral_Uplink, Unused_Success);
-         MCS.Sensors_Variable.Send (Sensors, Unused_Success);
-         MCS.LAW.Run_Transaction;
-         MCS.PWM_Variable.Receive (Unused_Item, Unused_Fresh);
-      end loop;
-   end Fly;
 
    procedure Sensor_Told_Once is
    begin
@@ -69,7 +46,6 @@ package body LAW_Task_Tests is
               .Occurrences = 0,
             True);
       end loop;
-      MCS.Law_Settings.Write (Laws_Off);
    end Sensor_Told_Once;
 
    procedure Not_Consumed is
@@ -80,7 +56,6 @@ package body LAW_Task_Tests is
       Fresh   : Boolean;
    begin
       Clear;
-      MCS.Law_Settings.Write (Laws_Off);
       for Commands of Command_List'(Neutral_Uplink, Newer) loop
          Expect_Errors ("so far", MCS.Errors, None);
          MCS.Commands_Variable.Send (Commands, Success);

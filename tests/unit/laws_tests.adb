@@ -4,6 +4,7 @@ with Checks;            use Checks;
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Expect_Value;
 with Expectations;      use Expectations;
+with Law_Rig;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Configurations;
@@ -34,25 +35,10 @@ package body Laws_Tests is
    procedure What_Is_Held;
    procedure Told;
 
-   type Word_List is array (Positive range <>) of Word;
-
    On_Word : constant Word := 16#FFF#;
 
-   --  Level at 1000 ft and 70 kt, sticks at rest.
-
-   Sticks : constant Uplink_Buffer :=
-     (Throttle     => 2_048,
-      Brake        => Neutral_Value,
-      Switch_Item  => 0,
-      Error_Status => No_Error,
-      others       => Neutral_Value);
-
-   Level : constant Downlink_Buffer :=
-     (Altitude     => 2_000,
-      Airspeed     => 2_240,
-      RPM          => 2_500,
-      Error_Status => No_Error,
-      others       => Neutral_Value);
+   Level  : Downlink_Buffer renames Law_Rig.Level;
+   Sticks : Uplink_Buffer renames Law_Rig.Sticks;
 
    Usual : constant Times := (others => <>);
 

@@ -35,8 +35,6 @@ package body LOG_Task_Tests is
    procedure Pieces_Lost;
    procedure No_Such_Row;
 
-   type Word_List is array (Positive range <>) of Word;
-
    --  What the task is between. The board is an aircraft's, and has counted
    --  what the tests before had it count.
 

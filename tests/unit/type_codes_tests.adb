@@ -5,6 +5,7 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.Shared_CORE_Memory;
 with Expectations;        use Expectations;
 with GSC;
+with Law_Rig;              use Law_Rig;
 with MCS;
 with Task_Rig;            use Task_Rig;
 with URVOS;               use URVOS;
@@ -42,34 +43,10 @@ package body Type_Codes_Tests is
    Softly : constant Configuration :=
      (Serial => 5, Gains => 1, Orbit_From => 20, End_From => 90);
 
-   --  Level at 1000 ft and 70 kt: it flies; and standing.
-
-   In_Flight : constant Downlink_Buffer :=
-     (Altitude     => 2_000,
-      Airspeed     => 2_240,
-      RPM          => 2_500,
-      Error_Status => No_Error,
-      others       => Neutral_Value);
-
    Standing : constant Downlink_Buffer :=
-     (In_Flight with delta Altitude => 0, Airspeed => 0);
-
-   Rest : constant Uplink_Buffer :=
-     (Throttle     => 2_048,
-      Brake        => Neutral_Value,
-      Switch_Item  => 0,
-      Error_Status => No_Error,
-      others       => Neutral_Value);
-
-   type Word_List is array (Positive range <>) of Word;
+     (Level with delta Altitude => 0, Airspeed => 0);
 
    procedure Clear;
-
-   --  So many frames of the LAW task, laws on.
-   procedure Fly
-     (Frames   : Positive;
-      Sensors  : Downlink_Buffer;
-      Commands : Uplink_Buffer := Rest);
 
    procedure Clear is
    begin
@@ -81,25 +58,6 @@ package body Type_Codes_Tests is
       GSC.Errors.Clear;
       GSC.Status.Write (No_Error);
    end Clear;
-
-   procedure Fly
-     (Frames   : Positive;
-      Sensors  : Downlink_Buffer;
-      Commands : Uplink_Buffer := Rest)
-   is
-      Unused_Success : Boolean;
-      Unused_Fresh   : Boolean;
-      Unused_Item    : Uplink_Buffer;
-   begin
-      MCS.Law_Settings.Write ((Laws_Off with delta On => True));
-      for Frame in 1 .. Frames loop
-         MCS.Commands_Variable.Send (Commands, Unused_Success);
-         MCS.Sensors_Variable.Send (Sensors, Unused_Success);
-         MCS.LAW.Run_Transaction;
-         MCS.PWM_Variable.Receive (Unused_Item, Unused_Fresh);
-      end loop;
-      MCS.Law_Settings.Write (Laws_Off);
-   end Fly;
 
    --  A node whose first two channels have changed places, and whose third
    --  nobody knows.
@@ -417,30 +375,30 @@ package body Type_Codes_Tests is
 
       --  In flight while all is direct.
       Clear;
-      Fly (100, In_Flight);
+      Fly (100, Level);
       Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
-      Fly (1, In_Flight);
+      Fly (1, Level);
       Expect_Set ("direct", True);
       Expect_Errors ("direct", MCS.Errors, None);
    end Taken_On_The_Ground;
 
    procedure Refused_Otherwise is
-      Held : constant Uplink_Buffer := (Rest with delta Switch_2 => 16#FFF#);
+      Held : constant Uplink_Buffer := (Sticks with delta Switch_2 => 16#FFF#);
 
       procedure Expect_Refused
         (What     : String;
          Block    : Uplink_Buffer;
          Why      : Answer;
-         Commands : Uplink_Buffer := Rest);
+         Commands : Uplink_Buffer := Sticks);
 
       procedure Expect_Refused
         (What     : String;
          Block    : Uplink_Buffer;
          Why      : Answer;
-         Commands : Uplink_Buffer := Rest) is
+         Commands : Uplink_Buffer := Sticks) is
       begin
          Up.Give (MCS.Configuration_Variable, Block);
-         Fly (1, In_Flight, Commands);
+         Fly (1, Level, Commands);
          Expect_Set (What, False);
          Expect_Errors
            (What, MCS.Errors, (1 => Configuration_Refused),
@@ -449,14 +407,14 @@ package body Type_Codes_Tests is
 
       Spoilt   : Uplink_Buffer;
       Bad      : Configuration;
-      Direct   : constant Uplink_Buffer := Rest;
+      Direct   : constant Uplink_Buffer := Sticks;
       Levelled : constant Uplink_Buffer :=
-        (Rest with delta Switch_4 => 16#FFF#);
+        (Sticks with delta Switch_4 => 16#FFF#);
       Steady   : constant Uplink_Buffer :=
-        (Rest with delta Switch_3 => 16#FFF#);
+        (Sticks with delta Switch_3 => 16#FFF#);
    begin
       Clear;
-      Fly (100, In_Flight, Direct);
+      Fly (100, Level, Direct);
       for Where in Command_Item loop
          for Bit of Word_List'(16#40#, 16#1000#) loop
             Spoilt := Block_Of (Softly);
@@ -485,27 +443,27 @@ package body Type_Codes_Tests is
 
       --  One law alone: the bank's by its switch, the nose's and the
       --  lever's for want of the other sensors.
-      Fly (2, In_Flight, Levelled);
+      Fly (2, Level, Levelled);
       Expect_Refused
         ("bank alone", Block_Of (Softly), Law_Flies, Levelled);
       Clear;
-      Fly (100, In_Flight, Direct);
-      Fly (3, (In_Flight with delta Roll_Rate => 0), Held);
+      Fly (100, Level, Direct);
+      Fly (3, (Level with delta Roll_Rate => 0), Held);
       MCS.Errors.Clear;
       Expect_Refused ("nose alone", Block_Of (Softly), Law_Flies, Held);
       Clear;
-      Fly (100, In_Flight, Direct);
-      Fly (3, (In_Flight with delta Roll_Rate | Roll_Attitude => 0), Steady);
+      Fly (100, Level, Direct);
+      Fly (3, (Level with delta Roll_Rate | Roll_Attitude => 0), Steady);
       MCS.Errors.Clear;
       Expect_Refused ("lever alone", Block_Of (Softly), Law_Flies, Steady);
       Clear;
-      Fly (100, In_Flight, Direct);
-      Fly (2, In_Flight, Held);
+      Fly (100, Level, Direct);
+      Fly (2, Level, Held);
       Expect_Refused ("a law flies", Block_Of (Softly), Law_Flies, Held);
 
       --  The stick's word is not yet the axis' own.
       Fly
-        (1, In_Flight,
+        (1, Level,
          (Held with delta Roll => 4_000, Switch_2 => 0));
       Expect_Refused
         ("letting go", Block_Of (Softly), Law_Flies,
@@ -513,7 +471,7 @@ package body Type_Codes_Tests is
 
       Clear;
       Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
-      Up.Give (MCS.Commands_Variable, Rest);
+      Up.Give (MCS.Commands_Variable, Sticks);
       MCS.LAW.Run_Transaction;
       Expect_Set ("no laws", False);
       Expect_Errors
@@ -532,9 +490,9 @@ package body Type_Codes_Tests is
 
    procedure Softer is
       Banked : constant Downlink_Buffer :=
-        (In_Flight with delta Roll_Attitude => 2_120);
+        (Level with delta Roll_Attitude => 2_120);
       Levelled : constant Uplink_Buffer :=
-        (Rest with delta Switch_2 => 16#FFF#);
+        (Sticks with delta Switch_2 => 16#FFF#);
 
       --  The roll output after some frames in a bank, sticks at rest.
       function Roll_With (Table : URV.Law_Gains.Table_Number) return Integer;

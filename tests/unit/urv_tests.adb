@@ -4,7 +4,8 @@
 --  is that of success only if every test passed.
 --
 --  urv_tests NUMBER SHARES [briefly]
---     every so-maniest of them, 1 2, 2 2; briefly: see All_Tests
+--     every so-maniest of them, 1 2, 2 2; briefly: see All_Tests. Anything
+--     else ends it with an exception.
 
 with Ada.Command_Line; use Ada.Command_Line;
 with AUnit.Options;    use AUnit.Options;
@@ -15,11 +16,13 @@ with Live_Results;     use Live_Results;
 with Test_Shares;      use Test_Shares;
 
 procedure URV_Tests is
-   Briefly : constant Boolean :=
-     Argument_Count = 3 and then Argument (3) = "briefly";
+   type Choice is (Fully, Briefly);
+
+   Chosen_So : constant Choice :=
+     (if Argument_Count < 3 then Fully else Choice'Value (Argument (3)));
 
    function Suite return AUnit.Test_Suites.Access_Test_Suite is
-     (All_Tests.Suite (Briefly));
+     (All_Tests.Suite (Chosen_So = Briefly));
 
    procedure Run is new AUnit.Run.Test_Runner_With_Results (Suite);
 
