@@ -145,21 +145,25 @@ package body Type_Codes_Tests is
    end Places_By_Code;
 
    procedure Codes_Of_Nothing is
+      type Place_List is array (Positive range <>) of Item_Number;
 
-      --  The code comes to the fifth place of an area, and is told; the
-      --  place keeps its word, and its code comes back.
-      procedure Expect_Kept (Code : Word; Is_Up : Boolean);
+      --  The code comes to a place of an area, and is told; the place keeps
+      --  its word, and its code comes back.
+      procedure Expect_Kept
+        (Code : Word; Is_Up : Boolean; Where : Item_Number := 5);
 
-      procedure Expect_Kept (Code : Word; Is_Up : Boolean) is
+      procedure Expect_Kept
+        (Code : Word; Is_Up : Boolean; Where : Item_Number := 5)
+      is
          Before : constant Devices.CORE_Memory.Memory := Board.Contents;
          Up_Codes   : Uplink_Words   := Uplink_Type_Codes;
          Down_Codes : Downlink_Words := Downlink_Type_Codes;
          Found      : Devices.CORE_Memory.Memory;
       begin
          if Is_Up then
-            Up_Codes (5) := Code;
+            Up_Codes (Where) := Code;
          else
-            Down_Codes (5) := Code;
+            Down_Codes (Where) := Code;
          end if;
          Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
          Up.Give (Uplink, Uplink_Of (Code xor 16#3000#));
@@ -167,13 +171,20 @@ package body Type_Codes_Tests is
          CORE_Under_Test.Run_Transaction;
          Found := Board.Contents;
          Expect
-           ("up, code" & Code'Image, Found.Uplink (5),
-            (if Is_Up then Before.Uplink (5)
-             else To_Words (Uplink_Of (Code xor 16#3000#)) (5)));
+           ("up, code" & Code'Image,
+            Found.Uplink
+            = (if Is_Up
+               then (To_Words (Uplink_Of (Code xor 16#3000#)) with delta
+                       Where => Before.Uplink (Where))
+               else To_Words (Uplink_Of (Code xor 16#3000#))),
+            True);
          Expect
-           ("down, code" & Code'Image, Found.Downlink (5),
-            (if Is_Up then To_Words (Downlink_Of (Code xor 16#5000#)) (5)
-             else Before.Downlink (5)));
+           ("down, code" & Code'Image,
+            Found.Downlink
+            = (if Is_Up then To_Words (Downlink_Of (Code xor 16#5000#))
+               else (To_Words (Downlink_Of (Code xor 16#5000#)) with delta
+                       Where => Before.Downlink (Where))),
+            True);
          Expect_Errors
            ("code" & Code'Image, Errors, (1 => Unknown_Code),
             Detail => Code);
@@ -200,6 +211,14 @@ package body Type_Codes_Tests is
         (Sensors_Kind, Downlink_Code'Last + 1, No_Code, Word'Last)
       loop
          Expect_Kept (Code, Is_Up => False);
+      end loop;
+
+      --  At the first place and at the last.
+      for Where of Place_List'(1, Uplink_Words'Last) loop
+         Expect_Kept (No_Code, Is_Up => True, Where => Where);
+      end loop;
+      for Where of Place_List'(1, Downlink_Words'Last) loop
+         Expect_Kept (No_Code, Is_Up => False, Where => Where);
       end loop;
 
       --  A channel has a code above the sensors'.
