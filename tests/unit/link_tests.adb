@@ -7,6 +7,8 @@ with Link_Rig;         use Link_Rig;
 with URVOS;            use URVOS;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards; use Telemetry.Boards;
+with Telemetry.Checksum;
+with Telemetry.Headers;
 with Telemetry.Memory; use Telemetry.Memory;
 with Telemetry.Turns;  use Telemetry.Turns;
 
@@ -27,6 +29,7 @@ package body Link_Tests is
    procedure Not_Taken;
    procedure Busy_Meanwhile;
    procedure Permission;
+   procedure Permission_Kept;
    procedure Priority;
    procedure Retry_Priority;
    procedure Nothing_To_Send;
@@ -40,6 +43,8 @@ package body Link_Tests is
    procedure Storm;
    procedure Restarts;
    procedure Clearings;
+
+   type Byte_List is array (Positive range <>) of Byte;
 
    procedure Expect is new Expect_Value (Station);
    procedure Expect is new Expect_Value (Character_Times);
@@ -517,6 +522,38 @@ package body Link_Tests is
       Expect_Block (Item, Ground, 1);
    end Permission;
 
+   procedure Permission_Kept is
+      package Headers renames Telemetry.Headers;
+
+      Up   : constant Byte := Headers.Encode ((Headers.Data, 2));
+      Item : Board := New_Board (Aircraft, 4, 2);
+      Send : Boolean;
+      Data : Byte;
+      Lost : Boolean;
+   begin
+      --  The ground lets it send, and a block of the ground's comes before
+      --  it does.
+      Put (Item, (others => 0), Lost);
+      Accept_Character
+        (Item, Headers.Encode ((Kind => Headers.Command_To_Downlink)),
+         Parity_Error => False);
+      for Each of Byte_List'
+        (Up, 0, 0, Checksum.Of_Message (Up, (others => 0), 2))
+      loop
+         Accept_Character (Item, Each, Parity_Error => False);
+      end loop;
+      Elapse (Item, Guard_Time);
+
+      --  It answers first. Then it sends, as it may.
+      Next_Character (Item, Send, Data);
+      Expect ("an answer", Send, True);
+      Expect ("it is good", Headers.Decode (Data).Good, True);
+      Next_Character (Item, Send, Data);
+      Expect ("a block", Send, True);
+      Expect
+        ("its header", Data, Headers.Encode ((Headers.Data, Length => 4)));
+   end Permission_Kept;
+
    procedure Priority is
       Item : Link;
    begin
@@ -926,6 +963,9 @@ package body Link_Tests is
          Busy_Meanwhile'Access);
       Add
         (Suite, "LNK-8 the aircraft waits for permission", Permission'Access);
+      Add
+        (Suite, "LNK-8 a permission is kept while an answer is owed",
+         Permission_Kept'Access);
       Add
         (Suite, "LNK-8 new data goes up before the downlink", Priority'Access);
       Add
