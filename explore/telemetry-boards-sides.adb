@@ -62,12 +62,12 @@ package body Telemetry.Boards.Sides is
    Places       : constant := (Symbol'Pos (Symbol'Last) + 1) * 4;
    Begins, Ends : Number_Vectors.Vector;
 
-   function Normal (Item : Board; Is_Aligned : Boolean) return Board;
-   function Key_Of (Item : Board) return Key;
-   function Number_Of (Item : Board; Is_Aligned : Boolean)
+   function Normal (This : Board; Is_Aligned : Boolean) return Board;
+   function Key_Of (This : Board) return Key;
+   function Number_Of (This : Board; Is_Aligned : Boolean)
      return Board_Number;
    function Side_Of (Item : Way) return Side;
-   function With_Block (Item : Board; Fresh : Boolean) return Board;
+   function With_Block (This : Board; Fresh : Boolean) return Board;
 
    --  What it may lead to when a normal board hears this, on a line that
    --  spoils nothing.
@@ -77,37 +77,37 @@ package body Telemetry.Boards.Sides is
    end record;
    package Result_Vectors is new Ada.Containers.Vectors
      (Positive, Hearing_Result);
-   function Hearings (Item : Board; Heard : Symbol)
+   function Hearings (This : Board; Heard : Symbol)
      return Result_Vectors.Vector;
 
    --  A unit of the board's timer. Good tells that an aligned message was
    --  taken.
    procedure Let_Pass
-     (Item : in out Board; Is_Aligned : Boolean; Good : out Boolean);
+     (This : in out Board; Is_Aligned : Boolean; Good : out Boolean);
 
-   procedure Poll (Item : in out Board; Output : out Symbol);
+   procedure Poll (This : in out Board; Output : out Symbol);
 
-   function Is_On_Its_Way (Item : Board) return Boolean is
-     (Item.Control.State in Sending | Awaiting_Status);
+   function Is_On_Its_Way (This : Board) return Boolean is
+     (This.Control.State in Sending | Awaiting_Status);
 
    --  A normal board that receives a message of which it has heard all.
-   function Is_Aligned (Item : Board) return Boolean is
-     (Has_Message (Item.Control.Receiver)
-      and then Item.Receive_Pair.Slots (Second).Data (Mark_Place) = Mark);
+   function Is_Aligned (This : Board) return Boolean is
+     (Has_Message (This.Control.Receiver)
+      and then This.Receive_Pair.Slots (Second).Data (Mark_Place) = Mark);
 
-   function Normal (Item : Board; Is_Aligned : Boolean) return Board is
-      Result : Board := Item;
+   function Normal (This : Board; Is_Aligned : Boolean) return Board is
+      Result : Board := This;
       Source : constant Slot :=
-        (if Is_On_Its_Way (Item) then Item.Control.Sender.Source
-         elsif Any_Full (Item.Transmit_Pair)
-         then Newest_Full (Item.Transmit_Pair)
+        (if Is_On_Its_Way (This) then This.Control.Sender.Source
+         elsif Any_Full (This.Transmit_Pair)
+         then Newest_Full (This.Transmit_Pair)
          else First);
 
       --  A buffer without what nobody reads.
       function Bare (Which : Slot) return Buffer;
 
       function Bare (Which : Slot) return Buffer is
-         From : Buffer renames Item.Transmit_Pair.Slots (Which);
+         From : Buffer renames This.Transmit_Pair.Slots (Which);
       begin
          return Bared : Buffer do
             if From.Full then
@@ -123,12 +123,12 @@ package body Telemetry.Boards.Sides is
    begin
       Result.Control.Messages := 0;
       Result.Control.Tally := (others => 0);
-      if not Is_Waiting (Item.Control) then
+      if not Is_Waiting (This.Control) then
          Result.Control.Silence := 0;
       end if;
 
       --  At the end of its idle time the ground forgets what it has sent.
-      if Item.Control.State = Idling then
+      if This.Control.State = Idling then
          Result.Control.In_A_Row := 0;
       end if;
 
@@ -136,43 +136,43 @@ package body Telemetry.Boards.Sides is
       --  may have the right checksum or not, whatever it was till now.
       Result.Receive_Pair := (Newest => Second, others => <>);
       Result.Control.Receiver :=
-        (State => Item.Control.Receiver.State, others => <>);
-      if Has_Message (Item.Control.Receiver) then
+        (State => This.Control.Receiver.State, others => <>);
+      if Has_Message (This.Control.Receiver) then
          Result.Receive_Pair.Slots (First).Busy := True;
          if Is_Aligned then
             Result.Receive_Pair.Slots (Second).Data (Mark_Place) := Mark;
          end if;
-         Result.Control.Receiver.Received := Item.Control.Receiver.Received;
+         Result.Control.Receiver.Received := This.Control.Receiver.Received;
          Result.Control.Receiver.Damaged :=
-           Item.Control.Receiver.State = At_End
-           and then Item.Control.Receiver.Damaged;
+           This.Control.Receiver.State = At_End
+           and then This.Control.Receiver.Damaged;
          Result.Control.Receiver.Sum := Checksum.Of_Message
            (Their_Header, Result.Receive_Pair.Slots (First).Data,
-            Item.Control.Receiver.Received);
+            This.Control.Receiver.Received);
       end if;
 
       --  The block on its way, or the newest, first.
       Result.Transmit_Pair := Empty_Pair;
       Result.Transmit_Pair.Slots (First) := Bare (Source);
-      if Is_On_Its_Way (Item) then
+      if Is_On_Its_Way (This) then
          Result.Transmit_Pair.Slots (Second) := Bare (Other (Source));
          if Result.Transmit_Pair.Slots (Second).Full then
             Result.Transmit_Pair.Newest := Second;
          end if;
       end if;
       Result.Control.Sender := (others => <>);
-      if Item.Control.State = Sending then
-         Result.Control.Sender.Sent := Item.Control.Sender.Sent;
-         if Item.Control.Sender.Sent > 0 then
+      if This.Control.State = Sending then
+         Result.Control.Sender.Sent := This.Control.Sender.Sent;
+         if This.Control.Sender.Sent > 0 then
             Result.Control.Sender.Sum := Checksum.Of_Message
               (Our_Header, Result.Transmit_Pair.Slots (First).Data,
-               Byte_Count (Item.Control.Sender.Sent - 1));
+               Byte_Count (This.Control.Sender.Sent - 1));
          end if;
       end if;
       return Result;
    end Normal;
 
-   function Key_Of (Item : Board) return Key is
+   function Key_Of (This : Board) return Key is
       Result : Key := 0;
 
       procedure Add (Value : Natural; Values : Natural);
@@ -182,24 +182,24 @@ package body Telemetry.Boards.Sides is
          Result := Result * Key (Values) + Key (Value);
       end Add;
    begin
-      Add (Turn'Pos (Item.Control.State), 5);
-      Add (Reply'Pos (Item.Control.Owed), 3);
-      Add (Boolean'Pos (Item.Control.Line_Taken), 2);
-      Add (Natural (Item.Control.Silence), 128);
-      Add (Natural (Item.Control.Downlink_Turns), 3);
-      Add (Boolean'Pos (Item.Control.Clear_To_Send), 2);
-      Add (Natural (Item.Control.In_A_Row), Natural (Row_Count'Last) + 1);
-      Add (Receiver_State'Pos (Item.Control.Receiver.State), 4);
-      Add (Natural (Item.Control.Receiver.Received), Longest_Block + 1);
-      Add (Boolean'Pos (Item.Control.Receiver.Damaged), 2);
-      Add (Boolean'Pos (Is_Aligned (Item)), 2);
+      Add (Turn'Pos (This.Control.State), 5);
+      Add (Reply'Pos (This.Control.Owed), 3);
+      Add (Boolean'Pos (This.Control.Line_Taken), 2);
+      Add (Natural (This.Control.Silence), 128);
+      Add (Natural (This.Control.Downlink_Turns), 3);
+      Add (Boolean'Pos (This.Control.Clear_To_Send), 2);
+      Add (Natural (This.Control.In_A_Row), Natural (Row_Count'Last) + 1);
+      Add (Receiver_State'Pos (This.Control.Receiver.State), 4);
+      Add (Natural (This.Control.Receiver.Received), Longest_Block + 1);
+      Add (Boolean'Pos (This.Control.Receiver.Damaged), 2);
+      Add (Boolean'Pos (Is_Aligned (This)), 2);
       Add
-        ((if Item.Control.State = Sending
-          then Natural (Item.Control.Sender.Sent) else 0),
+        ((if This.Control.State = Sending
+          then Natural (This.Control.Sender.Sent) else 0),
          Longest_Block + 3);
       for Which in Slot loop
          declare
-            From : Buffer renames Item.Transmit_Pair.Slots (Which);
+            From : Buffer renames This.Transmit_Pair.Slots (Which);
          begin
             Add (Boolean'Pos (From.Full), 2);
             Add (Natural (From.Attempts), 3);
@@ -212,10 +212,10 @@ package body Telemetry.Boards.Sides is
       return Result;
    end Key_Of;
 
-   function Number_Of (Item : Board; Is_Aligned : Boolean)
+   function Number_Of (This : Board; Is_Aligned : Boolean)
      return Board_Number
    is
-      Reduced  : constant Board := Normal (Item, Is_Aligned);
+      Reduced  : constant Board := Normal (This, Is_Aligned);
       Position : Key_Maps.Cursor;
       Is_New   : Boolean;
    begin
@@ -247,9 +247,9 @@ package body Telemetry.Boards.Sides is
       return Side (Key_Maps.Element (Position));
    end Side_Of;
 
-   function With_Block (Item : Board; Fresh : Boolean) return Board
+   function With_Block (This : Board; Fresh : Boolean) return Board
    is
-      Result    : Board := Item;
+      Result    : Board := This;
       Overwrote : Boolean;
    begin
       Calls := Calls + 1;
@@ -261,11 +261,11 @@ package body Telemetry.Boards.Sides is
    end With_Block;
 
    --  A message has come to where its checksum is expected.
-   function Expects_Sum (Item : Board) return Boolean is
-     (Item.Control.Receiver.State = In_Data
-      and then Item.Control.Receiver.Received = Item.Control.Receive_Length);
+   function Expects_Sum (This : Board) return Boolean is
+     (This.Control.Receiver.State = In_Data
+      and then This.Control.Receiver.Received = This.Control.Receive_Length);
 
-   function Hearings (Item : Board; Heard : Symbol)
+   function Hearings (This : Board; Heard : Symbol)
      return Result_Vectors.Vector
    is
       Result : Result_Vectors.Vector;
@@ -273,14 +273,14 @@ package body Telemetry.Boards.Sides is
       procedure Hear (Data : Byte);
 
       procedure Hear (Data : Byte) is
-         Next : Board := Item;
+         Next : Board := This;
       begin
          Calls := Calls + 1;
          Accept_Character (Next, Data, False);
          Result.Append
            (Hearing_Result'
               (Next,
-               (if Has_Message (Item.Control.Receiver) then Is_Aligned (Item)
+               (if Has_Message (This.Control.Receiver) then Is_Aligned (This)
                 else Heard = Data_Begins)));
       end Hear;
 
@@ -295,18 +295,18 @@ package body Telemetry.Boards.Sides is
             when Bad_And_Wants  => Encode ((Status, False, True)),
             when others         => 0);
    begin
-      if Expects_Sum (Item) then
-         if Is_Aligned (Item) then
+      if Expects_Sum (This) then
+         if Is_Aligned (This) then
             if Heard /= Data_Ends then
                raise Program_Error with "a message ends somewhere else";
             end if;
          else
-            Hear (not Item.Control.Receiver.Sum);
+            Hear (not This.Control.Receiver.Sum);
          end if;
-         Hear (Item.Control.Receiver.Sum);
+         Hear (This.Control.Receiver.Sum);
       elsif Heard in Wild_Symbol
-        and then Is_Listening (Item.Control)
-        and then Item.Control.Receiver.State = At_Start
+        and then Is_Listening (This.Control)
+        and then This.Control.Receiver.State = At_Start
       then
          --  Any byte at all.
          for Value in Byte loop
@@ -321,31 +321,31 @@ package body Telemetry.Boards.Sides is
    end Hearings;
 
    procedure Let_Pass
-     (Item : in out Board; Is_Aligned : Boolean; Good : out Boolean)
+     (This : in out Board; Is_Aligned : Boolean; Good : out Boolean)
    is
-      Before : constant Count := Item.Control.Messages;
+      Before : constant Count := This.Control.Messages;
    begin
       Calls := Calls + 1;
-      Elapse (Item, 1);
-      Good := Is_Aligned and then Item.Control.Messages > Before;
+      Elapse (This, 1);
+      Good := Is_Aligned and then This.Control.Messages > Before;
    end Let_Pass;
 
-   procedure Poll (Item : in out Board; Output : out Symbol) is
-      Owes : constant Boolean := Item.Control.Owed /= None;
+   procedure Poll (This : in out Board; Output : out Symbol) is
+      Owes : constant Boolean := This.Control.Owed /= None;
       Send : Boolean;
       Data : Byte;
       Says : Telemetry.Headers.Header;
    begin
       Calls := Calls + 1;
-      Next_Character (Item, Send, Data);
+      Next_Character (This, Send, Data);
       Output := Silence;
       if not Send then
          return;
-      elsif not Owes and then Item.Control.State = Sending then
+      elsif not Owes and then This.Control.State = Sending then
          Output :=
-           (if Item.Control.Sender.Sent = 1 then Data_Begins
+           (if This.Control.Sender.Sent = 1 then Data_Begins
             else Data_Goes_On);
-      elsif not Owes and then Item.Control.State = Awaiting_Status then
+      elsif not Owes and then This.Control.State = Awaiting_Status then
          Output := Data_Ends;
       elsif Is_Valid (Data) then
          Says := Decode (Data);
@@ -370,10 +370,10 @@ package body Telemetry.Boards.Sides is
       Unused : Side;
 
       --  It is a state; so it is with something of ours on the line.
-      procedure Note (Item : Board; Output : Symbol := Silence);
+      procedure Note (This : Board; Output : Symbol := Silence);
 
-      procedure Note (Item : Board; Output : Symbol := Silence) is
-         Number : constant Board_Number := Number_Of (Item, False);
+      procedure Note (This : Board; Output : Symbol := Silence) is
+         Number : constant Board_Number := Number_Of (This, False);
       begin
          Unused := Side_Of ((Number, Silence));
          if Output /= Silence then
@@ -664,13 +664,13 @@ package body Telemetry.Boards.Sides is
       function Some_Block return Block_Data;
 
       --  A board whose normal form Item is.
-      function Full_Board (Item : Board) return Board;
+      function Full_Board (This : Board) return Board;
 
       --  The board is now one of those.
       procedure Compare (Now : Board; Options : Result_Vectors.Vector);
       procedure Compare (Now : Board; Aligned : Boolean; Option : Board);
 
-      procedure Try (Item : Board);
+      procedure Try (This : Board);
 
       function Some_Block return Block_Data is
          Result : Block_Data;
@@ -685,17 +685,17 @@ package body Telemetry.Boards.Sides is
          return Result;
       end Some_Block;
 
-      function Full_Board (Item : Board) return Board is
-         Result : Board := Item;
+      function Full_Board (This : Board) return Board is
+         Result : Board := This;
          Source : constant Slot := Either_Slot;
       begin
          Result.Control.Messages := Count (Some_Byte);
          Result.Control.Tally := (others => Count (Some_Byte));
-         if not Is_Waiting (Item.Control) then
+         if not Is_Waiting (This.Control) then
             Result.Control.Silence := Character_Times (Some_Byte);
          end if;
 
-         if Item.Control.State = Idling then
+         if This.Control.State = Idling then
             Result.Control.In_A_Row := Row_Count (Some_Byte mod 3);
          end if;
 
@@ -705,17 +705,17 @@ package body Telemetry.Boards.Sides is
             Result.Receive_Pair.Slots (Which) :=
               (Full => Either, Data => Some_Block, others => <>);
          end loop;
-         if Has_Message (Item.Control.Receiver) then
+         if Has_Message (This.Control.Receiver) then
             Result.Receive_Pair.Slots (Result.Control.Receiver.Target) :=
               (Busy => True, Data => Some_Block, others => <>);
             Result.Control.Receiver.Sum := Checksum.Of_Message
               (Their_Header,
                Result.Receive_Pair.Slots
                  (Result.Control.Receiver.Target).Data,
-               Item.Control.Receiver.Received);
-            if Item.Control.Receiver.State = In_Data then
+               This.Control.Receiver.Received);
+            if This.Control.Receiver.State = In_Data then
                Result.Control.Receiver.Damaged :=
-                 Either and then not Is_Aligned (Item);
+                 Either and then not Is_Aligned (This);
             end if;
          else
             Result.Control.Receiver.Received :=
@@ -725,16 +725,16 @@ package body Telemetry.Boards.Sides is
          end if;
 
          Result.Transmit_Pair.Slots (Source) :=
-           Item.Transmit_Pair.Slots (First);
+           This.Transmit_Pair.Slots (First);
          Result.Transmit_Pair.Slots (Other (Source)) :=
-           Item.Transmit_Pair.Slots (Second);
+           This.Transmit_Pair.Slots (Second);
          Result.Transmit_Pair.Newest :=
-           (if Item.Transmit_Pair.Slots (Second).Full then Other (Source)
+           (if This.Transmit_Pair.Slots (Second).Full then Other (Source)
             else Either_Slot);
          for Which in Slot loop
             Result.Transmit_Pair.Slots (Which).Data := Some_Block;
          end loop;
-         if not Is_On_Its_Way (Item) and then Any_Full (Item.Transmit_Pair)
+         if not Is_On_Its_Way (This) and then Any_Full (This.Transmit_Pair)
            and then Either
          then
             Result.Transmit_Pair.Newest := Source;
@@ -743,11 +743,11 @@ package body Telemetry.Boards.Sides is
               Boolean'Pos (Either);
          end if;
          Result.Control.Sender.Source := Source;
-         if Item.Control.State = Sending then
-            if Item.Control.Sender.Sent > 0 then
+         if This.Control.State = Sending then
+            if This.Control.Sender.Sent > 0 then
                Result.Control.Sender.Sum := Checksum.Of_Message
                  (Our_Header, Result.Transmit_Pair.Slots (Source).Data,
-                  Byte_Count (Item.Control.Sender.Sent - 1));
+                  Byte_Count (This.Control.Sender.Sent - 1));
             end if;
          else
             Result.Control.Sender.Sent :=
@@ -774,19 +774,19 @@ package body Telemetry.Boards.Sides is
            (Now, Result_Vectors.To_Vector ((Option, Aligned), 1));
       end Compare;
 
-      procedure Try (Item : Board) is
-         Aligned    : constant Boolean := Is_Aligned (Item);
-         Full       : constant Board := Full_Board (Item);
+      procedure Try (This : Board) is
+         Aligned    : constant Boolean := Is_Aligned (This);
+         Full       : constant Board := Full_Board (This);
          L, R       : Board;
          Of_L, Of_R : Boolean;
          S, T       : Symbol;
          Taken      : Block_Data;
       begin
-         Compare (Full, Aligned, Item);
+         Compare (Full, Aligned, This);
 
          for Time in Character_Times range 1 .. 2 loop
             L := Full;
-            R := Item;
+            R := This;
             Elapse (L, Time);
             Elapse (R, Time);
             Compare (L, Aligned, R);
@@ -797,28 +797,28 @@ package body Telemetry.Boards.Sides is
          end loop;
 
          L := Full;
-         R := Item;
+         R := This;
          Start (L);
          Start (R);
          Compare (L, False, R);
 
          L := Full;
-         R := Item;
+         R := This;
          Clear_Transmit_Half (L);
          Clear_Transmit_Half (R);
          Compare (L, Aligned, R);
 
          L := Full;
          Put (L, Some_Block, Of_L);
-         Compare (L, Aligned, With_Block (Item, False));
+         Compare (L, Aligned, With_Block (This, False));
 
          --  The controller takes what came. Nobody else notices.
          L := Full;
          Take (L, Taken, Of_L, Of_R);
-         Compare (L, Aligned, Item);
+         Compare (L, Aligned, This);
 
          L := Full;
-         R := Item;
+         R := This;
          Poll (L, S);
          Poll (R, T);
          Compare (L, Aligned, R);
@@ -827,19 +827,19 @@ package body Telemetry.Boards.Sides is
          for Heard in Data_Begins .. Symbol'Last loop
             if not Aligned
               or else Heard =
-                (if Item.Control.Receiver.State = At_End then Silence
-                 elsif Expects_Sum (Item) then Data_Ends
+                (if This.Control.Receiver.State = At_End then Silence
+                 elsif Expects_Sum (This) then Data_Ends
                  else Data_Goes_On)
             then
                declare
                   Options : constant Result_Vectors.Vector :=
-                    Hearings (Item, Heard);
+                    Hearings (This, Heard);
                begin
                   for Data in Byte loop
                      if (case Heard is
                            when Data_Begins         => Data = Their_Header,
                            when Data_Goes_On | Data_Ends  => not Aligned
-                             or else not Expects_Sum (Item)
+                             or else not Expects_Sum (This)
                              or else Data = Full.Control.Receiver.Sum,
                            when Command        => Data =
                              Encode ((Kind => Command_To_Downlink)),
@@ -865,13 +865,13 @@ package body Telemetry.Boards.Sides is
       Calls := 0;
       Is_Exact := True;
       Byte_Chance.Reset (Chance, 1);
-      for Item of Boards_List loop
+      for This of Boards_List loop
          for Trial in 1 .. Trials loop
-            Try (Item);
-            if Has_Message (Item.Control.Receiver)
-              and then not Item.Control.Receiver.Damaged
+            Try (This);
+            if Has_Message (This.Control.Receiver)
+              and then not This.Control.Receiver.Damaged
             then
-               Try (Normal (Item, True));
+               Try (Normal (This, True));
             end if;
          end loop;
       end loop;

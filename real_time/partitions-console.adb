@@ -30,7 +30,7 @@ package body Partitions.Console is
 
    --  Read by the controller's tasks for the record, set by the converter.
    protected Present is
-      procedure Set (Item : Sticks);
+      procedure Set (This : Sticks);
       function Get return Sticks;
    private
       Held : Sticks;
@@ -38,9 +38,9 @@ package body Partitions.Console is
 
    protected body Present is
 
-      procedure Set (Item : Sticks) is
+      procedure Set (This : Sticks) is
       begin
-         Held := Item;
+         Held := This;
       end Set;
 
       function Get return Sticks is (Held);
@@ -58,13 +58,13 @@ package body Partitions.Console is
    Told_Orders : URVOS.Count := 0;
 
    --  What the script has by now.
-   procedure Follow_Script (Item : in out Sticks);
+   procedure Follow_Script (This : in out Sticks);
 
    --  What the console's packets say.
-   procedure Follow_Port (Item : in out Sticks; Pilot_Wanted : out Boolean);
+   procedure Follow_Port (This : in out Sticks; Pilot_Wanted : out Boolean);
 
    --  The pilot flies, or watches.
-   procedure Ask_Pilot (Item : in out Sticks; Pilot_Wanted : Boolean);
+   procedure Ask_Pilot (This : in out Sticks; Pilot_Wanted : Boolean);
 
    use type URVOS.Count;
 
@@ -87,63 +87,63 @@ package body Partitions.Console is
       Has_Pilot := True;
    end Take_Aboard;
 
-   procedure Follow_Script (Item : in out Sticks) is
+   procedure Follow_Script (This : in out Sticks) is
    begin
       while Next_Time (Script) <= Clocks.Elapsed loop
-         Advance (Script, Item.Words);
+         Advance (Script, This.Words);
       end loop;
    end Follow_Script;
 
-   procedure Follow_Port (Item : in out Sticks; Pilot_Wanted : out Boolean) is
+   procedure Follow_Port (This : in out Sticks; Pilot_Wanted : out Boolean) is
       Now : constant Situation := Seen (Ada.Real_Time.Clock);
    begin
-      if Now.State /= Item.State then
+      if Now.State /= This.State then
          if Now.State = Held then
             Helds.Add (Clocks.Elapsed);
-         elsif Now.State = Neutral and then Item.State /= No_Console then
+         elsif Now.State = Neutral and then This.State /= No_Console then
             Neutrals.Add (Clocks.Elapsed);
          end if;
       end if;
-      Item.State := Now.State;
-      Item.Words := Now.Words;
-      Item.Sequence := Now.Sequence;
+      This.State := Now.State;
+      This.Words := Now.Words;
+      This.Sequence := Now.Sequence;
       Pilot_Wanted := Now.Pilot_Flies;
    end Follow_Port;
 
-   procedure Ask_Pilot (Item : in out Sticks; Pilot_Wanted : Boolean) is
+   procedure Ask_Pilot (This : in out Sticks; Pilot_Wanted : Boolean) is
       Shown : constant Downlink_Buffer :=
         URV.CORE_Layout.To_Buffer (GSC.CORE_Memory.Contents.Downlink);
    begin
       if Pilot_Wanted then
-         Host.Pilot.Move (Flown, Shown, Item.Words);
+         Host.Pilot.Move (Flown, Shown, This.Words);
          Flown := Flown + Major_Frame;
-         Item.Pilot := Flies;
-         Item.Sequence := 0;
+         This.Pilot := Flies;
+         This.Sequence := 0;
       else
          Host.Pilot.Watch (Shown);
-         Item.Pilot := Hands_Off;
+         This.Pilot := Hands_Off;
       end if;
    end Ask_Pilot;
 
    procedure Sample (Is_Next : Boolean; Words : out Channel_Words) is
       pragma Unreferenced (Is_Next);   --  the ground scans once a frame
-      Item         : Sticks  := Present.Get;
+      This         : Sticks  := Present.Get;
       Pilot_Wanted : Boolean := True;
    begin
       if Console_Port.Is_Open then
-         Follow_Port (Item, Pilot_Wanted);
+         Follow_Port (This, Pilot_Wanted);
       elsif not Has_Pilot then
-         Follow_Script (Item);
+         Follow_Script (This);
       end if;
       if Has_Pilot then
-         Ask_Pilot (Item, Pilot_Wanted);
+         Ask_Pilot (This, Pilot_Wanted);
       end if;
-      Present.Set (Item);
+      Present.Set (This);
       Orders.Send_Due;
 
       Words := (others => Neutral_Value);
       for Command in Command_Item loop
-         Words (URV.Routing.Channel_Of (Command)) := Item.Words (Command);
+         Words (URV.Routing.Channel_Of (Command)) := This.Words (Command);
       end loop;
    end Sample;
 
@@ -192,7 +192,7 @@ package body Partitions.Console is
    function Times_Neutral return URVOS.Count is (Neutrals.Contents.Number);
 
    function Next_News (Now : String) return String is
-      Item : constant Sticks := Present.Get;
+      This : constant Sticks := Present.Get;
       Came : constant Boolean := Told.State /= No_Console;
       News : Unbounded_String;
 
@@ -205,8 +205,8 @@ package body Partitions.Console is
       end Tell;
 
    begin
-      if Item.State /= Told.State then
-         case Item.State is
+      if This.State /= Told.State then
+         case This.State is
             when No_Console => null;
             when Live       => Tell ("console live");
             when Held       =>
@@ -218,14 +218,14 @@ package body Partitions.Console is
                    else ": no packet yet"));
          end case;
       end if;
-      if Item.Pilot /= Told.Pilot then
-         case Item.Pilot is
+      if This.Pilot /= Told.Pilot then
+         case This.Pilot is
             when No_Pilot  => null;
             when Hands_Off => Tell ("pilot hands off");
             when Flies     => Tell ("pilot flies");
          end case;
       end if;
-      Told := Item;
+      Told := This;
       if Orders.Sent > Told_Orders then
          Told_Orders := Orders.Sent;
          Tell ("order" & Told_Orders'Image & " sent up");

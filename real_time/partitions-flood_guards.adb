@@ -10,36 +10,36 @@ package body Partitions.Flood_Guards is
    --  Longer than that a line brings more than a burst anyway.
    Longest_Wait : constant Time_Span := Milliseconds (100);
 
-   procedure Start (Item : out Guard; Now : Time) is
+   procedure Start (This : out Guard; Now : Time) is
    begin
-      Item := (Since => Now, others => <>);
+      This := (Since => Now, others => <>);
    end Start;
 
    procedure Take
-     (Item     : in out Guard;
+     (This     : in out Guard;
       Now      : Time;
       Came     : Amount;
       Is_Flood : out Boolean)
    is
       Brought : Natural;
    begin
-      if Now - Item.Since >= Longest_Wait then
-         Item.Granted := Burst;
-         Item.Since := Now;
-      elsif Now > Item.Since then
-         Brought := (Now - Item.Since) / Character_Time;
-         Item.Granted :=
-           Amount'Min (Burst, Item.Granted + Amount (Brought));
-         Item.Since := Item.Since + Brought * Character_Time;
+      if Now - This.Since >= Longest_Wait then
+         This.Granted := Burst;
+         This.Since := Now;
+      elsif Now > This.Since then
+         Brought := (Now - This.Since) / Character_Time;
+         This.Granted :=
+           Amount'Min (Burst, This.Granted + Amount (Brought));
+         This.Since := This.Since + Brought * Character_Time;
       end if;
 
-      if Item.Flooded then
-         Item.Flooded := Came > Calm;
+      if This.Flooded then
+         This.Flooded := Came > Calm;
          Is_Flood := True;
       else
-         Item.Flooded := Came > Item.Granted;
-         Is_Flood := Item.Flooded;
-         Item.Granted := Item.Granted - Amount'Min (Item.Granted, Came);
+         This.Flooded := Came > This.Granted;
+         Is_Flood := This.Flooded;
+         This.Granted := This.Granted - Amount'Min (This.Granted, Came);
       end if;
    end Take;
 

@@ -24,12 +24,12 @@ package Partitions.Flood_Guards is
 
    type Guard is private;
 
-   procedure Start (Item : out Guard; Now : Time);
+   procedure Start (This : out Guard; Now : Time);
 
    --  So much has come by now. Is_Flood tells that it is to be thrown away,
    --  and that the next look is to wait for Rest.
    procedure Take
-     (Item     : in out Guard;
+     (This     : in out Guard;
       Now      : Time;
       Came     : Amount;
       Is_Flood : out Boolean);

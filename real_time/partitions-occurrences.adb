@@ -25,7 +25,7 @@ package body Partitions.Occurrences is
      (To   : in out Host.Text_Output.Writer;
       Who  : Node;
       Kind : String;
-      Item : History)
+      This : History)
    is
       procedure Put_Field (Name : String; Value : Long_Long_Integer);
 
@@ -40,16 +40,16 @@ package body Partitions.Occurrences is
       function Frame (Time : Microseconds) return Long_Long_Integer is
         (Long_Long_Integer (Time / Major_Frame));
    begin
-      if Item.Number > 0 then
+      if This.Number > 0 then
          Put
            (To,
             "{""node"":""" & Host.Names.Name (Who) & """,""kind"":"""
             & Kind & '"');
-         Put_Field ("count", Long_Long_Integer (Item.Number));
-         Put_Field ("first_frame", Frame (Item.First));
-         Put_Field ("last_frame", Frame (Item.Last));
-         Put_Field ("first_ms", Milliseconds (Item.First));
-         Put_Field ("last_ms", Milliseconds (Item.Last));
+         Put_Field ("count", Long_Long_Integer (This.Number));
+         Put_Field ("first_frame", Frame (This.First));
+         Put_Field ("last_frame", Frame (This.Last));
+         Put_Field ("first_ms", Milliseconds (This.First));
+         Put_Field ("last_ms", Milliseconds (This.Last));
          Put_Field ("last_detail", 0);
          Put (To, '}');
          New_Line (To);

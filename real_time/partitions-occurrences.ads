@@ -29,6 +29,6 @@ package Partitions.Occurrences is
      (To   : in out Host.Text_Output.Writer;
       Who  : Node;
       Kind : String;
-      Item : History);
+      This : History);
 
 end Partitions.Occurrences;

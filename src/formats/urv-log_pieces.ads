@@ -93,33 +93,33 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Pre    => Where > 1 and then Value <= 255;
 
    --  The piece is the next of the row that is coming in.
-   function Is_Next (Item : Receiver; What : Piece) return Boolean is
-     (Item.Got in 1 .. Place'Last - 1
-      and then What / 256 = Word (Item.Got) + 1)
+   function Is_Next (This : Receiver; What : Piece) return Boolean is
+     (This.Got in 1 .. Place'Last - 1
+      and then What / 256 = Word (This.Got) + 1)
    with Global => null;
 
    --  A piece has come, or none. Complete tells that it was the last of a
    --  row. One that is not the next of its row ends the row.
    procedure Take
-     (Item     : in out Receiver;
+     (This     : in out Receiver;
       What     : Piece;
       Complete : out Boolean)
    with
      Global => null,
      Post   =>
-       Complete = (Is_Next (Item'Old, What) and then Item.Got = Place'Last)
-       and then Item =
+       Complete = (Is_Next (This'Old, What) and then This.Got = Place'Last)
+       and then This =
          (if What / 256 = 1
             and then What mod 256 in Word (Log_Row_Number'First)
                                        .. Word (Log_Row_Number'Last)
           then (Got   => 1,
                 Which => Log_Row_Number (What mod 256),
                 Row   => No_Errors)
-          elsif Is_Next (Item'Old, What)
-          then (Got   => Item'Old.Got + 1,
-                Which => Item'Old.Which,
+          elsif Is_Next (This'Old, What)
+          then (Got   => This'Old.Got + 1,
+                Which => This'Old.Which,
                 Row   => Extended
-                  (Item'Old.Row, Item'Old.Got + 1, What mod 256))
-          else (Item'Old with delta Got => 0));
+                  (This'Old.Row, This'Old.Got + 1, What mod 256))
+          else (This'Old with delta Got => 0));
 
 end URV.Log_Pieces;

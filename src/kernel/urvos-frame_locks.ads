@@ -48,8 +48,8 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
    At_Start : constant Lock_State := (others => <>);
 
    --  Nothing is known of the messages. Frames stay as they were to be.
-   function Restarted (Item : Lock_State) return Lock_State is
-     ((Item with delta
+   function Restarted (This : Lock_State) return Lock_State is
+     ((This with delta
          Is_Waiting  => False,
          Waited      => 0,
          Out_Of_Step => 0,
@@ -58,14 +58,14 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
 
    --  The clock ticks, and there is a message to be taken, or none.
    function Ticked
-     (Item      : Lock_State;
+     (This      : Lock_State;
       Available : Boolean) return Lock_State
    is
-     ((Item with delta
+     ((This with delta
          Is_Waiting => Available,
          Waited     =>
-           (if Available and then Item.Is_Waiting
-            then Wait_Count'Min (Item.Waited, Wait_Count'Last - 1) + 1
+           (if Available and then This.Is_Waiting
+            then Wait_Count'Min (This.Waited, Wait_Count'Last - 1) + 1
             else 0)))
    with Global => null;
 
@@ -79,47 +79,47 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
    with Global => null;
 
    --  A message is taken now, and is fresh: how long the frame is to last.
-   function Length_Asked (Item : Lock_State) return Frame_Length is
-     (if Item.Out_Of_Step = Out_Count'Last then Length_For (Item.Waited)
+   function Length_Asked (This : Lock_State) return Frame_Length is
+     (if This.Out_Of_Step = Out_Count'Last then Length_For (This.Waited)
       else Usual_Length)
    with Global => null;
 
-   function Next_Out (Item : Lock_State) return Out_Count is
-     (if Length_For (Item.Waited) = Usual_Length
-        or else Item.Out_Of_Step = Out_Count'Last
+   function Next_Out (This : Lock_State) return Out_Count is
+     (if Length_For (This.Waited) = Usual_Length
+        or else This.Out_Of_Step = Out_Count'Last
       then 0
-      else Item.Out_Of_Step + 1)
+      else This.Out_Of_Step + 1)
    with Global => null;
 
    --  The task that takes messages has run in this frame, and found a fresh
    --  one or none.
    function Taken
-     (Item  : Lock_State;
+     (This  : Lock_State;
       Fresh : Boolean;
       Frame : Clock_Tick) return Lock_State
    is
      (if not Fresh
-      then (Item with delta
+      then (This with delta
               Is_Waiting => False,
               Waited     => 0,
               Request    => (Frame, Usual_Length))
-      else (Item with delta
+      else (This with delta
               Is_Waiting  => False,
               Waited      => 0,
-              Request     => (Frame, Length_Asked (Item)),
-              Out_Of_Step => Next_Out (Item),
+              Request     => (Frame, Length_Asked (This)),
+              Out_Of_Step => Next_Out (This),
               Is_In_Step  =>
-                Item.Waited <= 2
-                and then (Item.Waited = 1 or else Item.Is_In_Step),
+                This.Waited <= 2
+                and then (This.Waited = 1 or else This.Is_In_Step),
               Since       =>
-                (if Item.Waited = 1 and then not Item.Is_In_Step
-                 then Frame else Item.Since),
+                (if This.Waited = 1 and then not This.Is_In_Step
+                 then Frame else This.Since),
               Shortened   =>
-                (if Length_Asked (Item) < Usual_Length
-                 then Incremented (Item.Shortened) else Item.Shortened),
+                (if Length_Asked (This) < Usual_Length
+                 then Incremented (This.Shortened) else This.Shortened),
               Lengthened  =>
-                (if Length_Asked (Item) > Usual_Length
-                 then Incremented (Item.Lengthened) else Item.Lengthened)))
+                (if Length_Asked (This) > Usual_Length
+                 then Incremented (This.Lengthened) else This.Lengthened)))
    with Global => null;
 
 end URVOS.Frame_Locks;

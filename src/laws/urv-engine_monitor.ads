@@ -58,48 +58,48 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
       Failed : Boolean     := False;
    end record;
 
-   function Is_Outside (Item : Monitor; Speed : Level) return Boolean is
-     (Speed < Item.Least - Allowance or else Speed > Item.Most + Allowance)
+   function Is_Outside (This : Monitor; Speed : Level) return Boolean is
+     (Speed < This.Least - Allowance or else Speed > This.Most + Allowance)
    with Global => null;
 
    --  The bounds with the speed that is asked for in this frame.
-   function Narrowed (Item : Monitor; Goal : Level) return Monitor is
-     ((Item with delta
+   function Narrowed (This : Monitor; Goal : Level) return Monitor is
+     ((This with delta
          Least => Integer'Min
-                    (Goal, Integer'Min (Item.Least + Narrowing, Level'Last)),
+                    (Goal, Integer'Min (This.Least + Narrowing, Level'Last)),
          Most  => Integer'Max
-                    (Goal, Integer'Max (Item.Most - Narrowing, 0))))
+                    (Goal, Integer'Max (This.Most - Narrowing, 0))))
    with Global => null;
 
    --  Nothing is known of this frame: the bounds are anywhere.
-   function Unknown (Item : Monitor) return Monitor is
-     ((Least => 0, Most => Level'Last, Doubt => 0, Failed => Item.Failed))
+   function Unknown (This : Monitor) return Monitor is
+     ((Least => 0, Most => Level'Last, Doubt => 0, Failed => This.Failed))
    with Global => null;
 
    --  Power is the throttle's word in the last frame.
    function Next
-     (Item     : Monitor;
+     (This     : Monitor;
       Power    : Lever;
       Speed    : Level;
       Airspeed : Level;
       Is_Known : Boolean) return Monitor
    is
-     (if not Is_Known or else Airspeed < Slowest then Unknown (Item)
-      elsif not Is_Outside (Item, Speed)
-      then (Narrowed (Item, Steady (Power, Airspeed)) with delta Doubt => 0)
+     (if not Is_Known or else Airspeed < Slowest then Unknown (This)
+      elsif not Is_Outside (This, Speed)
+      then (Narrowed (This, Steady (Power, Airspeed)) with delta Doubt => 0)
       else
-        (Narrowed (Item, Steady (Power, Airspeed)) with delta
-           Doubt  => Integer'Min (Item.Doubt + 1, Certainty),
-           Failed => Item.Failed or else Item.Doubt + 1 >= Certainty))
+        (Narrowed (This, Steady (Power, Airspeed)) with delta
+           Doubt  => Integer'Min (This.Doubt + 1, Certainty),
+           Failed => This.Failed or else This.Doubt + 1 >= Certainty))
    with
      Global => null,
      Post   =>
        --  It is not forgotten, and seen only after half a second outside.
-       (if Item.Failed then Next'Result.Failed)
+       (if This.Failed then Next'Result.Failed)
        and then
-         (if Next'Result.Failed and then not Item.Failed
+         (if Next'Result.Failed and then not This.Failed
           then Is_Known
-            and then Is_Outside (Item, Speed)
-            and then Item.Doubt >= Certainty - 1);
+            and then Is_Outside (This, Speed)
+            and then This.Doubt >= Certainty - 1);
 
 end URV.Engine_Monitor;

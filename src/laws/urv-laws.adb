@@ -76,7 +76,7 @@ package body URV.Laws with SPARK_Mode is
    with Ghost, Global => null;
 
    procedure Fly_Roll
-     (Item : in out Memory;
+     (This : in out Memory;
       Was  : Modes;
       Now  : Readings;
       Hand : Sticks;
@@ -84,37 +84,37 @@ package body URV.Laws with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Flies_Only (Roll_Axis, Item'Old, Item)
+       Flies_Only (Roll_Axis, This'Old, This)
        and then
-         (if Item.Is_Stick'Old (Roll_Axis)
-            and then Item.Flown.Lateral = Direct
+         (if This.Is_Stick'Old (Roll_Axis)
+            and then This.Flown.Lateral = Direct
             and then Hand.Is_Pilot
-          then Item.Is_Stick (Roll_Axis))
+          then This.Is_Stick (Roll_Axis))
        and then
-         (if not Item.Is_Stick (Roll_Axis)
-          then abs (Item.Last.Roll - Item.Last'Old.Roll) <= Roll_Step)
+         (if not This.Is_Stick (Roll_Axis)
+          then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
        and then
-         (if Item.Flown.Lateral in Banked
-          then abs Item.Last.Roll <=
+         (if This.Flown.Lateral in Banked
+          then abs This.Last.Roll <=
                  Integer'Max
-                   (Roll_Authority, abs Item.Last'Old.Roll - Roll_Step));
+                   (Roll_Authority, abs This.Last'Old.Roll - Roll_Step));
 
-   procedure Fly_Yaw (Item : in out Memory; Now : Readings; Hand : Sticks)
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
    with
      Global => null,
      Post   =>
-       Flies_Only (Yaw_Axis, Item'Old, Item)
+       Flies_Only (Yaw_Axis, This'Old, This)
        and then
-         (if Item.Is_Stick'Old (Yaw_Axis)
-            and then Item.Flown.Lateral = Direct
+         (if This.Is_Stick'Old (Yaw_Axis)
+            and then This.Flown.Lateral = Direct
             and then Hand.Is_Pilot
-          then Item.Is_Stick (Yaw_Axis))
+          then This.Is_Stick (Yaw_Axis))
        and then
-         (if not Item.Is_Stick (Yaw_Axis)
-          then abs (Item.Last.Yaw - Item.Last'Old.Yaw) <= Yaw_Step);
+         (if not This.Is_Stick (Yaw_Axis)
+          then abs (This.Last.Yaw - This.Last'Old.Yaw) <= Yaw_Step);
 
    procedure Fly_Pitch
-     (Item   : in out Memory;
+     (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
       Hand   : Sticks;
@@ -124,38 +124,38 @@ package body URV.Laws with SPARK_Mode is
      Global => null,
      Pre    => Rising in -30_000 .. 30_000,
      Post   =>
-       Flies_Only (Pitch_Axis, Item'Old, Item)
+       Flies_Only (Pitch_Axis, This'Old, This)
        and then
-         (if Item.Is_Stick'Old (Pitch_Axis)
-            and then Item.Flown.Vertical = Direct
+         (if This.Is_Stick'Old (Pitch_Axis)
+            and then This.Flown.Vertical = Direct
             and then Hand.Is_Pilot
-          then Item.Is_Stick (Pitch_Axis))
+          then This.Is_Stick (Pitch_Axis))
        and then
-         (if not Item.Is_Stick (Pitch_Axis)
-          then abs (Item.Last.Pitch - Item.Last'Old.Pitch) <= Pitch_Step)
+         (if not This.Is_Stick (Pitch_Axis)
+          then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
        and then
-         (if Item.Flown.Vertical in Pitched
-          then abs Item.Last.Pitch <=
+         (if This.Flown.Vertical in Pitched
+          then abs This.Last.Pitch <=
                  Integer'Max
-                   (Pitch_Authority, abs Item.Last'Old.Pitch - Pitch_Step));
+                   (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
 
    procedure Fly_Throttle
-     (Item : in out Memory;
+     (This : in out Memory;
       Was  : Modes;
       Now  : Readings;
       Hand : Sticks)
    with
      Global => null,
      Post   =>
-       Flies_Only (Throttle_Axis, Item'Old, Item)
+       Flies_Only (Throttle_Axis, This'Old, This)
        and then
-         (if Item.Is_Stick'Old (Throttle_Axis)
-            and then Item.Flown.Power = Direct
+         (if This.Is_Stick'Old (Throttle_Axis)
+            and then This.Flown.Power = Direct
             and then Hand.Is_Pilot
-          then Item.Is_Stick (Throttle_Axis))
+          then This.Is_Stick (Throttle_Axis))
        and then
-         (if not Item.Is_Stick (Throttle_Axis)
-          then abs (Item.Last.Throttle - Item.Last'Old.Throttle) <=
+         (if not This.Is_Stick (Throttle_Axis)
+          then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
                  Throttle_Step);
 
    --------------
@@ -163,7 +163,7 @@ package body URV.Laws with SPARK_Mode is
    --------------
 
    procedure Fly_Roll
-     (Item : in out Memory;
+     (This : in out Memory;
       Was  : Modes;
       Now  : Readings;
       Hand : Sticks;
@@ -172,7 +172,7 @@ package body URV.Laws with SPARK_Mode is
       Target : Demand;
       Wanted : Unlimited;
    begin
-      case Item.Flown.Lateral is
+      case This.Flown.Lateral is
          when Direct =>
             Wanted := Hand.Roll;
             Target := Hand.Roll;
@@ -181,53 +181,53 @@ package body URV.Laws with SPARK_Mode is
             Wanted := Target;
          when Banked =>
             if Was.Lateral not in Banked then
-               Item.Bank_Wanted := Reckoned_Of (Now.Bank);
-               Item.Roll_Trim := 0;
+               This.Bank_Wanted := Reckoned_Of (Now.Bank);
+               This.Roll_Trim := 0;
             end if;
-            Item.Bank_Wanted := Stepped
-              (Item.Bank_Wanted,
-               (case Item.Flown.Lateral is
+            This.Bank_Wanted := Stepped
+              (This.Bank_Wanted,
+               (case This.Flown.Lateral is
                    when Bank_By_Stick => Stick_Bank (Hand.Roll),
                    when Orbit         => Orbit_Bank_At (Now.Airspeed),
                    when others        => 0),
                Bank_Slew);
             Wanted := Unlimited_Roll
-              (Item.Bank_Wanted, Now, Item.Roll_Trim, By.For_Bank);
+              (This.Bank_Wanted, Now, This.Roll_Trim, By.For_Bank);
             Target := Within (Wanted, -Roll_Authority, Roll_Authority);
       end case;
 
-      Item.Is_Stick (Roll_Axis) := Is_Stick_Again
-        (Item.Is_Stick (Roll_Axis), Item.Flown.Lateral = Direct,
-         Hand.Is_Pilot, Item.Last.Roll, Hand.Roll);
-      Item.Last.Roll :=
-        (if Item.Is_Stick (Roll_Axis) then Hand.Roll
-         else Stepped (Item.Last.Roll, Target, Roll_Step));
+      This.Is_Stick (Roll_Axis) := Is_Stick_Again
+        (This.Is_Stick (Roll_Axis), This.Flown.Lateral = Direct,
+         Hand.Is_Pilot, This.Last.Roll, Hand.Roll);
+      This.Last.Roll :=
+        (if This.Is_Stick (Roll_Axis) then Hand.Roll
+         else Stepped (This.Last.Roll, Target, Roll_Step));
 
-      if Item.Flown.Lateral in Banked then
-         Item.Roll_Trim := Next_Roll_Trim
-           (Item.Roll_Trim, Bank_Error (Item.Bank_Wanted, Now),
-            Is_Free => Item.Last.Roll = Wanted,
+      if This.Flown.Lateral in Banked then
+         This.Roll_Trim := Next_Roll_Trim
+           (This.Roll_Trim, Bank_Error (This.Bank_Wanted, Now),
+            Is_Free => This.Last.Roll = Wanted,
             By      => By.Bank_Learning);
       end if;
    end Fly_Roll;
 
-   procedure Fly_Yaw (Item : in out Memory; Now : Readings; Hand : Sticks) is
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks) is
       Is_Direct : constant Boolean :=
-        Item.Flown.Lateral = Direct or else not Can_Damp_Yaw (Item.Checks);
+        This.Flown.Lateral = Direct or else not Can_Damp_Yaw (This.Checks);
       Target    : constant Demand :=
         (if Is_Direct then Hand.Yaw
          else Plus (Hand.Yaw, Yaw_Damping_Of (Now)));
    begin
-      Item.Is_Stick (Yaw_Axis) := Is_Stick_Again
-        (Item.Is_Stick (Yaw_Axis), Is_Direct, Hand.Is_Pilot, Item.Last.Yaw,
+      This.Is_Stick (Yaw_Axis) := Is_Stick_Again
+        (This.Is_Stick (Yaw_Axis), Is_Direct, Hand.Is_Pilot, This.Last.Yaw,
          Hand.Yaw);
-      Item.Last.Yaw :=
-        (if Item.Is_Stick (Yaw_Axis) then Hand.Yaw
-         else Stepped (Item.Last.Yaw, Target, Yaw_Step));
+      This.Last.Yaw :=
+        (if This.Is_Stick (Yaw_Axis) then Hand.Yaw
+         else Stepped (This.Last.Yaw, Target, Yaw_Step));
    end Fly_Yaw;
 
    procedure Fly_Pitch
-     (Item   : in out Memory;
+     (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
       Hand   : Sticks;
@@ -238,7 +238,7 @@ package body URV.Laws with SPARK_Mode is
       Wanted : Unlimited;
       Aim    : Nose;
    begin
-      case Item.Flown.Vertical is
+      case This.Flown.Vertical is
          when Direct =>
             Wanted := Hand.Pitch;
             Target := Hand.Pitch;
@@ -247,57 +247,57 @@ package body URV.Laws with SPARK_Mode is
             Wanted := Target;
          when Pitched =>
             if Was.Vertical not in Pitched then
-               Item.Pitch_Wanted := As_Nose (Now.Pitch);
-               Item.Height_Trim := 0;
-               Item.Pitch_Trim :=
+               This.Pitch_Wanted := As_Nose (Now.Pitch);
+               This.Height_Trim := 0;
+               This.Pitch_Trim :=
                  Within
-                   (Item.Last.Pitch, -First_Pitch_Trim, First_Pitch_Trim)
+                   (This.Last.Pitch, -First_Pitch_Trim, First_Pitch_Trim)
                  * 1_000;
             end if;
             if Was.Vertical /= Hold_Altitude then
-               Item.Height_Held := Now.Altitude;
+               This.Height_Held := Now.Altitude;
             end if;
-            case Item.Flown.Vertical is
+            case This.Flown.Vertical is
                when Hold_Altitude =>
                   Aim := Altitude_Nose
-                    (Wanted_Climb (Item.Height_Held, Now), Rising, Now.Bank,
-                     Item.Height_Trim);
-                  Item.Height_Trim := Next_Height_Trim
-                    (Item.Height_Trim, Item.Height_Held, Now);
+                    (Wanted_Climb (This.Height_Held, Now), Rising, Now.Bank,
+                     This.Height_Trim);
+                  This.Height_Trim := Next_Height_Trim
+                    (This.Height_Trim, This.Height_Held, Now);
                when Glide =>
                   Aim :=
-                    (if Item.Checks (Airspeed).Is_Valid
+                    (if This.Checks (Airspeed).Is_Valid
                      then Glide_Nose (Now.Airspeed) else Glide_Pitch);
                when others =>
                   Aim := Stick_Nose (Hand.Pitch);
             end case;
-            if Item.Checks (Airspeed).Is_Valid then
+            if This.Checks (Airspeed).Is_Valid then
                Aim := Guarded (Aim, Now.Airspeed);
             end if;
-            Item.Pitch_Wanted :=
-              Stepped (Item.Pitch_Wanted, Aim, Pitch_Slew);
+            This.Pitch_Wanted :=
+              Stepped (This.Pitch_Wanted, Aim, Pitch_Slew);
             Wanted := Unlimited_Pitch
-              (Item.Pitch_Wanted, Now, Item.Pitch_Trim, By.For_Pitch);
+              (This.Pitch_Wanted, Now, This.Pitch_Trim, By.For_Pitch);
             Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
       end case;
 
-      Item.Is_Stick (Pitch_Axis) := Is_Stick_Again
-        (Item.Is_Stick (Pitch_Axis), Item.Flown.Vertical = Direct,
-         Hand.Is_Pilot, Item.Last.Pitch, Hand.Pitch);
-      Item.Last.Pitch :=
-        (if Item.Is_Stick (Pitch_Axis) then Hand.Pitch
-         else Stepped (Item.Last.Pitch, Target, Pitch_Step));
+      This.Is_Stick (Pitch_Axis) := Is_Stick_Again
+        (This.Is_Stick (Pitch_Axis), This.Flown.Vertical = Direct,
+         Hand.Is_Pilot, This.Last.Pitch, Hand.Pitch);
+      This.Last.Pitch :=
+        (if This.Is_Stick (Pitch_Axis) then Hand.Pitch
+         else Stepped (This.Last.Pitch, Target, Pitch_Step));
 
-      if Item.Flown.Vertical in Pitched then
-         Item.Pitch_Trim := Next_Pitch_Trim
-           (Item.Pitch_Trim, Pitch_Error (Item.Pitch_Wanted, Now),
-            Is_Free => Item.Last.Pitch = Wanted,
+      if This.Flown.Vertical in Pitched then
+         This.Pitch_Trim := Next_Pitch_Trim
+           (This.Pitch_Trim, Pitch_Error (This.Pitch_Wanted, Now),
+            Is_Free => This.Last.Pitch = Wanted,
             By      => By.Pitch_Learning);
       end if;
    end Fly_Pitch;
 
    procedure Fly_Throttle
-     (Item : in out Memory;
+     (This : in out Memory;
       Was  : Modes;
       Now  : Readings;
       Hand : Sticks)
@@ -305,7 +305,7 @@ package body URV.Laws with SPARK_Mode is
       Target : Lever;
       Wanted : Unlimited;
    begin
-      case Item.Flown.Power is
+      case This.Flown.Power is
          when Direct =>
             Wanted := Hand.Throttle;
             Target := Hand.Throttle;
@@ -314,57 +314,57 @@ package body URV.Laws with SPARK_Mode is
             Target := 0;
          when Hold_Airspeed =>
             if Was.Power /= Hold_Airspeed then
-               Item.Speed_Held := Now.Airspeed;
-               Item.Lever_Held := Hand.Throttle;
-               Item.Power_Trim := Item.Last.Throttle * 1_000;
+               This.Speed_Held := Now.Airspeed;
+               This.Lever_Held := Hand.Throttle;
+               This.Power_Trim := This.Last.Throttle * 1_000;
             end if;
             Wanted := Unlimited_Throttle
-              (Held_Speed (Item.Speed_Held, Hand.Throttle - Item.Lever_Held),
+              (Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held),
                Now,
-               (if Item.Flown.Vertical = Hold_Altitude
-                then Wanted_Climb (Item.Height_Held, Now) else 0),
-               Item.Power_Trim);
+               (if This.Flown.Vertical = Hold_Altitude
+                then Wanted_Climb (This.Height_Held, Now) else 0),
+               This.Power_Trim);
             Target := Within (Wanted, 0, Lever'Last);
       end case;
 
-      Item.Is_Stick (Throttle_Axis) := Is_Stick_Again
-        (Item.Is_Stick (Throttle_Axis), Item.Flown.Power = Direct,
-         Hand.Is_Pilot, Item.Last.Throttle, Hand.Throttle);
-      Item.Last.Throttle :=
-        (if Item.Is_Stick (Throttle_Axis) then Hand.Throttle
-         else Stepped (Item.Last.Throttle, Target, Throttle_Step));
+      This.Is_Stick (Throttle_Axis) := Is_Stick_Again
+        (This.Is_Stick (Throttle_Axis), This.Flown.Power = Direct,
+         Hand.Is_Pilot, This.Last.Throttle, Hand.Throttle);
+      This.Last.Throttle :=
+        (if This.Is_Stick (Throttle_Axis) then Hand.Throttle
+         else Stepped (This.Last.Throttle, Target, Throttle_Step));
 
-      if Item.Flown.Power = Hold_Airspeed then
-         Item.Power_Trim := Next_Power_Trim
-           (Item.Power_Trim,
-            Held_Speed (Item.Speed_Held, Hand.Throttle - Item.Lever_Held)
+      if This.Flown.Power = Hold_Airspeed then
+         This.Power_Trim := Next_Power_Trim
+           (This.Power_Trim,
+            Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held)
               - Now.Airspeed,
-            Is_Free => Item.Last.Throttle = Wanted);
+            Is_Free => This.Last.Throttle = Wanted);
       end if;
    end Fly_Throttle;
 
    function Next
-     (Item     : Memory;
+     (This     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number := 0) return Memory
    is
       Checks : constant Check_Table :=
-        Sensor_Checks.Next (Item.Checks, Sensors);
+        Sensor_Checks.Next (This.Checks, Sensors);
       Heard  : constant Uplink_Buffer :=
-        (if Is_Old (Commands) then Item.Heard else Commands);
-      After  : Memory := Item;
+        (if Is_Old (Commands) then This.Heard else Commands);
+      After  : Memory := This;
       Now    : Readings;
       Hand   : Sticks;
       Rising : Number;
    begin
       After.Link := Link_Loss.Next
-        (Item.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By);
+        (This.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By);
       After.Heard := Heard;
       After.Checks := Checks;
       Now := Readings_Of (Checks);
-      if not Item.Checks (Altitude).Is_Valid then
+      if not This.Checks (Altitude).Is_Valid then
          After.Smoothed := Now.Altitude * 1_000;
       end if;
       Rising := Climb_Rate (After.Smoothed, Now.Altitude);
@@ -392,21 +392,21 @@ package body URV.Laws with SPARK_Mode is
       pragma Assert
         (if Is_Disconnected (Commands) or else After.Link.State = Waiting
          then Hand.Is_Pilot and then After.Flown = All_Direct);
-      Fly_Roll (After, Item.Flown, Now, Hand, Gains_Of (Table));
+      Fly_Roll (After, This.Flown, Now, Hand, Gains_Of (Table));
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
       Fly_Yaw (After, Now, Hand);
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
       Fly_Pitch
-        (After, Item.Flown, Now, Hand, Rising, Gains_Of (Table));
+        (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
-      Fly_Throttle (After, Item.Flown, Now, Hand);
+      Fly_Throttle (After, This.Flown, Now, Hand);
       pragma Assert (After.Checks = Checks);
       pragma Assert (After.Heard = Heard);
       pragma Assert
-        (if Is_Old (Commands) then After.Heard = Item.Heard
+        (if Is_Old (Commands) then After.Heard = This.Heard
          else After.Heard = Commands);
 
       --  Above all else.

@@ -126,8 +126,8 @@ package URV.Laws with Pure, SPARK_Mode is
    with Global => null;
 
    --  No law flies.
-   function Is_All_Stick (Item : Memory) return Boolean is
-     (for all Which in Axis => Item.Is_Stick (Which))
+   function Is_All_Stick (This : Memory) return Boolean is
+     (for all Which in Axis => This.Is_Stick (Which))
    with Global => null;
 
    --  The pilot's disconnect: direct, above all else.
@@ -250,7 +250,7 @@ package URV.Laws with Pure, SPARK_Mode is
 
    --  A frame: what is remembered after it. All that a law does is in it.
    function Next
-     (Item     : Memory;
+     (This     : Memory;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
@@ -260,19 +260,19 @@ package URV.Laws with Pure, SPARK_Mode is
      Post   =>
        Next'Result.Link =
          Link_Loss.Next
-           (Item.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By)
-       and then Next'Result.Checks = Sensor_Checks.Next (Item.Checks, Sensors)
+           (This.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By)
+       and then Next'Result.Checks = Sensor_Checks.Next (This.Checks, Sensors)
        and then (if Is_Old (Commands)
-                 then Next'Result.Heard = Item.Heard
+                 then Next'Result.Heard = This.Heard
                  else Next'Result.Heard = Commands)
        and then Next'Result.Flown =
          (if Is_Disconnected (Commands) then All_Direct
           else Allowed
             (Wanted
                (Next'Result.Link.State,
-                (if Is_Old (Commands) then Item.Heard else Commands),
+                (if Is_Old (Commands) then This.Heard else Commands),
                 Next'Result.Is_Flying),
-             Sensor_Checks.Next (Item.Checks, Sensors)))
+             Sensor_Checks.Next (This.Checks, Sensors)))
 
        --  Disconnected: the stick's own words, at once.
        and then (if Is_Disconnected (Commands)
@@ -286,16 +286,16 @@ package URV.Laws with Pure, SPARK_Mode is
        --  rate limit, whatever the modes were.
        and then
          (if not Next'Result.Is_Stick (Roll_Axis)
-          then abs (Next'Result.Last.Roll - Item.Last.Roll) <= Roll_Step)
+          then abs (Next'Result.Last.Roll - This.Last.Roll) <= Roll_Step)
        and then
          (if not Next'Result.Is_Stick (Pitch_Axis)
-          then abs (Next'Result.Last.Pitch - Item.Last.Pitch) <= Pitch_Step)
+          then abs (Next'Result.Last.Pitch - This.Last.Pitch) <= Pitch_Step)
        and then
          (if not Next'Result.Is_Stick (Yaw_Axis)
-          then abs (Next'Result.Last.Yaw - Item.Last.Yaw) <= Yaw_Step)
+          then abs (Next'Result.Last.Yaw - This.Last.Yaw) <= Yaw_Step)
        and then
          (if not Next'Result.Is_Stick (Throttle_Axis)
-          then abs (Next'Result.Last.Throttle - Item.Last.Throttle) <=
+          then abs (Next'Result.Last.Throttle - This.Last.Throttle) <=
                  Throttle_Step)
 
        --  A law that flies bank or pitch is within its authority, or on the
@@ -304,43 +304,43 @@ package URV.Laws with Pure, SPARK_Mode is
          (if Next'Result.Flown.Lateral in Banked
           then abs Next'Result.Last.Roll <=
                  Integer'Max
-                   (Roll_Authority, abs Item.Last.Roll - Roll_Step))
+                   (Roll_Authority, abs This.Last.Roll - Roll_Step))
        and then
          (if Next'Result.Flown.Vertical in Pitched
           then abs Next'Result.Last.Pitch <=
                  Integer'Max
-                   (Pitch_Authority, abs Item.Last.Pitch - Pitch_Step));
+                   (Pitch_Authority, abs This.Last.Pitch - Pitch_Step));
 
    --  The commands as the law would have them: those of the pilot where an
    --  axis is his. When all are, the very message, with its mark; else
    --  one that is not marked as old.
-   function Output (Item : Memory; Commands : Uplink_Buffer)
+   function Output (This : Memory; Commands : Uplink_Buffer)
                     return Uplink_Buffer
    is
-     (if Is_All_Stick (Item) then Commands
+     (if Is_All_Stick (This) then Commands
       else
-        (Item.Heard with delta
-           Roll         => (if Item.Is_Stick (Roll_Axis)
-                            then Item.Heard (Roll)
-                            else Word_Of (Item.Last.Roll)),
-           Pitch        => (if Item.Is_Stick (Pitch_Axis)
-                            then Item.Heard (Pitch)
-                            else Word_Of (Item.Last.Pitch)),
-           Yaw          => (if Item.Is_Stick (Yaw_Axis)
-                            then Item.Heard (Yaw)
-                            else Word_Of (Item.Last.Yaw)),
-           Throttle     => (if Item.Is_Stick (Throttle_Axis)
-                            then Item.Heard (Throttle)
-                            else Lever_Word_Of (Item.Last.Throttle)),
+        (This.Heard with delta
+           Roll         => (if This.Is_Stick (Roll_Axis)
+                            then This.Heard (Roll)
+                            else Word_Of (This.Last.Roll)),
+           Pitch        => (if This.Is_Stick (Pitch_Axis)
+                            then This.Heard (Pitch)
+                            else Word_Of (This.Last.Pitch)),
+           Yaw          => (if This.Is_Stick (Yaw_Axis)
+                            then This.Heard (Yaw)
+                            else Word_Of (This.Last.Yaw)),
+           Throttle     => (if This.Is_Stick (Throttle_Axis)
+                            then This.Heard (Throttle)
+                            else Lever_Word_Of (This.Last.Throttle)),
            Error_Status => No_Error))
    with
      Global => null,
      Post   =>
-       (if Is_All_Stick (Item)
+       (if Is_All_Stick (This)
         then Output'Result = Commands
         else not Is_Old (Output'Result)
-          and then Output'Result (Brake) = Item.Heard (Brake)
+          and then Output'Result (Brake) = This.Heard (Brake)
           and then (for all Switch in Switch_Item =>
-                      Output'Result (Switch) = Item.Heard (Switch)));
+                      Output'Result (Switch) = This.Heard (Switch)));
 
 end URV.Laws;

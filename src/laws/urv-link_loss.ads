@@ -73,21 +73,21 @@ package URV.Link_Loss with Pure, SPARK_Mode is
 
    --  A frame without a fresh uplink.
    function After_Silence
-     (Item : Link_Memory; By : Times) return Link_Memory
+     (This : Link_Memory; By : Times) return Link_Memory
    is
      (State  =>
-        (case Item.State is
+        (case This.State is
             when Waiting    => Waiting,
             when Linked     =>
-              (if More (Item.Silent) >= By.Hold then Holding else Linked),
+              (if More (This.Silent) >= By.Hold then Holding else Linked),
             when Holding    =>
-              (if More (Item.Silent) >= By.Orbit
+              (if More (This.Silent) >= By.Orbit
                then Orbiting else Holding),
             when Orbiting   =>
-              (if More (Item.Silent) >= By.Terminate_At
+              (if More (This.Silent) >= By.Terminate_At
                then Terminated else Orbiting),
             when Terminated => Terminated),
-      Silent => (if Item.State = Waiting then 0 else More (Item.Silent)),
+      Silent => (if This.State = Waiting then 0 else More (This.Silent)),
       Fresh  => 0,
       Off    => 0,
       On     => 0)
@@ -95,61 +95,61 @@ package URV.Link_Loss with Pure, SPARK_Mode is
 
    --  The ground's order is complete with a frame more.
    function Is_Ordered
-     (Item : Link_Memory; Disconnect : Boolean) return Boolean
+     (This : Link_Memory; Disconnect : Boolean) return Boolean
    is
      (Disconnect
-      and then Item.Off = Return_After
-      and then Item.On >= Return_After - 1)
+      and then This.Off = Return_After
+      and then This.On >= Return_After - 1)
    with Global => null;
 
    --  A frame with a fresh uplink, and its disconnect switch.
    function After_Uplink
-     (Item : Link_Memory; Disconnect : Boolean) return Link_Memory
+     (This : Link_Memory; Disconnect : Boolean) return Link_Memory
    is
-     (case Item.State is
+     (case This.State is
          when Waiting | Linked     => Linked_Again,
          when Holding | Orbiting   =>
-           (if Item.Fresh >= Return_After - 1
+           (if This.Fresh >= Return_After - 1
             then Linked_Again
-            else (Item with delta Fresh => Item.Fresh + 1)),
+            else (This with delta Fresh => This.Fresh + 1)),
          when Terminated           =>
-           (if Is_Ordered (Item, Disconnect)
+           (if Is_Ordered (This, Disconnect)
             then Linked_Again
             elsif not Disconnect
-            then (Item with delta
+            then (This with delta
                     On  => 0,
                     Off =>
-                      (if Item.On > 0 then 1
-                       else More_Of_Return (Item.Off)))
-            elsif Item.Off = Return_After
-            then (Item with delta On => More_Of_Return (Item.On))
-            else (Item with delta On => 0, Off => 0)))
+                      (if This.On > 0 then 1
+                       else More_Of_Return (This.Off)))
+            elsif This.Off = Return_After
+            then (This with delta On => More_Of_Return (This.On))
+            else (This with delta On => 0, Off => 0)))
    with Global => null;
 
    function Next
-     (Item       : Link_Memory;
+     (This       : Link_Memory;
       Is_Fresh   : Boolean;
       Disconnect : Boolean;
       By         : Times) return Link_Memory
    is
-     (if Is_Fresh then After_Uplink (Item, Disconnect)
-      else After_Silence (Item, By))
+     (if Is_Fresh then After_Uplink (This, Disconnect)
+      else After_Silence (This, By))
    with
      Global => null,
      Post   =>
 
        --  Nothing is skipped.
-       (if Next'Result.State /= Item.State
+       (if Next'Result.State /= This.State
         then (case Next'Result.State is
                  when Waiting    => False,
                  when Linked     => Is_Fresh,
-                 when Holding    => Item.State = Linked,
-                 when Orbiting   => Item.State = Holding,
-                 when Terminated => Item.State = Orbiting))
+                 when Holding    => This.State = Linked,
+                 when Orbiting   => This.State = Holding,
+                 when Terminated => This.State = Orbiting))
 
        --  Out of termination by the ground's order alone.
        and then
-         (if Item.State = Terminated and then Next'Result.State /= Terminated
-          then Is_Fresh and then Is_Ordered (Item, Disconnect));
+         (if This.State = Terminated and then Next'Result.State /= Terminated
+          then Is_Fresh and then Is_Ordered (This, Disconnect));
 
 end URV.Link_Loss;

@@ -96,74 +96,74 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
 
    --  From the last good word while the sensor is valid, so that what has
    --  jumped away stays away; else from the last one.
-   function Is_Slow (Item : Check; Value : Word; By : Rule) return Boolean is
+   function Is_Slow (This : Check; Value : Word; By : Rule) return Boolean is
      (Distance
-        (Value, (if Item.Is_Valid then Item.Used else Item.Last)) <=
-          By.Step * Word (1 + Item.Bad))
+        (Value, (if This.Is_Valid then This.Used else This.Last)) <=
+          By.Step * Word (1 + This.Bad))
    with Global => null;
 
-   function Has_Left (Item : Check; Witness : Word; By : Rule) return Boolean
-   is (Distance (Witness, Item.Witnessed) > By.Travel)
+   function Has_Left (This : Check; Witness : Word; By : Rule) return Boolean
+   is (Distance (Witness, This.Witnessed) > By.Travel)
    with Global => null;
 
    --  Scans in which the witness was away and this did not move.
    function Next_Stuck
-     (Item : Check; Value, Witness : Word; By : Rule) return Stuck_Count
+     (This : Check; Value, Witness : Word; By : Rule) return Stuck_Count
    is
-     (if not Item.Is_Seen
-        or else Value /= Item.Anchor
-        or else not Has_Left (Item, Witness, By)
+     (if not This.Is_Seen
+        or else Value /= This.Anchor
+        or else not Has_Left (This, Witness, By)
       then 0
-      elsif Item.Stuck = Stuck_Scans then Stuck_Scans
-      else Item.Stuck + 1)
+      elsif This.Stuck = Stuck_Scans then Stuck_Scans
+      else This.Stuck + 1)
    with Global => null;
 
    --  Nothing bad about the word.
    function Is_Good
-     (Item : Check; Value, Witness : Word; By : Rule) return Boolean
+     (This : Check; Value, Witness : Word; By : Rule) return Boolean
    is
      (Is_In_Range (Value, By)
-      and then Is_Slow (Item, Value, By)
-      and then Next_Stuck (Item, Value, Witness, By) < Stuck_Scans)
+      and then Is_Slow (This, Value, By)
+      and then Next_Stuck (This, Value, Witness, By) < Stuck_Scans)
    with Global => null;
 
    --  What is known after a frame without a scan, and with one.
 
-   function After_Gap (Item : Check) return Check is
-     ((Item with delta
-        Bad      => (if Item.Bad = Bad_Scans then Bad_Scans
-                     else Item.Bad + 1),
+   function After_Gap (This : Check) return Check is
+     ((This with delta
+        Bad      => (if This.Bad = Bad_Scans then Bad_Scans
+                     else This.Bad + 1),
         Good     => 0,
-        Is_Valid => Item.Is_Valid and then Item.Bad < Bad_Scans - 1))
+        Is_Valid => This.Is_Valid and then This.Bad < Bad_Scans - 1))
    with Global => null;
 
    function After_Scan
-     (Item : Check; Value, Witness : Word; By : Rule) return Check
+     (This : Check; Value, Witness : Word; By : Rule) return Check
    is
      (Is_Seen   => True,
       Is_Valid  =>
-        (if Is_Good (Item, Value, Witness, By)
-         then Item.Is_Valid or else Item.Good >= Good_Scans - 1
-         else Item.Is_Valid
-           and then Item.Bad < Bad_Scans - 1
-           and then Next_Stuck (Item, Value, Witness, By) < Stuck_Scans),
+        (if Is_Good (This, Value, Witness, By)
+         then This.Is_Valid or else This.Good >= Good_Scans - 1
+         else This.Is_Valid
+           and then This.Bad < Bad_Scans - 1
+           and then Next_Stuck (This, Value, Witness, By) < Stuck_Scans),
       Used      =>
-        (if Is_Good (Item, Value, Witness, By)
-         then Value else Item.Used),
+        (if Is_Good (This, Value, Witness, By)
+         then Value else This.Used),
       Last      => Value,
       Bad       =>
-        (if Is_Good (Item, Value, Witness, By) then 0
-         elsif Item.Bad = Bad_Scans then Bad_Scans
-         else Item.Bad + 1),
+        (if Is_Good (This, Value, Witness, By) then 0
+         elsif This.Bad = Bad_Scans then Bad_Scans
+         else This.Bad + 1),
       Good      =>
-        (if not Is_Good (Item, Value, Witness, By) then 0
-         elsif Item.Good = Good_Scans then Good_Scans
-         else Item.Good + 1),
+        (if not Is_Good (This, Value, Witness, By) then 0
+         elsif This.Good = Good_Scans then Good_Scans
+         else This.Good + 1),
       Anchor    => Value,
       Witnessed =>
-        (if not Item.Is_Seen or else Value /= Item.Anchor
-         then Witness else Item.Witnessed),
-      Stuck     => Next_Stuck (Item, Value, Witness, By))
+        (if not This.Is_Seen or else Value /= This.Anchor
+         then Witness else This.Witnessed),
+      Stuck     => Next_Stuck (This, Value, Witness, By))
    with Global => null;
 
    --  All of a scan, or without one.

@@ -45,37 +45,37 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    --  A step of 4 ms: shorter than a frame, for a servo at its rate limit
    --  that is turned back.
    function Advanced
-     (Item : Model; Goal : Demand; Longest : Way) return Model
+     (This : Model; Goal : Demand; Longest : Way) return Model
    is
-     (Lagged => Lagged_After (Item.Lagged, Goal * Per_Word),
+     (Lagged => Lagged_After (This.Lagged, Goal * Per_Word),
       Place  => Stepped
-        (Item.Place, Lagged_After (Item.Lagged, Goal * Per_Word), Longest))
+        (This.Place, Lagged_After (This.Lagged, Goal * Per_Word), Longest))
    with
      Global => null,
-     Post   => abs (Advanced'Result.Place - Item.Place) <= Longest;
+     Post   => abs (Advanced'Result.Place - This.Place) <= Longest;
 
    function Advanced_Twice
-     (Item : Model; Goal : Demand; Longest : Way) return Model
+     (This : Model; Goal : Demand; Longest : Way) return Model
    is
-     (Advanced (Advanced (Item, Goal, Longest), Goal, Longest))
+     (Advanced (Advanced (This, Goal, Longest), Goal, Longest))
    with
      Global => null,
      Post   =>
-       abs (Advanced_Twice'Result.Place - Item.Place) <= 2 * Longest;
+       abs (Advanced_Twice'Result.Place - This.Place) <= 2 * Longest;
 
    --  From one scan to the next.
    function Next
-     (Which : Surface; Item : Model; Early, Late : Demand) return Model
+     (Which : Surface; This : Model; Early, Late : Demand) return Model
    is
      (Advanced_Twice
         (Advanced_Twice
            (Advanced
-              (Item, Reachable (Which, Early), Way_Of (Which) / 5),
+              (This, Reachable (Which, Early), Way_Of (Which) / 5),
             Reachable (Which, Late), Way_Of (Which) / 5),
          Reachable (Which, Late), Way_Of (Which) / 5))
    with
      Global => null,
-     Post   => abs (Next'Result.Place - Item.Place) <= Way_Of (Which);
+     Post   => abs (Next'Result.Place - This.Place) <= Way_Of (Which);
 
    function At_Rest (Place : Demand) return Model is
      (Lagged | Place => Place * Per_Word)
@@ -84,8 +84,8 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    --  How far the measured place is from the model's, in words.
    subtype Distance is Number range 0 .. 4_096;
 
-   function Off (Item : Model; Measured : Demand) return Distance is
-     (abs (Measured * Per_Word - Item.Place) / Per_Word)
+   function Off (This : Model; Measured : Demand) return Distance is
+     (abs (Measured * Per_Word - This.Place) / Per_Word)
    with Global => null;
 
 end URV.Servo_Models;

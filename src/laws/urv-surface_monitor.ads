@@ -65,70 +65,70 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
 
    --  Where a model is at a scan: the words that were sent three frames and
    --  two frames ago moved it there.
-   function Model_After (Item : Monitor; Which : Surface) return Model is
+   function Model_After (This : Monitor; Which : Surface) return Model is
      (Servo_Models.Next
-        (Which, Item.Models (Which),
-         Early => Item.Sent_First (Which), Late => Item.Sent_Before (Which)))
+        (Which, This.Models (Which),
+         Early => This.Sent_First (Which), Late => This.Sent_Before (Which)))
    with Global => null;
 
    --  Sensors are in. Old ones tell nothing.
-   function Next (Item : Monitor; Sensors : Downlink_Buffer) return Monitor
+   function Next (This : Monitor; Sensors : Downlink_Buffer) return Monitor
    with
      Global => null,
      Post   =>
        (for all Which in Surface =>
           --  A failure is not forgotten.
-          (if Item.Failed (Which) then Next'Result.Failed (Which))
+          (if This.Failed (Which) then Next'Result.Failed (Which))
 
           --  It is seen in fresh sensors only, which differ now and did
           --  before.
           and then
-            (if Next'Result.Failed (Which) and then not Item.Failed (Which)
-             then Item.Settling = 0
+            (if Next'Result.Failed (Which) and then not This.Failed (Which)
+             then This.Settling = 0
                and then not Is_Old (Sensors)
-               and then Off (Model_After (Item, Which),
+               and then Off (Model_After (This, Which),
                              Places_Of (Sensors) (Which)) > Allowance
-               and then Item.Doubts (Which) >=
+               and then This.Doubts (Which) >=
                           Certainty - (Most_Off - Allowance))
 
           --  And then always.
           and then
-            (if Item.Settling = 0 and then not Is_Old (Sensors)
+            (if This.Settling = 0 and then not Is_Old (Sensors)
              then Next'Result.Doubts (Which) =
                  Next_Doubt
-                   (Item.Doubts (Which),
-                    Off (Model_After (Item, Which),
+                   (This.Doubts (Which),
+                    Off (Model_After (This, Which),
                          Places_Of (Sensors) (Which)))
                and then
                  (if Next'Result.Doubts (Which) = Certainty
-                    and then Item.Doubts (Which) < Certainty
+                    and then This.Doubts (Which) < Certainty
                   then Next'Result.Failed (Which))));
 
    --  What the servos are given in this frame.
    function With_Sent
-     (Item : Monitor; Sent : Surface_Demands) return Monitor
+     (This : Monitor; Sent : Surface_Demands) return Monitor
    is
-     ((Item with delta
+     ((This with delta
          Sent        => Sent,
-         Sent_Before => Item.Sent,
-         Sent_First  => Item.Sent_Before))
+         Sent_Before => This.Sent,
+         Sent_First  => This.Sent_Before))
    with Global => null;
 
    --  The engine was looked at; its throttle is given Power in this frame.
    function With_Engine
-     (Item : Monitor; Engine : Engine_Monitor.Monitor; Power : Lever)
+     (This : Monitor; Engine : Engine_Monitor.Monitor; Power : Lever)
       return Monitor
    is
-     ((Item with delta Engine => Engine, Power => Power))
+     ((This with delta Engine => Engine, Power => Power))
    with Global => null;
 
    --  After frames that nobody watched: the models are put where the surfaces
    --  are anew; what has failed is known still.
-   function Restarted (Item : Monitor) return Monitor is
-     ((Item with delta
+   function Restarted (This : Monitor) return Monitor is
+     ((This with delta
          Doubts   => (others => 0),
          Settling => Settling_Count'Last,
-         Engine   => Engine_Monitor.Unknown (Item.Engine)))
+         Engine   => Engine_Monitor.Unknown (This.Engine)))
    with Global => null;
 
    --  A bit for each surface that has failed, in their order, the first in
@@ -149,8 +149,8 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
    --  The same with the throttle, which the engine does not follow, in bit 10.
    Throttle_Bit : constant Word := 1_024;
 
-   function Failed_Bits (Item : Monitor) return Word is
-     (Bits_Of (Item.Failed) + (if Item.Engine.Failed then Throttle_Bit else 0))
+   function Failed_Bits (This : Monitor) return Word is
+     (Bits_Of (This.Failed) + (if This.Engine.Failed then Throttle_Bit else 0))
    with Global => null;
 
 end URV.Surface_Monitor;

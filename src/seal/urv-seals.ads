@@ -65,9 +65,9 @@ package URV.Seals with Pure, SPARK_Mode is
    with Global => null;
 
    --  Sessions are forgotten: a cold start, or the end of their numbers.
-   function Begun_Anew (Item : Seal) return Seal is
-     ((Item with delta
-         Own     => Item.Own + 1,
+   function Begun_Anew (This : Seal) return Seal is
+     ((This with delta
+         Own     => This.Own + 1,
          Active  => No_Session,
          Pending => No_Session))
    with Global => null;
@@ -100,169 +100,169 @@ package URV.Seals with Pure, SPARK_Mode is
         (From, (if Sender = Ground then Hello_Up else Hello_Down), 0, 0))
    with Global => null;
 
-   function Is_True (Item : Seal; Block : Block_Data) return Boolean is
+   function Is_True (This : Seal; Block : Block_Data) return Boolean is
      (Has_Tag
-        (Block, Other (Item.Role),
+        (Block, Other (This.Role),
          Tag_Of
-           (Block, Other (Item.Role), 0,
+           (Block, Other (This.Role), 0,
             Hello_Key
-              (Found (Item.Keys, Hello_Number (Block)),
-               Other (Item.Role)))))
+              (Found (This.Keys, Hello_Number (Block)),
+               Other (This.Role)))))
    with Global => null;
 
    --  The ground calls: an answer is one to its own nonce.
-   function Answer_Of_Hello (Item : Seal; Block : Block_Data) return Outcome
+   function Answer_Of_Hello (This : Seal; Block : Block_Data) return Outcome
    is
-     (if not Item.Active.Is_Present
+     (if not This.Active.Is_Present
       then
-        (if Nonce_At (Block, Answered_Place) = Item.Own
-           and then Hello_Number (Block) = Item.Keys (First).Number
+        (if Nonce_At (Block, Answered_Place) = This.Own
+           and then Hello_Number (Block) = This.Keys (First).Number
          then Hello_Taken
          else Hello_Repeated)
-      elsif Nonce_At (Block, Own_Place) = Item.Active.Aircraft_Nonce
-        and then Nonce_At (Block, Answered_Place) = Item.Active.Ground_Nonce
-      then (if Item.Active.Newest = 0 then Hello_Repeated
+      elsif Nonce_At (Block, Own_Place) = This.Active.Aircraft_Nonce
+        and then Nonce_At (Block, Answered_Place) = This.Active.Ground_Nonce
+      then (if This.Active.Newest = 0 then Hello_Repeated
             else Hello_Out_Of_Turn)
-      elsif Item.Silence < Patience then Hello_Out_Of_Turn
+      elsif This.Silence < Patience then Hello_Out_Of_Turn
       else Hello_Taken)
    with Global => null;
 
    --  The aircraft answers.
-   function Call_Of_Hello (Item : Seal; Block : Block_Data) return Outcome is
-     (if Item.Pending.Is_Present
-        and then Nonce_At (Block, Own_Place) = Item.Pending.Ground_Nonce
-        and then Hello_Number (Block) = Item.Pending.Number
+   function Call_Of_Hello (This : Seal; Block : Block_Data) return Outcome is
+     (if This.Pending.Is_Present
+        and then Nonce_At (Block, Own_Place) = This.Pending.Ground_Nonce
+        and then Hello_Number (Block) = This.Pending.Number
       then Hello_Repeated
-      elsif Item.Active.Is_Present
-        and then (Item.Silence < Patience
+      elsif This.Active.Is_Present
+        and then (This.Silence < Patience
                   or else Nonce_At (Block, Own_Place)
-                            = Item.Active.Ground_Nonce)
+                            = This.Active.Ground_Nonce)
       then Hello_Out_Of_Turn
       else Hello_Taken)
    with Global => null;
 
-   function Outcome_Of_Hello (Item : Seal; Block : Block_Data) return Outcome
+   function Outcome_Of_Hello (This : Seal; Block : Block_Data) return Outcome
    is
-     (if not Is_Known (Item.Keys, Hello_Number (Block)) then Unknown_Key
-      elsif not Is_True (Item, Block) then Not_Opened
-      elsif Item.Role = Ground then Answer_Of_Hello (Item, Block)
-      else Call_Of_Hello (Item, Block))
+     (if not Is_Known (This.Keys, Hello_Number (Block)) then Unknown_Key
+      elsif not Is_True (This, Block) then Not_Opened
+      elsif This.Role = Ground then Answer_Of_Hello (This, Block)
+      else Call_Of_Hello (This, Block))
    with Global => null;
 
    --  Any block. In format 1 all are taken but those marked as of the other.
    function Outcome_Of
-     (Item  : Seal;
+     (This  : Seal;
       Block : Block_Data;
       Came  : Boolean) return Outcome
    is
      (if not Came then Nothing_Came
-      elsif Item.Format = 1
+      elsif This.Format = 1
       then (if Mark_Of (Block) in Sealed_Mark | Hello_Mark then Wrong_Format
             else Opened)
       elsif Mark_Of (Block) = Sealed_Mark
-      then (if Opens (Block, Other (Item.Role), Item.Active) then Opened
-            elsif Opens (Block, Other (Item.Role), Item.Pending)
+      then (if Opens (Block, Other (This.Role), This.Active) then Opened
+            elsif Opens (Block, Other (This.Role), This.Pending)
             then Opened_Anew
             else Not_Opened)
-      elsif Block (1) = Hello_Mark then Outcome_Of_Hello (Item, Block)
+      elsif Block (1) = Hello_Mark then Outcome_Of_Hello (This, Block)
       else Wrong_Format)
    with Global => null;
 
    --  What the node knows then.
 
-   function After_Hello (Item : Seal; Block : Block_Data) return Seal is
-     (if Item.Role = Aircraft
+   function After_Hello (This : Seal; Block : Block_Data) return Seal is
+     (if This.Role = Aircraft
       then
-        (Item with delta
-           Own     => Item.Own + 1,
+        (This with delta
+           Own     => This.Own + 1,
            Pending => New_Session
-             (Item.Keys, Hello_Number (Block),
+             (This.Keys, Hello_Number (Block),
               Ground_Nonce   => Nonce_At (Block, Own_Place),
-              Aircraft_Nonce => Item.Own))
-      elsif Item.Active.Is_Present then Begun_Anew (Item)
+              Aircraft_Nonce => This.Own))
+      elsif This.Active.Is_Present then Begun_Anew (This)
       else
-        (Item with delta
+        (This with delta
            Active  => New_Session
-             (Item.Keys, Hello_Number (Block),
-              Ground_Nonce   => Item.Own,
+             (This.Keys, Hello_Number (Block),
+              Ground_Nonce   => This.Own,
               Aircraft_Nonce => Nonce_At (Block, Own_Place)),
            Silence => 0))
    with Global => null;
 
    function After
-     (Item  : Seal;
+     (This  : Seal;
       Block : Block_Data;
       What  : Outcome) return Seal
    is
-     (if Item.Format = 1 then Item
+     (if This.Format = 1 then This
       else
         (case What is
             when Opened      =>
-              (Item with delta
+              (This with delta
                  Active  =>
-                   With_Newest (Item.Active, Block, Other (Item.Role)),
+                   With_Newest (This.Active, Block, Other (This.Role)),
                  Pending => No_Session,
                  Silence => 0),
             when Opened_Anew =>
-              (Item with delta
+              (This with delta
                  Active  =>
-                   With_Newest (Item.Pending, Block, Other (Item.Role)),
+                   With_Newest (This.Pending, Block, Other (This.Role)),
                  Pending => No_Session,
                  Silence => 0),
-            when Hello_Taken => After_Hello (Item, Block),
-            when others      => Item))
+            when Hello_Taken => After_Hello (This, Block),
+            when others      => This))
    with Global => null;
 
    --  A frame begins. An aircraft that has opened nothing for too long
    --  cannot know any more which number the next block has.
-   function A_Frame_Later (Item : Seal) return Seal is
-     (if Item.Silence < Longest_Silence
-      then (Item with delta Silence => Item.Silence + 1)
-      elsif Item.Role = Aircraft
-      then (Item with delta Active => No_Session)
-      else Item)
+   function A_Frame_Later (This : Seal) return Seal is
+     (if This.Silence < Longest_Silence
+      then (This with delta Silence => This.Silence + 1)
+      elsif This.Role = Aircraft
+      then (This with delta Active => No_Session)
+      else This)
    with Global => null;
 
    --  Once a frame: a block has come, or none. It is then one of format 1,
    --  or zeros.
    procedure Open
-     (Item  : in out Seal;
+     (This  : in out Seal;
       Block : in out Block_Data;
       Came  : Boolean;
       What  : out Outcome)
    with
      Global => null,
      Post   =>
-       What = Outcome_Of (A_Frame_Later (Item'Old), Block'Old, Came)
-       and then Item = After (A_Frame_Later (Item'Old), Block'Old, What)
+       What = Outcome_Of (A_Frame_Later (This'Old), Block'Old, Came)
+       and then This = After (A_Frame_Later (This'Old), Block'Old, What)
        and then Block =
          (if What not in Taken then Block_Data'[others => 0]
-          elsif Item.Format = 1 then Block'Old
-          else Unpacked (Block'Old, Other (Item.Role)));
+          elsif This.Format = 1 then Block'Old
+          else Unpacked (Block'Old, Other (This.Role)));
 
    --  A block to send
 
-   function Says_Hello (Item : Seal) return Boolean is
-     (Item.Pending.Is_Present
-      or else not Item.Active.Is_Present
-      or else Item.Active.Sent >= Last_Number)
+   function Says_Hello (This : Seal) return Boolean is
+     (This.Pending.Is_Present
+      or else not This.Active.Is_Present
+      or else This.Active.Sent >= Last_Number)
    with Global => null;
 
-   function Own_Hello (Item : Seal) return Block_Data is
-     (if Item.Pending.Is_Present
-      then Hello (Item.Pending.Number, Item.Pending.Aircraft_Nonce,
-                  Item.Pending.Ground_Nonce)
-      else Hello (Item.Keys (First).Number, Item.Own, 0))
+   function Own_Hello (This : Seal) return Block_Data is
+     (if This.Pending.Is_Present
+      then Hello (This.Pending.Number, This.Pending.Aircraft_Nonce,
+                  This.Pending.Ground_Nonce)
+      else Hello (This.Keys (First).Number, This.Own, 0))
    with Global => null;
 
-   function Closed_Hello (Item : Seal) return Block_Data is
+   function Closed_Hello (This : Seal) return Block_Data is
      (With_Tag
-        (Own_Hello (Item), Item.Role,
+        (Own_Hello (This), This.Role,
          Tag_Of
-           (Own_Hello (Item), Item.Role, 0,
+           (Own_Hello (This), This.Role, 0,
             Hello_Key
-              (Found (Item.Keys, Hello_Number (Own_Hello (Item))),
-               Item.Role))))
+              (Found (This.Keys, Hello_Number (Own_Hello (This))),
+               This.Role))))
    with Global => null;
 
    function Sealed
@@ -279,31 +279,31 @@ package URV.Seals with Pure, SPARK_Mode is
    with Global => null;
 
    --  Before a block is sent: the numbers may be used up.
-   function Renewed (Item : Seal) return Seal is
-     (if Item.Active.Is_Present and then Item.Active.Sent >= Last_Number
-      then Begun_Anew (Item)
-      else Item)
+   function Renewed (This : Seal) return Seal is
+     (if This.Active.Is_Present and then This.Active.Sent >= Last_Number
+      then Begun_Anew (This)
+      else This)
    with Global => null;
 
-   function Closed (Item : Seal; Data : Block_Data) return Block_Data is
-     (if Item.Format = 1 then Data
-      elsif Says_Hello (Item) then Closed_Hello (Item)
-      else Sealed (Data, Item.Role, Item.Active.Sent + 1, Item.Active))
+   function Closed (This : Seal; Data : Block_Data) return Block_Data is
+     (if This.Format = 1 then Data
+      elsif Says_Hello (This) then Closed_Hello (This)
+      else Sealed (Data, This.Role, This.Active.Sent + 1, This.Active))
    with Global => null;
 
-   function After_Closing (Item : Seal) return Seal is
-     (if Item.Format = 1 or else Says_Hello (Item) then Item
+   function After_Closing (This : Seal) return Seal is
+     (if This.Format = 1 or else Says_Hello (This) then This
       else
-        (Item with delta
+        (This with delta
            Active =>
-             (Item.Active with delta Sent => Item.Active.Sent + 1)))
+             (This.Active with delta Sent => This.Active.Sent + 1)))
    with Global => null;
 
-   procedure Close (Item : in out Seal; Data : in out Block_Data)
+   procedure Close (This : in out Seal; Data : in out Block_Data)
    with
      Global => null,
      Post   =>
-       Data = Closed (Renewed (Item'Old), Data'Old)
-       and then Item = After_Closing (Renewed (Item'Old));
+       Data = Closed (Renewed (This'Old), Data'Old)
+       and then This = After_Closing (Renewed (This'Old));
 
 end URV.Seals;

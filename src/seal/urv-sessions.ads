@@ -110,8 +110,8 @@ package URV.Sessions with Pure, SPARK_Mode is
        Newest         => 0))
    with Global => null;
 
-   function Key_Of (Item : Session; Sender : Station) return Key is
-     (if Sender = Ground then Item.Up_Key else Item.Down_Key)
+   function Key_Of (This : Session; Sender : Station) return Key is
+     (if Sender = Ground then This.Up_Key else This.Down_Key)
    with Global => null;
 
    --  The number of a block that came. An uplink tells the low 12 bits of
@@ -145,23 +145,23 @@ package URV.Sessions with Pure, SPARK_Mode is
    function Opens
      (Block  : Block_Data;
       Sender : Station;
-      Item   : Session) return Boolean
+      This   : Session) return Boolean
    is
-     (Item.Is_Present
-      and then Number_Of (Block, Sender, Item.Newest) > Item.Newest
+     (This.Is_Present
+      and then Number_Of (Block, Sender, This.Newest) > This.Newest
       and then Has_Tag
         (Block, Sender,
          Tag_Of
-           (Block, Sender, Number_Of (Block, Sender, Item.Newest),
-            Key_Of (Item, Sender))))
+           (Block, Sender, Number_Of (Block, Sender, This.Newest),
+            Key_Of (This, Sender))))
    with Global => null;
 
    function With_Newest
-     (Item   : Session;
+     (This   : Session;
       Block  : Block_Data;
       Sender : Station) return Session
    is
-     ((Item with delta Newest => Number_Of (Block, Sender, Item.Newest)))
+     ((This with delta Newest => Number_Of (Block, Sender, This.Newest)))
    with Global => null;
 
 end URV.Sessions;

@@ -27,21 +27,21 @@ package body URV.Sip_Hash with SPARK_Mode is
       pragma Assert (S = Crossed (Half_Round (Crossed (Half), 17, 21)));
    end Mix;
 
-   function Tag (Item : Message; With_Key : Key) return Unsigned_64 is
+   function Tag (This : Message; With_Key : Key) return Unsigned_64 is
       S    : State := Initial (With_Key);
       Data : Unsigned_64;
 
       Before : State with Ghost;
    begin
-      for Which in Word_Count range 0 .. Words_Of (Item) - 1 loop
+      for Which in Word_Count range 0 .. Words_Of (This) - 1 loop
          Before := S;
-         Data := Word_At (Item, Which);
+         Data := Word_At (This, Which);
          S.V3 := S.V3 xor Data;
          Mix (S);
          Mix (S);
          S.V0 := S.V0 xor Data;
          pragma Assert (S = Absorbed (Before, Data));
-         pragma Loop_Invariant (S = After (Item, With_Key, Which + 1));
+         pragma Loop_Invariant (S = After (This, With_Key, Which + 1));
       end loop;
 
       Before := S;
@@ -52,10 +52,10 @@ package body URV.Sip_Hash with SPARK_Mode is
       Mix (S);
       pragma Assert (S = Finished (Before));
       pragma Assert
-        (S = Finished (After (Item, With_Key, Words_Of (Item))));
+        (S = Finished (After (This, With_Key, Words_Of (This))));
       pragma Assert
-        (Reference (Item, With_Key)
-           = Folded (Finished (After (Item, With_Key, Words_Of (Item)))));
+        (Reference (This, With_Key)
+           = Folded (Finished (After (This, With_Key, Words_Of (This)))));
       return Folded (S);
    end Tag;
 

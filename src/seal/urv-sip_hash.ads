@@ -34,34 +34,34 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
    subtype Word_Number is Word_Count range 0 .. 7;
    subtype Byte_Number is Natural range 0 .. 7;
 
-   function Words_Of (Item : Message) return Word_Count is
-     (Word_Count (Item.Length / 8) + 1)
+   function Words_Of (This : Message) return Word_Count is
+     (Word_Count (This.Length / 8) + 1)
    with Global => null;
 
    function Padded
-     (Item  : Message;
+     (This  : Message;
       Which : Word_Number;
       Where : Byte_Number) return Byte
    is
-     (if 8 * Natural (Which) + Where < Natural (Item.Length)
-      then Item.Bytes (Message_Index (8 * Natural (Which) + Where + 1))
-      elsif Which = Words_Of (Item) - 1 and then Where = 7
-      then Byte (Item.Length)
+     (if 8 * Natural (Which) + Where < Natural (This.Length)
+      then This.Bytes (Message_Index (8 * Natural (Which) + Where + 1))
+      elsif Which = Words_Of (This) - 1 and then Where = 7
+      then Byte (This.Length)
       else 0)
    with Global => null;
 
    function Word_At
-     (Item  : Message;
+     (This  : Message;
       Which : Word_Number) return Unsigned_64
    is
-     (Unsigned_64 (Padded (Item, Which, 0))
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 1)), 8)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 2)), 16)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 3)), 24)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 4)), 32)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 5)), 40)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 6)), 48)
-      or Shift_Left (Unsigned_64 (Padded (Item, Which, 7)), 56))
+     (Unsigned_64 (Padded (This, Which, 0))
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 1)), 8)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 2)), 16)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 3)), 24)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 4)), 32)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 5)), 40)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 6)), 48)
+      or Shift_Left (Unsigned_64 (Padded (This, Which, 7)), 56))
    with Global => null;
 
    --  The state, and a SipRound: two halves of the same shape.
@@ -105,13 +105,13 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
    with Ghost, Global => null;
 
    function After
-     (Item     : Message;
+     (This     : Message;
       With_Key : Key;
       Number   : Word_Count) return State
    is
      (if Number = 0 then Initial (With_Key)
-      else Absorbed (After (Item, With_Key, Number - 1),
-                     Word_At (Item, Number - 1)))
+      else Absorbed (After (This, With_Key, Number - 1),
+                     Word_At (This, Number - 1)))
    with
      Ghost,
      Global             => null,
@@ -127,14 +127,14 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
    with Global => null;
 
    function Reference
-     (Item     : Message;
+     (This     : Message;
       With_Key : Key) return Unsigned_64
-   is (Folded (Finished (After (Item, With_Key, Words_Of (Item)))))
+   is (Folded (Finished (After (This, With_Key, Words_Of (This)))))
    with Ghost, Global => null;
 
-   function Tag (Item : Message; With_Key : Key) return Unsigned_64
+   function Tag (This : Message; With_Key : Key) return Unsigned_64
    with
      Global => null,
-     Post   => Tag'Result = Reference (Item, With_Key);
+     Post   => Tag'Result = Reference (This, With_Key);
 
 end URV.Sip_Hash;

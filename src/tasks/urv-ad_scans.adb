@@ -3,17 +3,17 @@
 package body URV.AD_Scans with SPARK_Mode is
 
    procedure Store
-     (Item  : in out Scan;
+     (This  : in out Scan;
       Value : Word;
       Next  : out Next_Step)
    is
    begin
-      if Is_Complete (Item) then
+      if Is_Complete (This) then
          Next := Ignore;
       else
-         Item.Words (Channel (Item.Current)) := Value;
-         Item.Current := Item.Current + 1;
-         Next := (if Is_Complete (Item) then Send_Words else Start_Channel);
+         This.Words (Channel (This.Current)) := Value;
+         This.Current := This.Current + 1;
+         Next := (if Is_Complete (This) then Send_Words else Start_Channel);
       end if;
    end Store;
 

@@ -29,14 +29,14 @@ package URV.AD_Scans with Pure, SPARK_Mode is
       Words   : Channel_Words := (others => Neutral_Value);
    end record;
 
-   function Is_Complete (Item : Scan) return Boolean is
-     (Item.Current = Channel_Count'Last)
+   function Is_Complete (This : Scan) return Boolean is
+     (This.Current = Channel_Count'Last)
    with Global => null;
 
    --  The scan begins again with channel 0; the words stay until they are
    --  stored anew.
-   function Restarted (Item : Scan) return Scan is
-     ((Item with delta Current => 0))
+   function Restarted (This : Scan) return Scan is
+     ((This with delta Current => 0))
    with Global => null;
 
    type Next_Step is
@@ -46,19 +46,19 @@ package URV.AD_Scans with Pure, SPARK_Mode is
 
    --  The word of the current channel has been converted.
    procedure Store
-     (Item  : in out Scan;
+     (This  : in out Scan;
       Value : Word;
       Next  : out Next_Step)
    with
      Global         => null,
      Contract_Cases =>
-       (Is_Complete (Item) =>
-          Next = Ignore and then Item = Item'Old,
+       (Is_Complete (This) =>
+          Next = Ignore and then This = This'Old,
         others =>
-          Item.Current = Item'Old.Current + 1
-          and then Item.Words =
-            (Item'Old.Words with delta Channel (Item'Old.Current) => Value)
+          This.Current = This'Old.Current + 1
+          and then This.Words =
+            (This'Old.Words with delta Channel (This'Old.Current) => Value)
           and then Next =
-            (if Is_Complete (Item) then Send_Words else Start_Channel));
+            (if Is_Complete (This) then Send_Words else Start_Channel));
 
 end URV.AD_Scans;

@@ -17,30 +17,30 @@ package Telemetry.Boards with Pure, SPARK_Mode is
 
    type Board is private;
 
-   function Control_Of (Item : Board) return Control
+   function Control_Of (This : Board) return Control
    with Global => null;
 
-   function Receive_Pair (Item : Board) return Buffer_Pair
+   function Receive_Pair (This : Board) return Buffer_Pair
    with Global => null;
 
-   function Transmit_Pair (Item : Board) return Buffer_Pair
+   function Transmit_Pair (This : Board) return Buffer_Pair
    with Global => null;
 
    --  For those who know of boards only.
    subtype Statistics is Telemetry.Statistics;
 
-   function Tally (Item : Board) return Statistics is (Control_Of (Item).Tally)
+   function Tally (This : Board) return Statistics is (Control_Of (This).Tally)
    with Global => null;
 
    --  The board may have a character to send: nothing but its own turn
    --  keeps it from speaking, or the short wait at the end of a message.
-   function May_Speak (Item : Board) return Boolean is
-     (not Is_Waiting (Control_Of (Item))
-      or else Control_Of (Item).Receiver.State = At_End)
+   function May_Speak (This : Board) return Boolean is
+     (not Is_Waiting (Control_Of (This))
+      or else Control_Of (This).Receiver.State = At_End)
    with Global => null;
 
-   function Time_Left (Item : Board) return Character_Times is
-     (Time_Left (Control_Of (Item)))
+   function Time_Left (This : Board) return Character_Times is
+     (Time_Left (Control_Of (This)))
    with Global => null;
 
    --  A transmit buffer is busy while its block is on its way, and only
@@ -58,13 +58,13 @@ package Telemetry.Boards with Pure, SPARK_Mode is
 
    --  The board holds together. True of every board that the operations
    --  below have made, whatever came in.
-   function Is_Sound (Item : Board) return Boolean is
-     (Is_Sound (Control_Of (Item))
+   function Is_Sound (This : Board) return Boolean is
+     (Is_Sound (Control_Of (This))
       and then Fits
-        (Control_Of (Item).Receiver, Receive_Pair (Item),
-         Control_Of (Item).Receive_Length)
-      and then Holds (Transmit_Pair (Item), Control_Of (Item))
-      and then Fits (Control_Of (Item), Transmit_Pair (Item)))
+        (Control_Of (This).Receiver, Receive_Pair (This),
+         Control_Of (This).Receive_Length)
+      and then Holds (Transmit_Pair (This), Control_Of (This))
+      and then Fits (Control_Of (This), Transmit_Pair (This)))
    with Global => null;
 
    --  A new board. The lengths are those of the blocks that it sends and is
@@ -79,13 +79,13 @@ package Telemetry.Boards with Pure, SPARK_Mode is
 
    --  What a character brings to a board that listens.
    function Heard
-     (Item         : Board;
+     (This         : Board;
       Data         : Byte;
       Parity_Error : Boolean) return Event
    is
      (Outcome_Of
-        (Control_Of (Item).Receiver, Control_Of (Item).Receive_Length,
-         Wants_Data (Control_Of (Item)), Data, Parity_Error))
+        (Control_Of (This).Receiver, Control_Of (This).Receive_Length,
+         Wants_Data (Control_Of (This)), Data, Parity_Error))
    with
      Ghost,
      Global => null;
@@ -93,176 +93,176 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    --  A character has arrived. While the board talks it hears nothing; in
    --  its reset, nothing but that the line is not silent.
    procedure Accept_Character
-     (Item         : in out Board;
+     (This         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    with
      Inline,
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
+       Is_Sound (This)
        and then
-         (if Is_Listening (Control_Of (Item'Old))
+         (if Is_Listening (Control_Of (This'Old))
           then
-            Receive_Pair (Item) =
+            Receive_Pair (This) =
               (if Is_Stored
-                 (Control_Of (Item'Old).Receiver,
-                  Heard (Item'Old, Data, Parity_Error).Kind)
+                 (Control_Of (This'Old).Receiver,
+                  Heard (This'Old, Data, Parity_Error).Kind)
                then Pair_With_Byte
-                 (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old),
+                 (Control_Of (This'Old).Receiver, Receive_Pair (This'Old),
                   Data)
                else Pair_After
-                 (Receive_Pair (Item'Old),
-                  Heard (Item'Old, Data, Parity_Error).Kind))
-            and then Transmit_Pair (Item) = Settled
-              (Transmit_Pair (Item'Old),
-               Control_Of (Item'Old).Sender.Source,
+                 (Receive_Pair (This'Old),
+                  Heard (This'Old, Data, Parity_Error).Kind))
+            and then Transmit_Pair (This) = Settled
+              (Transmit_Pair (This'Old),
+               Control_Of (This'Old).Sender.Source,
                Fate_After
-                 (Control_Of (Item'Old),
-                  Heard (Item'Old, Data, Parity_Error)))
-            and then Control_Of (Item) = Informed
-              ((Control_Of (Item'Old) with delta
+                 (Control_Of (This'Old),
+                  Heard (This'Old, Data, Parity_Error)))
+            and then Control_Of (This) = Informed
+              ((Control_Of (This'Old) with delta
                   Receiver => Receiver_After
-                    (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old),
-                     Heard (Item'Old, Data, Parity_Error).Kind,
+                    (Control_Of (This'Old).Receiver, Receive_Pair (This'Old),
+                     Heard (This'Old, Data, Parity_Error).Kind,
                      Data, Parity_Error)),
-               Heard (Item'Old, Data, Parity_Error),
-               Transmit_Pair (Item'Old))
+               Heard (This'Old, Data, Parity_Error),
+               Transmit_Pair (This'Old))
           else
-            Receive_Pair (Item) = Receive_Pair (Item'Old)
-            and then Transmit_Pair (Item) = Transmit_Pair (Item'Old)
-            and then Control_Of (Item) =
-              (if Is_Talking (Control_Of (Item'Old))
-               then Control_Of (Item'Old)
-               else (Control_Of (Item'Old) with delta Silence => 0)));
+            Receive_Pair (This) = Receive_Pair (This'Old)
+            and then Transmit_Pair (This) = Transmit_Pair (This'Old)
+            and then Control_Of (This) =
+              (if Is_Talking (Control_Of (This'Old))
+               then Control_Of (This'Old)
+               else (Control_Of (This'Old) with delta Silence => 0)));
 
    --  The transmitter is empty: Data is the next character if Send is True,
    --  else there is none now.
    procedure Next_Character
-     (Item : in out Board;
+     (This : in out Board;
       Send : out Boolean;
       Data : out Byte)
    with
      Inline,
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Receive_Pair (Item) = Receive_Pair (Item'Old)
-       and then Transmit_Pair (Item) =
-         (if May_Begin_Block (Control_Of (Item'Old), Transmit_Pair (Item'Old))
+       Is_Sound (This)
+       and then Receive_Pair (This) = Receive_Pair (This'Old)
+       and then Transmit_Pair (This) =
+         (if May_Begin_Block (Control_Of (This'Old), Transmit_Pair (This'Old))
           then Begun
-            (Transmit_Pair (Item'Old),
-             Newest_Full (Transmit_Pair (Item'Old)))
-          else Transmit_Pair (Item'Old))
+            (Transmit_Pair (This'Old),
+             Newest_Full (Transmit_Pair (This'Old)))
+          else Transmit_Pair (This'Old))
        and then Fits
-         (Prepared (Control_Of (Item'Old), Transmit_Pair (Item'Old)),
-          Transmit_Pair (Item))
-       and then Control_Of (Item) = Spoken
-         (Prepared (Control_Of (Item'Old), Transmit_Pair (Item'Old)),
-          Transmit_Pair (Item))
+         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
+          Transmit_Pair (This))
+       and then Control_Of (This) = Spoken
+         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
+          Transmit_Pair (This))
        and then Data = Output
-         (Prepared (Control_Of (Item'Old), Transmit_Pair (Item'Old)),
-          Transmit_Pair (Item))
-       and then Send = Control_Of (Item).Line_Taken;
+         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
+          Transmit_Pair (This))
+       and then Send = Control_Of (This).Line_Taken;
 
    --  Time has passed. A board that has waited for too long resets itself;
    --  one that waits at the end of a message judges it.
-   procedure Elapse (Item : in out Board; Time : Character_Times)
+   procedure Elapse (This : in out Board; Time : Character_Times)
    with
      Inline,
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Control_Of (Item) =
-         (if Is_Judged_After (Control_Of (Item'Old), Time)
-          then Judged (Control_Of (Item'Old), Receive_Pair (Item))
+       Is_Sound (This)
+       and then Control_Of (This) =
+         (if Is_Judged_After (Control_Of (This'Old), Time)
+          then Judged (Control_Of (This'Old), Receive_Pair (This))
           else Elapsed
-            (Control_Of (Item'Old), Time, Transmit_Pair (Item'Old)))
+            (Control_Of (This'Old), Time, Transmit_Pair (This'Old)))
        and then
-         (if Is_Judged_After (Control_Of (Item'Old), Time)
+         (if Is_Judged_After (Control_Of (This'Old), Time)
           then
-            Receive_Pair (Item) = Pair_Judged
-              (Control_Of (Item'Old).Receiver, Receive_Pair (Item'Old))
-            and then Transmit_Pair (Item) = Transmit_Pair (Item'Old)
-          elsif Is_Reset_After (Control_Of (Item'Old), Time)
+            Receive_Pair (This) = Pair_Judged
+              (Control_Of (This'Old).Receiver, Receive_Pair (This'Old))
+            and then Transmit_Pair (This) = Transmit_Pair (This'Old)
+          elsif Is_Reset_After (Control_Of (This'Old), Time)
           then
-            Receive_Pair (Item) = Released (Receive_Pair (Item'Old))
-            and then Transmit_Pair (Item) = Settled
-              (Transmit_Pair (Item'Old),
-               Control_Of (Item'Old).Sender.Source,
-               Fate_In_Reset (Control_Of (Item'Old)))
+            Receive_Pair (This) = Released (Receive_Pair (This'Old))
+            and then Transmit_Pair (This) = Settled
+              (Transmit_Pair (This'Old),
+               Control_Of (This'Old).Sender.Source,
+               Fate_In_Reset (Control_Of (This'Old)))
           else
-            Receive_Pair (Item) = Receive_Pair (Item'Old)
-            and then Transmit_Pair (Item) = Transmit_Pair (Item'Old));
+            Receive_Pair (This) = Receive_Pair (This'Old)
+            and then Transmit_Pair (This) = Transmit_Pair (This'Old));
 
    --  The controller takes the newest block received, if there is one.
    --  Ever_Received tells that there has been any since the board started.
    procedure Take
-     (Item          : in out Board;
+     (This          : in out Board;
       Data          : out Block_Data;
       Fresh         : out Boolean;
       Ever_Received : out Boolean)
    with
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Data = Contents (Receive_Pair (Item'Old))
-       and then Fresh = Any_Full (Receive_Pair (Item'Old))
-       and then Ever_Received = (Control_Of (Item'Old).Messages > 0)
-       and then Receive_Pair (Item) = Taken (Receive_Pair (Item'Old))
-       and then Transmit_Pair (Item) = Transmit_Pair (Item'Old)
-       and then Control_Of (Item) = Control_Of (Item'Old);
+       Is_Sound (This)
+       and then Data = Contents (Receive_Pair (This'Old))
+       and then Fresh = Any_Full (Receive_Pair (This'Old))
+       and then Ever_Received = (Control_Of (This'Old).Messages > 0)
+       and then Receive_Pair (This) = Taken (Receive_Pair (This'Old))
+       and then Transmit_Pair (This) = Transmit_Pair (This'Old)
+       and then Control_Of (This) = Control_Of (This'Old);
 
    --  The controller gives a block to transmit. Overwrote tells that it
    --  replaced one that was still waiting.
    procedure Put
-     (Item      : in out Board;
+     (This      : in out Board;
       Data      : Block_Data;
       Overwrote : out Boolean)
    with
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Overwrote = Both_Full (Transmit_Pair (Item'Old))
-       and then Transmit_Pair (Item) =
-         Filled (Transmit_Pair (Item'Old), Data)
-       and then Receive_Pair (Item) = Receive_Pair (Item'Old)
-       and then Control_Of (Item) = Control_Of (Item'Old);
+       Is_Sound (This)
+       and then Overwrote = Both_Full (Transmit_Pair (This'Old))
+       and then Transmit_Pair (This) =
+         Filled (Transmit_Pair (This'Old), Data)
+       and then Receive_Pair (This) = Receive_Pair (This'Old)
+       and then Control_Of (This) = Control_Of (This'Old);
 
    --  The controller's part of the start: transmit buffers empty, flags
    --  empty, semaphores available (INI-4).
-   procedure Clear_Transmit_Half (Item : in out Board)
+   procedure Clear_Transmit_Half (This : in out Board)
    with
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Transmit_Pair (Item) = Empty_Pair
-       and then Receive_Pair (Item) = Receive_Pair (Item'Old)
-       and then Control_Of (Item) =
-         Turns.Starts.Cleared (Control_Of (Item'Old));
+       Is_Sound (This)
+       and then Transmit_Pair (This) = Empty_Pair
+       and then Receive_Pair (This) = Receive_Pair (This'Old)
+       and then Control_Of (This) =
+         Turns.Starts.Cleared (Control_Of (This'Old));
 
    --  The board's own start, but for its transmit buffers, which are the
    --  controller's (INI-4).
-   procedure Start (Item : in out Board)
+   procedure Start (This : in out Board)
    with
      Global => null,
-     Pre    => Is_Sound (Item),
+     Pre    => Is_Sound (This),
      Post   =>
-       Is_Sound (Item)
-       and then Receive_Pair (Item) = Empty_Pair
-       and then Transmit_Pair (Item) = Settled
-         (Transmit_Pair (Item'Old),
-          Control_Of (Item'Old).Sender.Source,
-          Fate_In_Reset (Control_Of (Item'Old)))
-       and then Control_Of (Item) =
+       Is_Sound (This)
+       and then Receive_Pair (This) = Empty_Pair
+       and then Transmit_Pair (This) = Settled
+         (Transmit_Pair (This'Old),
+          Control_Of (This'Old).Sender.Source,
+          Fate_In_Reset (Control_Of (This'Old)))
+       and then Control_Of (This) =
          Turns.Starts.Started
-           (Control_Of (Item'Old), Transmit_Pair (Item'Old));
+           (Control_Of (This'Old), Transmit_Pair (This'Old));
 
 private
 
@@ -272,13 +272,13 @@ private
       Transmit_Pair : Buffer_Pair;
    end record;
 
-   function Control_Of (Item : Board) return Control is (Item.Control);
+   function Control_Of (This : Board) return Control is (This.Control);
 
-   function Receive_Pair (Item : Board) return Buffer_Pair is
-     (Item.Receive_Pair);
+   function Receive_Pair (This : Board) return Buffer_Pair is
+     (This.Receive_Pair);
 
-   function Transmit_Pair (Item : Board) return Buffer_Pair is
-     (Item.Transmit_Pair);
+   function Transmit_Pair (This : Board) return Buffer_Pair is
+     (This.Transmit_Pair);
 
    function New_Board
      (Role            : Station;

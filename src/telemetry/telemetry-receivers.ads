@@ -43,28 +43,28 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    with Global => null;
 
    --  A data message has begun that is not judged yet.
-   function Has_Message (Item : Receiver) return Boolean is
-     (Item.State in In_Data | At_End)
+   function Has_Message (This : Receiver) return Boolean is
+     (This.State in In_Data | At_End)
    with Global => null;
 
    --  The receiver and its buffers fit together: within a message, the
    --  buffer is claimed and not full, and the checksum is that of the bytes
    --  in it.
    function Fits
-     (Item   : Receiver;
+     (This   : Receiver;
       Pair   : Buffer_Pair;
       Length : Block_Length) return Boolean
    is
-     (if Has_Message (Item)
-      then Item.Received <= Length
-        and then (if Item.State = At_End then Item.Received = Length)
-        and then Pair.Slots (Item.Target).Busy
-        and then not Pair.Slots (Item.Target).Full
-        and then not Pair.Slots (Other (Item.Target)).Busy
-        and then Item.Sum = Checksum.Of_Message
+     (if Has_Message (This)
+      then This.Received <= Length
+        and then (if This.State = At_End then This.Received = Length)
+        and then Pair.Slots (This.Target).Busy
+        and then not Pair.Slots (This.Target).Full
+        and then not Pair.Slots (Other (This.Target)).Busy
+        and then This.Sum = Checksum.Of_Message
                    (Data_Header (Length),
-                    Pair.Slots (Item.Target).Data,
-                    Item.Received)
+                    Pair.Slots (This.Target).Data,
+                    This.Received)
       else not Pair.Slots (First).Busy and then not Pair.Slots (Second).Busy)
    with Global => null;
 
@@ -112,21 +112,21 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    --  that of the blocks this board is sent; a data message is taken only
    --  when the board wants one.
    function Outcome_Of
-     (Item         : Receiver;
+     (This         : Receiver;
       Length       : Block_Length;
       Wants_Data   : Boolean;
       Data         : Byte;
       Parity_Error : Boolean) return Event
    is
-     (case Item.State is
+     (case This.State is
          when At_Start    =>
            Meaning (Data, Parity_Error, Length, Wants_Data),
          when In_Data     =>
            (Kind   =>
-              (if Item.Received < Length then Nothing
-               elsif not Item.Damaged
+              (if This.Received < Length then Nothing
+               elsif not This.Damaged
                  and then not Parity_Error
-                 and then Data = Item.Sum
+                 and then Data = This.Sum
                then Block_Whole
                else Block_Spoilt),
             others => False),
@@ -135,22 +135,22 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    with Global => null;
 
    --  The character is a byte of the block.
-   function Is_Stored (Item : Receiver; Outcome : Event_Kind) return Boolean
+   function Is_Stored (This : Receiver; Outcome : Event_Kind) return Boolean
    is
-     (Item.State = In_Data and then Outcome = Nothing)
+     (This.State = In_Data and then Outcome = Nothing)
    with Global => null;
 
    --  The receiver after a character that brought this.
    function Receiver_After
-     (Item         : Receiver;
+     (This         : Receiver;
       Pair         : Buffer_Pair;
       Outcome      : Event_Kind;
       Data         : Byte;
       Parity_Error : Boolean) return Receiver
    is
      (case Outcome is
-         when Lost_Step        => (Item with delta State => Out_Of_Step),
-         when Command | Status => Item,
+         when Lost_Step        => (This with delta State => Out_Of_Step),
+         when Command | Status => This,
          when Block_Begun      =>
            (State    => In_Data,
             Target   => To_Fill (Pair),
@@ -158,20 +158,20 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
             Sum      => Checksum.Next (Checksum.First_Value, Data),
             Damaged  => False),
          when Nothing          =>
-           (if Is_Stored (Item, Outcome)
+           (if Is_Stored (This, Outcome)
             then
-              (Item with delta
-                 Received => Item.Received + 1,
-                 Sum      => Checksum.Next (Item.Sum, Data),
-                 Damaged  => Item.Damaged or Parity_Error)
-            else Item),
-         when Block_Whole      => (Item with delta State => At_End),
+              (This with delta
+                 Received => This.Received + 1,
+                 Sum      => Checksum.Next (This.Sum, Data),
+                 Damaged  => This.Damaged or Parity_Error)
+            else This),
+         when Block_Whole      => (This with delta State => At_End),
          when Block_Spoilt     =>
-           (Item with delta State => At_End, Damaged => True))
+           (This with delta State => At_End, Damaged => True))
    with
      Global => null,
      Pre    =>
-       (if Is_Stored (Item, Outcome) then Item.Received < Longest_Block);
+       (if Is_Stored (This, Outcome) then This.Received < Longest_Block);
 
    --  Its buffers after anything but a byte of the block. One is claimed
    --  when a message begins: it is busy, and no longer full.
@@ -189,40 +189,40 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
 
    --  And when the message is judged: only now, after a good one, it is full
    --  again.
-   function Pair_Judged (Item : Receiver; Pair : Buffer_Pair)
+   function Pair_Judged (This : Receiver; Pair : Buffer_Pair)
      return Buffer_Pair
    is
-     ((Newest => (if Item.Damaged then Pair.Newest else Item.Target),
+     ((Newest => (if This.Damaged then Pair.Newest else This.Target),
        Slots  => (Pair.Slots with delta
-         Item.Target => (Pair.Slots (Item.Target) with delta
-           Busy => False, Full => not Item.Damaged))))
+         This.Target => (Pair.Slots (This.Target) with delta
+           Busy => False, Full => not This.Damaged))))
    with Global => null;
 
    --  And after a byte of the block.
    function Pair_With_Byte
-     (Item : Receiver;
+     (This : Receiver;
       Pair : Buffer_Pair;
       Data : Byte) return Buffer_Pair
    is
      ((Pair with delta
          Slots => (Pair.Slots with delta
-           Item.Target => (Pair.Slots (Item.Target) with delta
-             Data => (Pair.Slots (Item.Target).Data with delta
-               Item.Received + 1 => Data)))))
+           This.Target => (Pair.Slots (This.Target) with delta
+             Data => (Pair.Slots (This.Target).Data with delta
+               This.Received + 1 => Data)))))
    with
      Ghost,
      Global => null,
-     Pre    => Item.Received < Longest_Block;
+     Pre    => This.Received < Longest_Block;
 
    --  The next character is a byte of the block.
-   function Takes_Byte (Item : Receiver; Length : Block_Length) return Boolean
+   function Takes_Byte (This : Receiver; Length : Block_Length) return Boolean
    is
-     (Item.State = In_Data and then Item.Received < Length)
+     (This.State = In_Data and then This.Received < Length)
    with Global => null;
 
    --  It has come: what most characters are, so it is done in place.
    procedure Store_Byte
-     (Item         : in out Receiver;
+     (This         : in out Receiver;
       Pair         : in out Buffer_Pair;
       Length       : Block_Length;
       Data         : Byte;
@@ -230,16 +230,16 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    with
      Inline,
      Global => null,
-     Pre    => Fits (Item, Pair, Length) and then Takes_Byte (Item, Length),
+     Pre    => Fits (This, Pair, Length) and then Takes_Byte (This, Length),
      Post   =>
-       Fits (Item, Pair, Length)
-       and then Item = Receiver_After
-         (Item'Old, Pair'Old, Nothing, Data, Parity_Error)
-       and then Pair = Pair_With_Byte (Item'Old, Pair'Old, Data);
+       Fits (This, Pair, Length)
+       and then This = Receiver_After
+         (This'Old, Pair'Old, Nothing, Data, Parity_Error)
+       and then Pair = Pair_With_Byte (This'Old, Pair'Old, Data);
 
    --  A character has come.
    procedure Accept_Character
-     (Item         : in out Receiver;
+     (This         : in out Receiver;
       Pair         : in out Buffer_Pair;
       Length       : Block_Length;
       Wants_Data   : Boolean;
@@ -248,16 +248,16 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Outcome      : out Event)
    with
      Global => null,
-     Pre    => Fits (Item, Pair, Length),
+     Pre    => Fits (This, Pair, Length),
      Post   =>
-       Fits (Item, Pair, Length)
+       Fits (This, Pair, Length)
        and then Outcome = Outcome_Of
-         (Item'Old, Length, Wants_Data, Data, Parity_Error)
-       and then Item = Receiver_After
-         (Item'Old, Pair'Old, Outcome.Kind, Data, Parity_Error)
+         (This'Old, Length, Wants_Data, Data, Parity_Error)
+       and then This = Receiver_After
+         (This'Old, Pair'Old, Outcome.Kind, Data, Parity_Error)
        and then Pair =
-         (if Is_Stored (Item'Old, Outcome.Kind)
-          then Pair_With_Byte (Item'Old, Pair'Old, Data)
+         (if Is_Stored (This'Old, Outcome.Kind)
+          then Pair_With_Byte (This'Old, Pair'Old, Data)
           else Pair_After (Pair'Old, Outcome.Kind));
 
 end Telemetry.Receivers;

@@ -28,62 +28,62 @@ package Telemetry.Senders with Pure, SPARK_Mode is
    --  The message is not finished, and the checksum is that of its part
    --  already sent.
    function Fits
-     (Item   : Sender;
+     (This   : Sender;
       Data   : Block_Data;
       Length : Block_Length) return Boolean
    is
-     (Item.Sent < Message_Length (Length)
+     (This.Sent < Message_Length (Length)
       and then
-        (if Item.Sent > 0
-         then Item.Sum = Checksum.Of_Message
+        (if This.Sent > 0
+         then This.Sum = Checksum.Of_Message
                 (Encode ((Headers.Data, Length)),
                  Data,
-                 Byte_Count (Item.Sent - 1))))
+                 Byte_Count (This.Sent - 1))))
    with Global => null;
 
    --  The next character of the message: its header, its data, and last the
    --  checksum of both.
    function Next_Byte
-     (Item   : Sender;
+     (This   : Sender;
       Data   : Block_Data;
       Length : Block_Length) return Byte
    is
-     (if Item.Sent = 0
+     (if This.Sent = 0
       then Encode ((Headers.Data, Length))
-      elsif Item.Sent <= Character_Count (Length)
-      then Data (Byte_Index (Item.Sent))
-      else Item.Sum)
+      elsif This.Sent <= Character_Count (Length)
+      then Data (Byte_Index (This.Sent))
+      else This.Sum)
    with
      Global => null,
-     Pre    => Fits (Item, Data, Length),
+     Pre    => Fits (This, Data, Length),
      Post   =>
-       (if Item.Sent > Character_Count (Length)
+       (if This.Sent > Character_Count (Length)
         then Next_Byte'Result = Checksum.Of_Message
           (Encode ((Headers.Data, Length)), Data, Length));
 
    --  The sender after it: it sums up the header and the data as they go.
    function Advanced
-     (Item   : Sender;
+     (This   : Sender;
       Data   : Block_Data;
       Length : Block_Length) return Sender
    is
-     ((Item with delta
-         Sent => Item.Sent + 1,
+     ((This with delta
+         Sent => This.Sent + 1,
          Sum  =>
-           (if Item.Sent <= Character_Count (Length)
+           (if This.Sent <= Character_Count (Length)
             then Checksum.Next
-              ((if Item.Sent = 0 then Checksum.First_Value else Item.Sum),
-               Next_Byte (Item, Data, Length))
-            else Item.Sum)))
+              ((if This.Sent = 0 then Checksum.First_Value else This.Sum),
+               Next_Byte (This, Data, Length))
+            else This.Sum)))
    with
      Global => null,
-     Pre    => Fits (Item, Data, Length),
+     Pre    => Fits (This, Data, Length),
      Post   =>
-       (if Item.Sent = 0
+       (if This.Sent = 0
         then Advanced'Result.Sum = Checksum.Of_Message
           (Encode ((Headers.Data, Length)), Data, 0)
-        elsif Item.Sent <= Character_Count (Length)
+        elsif This.Sent <= Character_Count (Length)
         then Advanced'Result.Sum = Checksum.Of_Message
-          (Encode ((Headers.Data, Length)), Data, Byte_Count (Item.Sent)));
+          (Encode ((Headers.Data, Length)), Data, Byte_Count (This.Sent)));
 
 end Telemetry.Senders;

@@ -12,17 +12,17 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          Ever_Received : out Boolean)
       is
       begin
-         Boards.Take (Item, Data, Fresh, Ever_Received);
+         Boards.Take (This, Data, Fresh, Ever_Received);
       end Take;
 
       procedure Put (Data : Block_Data; Overwrote : out Boolean) is
       begin
-         Boards.Put (Item, Data, Overwrote);
+         Boards.Put (This, Data, Overwrote);
       end Put;
 
       procedure Clear_Transmit_Half is
       begin
-         Boards.Clear_Transmit_Half (Item);
+         Boards.Clear_Transmit_Half (This);
       end Clear_Transmit_Half;
 
       procedure Discard_Received is
@@ -31,12 +31,12 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          Unused_Ever_Received : Boolean;
       begin
          Boards.Take
-           (Item, Unused_Data, Unused_Fresh, Unused_Ever_Received);
+           (This, Unused_Data, Unused_Fresh, Unused_Ever_Received);
       end Discard_Received;
 
       procedure Start is
       begin
-         Boards.Start (Item);
+         Boards.Start (This);
       end Start;
 
       procedure Accept_Character
@@ -46,9 +46,9 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          May_Speak    : out Boolean)
       is
       begin
-         Boards.Elapse (Item, Elapsed);
-         Boards.Accept_Character (Item, Data, Parity_Error);
-         May_Speak := Boards.May_Speak (Item);
+         Boards.Elapse (This, Elapsed);
+         Boards.Accept_Character (This, Data, Parity_Error);
+         May_Speak := Boards.May_Speak (This);
       end Accept_Character;
 
       procedure Next_Character
@@ -58,15 +58,15 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
          Time_Left : out Character_Times)
       is
       begin
-         Boards.Elapse (Item, Elapsed);
-         Boards.Next_Character (Item, Send, Data);
-         Time_Left := Boards.Time_Left (Item);
+         Boards.Elapse (This, Elapsed);
+         Boards.Next_Character (This, Send, Data);
+         Time_Left := Boards.Time_Left (This);
       end Next_Character;
 
       function Has_Received return Boolean is
-        (Memory.Any_Full (Receive_Pair (Item)));
+        (Memory.Any_Full (Receive_Pair (This)));
 
-      function Tally return Statistics is (Boards.Tally (Item));
+      function Tally return Statistics is (Boards.Tally (This));
 
    end Shared_Board;
 

@@ -60,7 +60,7 @@ package Telemetry.Shared_Boards with SPARK_Mode is
       function Tally return Statistics;
 
    private
-      Item : Sound_Board :=
+      This : Sound_Board :=
         New_Board (Role, Transmit_Length, Receive_Length);
    end Shared_Board;
 

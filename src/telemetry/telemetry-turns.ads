@@ -55,138 +55,138 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    end record;
 
    --  It holds together. An answer is owed only between messages.
-   function Is_Sound (Item : Control) return Boolean is
-     ((if Item.Owed /= None
-       then Item.State = Ready and then Item.Receiver.State = At_Start)
+   function Is_Sound (This : Control) return Boolean is
+     ((if This.Owed /= None
+       then This.State = Ready and then This.Receiver.State = At_Start)
       and then
-        (if Has_Message (Item.Receiver) then Item.State =
-           (if Item.Role = Ground then Awaiting_Data else Ready))
+        (if Has_Message (This.Receiver) then This.State =
+           (if This.Role = Ground then Awaiting_Data else Ready))
       and then
-        (if Item.Role = Ground
-         then Item.Receiver.State /= Out_Of_Step
-           and then not Item.Clear_To_Send
-         else Item.State not in Awaiting_Data | Idling
-           and then Item.Downlink_Turns = 0
-           and then Item.In_A_Row = 0))
+        (if This.Role = Ground
+         then This.Receiver.State /= Out_Of_Step
+           and then not This.Clear_To_Send
+         else This.State not in Awaiting_Data | Idling
+           and then This.Downlink_Turns = 0
+           and then This.In_A_Row = 0))
    with Global => null;
 
    --  The board has something on the line or is about to: the link is half
    --  duplex, so it hears nothing meanwhile.
-   function Is_Talking (Item : Control) return Boolean is
-     (Item.Line_Taken or else Item.Owed /= None or else Item.State = Sending)
+   function Is_Talking (This : Control) return Boolean is
+     (This.Line_Taken or else This.Owed /= None or else This.State = Sending)
    with Global => null;
 
    --  Ready for whatever comes next: a message, a command, a block to send.
-   function Is_At_Rest (Item : Control) return Boolean is
-     (Item.State = Ready
-      and then Item.Owed = None
-      and then Item.Receiver.State = At_Start)
+   function Is_At_Rest (This : Control) return Boolean is
+     (This.State = Ready
+      and then This.Owed = None
+      and then This.Receiver.State = At_Start)
    with Global => null;
 
    --  The board waits for the other one, and not for ever.
-   function Is_Waiting (Item : Control) return Boolean is
-     (not Is_Talking (Item) and then not Is_At_Rest (Item))
+   function Is_Waiting (This : Control) return Boolean is
+     (not Is_Talking (This) and then not Is_At_Rest (This))
    with Global => null;
 
    --  A block of ours is on its way: its buffer is busy.
-   function Has_Block_Out (Item : Control) return Boolean is
-     (Item.State in Sending | Awaiting_Status)
+   function Has_Block_Out (This : Control) return Boolean is
+     (This.State in Sending | Awaiting_Status)
    with Global => null;
 
-   function Patience (Item : Control) return Character_Times is
-     (if Item.State = Idling then Idle_Time
-      elsif Item.Receiver.State = At_End then Guard_Time
+   function Patience (This : Control) return Character_Times is
+     (if This.State = Idling then Idle_Time
+      elsif This.Receiver.State = At_End then Guard_Time
       else Dead_Space)
    with Global => null;
 
    --  Time. Blocks is the transmit pair.
 
    --  What becomes of our block in a reset: it is tried again or scrapped.
-   function Fate_In_Reset (Item : Control) return Fate is
-     (if Has_Block_Out (Item) then Failed else Open)
+   function Fate_In_Reset (This : Control) return Fate is
+     (if Has_Block_Out (This) then Failed else Open)
    with Global => null;
 
-   function After_Break (Item : Control) return Turn is
-     (if Item.Role = Ground then Idling else Ready)
+   function After_Break (This : Control) return Turn is
+     (if This.Role = Ground then Idling else Ready)
    with Global => null;
 
    --  After the reset (LNK-9) nothing is coming in and no block is on its
    --  way. A ground goes into its idle time first, and from there to Ready.
-   function Reset (Item : Control; Blocks : Buffer_Pair) return Control is
-     ((Item with delta
-         Receiver => (Item.Receiver with delta State => At_Start),
+   function Reset (This : Control; Blocks : Buffer_Pair) return Control is
+     ((This with delta
+         Receiver => (This.Receiver with delta State => At_Start),
          State    =>
-           (if Item.State = Idling then Ready else After_Break (Item)),
+           (if This.State = Idling then Ready else After_Break (This)),
          Silence  => 0,
          In_A_Row => 0,
-         Tally    => (Item.Tally with delta
-           Bad      => Counted (Item.Tally.Bad, Has_Message (Item.Receiver)),
+         Tally    => (This.Tally with delta
+           Bad      => Counted (This.Tally.Bad, Has_Message (This.Receiver)),
            Scrapped => Counted
-             (Item.Tally.Scrapped,
+             (This.Tally.Scrapped,
               Is_Scrapped
-                (Blocks, Item.Sender.Source, Fate_In_Reset (Item))),
-           Resets   => Counted (Item.Tally.Resets, Item.State /= Idling))))
+                (Blocks, This.Sender.Source, Fate_In_Reset (This))),
+           Resets   => Counted (This.Tally.Resets, This.State /= Idling))))
    with Global => null;
 
    --  How long until the board judges a message or resets itself if nothing
    --  happens; the last value if it never does.
-   function Time_Left (Item : Control) return Character_Times is
-     (if not Is_Waiting (Item) then Character_Times'Last
-      elsif Item.Silence >= Patience (Item) then 0
-      else Patience (Item) - Item.Silence)
+   function Time_Left (This : Control) return Character_Times is
+     (if not Is_Waiting (This) then Character_Times'Last
+      elsif This.Silence >= Patience (This) then 0
+      else Patience (This) - This.Silence)
    with Global => null;
 
    function Is_Over_After
-     (Item : Control; Time : Character_Times) return Boolean is
-     (Is_Waiting (Item) and then Time >= Time_Left (Item))
+     (This : Control; Time : Character_Times) return Boolean is
+     (Is_Waiting (This) and then Time >= Time_Left (This))
    with Global => null;
 
    --  A message that went no further than its end is judged.
    function Is_Judged_After
-     (Item : Control; Time : Character_Times) return Boolean is
-     (Is_Over_After (Item, Time) and then Item.Receiver.State = At_End)
+     (This : Control; Time : Character_Times) return Boolean is
+     (Is_Over_After (This, Time) and then This.Receiver.State = At_End)
    with Global => null;
 
    --  Any other board that has waited for too long resets itself.
    function Is_Reset_After
-     (Item : Control; Time : Character_Times) return Boolean is
-     (Is_Over_After (Item, Time) and then Item.Receiver.State /= At_End)
+     (This : Control; Time : Character_Times) return Boolean is
+     (Is_Over_After (This, Time) and then This.Receiver.State /= At_End)
    with Global => null;
 
    function Elapsed
-     (Item : Control; Time : Character_Times; Blocks : Buffer_Pair)
+     (This : Control; Time : Character_Times; Blocks : Buffer_Pair)
       return Control is
-     (if Is_Reset_After (Item, Time) then Reset (Item, Blocks)
-      elsif Is_Waiting (Item)
-      then (Item with delta Silence => Item.Silence + Time)
-      else Item)
-   with Global => null, Pre => not Is_Judged_After (Item, Time);
+     (if Is_Reset_After (This, Time) then Reset (This, Blocks)
+      elsif Is_Waiting (This)
+      then (This with delta Silence => This.Silence + Time)
+      else This)
+   with Global => null, Pre => not Is_Judged_After (This, Time);
 
    --  What is heard
 
    --  In its reset a board hears only that the line is not silent.
-   function Is_Listening (Item : Control) return Boolean is
-     (not Is_Talking (Item) and then Item.State /= Idling)
+   function Is_Listening (This : Control) return Boolean is
+     (not Is_Talking (This) and then This.State /= Idling)
    with Global => null;
 
-   function Wants_Data (Item : Control) return Boolean is
-     (Item.Role = Aircraft or else Item.State = Awaiting_Data)
+   function Wants_Data (This : Control) return Boolean is
+     (This.Role = Aircraft or else This.State = Awaiting_Data)
    with Global => null;
 
    --  What becomes of our block when this comes. It did not arrive if the
    --  answer says so, if the ground speaks of other things, or if what
    --  comes makes no sense to the ground.
-   function Fate_After (Item : Control; What : Event) return Fate is
-     (if Item.State /= Awaiting_Status
+   function Fate_After (This : Control; What : Event) return Fate is
+     (if This.State /= Awaiting_Status
       then Open
       else
         (case What.Kind is
             when Receivers.Status      =>
               (if What.Good then Confirmed else Failed),
             when Command | Block_Begun =>
-              (if Item.Role = Aircraft then Failed else Open),
+              (if This.Role = Aircraft then Failed else Open),
             when Lost_Step             =>
-              (if Item.Role = Ground then Failed else Open),
+              (if This.Role = Ground then Failed else Open),
             when others                => Open))
    with Global => null;
 
@@ -194,148 +194,148 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    --  sense to the ground sends it into its idle time at once; the aircraft
    --  waits for silence as it is.
    function Informed
-     (Item : Control; What : Event; Blocks : Buffer_Pair) return Control
+     (This : Control; What : Event; Blocks : Buffer_Pair) return Control
    is
-     (if What.Kind = Lost_Step and then Item.Role = Ground
-      then Reset (Item, Blocks)
+     (if What.Kind = Lost_Step and then This.Role = Ground
+      then Reset (This, Blocks)
       else
-        (Item with delta
+        (This with delta
            State          =>
-             (if Fate_After (Item, What) /= Open then Ready else Item.State),
+             (if Fate_After (This, What) /= Open then Ready else This.State),
            Silence        => 0,
            Downlink_Turns =>
              (if What.Kind = Receivers.Status
-                and then Item.Role = Ground
-                and then Item.State = Awaiting_Status
+                and then This.Role = Ground
+                and then This.State = Awaiting_Status
               then (if What.Wants_Downlink then Turn_Count'Last else 0)
-              else Item.Downlink_Turns),
+              else This.Downlink_Turns),
 
            --  The ground needs no permission and disregards it (LNK-3).
-           Clear_To_Send  => Item.Clear_To_Send
-             or else (What.Kind = Command and then Item.Role = Aircraft),
-           Tally          => (Item.Tally with delta
+           Clear_To_Send  => This.Clear_To_Send
+             or else (What.Kind = Command and then This.Role = Aircraft),
+           Tally          => (This.Tally with delta
              Scrapped => Counted
-               (Item.Tally.Scrapped,
+               (This.Tally.Scrapped,
                 Is_Scrapped
-                  (Blocks, Item.Sender.Source, Fate_After (Item, What))))))
+                  (Blocks, This.Sender.Source, Fate_After (This, What))))))
    with Global => null;
 
    --  The message that has come to its end went no further: it is judged,
    --  and an answer is owed. Received is the receive pair after it.
-   function Judged (Item : Control; Received : Buffer_Pair) return Control is
-     ((Item with delta
-         Receiver       => (Item.Receiver with delta State => At_Start),
+   function Judged (This : Control; Received : Buffer_Pair) return Control is
+     ((This with delta
+         Receiver       => (This.Receiver with delta State => At_Start),
          State          => Ready,
-         Owed           => (if Item.Receiver.Damaged then Bad else Good),
+         Owed           => (if This.Receiver.Damaged then Bad else Good),
          Silence        => 0,
          Downlink_Turns =>
-           (if Item.Receiver.Damaged then Item.Downlink_Turns else 0),
-         Messages       => Counted (Item.Messages, not Item.Receiver.Damaged),
-         Tally          => (Item.Tally with delta
+           (if This.Receiver.Damaged then This.Downlink_Turns else 0),
+         Messages       => Counted (This.Messages, not This.Receiver.Damaged),
+         Tally          => (This.Tally with delta
            Received  => Counted
-             (Item.Tally.Received, not Item.Receiver.Damaged),
-           Bad       => Counted (Item.Tally.Bad, Item.Receiver.Damaged),
+             (This.Tally.Received, not This.Receiver.Damaged),
+           Bad       => Counted (This.Tally.Bad, This.Receiver.Damaged),
            Not_Taken => Counted
-             (Item.Tally.Not_Taken,
-              not Item.Receiver.Damaged and then Both_Full (Received)))))
+             (This.Tally.Not_Taken,
+              not This.Receiver.Damaged and then Both_Full (Received)))))
    with Global => null,
-     Post => (if Is_Sound (Item) then Is_Sound (Judged'Result));
+     Post => (if Is_Sound (This) then Is_Sound (Judged'Result));
 
    --  What is said
 
    --  The block on its way fits what was sent of it.
-   function Fits (Item : Control; Blocks : Buffer_Pair) return Boolean is
-     (if Item.State = Sending
+   function Fits (This : Control; Blocks : Buffer_Pair) return Boolean is
+     (if This.State = Sending
       then Fits
-        (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
-         Item.Transmit_Length))
+        (This.Sender, Blocks.Slots (This.Sender.Source).Data,
+         This.Transmit_Length))
    with Global => null;
 
    --  The board may begin to send a block.
    function May_Begin_Block
-     (Item : Control; Blocks : Buffer_Pair) return Boolean is
-     (Is_At_Rest (Item)
+     (This : Control; Blocks : Buffer_Pair) return Boolean is
+     (Is_At_Rest (This)
       and then
-        (if Item.Role = Ground
-         then Item.In_A_Row < Row_Count'Last
-         else Item.Clear_To_Send)
+        (if This.Role = Ground
+         then This.In_A_Row < Row_Count'Last
+         else This.Clear_To_Send)
       and then Any_Full (Blocks))
    with Global => null;
 
    --  A block that begins is the newest, and is alone (LNK-7). A permission
    --  that finds no block lapses. A ground that has said all, or enough,
    --  idles (D-28).
-   function Prepared (Item : Control; Blocks : Buffer_Pair) return Control is
-     (if May_Begin_Block (Item, Blocks)
+   function Prepared (This : Control; Blocks : Buffer_Pair) return Control is
+     (if May_Begin_Block (This, Blocks)
       then
-        (Item with delta
+        (This with delta
            Sender        => (Source => Newest_Full (Blocks), others => <>),
            State         => Sending,
            Clear_To_Send => False,
-           In_A_Row      => Item.In_A_Row + Boolean'Pos (Item.Role = Ground),
-           Tally         => (Item.Tally with delta
-             Sent    => Incremented (Item.Tally.Sent),
-             Cleared => Counted (Item.Tally.Cleared, Both_Full (Blocks))))
-      elsif Is_At_Rest (Item)
-        and then Item.In_A_Row > 0 and then Item.Downlink_Turns = 0
-      then (Item with delta State => Idling, Silence => 0)
+           In_A_Row      => This.In_A_Row + Boolean'Pos (This.Role = Ground),
+           Tally         => (This.Tally with delta
+             Sent    => Incremented (This.Tally.Sent),
+             Cleared => Counted (This.Tally.Cleared, Both_Full (Blocks))))
+      elsif Is_At_Rest (This)
+        and then This.In_A_Row > 0 and then This.Downlink_Turns = 0
+      then (This with delta State => Idling, Silence => 0)
       else
-        (Item with delta
+        (This with delta
            Clear_To_Send =>
-             Item.Clear_To_Send and then not Is_At_Rest (Item)))
+             This.Clear_To_Send and then not Is_At_Rest (This)))
    with Global => null,
-     Post => (if Is_Sound (Item) then Is_Sound (Prepared'Result));
+     Post => (if Is_Sound (This) then Is_Sound (Prepared'Result));
 
    --  The ground, without a block of its own, lets the aircraft send one
    --  (LNK-8).
-   function May_Command (Item : Control) return Boolean is
-     (Is_At_Rest (Item) and then Item.Downlink_Turns > 0)
+   function May_Command (This : Control) return Boolean is
+     (Is_At_Rest (This) and then This.Downlink_Turns > 0)
    with Global => null;
 
    --  What a prepared board sends, an owed answer first; 0 if nothing.
-   function Output (Item : Control; Blocks : Buffer_Pair) return Byte is
-     (if Item.Owed /= None
+   function Output (This : Control; Blocks : Buffer_Pair) return Byte is
+     (if This.Owed /= None
       then Encode
         ((Kind           => Headers.Status,
-          Good           => Item.Owed = Good,
+          Good           => This.Owed = Good,
           Wants_Downlink =>
-            Item.Role = Aircraft and then Any_Full (Blocks)))
-      elsif Item.State = Sending
+            This.Role = Aircraft and then Any_Full (Blocks)))
+      elsif This.State = Sending
       then Next_Byte
-        (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
-         Item.Transmit_Length)
-      elsif May_Command (Item) then Encode ((Kind => Command_To_Downlink))
+        (This.Sender, Blocks.Slots (This.Sender.Source).Data,
+         This.Transmit_Length)
+      elsif May_Command (This) then Encode ((Kind => Command_To_Downlink))
       else 0)
-   with Global => null, Pre => Fits (Item, Blocks);
+   with Global => null, Pre => Fits (This, Blocks);
 
-   function Spoken (Item : Control; Blocks : Buffer_Pair) return Control is
-     ((Item with delta
+   function Spoken (This : Control; Blocks : Buffer_Pair) return Control is
+     ((This with delta
          Sender         =>
-           (if Item.State = Sending
+           (if This.State = Sending
             then Advanced
-              (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
-               Item.Transmit_Length)
-            else Item.Sender),
+              (This.Sender, Blocks.Slots (This.Sender.Source).Data,
+               This.Transmit_Length)
+            else This.Sender),
          State          =>
-           (if Item.State = Sending
-              and then Item.Sender.Sent + 1 =
-                         Message_Length (Item.Transmit_Length)
+           (if This.State = Sending
+              and then This.Sender.Sent + 1 =
+                         Message_Length (This.Transmit_Length)
             then Awaiting_Status
-            elsif May_Command (Item) then Awaiting_Data
-            else Item.State),
+            elsif May_Command (This) then Awaiting_Data
+            else This.State),
          Owed           => None,
          Line_Taken     =>
-           Item.Owed /= None or else Item.State = Sending
-           or else May_Command (Item),
+           This.Owed /= None or else This.State = Sending
+           or else May_Command (This),
 
          --  Dead space begins when our last character has left.
-         Silence        => (if Item.Line_Taken then 0 else Item.Silence),
+         Silence        => (if This.Line_Taken then 0 else This.Silence),
          Downlink_Turns =>
-           Item.Downlink_Turns - (if May_Command (Item) then 1 else 0)))
+           This.Downlink_Turns - (if May_Command (This) then 1 else 0)))
    with Global => null,
-     Pre  => Fits (Item, Blocks),
+     Pre  => Fits (This, Blocks),
      Post =>
        Fits (Spoken'Result, Blocks)
-       and then (if Is_Sound (Item) then Is_Sound (Spoken'Result));
+       and then (if Is_Sound (This) then Is_Sound (Spoken'Result));
 
 end Telemetry.Turns;

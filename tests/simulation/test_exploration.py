@@ -20,20 +20,20 @@ TURNS = "src/telemetry/telemetry-turns.ads"
 CANARIES = {
     "the ground does not wait in its reset": (
         TURNS,
-        "(if Item.State = Idling then Idle_Time",
-        "(if Item.State = Idling then 1",
+        "(if This.State = Idling then Idle_Time",
+        "(if This.State = Idling then 1",
         "back in step: NEVER",
     ),
     "the aircraft waits longer than the ground ever does": (
         TURNS,
         "      else Dead_Space)",
-        "      elsif Item.Role = Aircraft then 200 else Dead_Space)",
+        "      elsif This.Role = Aircraft then 200 else Dead_Space)",
         "back in step: ",
     ),
     "the ground sends without limit": (
         TURNS,
-        "Item.In_A_Row + Boolean'Pos (Item.Role = Ground)",
-        "Item.In_A_Row",
+        "This.In_A_Row + Boolean'Pos (This.Role = Ground)",
+        "This.In_A_Row",
         "back in step: NEVER",
     ),
 }

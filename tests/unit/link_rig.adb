@@ -11,12 +11,12 @@ package body Link_Rig is
    function Block (Mark : Byte) return Block_Data;
 
    --  Notes a character for the trace.
-   procedure Note (Item : in out Link; Sender : Station);
+   procedure Note (This : in out Link; Sender : Station);
 
    --  Lets the other station hear what arrives of a character, if one is
    --  sent, and before it what the line has added to the last one.
    procedure Deliver
-     (Item    : in out Link;
+     (This    : in out Link;
       Sender  : Station;
       Is_Sent : Boolean;
       Data    : Byte;
@@ -31,19 +31,19 @@ package body Link_Rig is
       end return;
    end Block;
 
-   procedure Note (Item : in out Link; Sender : Station) is
+   procedure Note (This : in out Link; Sender : Station) is
    begin
-      Item.Sent (Sender) := Item.Sent (Sender) + 1;
-      if Item.Turns > 0 and then Item.Trace (Item.Turns).Sender = Sender then
-         Item.Trace (Item.Turns).Length := Item.Trace (Item.Turns).Length + 1;
-      elsif Item.Turns < Longest_Trace then
-         Item.Turns := Item.Turns + 1;
-         Item.Trace (Item.Turns) := (Sender, 1);
+      This.Sent (Sender) := This.Sent (Sender) + 1;
+      if This.Turns > 0 and then This.Trace (This.Turns).Sender = Sender then
+         This.Trace (This.Turns).Length := This.Trace (This.Turns).Length + 1;
+      elsif This.Turns < Longest_Trace then
+         This.Turns := This.Turns + 1;
+         This.Trace (This.Turns) := (Sender, 1);
       end if;
    end Note;
 
    procedure Deliver
-     (Item    : in out Link;
+     (This    : in out Link;
       Sender  : Station;
       Is_Sent : Boolean;
       Data    : Byte;
@@ -54,24 +54,24 @@ package body Link_Rig is
       procedure Hear (Heard : Byte; Parity_Error : Boolean := False) is
       begin
          if Sender = Ground then
-            Accept_Character (Item.Aircraft_Board, Heard, Parity_Error);
+            Accept_Character (This.Aircraft_Board, Heard, Parity_Error);
          else
-            Accept_Character (Item.Ground_Board, Heard, Parity_Error);
+            Accept_Character (This.Ground_Board, Heard, Parity_Error);
          end if;
       end Hear;
 
       What : Arrival := Whole;
       Mask : Byte    := 0;
    begin
-      if Item.Added (Sender).Is_There then
-         Item.Added (Sender).Is_There := False;
-         Hear (Item.Added (Sender).Data);
+      if This.Added (Sender).Is_There then
+         This.Added (Sender).Is_There := False;
+         Hear (This.Added (Sender).Data);
       end if;
       if not Is_Sent then
          return;
       end if;
       if Fault /= null then
-         Fault (Sender, Item.Sent (Sender), What, Mask);
+         Fault (Sender, This.Sent (Sender), What, Mask);
       end if;
       case What is
          when Whole      => Hear (Data);
@@ -80,12 +80,12 @@ package body Link_Rig is
          when Lost       => null;
          when Doubled    =>
             Hear (Data);
-            Item.Added (Sender) := (True, Data xor Mask);
+            This.Added (Sender) := (True, Data xor Mask);
       end case;
    end Deliver;
 
    procedure Run
-     (Item  : in out Link;
+     (This  : in out Link;
       Times : Natural;
       Fault : Fault_Procedure := null)
    is
@@ -96,32 +96,32 @@ package body Link_Rig is
    begin
       for Time in 1 .. Times loop
          Next_Character
-           (Item.Ground_Board, Send (Ground), Data (Ground));
+           (This.Ground_Board, Send (Ground), Data (Ground));
          Next_Character
-           (Item.Aircraft_Board, Send (Aircraft), Data (Aircraft));
-         Elapse (Item.Ground_Board, 1);
-         Elapse (Item.Aircraft_Board, 1);
+           (This.Aircraft_Board, Send (Aircraft), Data (Aircraft));
+         Elapse (This.Ground_Board, 1);
+         Elapse (This.Aircraft_Board, 1);
          for Sender in Station loop
             if Send (Sender) then
-               Note (Item, Sender);
+               Note (This, Sender);
             end if;
-            Deliver (Item, Sender, Send (Sender), Data (Sender), Fault);
+            Deliver (This, Sender, Send (Sender), Data (Sender), Fault);
          end loop;
       end loop;
    end Run;
 
-   procedure Give (Item : in out Link; From : Station; Mark : Byte) is
+   procedure Give (This : in out Link; From : Station; Mark : Byte) is
       Unused_Overwrote : Boolean;
    begin
-      Item.Given (From) := Mark;
+      This.Given (From) := Mark;
       if From = Ground then
-         Put (Item.Ground_Board, Block (Mark), Unused_Overwrote);
+         Put (This.Ground_Board, Block (Mark), Unused_Overwrote);
       else
-         Put (Item.Aircraft_Board, Block (Mark), Unused_Overwrote);
+         Put (This.Aircraft_Board, Block (Mark), Unused_Overwrote);
       end if;
    end Give;
 
-   procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte)
+   procedure Take (This : in out Link; At_Station : Station; Mark : out Byte)
    is
       From   : constant Station := Peer (At_Station);
       Length : constant Byte_Index :=
@@ -131,9 +131,9 @@ package body Link_Rig is
       Fresh, Ever    : Boolean;
    begin
       if At_Station = Ground then
-         Take (Item.Ground_Board, Data, Fresh, Ever);
+         Take (This.Ground_Board, Data, Fresh, Ever);
       else
-         Take (Item.Aircraft_Board, Data, Fresh, Ever);
+         Take (This.Aircraft_Board, Data, Fresh, Ever);
       end if;
 
       Mark := 0;
@@ -146,12 +146,12 @@ package body Link_Rig is
             (for some I in 1 .. Length => Data (I) /= Expected (I)), False);
          Expect
            ("block" & Mark'Image & " is older than the one before,"
-            & Item.Came_Out (From)'Image,
-            Mark < Item.Came_Out (From), False);
+            & This.Came_Out (From)'Image,
+            Mark < This.Came_Out (From), False);
          Expect
            ("block" & Mark'Image & " was not given yet",
-            Mark > Item.Given (From), False);
-         Item.Came_Out (From) := Mark;
+            Mark > This.Given (From), False);
+         This.Came_Out (From) := Mark;
       end if;
    end Take;
 

@@ -75,21 +75,21 @@ package Link_Rig is
    Frame : constant := 20_000 / Microseconds_Per_Character;
 
    --  Dead space resets of both boards.
-   function Resets (Item : Link) return Count is
-     (Tally (Item.Ground_Board).Resets + Tally (Item.Aircraft_Board).Resets);
+   function Resets (This : Link) return Count is
+     (Tally (This.Ground_Board).Resets + Tally (This.Aircraft_Board).Resets);
 
    --  Lets some character times pass.
    procedure Run
-     (Item  : in out Link;
+     (This  : in out Link;
       Times : Natural;
       Fault : Fault_Procedure := null);
 
    --  A station's controller gives its board a block.
-   procedure Give (Item : in out Link; From : Station; Mark : Byte);
+   procedure Give (This : in out Link; From : Station; Mark : Byte);
 
    --  A station's controller takes the block that came in; Mark is 0 if
    --  there is none. The test fails if the block is not one that was given,
    --  or older than the one before.
-   procedure Take (Item : in out Link; At_Station : Station; Mark : out Byte);
+   procedure Take (This : in out Link; At_Station : Station; Mark : out Byte);
 
 end Link_Rig;

@@ -41,137 +41,137 @@ package body Receivers_Tests is
 
    --  One character.
    procedure Hear
-     (Item         : in out Half;
+     (This         : in out Half;
       Data         : Byte;
       Parity_Error : Boolean := False;
       Wants_Data   : Boolean := True);
 
    --  The board has waited at the end of the message.
-   procedure Judge (Item : in out Half);
+   procedure Judge (This : in out Half);
 
    --  The board gives up what was coming in.
-   procedure Restart (Item : in out Half);
+   procedure Restart (This : in out Half);
 
    --  A whole data message whose bytes are Mark, with this added to its
    --  checksum, and a parity error in the Bad_Parity-th character.
    procedure Hear_Message
-     (Item       : in out Half;
+     (This       : in out Half;
       Mark       : Byte;
       Wrong      : Byte    := 0;
       Bad_Parity : Natural := 0);
 
    procedure Hear
-     (Item         : in out Half;
+     (This         : in out Half;
       Data         : Byte;
       Parity_Error : Boolean := False;
       Wants_Data   : Boolean := True) is
    begin
       Accept_Character
-        (Item.Receiver, Item.Pair, Length, Wants_Data, Data, Parity_Error,
-         Item.Outcome);
+        (This.Receiver, This.Pair, Length, Wants_Data, Data, Parity_Error,
+         This.Outcome);
    end Hear;
 
    procedure Hear_Message
-     (Item       : in out Half;
+     (This       : in out Half;
       Mark       : Byte;
       Wrong      : Byte    := 0;
       Bad_Parity : Natural := 0)
    is
       Sum : Byte := Checksum.Next (Checksum.First_Value, Header_Byte);
    begin
-      Hear (Item, Header_Byte, Bad_Parity = 1);
+      Hear (This, Header_Byte, Bad_Parity = 1);
       for Place in 2 .. Natural (Length) + 1 loop
-         Hear (Item, Mark, Bad_Parity = Place);
+         Hear (This, Mark, Bad_Parity = Place);
          Sum := Checksum.Next (Sum, Mark);
       end loop;
-      Hear (Item, Sum + Wrong, Bad_Parity = Natural (Length) + 2);
+      Hear (This, Sum + Wrong, Bad_Parity = Natural (Length) + 2);
    end Hear_Message;
 
-   procedure Judge (Item : in out Half) is
+   procedure Judge (This : in out Half) is
    begin
-      Expect ("at the end", Item.Receiver.State, At_End);
-      Item.Pair := Pair_Judged (Item.Receiver, Item.Pair);
-      Item.Receiver.State := At_Start;
+      Expect ("at the end", This.Receiver.State, At_End);
+      This.Pair := Pair_Judged (This.Receiver, This.Pair);
+      This.Receiver.State := At_Start;
    end Judge;
 
-   procedure Restart (Item : in out Half) is
+   procedure Restart (This : in out Half) is
    begin
-      Item.Receiver.State := At_Start;
-      Item.Pair := Released (Item.Pair);
+      This.Receiver.State := At_Start;
+      This.Pair := Released (This.Pair);
    end Restart;
 
    procedure Good_Message is
-      Item : Half;
+      This : Half;
       Sum  : Byte := Checksum.Next (Checksum.First_Value, Header_Byte);
    begin
-      Hear (Item, Header_Byte);
-      Expect ("header", Item.Outcome.Kind, Block_Begun);
+      Hear (This, Header_Byte);
+      Expect ("header", This.Outcome.Kind, Block_Begun);
       for Value in Byte range 1 .. Byte (Length) loop
-         Hear (Item, Value);
+         Hear (This, Value);
          Sum := Checksum.Next (Sum, Value);
-         Expect ("data", Item.Outcome.Kind, Nothing);
-         Expect ("full before the checksum", Any_Full (Item.Pair), False);
+         Expect ("data", This.Outcome.Kind, Nothing);
+         Expect ("full before the checksum", Any_Full (This.Pair), False);
          Expect
-           ("busy meanwhile", Item.Pair.Slots (Item.Receiver.Target).Busy,
+           ("busy meanwhile", This.Pair.Slots (This.Receiver.Target).Busy,
             True);
       end loop;
-      Hear (Item, Sum);
-      Expect ("checksum", Item.Outcome.Kind, Block_Whole);
-      Expect ("full before it is judged", Any_Full (Item.Pair), False);
-      Judge (Item);
-      Expect ("full after", Item.Pair.Slots (Item.Receiver.Target).Full, True);
+      Hear (This, Sum);
+      Expect ("checksum", This.Outcome.Kind, Block_Whole);
+      Expect ("full before it is judged", Any_Full (This.Pair), False);
+      Judge (This);
+      Expect ("full after", This.Pair.Slots (This.Receiver.Target).Full, True);
       Expect
-        ("busy after", Item.Pair.Slots (Item.Receiver.Target).Busy, False);
-      Expect ("newest", Item.Pair.Newest, Item.Receiver.Target);
+        ("busy after", This.Pair.Slots (This.Receiver.Target).Busy, False);
+      Expect ("newest", This.Pair.Newest, This.Receiver.Target);
       for I in 1 .. Length loop
          Expect
-           ("byte" & I'Image, Item.Pair.Slots (Item.Pair.Newest).Data (I),
+           ("byte" & I'Image, This.Pair.Slots (This.Pair.Newest).Data (I),
             Byte (I));
       end loop;
    end Good_Message;
 
    procedure Wrong_Checksum is
-      Item : Half;
+      This : Half;
    begin
       for Wrong in Byte range 1 .. 255 loop
-         Hear_Message (Item, 7, Wrong => Wrong);
-         Expect ("wrong by" & Wrong'Image, Item.Outcome.Kind, Block_Spoilt);
-         Judge (Item);
-         Expect ("full", Any_Full (Item.Pair), False);
+         Hear_Message (This, 7, Wrong => Wrong);
+         Expect ("wrong by" & Wrong'Image, This.Outcome.Kind, Block_Spoilt);
+         Judge (This);
+         Expect ("full", Any_Full (This.Pair), False);
       end loop;
-      Hear_Message (Item, 8);
-      Expect ("the next", Item.Outcome.Kind, Block_Whole);
-      Judge (Item);
-      Expect ("full after the next", Any_Full (Item.Pair), True);
+      Hear_Message (This, 8);
+      Expect ("the next", This.Outcome.Kind, Block_Whole);
+      Judge (This);
+      Expect ("full after the next", Any_Full (This.Pair), True);
    end Wrong_Checksum;
 
    procedure Parities is
-      Item : Half;
+      This : Half;
    begin
       for Place in 2 .. Natural (Length) + 2 loop
-         Hear_Message (Item, 7, Bad_Parity => Place);
+         Hear_Message (This, 7, Bad_Parity => Place);
          Expect
-           ("parity error at" & Place'Image, Item.Outcome.Kind, Block_Spoilt);
-         Judge (Item);
-         Expect ("full", Any_Full (Item.Pair), False);
+           ("parity error at" & Place'Image, This.Outcome.Kind, Block_Spoilt);
+         Judge (This);
+         Expect ("full", Any_Full (This.Pair), False);
       end loop;
-      Hear_Message (Item, 8);
-      Expect ("the next", Item.Outcome.Kind, Block_Whole);
-      Judge (Item);
+      Hear_Message (This, 8);
+      Expect ("the next", This.Outcome.Kind, Block_Whole);
+      Judge (This);
 
       --  In the header it leaves the receiver out of step.
-      Hear (Item, Header_Byte, Parity_Error => True);
-      Expect ("header", Item.Outcome.Kind, Lost_Step);
+      Hear (This, Header_Byte, Parity_Error => True);
+      Expect ("header", This.Outcome.Kind, Lost_Step);
    end Parities;
 
    procedure Single_Bytes is
-      Item     : Half;
+      This     : Half;
       Expected : Event_Kind;
    begin
       for Value in Byte loop
          for Wants_Data in Boolean loop
-            Item := (others => <>);
-            Hear (Item, Value, Wants_Data => Wants_Data);
+            This := (others => <>);
+            Hear (This, Value, Wants_Data => Wants_Data);
             Expected :=
               (if not Is_Valid (Value) then Lost_Step
                elsif Value = Encode ((Kind => Command_To_Downlink))
@@ -179,11 +179,11 @@ package body Receivers_Tests is
                elsif Value = Header_Byte and Wants_Data then Block_Begun
                elsif Decode (Value).Kind = Data then Lost_Step
                else Status);
-            Expect ("byte" & Value'Image, Item.Outcome.Kind, Expected);
+            Expect ("byte" & Value'Image, This.Outcome.Kind, Expected);
             if Expected = Status then
-               Expect ("good", Item.Outcome.Good, Decode (Value).Good);
+               Expect ("good", This.Outcome.Good, Decode (Value).Good);
                Expect
-                 ("wants downlink", Item.Outcome.Wants_Downlink,
+                 ("wants downlink", This.Outcome.Wants_Downlink,
                   Decode (Value).Wants_Downlink);
             end if;
          end loop;
@@ -191,85 +191,85 @@ package body Receivers_Tests is
    end Single_Bytes;
 
    procedure One_More is
-      Item : Half;
+      This : Half;
    begin
       --  Whatever comes after the end, and however much.
       for More in 1 .. 3 loop
          for Value in Byte loop
-            Item := (others => <>);
-            Hear_Message (Item, 7);
-            Expect ("whole", Item.Outcome.Kind, Block_Whole);
+            This := (others => <>);
+            Hear_Message (This, 7);
+            Expect ("whole", This.Outcome.Kind, Block_Whole);
             for Count in 1 .. More loop
-               Hear (Item, Value);
-               Expect ("one more", Item.Outcome.Kind, Block_Spoilt);
+               Hear (This, Value);
+               Expect ("one more", This.Outcome.Kind, Block_Spoilt);
             end loop;
-            Judge (Item);
-            Expect ("full", Any_Full (Item.Pair), False);
-            Hear_Message (Item, 8);
-            Expect ("the next", Item.Outcome.Kind, Block_Whole);
+            Judge (This);
+            Expect ("full", Any_Full (This.Pair), False);
+            Hear_Message (This, 8);
+            Expect ("the next", This.Outcome.Kind, Block_Whole);
          end loop;
       end loop;
    end One_More;
 
    procedure Deaf_Out_Of_Step is
-      Item   : Half;
+      This   : Half;
       Before : Half;
    begin
-      Hear (Item, 0);
-      Expect ("state", Item.Receiver.State, Out_Of_Step);
-      Before := Item;
+      Hear (This, 0);
+      Expect ("state", This.Receiver.State, Out_Of_Step);
+      Before := This;
       for Value in Byte loop
-         Hear (Item, Value);
-         Expect ("byte" & Value'Image, Item.Outcome.Kind, Nothing);
+         Hear (This, Value);
+         Expect ("byte" & Value'Image, This.Outcome.Kind, Nothing);
          Assert
-           (Item.Receiver = Before.Receiver and then Item.Pair = Before.Pair,
+           (This.Receiver = Before.Receiver and then This.Pair = Before.Pair,
             "byte" & Value'Image & " changed something, expected nothing");
       end loop;
-      Restart (Item);
-      Hear_Message (Item, 9);
-      Expect ("after a restart", Item.Outcome.Kind, Block_Whole);
+      Restart (This);
+      Hear_Message (This, 9);
+      Expect ("after a restart", This.Outcome.Kind, Block_Whole);
    end Deaf_Out_Of_Step;
 
    procedure Interrupted is
-      Item : Half;
+      This : Half;
    begin
       --  A message breaks off after any number of characters.
       for Characters in 0 .. Natural (Length) loop
-         Item := (others => <>);
-         Hear_Message (Item, 1);
-         Judge (Item);
-         Hear (Item, Header_Byte);
+         This := (others => <>);
+         Hear_Message (This, 1);
+         Judge (This);
+         Hear (This, Header_Byte);
          for Count in 1 .. Characters loop
-            Hear (Item, 2);
+            Hear (This, 2);
          end loop;
-         Restart (Item);
-         Expect ("first busy", Item.Pair.Slots (First).Busy, False);
-         Expect ("second busy", Item.Pair.Slots (Second).Busy, False);
-         Expect ("the block before is there", Any_Full (Item.Pair), True);
-         Expect ("and whole", Contents (Item.Pair) (Length), 1);
-         Item.Pair := Taken (Item.Pair);
-         Hear_Message (Item, 3);
-         Expect ("the next message", Item.Outcome.Kind, Block_Whole);
+         Restart (This);
+         Expect ("first busy", This.Pair.Slots (First).Busy, False);
+         Expect ("second busy", This.Pair.Slots (Second).Busy, False);
+         Expect ("the block before is there", Any_Full (This.Pair), True);
+         Expect ("and whole", Contents (This.Pair) (Length), 1);
+         This.Pair := Taken (This.Pair);
+         Hear_Message (This, 3);
+         Expect ("the next message", This.Outcome.Kind, Block_Whole);
       end loop;
    end Interrupted;
 
    procedure Untouched is
-      Item   : Half;
+      This   : Half;
       Target : Slot;
    begin
       --  Nobody takes anything: the newest good block is there all the
       --  same, and the buffer that is being filled is the other one.
       for Mark in Byte range 1 .. 20 loop
-         Hear_Message (Item, Mark);
-         Judge (Item);
-         Target := Item.Receiver.Target;
-         Hear (Item, Header_Byte);
+         Hear_Message (This, Mark);
+         Judge (This);
+         Target := This.Receiver.Target;
+         Hear (This, Header_Byte);
          Expect
-           ("the next goes elsewhere", Item.Receiver.Target = Target, False);
-         Restart (Item);
+           ("the next goes elsewhere", This.Receiver.Target = Target, False);
+         Restart (This);
       end loop;
-      Expect ("fresh", Any_Full (Item.Pair), True);
-      Expect ("the newest", Contents (Item.Pair) (1), 20);
+      Expect ("fresh", Any_Full (This.Pair), True);
+      Expect ("the newest", Contents (This.Pair) (1), 20);
    end Untouched;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

@@ -181,47 +181,47 @@ package body Start_Orders_Tests is
       Found : array (1 .. Most) of Watched;
       Last  : Natural := 0;
 
-      procedure Note (Item : Watched);
+      procedure Note (This : Watched);
 
       --  The ways on from there.
 
-      procedure Wish (Item : in out Watched; Condition : Start_Condition);
-      procedure End_Test (Item : in out Watched; Passed : Boolean);
-      procedure Take_Turn (Item : in out Watched; Who : Seat);
+      procedure Wish (This : in out Watched; Condition : Start_Condition);
+      procedure End_Test (This : in out Watched; Passed : Boolean);
+      procedure Take_Turn (This : in out Watched; Who : Seat);
 
       --  In turns, a node grants what is wished for and then runs its tasks.
       procedure Expect_Progress (From : Watched);
 
-      procedure Note (Item : Watched) is
+      procedure Note (This : Watched) is
       begin
          for Place in 1 .. Last loop
-            if Found (Place) = Item then
+            if Found (Place) = This then
                return;
             end if;
          end loop;
          Last := Last + 1;
-         Found (Last) := Item;
+         Found (Last) := This;
       end Note;
 
-      procedure Wish (Item : in out Watched; Condition : Start_Condition) is
+      procedure Wish (This : in out Watched; Condition : Start_Condition) is
       begin
-         Item.State := Requested (Item.State, Condition);
-         Item.Is_Due := True;
-         Item.Due := Condition;
+         This.State := Requested (This.State, Condition);
+         This.Is_Due := True;
+         This.Due := Condition;
       end Wish;
 
-      procedure End_Test (Item : in out Watched; Passed : Boolean) is
+      procedure End_Test (This : in out Watched; Passed : Boolean) is
       begin
-         Item.State := Tested (Item.State, Passed);
-         Item.Passed := Passed;
-         Item.Does (Master) := Stand_Still;
+         This.State := Tested (This.State, Passed);
+         This.Passed := Passed;
+         This.Does (Master) := Stand_Still;
       end End_Test;
 
-      procedure Take_Turn (Item : in out Watched; Who : Seat) is
-         Is_Testing : constant Boolean := Item.Does (Master) = Begin_Start;
+      procedure Take_Turn (This : in out Watched; Who : Seat) is
+         Is_Testing : constant Boolean := This.Does (Master) = Begin_Start;
          Next_Order : Order;
       begin
-         Look (Item.State, Who, Next_Order);
+         Look (This.State, Who, Next_Order);
          if Is_Testing then
             Expect ("during phases 1 and 2", Next_Order.Name, Stand_Still);
          end if;
@@ -236,78 +236,78 @@ package body Start_Orders_Tests is
                  ("all others stand still",
                   (for all Which in Seat =>
                      Which = Master
-                     or else Item.Does (Which) = Stand_Still),
+                     or else This.Does (Which) = Stand_Still),
                   True);
-               Expect ("somebody has wished for it", Item.Is_Due, True);
+               Expect ("somebody has wished for it", This.Is_Due, True);
                Expect
-                 ("what was wished for last", Next_Order.Condition, Item.Due);
-               Item.Is_Due := False;
-               Item.Loaded := (others => False);
+                 ("what was wished for last", Next_Order.Condition, This.Due);
+               This.Is_Due := False;
+               This.Loaded := (others => False);
 
             when Load_Tasks =>
-               Expect ("loads once", Item.Loaded (Who), False);
-               Expect ("has stood still", Item.Does (Who), Stand_Still);
-               Expect ("as the test says", Next_Order.Passed, Item.Passed);
+               Expect ("loads once", This.Loaded (Who), False);
+               Expect ("has stood still", This.Does (Who), Stand_Still);
+               Expect ("as the test says", Next_Order.Passed, This.Passed);
                Expect ("its own tasks", Next_Order.Number = Who, True);
-               Item.Loaded (Who) := True;
+               This.Loaded (Who) := True;
 
             when Carry_On =>
-               Expect ("has loaded its tasks", Item.Loaded (Who), True);
+               Expect ("has loaded its tasks", This.Loaded (Who), True);
          end case;
-         Item.Does (Who) := Next_Order.Name;
+         This.Does (Who) := Next_Order.Name;
       end Take_Turn;
 
       procedure Expect_Progress (From : Watched) is
-         Item    : Watched := From;
+         This    : Watched := From;
          Granted : Boolean := not From.Is_Due;
       begin
          for Round in 1 .. 10 loop
-            if Item.Does (Master) = Begin_Start then
-               End_Test (Item, True);
+            if This.Does (Master) = Begin_Start then
+               End_Test (This, True);
             end if;
-            for Who in 1 .. Item.State.Processors loop
-               if Item.Does (Master) /= Begin_Start or else Who /= Master then
-                  Take_Turn (Item, Who);
-                  Granted := Granted or else Item.Does (Who) = Begin_Start;
+            for Who in 1 .. This.State.Processors loop
+               if This.Does (Master) /= Begin_Start or else Who /= Master then
+                  Take_Turn (This, Who);
+                  Granted := Granted or else This.Does (Who) = Begin_Start;
                end if;
             end loop;
          end loop;
          Expect ("a wish is granted", Granted, True);
-         for Who in 1 .. Item.State.Processors loop
-            Expect ("in the end", Item.Does (Who), Carry_On);
+         for Who in 1 .. This.State.Processors loop
+            Expect ("in the end", This.Does (Who), Carry_On);
          end loop;
       end Expect_Progress;
 
       Next : Natural;
-      Item : Watched;
+      This : Watched;
    begin
       for Processors in Processor_Number loop
          Last := 0;
-         Item := (State => (Processors => Processors, others => <>),
+         This := (State => (Processors => Processors, others => <>),
                   others => <>);
-         Wish (Item, Cold_Start);
-         Note (Item);
+         Wish (This, Cold_Start);
+         Note (This);
          Next := 0;
          while Next < Last loop
             Next := Next + 1;
             Expect_Progress (Found (Next));
             for Condition in Start_Condition loop
-               Item := Found (Next);
-               Wish (Item, Condition);
-               Note (Item);
+               This := Found (Next);
+               Wish (This, Condition);
+               Note (This);
             end loop;
             for Who in 1 .. Processors loop
                if Who = Master and then Found (Next).Does (Who) = Begin_Start
                then
                   for Passed in Boolean loop
-                     Item := Found (Next);
-                     End_Test (Item, Passed);
-                     Note (Item);
+                     This := Found (Next);
+                     End_Test (This, Passed);
+                     Note (This);
                   end loop;
                else
-                  Item := Found (Next);
-                  Take_Turn (Item, Who);
-                  Note (Item);
+                  This := Found (Next);
+                  Take_Turn (This, Who);
+                  Note (This);
                end if;
             end loop;
          end loop;

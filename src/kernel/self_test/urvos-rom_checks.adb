@@ -3,26 +3,26 @@
 package body URVOS.ROM_Checks with SPARK_Mode is
 
    procedure Take_Byte
-     (Item    : in out Check;
+     (This    : in out Check;
       Data    : Byte;
       Outcome : out Outcome_Kind)
    is
    begin
-      Item.Register := Next (Item.Register, Data);
+      This.Register := Next (This.Register, Data);
 
-      if Item.Position < Last then
-         Item.Position := Item.Position + 1;
+      if This.Position < Last then
+         This.Position := This.Position + 1;
          Outcome := Under_Way;
       else
-         if Item.Register = Good_Image then
-            Item.Good_Passes := Incremented (Item.Good_Passes);
+         if This.Register = Good_Image then
+            This.Good_Passes := Incremented (This.Good_Passes);
             Outcome := Found_Good;
          else
-            Item.Bad_Passes := Incremented (Item.Bad_Passes);
+            This.Bad_Passes := Incremented (This.Bad_Passes);
             Outcome := Found_Bad;
          end if;
-         Item.Position := 0;
-         Item.Register := First_Value;
+         This.Position := 0;
+         This.Register := First_Value;
       end if;
    end Take_Byte;
 

@@ -35,33 +35,33 @@ package URVOS.ROM_Checks with Pure, SPARK_Mode is
    type Outcome_Kind is (Under_Way, Found_Good, Found_Bad);
 
    --  What one more byte brings.
-   function Outcome_Of (Item : Check; Data : Byte) return Outcome_Kind is
-     (if Item.Position < Last then Under_Way
-      elsif Next (Item.Register, Data) = Good_Image then Found_Good
+   function Outcome_Of (This : Check; Data : Byte) return Outcome_Kind is
+     (if This.Position < Last then Under_Way
+      elsif Next (This.Register, Data) = Good_Image then Found_Good
       else Found_Bad)
    with Global => null;
 
    procedure Take_Byte
-     (Item    : in out Check;
+     (This    : in out Check;
       Data    : Byte;
       Outcome : out Outcome_Kind)
    with
      Global => null,
      Post   =>
-       Outcome = Outcome_Of (Item'Old, Data)
-       and then Item =
+       Outcome = Outcome_Of (This'Old, Data)
+       and then This =
          (case Outcome is
              when Under_Way =>
-               (Item'Old with delta
-                  Position => Item'Old.Position + 1,
-                  Register => Next (Item'Old.Register, Data)),
+               (This'Old with delta
+                  Position => This'Old.Position + 1,
+                  Register => Next (This'Old.Register, Data)),
              when Found_Good =>
                (New_Check with delta
-                  Good_Passes => Incremented (Item'Old.Good_Passes),
-                  Bad_Passes  => Item'Old.Bad_Passes),
+                  Good_Passes => Incremented (This'Old.Good_Passes),
+                  Bad_Passes  => This'Old.Bad_Passes),
              when Found_Bad =>
                (New_Check with delta
-                  Good_Passes => Item'Old.Good_Passes,
-                  Bad_Passes  => Incremented (Item'Old.Bad_Passes)));
+                  Good_Passes => This'Old.Good_Passes,
+                  Bad_Passes  => Incremented (This'Old.Bad_Passes)));
 
 end URVOS.ROM_Checks;

@@ -3,31 +3,31 @@
 package body URVOS.Semaphores with SPARK_Mode is
 
    procedure Try_Claim
-     (Item    : in out Semaphore;
+     (This    : in out Semaphore;
       Caller  : Claimant;
       Claimed : out Boolean;
       Holder  : out Claimant)
    is
    begin
-      Claimed := Is_Available (Item);
+      Claimed := Is_Available (This);
       if Claimed then
-         Item.Claimed_By := Caller;
+         This.Claimed_By := Caller;
       end if;
-      Holder := Item.Claimed_By;
+      Holder := This.Claimed_By;
    end Try_Claim;
 
    procedure Release
-     (Item     : in out Semaphore;
+     (This     : in out Semaphore;
       Caller   : Claimant;
       Released : out Boolean;
       Holder   : out Task_Id)
    is
    begin
-      Released := Item.Claimed_By = Caller;
+      Released := This.Claimed_By = Caller;
       if Released then
-         Item.Claimed_By := No_Task;
+         This.Claimed_By := No_Task;
       end if;
-      Holder := Item.Claimed_By;
+      Holder := This.Claimed_By;
    end Release;
 
 end URVOS.Semaphores;

@@ -20,11 +20,11 @@ package URVOS.Semaphores with Pure, SPARK_Mode is
    type Semaphore is private;
 
    --  The task whose claim it is, No_Task when it is available.
-   function Owner (Item : Semaphore) return Task_Id
+   function Owner (This : Semaphore) return Task_Id
    with Global => null;
 
-   function Is_Available (Item : Semaphore) return Boolean is
-     (Owner (Item) = No_Task)
+   function Is_Available (This : Semaphore) return Boolean is
+     (Owner (This) = No_Task)
    with Global => null;
 
    --  A semaphore in its first state (INI-8).
@@ -36,33 +36,33 @@ package URVOS.Semaphores with Pure, SPARK_Mode is
    --  One try of a P. Holder is the owner, whether it is the caller now or
    --  somebody has come before.
    procedure Try_Claim
-     (Item    : in out Semaphore;
+     (This    : in out Semaphore;
       Caller  : Claimant;
       Claimed : out Boolean;
       Holder  : out Claimant)
    with
      Global  => null,
-     Depends => ((Item, Holder) => (Item, Caller), Claimed => Item),
+     Depends => ((This, Holder) => (This, Caller), Claimed => This),
      Post    =>
-       Claimed = Is_Available (Item'Old)
-       and then Owner (Item) =
-         (if Claimed then Caller else Owner (Item'Old))
-       and then Holder = Owner (Item);
+       Claimed = Is_Available (This'Old)
+       and then Owner (This) =
+         (if Claimed then Caller else Owner (This'Old))
+       and then Holder = Owner (This);
 
    --  V. Of somebody who does not own it, it releases nothing. Holder is
    --  the owner after it.
    procedure Release
-     (Item     : in out Semaphore;
+     (This     : in out Semaphore;
       Caller   : Claimant;
       Released : out Boolean;
       Holder   : out Task_Id)
    with
      Global => null,
      Post   =>
-       Released = (Owner (Item'Old) = Caller)
-       and then Owner (Item) =
-         (if Released then No_Task else Owner (Item'Old))
-       and then Holder = Owner (Item);
+       Released = (Owner (This'Old) = Caller)
+       and then Owner (This) =
+         (if Released then No_Task else Owner (This'Old))
+       and then Holder = Owner (This);
 
 private
 
@@ -70,7 +70,7 @@ private
       Claimed_By : Task_Id := No_Task;
    end record;
 
-   function Owner (Item : Semaphore) return Task_Id is (Item.Claimed_By);
+   function Owner (This : Semaphore) return Task_Id is (This.Claimed_By);
 
    function Available_Semaphore return Semaphore is
      ((Claimed_By => No_Task));

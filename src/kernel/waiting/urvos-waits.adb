@@ -2,15 +2,15 @@
 
 package body URVOS.Waits with SPARK_Mode is
 
-   procedure Note_Look (Item : in out Wait; Now : Clock_Tick) is
+   procedure Note_Look (This : in out Wait; Now : Clock_Tick) is
    begin
-      if Now > Item.Seen then
-         Item :=
-           (Left => Item.Left - Wait_Ticks (Now - Item.Seen),
+      if Now > This.Seen then
+         This :=
+           (Left => This.Left - Wait_Ticks (Now - This.Seen),
             Seen => Now,
             Done => 1);
       else
-         Item.Done := Item.Done + 1;
+         This.Done := This.Done + 1;
       end if;
    end Note_Look;
 

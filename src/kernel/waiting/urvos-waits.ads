@@ -31,33 +31,33 @@ package URVOS.Waits with Pure, SPARK_Mode is
    type Wait is private;
 
    --  What is left of the wait, from the tick that was last seen.
-   function Ticks_Left (Item : Wait) return Wait_Ticks
+   function Ticks_Left (This : Wait) return Wait_Ticks
    with Global => null;
 
    --  The latest tick that was seen.
-   function Last_Seen (Item : Wait) return Clock_Tick
+   function Last_Seen (This : Wait) return Clock_Tick
    with Global => null;
 
    --  How often somebody has looked since the clock moved.
-   function Looks (Item : Wait) return Look_Count
+   function Looks (This : Wait) return Look_Count
    with
      Global => null,
      Post   =>
        Looks'Result <= Most_Looks
-       and then (if Ticks_Left (Item) = 0 then Looks'Result = 0);
+       and then (if Ticks_Left (This) = 0 then Looks'Result = 0);
 
    --  The wait is over: its ticks have passed, or there will be no more.
-   function Is_Over (Item : Wait; Now : Clock_Tick) return Boolean is
+   function Is_Over (This : Wait; Now : Clock_Tick) return Boolean is
      (Now = Last_Tick
       or else
-        (if Now > Last_Seen (Item)
-         then Now - Last_Seen (Item) >= Tick (Ticks_Left (Item))
-         else Ticks_Left (Item) = 0 or else Looks (Item) = Most_Looks))
+        (if Now > Last_Seen (This)
+         then Now - Last_Seen (This) >= Tick (Ticks_Left (This))
+         else Ticks_Left (This) = 0 or else Looks (This) = Most_Looks))
    with Global => null;
 
    --  How many looks are left, at the very most.
-   function Looks_Left (Item : Wait) return Look_Count is
-     (Look_Count (Ticks_Left (Item)) * Most_Looks - Looks (Item))
+   function Looks_Left (This : Wait) return Look_Count is
+     (Look_Count (Ticks_Left (This)) * Most_Looks - Looks (This))
    with Global => null;
 
    --  A wait that begins now. Of 0 ticks it is over at once.
@@ -88,13 +88,13 @@ package URVOS.Waits with Pure, SPARK_Mode is
 
    --  Somebody has looked in vain, and the time is Now. So no wait is for
    --  ever (MBX-5).
-   procedure Note_Look (Item : in out Wait; Now : Clock_Tick)
+   procedure Note_Look (This : in out Wait; Now : Clock_Tick)
    with
      Global => null,
-     Pre    => not Is_Over (Item, Now),
+     Pre    => not Is_Over (This, Now),
      Post   =>
-       Is_A_Look_Later (Item'Old, Item, Now)
-       and then Looks_Left (Item) < Looks_Left (Item'Old);
+       Is_A_Look_Later (This'Old, This, Now)
+       and then Looks_Left (This) < Looks_Left (This'Old);
 
 private
 
@@ -106,11 +106,11 @@ private
    with
      Predicate => Done <= Most_Looks and then (if Left = 0 then Done = 0);
 
-   function Ticks_Left (Item : Wait) return Wait_Ticks is (Item.Left);
+   function Ticks_Left (This : Wait) return Wait_Ticks is (This.Left);
 
-   function Last_Seen (Item : Wait) return Clock_Tick is (Item.Seen);
+   function Last_Seen (This : Wait) return Clock_Tick is (This.Seen);
 
-   function Looks (Item : Wait) return Look_Count is (Item.Done);
+   function Looks (This : Wait) return Look_Count is (This.Done);
 
    function Begun (Now : Clock_Tick; Ticks : Wait_Ticks) return Wait is
      ((Left => Ticks, Seen => Now, Done => 0));
