@@ -83,10 +83,7 @@ package body Sim.Controllers is
      (Lag        : Microseconds;
       Drift      : Drift_Number;
       Script     : Faults.Script;
-      Processors : Processor_Count)
-   is
-      use type Faults.Board;
-      use type Faults.Fault_Kind;
+      Processors : Processor_Count) is
    begin
       Controllers := (others => (others => <>));
       Number_Of_Processors := Processors;
@@ -95,18 +92,9 @@ package body Sim.Controllers is
       Schedule (GSC_Clock, 0);
       Schedule (MCS_Clock, Lag);
 
-      for Index in 1 .. Faults.Length (Script) loop
-         declare
-            Fault : constant Faults.Fault := Faults.Element (Script, Index);
-         begin
-            if Fault.Kind = Faults.Stall
-              and then Fault.Stalled = Faults.ADC
-            then
-               Add
-                 (Controllers (Fault.Where).Stalls,
-                  (Fault.Time, Fault.Time + Fault.Duration));
-            end if;
-         end;
+      for Which in Node loop
+         Controllers (Which).Stalls :=
+           Faults.Stalls (Script, Which, Faults.ADC);
       end loop;
    end Prepare;
 

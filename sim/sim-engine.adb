@@ -49,8 +49,6 @@ package body Sim.Engine is
 
    Link_Line : Line;
 
-   procedure Prepare_Boards (Script : Faults.Script);
-
    --  A telemetry board starts anew.
    procedure Start_Anew
      (Which : Node;
@@ -143,25 +141,6 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
-   procedure Prepare_Boards (Script : Faults.Script) is
-      use type Faults.Board;
-      use type Faults.Fault_Kind;
-   begin
-      for Index in 1 .. Faults.Length (Script) loop
-         declare
-            Fault : constant Faults.Fault := Faults.Element (Script, Index);
-         begin
-            if Fault.Kind = Faults.Stall
-              and then Fault.Stalled = Faults.Telemetry
-            then
-               Add
-                 (Boards (Fault.Where).Stalls,
-                  (Fault.Time, Fault.Time + Fault.Duration));
-            end if;
-         end;
-      end loop;
-   end Prepare_Boards;
-
    procedure Start_Anew
      (Which : Node;
       Time  : Microseconds;
@@ -185,7 +164,7 @@ package body Sim.Engine is
          Schedule (Hardware_Fault, Next_Time);
       end if;
 
-      case Item.Kind is
+      case Faults.Hardware_Fault'(Item.Kind) is
          when Faults.Reset =>
             --  Before it is switched on there is nothing to start anew.
             if Controllers.Is_On (Item.Where) then
@@ -209,9 +188,6 @@ package body Sim.Engine is
 
          when Faults.Bus_Error =>
             Fail_Next_Read (Memory_Of (Item.Where));
-
-         when others =>
-            null;
       end case;
    end Apply_Hardware_Fault;
 
@@ -453,12 +429,13 @@ package body Sim.Engine is
          Aircraft => (Timer => Lag, others => <>));
       for Which in Node loop
          Repair (Memory_Of (Which));
+         Boards (Which).Stalls :=
+           Faults.Stalls (Script, Which, Faults.Telemetry);
       end loop;
 
       Agenda.Clear;
       Controllers.Prepare (Lag, Drift, Script, Processors);
       Prepare (Link_Line, Script, Seed);
-      Prepare_Boards (Script);
       Hardware_Faults.Prepare (Script);
       if Next_Time < Host.Never then
          Schedule (Hardware_Fault, Next_Time);

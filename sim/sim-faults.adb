@@ -68,6 +68,9 @@ package body Sim.Faults is
 
    package Sorting is new Fault_Vectors.Generic_Sorting ("<" => Is_Before);
 
+   --  To what it befalls.
+   procedure Hand_Out (To : in out Script; Given : Fault);
+
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
 
    function Form_Of (Kind : Fault_Kind) return String renames Image;
@@ -321,55 +324,91 @@ package body Sim.Faults is
       Count  : constant Natural := Orders.Word_Count (Line);
       Next   : Positive := 2;
       Before : Subject := Nothing;
+      Time   : Microseconds;
+      Servo  : Servo_Item := Servo_Item'First;
+      Kind   : Fault_Kind;
 
       function Word (Number : Positive) return String is
         (Orders.Word (Line, Number));
-   begin
-      Made := (Kind => Cut, Line => Line_Number (From), Time => 0,
-               others => <>);
-      Read_Time (From, "TIME_MS", Word (1), Made.Time);
 
-      if Count < 2 then
-         Refuse (From, "no fault follows the time");
-      elsif Word (2) = "up" or else Word (2) = "down" then
-         Before   := A_Way;
-         Made.Way := (if Word (2) = "up" then Up else Down);
-         Next     := 3;
-      elsif Word (2) = "mcs" or else Word (2) = "gsc" then
-         Before     := A_Node;
-         Made.Where := (if Word (2) = "mcs" then Aircraft else Ground);
-         Next       := 3;
-      elsif Word (2) = Servo_Word then
-         Before := A_Servo;
-         Read_Servo (From, Word (3), Made.Servo);
-         Next := 4;
-      end if;
+      --  Refuses what does not belong to the kind.
+      function Read_Rest return Fault;
 
-      Read_Kind (From, Before, Word (Next), Made.Kind);
-
-      declare
-         After  : constant Parameter_List := Forms (Made.Kind).After;
+      function Read_Rest return Fault is
+         After  : constant Parameter_List := Forms (Kind).After;
          Most   : constant Natural :=
            (if After (1) = None then 0 elsif After (2) = None then 1 else 2);
          Wanted : constant Natural :=
            (if Is_Optional (After (1)) and then Count = Next then 0
             else Most);
       begin
-         if Before /= Forms (Made.Kind).Before
-           or else Count - Next /= Wanted
-         then
+         if Before /= Forms (Kind).Before or else Count - Next /= Wanted then
             Refuse
-              (From,
-               "a fault of this kind is written " & Image (Made.Kind));
+              (From, "a fault of this kind is written " & Image (Kind));
          end if;
-         for Index in 1 .. Wanted loop
-            Read_Parameter
-              (From, After (Index), Word (Next + Index), Made);
-         end loop;
-      end;
+
+         return Read : Fault (Kind) do
+            Read.Line := Line_Number (From);
+            Read.Time := Time;
+            case Before is
+               when Nothing => null;
+               when A_Way   =>
+                  Read.Way := (if Word (2) = "up" then Up else Down);
+               when A_Node  =>
+                  Read.Where :=
+                    (if Word (2) = "mcs" then Aircraft else Ground);
+               when A_Servo =>
+                  Read.Servo := Servo;
+            end case;
+            for Index in 1 .. Wanted loop
+               Read_Parameter (From, After (Index), Word (Next + Index), Read);
+            end loop;
+         end return;
+      end Read_Rest;
+   begin
+      Read_Time (From, "TIME_MS", Word (1), Time);
+
+      if Count < 2 then
+         Refuse (From, "no fault follows the time");
+      elsif Word (2) = "up" or else Word (2) = "down" then
+         Before := A_Way;
+         Next   := 3;
+      elsif Word (2) = "mcs" or else Word (2) = "gsc" then
+         Before := A_Node;
+         Next   := 3;
+      elsif Word (2) = Servo_Word then
+         Before := A_Servo;
+         Read_Servo (From, Word (3), Servo);
+         Next := 4;
+      end if;
+
+      Read_Kind (From, Before, Word (Next), Kind);
+      Made := Read_Rest;
    end Read_Fault;
 
+   procedure Hand_Out (To : in out Script; Given : Fault) is
+      Span : constant Windows.Window :=
+        (Given.Time, Given.Time + Given.Duration);
+   begin
+      case Given.Kind is
+         when Cut =>
+            Windows.Add (To.Cuts, Span);
+         when Bit_Errors =>
+            To.Ways (Given.Way).Noises.Append (Given);
+         when Character_Fault =>
+            To.Ways (Given.Way).Characters.Append (Given);
+         when Stall =>
+            Windows.Add (To.Stalls (Given.Where, Given.Stalled), Span);
+         when Hardware_Fault =>
+            To.Hardware.Append (Given);
+         when Servo_Fault =>
+            To.Servos.Append (Given);
+      end case;
+   end Hand_Out;
+
    procedure Load (Loaded : in out Script; File : String) is
+
+      Every : Fault_List;
 
       procedure Read (From : Reader; Order : String);
 
@@ -377,13 +416,16 @@ package body Sim.Faults is
          Made : Fault;
       begin
          Read_Fault (From, Order, Made);
-         Loaded.Faults.Append (Made);
+         Every.Append (Made);
       end Read;
 
       procedure Read_All is new Orders.Read_All (Read);
    begin
-      Loaded.Faults.Clear;
       Read_All (File);
+      Sorting.Sort (Every);
+      for Each of Every loop
+         Hand_Out (Loaded, Each);
+      end loop;
    end Load;
 
    function For_Plant
@@ -395,25 +437,21 @@ package body Sim.Faults is
       function Step_At (Time : Microseconds) return Step_Number is
         (if Time <= Begins then 0
          else Step_Number ((Time - Begins + Tick_Time - 1) / Tick_Time));
-      Ordered : Fault_Vectors.Vector := From.Faults;
    begin
-      Sorting.Sort (Ordered);
       return Found : Surface_Faults.List do
-         for Item of Ordered loop
-            if Item.Kind in Servo_Fault then
-               Found.Append
-                 (Surface_Faults.Fault'
-                    (Servo => Item.Servo,
-                     Start => Step_At (Item.Time),
-                     Kind  =>
-                       (case Servo_Fault (Item.Kind) is
-                           when Stuck =>
-                             (if Item.Stays then Stuck_Here else Stuck_At),
-                           when Float => Floating,
-                           when Slow  => Slow),
-                     Place => Item.Place,
-                     Speed => Item.Speed));
-            end if;
+         for Each of From.Servos loop
+            Found.Append
+              (Surface_Faults.Fault'
+                 (Servo => Each.Servo,
+                  Start => Step_At (Each.Time),
+                  Kind  =>
+                    (case Servo_Fault'(Each.Kind) is
+                        when Stuck =>
+                          (if Each.Stays then Stuck_Here else Stuck_At),
+                        when Float => Floating,
+                        when Slow  => Slow),
+                  Place => Each.Place,
+                  Speed => Each.Speed));
          end loop;
       end return;
    end For_Plant;

@@ -3,12 +3,13 @@
 --  A script of what goes wrong in a flight, read from a file (--faults)
 --  and checked before the flight begins (SIM-2, SIM-5).
 
+with Ada.Containers.Vectors;
+
 with Host.Memory_Hardware; use Host.Memory_Hardware;
 with Host.Surface_Faults;
+with Sim.Windows;
 with URV.Buffers;          use URV.Buffers;
 with URVOS;                use URVOS;
-
-private with Ada.Containers.Vectors;
 
 package Sim.Faults is
 
@@ -24,8 +25,11 @@ package Sim.Faults is
    --  How a line with such a fault is written, for help.
    function Form_Of (Kind : Fault_Kind) return String;
 
-   --  Of a node's hardware, not of the line.
-   subtype Node_Fault is Fault_Kind range Stall .. Bus_Error;
+   --  Of one character in one direction.
+   subtype Character_Fault is Fault_Kind range Flip .. Insert;
+
+   --  Of a node at an instant.
+   subtype Hardware_Fault is Fault_Kind range Reset .. Bus_Error;
 
    --  Of a servo of the aircraft.
    subtype Servo_Fault is Fault_Kind range Stuck .. Slow;
@@ -47,59 +51,118 @@ package Sim.Faults is
 
    type Probability is new Long_Float range 0.0 .. 1.0;
 
-   --  One line of the script. Only what the kind of fault needs has a
-   --  meaning.
-   type Fault is record
-      Kind     : Fault_Kind;
-      Line     : Positive;
-      Time     : Microseconds;
-      Way      : Direction    := Up;
-      Where    : Node         := Aircraft;
+   --  One line of the script.
+   type Fault (Kind : Fault_Kind := Bus_Error) is record
+      Line : Positive;
+      Time : Microseconds;
+
+      --  0 of what happens in an instant, or stays.
       Duration : Microseconds := 0;
-      Ordinal  : Byte_Ordinal := 1;
-      Mask     : Flip_Mask    := 1;
-      Inserted : Byte         := 0;
-      Rate     : Probability  := 0.0;
-      Stalled  : Board        := ADC;
-      How      : Restart      := Warm;
-      Byte_At  : ROM_Address  := 0;
-      Flips    : Byte         := 0;
-      Word_At  : RAM_Address  := 0;
-      Zeros    : Word         := 0;
-      Servo    : Servo_Item   := Left_Aileron;
-      Stays    : Boolean      := True;    --  stuck where it is
-      Place    : Converter_Value := Neutral_Value;
-      Speed    : Surface_Faults.Percentage := 1;
+
+      case Kind is
+         when Cut =>
+            null;
+
+         when Bit_Errors | Character_Fault =>
+            Way : Direction := Up;
+            case Kind is
+               when Bit_Errors =>
+                  Rate : Probability := 0.0;
+               when others =>
+                  Ordinal  : Byte_Ordinal := 1;
+                  Mask     : Flip_Mask    := 1;    --  which bits flip
+                  Inserted : Byte         := 0;
+            end case;
+
+         when Stall | Hardware_Fault =>
+            Where : Node := Aircraft;
+            case Kind is
+               when Stall =>
+                  Stalled : Board := ADC;
+               when Reset =>
+                  How : Restart := Warm;
+               when ROM_Harm =>
+                  Byte_At : ROM_Address := 0;
+                  Flips   : Byte        := 0;
+               when RAM_Harm =>
+                  Word_At : RAM_Address := 0;
+                  Zeros   : Word        := 0;
+               when others =>
+                  null;
+            end case;
+
+         when Servo_Fault =>
+            Servo : Servo_Item                := Left_Aileron;
+            Stays : Boolean                   := True;  --  stuck where it is
+            Place : Converter_Value           := Neutral_Value;
+            Speed : Surface_Faults.Percentage := 1;
+      end case;
    end record;
+
+   package Fault_Vectors is new Ada.Containers.Vectors (Positive, Fault);
+   subtype Fault_List is Fault_Vectors.Vector;
 
    type Script is limited private;
 
-   --  Reads and checks the file; refuses it at its first wrong line.
+   --  Reads and checks the file into a script that is still empty; refuses it
+   --  at its first wrong line.
    procedure Load (Loaded : in out Script; File : String);
 
-   --  The faults in the order of their lines. Their times may come in any
-   --  order.
-   function Length (From : Script) return Natural;
-   function Element (From : Script; Index : Positive) return Fault
-     with Pre => Index <= Length (From);
+   --  What befalls whom, in the order of time; what happens at one time, in
+   --  the order of the lines.
 
-   --  Those of servos, in the order of their times, for a plant whose first
-   --  step begins at that time.
+   --  When the line is cut, both directions of it.
+   function Cuts (From : Script) return Windows.List;
+
+   --  Bit errors of a direction.
+   function Noises (From : Script; Way : Direction) return Fault_List;
+
+   --  Those of single characters, each a Character_Fault.
+   function Of_Characters (From : Script; Way : Direction) return Fault_List;
+
+   --  When a board of a node stands still.
+   function Stalls
+     (From : Script; Where : Node; Stalled : Board) return Windows.List;
+
+   --  Each a Hardware_Fault, of either node.
+   function Of_Hardware (From : Script) return Fault_List;
+
+   --  Those of servos, for a plant whose first step begins at that time.
    function For_Plant
      (From : Script; Begins : Microseconds) return Surface_Faults.List;
 
 private
 
-   package Fault_Vectors is new Ada.Containers.Vectors (Positive, Fault);
-
-   type Script is limited record
-      Faults : Fault_Vectors.Vector;
+   type One_Way is record
+      Noises     : Fault_List;
+      Characters : Fault_List;
    end record;
 
-   function Length (From : Script) return Natural is
-     (Natural (From.Faults.Length));
+   type Both_Ways is array (Direction) of One_Way;
+   type Board_Stalls is array (Node, Board) of Windows.List;
 
-   function Element (From : Script; Index : Positive) return Fault is
-     (From.Faults (Index));
+   --  Each fault is in one of them.
+   type Script is limited record
+      Cuts     : Windows.List;
+      Ways     : Both_Ways;
+      Stalls   : Board_Stalls;
+      Hardware : Fault_List;
+      Servos   : Fault_List;
+   end record;
+
+   function Cuts (From : Script) return Windows.List is (From.Cuts);
+
+   function Noises (From : Script; Way : Direction) return Fault_List is
+     (From.Ways (Way).Noises);
+
+   function Of_Characters (From : Script; Way : Direction) return Fault_List is
+     (From.Ways (Way).Characters);
+
+   function Stalls
+     (From : Script; Where : Node; Stalled : Board) return Windows.List
+   is
+     (From.Stalls (Where, Stalled));
+
+   function Of_Hardware (From : Script) return Fault_List is (From.Hardware);
 
 end Sim.Faults;

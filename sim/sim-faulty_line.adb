@@ -6,13 +6,6 @@ package body Sim.Faulty_Line is
 
    Parity_Bit : constant Faults.Character_Bits := 2 ** 8;
 
-   --  The order in which faults become due: by time, then as written.
-   function Comes_Before (Left, Right : Faults.Fault) return Boolean is
-     (Left.Time < Right.Time
-      or else (Left.Time = Right.Time and then Left.Line < Right.Line));
-
-   package Sorting is new Fault_Vectors.Generic_Sorting (Comes_Before);
-
    --  Sets the times that Transmit looks at first.
    procedure Set_Next_Time (Carrier : in out One_Way);
    procedure Set_Next_Noise (Carrier : in out One_Way);
@@ -86,45 +79,23 @@ package body Sim.Faulty_Line is
    procedure Prepare
      (Made   : in out Line;
       Script : Faults.Script;
-      Seed   : Seed_Number)
-   is
-      Silences : Windows.List;
+      Seed   : Seed_Number) is
    begin
       Made.Ways := (others => <>);
 
-      for Index in 1 .. Faults.Length (Script) loop
-         declare
-            Next : constant Faults.Fault := Faults.Element (Script, Index);
-         begin
-            case Next.Kind is
-               when Faults.Cut =>
-                  Windows.Add
-                    (Silences, (Next.Time, Next.Time + Next.Duration));
-               when Faults.Flip | Faults.Drop | Faults.Duplicate
-                  | Faults.Insert
-               =>
-                  Made.Ways (Next.Way).Waiting.Append (Next);
-               when Faults.Bit_Errors =>
-                  Made.Ways (Next.Way).Noises.Append (Next);
-               when Faults.Node_Fault | Faults.Servo_Fault =>
-                  null;
-            end case;
-         end;
-      end loop;
-
       for Way in Direction loop
-         Sorting.Sort (Made.Ways (Way).Waiting);
-         Sorting.Sort (Made.Ways (Way).Noises);
+         Made.Ways (Way).Waiting  := Faults.Of_Characters (Script, Way);
+         Made.Ways (Way).Noises   := Faults.Noises (Script, Way);
+         Made.Ways (Way).Silences := Faults.Cuts (Script);
          Set_Next_Time (Made.Ways (Way));
          Set_Next_Noise (Made.Ways (Way));
-         Made.Ways (Way).Chance   := Noise.Seeded (Seed, Way);
-         Made.Ways (Way).Silences := Silences;
+         Made.Ways (Way).Chance := Noise.Seeded (Seed, Way);
       end loop;
    end Prepare;
 
    procedure Join (Meant : in out Effect; Fault : Faults.Fault) is
    begin
-      case Fault.Kind is
+      case Faults.Character_Fault'(Fault.Kind) is
          when Faults.Flip =>
             Meant.Mask := Meant.Mask xor Fault.Mask;
          when Faults.Drop =>
@@ -137,11 +108,6 @@ package body Sim.Faulty_Line is
             if Meant.Copies < Most_Arrivals then
                Meant.Copies := Meant.Copies + 1;
             end if;
-         when Faults.Cut | Faults.Bit_Errors | Faults.Node_Fault
-            | Faults.Servo_Fault
-         =>
-            --  Not of a single character.
-            raise Program_Error;
       end case;
    end Join;
 

@@ -91,9 +91,6 @@ private
    package Effect_Maps is new Ada.Containers.Ordered_Maps
      (Character_Number, Effect);
 
-   package Fault_Vectors is new Ada.Containers.Vectors
-     (Positive, Faults.Fault, Faults."=");
-
    --  Bit errors until Stop.
    type Noise_Spell is record
       Stop  : Microseconds;
@@ -109,7 +106,7 @@ private
       --  Faults of single characters by time. From Next on they wait for
       --  their time, which is Next_Time; those before have become due and
       --  are found under the number of the character they are for.
-      Waiting   : Fault_Vectors.Vector;
+      Waiting   : Faults.Fault_List;
       Next      : Positive := 1;
       Next_Time : Microseconds := Never;
       Due       : Effect_Maps.Map;
@@ -117,7 +114,7 @@ private
 
       --  Spells of bit errors: those that wait for their time, and those
       --  that may go on. Next_Noise is when to look at them.
-      Noises      : Fault_Vectors.Vector;
+      Noises      : Faults.Fault_List;
       Noise_Index : Positive := 1;
       Going_On    : Noise_Vectors.Vector;
       Next_Noise  : Microseconds := Never;

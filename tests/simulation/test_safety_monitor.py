@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+import disturbances
 import monitor
 import pytest
 import timelines
@@ -205,6 +206,16 @@ def test_a_flight_with_every_kind_of_fault_has_no_violation(flown):
         1160 mcs reset telemetry
     """)
     assert findings.violations == []
+
+
+def test_a_bus_error_in_a_start_makes_it_longer():
+    """The start that it breaks off was under way, and the next one reads the
+    ROM before it ends."""
+    down = disturbances.Disturbances(
+        "100 gsc reset processor\n105 gsc bus_error\n").down["gsc"]
+    assert [tuple(span) for span in down][-1] == (
+        100_000,
+        100_000 + 2 * disturbances.START_US + disturbances.ROM_READ_US)
 
 
 def test_a_script_that_is_not_the_flights_is_refused(flown, write, fly):
