@@ -25,6 +25,7 @@ SEVERITY = {"info": "INFO", "caution": "WARNING", "warning": "CRITICAL"}
 WAITING = 1000
 PATIENCE = aiohttp.ClientTimeout(total=5.0)
 LOOKS_S = 1.0
+RUNNING_LOOKS_S = 0.2
 STARTS_S = 30.0
 """Yamcs may take so long to start before its absence is an alert."""
 
@@ -78,6 +79,23 @@ class Archive:
                     controls.archive = {"text": text, "lost": False}
                     view.alerts.away("archive", view.now(), 0.0)
                 await asyncio.sleep(LOOKS_S)
+
+    async def until_running(self) -> None:
+        """Until all of Yamcs's services run. It connects before: what it is
+        given until then is in no archive."""
+        async with aiohttp.ClientSession(timeout=PATIENCE) as session:
+            while await self._state(session) != "RUNNING":
+                await asyncio.sleep(RUNNING_LOOKS_S)
+
+    async def _state(self, session: aiohttp.ClientSession) -> str | None:
+        """What Yamcs says of itself; nothing while it does not answer."""
+        try:
+            async with session.get(
+                    f"{self._url}/api/instances/{INSTANCE}") as answer:
+                answer.raise_for_status()
+                return (await answer.json()).get("state")
+        except (aiohttp.ClientError, TimeoutError, ValueError):
+            return None
 
     async def _count(self, session: aiohttp.ClientSession) -> int:
         """Frames that Yamcs has taken since it started."""

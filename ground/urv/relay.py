@@ -9,16 +9,26 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Awaitable, Callable
 
 WAITING = 15_000
 """Frames kept for a client that is slow or not there yet: five minutes."""
 STUCK_S = 20.0
 
 
-class Relay:
-    """The frames that nobody has taken yet, and who takes them."""
+async def at_once() -> None:
+    """Who connects is ready."""
 
-    def __init__(self) -> None:
+
+class Relay:
+    """The frames that nobody has taken yet, and who takes them. When one has
+    connected, it waits until he is ready for them."""
+
+    def __init__(self, ready: Callable[[], Awaitable[None]] = at_once) -> None:
+        self._ready = ready
         self.lost = 0
         self.sent = 0
         self._frames: deque[bytes] = deque()
@@ -41,7 +51,10 @@ class Relay:
             return
         self._taken = True
         gone = asyncio.create_task(self._until_gone(reader))
+        ready = asyncio.ensure_future(self._ready())
         try:
+            await asyncio.wait({ready, gone},
+                               return_when=asyncio.FIRST_COMPLETED)
             while not gone.done():
                 while self._frames and not gone.done():
                     writer.write(self._frames[0])
@@ -58,6 +71,7 @@ class Relay:
         finally:
             self._taken = False
             gone.cancel()
+            ready.cancel()
             writer.transport.abort()
 
     @staticmethod

@@ -43,7 +43,8 @@ def station(
         " pages only watch."),
     relay: str | None = typer.Option(
         None, metavar="tcp:HOST:PORT",
-        help="Where one client, a Yamcs, can fetch the good frame packets."),
+        help="Where one client, a Yamcs, can fetch the good frame packets."
+        " With --yamcs it gets them as soon as all of that Yamcs runs."),
     events: Path | None = typer.Option(
         None, metavar="FILE",
         help="Marks, alerts, errors and hand-overs as JSON lines."),
@@ -189,7 +190,8 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     pushed = 0.0
     keeps = None
     if fetched is not None:
-        keeps = relays.Relay()
+        keeps = (relays.Relay(keeper.until_running) if keeper is not None
+                 else relays.Relay())
         fetching = await asyncio.start_server(
             keeps.serve, sock=fetched, backlog=4)
 
