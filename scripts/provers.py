@@ -8,7 +8,7 @@
 
 A goal may take as long as it takes in `make prove`, where a step is a step on
 any machine; here time is limited, so the figures are of one machine. --renew
-writes the result into docs/evidence/provers.md.
+writes the result of those that are done into docs/evidence/provers.md.
 
 A run of all takes an hour or more. With --minutes it ends after so many, and
 goes on where it stopped when it is called again with the same sources.
@@ -209,14 +209,17 @@ def main():
     results = {name: prove(prover, chosen.jobs, chosen.units, chosen.minutes)
                for name, prover in PROVERS.items()}
     late = [name for name, result in results.items() if result is None]
+    done = {name: result for name, result in results.items() if result}
+    text = tables(done) if done else ""
+    for name in late:
+        text += f"\n{name}: not yet run over everything.\n"
+    print(text, end="")
+    if chosen.renew and done:
+        renew(text)
     if late:
         print(f"provers: {' and '.join(late)} not done in {chosen.minutes:g} "
               "minutes; the next run goes on from here")
         return 1
-    text = tables(results)
-    print(text, end="")
-    if chosen.renew:
-        renew(text)
     return 0 if all(map(is_well, results.values())) else 1
 
 

@@ -111,3 +111,16 @@ def test_what_is_not_well_or_not_done_fails(
     assert provers.main() == status
     assert bool(pages) == renewed
     assert ("not done in 5 minutes" in capsys.readouterr().out) != renewed
+
+
+def test_the_page_has_the_result_of_one_before_the_other_is_done(monkeypatch):
+    pages = []
+    monkeypatch.setattr(provers, "renew", pages.append)
+    monkeypatch.setattr(provers.shutil, "which", lambda _: "gnatprove")
+    monkeypatch.setattr(
+        provers, "prove",
+        lambda prover, *_: result(*WELL) if prover == "cvc4" else None)
+    monkeypatch.setattr(sys, "argv", ["provers.py", "--renew", "--minutes", "5"])
+    assert provers.main() == 1
+    assert "| CVC4 | 1000 | 1000 | 100.0 % | 2 | 2 |" in pages[0]
+    assert "\nZ3: not yet run over everything.\n" in pages[0]
