@@ -28,6 +28,9 @@ LOOKS_S = 1.0
 RUNNING_LOOKS_S = 0.2
 STARTS_S = 30.0
 """Yamcs may take so long to start before its absence is an alert."""
+NO_ANSWER = (aiohttp.ClientError, TimeoutError, ValueError, TypeError,
+             KeyError)
+"""There is none, or it is none that is of use."""
 
 
 class Archive:
@@ -54,12 +57,13 @@ class Archive:
         async with aiohttp.ClientSession(timeout=PATIENCE) as session:
             while True:
                 try:
+                    if not await self._is_running(session):
+                        raise ValueError("it starts, or has failed")
                     count = await self._count(session)
                     while self._lines:
                         await self._hand_over(session, self._lines[0])
                         self._lines.popleft()
-                except (aiohttp.ClientError, TimeoutError, ValueError,
-                        KeyError):
+                except NO_ANSWER:
                     controls.archive = {"text": "no Yamcs", "lost": True}
                     if there or loop.time() - began > STARTS_S:
                         view.alerts.report(
@@ -81,28 +85,28 @@ class Archive:
                 await asyncio.sleep(LOOKS_S)
 
     async def until_running(self) -> None:
-        """Until all of Yamcs's services run. It connects before: what it is
-        given until then is in no archive."""
+        """Until all of Yamcs's services run. It connects and answers before:
+        what it is given until then is in no archive."""
         async with aiohttp.ClientSession(timeout=PATIENCE) as session:
-            while await self._state(session) != "RUNNING":
+            while not await self._is_running(session):
                 await asyncio.sleep(RUNNING_LOOKS_S)
 
-    async def _state(self, session: aiohttp.ClientSession) -> str | None:
-        """What Yamcs says of itself; nothing while it does not answer."""
+    async def _is_running(self, session: aiohttp.ClientSession) -> bool:
         try:
-            async with session.get(
-                    f"{self._url}/api/instances/{INSTANCE}") as answer:
-                answer.raise_for_status()
-                return (await answer.json()).get("state")
-        except (aiohttp.ClientError, TimeoutError, ValueError):
-            return None
+            said = await self._get(session, f"instances/{INSTANCE}")
+        except NO_ANSWER:
+            return False
+        return said.get("state") == "RUNNING"
 
     async def _count(self, session: aiohttp.ClientSession) -> int:
         """Frames that Yamcs has taken since it started."""
-        async with session.get(
-                f"{self._url}/api/links/{INSTANCE}/{LINK}") as answer:
+        said = await self._get(session, f"links/{INSTANCE}/{LINK}")
+        return int(said.get("dataInCount", 0))
+
+    async def _get(self, session: aiohttp.ClientSession, what: str) -> dict:
+        async with session.get(f"{self._url}/api/{what}") as answer:
             answer.raise_for_status()
-            return int((await answer.json()).get("dataInCount", 0))
+            return dict(await answer.json())
 
     async def _hand_over(self, session: aiohttp.ClientSession,
                          line: Line) -> None:

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""GND-30: frames go to a Yamcs when it can keep them."""
+"""GND-30: frames and events go to a Yamcs when it can keep them."""
 
 import asyncio
 from contextlib import asynccontextmanager
+from types import SimpleNamespace
 
 import pytest
 from aiohttp import web
-from urv.archive import INSTANCE, Archive
+from urv.archive import INSTANCE, LINK, Archive
 from urv.relay import Relay
+from urv.view import View
 
-LONG_S = 30.0
-SHORT_S = 0.5
+LONG_S = 300.0
 
 
 class Yamcs:
@@ -19,12 +20,20 @@ class Yamcs:
     def __init__(self):
         self.state = "STARTING"
         self.asked = 0
+        self.events = []
 
     async def answer(self, _):
         self.asked += 1
         if self.state is None:
             raise web.HTTPServiceUnavailable
         return web.json_response({"name": INSTANCE, "state": self.state})
+
+    async def count(self, _):
+        return web.json_response({"dataInCount": "7"})
+
+    async def take(self, request):
+        self.events.append((await request.json())["message"])
+        return web.json_response({})
 
 
 @asynccontextmanager
@@ -33,25 +42,30 @@ async def relaying():
     yamcs = Yamcs()
     application = web.Application()
     application.router.add_get(f"/api/instances/{INSTANCE}", yamcs.answer)
+    application.router.add_get(f"/api/links/{INSTANCE}/{LINK}", yamcs.count)
+    application.router.add_post(f"/api/archive/{INSTANCE}/events", yamcs.take)
     runner = web.AppRunner(application)
     await runner.setup()
     site = web.TCPSite(runner, "127.0.0.1", 0)
     await site.start()
     port = runner.addresses[0][1]
-    relay = Relay(Archive(f"http://127.0.0.1:{port}").until_running)
+    archive = Archive(f"http://127.0.0.1:{port}")
+    relay = Relay(archive.until_running)
     relay.put(b"one")
     relay.put(b"two")
     server = await asyncio.start_server(relay.serve, "127.0.0.1", 0)
     try:
-        yield yamcs, relay, server.sockets[0].getsockname()
+        yield yamcs, archive, relay, server.sockets[0].getsockname()
     finally:
         server.close()
         await runner.cleanup()
 
 
-async def nothing_comes(reader):
-    with pytest.raises(TimeoutError):
-        await asyncio.wait_for(reader.read(1), SHORT_S)
+async def nothing_goes(yamcs, relay):
+    """While the Yamcs is asked twice and more."""
+    while yamcs.asked < 3:
+        await asyncio.sleep(0.05)
+    assert relay.sent == 0
 
 
 def in_time(work):
@@ -63,12 +77,10 @@ def test_gnd30_frames_wait_until_every_service_of_yamcs_runs(state):
     """Its link connects before its archive listens: what it was given then
     was in no archive."""
     async def work():
-        async with relaying() as (yamcs, relay, place):
+        async with relaying() as (yamcs, _, relay, place):
             yamcs.state = state
             reader, writer = await asyncio.open_connection(*place)
-            await nothing_comes(reader)
-            assert yamcs.asked > 1
-            assert relay.sent == 0
+            await nothing_goes(yamcs, relay)
             yamcs.state = "RUNNING"
             assert await reader.readexactly(6) == b"onetwo"
             writer.close()
@@ -77,9 +89,9 @@ def test_gnd30_frames_wait_until_every_service_of_yamcs_runs(state):
 
 def test_gnd30_a_yamcs_that_goes_while_it_starts_takes_no_frame_with_it():
     async def work():
-        async with relaying() as (yamcs, relay, place):
+        async with relaying() as (yamcs, _, relay, place):
             reader, writer = await asyncio.open_connection(*place)
-            await nothing_comes(reader)
+            await nothing_goes(yamcs, relay)
             writer.close()
             await writer.wait_closed()
             yamcs.state = "RUNNING"
@@ -95,4 +107,27 @@ def test_gnd30_a_yamcs_that_goes_while_it_starts_takes_no_frame_with_it():
             assert data == b"onetwo"
             assert relay.lost == 0
             writer.close()
+    in_time(work())
+
+
+@pytest.mark.parametrize("state", ["STARTING", "FAILED", None])
+def test_gnd30_events_wait_until_every_service_of_yamcs_runs(state):
+    async def work():
+        async with relaying() as (yamcs, archive, relay, _):
+            yamcs.state = state
+            controls = SimpleNamespace(archive=None)
+            view = View(archive.take)
+            view.note("info", "mark", "gear up")
+            running = asyncio.create_task(
+                archive.run(view, controls, relay))
+            while yamcs.asked < 2:
+                await asyncio.sleep(0.1)
+            assert yamcs.events == []
+            assert controls.archive == {"text": "no Yamcs", "lost": True}
+            yamcs.state = "RUNNING"
+            while controls.archive["lost"]:
+                await asyncio.sleep(0.1)
+            assert yamcs.events == ["gear up"]
+            assert controls.archive["text"] == "7 frames"
+            running.cancel()
     in_time(work())
