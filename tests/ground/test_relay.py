@@ -2,6 +2,7 @@
 """GND-30: frames and events go to a Yamcs when it can keep them."""
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from types import SimpleNamespace
 
@@ -69,7 +70,10 @@ async def nothing_goes(yamcs, relay):
 
 
 def in_time(work):
-    asyncio.run(asyncio.wait_for(work, LONG_S))
+    """In a thread of its own: that of a worker that has driven a browser has a
+    loop already."""
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, asyncio.wait_for(work, LONG_S)).result()
 
 
 @pytest.mark.parametrize("state", ["STARTING", "INITIALIZED", None])
