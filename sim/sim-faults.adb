@@ -406,7 +406,7 @@ package body Sim.Faults is
       end case;
    end Hand_Out;
 
-   procedure Load (Loaded : in out Script; File : String) is
+   procedure Load (Loaded : out Script; File : String) is
 
       Every : Fault_List;
 
@@ -423,6 +423,7 @@ package body Sim.Faults is
    begin
       Read_All (File);
       Sorting.Sort (Every);
+      Loaded := (others => <>);
       for Each of Every loop
          Hand_Out (Loaded, Each);
       end loop;

@@ -102,11 +102,10 @@ package Sim.Faults is
    package Fault_Vectors is new Ada.Containers.Vectors (Positive, Fault);
    subtype Fault_List is Fault_Vectors.Vector;
 
-   type Script is limited private;
+   type Script is private;
 
-   --  Reads and checks the file into a script that is still empty; refuses it
-   --  at its first wrong line.
-   procedure Load (Loaded : in out Script; File : String);
+   --  Reads and checks the file; refuses it at its first wrong line.
+   procedure Load (Loaded : out Script; File : String);
 
    --  What befalls whom, in the order of time; what happens at one time, in
    --  the order of the lines.
@@ -142,7 +141,7 @@ private
    type Board_Stalls is array (Node, Board) of Windows.List;
 
    --  Each fault is in one of them.
-   type Script is limited record
+   type Script is record
       Cuts     : Windows.List;
       Ways     : Both_Ways;
       Stalls   : Board_Stalls;
