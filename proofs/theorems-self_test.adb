@@ -87,8 +87,12 @@ package body Theorems.Self_Test with SPARK_Mode is
       Source  : Checked_Image;
       Outcome : out Outcome_Kind)
    is
+      Was : constant Check := Item;
    begin
       Take_Byte (Item, Source (Item.Position), Outcome);
+      pragma Assert
+        (Next (Was.Register, Source (Was.Position)) =
+           Register_After (Source, Image_Length (Was.Position) + 1));
    end Check_Tells_What_The_Image_Is;
 
 end Theorems.Self_Test;

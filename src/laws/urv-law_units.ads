@@ -81,16 +81,16 @@ package URV.Law_Units with Pure, SPARK_Mode is
 
    --  And back.
 
-   function Word_Of (Value : Demand) return Converter_Value is
-     (Converter_Value (Value + Number (Neutral_Value)))
-   with
-     Global => null,
-     Post   => Demand_Of (Word_Of'Result) = Value;
-
    function Lever_Word_Of (Value : Lever) return Converter_Value is
      (Converter_Value (Value))
    with
      Global => null,
      Post   => Level_Of (Lever_Word_Of'Result) = Value;
+
+   function Word_Of (Value : Demand) return Converter_Value is
+     (Lever_Word_Of (Value + Number (Neutral_Value)))
+   with
+     Global => null,
+     Post   => Demand_Of (Word_Of'Result) = Value;
 
 end URV.Law_Units;

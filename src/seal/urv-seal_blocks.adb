@@ -43,8 +43,8 @@ package body URV.Seal_Blocks with SPARK_Mode is
               (for all Before in Byte_Index range 1 .. Before_Counter =>
                  Result (Before) = Result'Loop_Entry (Before));
             pragma Loop_Invariant
-              (for all Done in Byte_Index range 1 .. Where =>
-                 Result (Before_Counter + Done) = Byte_Of (Number, Done));
+              (for all Done in Before_Counter + 1 .. Before_Counter + Where =>
+                 Result (Done) = Byte_Of (Number, Done - Before_Counter));
          end loop;
       end if;
       return Result;

@@ -19,11 +19,15 @@ package body URV.Sessions with SPARK_Mode is
            Byte_Of (Aircraft_Nonce, Where);
 
          pragma Loop_Invariant
-           (for all Done in Byte_Index range 1 .. Where =>
-              Result.Bytes (Message_Index (Done + 2)) =
-                Byte_Of (Ground_Nonce, Done)
-              and then Result.Bytes (Message_Index (Done + 10)) =
-                         Byte_Of (Aircraft_Nonce, Done));
+           (for all Done in Message_Index range 3 .. 10 =>
+              (if Byte_Index (Done - 2) <= Where
+               then Result.Bytes (Done) =
+                      Byte_Of (Ground_Nonce, Byte_Index (Done - 2))));
+         pragma Loop_Invariant
+           (for all Done in Message_Index range 11 .. 18 =>
+              (if Byte_Index (Done - 10) <= Where
+               then Result.Bytes (Done) =
+                      Byte_Of (Aircraft_Nonce, Byte_Index (Done - 10))));
          pragma Loop_Invariant
            (for all Else_Where in Message_Index =>
               (if Else_Where in 1 .. 2 | 19 .. Message_Index'Last

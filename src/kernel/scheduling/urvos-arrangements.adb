@@ -63,6 +63,10 @@ package body URVOS.Arrangements with SPARK_Mode is
                 Before (if Where in To + 1 .. From then Where - 1
                         else Where));
       end if;
+      pragma Assert
+        (for all Where in Place =>
+           (if Where /= To
+            then Row (Where) = Before (Place_After_Move (Where, To, From))));
       Row (To) := Moved;
 
       --  Who is at a place came from one, and each is where it was moved to.

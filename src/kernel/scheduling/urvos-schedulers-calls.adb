@@ -172,9 +172,12 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
              (if Which = Chosen then Running else Queue_Of (Before, Which)));
       pragma Assert
         (for all Which in TCB_Number =>
-           Priority_Of (S, Which) = Priority_Of (Before, Which)
-           and then Release_Of (S, Which) = Release_Of (Before, Which));
-      pragma Assert (Ready_In_Order (S));
+           Place_Of (S.Row, Which) = Place_Of (Before.Row, Which)
+           and then
+             (if Which /= Chosen
+              then S.Blocks (Which) = Before.Blocks (Which)));
+      Prove_Queues_In_Order (Before, S, Chosen);
+      Prove_Sleepers_Stay (Before, S);
    end Choose;
 
    procedure Dispatch (S : in out Scheduler) is
@@ -268,6 +271,10 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Last   : Scheduler with Ghost;
       First  : TCB_Number;
    begin
+      pragma Assert
+        (for all A in TCB_Number =>
+           (for all B in TCB_Number =>
+              (if A /= B then Is_Ahead (S, A, B) = not Is_Ahead (S, B, A))));
       pragma Assert (Is_In_Wake_Order (Before, S));
       while Sleeper_Is_Due (S, Now) loop
          Last := S;
@@ -306,7 +313,12 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
          pragma Assert
            (for all Which in TCB_Number =>
               Queue_Of (S, Which) = Queue_Of (Woken, Which)
-              and then Place_Of (S.Row, Which) = Place_Of (Woken.Row, Which));
+              and then Place_Of (S.Row, Which) = Place_Of (Woken.Row, Which)
+              and then Priority_Of (S, Which) = Priority_Of (Woken, Which)
+              and then Release_Of (S, Which) = Release_Of (Woken, Which));
+         pragma Assert (Ready_In_Order (S));
+         pragma Assert (Timer_In_Order (S));
+         pragma Assert (Sleepers_Are_Not_Due (S));
       end;
    end Wake;
 
@@ -400,6 +412,8 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
              (if Which = Running_TCB (Before)
               then Free
               else Queue_Of (Before, Which)));
+      Prove_Queues_In_Order (Before, S, Moved => Running_TCB (Before));
+      Prove_Sleepers_Stay (Before, S);
    end Terminate_Caller;
 
 end URVOS.Schedulers.Calls;

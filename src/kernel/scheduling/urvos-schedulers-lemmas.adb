@@ -23,6 +23,8 @@ package body URVOS.Schedulers.Lemmas with SPARK_Mode is
      (Before, After : Scheduler;
       Moved         : TCB_Number) is null;
 
+   procedure Prove_Sleepers_Stay (Before, After : Scheduler) is null;
+
    procedure Prove_Next_Free (S : Scheduler; Which : TCB_Number) is
       First : constant TCB_Number :=
         TCB_At (S.Row, Place (Timer_Last (S) + 1));

@@ -71,6 +71,21 @@ private package URVOS.Schedulers.Lemmas with Pure, SPARK_Mode, Ghost is
        and then Is_In_Its_Place (After, Moved),
      Post   => Ready_In_Order (After) and then Timer_In_Order (After);
 
+   --  If nobody else sleeps, and the time is the same, none is due.
+   procedure Prove_Sleepers_Stay (Before, After : Scheduler)
+   with
+     Global => null,
+     Pre    =>
+       Sleepers_Are_Not_Due (Before)
+       and then Clock (After) = Clock (Before)
+       and then
+         (for all Which in TCB_Number =>
+            (if Queue_Of (After, Which) = Timer
+             then Queue_Of (Before, Which) = Timer
+               and then Release_Of (After, Which) =
+                          Release_Of (Before, Which))),
+     Post   => Sleepers_Are_Not_Due (After);
+
    --  The first of the ready queue has been given the processor.
    function Is_Dispatched
      (Before, After : Scheduler;

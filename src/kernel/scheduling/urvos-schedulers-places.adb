@@ -11,9 +11,23 @@ package body URVOS.Schedulers.Places with SPARK_Mode is
       First  : Integer := Running_Last (S) + 1;
       Beyond : Integer := Ready_Last (S) + 1;
       Middle : Integer := Ready_Last (S);
+      Seen   : TCB_Number;
    begin
       while First < Beyond loop
-         if S.Blocks (TCB_At (S.Row, Place (Middle))).Priority >= Level then
+         Seen := TCB_At (S.Row, Place (Middle));
+         pragma Assert
+           (Queue_Of (S, Seen) = Ready
+            and then Place_Number (S, Seen) = Middle);
+         pragma Assert
+           (for all Which in TCB_Number =>
+              (if Queue_Of (S, Which) = Ready
+               then
+                 (if Is_Ahead (S, Which, Seen)
+                  then Priority_Of (S, Which) >= Priority_Of (S, Seen)
+                  elsif Is_Ahead (S, Seen, Which)
+                  then Priority_Of (S, Seen) >= Priority_Of (S, Which)
+                  else Which = Seen)));
+         if S.Blocks (Seen).Priority >= Level then
             First := Middle + 1;
          else
             Beyond := Middle;
@@ -40,9 +54,23 @@ package body URVOS.Schedulers.Places with SPARK_Mode is
       First  : Integer := Ready_Last (S) + 1;
       Beyond : Integer := Timer_Last (S) + 1;
       Middle : Integer := Timer_Last (S);
+      Seen   : TCB_Number;
    begin
       while First < Beyond loop
-         if S.Blocks (TCB_At (S.Row, Place (Middle))).Release <= Release then
+         Seen := TCB_At (S.Row, Place (Middle));
+         pragma Assert
+           (Queue_Of (S, Seen) = Timer
+            and then Place_Number (S, Seen) = Middle);
+         pragma Assert
+           (for all Which in TCB_Number =>
+              (if Queue_Of (S, Which) = Timer
+               then
+                 (if Is_Ahead (S, Which, Seen)
+                  then Release_Of (S, Which) <= Release_Of (S, Seen)
+                  elsif Is_Ahead (S, Seen, Which)
+                  then Release_Of (S, Seen) <= Release_Of (S, Which)
+                  else Which = Seen)));
+         if S.Blocks (Seen).Release <= Release then
             First := Middle + 1;
          else
             Beyond := Middle;
