@@ -11,7 +11,8 @@ any machine; here time is limited, so the figures are of one machine. --renew
 writes the result of those that are done into docs/evidence/provers.md.
 
 A run of all takes an hour or more. With --minutes it ends after so many, and
-goes on where it stopped when it is called again with the same sources.
+goes on where it stopped when it is called again; of what has changed since
+then it begins anew.
 Exit status: 0 each proves every run-time check and 99.7 % of all; 1 not, or not
 yet.
 """
@@ -79,22 +80,28 @@ def project_for(prover, text):
 
 
 def prepare(prover):
-    """A copy of what is proved; that of the last run, with what it has proved
-    so far, if nothing has changed."""
+    """The copy, with the sources as they are now: what hangs on none that has
+    changed stays proved."""
     folder = COPY / prover
+    wanted = {
+        name: (ROOT / name).read_text(encoding="utf-8")
+        for name in (*proof_record.sources(ROOT), proof_record.CONFIGURATION)}
     project = project_for(
         prover, (ROOT / proof_record.PROJECT).read_text(encoding="utf-8"))
     present = folder / proof_record.PROJECT
-    if (present.exists() and present.read_text(encoding="utf-8") == project
-            and proof_record.hashes(folder) == proof_record.hashes(ROOT)):
-        return folder
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    for name in proof_record.FOLDERS:
-        shutil.copytree(ROOT / name, folder / name,
-                        ignore=shutil.ignore_patterns("sessions"))
-    shutil.copy(ROOT / proof_record.CONFIGURATION, folder)
-    present.write_text(project, encoding="utf-8")
+    if (not present.exists()
+            or present.read_text(encoding="utf-8") != project):
+        shutil.rmtree(folder, ignore_errors=True)
+    for name, path in proof_record.sources(folder).items():
+        if name not in wanted:
+            path.unlink()
+            unit = Path(name).with_suffix(".spark").name
+            (folder / proof_record.RESULTS / unit).unlink(missing_ok=True)
+    for name, text in {**wanted, proof_record.PROJECT: project}.items():
+        path = folder / name
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
     return folder
 
 
@@ -115,7 +122,7 @@ def result_of(results, units):
     """From what GNATprove has to say of each unit."""
     result = Result(Counter(), Counter())
     for found in results:
-        for check in found.get("proof", []):
+        for check in [*found.get("flow", []), *found.get("proof", [])]:
             result.kinds[check["rule"]] += 1
             if check["severity"] != "info":
                 result.left[Check(
@@ -135,7 +142,10 @@ def prove(prover, jobs, wanted, minutes=None):
     said = ended_in_time(command, folder, minutes)
     if said is None:
         return None
-    files = sorted((folder / proof_record.RESULTS).glob("*.spark"))
+    asked = {Path(unit).stem for unit in wanted}
+    files = [path for path in sorted(
+        (folder / proof_record.RESULTS).glob("*.spark"))
+        if not asked or path.stem in asked]
     if not files or " error: " in said:
         sys.exit(f"provers: {said}")
     units = {path.name: proof_record.unit_of(name)

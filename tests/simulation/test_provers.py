@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """EVI-6: what each prover proves alone, told from what GNATprove says."""
 
+import json
 import sys
 from pathlib import Path
 
@@ -47,6 +48,35 @@ def test_each_run_time_check_and_99_7_percent_are_wanted(checks, well):
     assert provers.is_well(result(*checks)) is well
 
 
+def test_checks_of_flow_analysis_count():
+    found = [{"flow": [
+        {"file": "shop.adb", "line": line, "col": 7, "rule": "INITIALIZED",
+         "severity": severity, "entity": {"name": "Shop.Sell"}}
+        for line, severity in enumerate(("info", "info", "high"), 1)]}]
+    assert provers.figures(provers.result_of(found, UNITS)) == (3, 1, 0, 0)
+
+
+def test_of_a_copy_that_has_all_a_unit_alone_is_told(tmp_path, monkeypatch):
+    results = tmp_path / provers.proof_record.RESULTS
+    results.mkdir(parents=True)
+    for name in ("shop", "stall"):
+        (results / f"{name}.spark").write_text(json.dumps(
+            {"proof": [{"file": f"{name}.adb", "line": 1, "col": 7,
+                        "rule": "VC_ASSERT", "severity": "medium",
+                        "entity": {"name": name}}]}))
+    (tmp_path / "src").mkdir()
+    (tmp_path / "proofs").mkdir()
+    monkeypatch.setattr(provers, "prepare", lambda prover: tmp_path)
+    monkeypatch.setattr(provers, "ended_in_time", lambda *of: "")
+
+    def told(units):
+        return [check.subprogram
+                for check in provers.prove("z3", 1, units).left]
+
+    assert told(["shop.adb"]) == ["shop"]
+    assert told([]) == ["shop", "stall"]
+
+
 def test_what_only_one_proves_is_told():
     one = result(("VC_ASSERT", "info"), ("VC_RANGE_CHECK", "medium"))
     other = result(("VC_ASSERT", "medium"), ("VC_RANGE_CHECK", "info"))
@@ -75,22 +105,45 @@ def test_the_page_gets_the_tables_and_keeps_the_rest(tmp_path, monkeypatch):
     assert text.startswith("# Each prover alone")
 
 
-def test_a_copy_goes_on_only_with_the_same_sources(tmp_path, monkeypatch):
+def test_a_copy_goes_on_and_has_the_sources_as_they_are(
+        tmp_path, monkeypatch):
     root = tmp_path / "root"
     for name in ("src", "proofs"):
         (root / name).mkdir(parents=True)
-    (root / "src/shop.ads").write_text("package Shop is end Shop;\n")
+    shop, stall = root / "src/shop.ads", root / "proofs/stall.ads"
+    shop.write_text("package Shop is end Shop;\n")
+    stall.write_text("package Stall is end Stall;\n")
     (root / "urv.gpr").write_text((ROOT / "urv.gpr").read_text("utf-8"))
     (root / "ravenscar.adc").write_text("")
     monkeypatch.setattr(provers, "ROOT", root)
     monkeypatch.setattr(provers, "COPY", tmp_path / "copy")
-    proved = provers.prepare("z3") / "proved"
-    proved.write_text("")
+    copy = provers.prepare("z3")
+    results = copy / provers.proof_record.RESULTS
+    results.mkdir(parents=True)
+    for name in ("shop", "stall"):
+        (results / f"{name}.spark").write_text("")
+    at = (copy / "src/shop.ads").stat().st_mtime_ns
+
+    stall.unlink()
     provers.prepare("z3")
-    assert proved.exists()
-    (root / "src/shop.ads").write_text("package Shop is end;\n")
+    assert (copy / "src/shop.ads").stat().st_mtime_ns == at
+    assert [path.name for path in results.iterdir()] == ["shop.spark"]
+    assert not (copy / "proofs/stall.ads").exists()
+
+    shop.write_text("package Shop is end;\n")
     provers.prepare("z3")
-    assert not proved.exists()
+    assert (copy / "src/shop.ads").read_text() == shop.read_text()
+    assert results.exists()
+
+
+def test_another_way_to_prove_begins_anew(tmp_path, monkeypatch):
+    copy = tmp_path / "copy"
+    monkeypatch.setattr(provers, "COPY", copy)
+    (copy / "z3").mkdir(parents=True)
+    (copy / "z3" / "urv.gpr").write_text("project Other is end Other;")
+    (copy / "z3" / "proved").write_text("")
+    provers.prepare("z3")
+    assert not (copy / "z3" / "proved").exists()
 
 
 def test_what_takes_longer_is_ended(tmp_path):
