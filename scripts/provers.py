@@ -12,7 +12,8 @@ writes the result of those that are done into docs/evidence/provers.md.
 
 A run of all takes an hour or more. With --minutes it ends after so many, and
 goes on where it stopped when it is called again; of what has changed since
-then it begins anew.
+then it begins anew. A goal that was not found is tried again only when it has
+changed, or without obj/provers: what a busy machine left stays left.
 Exit status: 0 each proves every run-time check and 99.7 % of all; 1 not, or not
 yet.
 """

@@ -313,12 +313,9 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
          pragma Assert
            (for all Which in TCB_Number =>
               Queue_Of (S, Which) = Queue_Of (Woken, Which)
-              and then Place_Of (S.Row, Which) = Place_Of (Woken.Row, Which)
-              and then Priority_Of (S, Which) = Priority_Of (Woken, Which)
-              and then Release_Of (S, Which) = Release_Of (Woken, Which));
+              and then Place_Of (S.Row, Which) = Place_Of (Woken.Row, Which));
          pragma Assert (Ready_In_Order (S));
          pragma Assert (Timer_In_Order (S));
-         pragma Assert (Sleepers_Are_Not_Due (S));
       end;
    end Wake;
 

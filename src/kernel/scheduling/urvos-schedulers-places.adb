@@ -15,9 +15,8 @@ package body URVOS.Schedulers.Places with SPARK_Mode is
    begin
       while First < Beyond loop
          Seen := TCB_At (S.Row, Place (Middle));
-         pragma Assert
-           (Queue_Of (S, Seen) = Ready
-            and then Place_Number (S, Seen) = Middle);
+
+         --  It divides the queue.
          pragma Assert
            (for all Which in TCB_Number =>
               (if Queue_Of (S, Which) = Ready
@@ -58,9 +57,8 @@ package body URVOS.Schedulers.Places with SPARK_Mode is
    begin
       while First < Beyond loop
          Seen := TCB_At (S.Row, Place (Middle));
-         pragma Assert
-           (Queue_Of (S, Seen) = Timer
-            and then Place_Number (S, Seen) = Middle);
+
+         --  It divides the queue.
          pragma Assert
            (for all Which in TCB_Number =>
               (if Queue_Of (S, Which) = Timer
