@@ -373,6 +373,39 @@ package body Theorems.Results with SPARK_Mode is
         and then Outcome = Its_Like;
    end Of_Accept_Character;
 
+   --  What is the same as a third is the same.
+   procedure Prove_Same_Pair (One, Other, What : Buffer_Pair)
+   with
+     Global => null,
+     Pre    => One = What and then Other = What,
+     Post   => One = Other;
+
+   --  So is a board, but for its control.
+   procedure Prove_Same_Pairs
+     (One, Other     : Board;
+      Received, Sent : Buffer_Pair)
+   with
+     Global => null,
+     Pre    =>
+       Receive_Pair (One) = Received
+       and then Receive_Pair (Other) = Received
+       and then Transmit_Pair (One) = Sent
+       and then Transmit_Pair (Other) = Sent,
+     Post   =>
+       Receive_Pair (One) = Receive_Pair (Other)
+       and then Transmit_Pair (One) = Transmit_Pair (Other);
+
+   procedure Prove_Same_Pair (One, Other, What : Buffer_Pair) is null;
+
+   procedure Prove_Same_Pairs
+     (One, Other     : Board;
+      Received, Sent : Buffer_Pair)
+   is
+   begin
+      Prove_Same_Pair (Receive_Pair (One), Receive_Pair (Other), Received);
+      Prove_Same_Pair (Transmit_Pair (One), Transmit_Pair (Other), Sent);
+   end Prove_Same_Pairs;
+
    --  What follows from equal parts is equal.
    procedure Prove_Same_Board (One, Other : Board)
    with
@@ -432,10 +465,25 @@ package body Theorems.Results with SPARK_Mode is
       Parity_Error : Boolean;
       Same         : out Boolean)
    is
+      Was        : constant Control := Control_Of (Item);
+      What       : constant Event   := Heard (Item, Data, Parity_Error);
       One, Other : Board := Item;
    begin
       Accept_Character (One, Data, Parity_Error);
       Accept_Character (Other, Data, Parity_Error);
+      if Is_Listening (Was) then
+         Prove_Same_Pairs
+           (One, Other,
+            (if Is_Stored (Was.Receiver, What.Kind)
+             then Pair_With_Byte (Was.Receiver, Receive_Pair (Item), Data)
+             else Pair_After (Receive_Pair (Item), What.Kind)),
+            Settled
+              (Transmit_Pair (Item), Was.Sender.Source,
+               Fate_After (Was, What)));
+      else
+         Prove_Same_Pairs
+           (One, Other, Receive_Pair (Item), Transmit_Pair (Item));
+      end if;
       Prove_Same_Board (One, Other);
       Same := One = Other;
    end Of_Accept_Character;
@@ -450,6 +498,12 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Next_Character (One, Send, Data);
       Next_Character (Other, As_Well, Its_Like);
+      Prove_Same_Pairs
+        (One, Other, Receive_Pair (Item),
+         (if May_Begin_Block (Control_Of (Item), Transmit_Pair (Item))
+          then Begun
+            (Transmit_Pair (Item), Newest_Full (Transmit_Pair (Item)))
+          else Transmit_Pair (Item)));
       Prove_Same_Said
         (Prepared (Control_Of (Item), Transmit_Pair (Item)),
          Transmit_Pair (One), Transmit_Pair (Other));
@@ -467,13 +521,26 @@ package body Theorems.Results with SPARK_Mode is
       Time : Character_Times;
       Same : out Boolean)
    is
+      Was        : constant Control := Control_Of (Item);
       One, Other : Board := Item;
    begin
       Elapse (One, Time);
       Elapse (Other, Time);
-      if Is_Judged_After (Control_Of (Item), Time) then
+      if Is_Judged_After (Was, Time) then
+         Prove_Same_Pairs
+           (One, Other, Pair_Judged (Was.Receiver, Receive_Pair (Item)),
+            Transmit_Pair (Item));
          Prove_Same_Judged
-           (Control_Of (Item), Receive_Pair (One), Receive_Pair (Other));
+           (Was, Receive_Pair (One), Receive_Pair (Other));
+      elsif Is_Reset_After (Was, Time) then
+         Prove_Same_Pairs
+           (One, Other, Released (Receive_Pair (Item)),
+            Settled
+              (Transmit_Pair (Item), Was.Sender.Source,
+               Fate_In_Reset (Was)));
+      else
+         Prove_Same_Pairs
+           (One, Other, Receive_Pair (Item), Transmit_Pair (Item));
       end if;
       Prove_Same_Board (One, Other);
       Same := One = Other;
@@ -490,6 +557,8 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Take (One, Data, Fresh, Received);
       Take (Other, Its_Like, As_Well, As_Received);
+      Prove_Same_Pairs
+        (One, Other, Taken (Receive_Pair (Item)), Transmit_Pair (Item));
       Same :=
         One = Other
         and then Data = Its_Like
@@ -507,6 +576,9 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Put (One, Data, Overwrote);
       Put (Other, Data, As_Well);
+      Prove_Same_Pairs
+        (One, Other, Receive_Pair (Item),
+         Filled (Transmit_Pair (Item), Data));
       Same :=
         One = Other
         and then Overwrote = As_Well;
@@ -520,6 +592,7 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Clear_Transmit_Half (One);
       Clear_Transmit_Half (Other);
+      Prove_Same_Pairs (One, Other, Receive_Pair (Item), Empty_Pair);
       Same := One = Other;
    end Of_Clear_Transmit_Half;
 
@@ -531,6 +604,11 @@ package body Theorems.Results with SPARK_Mode is
    begin
       Start (One);
       Start (Other);
+      Prove_Same_Pairs
+        (One, Other, Empty_Pair,
+         Settled
+           (Transmit_Pair (Item), Control_Of (Item).Sender.Source,
+            Fate_In_Reset (Control_Of (Item))));
       Same := One = Other;
    end Of_Start;
 

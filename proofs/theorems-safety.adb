@@ -62,17 +62,29 @@ package body Theorems.Safety with SPARK_Mode is
       One_Area   : constant Data_Area := URV.PWM_Layout.To_Data_Area (One);
       Other_Area : constant Data_Area := URV.PWM_Layout.To_Data_Area (Other);
    begin
-      for Number in Channel_Number loop
+      for Name in PWM_Item loop
          pragma Assert
-           (if Number <= URV.PWM_Layout.Channel_Of (PWM_Item'Last)
-            then Number = URV.PWM_Layout.Channel_Of
-                   (PWM_Item'Val (Integer (Number) - 1)));
-         pragma Assert (One_Area (Number) = Other_Area (Number));
+           (One_Area (URV.PWM_Layout.Channel_Of (Name)) =
+              Other_Area (URV.PWM_Layout.Channel_Of (Name)));
          pragma Loop_Invariant
-           (for all Earlier in 1 .. Number =>
-              One_Area (Earlier) = Other_Area (Earlier));
+           (for all Number in 1 .. URV.PWM_Layout.Channel_Of (Name) =>
+              One_Area (Number) = Other_Area (Number));
       end loop;
    end Same_Area;
+
+   --  What is packed of a switch that is off.
+   procedure Bit_Is_Off
+     (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
+   with
+     Global => null,
+     Pre    =>
+       Discretes = Packed_Switches (Commands)
+       and then not Is_On (Commands (Switch)),
+     Post   => (Discretes / Switch_Bit (Switch)) mod 2 = 0;
+
+   procedure Bit_Is_Off
+     (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
+   is null;
 
    procedure Same_Outputs
      (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
@@ -363,8 +375,10 @@ package body Theorems.Safety with SPARK_Mode is
      Pre    => Is_Sound (Item, Scans, Done),
      Post   =>
        Is_Sound (Item, Scans, Done)
-       and then Item.Board =
-         (if Cold then URV.PWM_Layout.Safe_Area else Item'Old.Board);
+       and then
+         (if Cold
+          then Item.Board = URV.PWM_Layout.Safe_Area
+          else Item.Board = Item'Old.Board);
 
    procedure End_Scan (Item : in out Ground_Way; Scans : Scan_History) is
       Unused_Success : Boolean;
@@ -373,6 +387,8 @@ package body Theorems.Safety with SPARK_Mode is
          Item.Done := Item.Done + 1;
          Send (Item.ADINT, Scans (Item.Done), Unused_Success);
          Item.ADINT_From := Item.Done;
+         pragma Assert
+           (Contents (Item.ADINT) = Held (Scans, Item.ADINT_From));
       end if;
    end End_Scan;
 
@@ -623,7 +639,14 @@ package body Theorems.Safety with SPARK_Mode is
    end Run_LAW;
 
    function Words_Of (Message : Uplink_Buffer; Told : Health) return Data_Area
-   is (URV.PWM_Layout.To_Data_Area (Servos (Message, Told)));
+   is
+      Words : constant PWM_Buffer := Servos (Message, Told);
+   begin
+      if Told.Failed = URV.Surfaces.None then
+         Same_Area (Words, Transform (Message));
+      end if;
+      return URV.PWM_Layout.To_Data_Area (Words);
+   end Words_Of;
 
    procedure Run_PWM
      (Item    : in out Aircraft_Way;
@@ -711,6 +734,19 @@ package body Theorems.Safety with SPARK_Mode is
       Item.Kept := Neutral_Uplink;
       Item.Kept_From := 0;
       Item.Has_Message := False;
+      pragma Assert
+        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
+      pragma Assert
+        (Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From));
+      pragma Assert
+        (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+      pragma Assert
+        (Is_Flown
+           (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law));
+      pragma Assert
+        (if not Item.Board_Made_Up
+         then Item.Board =
+           URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of)));
    end Start_Aircraft;
 
    procedure Happen
@@ -815,13 +851,24 @@ package body Theorems.Safety with SPARK_Mode is
    procedure Neutral_Is_Safe (Scans : Scan_History) is
       Commands : constant Uplink_Buffer :=
         To_Uplink (Stamped (Held (Scans, 0), Fresh => True));
+      Safe     : constant PWM_Buffer := Transform (Neutral_Uplink);
    begin
       pragma Assert
         (for all Name in Command_Item =>
            Commands (Name) = Neutral_Uplink (Name));
       pragma Assert (Packed_Switches (Commands) = 0);
       pragma Assert (Packed_Switches (Neutral_Uplink) = 0);
+      for Name in PWM_Item loop
+         pragma Assert (Safe (Name) = Safe_Outputs (Name));
+         pragma Loop_Invariant
+           (for all Earlier in PWM_Item'First .. Name =>
+              Safe (Earlier) = Safe_Outputs (Earlier));
+      end loop;
+      pragma Assert
+        (for all Name in PWM_Item =>
+           Outputs_Of (Scans, 0) (Name) = Safe (Name));
       Same_Area (Outputs_Of (Scans, 0), Safe_Outputs);
+      Same_Area (Safe, Safe_Outputs);
    end Neutral_Is_Safe;
 
    procedure Servos_Were_Asked_For
@@ -868,11 +915,9 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Item.Board_From <= Done);
       Same_Switches (Item.Board_Of, Scans, Item.Board_From);
       pragma Assert (not Is_On (Commands (Switch)));
-      pragma Assert
-        ((Packed_Switches (Commands) / Switch_Bit (Switch)) mod 2 = 0);
-      pragma Assert
-        (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
-           Packed_Switches (Commands));
+      Bit_Is_Off
+        (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)), Commands,
+         Switch);
       if Switch = Switch_8 and then not Item.Board_Made_Up then
          pragma Assert (Flap_Command (Commands) = Flaps_Up);
          for Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 loop

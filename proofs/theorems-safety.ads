@@ -310,7 +310,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        Outputs_Of (Scans, 0) = Safe_Outputs
        and then Transform (Neutral_Uplink) = Safe_Outputs
        and then URV.PWM_Layout.Safe_Area =
-         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, 0));
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, 0))
+       and then URV.PWM_Layout.Safe_Area =
+         URV.PWM_Layout.To_Data_Area (Transform (Neutral_Uplink));
 
    --  Each servo word is what figure 13 makes of the words of one scan that
    --  the ground's converter held, or the safe word (SAF-2). Where a law

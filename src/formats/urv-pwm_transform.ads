@@ -63,20 +63,23 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Transform'Result (Left_Aileron) = Clipped (Commands (Roll))
-       and then Transform'Result (Right_Aileron) = Clipped (Commands (Roll))
-       and then Transform'Result (Left_Elevator) = Clipped (Commands (Pitch))
-       and then Transform'Result (Right_Elevator) = Clipped (Commands (Pitch))
-       and then Transform'Result (Left_Rudder) = Clipped (Commands (Yaw))
-       and then Transform'Result (Right_Rudder) = Clipped (Commands (Yaw))
-       and then Transform'Result (Steering) = Clipped (Commands (Yaw))
-       and then Transform'Result (Throttle) = Clipped (Commands (Throttle))
-       and then Transform'Result (Brake) = Clipped (Commands (Brake))
-       and then Transform'Result (Left_Flap_1) = Flap_Command (Commands)
-       and then Transform'Result (Right_Flap_1) = Flap_Command (Commands)
-       and then Transform'Result (Left_Flap_2) = Flap_Command (Commands)
-       and then Transform'Result (Right_Flap_2) = Flap_Command (Commands)
-       and then Transform'Result (Discretes) = Packed_Switches (Commands)
+       (for all Item in PWM_Item =>
+          Transform'Result (Item) =
+            (case Item is
+                when Left_Aileron | Right_Aileron   =>
+                   Clipped (Commands (Roll)),
+                when Left_Elevator | Right_Elevator =>
+                   Clipped (Commands (Pitch)),
+                when Left_Rudder .. Steering        =>
+                   Clipped (Commands (Yaw)),
+                when Throttle                       =>
+                   Clipped (Commands (Throttle)),
+                when Brake                          =>
+                   Clipped (Commands (Brake)),
+                when Left_Flap_1 .. Right_Flap_2    =>
+                   Flap_Command (Commands),
+                when Discretes                      =>
+                   Packed_Switches (Commands)))
        and then (for all Item in Servo_Item =>
                    Transform'Result (Item) in Converter_Value);
 

@@ -110,14 +110,18 @@ package URV.Routing with Pure, SPARK_Mode is
      (Source : Uplink_Buffer;
       Status : Word) return Uplink_Buffer
    is
-     ((Source with delta Error_Status => Source (Error_Status) or Status))
+     (for Item in Uplink_Item =>
+        (if Item = Error_Status then Source (Item) or Status
+         else Source (Item)))
    with Global => null;
 
    function Marked
      (Source : Downlink_Buffer;
       Status : Word) return Downlink_Buffer
    is
-     ((Source with delta Error_Status => Source (Error_Status) or Status))
+     (for Item in Downlink_Item =>
+        (if Item = Error_Status then Source (Item) or Status
+         else Source (Item)))
    with Global => null;
 
    --  A buffer marked as of an earlier frame, and whether one is (SAF-5).

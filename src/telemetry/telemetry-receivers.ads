@@ -205,10 +205,15 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Data : Byte) return Buffer_Pair
    is
      ((Pair with delta
-         Slots => (Pair.Slots with delta
-           This.Target => (Pair.Slots (This.Target) with delta
-             Data => (Pair.Slots (This.Target).Data with delta
-               This.Received + 1 => Data)))))
+         Slots =>
+           (for Each in Slot =>
+              (if Each = This.Target
+               then (Pair.Slots (Each) with delta
+                       Data =>
+                         (for Number in Byte_Index =>
+                            (if Number = This.Received + 1 then Data
+                             else Pair.Slots (Each).Data (Number))))
+               else Pair.Slots (Each)))))
    with
      Ghost,
      Global => null,

@@ -84,7 +84,8 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
 
    --  With a processor that has stopped, or loaded.
    function With_Done (State : Node_State; Who : Seat) return Node_State is
-     ((State with delta Done => (State.Done with delta Who => True)))
+     ((State with delta
+         Done => (for Each in Seat => Each = Who or else State.Done (Each))))
    with Global => null;
 
    --  For a state in which a request has been heard.
