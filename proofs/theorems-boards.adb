@@ -347,6 +347,13 @@ package body Theorems.Boards with SPARK_Mode is
       pragma Unreferenced (Overwrote);
    end Put_Is_Newest;
 
+   procedure The_Same_In_All
+     (One        : Buffer;
+      Full, Busy : Boolean;
+      Attempts   : Attempt_Count;
+      Data       : Block_Data)
+   is null;
+
    procedure Taken_Once (Item : in out Board) is
       Data                 : Block_Data;
       Fresh, Ever_Received : Boolean;
