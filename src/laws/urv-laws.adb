@@ -3,13 +3,13 @@
 package body URV.Laws with SPARK_Mode is
 
    function Readings_Of (Checks : Check_Table) return Readings is
-     (Bank       => Roll_Angle_Of (Checks (Roll_Attitude).Used),
-      Pitch      => Pitch_Angle_Of (Checks (Pitch_Attitude).Used),
-      Roll_Rate  => Roll_Rate_Of (Checks (Roll_Rate).Used),
-      Pitch_Rate => Slow_Rate_Of (Checks (Pitch_Rate).Used),
-      Yaw_Rate   => Slow_Rate_Of (Checks (Yaw_Rate).Used),
-      Altitude   => Level_Of (Checks (Altitude).Used),
-      Airspeed   => Level_Of (Checks (Airspeed).Used))
+     (Bank       => Roll_Angle_Of (Word_Of (Checks, Roll_Attitude)),
+      Pitch      => Pitch_Angle_Of (Word_Of (Checks, Pitch_Attitude)),
+      Roll_Rate  => Roll_Rate_Of (Word_Of (Checks, Roll_Rate)),
+      Pitch_Rate => Slow_Rate_Of (Word_Of (Checks, Pitch_Rate)),
+      Yaw_Rate   => Slow_Rate_Of (Word_Of (Checks, Yaw_Rate)),
+      Altitude   => Level_Of (Word_Of (Checks, Altitude)),
+      Airspeed   => Level_Of (Word_Of (Checks, Airspeed)))
    with Global => null;
 
    --  The sticks as a law reads them: at rest while the link is lost, the

@@ -28,9 +28,12 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       Travel      : Converter_Value;
    end record;
 
-   type Rule_Table is array (Sensor_Item) of Rule;
-
    Any : constant Converter_Value := Converter_Value'Last;
+
+   --  What a control law or a monitor may read: each has a rule of its own.
+   subtype Law_Item is Sensor_Item range Right_Flap_1 .. Altitude;
+
+   type Rule_Table is array (Law_Item) of Rule;
 
    --  Surfaces move 100 deg/s at most, flaps 5; engine and electrics change
    --  slowly, but their ends are the converter's own. The ends of the
@@ -62,8 +65,12 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       Pitch_Rate       => (1, 4_094, 800, Pitch_Attitude, 340),
       Yaw_Rate         => (1, 4_094, 800, Roll_Attitude, 340),
       Airspeed         => (0, 4_000, 320, Altitude, 400),
-      Altitude         => (0, 4_094, 60, Pitch_Attitude, 340),
-      Uplink_Signal_Strength => (0, Any, Any, Uplink_Signal_Strength, Any));
+      Altitude         => (0, 4_094, 60, Pitch_Attitude, 340));
+
+   --  Of a sensor behind them every word of the converter is good.
+   function Rule_Of (Item : Sensor_Item) return Rule is
+     (if Item in Law_Item then Rules (Item) else (0, Any, Any, Item, Any))
+   with Global => null;
 
    subtype Bad_Count is Natural range 0 .. Bad_Scans;
    subtype Good_Count is Natural range 0 .. Good_Scans;
@@ -85,6 +92,13 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    end record;
 
    type Check_Table is array (Sensor_Item) of Check;
+
+   --  The word that stands for a sensor: the last good one.
+   function Word_Of (Items : Check_Table; Item : Law_Item)
+                     return Converter_Value
+   is
+     (Items (Item).Used)
+   with Global => null;
 
    function Distance (One, Other : Word) return Word is
      (if One > Other then One - Other else Other - One)
@@ -175,8 +189,8 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
          (if (Scan (Error_Status) and Stale_Data) /= 0
           then After_Gap (Items (Item))
           else After_Scan
-            (Items (Item), Scan (Item), Scan (Rules (Item).Witness),
-             Rules (Item)))))
+            (Items (Item), Scan (Item), Scan (Rule_Of (Item).Witness),
+             Rule_Of (Item)))))
    with
      Global => null,
      Post   =>

@@ -48,8 +48,8 @@ package body URV.LAW_Task with SPARK_Mode is
    is
      (Engine_Monitor.Next
         (Item, Power,
-         Speed    => Level_Of (Checks (RPM).Used),
-         Airspeed => Level_Of (Checks (Airspeed).Used),
+         Speed    => Level_Of (Word_Of (Checks, RPM)),
+         Airspeed => Level_Of (Word_Of (Checks, Airspeed)),
          Is_Known => not Is_Old
            and then Checks (RPM).Is_Valid
            and then Checks (Airspeed).Is_Valid))
