@@ -2,6 +2,9 @@
 
 --  When two schedulers cannot be told apart, and what follows of it. What
 --  Theorems.Results says of the scheduler is said in these words (EVI-7).
+--
+--  Some functions here say what another one says, as one claim: a prover
+--  that is to find the claim of another scheduler does not look into it.
 
 with URVOS;              use URVOS;
 with URVOS.Arrangements; use URVOS.Arrangements;
@@ -22,7 +25,7 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
 
    --  Two schedulers that cannot be told apart. Of a free TCB nothing counts
    --  but its place in the queue: the next task to be loaded overwrites it.
-   function Are_Alike (One, Other : Scheduler) return Boolean is
+   function Answers_Are_Alike (One, Other : Scheduler) return Boolean is
      (Clock (One) = Clock (Other)
       and then Overruns (One) = Overruns (Other)
       and then Is_Idle (One) = Is_Idle (Other)
@@ -33,6 +36,10 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
              (if Queue_Of (One, Which) /= Free
               then Is_Unchanged (One, Other, Which)))
       and then Orders_Are_Alike (One, Other))
+   with Global => null;
+
+   function Are_Alike (One, Other : Scheduler) return Boolean is
+     (Answers_Are_Alike (One, Other))
    with Global => null;
 
    --  Both are still what they were.
@@ -47,10 +54,14 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
      Post   => Are_Alike (One, Other);
 
    --  Of two TCBs one is ahead.
-   function One_Is_Ahead (S : Scheduler) return Boolean is
+   function Places_Differ (S : Scheduler) return Boolean is
      (for all A in TCB_Number =>
         (for all B in TCB_Number =>
            Is_Ahead (S, A, B) = (A /= B and then not Is_Ahead (S, B, A))))
+   with Global => null;
+
+   function One_Is_Ahead (S : Scheduler) return Boolean is
+     (Places_Differ (S))
    with Global => null;
 
    procedure Prove_One_Is_Ahead (S : Scheduler)
@@ -69,14 +80,18 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
              (if Queue_Of (S, A) = Ready and then Queue_Of (S, B) = Timer
               then Is_Ahead (S, A, B) and then not Is_Ahead (S, B, A))));
 
+   function Is_The_Best (S : Scheduler; Which : TCB_Number) return Boolean is
+     (Is_Best_Ready (S, Which))
+   with Global => null;
+
    --  There is one best.
    procedure Prove_One_Best (S : Scheduler; A, B : TCB_Number)
    with
      Global => null,
      Pre    =>
        One_Is_Ahead (S)
-       and then Is_Best_Ready (S, A)
-       and then Is_Best_Ready (S, B),
+       and then Is_The_Best (S, A)
+       and then Is_The_Best (S, B),
      Post   => A = B;
 
    --  Among all but one, those that share a queue stand in the same order.
@@ -148,6 +163,13 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
                     Is_Ahead (Other, Which, Moved))),
      Post   => Orders_Are_Alike (One, Other);
 
+   function Has_Handed_Over
+     (Before, After : Scheduler;
+      Caller, Best  : TCB_Number) return Boolean
+   is
+     (Is_Handed_Over (Before, After, Caller, Best))
+   with Global => null;
+
    --  The processor has been handed over. Who had no part in it stands as it
    --  stood.
    procedure Prove_Others_Wait
@@ -155,9 +177,9 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
       Caller, Best  : TCB_Number)
    with
      Global => null,
-     Pre    => Is_Handed_Over (Before, After, Caller, Best),
+     Pre    => Has_Handed_Over (Before, After, Caller, Best),
      Post   =>
-       Is_Best_Ready (Before, Best)
+       Is_The_Best (Before, Best)
        and then
          (for all Which in TCB_Number =>
             Queue_Of (After, Which) =
@@ -181,8 +203,8 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
        One_Is_Ahead (One)
        and then One_Is_Ahead (Other)
        and then Orders_Are_Alike (One_Before, Other_Before)
-       and then Is_Handed_Over (One_Before, One, Caller, Best)
-       and then Is_Handed_Over (Other_Before, Other, Caller, Best)
+       and then Has_Handed_Over (One_Before, One, Caller, Best)
+       and then Has_Handed_Over (Other_Before, Other, Caller, Best)
        and then
          (for all Which in TCB_Number =>
             Queue_Of (One_Before, Which) = Queue_Of (Other_Before, Which)

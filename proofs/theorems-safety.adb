@@ -58,6 +58,17 @@ package body Theorems.Safety with SPARK_Mode is
      Post   =>
        Is_Sent (As_Old (Item), Scans, Scan) and then Is_Old (As_Old (Item));
 
+   procedure Same_Is_Sent
+     (One, Other : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sent (One, Scans, Scan) and then One = Other,
+     Post   => Is_Sent (Other, Scans, Scan);
+
+   procedure Same_Is_Sent
+     (One, Other : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is null;
+
    procedure Same_Area (One, Other : PWM_Buffer) is
       One_Area   : constant Data_Area := URV.PWM_Layout.To_Data_Area (One);
       Other_Area : constant Data_Area := URV.PWM_Layout.To_Data_Area (Other);
@@ -158,7 +169,12 @@ package body Theorems.Safety with SPARK_Mode is
       Scans    : Scan_History;
       Done     : Scan_Count;
       More     : Scan_Count)
-   is null;
+   is
+      pragma Unreferenced (Done);
+   begin
+      pragma Assert (Blocks_Are_Sound (Line, Scans, More));
+      pragma Assert (Places_Are_Sound (Aircraft, Scans, More));
+   end More_Scans;
 
    --  The events. Each has the text of a task's body.
 
@@ -301,6 +317,39 @@ package body Theorems.Safety with SPARK_Mode is
        and then
          (if Is_Other_Kind (Message'Old) then From = Item.Uplink_From);
 
+   --  What the laws make of a message: what they remember of the commands,
+   --  and what goes to the PWM task, each with its scan.
+   procedure Fly
+     (Link       : in out Link_State;
+      Heard      : in out Uplink_Buffer;
+      Heard_From : in out Scan_Count;
+      Message    : Uplink_Buffer;
+      From       : Scan_Count;
+      Scans      : Scan_History;
+      Set        : URV.Laws.Settings;
+      Sensors    : Downlink_Buffer;
+      Law        : URV.Laws.Memory;
+      Flown      : out Uplink_Buffer;
+      Flown_From : out Scan_Count;
+      By_Law     : out Boolean)
+   with
+     Global => null,
+     Pre    =>
+       Is_Of (Message, Scans, From)
+       and then Is_Of (Heard, Scans, Heard_From)
+       and then (if Link /= Waiting then Heard_From > 0),
+     Post   =>
+       Is_Of (Heard, Scans, Heard_From)
+       and then (if Link /= Waiting then Heard_From > 0)
+       and then Heard_From in Heard_From'Old | From
+       and then Is_Flown (Flown, Scans, Flown_From, By_Law)
+       and then Flown_From in Heard_From | From
+       and then
+         (if URV.Laws.Is_Disconnected (Message)
+          then not By_Law and then Flown = Message)
+       and then
+         (if Is_Old (Message) and then not By_Law then Is_Old (Flown));
+
    procedure Run_LAW
      (Item    : in out Aircraft_Way;
       Scans   : Scan_History;
@@ -390,6 +439,7 @@ package body Theorems.Safety with SPARK_Mode is
          pragma Assert
            (Contents (Item.ADINT) = Held (Scans, Item.ADINT_From));
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans));
    end End_Scan;
 
    procedure Discard_Scan (Item : in out Ground_Way; Scans : Scan_History) is
@@ -398,6 +448,7 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Look (Item.ADINT, Unused_Words, Unused_Fresh);
       pragma Assert (Contents (Item.ADINT) = Held (Scans, Item.ADINT_From));
+      pragma Assert (Places_Are_Sound (Item, Scans));
    end Discard_Scan;
 
    procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History) is
@@ -409,6 +460,7 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Words = Held (Scans, Item.ADINT_From));
       Send (Item.AD, Stamped (Words, Fresh), Unused_Success);
       Item.AD_From := Item.ADINT_From;
+      pragma Assert (Places_Are_Sound (Item, Scans));
    end Run_AD;
 
    procedure Run_GDCOUT
@@ -434,6 +486,7 @@ package body Theorems.Safety with SPARK_Mode is
       end if;
       Send (Item.TELOUT, Message, Unused_Success);
       Item.TELOUT_From := Item.AD_From;
+      pragma Assert (Places_Are_Sound (Item, Scans));
    end Run_GDCOUT;
 
    procedure Run_TELOUT
@@ -453,6 +506,8 @@ package body Theorems.Safety with SPARK_Mode is
            (Data => URV.Codecs.Uplink.Encode (Message),
             From => Item.TELOUT_From);
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans));
+      pragma Assert (Blocks_Are_Sound (Line, Scans, Item.Done));
    end Run_TELOUT;
 
    procedure Start_Ground
@@ -472,6 +527,7 @@ package body Theorems.Safety with SPARK_Mode is
          Item.AD := Restarted (Item.AD);
          Item.TELOUT := Restarted (Item.TELOUT);
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans));
    end Start_Ground;
 
    procedure Run_TELIN
@@ -483,6 +539,8 @@ package body Theorems.Safety with SPARK_Mode is
    is
       Unused_Success : Boolean;
    begin
+      pragma Assert
+        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
       if Which in 1 .. Line.Given then
          pragma Assert
            (Is_Sent
@@ -497,13 +555,16 @@ package body Theorems.Safety with SPARK_Mode is
          Item.Kept := As_Old (Item.Kept);
       end if;
       pragma Assert (Is_Sent (Item.Kept, Scans, Item.Kept_From));
+      pragma Assert
+        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
 
       if Item.Has_Message then
          Send (Item.TELIN, Item.Kept, Unused_Success);
          Item.TELIN_From := Item.Kept_From;
+         Same_Is_Sent
+           (Item.Kept, Contents (Item.TELIN), Scans, Item.TELIN_From);
       end if;
-      pragma Assert
-        (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_TELIN;
 
    procedure Pass_On
@@ -524,6 +585,7 @@ package body Theorems.Safety with SPARK_Mode is
       Item.Commands_From := From;
       pragma Assert
         (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Pass_On;
 
    procedure Choose
@@ -562,8 +624,45 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert
         (Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From));
       Choose (Item, Scans, Done, Message, Fresh, From);
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
       Pass_On (Item, Scans, Done, Message, From);
    end Run_MDCIN;
+
+   procedure Fly
+     (Link       : in out Link_State;
+      Heard      : in out Uplink_Buffer;
+      Heard_From : in out Scan_Count;
+      Message    : Uplink_Buffer;
+      From       : Scan_Count;
+      Scans      : Scan_History;
+      Set        : URV.Laws.Settings;
+      Sensors    : Downlink_Buffer;
+      Law        : URV.Laws.Memory;
+      Flown      : out Uplink_Buffer;
+      Flown_From : out Scan_Count;
+      By_Law     : out Boolean)
+   is
+      Kept : URV.Laws.Memory :=
+        (Law with delta
+           Heard => Heard,
+           Link  => (Law.Link with delta State => Link));
+   begin
+      Kept := URV.Laws.Next (Kept, Message, Sensors, Set.By, Set.Table);
+      pragma Assert
+        (if Link = Waiting and then Kept.Link.State /= Waiting
+         then not Is_Old (Message));
+      pragma Assert (if not Is_Old (Message) then From > 0);
+      Link := Kept.Link.State;
+      Heard := Kept.Heard;
+      if not Is_Old (Message) then
+         Heard_From := From;
+      end if;
+      pragma Assert (Is_Of (Heard, Scans, Heard_From));
+      Flown := URV.Laws.Output (Kept, Message);
+      By_Law := not URV.Laws.Is_All_Stick (Kept);
+      Flown_From := (if By_Law then Heard_From else From);
+      pragma Assert (Is_Flown (Flown, Scans, Flown_From, By_Law));
+   end Fly;
 
    procedure Run_LAW
      (Item    : in out Aircraft_Way;
@@ -575,67 +674,30 @@ package body Theorems.Safety with SPARK_Mode is
    is
       Message        : Uplink_Buffer;
       Flown          : Uplink_Buffer;
-      Kept           : URV.Laws.Memory;
       Fresh          : Boolean;
       Unused_Success : Boolean;
    begin
       Receive (Item.Commands, Message, Fresh);
       pragma Assert (Item.Commands_From <= Done);
-      pragma Assert (Contents (Item.Commands) = Message);
       pragma Assert (Is_Of (Message, Scans, Item.Commands_From));
-      pragma Assert
-        (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
       if Set.On then
          if not Fresh then
             Marked_Is_Of (Message, 0, Scans, Item.Commands_From);
             Message := As_Old (Message);
          end if;
-         Kept :=
-           (Law with delta
-              Heard => Item.Heard,
-              Link  => (Law.Link with delta State => Item.Law_Link));
-         Kept := URV.Laws.Next
-           (Kept, Message, Sensors, Set.By, Set.Table);
-         pragma Assert
-           (if Item.Law_Link = Waiting and then Kept.Link.State /= Waiting
-            then not Is_Old (Message));
-         pragma Assert (if not Is_Old (Message) then Item.Commands_From > 0);
-         pragma Assert
-           (if Kept.Link.State /= Waiting and then Is_Old (Message)
-            then Item.Heard_From > 0);
-         Item.Law_Link := Kept.Link.State;
-         Item.Heard := Kept.Heard;
-         if not Is_Old (Message) then
-            Item.Heard_From := Item.Commands_From;
-         end if;
-         pragma Assert (Is_Of (Item.Heard, Scans, Item.Heard_From));
-         Flown := URV.Laws.Output (Kept, Message);
-         Item.PWM_By_Law := not URV.Laws.Is_All_Stick (Kept);
-         Item.PWM_From :=
-           (if Item.PWM_By_Law then Item.Heard_From
-            else Item.Commands_From);
-         pragma Assert
-           (Is_Flown (Flown, Scans, Item.PWM_From, Item.PWM_By_Law));
+         Fly
+           (Item.Law_Link, Item.Heard, Item.Heard_From, Message,
+            Item.Commands_From, Scans, Set, Sensors, Law, Flown,
+            Item.PWM_From, Item.PWM_By_Law);
          Send (Item.PWM, Flown, Unused_Success);
-         pragma Assert (Contents (Item.PWM) = Flown);
-         pragma Assert
-           (Is_Flown
-              (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law));
-         pragma Assert
-           (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
-         pragma Assert (if Item.Law_Link /= Waiting then Item.Heard_From > 0);
       elsif Fresh then
          Item.PWM_By_Law := False;
          Item.PWM_From := Item.Commands_From;
          Send (Item.PWM, Message, Unused_Success);
-         pragma Assert (Contents (Item.PWM) = Message);
-         pragma Assert
-           (Is_Of (Contents (Item.PWM), Scans, Item.PWM_From));
          pragma Assert
            (Is_Flown (Contents (Item.PWM), Scans, Item.PWM_From, False));
-         pragma Assert
-           (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_LAW;
 
    function Words_Of (Message : Uplink_Buffer; Told : Health) return Data_Area
@@ -669,6 +731,7 @@ package body Theorems.Safety with SPARK_Mode is
          Item.Board_From := Item.PWM_From;
          Item.Board_By_Law := Item.PWM_By_Law;
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_PWM;
 
    procedure Run_CORE
@@ -690,6 +753,7 @@ package body Theorems.Safety with SPARK_Mode is
            (for all Name in Uplink_Item =>
               URV.CORE_Layout.To_Buffer (Item.CORE) (Name) = Message (Name));
       end if;
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_CORE;
 
    procedure Start_Aircraft
@@ -747,6 +811,7 @@ package body Theorems.Safety with SPARK_Mode is
         (if not Item.Board_Made_Up
          then Item.Board =
            URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of)));
+      pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Start_Aircraft;
 
    procedure Happen
@@ -838,6 +903,8 @@ package body Theorems.Safety with SPARK_Mode is
          Board_From   => 0,
          Board_By_Law => False);
       pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
+      pragma Assert (Places_Are_Sound (Ground, Scans));
+      pragma Assert (Places_Are_Sound (Aircraft, Scans, Ground.Done));
 
       for Step in Event_Number range 1 .. Upto loop
          pragma Loop_Invariant (Is_Sound (Ground, Scans));
