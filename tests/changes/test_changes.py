@@ -165,6 +165,17 @@ def test_one_more_sensor_word():
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
 
 
+def test_words_are_read_by_rule():
+    """Word_Of takes a sensor only that has a rule by which it is believed;
+    nothing else of the product reads the word that stands for one."""
+    checks = ROOT / "src" / "laws" / "urv-sensor_checks.ads"
+    assert re.search(r"\.Used\b", checks.read_text(encoding="utf-8"))
+    read = [path.name for path in sorted((ROOT / "src").rglob("*.ad?"))
+            if path != checks
+            and re.search(r"\.Used\b", path.read_text(encoding="utf-8"))]
+    assert read == []
+
+
 @pytest.fixture(scope="module")
 def task():
     return Change("task")

@@ -24,6 +24,7 @@ package body Laws_Tests is
    procedure Falling_Back;
    procedure Range_Check;
    procedure Rate_Check;
+   procedure No_Rule;
    procedure Stuck_Check;
    procedure Stale_Scans;
    procedure Times_Of_Loss;
@@ -296,6 +297,22 @@ package body Laws_Tests is
               False);
    end Rate_Check;
 
+   procedure No_Rule is
+      Ends : constant array (1 .. 3) of Word := (0, 4_095, 0);
+      Item : URV.Laws.Memory := Warm;
+   begin
+      for Value of Ends loop
+         Fly (Item, 3, Sticks, Measuring (Uplink_Signal_Strength, Value));
+         Expect ("the word is good", Item.Checks (Uplink_Signal_Strength).Used,
+                 Value);
+         Expect ("and the sensor valid",
+                 Item.Checks (Uplink_Signal_Strength).Is_Valid, True);
+      end loop;
+      Fly (Item, 3, Sticks, Measuring (Uplink_Signal_Strength, 4_096));
+      Expect ("no word of the converter",
+              Item.Checks (Uplink_Signal_Strength).Is_Valid, False);
+   end No_Rule;
+
    procedure Stuck_Check is
       Item  : URV.Laws.Memory := Warm;
       Scan  : Downlink_Buffer := Level;
@@ -519,6 +536,8 @@ package body Laws_Tests is
            Range_Check'Access);
       Add (Suite, "EXT-3 a word that jumps away is not believed",
            Rate_Check'Access);
+      Add (Suite, "EXT-3 without a rule every word of the converter is good",
+           No_Rule'Access);
       Add (Suite, "EXT-3 a sensor that does not follow its witness is stuck",
            Stuck_Check'Access);
       Add (Suite, "EXT-3 without scans no law flies", Stale_Scans'Access);
