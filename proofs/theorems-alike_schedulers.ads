@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  When two schedulers cannot be told apart, and what follows of it. What
---  Theorems.Results says of the scheduler is said in these words (EVI-7).
+--  Theorems.Scheduler_Results says is said in these words (EVI-7).
 --
 --  Some functions here say what another one says, as one claim: a prover
 --  that is to find the claim of another scheduler does not look into it.

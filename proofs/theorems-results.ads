@@ -6,22 +6,19 @@
 --  open would not prove these.
 --
 --  Of functions the same need not be said: a postcondition that is an
---  expression, or an equation for each part of the result, shows it.
+--  expression, or an equation for each part of the result, shows it. Of the
+--  scheduler Theorems.Scheduler_Results says it.
 
 with Telemetry;
 with Telemetry.Boards;
 with Telemetry.Headers;
 with Telemetry.Memory;
 with Telemetry.Receivers;
-with Theorems.Alike_Schedulers;
 with URVOS;
 with URVOS.Arrangements;
 with URVOS.Error_Logs;
 with URVOS.Frames;
 with URVOS.ROM_Checks;
-with URVOS.Schedulers;
-with URVOS.Schedulers.Calls;
-with URVOS.Schedulers.Changes;
 with URVOS.Semaphores;
 with URVOS.Start_Orders;
 with URVOS.Task_Trees;
@@ -38,13 +35,9 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use Telemetry.Headers;
    use Telemetry.Memory;
    use Telemetry.Receivers;
-   use Theorems.Alike_Schedulers;
    use URVOS;
    use URVOS.Arrangements;
    use URVOS.Frames;
-   use URVOS.Schedulers;
-   use URVOS.Schedulers.Calls;
-   use URVOS.Schedulers.Changes;
    use URVOS.Semaphores;
    use URVOS.Start_Orders;
    use URVOS.Task_Trees;
@@ -142,102 +135,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
      Global => null,
      Pre    => not Is_Over (Item, Now),
      Post   => Same;
-
-   --  The scheduler
-
-   --  What is asked of two that are alike has the same answer.
-   procedure Of_Questions (One, Other : Scheduler)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other),
-     Post   =>
-       Is_Settled (One) = Is_Settled (Other)
-       and then Has_Free_TCB (One) = Has_Free_TCB (Other)
-       and then
-         (if Has_Free_TCB (One)
-          then Next_Free_TCB (One) = Next_Free_TCB (Other))
-       and then
-         (if not Is_Idle (One)
-          then Running_TCB (One) = Running_TCB (Other)
-            and then Has_Higher_Ready (One) = Has_Higher_Ready (Other)
-            and then Has_Overrun (One) = Has_Overrun (Other))
-       and then
-         (for all Which in TCB_Number =>
-            Is_Best_Ready (One, Which) = Is_Best_Ready (Other, Which));
-
-   procedure Of_Start
-     (Tree       : Task_Tree;
-      Now        : Clock_Tick;
-      One, Other : out Scheduler)
-   with
-     Global => null,
-     Post   => Are_Alike (One, Other);
-
-   --  The same call makes of alike schedulers alike ones.
-
-   procedure Of_Load
-     (One, Other : in out Scheduler;
-      Header     : Task_Header)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other)
-       and then Has_Free_TCB (One),
-     Post   => Are_Alike (One, Other);
-
-   procedure Of_Dispatch (One, Other : in out Scheduler)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other),
-     Post   => Are_Alike (One, Other);
-
-   procedure Of_Wake (One, Other : in out Scheduler; Now : Clock_Tick)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other)
-       and then Now >= Clock (One),
-     Post   => Are_Alike (One, Other);
-
-   procedure Of_Exit_Call (One, Other : in out Scheduler)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other)
-       and then not Is_Idle (One),
-     Post   => Are_Alike (One, Other);
-
-   procedure Of_Sleep (One, Other : in out Scheduler; Until_Tick : Tick)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other)
-       and then not Is_Idle (One),
-     Post   => Are_Alike (One, Other);
-
-   procedure Of_Terminate_Caller (One, Other : in out Scheduler)
-   with
-     Global => null,
-     Pre    =>
-       Is_Sound (One)
-       and then Is_Sound (Other)
-       and then Are_Alike (One, Other)
-       and then not Is_Idle (One),
-     Post   => Are_Alike (One, Other);
 
    --  The telemetry board
 

@@ -47,14 +47,19 @@ package body URV.Laws with SPARK_Mode is
      (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
    with Global => null;
 
-   --  Of what a frame decides a law has flown one axis, and nothing else.
-   function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
-   is
+   --  Flying changes nothing of what was decided before.
+   function Decides_The_Same (Before, After : Memory) return Boolean is
      (After.Link = Before.Link
       and then After.Checks = Before.Checks
       and then After.Flown = Before.Flown
       and then After.Heard = Before.Heard
-      and then After.Is_Flying = Before.Is_Flying
+      and then After.Is_Flying = Before.Is_Flying)
+   with Ghost, Global => null;
+
+   --  Of what a frame decides a law has flown one axis, and nothing else.
+   function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
+   is
+     (Decides_The_Same (Before, After)
       and then
         (if Which /= Roll_Axis
          then After.Last.Roll = Before.Last.Roll
@@ -158,9 +163,43 @@ package body URV.Laws with SPARK_Mode is
           then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
                  Throttle_Step);
 
-   --------------
-   -- Fly_Roll --
-   --------------
+   --  All four. Each is flown by itself, so that what is said of one axis is
+   --  what its own law says.
+   procedure Fly
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table)
+   with
+     Global => null,
+     Pre    => Rising in -30_000 .. 30_000,
+     Post   =>
+       Decides_The_Same (This'Old, This)
+       and then
+         (if not This.Is_Stick (Roll_Axis)
+          then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
+       and then
+         (if not This.Is_Stick (Pitch_Axis)
+          then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
+       and then
+         (if not This.Is_Stick (Yaw_Axis)
+          then abs (This.Last.Yaw - This.Last'Old.Yaw) <= Yaw_Step)
+       and then
+         (if not This.Is_Stick (Throttle_Axis)
+          then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
+                 Throttle_Step)
+       and then
+         (if This.Flown.Lateral in Banked
+          then abs This.Last.Roll <=
+                 Integer'Max
+                   (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
+       and then
+         (if This.Flown.Vertical in Pitched
+          then abs This.Last.Pitch <=
+                 Integer'Max
+                   (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
 
    procedure Fly_Roll
      (This : in out Memory;
@@ -343,6 +382,20 @@ package body URV.Laws with SPARK_Mode is
       end if;
    end Fly_Throttle;
 
+   procedure Fly
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table) is
+   begin
+      Fly_Roll (This, Was, Now, Hand, By);
+      Fly_Yaw (This, Now, Hand);
+      Fly_Pitch (This, Was, Now, Hand, Rising, By);
+      Fly_Throttle (This, Was, Now, Hand);
+   end Fly;
+
    function Next
      (This     : Memory;
       Commands : Uplink_Buffer;
@@ -389,25 +442,7 @@ package body URV.Laws with SPARK_Mode is
          Hand := Sticks_Of (Heard, After.Link.State);
       end if;
 
-      pragma Assert
-        (if Is_Disconnected (Commands) or else After.Link.State = Waiting
-         then Hand.Is_Pilot and then After.Flown = All_Direct);
-      Fly_Roll (After, This.Flown, Now, Hand, Gains_Of (Table));
-      pragma Assert (After.Checks = Checks);
-      pragma Assert (After.Heard = Heard);
-      Fly_Yaw (After, Now, Hand);
-      pragma Assert (After.Checks = Checks);
-      pragma Assert (After.Heard = Heard);
-      Fly_Pitch
-        (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
-      pragma Assert (After.Checks = Checks);
-      pragma Assert (After.Heard = Heard);
-      Fly_Throttle (After, This.Flown, Now, Hand);
-      pragma Assert (After.Checks = Checks);
-      pragma Assert (After.Heard = Heard);
-      pragma Assert
-        (if Is_Old (Commands) then After.Heard = This.Heard
-         else After.Heard = Commands);
+      Fly (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
 
       --  Above all else.
       if Is_Disconnected (Commands) or else After.Link.State = Waiting then

@@ -96,33 +96,33 @@ def test_of_a_generic_with_formal_subprograms_nothing_is_asked():
     assert list(contracts.unit_gaps(text.encode())) == []
 
 
-def test_a_procedure_without_its_theorem_is_found(tmp_path):
-    for folder in ("src", "proofs"):
-        (tmp_path / folder).symlink_to(ROOT / folder)
-    assert list(contracts.theorem_gaps(tmp_path)) == []
-    (tmp_path / "proofs").unlink()
-    theorem = tmp_path / contracts.THEOREM
-    theorem.parent.mkdir()
-    text = (ROOT / contracts.THEOREM).read_text(encoding="utf-8")
-    theorem.write_text(text.replace("procedure Of_Move", "procedure Of_Moving"),
-                       encoding="utf-8")
-    assert list(contracts.theorem_gaps(tmp_path)) == [
-        f"{contracts.THEOREM}: 1 procedures Move, 0 Of_Move"]
+def theorem_gaps_where(root, change):
+    """What is missing when change has been at the text of the theorems."""
+    (root / "src").symlink_to(ROOT / "src")
+    (root / "proofs").mkdir()
+    for theorems in contracts.THEOREMS:
+        text = (ROOT / theorems).read_text(encoding="utf-8")
+        (root / theorems).write_text(change(text), encoding="utf-8")
+    return list(contracts.theorem_gaps(root))
+
+
+@pytest.mark.parametrize("name", ["Move", "Dispatch"])
+def test_a_procedure_without_its_theorem_is_found(tmp_path, name):
+    assert theorem_gaps_where(tmp_path, lambda text: text.replace(
+        f"procedure Of_{name}", f"procedure Of_Other_{name}")) == [
+            f"{' or '.join(contracts.THEOREMS)}: 1 procedures {name},"
+            f" 0 Of_{name}"]
 
 
 def test_of_each_procedure_of_a_name_there_is_a_theorem(tmp_path):
-    (tmp_path / "src").symlink_to(ROOT / "src")
-    theorem = tmp_path / contracts.THEOREM
-    theorem.parent.mkdir()
-    text = (ROOT / contracts.THEOREM).read_text(encoding="utf-8")
-    one_less, number = re.subn(r"procedure Of_Take\b", "procedure Of_T", text)
+    one_of = re.compile(r"procedure Of_Take\b")
+    number = sum(len(one_of.findall((ROOT / theorems).read_text("utf-8")))
+                 for theorems in contracts.THEOREMS)
     assert number > 1
-    one_less = re.sub(r"procedure Of_T\b", "procedure Of_Take", one_less,
-                      count=number - 1)
-    theorem.write_text(one_less, encoding="utf-8")
-    assert list(contracts.theorem_gaps(tmp_path)) == [
-        f"{contracts.THEOREM}: {number} procedures Take,"
-        f" {number - 1} Of_Take"]
+    assert theorem_gaps_where(tmp_path, lambda text: one_of.sub(
+        "procedure Of_Other_Take", text, count=1)) == [
+            f"{' or '.join(contracts.THEOREMS)}: {number} procedures Take,"
+            f" {number - 1} Of_Take"]
 
 
 @pytest.mark.parametrize("gaps", [[], ["shop.ads: Sell has no Global"]])
