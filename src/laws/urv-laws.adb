@@ -100,9 +100,8 @@ package body URV.Laws with SPARK_Mode is
           then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
        and then
          (if This.Flown.Lateral in Banked
-          then abs This.Last.Roll <=
-                 Integer'Max
-                   (Roll_Authority, abs This.Last'Old.Roll - Roll_Step));
+          then abs This.Last.Roll <= Integer'Max
+                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step));
 
    procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
    with
@@ -140,9 +139,8 @@ package body URV.Laws with SPARK_Mode is
           then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
        and then
          (if This.Flown.Vertical in Pitched
-          then abs This.Last.Pitch <=
-                 Integer'Max
-                   (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
+          then abs This.Last.Pitch <= Integer'Max
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
 
    procedure Fly_Throttle
      (This : in out Memory;
@@ -163,8 +161,7 @@ package body URV.Laws with SPARK_Mode is
           then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
                  Throttle_Step);
 
-   --  All four. Each is flown by itself, so that what is said of one axis is
-   --  what its own law says.
+   --  All four, and nothing else.
    procedure Fly
      (This   : in out Memory;
       Was    : Modes;
@@ -192,14 +189,12 @@ package body URV.Laws with SPARK_Mode is
                  Throttle_Step)
        and then
          (if This.Flown.Lateral in Banked
-          then abs This.Last.Roll <=
-                 Integer'Max
-                   (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
+          then abs This.Last.Roll <= Integer'Max
+                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
        and then
          (if This.Flown.Vertical in Pitched
-          then abs This.Last.Pitch <=
-                 Integer'Max
-                   (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
+          then abs This.Last.Pitch <= Integer'Max
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
 
    procedure Fly_Roll
      (This : in out Memory;
