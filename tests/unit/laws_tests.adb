@@ -12,6 +12,7 @@ with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;
 with URV.Law_Status;
 with URV.Link_Loss;     use URV.Link_Loss;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package body Laws_Tests is
 
@@ -25,6 +26,7 @@ package body Laws_Tests is
    procedure Range_Check;
    procedure Rate_Check;
    procedure No_Rule;
+   procedure Each_Rule;
    procedure Stuck_Check;
    procedure Stale_Scans;
    procedure Times_Of_Loss;
@@ -313,6 +315,68 @@ package body Laws_Tests is
               Item.Checks (Uplink_Signal_Strength).Is_Valid, False);
    end No_Rule;
 
+   --  One mistyped is noticed here, and by no flight.
+   procedure Each_Rule is
+   begin
+      for Item in Law_Item loop
+         declare
+            Name : constant String := Item'Image;
+            By   : constant Rule := Rule_Of (Item);
+         begin
+            Expect_Number
+              (Name & ", the least word", Integer (By.Least),
+               (case Item is
+                   when Altitude_Offset | RPM | Alternator_Volts | Airspeed
+                      | Altitude => 0,
+                   when Battery_Volts => 500,
+                   when others        => 1));
+            Expect_Number
+              (Name & ", the most", Integer (By.Most),
+               (case Item is
+                   when Right_Flap_1 | Left_Flap_1 | Right_Flap_2
+                      | Left_Flap_2 => 4_095,
+                   when Altitude_Offset | RPM | Battery_Volts
+                      | Alternator_Volts | Airspeed => 4_000,
+                   when others => 4_094));
+            Expect_Number
+              (Name & ", the most from scan to scan", Integer (By.Step),
+               (case Item is
+                   when Right_Flap_1 | Left_Flap_1 | Right_Flap_2
+                      | Left_Flap_2 => 200,
+                   when Altitude_Offset => 5,
+                   when Lateral_Acceleration | Longitudinal_Acceleration
+                      | Vertical_Acceleration => 4_095,
+                   when RPM | Battery_Volts => 500,
+                   when Alternator_Volts => 1_000,
+                   when Roll_Attitude | Pitch_Attitude | Altitude => 60,
+                   when Roll_Rate => 400,
+                   when Pitch_Rate | Yaw_Rate => 800,
+                   when Airspeed => 320,
+                   when others => 600));
+            Expect
+              (Name & ", its witness",
+               By.Witness =
+                 (case Item is
+                     when Roll_Attitude        => Roll_Rate,
+                     when Pitch_Attitude       => Pitch_Rate,
+                     when Roll_Rate | Yaw_Rate => Roll_Attitude,
+                     when Pitch_Rate | Altitude => Pitch_Attitude,
+                     when Airspeed             => Altitude,
+                     when others               => Item),
+               True);
+            Expect_Number
+              (Name & ", how far that goes away", Integer (By.Travel),
+               (case Item is
+                   when Roll_Attitude  => 100,
+                   when Pitch_Attitude => 200,
+                   when Roll_Rate | Pitch_Rate | Yaw_Rate | Altitude =>
+                     340,  --  30 deg of an attitude
+                   when Airspeed       => 400,
+                   when others         => 4_095));
+         end;
+      end loop;
+   end Each_Rule;
+
    procedure Stuck_Check is
       Item  : URV.Laws.Memory := Warm;
       Scan  : Downlink_Buffer := Level;
@@ -538,6 +602,8 @@ package body Laws_Tests is
            Rate_Check'Access);
       Add (Suite, "EXT-3 without a rule every word of the converter is good",
            No_Rule'Access);
+      Add (Suite, "EXT-3 each sensor has its ends, its rate and its witness",
+           Each_Rule'Access);
       Add (Suite, "EXT-3 a sensor that does not follow its witness is stuck",
            Stuck_Check'Access);
       Add (Suite, "EXT-3 without scans no law flies", Stale_Scans'Access);
