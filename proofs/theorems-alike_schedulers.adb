@@ -18,6 +18,44 @@ package body Theorems.Alike_Schedulers with SPARK_Mode is
      Pre    => Are_Alike (First, Middle) and then Are_Alike (Middle, Last),
      Post   => Are_Alike (First, Last);
 
+   --  Among all but one the order is kept, in one scheduler and between two
+   --  that were alike.
+
+   procedure Prove_Others_Stand
+     (Before, After : Scheduler;
+      Except        : TCB_Number)
+   with
+     Global => null,
+     Pre    =>
+       Order_Is_Kept (Before, After, Except)
+       and then Others_Stay (Before, After, Except),
+     Post   => Others_Are_Alike (Before, After, Except);
+
+   procedure Prove_Others_Are_Alike
+     (One_Before, One, Other_Before, Other : Scheduler;
+      Moved                                : TCB_Number)
+   with
+     Global => null,
+     Pre    =>
+       Orders_Are_Alike (One_Before, Other_Before)
+       and then Others_Stay (One_Before, One, Except => Moved)
+       and then Others_Stay (One_Before, Other_Before, Except => Moved)
+       and then Others_Are_Alike (One_Before, One, Except => Moved)
+       and then Others_Are_Alike (Other_Before, Other, Except => Moved),
+     Post   => Others_Are_Alike (One, Other, Except => Moved);
+
+   procedure Prove_Order_Of
+     (One, Other : Scheduler;
+      Moved      : TCB_Number)
+   with
+     Global => null,
+     Pre    =>
+       One_Is_Ahead (One)
+       and then One_Is_Ahead (Other)
+       and then Others_Are_Alike (One, Other, Except => Moved)
+       and then Stands_Alike (One, Other, Moved),
+     Post   => Orders_Are_Alike (One, Other);
+
    procedure Prove_Equals_Are_Alike (One, Other : Scheduler) is
    begin
       pragma Assert (Answers_Are_Alike (One, Other));
@@ -57,7 +95,27 @@ package body Theorems.Alike_Schedulers with SPARK_Mode is
 
    procedure Prove_Orders_Are_Alike
      (One, Other : Scheduler;
+      Moved      : TCB_Number) is
+   begin
+      Prove_One_Is_Ahead (One);
+      Prove_One_Is_Ahead (Other);
+      Prove_Order_Of (One, Other, Moved);
+   end Prove_Orders_Are_Alike;
+
+   procedure Prove_Order_Of
+     (One, Other : Scheduler;
       Moved      : TCB_Number) is null;
+
+   procedure Prove_Still_Alike_But
+     (One_Before, One, Other_Before, Other : Scheduler;
+      Moved                                : TCB_Number) is
+   begin
+      Prove_Others_Stand (One_Before, One, Moved);
+      Prove_Others_Stand (Other_Before, Other, Moved);
+      Prove_Others_Are_Alike (One_Before, One, Other_Before, Other, Moved);
+      Prove_Orders_Are_Alike (One, Other, Moved);
+      pragma Assert (Answers_Are_Alike (One, Other));
+   end Prove_Still_Alike_But;
 
    procedure Prove_Others_Wait
      (Before, After : Scheduler;

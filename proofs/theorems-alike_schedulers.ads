@@ -23,9 +23,9 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
             then Is_Ahead (One, A, B) = Is_Ahead (Other, A, B))))
    with Global => null;
 
-   --  Two schedulers that cannot be told apart. Of a free TCB nothing counts
-   --  but its place in the queue: the next task to be loaded overwrites it.
-   function Answers_Are_Alike (One, Other : Scheduler) return Boolean is
+   --  All else is the same. Of a free TCB nothing counts but its place in the
+   --  queue: the next task to be loaded overwrites it.
+   function Tasks_Are_Alike (One, Other : Scheduler) return Boolean is
      (Clock (One) = Clock (Other)
       and then Overruns (One) = Overruns (Other)
       and then Is_Idle (One) = Is_Idle (Other)
@@ -34,8 +34,14 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
            Queue_Of (One, Which) = Queue_Of (Other, Which)
            and then
              (if Queue_Of (One, Which) /= Free
-              then Is_Unchanged (One, Other, Which)))
-      and then Orders_Are_Alike (One, Other))
+              then Is_Unchanged (One, Other, Which))))
+   with
+     Global   => null,
+     Annotate => (GNATprove, Inline_For_Proof);
+
+   --  Two schedulers that cannot be told apart.
+   function Answers_Are_Alike (One, Other : Scheduler) return Boolean is
+     (Tasks_Are_Alike (One, Other) and then Orders_Are_Alike (One, Other))
    with Global => null;
 
    function Are_Alike (One, Other : Scheduler) return Boolean is
@@ -120,31 +126,20 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
      Global   => null,
      Annotate => (GNATprove, Inline_For_Proof);
 
-   procedure Prove_Others_Stand
-     (Before, After : Scheduler;
-      Except        : TCB_Number)
+   --  A TCB stands in both behind the same.
+   function Stands_Alike
+     (One, Other : Scheduler;
+      Which      : TCB_Number) return Boolean
+   is
+     (for all Each in TCB_Number =>
+        (if Each /= Which and then Queue_Of (One, Each) = Queue_Of (One, Which)
+         then Is_Ahead (One, Each, Which) = Is_Ahead (Other, Each, Which)))
    with
-     Global => null,
-     Pre    =>
-       Order_Is_Kept (Before, After, Except)
-       and then Others_Stay (Before, After, Except),
-     Post   => Others_Are_Alike (Before, After, Except);
+     Global   => null,
+     Annotate => (GNATprove, Inline_For_Proof);
 
    --  The same TCB has changed its queue in two schedulers, and stands in
    --  both behind the same.
-
-   procedure Prove_Others_Are_Alike
-     (One_Before, One, Other_Before, Other : Scheduler;
-      Moved                                : TCB_Number)
-   with
-     Global => null,
-     Pre    =>
-       Orders_Are_Alike (One_Before, Other_Before)
-       and then Others_Stay (One_Before, One, Except => Moved)
-       and then Others_Stay (One_Before, Other_Before, Except => Moved)
-       and then Others_Are_Alike (One_Before, One, Except => Moved)
-       and then Others_Are_Alike (Other_Before, Other, Except => Moved),
-     Post   => Others_Are_Alike (One, Other, Except => Moved);
 
    procedure Prove_Orders_Are_Alike
      (One, Other : Scheduler;
@@ -152,16 +147,28 @@ package Theorems.Alike_Schedulers with Pure, SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    =>
-       One_Is_Ahead (One)
-       and then One_Is_Ahead (Other)
+       Is_Sound (One)
+       and then Is_Sound (Other)
        and then Others_Are_Alike (One, Other, Except => Moved)
-       and then
-         (for all Which in TCB_Number =>
-            (if Which /= Moved
-               and then Queue_Of (One, Which) = Queue_Of (One, Moved)
-             then Is_Ahead (One, Which, Moved) =
-                    Is_Ahead (Other, Which, Moved))),
+       and then Stands_Alike (One, Other, Moved),
      Post   => Orders_Are_Alike (One, Other);
+
+   procedure Prove_Still_Alike_But
+     (One_Before, One, Other_Before, Other : Scheduler;
+      Moved                                : TCB_Number)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (One)
+       and then Is_Sound (Other)
+       and then Are_Alike (One_Before, Other_Before)
+       and then Order_Is_Kept (One_Before, One, Except => Moved)
+       and then Order_Is_Kept (Other_Before, Other, Except => Moved)
+       and then Others_Stay (One_Before, One, Except => Moved)
+       and then Others_Stay (Other_Before, Other, Except => Moved)
+       and then Tasks_Are_Alike (One, Other)
+       and then Stands_Alike (One, Other, Moved),
+     Post   => Are_Alike (One, Other);
 
    function Has_Handed_Over
      (Before, After : Scheduler;

@@ -91,7 +91,7 @@ package body Theorems.Safety with SPARK_Mode is
      Pre    =>
        Discretes = Packed_Switches (Commands)
        and then not Is_On (Commands (Switch)),
-     Post   => (Discretes / Switch_Bit (Switch)) mod 2 = 0;
+     Post   => (Discretes and Switch_Bit (Switch)) = 0;
 
    procedure Bit_Is_Off
      (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
@@ -283,8 +283,7 @@ package body Theorems.Safety with SPARK_Mode is
      Global => null,
      Pre    =>
        Is_Sound (Item, Scans, Done)
-       and then From <= Done
-       and then Is_Of (Message, Scans, From),
+       and then Comes_From (Message, Scans, From, Done),
      Post   =>
        Is_Sound (Item, Scans, Done)
        and then Item.Board = Item'Old.Board
@@ -304,13 +303,10 @@ package body Theorems.Safety with SPARK_Mode is
    with
      Global => null,
      Pre    =>
-       Item.TELIN_From <= Done
-       and then Item.Uplink_From <= Done
-       and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
-       and then Is_Sent (Message, Scans, Item.TELIN_From),
+       Comes_From (Contents (Item.Uplink), Scans, Item.Uplink_From, Done)
+       and then Was_Sent_From (Message, Scans, Item.TELIN_From, Done),
      Post   =>
-       From <= Done
-       and then Is_Of (Message, Scans, From)
+       Comes_From (Message, Scans, From, Done)
        and then
          (if not Fresh or else Is_Other_Kind (Message'Old)
           then Is_Old (Message))
@@ -596,7 +592,6 @@ package body Theorems.Safety with SPARK_Mode is
    is
       Unused_Success : Boolean;
    begin
-      pragma Assert (From <= Done);
       Send (Item.Uplink, Message, Unused_Success);
       Item.Uplink_From := From;
       pragma Assert
@@ -616,6 +611,7 @@ package body Theorems.Safety with SPARK_Mode is
       Fresh   : Boolean;
       From    : out Scan_Count)
    is
+      pragma Unreferenced (Done);
    begin
       if Is_Other_Kind (Message) then
          From := Item.Uplink_From;
@@ -629,7 +625,6 @@ package body Theorems.Safety with SPARK_Mode is
             Message := As_Old (Message);
          end if;
       end if;
-      pragma Assert (From <= Done);
    end Choose;
 
    procedure Run_MDCIN
@@ -707,6 +702,8 @@ package body Theorems.Safety with SPARK_Mode is
       Receive (Item.Commands, Message, Fresh);
       pragma Assert (Item.Commands_From <= Done);
       pragma Assert (Is_Of (Message, Scans, Item.Commands_From));
+      pragma Assert
+        (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
       if Set.On then
          if not Fresh then
             Marked_Is_Of (Message, 0, Scans, Item.Commands_From);

@@ -94,6 +94,34 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then (if Scan = 0 then Is_Old (Item) and then not By_Law))
    with Global => null;
 
+   --  The same of a place on the way: the scan is one of those that there
+   --  have been, Done of them.
+
+   function Comes_From
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count;
+      Done  : Scan_Count) return Boolean
+   is (Scan <= Done and then Is_Of (Item, Scans, Scan))
+   with Global => null;
+
+   function Was_Sent_From
+     (Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count;
+      Done  : Scan_Count) return Boolean
+   is (Scan <= Done and then Is_Sent (Item, Scans, Scan))
+   with Global => null;
+
+   function Was_Flown_From
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      Done   : Scan_Count;
+      By_Law : Boolean) return Boolean
+   is (Scan <= Done and then Is_Flown (Item, Scans, Scan, By_Law))
+   with Global => null;
+
    --  The blocks that the ground gave its telemetry board.
    type Block_Count is range 0 .. Longest;
    subtype Block_Number is Block_Count range 1 .. Longest;
@@ -203,43 +231,48 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Board_By_Law : Boolean;
    end record;
 
+   --  The servos' words are what figure 13 makes of the commands; where
+   --  surfaces make up for one that has failed, the brake and the discretes
+   --  are, and a law flies.
+   function Board_Is_Sound
+     (Board    : Data_Area;
+      Commands : Uplink_Buffer;
+      Made_Up  : Boolean;
+      By_Law   : Boolean) return Boolean
+   is
+     ((if Made_Up then By_Law
+       else Board = URV.PWM_Layout.To_Data_Area (Transform (Commands)))
+      and then Board (URV.PWM_Layout.Channel_Of (Brake)) =
+        Transform (Commands) (Brake)
+      and then Board (URV.PWM_Layout.Channel_Of (Discretes)) =
+        Transform (Commands) (Discretes))
+   with Global => null;
+
    function Places_Are_Sound
      (Item  : Aircraft_Way;
       Scans : Scan_History;
       Done  : Scan_Count) return Boolean
    is
-     (Item.Kept_From <= Done
-      and then Item.TELIN_From <= Done
-      and then Item.Uplink_From <= Done
-      and then Item.Commands_From <= Done
-      and then Item.Heard_From <= Done
-      and then Item.PWM_From <= Done
-      and then Item.CORE_From <= Done
-      and then Item.Board_From <= Done
-      and then Is_Sent (Item.Kept, Scans, Item.Kept_From)
-      and then Is_Sent (Contents (Item.TELIN), Scans, Item.TELIN_From)
-      and then Is_Of (Contents (Item.Uplink), Scans, Item.Uplink_From)
-      and then Is_Of (Contents (Item.Commands), Scans, Item.Commands_From)
-      and then Is_Of (Item.Heard, Scans, Item.Heard_From)
-      and then (if Item.Law_Link /= Waiting
-                then Item.Heard_From > 0)
-      and then Is_Flown
-        (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law)
+     (Was_Sent_From (Item.Kept, Scans, Item.Kept_From, Done)
+      and then Was_Sent_From
+        (Contents (Item.TELIN), Scans, Item.TELIN_From, Done)
+      and then Comes_From
+        (Contents (Item.Uplink), Scans, Item.Uplink_From, Done)
+      and then Comes_From
+        (Contents (Item.Commands), Scans, Item.Commands_From, Done)
+      and then Comes_From (Item.Heard, Scans, Item.Heard_From, Done)
+      and then (if Item.Law_Link /= Waiting then Item.Heard_From > 0)
+      and then Was_Flown_From
+        (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law)
       and then
         (if not Item.Is_Cleared
-         then Is_Of
-           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
-      and then
-        (if not Item.Board_Made_Up
-         then Item.Board =
-           URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of)))
-      and then Item.Board (URV.PWM_Layout.Channel_Of (Brake)) =
-        Transform (Item.Board_Of) (Brake)
-      and then Item.Board (URV.PWM_Layout.Channel_Of (Discretes)) =
-        Transform (Item.Board_Of) (Discretes)
-      and then (if Item.Board_Made_Up then Item.Board_By_Law)
-      and then Is_Flown
-        (Item.Board_Of, Scans, Item.Board_From, Item.Board_By_Law))
+         then Comes_From
+           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From,
+            Done))
+      and then Was_Flown_From
+        (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law)
+      and then Board_Is_Sound
+        (Item.Board, Item.Board_Of, Item.Board_Made_Up, Item.Board_By_Law))
    with Global => null;
 
    function Is_Sound
@@ -398,7 +431,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
              then not Is_On (Scans (Scan) (Channel_Of (Switch))))),
      Post   =>
        (Item.Board (URV.PWM_Layout.Channel_Of (Discretes))
-          / Switch_Bit (Switch)) mod 2 = 0
+          and Switch_Bit (Switch)) = 0
        and then
          (if Switch = Switch_8 and then not Item.Board_Made_Up
           then

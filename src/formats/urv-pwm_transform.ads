@@ -24,7 +24,15 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
 
    --  The bit of a switch in the discretes: switch n is bit n - 1 (D-10).
    function Switch_Bit (Switch : Switch_Item) return Word is
-     (2 ** (Uplink_Item'Pos (Switch) - Uplink_Item'Pos (Switch_1)))
+     (case Switch is
+         when Switch_1 => 2 ** 0,
+         when Switch_2 => 2 ** 1,
+         when Switch_3 => 2 ** 2,
+         when Switch_4 => 2 ** 3,
+         when Switch_5 => 2 ** 4,
+         when Switch_6 => 2 ** 5,
+         when Switch_7 => 2 ** 6,
+         when Switch_8 => 2 ** 7)
    with Global => null;
 
    --  The eight switches packed in one byte.
@@ -43,7 +51,7 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
        Packed_Switches'Result <= 255
        and then
          (for all Switch in Switch_Item =>
-            ((Packed_Switches'Result / Switch_Bit (Switch)) mod 2 = 1) =
+            ((Packed_Switches'Result and Switch_Bit (Switch)) /= 0) =
               Is_On (Commands (Switch)));
 
    function Flap_Command (Commands : Uplink_Buffer) return Converter_Value is

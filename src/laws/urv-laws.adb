@@ -175,6 +175,11 @@ package body URV.Laws with SPARK_Mode is
      Post   =>
        Decides_The_Same (This'Old, This)
        and then
+         (if Is_All_Stick (This'Old)
+            and then This.Flown = All_Direct
+            and then Hand.Is_Pilot
+          then Is_All_Stick (This))
+       and then
          (if not This.Is_Stick (Roll_Axis)
           then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
        and then
@@ -428,8 +433,9 @@ package body URV.Laws with SPARK_Mode is
       After.Flown :=
         (if Is_Disconnected (Commands) then All_Direct
          else Allowed
-           (Wanted (After.Link.State, Heard, After.Is_Flying),
-            Checks));
+           (Wanted (After.Link.State, Heard, After.Is_Flying), Checks));
+
+      --  Above all else.
       if Is_Disconnected (Commands) or else After.Link.State = Waiting then
          After.Is_Stick := (Axis => True);
          Hand := Sticks_Of (Heard, Linked);
@@ -438,11 +444,6 @@ package body URV.Laws with SPARK_Mode is
       end if;
 
       Fly (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
-
-      --  Above all else.
-      if Is_Disconnected (Commands) or else After.Link.State = Waiting then
-         After.Is_Stick := (others => True);
-      end if;
       return After;
    end Next;
 

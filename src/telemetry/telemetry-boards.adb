@@ -21,83 +21,52 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Transmit_Pair (This) = Transmit_Pair (This'Old);
 
    --  What is rare stands apart, so that the compiler makes short work of
-   --  what comes with every character.
+   --  what comes with every character. Accept_Other and Begin_Or_Reply have no
+   --  contract: they are proved where they are called.
 
    --  A character has come that is no byte of a block: see Accept_Character.
    procedure Accept_Other
      (This         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
-   with
-     No_Inline,
-     Global => null,
-     Pre    => Is_Sound (This),
-     Post   =>
-       Is_Sound (This)
-       and then
-         (if Is_Listening (Control_Of (This'Old))
-          then
-            Receive_Pair (This) =
-              (if Is_Stored
-                 (Control_Of (This'Old).Receiver,
-                  Heard (This'Old, Data, Parity_Error).Kind)
-               then Pair_With_Byte
-                 (Control_Of (This'Old).Receiver, Receive_Pair (This'Old),
-                  Data)
-               else Pair_After
-                 (Receive_Pair (This'Old),
-                  Heard (This'Old, Data, Parity_Error).Kind))
-            and then Transmit_Pair (This) = Settled
-              (Transmit_Pair (This'Old),
-               Control_Of (This'Old).Sender.Source,
-               Fate_After
-                 (Control_Of (This'Old),
-                  Heard (This'Old, Data, Parity_Error)))
-            and then Control_Of (This) = Informed
-              ((Control_Of (This'Old) with delta
-                  Receiver => Receiver_After
-                    (Control_Of (This'Old).Receiver, Receive_Pair (This'Old),
-                     Heard (This'Old, Data, Parity_Error).Kind,
-                     Data, Parity_Error)),
-               Heard (This'Old, Data, Parity_Error),
-               Transmit_Pair (This'Old))
-          else
-            Receive_Pair (This) = Receive_Pair (This'Old)
-            and then Transmit_Pair (This) = Transmit_Pair (This'Old)
-            and then Control_Of (This) =
-              (if Is_Talking (Control_Of (This'Old))
-               then Control_Of (This'Old)
-               else (Control_Of (This'Old) with delta Silence => 0)));
+   with No_Inline;
 
-   --  The next character of a board that neither sends a block nor waits: see
-   --  Next_Character.
-   procedure Begin_Or_Reply
-     (This : in out Board;
-      Send : out Boolean;
-      Data : out Byte)
+   --  The next character: see Next_Character. Nothing that is received has a
+   --  part in it.
+   procedure Speak
+     (Item   : in out Turns.Control;
+      Blocks : in out Buffer_Pair;
+      Send   : out Boolean;
+      Data   : out Byte)
    with
-     No_Inline,
+     Inline,
      Global => null,
-     Pre    => Is_Sound (This),
+     Pre    =>
+       Is_Sound (Item)
+       and then Holds (Blocks, Item)
+       and then Fits (Item, Blocks),
      Post   =>
-       Is_Sound (This)
-       and then Receive_Pair (This) = Receive_Pair (This'Old)
-       and then Transmit_Pair (This) =
-         (if May_Begin_Block (Control_Of (This'Old), Transmit_Pair (This'Old))
-          then Begun
-            (Transmit_Pair (This'Old),
-             Newest_Full (Transmit_Pair (This'Old)))
-          else Transmit_Pair (This'Old))
-       and then Fits
-         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
-          Transmit_Pair (This))
-       and then Control_Of (This) = Spoken
-         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
-          Transmit_Pair (This))
-       and then Data = Output
-         (Prepared (Control_Of (This'Old), Transmit_Pair (This'Old)),
-          Transmit_Pair (This))
-       and then Send = Control_Of (This).Line_Taken;
+       Is_Sound (Item)
+       and then Holds (Blocks, Item)
+       and then Fits (Item, Blocks)
+       and then Blocks =
+         (if May_Begin_Block (Item'Old, Blocks'Old)
+          then Begun (Blocks'Old, Newest_Full (Blocks'Old))
+          else Blocks'Old)
+       and then Fits (Prepared (Item'Old, Blocks'Old), Blocks)
+       and then Item = Spoken (Prepared (Item'Old, Blocks'Old), Blocks)
+       and then Item.Receiver = Item'Old.Receiver
+       and then Item.Receive_Length = Item'Old.Receive_Length
+       and then Data = Output (Prepared (Item'Old, Blocks'Old), Blocks)
+       and then Send = Item.Line_Taken;
+
+   --  The same of a board that neither sends a block nor waits.
+   procedure Begin_Or_Reply
+     (Item   : in out Turns.Control;
+      Blocks : in out Buffer_Pair;
+      Send   : out Boolean;
+      Data   : out Byte)
+   with No_Inline;
 
    --  The board has waited for too long, and resets itself.
    procedure Break_Off (This : in out Board; Time : Character_Times)
@@ -178,67 +147,72 @@ package body Telemetry.Boards with SPARK_Mode is
    end Accept_Character;
 
    procedure Begin_Or_Reply
-     (This : in out Board;
-      Send : out Boolean;
-      Data : out Byte)
+     (Item   : in out Turns.Control;
+      Blocks : in out Buffer_Pair;
+      Send   : out Boolean;
+      Data   : out Byte)
    is
-      Before : constant Turns.Control := This.Control;
+      Before : constant Turns.Control := Item;
    begin
-      This.Control := Prepared (Before, This.Transmit_Pair);
-      if May_Begin_Block (Before, This.Transmit_Pair) then
-         This.Transmit_Pair :=
-           Begun (This.Transmit_Pair, This.Control.Sender.Source);
+      Item := Prepared (Before, Blocks);
+      if May_Begin_Block (Before, Blocks) then
+         pragma Assert (Item.Sender.Source = Newest_Full (Blocks));
+         Blocks := Begun (Blocks, Item.Sender.Source);
       end if;
-      pragma Assert (This.Control.Receiver = Before.Receiver);
-      pragma Assert (Holds (This.Transmit_Pair, This.Control));
-      pragma Assert (Fits (This.Control, This.Transmit_Pair));
-      Data := Output (This.Control, This.Transmit_Pair);
-      This.Control := Spoken (This.Control, This.Transmit_Pair);
-      pragma Assert (Holds (This.Transmit_Pair, This.Control));
-      Send := This.Control.Line_Taken;
+      pragma Assert (Holds (Blocks, Item));
+      pragma Assert (Fits (Item, Blocks));
+      Data := Output (Item, Blocks);
+      Item := Spoken (Item, Blocks);
+      pragma Assert (Holds (Blocks, Item));
+      Send := Item.Line_Taken;
    end Begin_Or_Reply;
+
+   procedure Speak
+     (Item   : in out Turns.Control;
+      Blocks : in out Buffer_Pair;
+      Send   : out Boolean;
+      Data   : out Byte)
+   is
+      Before : constant Turns.Control := Item with Ghost;
+   begin
+      if Item.State = Sending then
+         pragma Assert (Prepared (Before, Blocks) = Before);
+         Send := True;
+         Data :=
+           Next_Byte
+             (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
+              Item.Transmit_Length);
+         Item.Sender :=
+           Advanced
+             (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
+              Item.Transmit_Length);
+         if Item.Sender.Sent = Message_Length (Item.Transmit_Length) then
+            Item.State := Awaiting_Status;
+         end if;
+         if Item.Line_Taken then
+            Item.Silence := 0;
+         end if;
+         Item.Line_Taken := True;
+         pragma Assert (Item = Spoken (Before, Blocks));
+         pragma Assert (Is_Sound (Item));
+         pragma Assert (Holds (Blocks, Item));
+         pragma Assert (Fits (Item, Blocks));
+      elsif Is_Waiting (Item) then
+         Send := False;
+         Data := 0;
+         pragma Assert (Prepared (Before, Blocks) = Before);
+         pragma Assert (Spoken (Before, Blocks) = Before);
+      else
+         Begin_Or_Reply (Item, Blocks, Send, Data);
+      end if;
+   end Speak;
 
    procedure Next_Character
      (This : in out Board;
       Send : out Boolean;
-      Data : out Byte)
-   is
-      Before : constant Turns.Control := This.Control with Ghost;
+      Data : out Byte) is
    begin
-      if This.Control.State = Sending then
-         pragma Assert (Prepared (Before, This.Transmit_Pair) = Before);
-         Send := True;
-         Data :=
-           Next_Byte
-             (This.Control.Sender,
-              This.Transmit_Pair.Slots (This.Control.Sender.Source).Data,
-              This.Control.Transmit_Length);
-         This.Control.Sender :=
-           Advanced
-             (This.Control.Sender,
-              This.Transmit_Pair.Slots (This.Control.Sender.Source).Data,
-              This.Control.Transmit_Length);
-         if This.Control.Sender.Sent =
-           Message_Length (This.Control.Transmit_Length)
-         then
-            This.Control.State := Awaiting_Status;
-         end if;
-         if This.Control.Line_Taken then
-            This.Control.Silence := 0;
-         end if;
-         This.Control.Line_Taken := True;
-         pragma Assert (This.Control = Spoken (Before, This.Transmit_Pair));
-         pragma Assert (Is_Sound (This.Control));
-         pragma Assert (Holds (This.Transmit_Pair, This.Control));
-         pragma Assert (Fits (This.Control, This.Transmit_Pair));
-      elsif Is_Waiting (This.Control) then
-         Send := False;
-         Data := 0;
-         pragma Assert (Prepared (Before, This.Transmit_Pair) = Before);
-         pragma Assert (Spoken (Before, This.Transmit_Pair) = Before);
-      else
-         Begin_Or_Reply (This, Send, Data);
-      end if;
+      Speak (This.Control, This.Transmit_Pair, Send, Data);
    end Next_Character;
 
    procedure Judge (This : in out Board) is
