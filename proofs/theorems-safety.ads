@@ -264,11 +264,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then (if Item.Law_Link /= Waiting then Item.Heard_From > 0)
       and then Was_Flown_From
         (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law)
+      and then Item.CORE_From <= Done
       and then
         (if not Item.Is_Cleared
-         then Comes_From
-           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From,
-            Done))
+         then Is_Of
+           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
       and then Was_Flown_From
         (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law)
       and then Board_Is_Sound
