@@ -6,10 +6,15 @@ with Host.Text_Output;  use Host.Text_Output;
 
 package body Partitions.Occurrences is
 
+   Is_Finished : Boolean := False with Atomic;
+
    protected body Occurrence is
 
       procedure Add (At_Time : Microseconds) is
       begin
+         if Is_Finished then
+            return;
+         end if;
          if Told.Number = 0 then
             Told.First := At_Time;
          end if;
@@ -20,6 +25,11 @@ package body Partitions.Occurrences is
       function Contents return History is (Told);
 
    end Occurrence;
+
+   procedure Finish is
+   begin
+      Is_Finished := True;
+   end Finish;
 
    procedure Write
      (To   : in out Host.Text_Output.Writer;

@@ -24,6 +24,10 @@ package Partitions.Occurrences is
       Told : History;
    end Occurrence;
 
+   --  Nothing more is added, though the node flies on: the summary and the
+   --  events, written one after the other, tell of one moment (GND-6).
+   procedure Finish;
+
    --  A line like those of the node's error log, if there was any.
    procedure Write
      (To   : in out Host.Text_Output.Writer;

@@ -19,9 +19,11 @@ with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
 with Partitions.Notes;
+with Partitions.Occurrences;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
+with URV.Errors;
 with URV.Seals;
 with URVOS;
 with URVOS.Task_Trees;
@@ -66,7 +68,10 @@ procedure Partitions.Run is
    --  Writes a row for each frame until the partition is switched off.
    procedure Write_Rows (Last_Frame : Number);
 
-   procedure Write_Summary;
+   procedure Write_Summary (Log : URV.Errors.Error_Log);
+
+   --  The summary and the events, of one moment: the node flies on.
+   procedure Write_Counts;
 
    procedure Print_Summary;
 
@@ -189,7 +194,8 @@ procedure Partitions.Run is
    --  What the tasks took, and the error log.
    procedure Put_Results
      (Result : in out Reports.Report;
-      To     : in out Writer);
+      To     : in out Writer;
+      Log    : URV.Errors.Error_Log);
 
    --  Of each task.
    procedure Put_Distributions
@@ -215,16 +221,17 @@ procedure Partitions.Run is
 
    procedure Put_Results
      (Result : in out Reports.Report;
-      To     : in out Writer) is
+      To     : in out Writer;
+      Log    : URV.Errors.Error_Log) is
    begin
       Reports.Put_Times
         (Result, To, "release_jitter_us", This_Node.Lateness.Summed_Up);
       Put_Distributions (Result, To, "cost_us", This_Node.Costs);
       Put_Distributions (Result, To, "response_us", This_Node.Responses);
-      Reports.Put_Log (To, Result, This_Node.Log);
+      Reports.Put_Log (To, Result, Log);
    end Put_Results;
 
-   procedure Write_Summary is
+   procedure Write_Summary (Log : URV.Errors.Error_Log) is
       Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Result : Reports.Report;
       To     : Writer renames Files (Summary_Option);
@@ -260,9 +267,23 @@ procedure Partitions.Run is
       Reports.Put_Field
         (Result, To, "exceptions", Number (Exceptions.Number));
       Put_Counts (Result, To);
-      Put_Results (Result, To);
+      Put_Results (Result, To, Log);
       Reports.End_Report (Result, To);
    end Write_Summary;
+
+   procedure Write_Counts is
+      Log : constant URV.Errors.Error_Log := This_Node.Log;
+   begin
+      Occurrences.Finish;
+      if Is_Open (Files (Summary_Option)) then
+         Write_Summary (Log);
+      end if;
+      if Is_Open (Files (Events_Option)) then
+         Host.Event_Log.Write
+           (Files (Events_Option), Host.Names.Name (This), Log, 0);
+         Put_Events (Files (Events_Option));
+      end if;
+   end Write_Counts;
 
    procedure Print_Summary is
       use Host.Text_Numbers;
@@ -327,14 +348,7 @@ begin
    Write_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 
-   if Is_Open (Files (Summary_Option)) then
-      Write_Summary;
-   end if;
-   if Is_Open (Files (Events_Option)) then
-      Host.Event_Log.Write
-        (Files (Events_Option), Host.Names.Name (This), This_Node.Log, 0);
-      Put_Events (Files (Events_Option));
-   end if;
+   Write_Counts;
    Outputs.Close (Files);
    if not Chosen.Quiet then
       Print_Summary;

@@ -111,9 +111,8 @@ def faults_of(root, planted):
 
 
 def renew_copy(root, copy):
-    """The copy has what the tree has, and keeps the times of what has not
-    changed, so that little is built anew. Likely changes are tried in one,
-    too (EVI-12)."""
+    """The copy has what the tree has, with its times, so that little is built
+    anew. Likely changes are tried in one, too (EVI-12)."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others",
          "--exclude-standard"],
@@ -132,10 +131,27 @@ def renew_copy(root, copy):
         if (not target.exists()
                 or target.read_bytes() != source.read_bytes()):
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(source, target)
+            shutil.copy2(source, target)
     packages = copy / ".venv"
     if not packages.is_symlink():
         packages.symlink_to((root / ".venv").resolve())
+
+
+def take_objects(root, copy, names):
+    """What is built of the tree need not be built again in a copy, but for what
+    a change of it touches. Where the configuration pragmas are is written in
+    what was built; a builder that misses them there builds everything anew."""
+    for name in names:
+        built, objects = root / "obj" / name, copy / "obj" / name
+        if built.is_dir() and not objects.exists():
+            objects.mkdir(parents=True)
+            for path in sorted(built.iterdir()):
+                if path.suffix == ".ali":
+                    text = path.read_text(encoding="utf-8")
+                    (objects / path.name).write_text(
+                        text.replace(f"{root}/", f"{copy}/"), encoding="utf-8")
+                elif path.is_file():
+                    shutil.copy(path, objects)
 
 
 def build(copy, folders):

@@ -6,12 +6,12 @@ A patch may touch 4 files of the product, the requirements and one file of
 tests; nothing else has to change.
 """
 
+import concurrent.futures
 import contextlib
 import csv
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 from collections import Counter
@@ -53,18 +53,6 @@ def part_of(name):
     return "tests" if name.startswith("tests/") else "else"
 
 
-def take_objects(copy):
-    """What is built of the tree need not be built again for a change that
-    does not touch it. Objects are newer than the sources of the copy."""
-    for name in OBJECTS:
-        built, objects = ROOT / "obj" / name, copy / "obj" / name
-        if built.is_dir() and not objects.exists():
-            objects.mkdir(parents=True)
-            for path in built.iterdir():
-                if path.is_file():
-                    shutil.copy(path, objects)
-
-
 class Change:
     """A patch, and a copy of the tree that has it."""
 
@@ -73,7 +61,7 @@ class Change:
         self.text = self.path.read_text(encoding="utf-8")
         self.copy = COPIES / name
         planted.renew_copy(ROOT, self.copy)
-        take_objects(self.copy)
+        planted.take_objects(ROOT, self.copy, OBJECTS)
         said = planted.git_apply(self.copy, self.path)
         assert said == "", f"{self.path.name} no longer applies: {said}"
 
@@ -113,12 +101,22 @@ class Change:
         for project in PROJECTS:
             result = self.build(project)
             assert result.returncode == 0, result.stdout + result.stderr
-        said = self.run("bin/urv_tests_host").stdout
-        totals = TOTALS.search(said)
-        assert totals, f"ended early: {said[-500:]}"
-        assert int(totals[1]) > 0 and int(totals[2]) == 0, said
+        self.expect_units_tested()
         links = self.run(sys.executable, "scripts/trace/run.py", "check")
         assert links.returncode == 0, links.stdout
+
+    def expect_units_tested(self):
+        """On each processor a share."""
+        shares = len(os.sched_getaffinity(0))
+        with concurrent.futures.ThreadPoolExecutor(shares) as pool:
+            told = list(pool.map(
+                lambda number: self.run("bin/urv_tests_host", str(number),
+                                        str(shares)).stdout,
+                range(1, shares + 1)))
+        for said in told:
+            totals = TOTALS.search(said)
+            assert totals, f"ended early: {said[-500:]}"
+            assert int(totals[1]) > 0 and int(totals[2]) == 0, said
 
     def fly(self, *options, at_start=EVENTS_AT_START):
         """A flight without an error, but for the events of every start: its

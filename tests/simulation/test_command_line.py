@@ -28,6 +28,9 @@ from conftest import (
 from test_flight import has_jsbsim
 from test_input import ALL_OUTPUTS, OPTIONS
 
+sys.path.insert(0, str(ROOT / "scripts"))
+import planted  # noqa: E402
+
 OUTPUT_OPTIONS = ALL_OUTPUTS[::2]
 FILE_OF = dict(zip(ALL_OUTPUTS[::2], ALL_OUTPUTS[1::2], strict=True))
 
@@ -486,9 +489,7 @@ def test_a_node_that_fails_ends_with_status_1(tmp_path):
         where = ROOT / name
         (shutil.copytree if where.is_dir() else shutil.copy2)(
             where, tmp_path / name)
-    for name in ("host", "host-host", "sim-host"):
-        if (ROOT / "obj" / name).exists():
-            shutil.copytree(ROOT / "obj" / name, tmp_path / "obj" / name)
+    planted.take_objects(ROOT, tmp_path, ("host", "host-host", "sim-host"))
     nodes = tmp_path / "sim" / "sim-nodes.adb"
     text = nodes.read_text(encoding="utf-8")
     assert text.count(INTERRUPT) == 1
