@@ -43,27 +43,34 @@ package URV.Sessions with Pure, SPARK_Mode is
 
    --  What is hashed: the use, which half of the key it becomes, and the
    --  nonces.
+
+   function Derivation_Byte
+     (Where          : Message_Index;
+      For_Use        : Use_Of_Key;
+      Half           : Byte;
+      Ground_Nonce   : Nonce;
+      Aircraft_Nonce : Nonce) return Byte
+   is
+     (case Where is
+         when 1        => Byte (Use_Of_Key'Pos (For_Use)),
+         when 2        => Half,
+         when 3 .. 10  => Byte_Of (Ground_Nonce, Byte_Index (Where - 2)),
+         when 11 .. 18 => Byte_Of (Aircraft_Nonce, Byte_Index (Where - 10)),
+         when others   => 0)
+   with Global => null;
+
    function Derivation
      (For_Use        : Use_Of_Key;
       Half           : Byte;
       Ground_Nonce   : Nonce;
       Aircraft_Nonce : Nonce) return Message
-   with
-     Global => null,
-     Post   =>
-       Derivation'Result.Length = 18
-       and then Derivation'Result.Bytes (1) =
-                  Byte (Use_Of_Key'Pos (For_Use))
-       and then Derivation'Result.Bytes (2) = Half
-       and then
-         (for all Where in Byte_Index range 1 .. 8 =>
-            Derivation'Result.Bytes (Message_Index (Where + 2)) =
-              Byte_Of (Ground_Nonce, Where)
-            and then Derivation'Result.Bytes (Message_Index (Where + 10)) =
-                       Byte_Of (Aircraft_Nonce, Where))
-       and then
-         (for all Where in Message_Index range 19 .. Message_Index'Last =>
-            Derivation'Result.Bytes (Where) = 0);
+   is
+     ((Length => 18,
+       Bytes  =>
+         [for Where in Message_Index =>
+            Derivation_Byte
+              (Where, For_Use, Half, Ground_Nonce, Aircraft_Nonce)]))
+   with Global => null;
 
    function Derived
      (From           : Key;
