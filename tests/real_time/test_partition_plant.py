@@ -147,10 +147,10 @@ def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
     # It is late in each frame to the end, also while the outputs are written.
     os.kill(plant, signal.SIGSTOP)
     wait_for_line(mcs, "plant late at ")
+    gsc.stop()
     mcs.send(signal.SIGTERM)
     mcs.program.communicate(timeout=TIME_LIMIT_S)
     assert mcs.program.returncode == 0
-    gsc.stop()
     late = mcs.outputs.events["plant_late"]
     assert late["count"] == mcs.outputs.summary["plant"]["late"] > 1
     assert mcs.outputs.summary["plant"]["died"] == 0
