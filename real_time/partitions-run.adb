@@ -21,12 +21,15 @@ with Partitions.Links;
 with Partitions.Notes;
 with Partitions.Occurrences;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
+with Partitions.Permission;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
 with URV.Errors;
 with URV.Seals;
 with URVOS;
 with URVOS.Task_Trees;
+
+pragma Unreferenced (Partitions.Permission);
 
 procedure Partitions.Run is
 

@@ -2,7 +2,7 @@
 
 --  The few calls of the operating system that the partitions make besides
 --  Ada's own run-time: files as a serial line or a socket, waiting for
---  either until a time, and signals. Linux.
+--  either until a time, signals, and what a thread may have. Linux.
 
 with Interfaces.C; use Interfaces.C;
 with System;
@@ -223,6 +223,20 @@ package Partitions.System_Calls is
    function Set_Process
      (What : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+   --  Who runs the program, and how a thread of it is dispatched.
+
+   Root : constant := 0;
+
+   function Effective_User return int
+   with Import, Convention => C, External_Name => "geteuid";
+
+   First_In_First : constant := 1;
+
+   This_Thread : constant := 0;
+
+   function Policy_Of (Thread : int) return int
+   with Import, Convention => C, External_Name => "sched_getscheduler";
 
    --  What the system writes into is as long as C's, in bytes.
    pragma Compile_Time_Error

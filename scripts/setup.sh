@@ -183,6 +183,18 @@ else
    python=python3
 fi
 
+# GNAT's run-time system gives threads of root priorities without looking
+# whether it may: a program with tasks would wait for ever.
+case $target in ground | test | real_time | timing | coverage | independence)
+   if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
+      ! chrt -f 1 true 2>/dev/null; then
+      echo "setup: root may not give threads real-time priorities here:" \
+           "start the container with --cap-add=SYS_NICE, or be another" \
+           "user" >&2
+      exit 1
+   fi ;;
+esac
+
 if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
    echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \
         "has it, crate gnatprove 12. Get Alire, https://alire.ada.dev, then:" \

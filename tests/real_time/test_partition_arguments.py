@@ -3,8 +3,10 @@
 runs.
 """
 
+import ctypes
 import os
 import re
+import resource
 import socket
 import subprocess
 
@@ -275,3 +277,35 @@ def test_a_full_standard_output_is_said_in_a_line(node, arguments):
     assert result.stderr.splitlines()[-1] == (
         f"urv_{node}: standard output {NO_SPACE}")
     assert len(of_the_link(result.stderr)) <= 2
+
+
+DROP_CAPABILITY, SYS_NICE = 24, 23
+LIBC = ctypes.CDLL(None)
+
+
+def leave_priorities():
+    """What a container's root may not do, unless it was given the right."""
+    resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
+    assert LIBC.prctl(DROP_CAPABILITY, SYS_NICE, 0, 0, 0) == 0
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
+@pytest.mark.parametrize("node", NODES)
+def test_root_that_may_give_no_priorities_is_told(node):
+    """Its tasks would never begin, and nothing would be said."""
+    result = subprocess.run(
+        [PROGRAMS[node], "--link", udp(*free_ports(2)), "--seconds", "0.02"],
+        capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False,
+        preexec_fn=leave_priorities)
+    assert_refused(result, node, f"urv_{node}: root may not give threads",
+                   "--cap-add=SYS_NICE")
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
+def test_setup_tells_the_same_before_tests_wait():
+    result = subprocess.run(
+        ["scripts/setup.sh", "test"], cwd=ROOT, capture_output=True,
+        text=True, timeout=TIME_LIMIT_S, check=False,
+        preexec_fn=leave_priorities)
+    assert result.returncode == 1
+    assert "root may not give threads real-time" in result.stderr
