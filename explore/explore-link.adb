@@ -159,7 +159,7 @@ package body Explore.Link is
       type Known_States is array (Unsigned_64 range <>) of Unsigned_64;
       type Known_States_Access is access Known_States;
       Nothing : constant Unsigned_64 := 0;
-      Bits    : Natural := 20;
+      Bits    : Natural := 17;
       Used    : Long_Long_Integer := 0;
       Known   : Known_States_Access :=
         new Known_States'(0 .. 2 ** Bits - 1 => Nothing);

@@ -181,6 +181,9 @@ def passed(counts):
 # A user with a home, as systems have.
 USER = "pilot"
 
+# Some have a space in the name of a folder.
+CLONE = "my urv"
+
 
 def must(result, what):
     status, said = result
@@ -267,12 +270,12 @@ def try_newcomer(folder, newcomer):
     left(system)
     fresh(folder, debian)
     try:
-        home = system / ("root" if who == "root" else f"home/{USER}") / "urv"
+        home = system / ("root" if who == "root" else f"home/{USER}") / CLONE
         check_out(home)
         if who == "user":
             must(in_system(system, "root", f"chown -R {USER} /home/{USER}"),
                  "chown")
-        must(in_system(system, who, "git init -q ~/urv"), "git")
+        must(in_system(system, who, f"git init -q ~/'{CLONE}'"), "git")
         return what_happens(system, home, debian, who)
     finally:
         left(system)
@@ -282,7 +285,7 @@ def what_happens(system, home, debian, who):
     first = used_mb(system)
     began = time.monotonic()
     if who == "user":
-        status, said = in_system(system, who, "cd ~/urv && make test",
+        status, said = in_system(system, who, f"cd ~/'{CLONE}' && make test",
                                  stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT)
         print(said, flush=True)
@@ -293,13 +296,13 @@ def what_happens(system, home, debian, who):
                        f"export DEBIAN_FRONTEND=noninteractive; {command}",
                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT),
              command)
-    flown, _ = in_system(system, who, "cd ~/urv && make fly")
+    flown, _ = in_system(system, who, f"cd ~/'{CLONE}' && make fly")
     fly = in_minutes(time.monotonic() - began)
     fly_mb = used_mb(system) - first
     there = all((home / "flight" / name).exists()
                 for name in ("record.csv", "summary.json"))
     began = time.monotonic()
-    tested, _ = in_system(system, who, "cd ~/urv && make test")
+    tested, _ = in_system(system, who, f"cd ~/'{CLONE}' && make test")
     test = in_minutes(time.monotonic() - began)
     version = must(in_system(system, who, "gnatls --version",
                              stdout=subprocess.PIPE), "gnatls")

@@ -187,7 +187,8 @@ def ground_tests():
         python_tests([SIMULATION, PARTITIONS], "ground",
                      [name for name in names if name not in LIVE],
                      **LIVE_AT_ONCE),
-        python_tests([], "ground", without=LIVE, told="ground-files"))
+        python_tests([], "ground", without=LIVE, spread="worksteal",
+                     told="ground-files"))
     return tuple(map(sum, zip(*results)))
 
 

@@ -185,14 +185,15 @@ fi
 
 # GNAT's run-time system gives threads of root priorities without looking
 # whether it may: a program with tasks would wait for ever.
-case $target in ground | test | real_time | timing | coverage | independence)
-   if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
-      ! chrt -f 1 true 2>/dev/null; then
-      echo "setup: root may not give threads real-time priorities here:" \
-           "start the container with --cap-add=SYS_NICE, or be another" \
-           "user" >&2
-      exit 1
-   fi ;;
+case $target in
+   ground | test | bench | real_time | timing | coverage | independence)
+      if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
+         ! chrt -f 1 true 2>/dev/null; then
+         echo "setup: root may not give threads real-time priorities here:" \
+              "start the container with --cap-add=SYS_NICE, or be another" \
+              "user" >&2
+         exit 1
+      fi ;;
 esac
 
 if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then

@@ -90,7 +90,7 @@ PARTS = {
     "all tasks": "mcs__run_step",
 }
 TOTAL = "simulation"
-LINE = re.compile(r"^ *([\d,]+) \([^)]*\)  \S+?:(\w+) \[")
+LINE = re.compile(r"^ *([\d,]+) \([^)]*\)  .+?:(\w+) \[")
 
 
 def counted(flight, seconds):

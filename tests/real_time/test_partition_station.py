@@ -4,6 +4,7 @@ console packets, and a console that falls silent is held, then neutral.
 GND-5: the simulated pilot aboard the ground's partition. GND-7: what the
 aircraft's laws tell. GND-35: orders besides the sticks."""
 
+import contextlib
 import random
 import re
 import signal
@@ -449,15 +450,16 @@ def configured(packet):
     return told and (told.serial, told.table)
 
 
-def taken(frames, console, serial, table, *times):
+def taken(frames, console, flown, serial, table, *times):
     """An order, sent again until the aircraft tells that it has it: a machine
-    that is late may lose the one block that it goes up in."""
+    that is late may lose the one block that it goes up in, and what the
+    aircraft tells."""
     for _ in range(10):
         order = console.order(serial, table, *times)
         if frames.show_within(
                 50, lambda packet: configured(packet) == (serial, table)):
             return order
-    raise AssertionError(f"order {serial} is not taken")
+    return need(False, *(run.stop() for run in flown))
 
 
 @flies_again
@@ -501,7 +503,7 @@ def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
     frames.wait_until(
         lambda packet: packet.console_state == ConsoleState.LIVE
         and packet.is_fresh)
-    good = taken(frames, console, 5, 1, 20, 90)
+    good = taken(frames, console, (mcs, gsc), 5, 1, 20, 90)
     bad = frames.all[-1].link["console_bad"]
     later = len(console.sent) + 10_000
     for why, data in (
@@ -521,9 +523,9 @@ def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
     console.fall_silent()
     frames.wait_until(
         lambda packet: packet.console_state == ConsoleState.HELD)
-    other = Console(int(console.place.rpartition(":")[2]), run=2)
-    taken(frames, other, 6, 0, 30, 80)
-    other.close()
+    port = int(console.place.rpartition(":")[2])
+    with contextlib.closing(Console(port, run=2)) as other:
+        taken(frames, other, (mcs, gsc), 6, 0, 30, 80)
     mcs, gsc = mcs.stop(), gsc.stop()
     assert gsc.summary["orders_sent"] >= 2
     need("configuration_refused" not in mcs.events, mcs, gsc)

@@ -79,7 +79,7 @@ def test_every_kind_of_check_has_a_canary():
 # --- a second run ------------------------------------------------------------
 
 GNATPROVE = """\
-#!{python}
+#!/usr/bin/env python3
 import json, pathlib
 folder = pathlib.Path("obj/canaries/gnatprove")
 folder.mkdir(parents=True, exist_ok=True)
@@ -101,7 +101,7 @@ def nest(tmp_path, monkeypatch):
     root = tmp_path / "root"
     for path, text in {
             tools / "gnatprove": GNATPROVE.format(
-                python=sys.executable, result=json.dumps(RESULT)),
+                result=json.dumps(RESULT)),
             root / "src" / "shop.ads": "package Shop is end Shop;",
             root / proof_canaries.FOLDER / "a.ads":
                 "\n\nWrong  --  VC_POSTCONDITION\n",

@@ -416,11 +416,11 @@ def test_ctrl_c_before_the_flight_ends_it_without_a_word(tmp_path, after_s):
 
 # --- faults of the program -------------------------------------------------
 
-DYING_PLANT = f"""\
-#!{sys.executable}
+DYING_PLANT = """\
+#!/usr/bin/env python3
 import socket, struct, sys
 link = socket.socket(fileno=int(sys.argv[2]))
-counts = {{"servo": 0}}
+counts = {"servo": 0}
 for line in link.makefile("r"):
     if line == "\\n":
         break

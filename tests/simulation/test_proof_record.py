@@ -39,7 +39,7 @@ def test_only_what_is_null_or_on_the_bus_needs_no_body(
 # --- what is proved, and what is not ----------------------------------------
 
 GNATPROVE = """\
-#!{python}
+#!/usr/bin/env python3
 import json, pathlib, shutil, sys
 if sys.argv[1:] == ["--version"]:
     print("{version}")
@@ -124,7 +124,7 @@ class Prover:
     def is_version(self, version):
         program = self.tools / "gnatprove"
         program.write_text(GNATPROVE.format(
-            python=sys.executable, version=version, told=str(self.told),
+            version=version, told=str(self.told),
             runs=str(self.runs)))
         program.chmod(0o755)
 
