@@ -109,7 +109,7 @@ def test_each_file_of_the_ground_runs_once_and_the_live_ones_apart(
     monkeypatch.setattr(run_tests, "python_tests", python_tests)
     assert run_tests.ground_tests() == (2, 0, 0)
     assert ran == [("3", "worksteal", sorted(run_tests.LIVE)),
-                   ("auto", "loadfile", ["convert", "report"])]
+                   ("auto", "worksteal", ["convert", "report"])]
 
 
 PROGRAM = """\
