@@ -128,8 +128,11 @@ def test_what_git_has_is_checked_out_as_it_stands(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("who, home", [
-    ("root", "root/urv"), ("user", f"home/{independence.USER}/urv")])
+    ("root", "root"), ("user", f"home/{independence.USER}")])
 def test_a_newcomer_has_the_sources_at_home(tmp_path, monkeypatch, who, home):
+    """In a folder with a space in its name, as some have."""
+    assert " " in independence.CLONE
+    home = f"{home}/{independence.CLONE}"
     done = []
     for name in ("left", "fresh"):
         monkeypatch.setattr(independence, name, lambda *_: None)
