@@ -64,12 +64,11 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
       Length      : Byte_Count)
    with
      Ghost,
-     Global             => null,
-     Subprogram_Variant => (Decreases => Length),
-     Pre                =>
+     Global => null,
+     Pre    =>
        (for all I in Byte_Index =>
           (if I <= Length then Left (I) = Right (I))),
-     Post               =>
+     Post   =>
        Of_Message (Header, Left, Length) = Of_Message (Header, Right, Length);
 
 end Telemetry.Checksum;
