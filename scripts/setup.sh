@@ -174,15 +174,6 @@ require_commands ()
    done
 }
 
-if [ -n "$debian" ]; then
-   # shellcheck disable=SC2086 # a list of names
-   install_packages $packages
-   python=/usr/bin/python3
-else
-   require_commands gprbuild gcc python3
-   python=python3
-fi
-
 # GNAT's run-time system gives threads of root priorities without looking
 # whether it may: a program with tasks would wait for ever.
 case $target in
@@ -195,6 +186,15 @@ case $target in
          exit 1
       fi ;;
 esac
+
+if [ -n "$debian" ]; then
+   # shellcheck disable=SC2086 # a list of names
+   install_packages $packages
+   python=/usr/bin/python3
+else
+   require_commands gprbuild gcc python3
+   python=python3
+fi
 
 if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
    echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \

@@ -7,8 +7,10 @@ import ctypes
 import os
 import re
 import resource
+import shutil
 import socket
 import subprocess
+import tempfile
 
 import pytest
 
@@ -299,6 +301,22 @@ def test_root_that_may_give_no_priorities_is_told(node):
         preexec_fn=leave_priorities)
     assert_refused(result, node, f"urv_{node}: root may not give threads",
                    "--cap-add=SYS_NICE")
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="every test is this one")
+@pytest.mark.parametrize("node", NODES)
+def test_another_user_flies_without_priorities(node):
+    nobody = 65_534
+    with tempfile.TemporaryDirectory() as folder:
+        # The sources may be where nobody else may look.
+        program = shutil.copy2(PROGRAMS[node], folder)
+        os.chmod(folder, 0o755)
+        result = subprocess.run(
+            [program, "--link", udp(*free_ports(2)), "--seconds", "0.1"],
+            cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT_S,
+            check=False, user=nobody, group=nobody, extra_groups=[])
+    assert result.returncode == 0, result
+    assert re.match(r"run +0\.1 s, 5 frames, ", result.stdout)
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
