@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Characters.Latin_1;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Unchecked_Conversion;
@@ -55,9 +56,11 @@ package body Host.Plant_Messages is
       Last    : in out Stream_Element_Offset;
       Value   : Long_Float);
 
+   --  The next number. Raises Not_Finite with its name.
    procedure Get
      (Message : Stream_Element_Array;
       Last    : in out Stream_Element_Offset;
+      Name    : String;
       Value   : out Long_Float);
 
    function Time_Line (Name : String; Value : Positive; Unit : String)
@@ -82,14 +85,20 @@ package body Host.Plant_Messages is
    procedure Get
      (Message : Stream_Element_Array;
       Last    : in out Stream_Element_Offset;
+      Name    : String;
       Value   : out Long_Float)
    is
-      Bits : Unsigned_64 := 0;
+      Exponent : constant Unsigned_64 := 16#7FF0_0000_0000_0000#;
+      Bits     : Unsigned_64 := 0;
    begin
       for Index in Last + 1 .. Last + Bytes_Per_Number loop
          Bits := Shift_Left (Bits, 8) or Unsigned_64 (Message (Index));
       end loop;
       Last  := Last + Bytes_Per_Number;
+      if (Bits and Exponent) = Exponent then
+         raise Not_Finite with
+           "the aircraft's " & Name & " is not a finite number";
+      end if;
       Value := To_Number (Bits);
    end Get;
 
@@ -105,12 +114,12 @@ package body Host.Plant_Messages is
       Numbers : array (Truth_Item) of Long_Float;
    begin
       for Item in Sensor_Item loop
-         Get (Message, Last, Value);
+         Get (Message, Last, Name (Item), Value);
          Sensors (Item) :=
            To_Word (Value + Errors (Item), Scaling.Sensors (Item));
       end loop;
-      for Number of Numbers loop
-         Get (Message, Last, Number);
+      for Item in Truth_Item loop
+         Get (Message, Last, To_Lower (Item'Image), Numbers (Item));
       end loop;
       Truth :=
         (Altitude => Numbers (Altitude),
@@ -123,8 +132,8 @@ package body Host.Plant_Messages is
          East     => Numbers (East),
          Wheels   => Numbers (Wheels),
          Crashed  => Numbers (Crashed) /= 0.0);
-      for Number of Shown loop
-         Get (Message, Last, Number);
+      for Item in Shown_Item loop
+         Get (Message, Last, To_Lower (Item'Image), Shown (Item));
       end loop;
    end Read;
 

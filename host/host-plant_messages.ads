@@ -79,9 +79,13 @@ package Host.Plant_Messages is
    --  What the servos are to hold for a major frame.
    function To_Message (Servos : PWM_Buffer) return Command_Message;
 
+   --  The plant has sent a number that is infinite or none. The message names
+   --  it.
+   Not_Finite : exception;
+
    --  Sensors are those Ticks_To_Scan after the frame's beginning, when the
    --  aircraft's next scan begins, with their errors; Truth is at the
-   --  frame's beginning.
+   --  frame's beginning. Raises Not_Finite.
    procedure Read
      (Message : State_Message;
       Sensors : out Sensor_Words;

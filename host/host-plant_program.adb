@@ -26,9 +26,13 @@ package body Host.Plant_Program is
 
    procedure Refuse (Why : String) is
    begin
-      Complaints.Refuse
-        ("--plant jsbsim: " & Why & "; `make fly` sets it up");
+      Refuse_Flight (Why & "; `make fly` sets it up");
    end Refuse;
+
+   procedure Refuse_Flight (Answer : String) is
+   begin
+      Complaints.Refuse ("--plant jsbsim: " & Answer);
+   end Refuse_Flight;
 
    function Project_Directory return String is
       Command : constant String := Ada.Command_Line.Command_Name;

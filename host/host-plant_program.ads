@@ -12,6 +12,9 @@ package Host.Plant_Program is
    --  Refuses --plant jsbsim with a word on how to help: raises Bad_Input.
    procedure Refuse (Why : String) with No_Return;
 
+   --  Refuses the flight with the program's own words: raises Bad_Input.
+   procedure Refuse_Flight (Answer : String) with No_Return;
+
    --  Starts it with its end of a socket pair, which it inherits. Raises
    --  Bad_Input when the interpreter or the script is missing, or cannot be
    --  run.

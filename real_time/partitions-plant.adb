@@ -2,6 +2,7 @@
 
 with Ada.Streams;                  use Ada.Streams;
 with Ada.Characters.Latin_1;
+with Ada.Exceptions;               use Ada.Exceptions;
 with Ada.Strings.Unbounded;        use Ada.Strings.Unbounded;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with GNAT.OS_Lib;                  use GNAT.OS_Lib;
@@ -47,7 +48,10 @@ package body Partitions.Plant is
       procedure Look (Words : out Sensor_Words; Missed : out Boolean);
 
       --  Is_News is False when that is known.
-      procedure Die (Is_News : out Boolean);
+      procedure Die (Is_News : out Boolean; Diverged : Boolean := False);
+
+      --  It has died of numbers that are not finite.
+      function Has_Diverged return Boolean;
 
       function State return Plant_State;
       function Frames return URVOS.Count;
@@ -60,6 +64,7 @@ package body Partitions.Plant is
       Flying   : Boolean      := False;   --  an answer is to come
       Now      : Plant_State  := In_Time;
       Flown    : URVOS.Count  := 0;
+      Wrong    : Boolean      := False;   --  numbers are not finite
    end Aircraft;
 
    Lates  : Occurrences.Occurrence;
@@ -105,11 +110,16 @@ package body Partitions.Plant is
          end if;
       end Look;
 
-      procedure Die (Is_News : out Boolean) is
+      procedure Die (Is_News : out Boolean; Diverged : Boolean := False) is
       begin
          Is_News := Now /= Is_Dead;
+         if Is_News then
+            Wrong := Diverged;
+         end if;
          Now := Is_Dead;
       end Die;
+
+      function Has_Diverged return Boolean is (Wrong);
 
       function State return Plant_State is (Now);
 
@@ -210,7 +220,7 @@ package body Partitions.Plant is
          Receive_Line (Answer, Is_Good);
       end if;
       if Is_Good and then Answer /= Ready then
-         Host.Plant_Program.Refuse (To_String (Answer));
+         Host.Plant_Program.Refuse_Flight (To_String (Answer));
       end if;
       if Is_Good then
          Receive (Message, Is_Good);
@@ -221,6 +231,10 @@ package body Partitions.Plant is
       Read (Message, Sensors, State, Shown);
       pragma Unreferenced (State);
       Aircraft.Settle (Sensors, Shown);
+
+   exception
+      when Error : Not_Finite =>
+         Host.Plant_Program.Refuse_Flight (Exception_Message (Error));
    end Start;
 
    function Is_Present return Boolean is (Line /= Invalid);
@@ -243,13 +257,13 @@ package body Partitions.Plant is
       end if;
    end Look;
 
-   --  The process has ended.
-   procedure Note_Death;
+   --  The process has ended, or its aircraft has diverged.
+   procedure Note_Death (Diverged : Boolean := False);
 
-   procedure Note_Death is
+   procedure Note_Death (Diverged : Boolean := False) is
       Is_News : Boolean;
    begin
-      Aircraft.Die (Is_News);
+      Aircraft.Die (Is_News, Diverged);
       if Is_News then
          Deaths.Add (Clocks.Elapsed);
       end if;
@@ -273,6 +287,11 @@ package body Partitions.Plant is
          pragma Unreferenced (State);
          Aircraft.Answer (Sensors, Shown);
       end if;
+
+   exception
+      when Not_Finite =>
+         Note_Death (Diverged => True);
+         Is_Good := False;
    end Fly_Frame;
 
    task Flight;
@@ -319,14 +338,17 @@ package body Partitions.Plant is
                when In_Time => "plant in time again at " & Now & " s",
                when Is_Late => "plant late at " & Now
                                & " s: the sensors stand still",
-               when Is_Dead => "plant has died at " & Now
+               when Is_Dead => (if Aircraft.Has_Diverged
+                                then "plant has diverged at "
+                                else "plant has died at ") & Now
                                & " s: the sensors stand still"));
    end Next_News;
 
    function Failure return String is
-     (if Aircraft.State = Is_Dead
-      then "--plant jsbsim: JSBSim's process has ended"
-      else "");
+     (if Aircraft.State /= Is_Dead then ""
+      elsif Aircraft.Has_Diverged
+      then "--plant jsbsim: the aircraft's numbers are not finite"
+      else "--plant jsbsim: JSBSim's process has ended");
 
    procedure Put_Counts
      (Result : in out Partitions.Reports.Report;

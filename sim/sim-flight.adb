@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Calendar; use Ada.Calendar;
+with Ada.Calendar;   use Ada.Calendar;
+with Ada.Exceptions; use Ada.Exceptions;
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
@@ -16,6 +17,7 @@ with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
 with Host.Surface_Faults;
+with Host.Text_Numbers;
 with Host.Text_Output;
 with Sim.Circuit_Quality;
 with Sim.Conditions;
@@ -425,6 +427,13 @@ package body Sim.Flight is
          Take_Answer;
       end if;
       Flown := Frame_End;
+
+   exception
+      when Error : Not_Finite =>
+         raise Not_Finite with
+           Exception_Message (Error) & " at "
+           & Text_Numbers.Image (Long_Long_Integer (Frame_End / 1000))
+           & " ms";
    end Fly_Through;
 
    procedure Report_Failed_Surfaces (Further : in out Summary.Result) is

@@ -170,4 +170,10 @@ package body Sim.JSBSim.Process is
       Plant_Program.Refuse (Why);
    end Give_Up;
 
+   procedure Refuse_Flight (Answer : String) is
+   begin
+      Stop;
+      Plant_Program.Refuse_Flight (Answer);
+   end Refuse_Flight;
+
 end Sim.JSBSim.Process;

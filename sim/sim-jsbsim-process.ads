@@ -29,4 +29,7 @@ private package Sim.JSBSim.Process is
    --  Stops, and refuses the command line with a word on how to help.
    procedure Give_Up (Why : String) with No_Return;
 
+   --  The same with the process's own words.
+   procedure Refuse_Flight (Answer : String) with No_Return;
+
 end Sim.JSBSim.Process;

@@ -44,7 +44,7 @@ package body Sim.JSBSim is
          Answer : constant String := Process.Received_Line;
       begin
          if Answer /= Ready then
-            Process.Give_Up (Answer);
+            Process.Refuse_Flight (Answer);
          end if;
       end;
       Receive_State (Errors, Sensors, Truth, Shown);

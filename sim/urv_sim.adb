@@ -13,6 +13,7 @@ with Ada.Text_IO;
 with Host;             use Host;
 with Host.Complaints;
 with Host.Options;
+with Host.Plant_Messages;
 with Host.Scaling;
 with Host.Text_Numbers;
 with Host.Text_Output;
@@ -97,7 +98,8 @@ exception
       Complaints.Print (Error);
       Set_Exit_Status (Exit_Status (Complaints.Exit_Status));
 
-   when Error : JSBSim.Plant_Failure | JSBSim.Plant_Silence =>
+   when Error : JSBSim.Plant_Failure | JSBSim.Plant_Silence
+              | Plant_Messages.Not_Finite =>
       Complain ("--plant jsbsim: " & Exception_Message (Error));
       Set_Exit_Status (Failure);
 

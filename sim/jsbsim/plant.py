@@ -60,6 +60,13 @@ SETTLE_S = 90
 STANDING_FT = 1.6
 STAND_S = 6
 
+# Ropes hold the parked aircraft down, with this pull at 60 kt of wind and with
+# its square. They come off when less than half of the brake is commanded.
+ROPES_LB = 300.0
+ROPES_AT_KT = 60.0
+ROPES = "external_reactions/ropes/magnitude"
+PARKED_BRAKE_PCT = 50.0
+
 # How often it is looked for commands; after a look in vain, how many waits
 # there may be without one.
 LOOKS = 100
@@ -163,6 +170,9 @@ class Refused(Exception):
     """The flight cannot begin; the text goes to the other side."""
 
 
+SET_UP = "`make fly` sets it up"
+
+
 def load_jsbsim(step_s):
     """Imports JSBSim of the version that the aircraft was tuned with."""
     os.environ["JSBSIM_DEBUG"] = "0"
@@ -173,7 +183,8 @@ def load_jsbsim(step_s):
     try:
         import jsbsim
     except ImportError as error:
-        raise Refused(f"no Python module jsbsim ({error})") from error
+        raise Refused(
+            f"no Python module jsbsim ({error}); {SET_UP}") from error
     finally:
         if not hasattr(spared, "__version__"):
             del sys.modules["numpy"]
@@ -181,7 +192,8 @@ def load_jsbsim(step_s):
         name, _, wanted = line.partition("==")
         if name == "jsbsim" and jsbsim.__version__ != wanted:
             raise Refused(
-                f"jsbsim is {jsbsim.__version__}, must be {wanted}")
+                f"jsbsim is {jsbsim.__version__}, must be {wanted};"
+                f" {SET_UP}")
     fdm = jsbsim.FGFDMExec(str(here))
     # Before the model is loaded: its servos' lags and rates are made then.
     fdm.set_dt(step_s)
@@ -255,6 +267,9 @@ class Aircraft:
         self.east = self.tree.get_node("position/from-start-neu-e-ft")
         self.signal = self.tree.get_node("radio/uplink-dbm")
         self.crashed = self.tree.get_node("plant/crashed")
+        self.brake = next((place for place, (name, _) in enumerate(servos)
+                           if name == "brake"), None)
+        self.is_tied = False
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
@@ -267,6 +282,7 @@ class Aircraft:
             self.stand()
         else:
             self.settle()
+        self.must_be_sound()
         self.stir()
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
@@ -354,9 +370,32 @@ class Aircraft:
             fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = (
                 speed * FPS_PER_KT)
 
+    def tie(self):
+        """Ropes hold down the aircraft that stands in a wind."""
+        if "wind" in self.conditions:
+            _, speed = self.conditions["wind"]
+            self.fdm[ROPES] = ROPES_LB * (speed / ROPES_AT_KT) ** 2
+            self.is_tied = self.brake is not None
+
+    def untie(self):
+        self.fdm[ROPES] = 0.0
+        self.is_tied = False
+
+    def must_be_sound(self):
+        """The settled aircraft has numbers for all, and has not crashed."""
+        if not math.isfinite(sum(
+                sum(self.read(each))
+                for each in (self.sensors, self.truth, self.shown))):
+            raise Refused("the aircraft does not settle in these conditions:"
+                          " JSBSim's numbers are not finite")
+        if self.has_crashed():
+            raise Refused("the aircraft does not settle in these conditions:"
+                          " it touches the ground")
+
     def stand(self):
         """Starts the engine on the runway, with the brake on."""
         fdm = self.fdm
+        self.tie()
         fdm["propulsion/magneto_cmd"] = 3
         fdm["propulsion/starter_cmd"] = 1
         fdm["servo/brake-pct"] = 100.0
@@ -427,8 +466,9 @@ class Aircraft:
     def has_crashed(self):
         """Whether a wing tip or, with the gear broken, the belly touches."""
         altitude = self.altitude.get_double_value()
-        # Written so that an altitude that is not a number is a crash.
-        if not altitude > BELLY_FT:
+        # A number that is not finite is no crash: it goes to the other side,
+        # which ends the flight.
+        if altitude <= BELLY_FT:
             return True
         if altitude > HALF_SPAN_FT:
             return False
@@ -447,6 +487,8 @@ class Aircraft:
             return self.last
         for move, command in zip(self.servos, commands):
             move(command)
+        if self.is_tied and commands[self.brake] < PARKED_BRAKE_PCT:
+            self.untie()
         run, ticks = self.run_step, self.ticks
         before, part = self.before, self.part
         earlier = self.read_shown() if part and before == 0 else None

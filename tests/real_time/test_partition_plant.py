@@ -5,6 +5,7 @@ dead."""
 
 import os
 import signal
+import sys
 import time
 from pathlib import Path
 
@@ -127,6 +128,48 @@ def test_gnd6_a_killed_plant_is_told_and_the_node_flies_on(start):
     # The sensors stand still, those of level flight.
     last = in_turn(mcs.outputs.words("mcs.downlink", SENSORS))[-1]
     assert abs(last[SENSORS.index("altitude")] - 2000) <= 2
+
+
+@flies_again
+def test_gnd6_a_plant_without_finite_numbers_is_told(
+        start, tmp_path, monkeypatch):
+    """The words are never made of them: the sensors stand still."""
+    python = tmp_path / "python"
+    python.write_text(f"""#!{sys.executable}
+import sys
+sys.path.insert(0, {str(ROOT / "sim" / "jsbsim")!r})
+sys.argv[0:1] = []
+import plant
+
+class Broken(plant.Aircraft):
+    frames = 0
+
+    def begin(self, commands):
+        sensors, truth, shown = map(list, super().begin(commands))
+        self.frames += 1
+        if self.frames >= 20:
+            sensors[10] = float("nan")
+        return sensors, truth, shown
+
+plant.Aircraft = Broken
+plant.main()
+""", encoding="utf-8")
+    python.chmod(0o755)
+    monkeypatch.setenv("URV_PYTHON", str(python))
+    up, down = free_ports(2)
+    mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
+    wait_for_line(mcs, "listening at")
+    gsc = start("gsc", udp(down, up), "--phase", 0)
+    wait_for_line(mcs, "plant has diverged at ")
+    gsc.stop()
+    mcs.send(signal.SIGTERM)
+    _, said = mcs.program.communicate(timeout=TIME_LIMIT_S)
+    assert mcs.program.returncode == 1
+    assert "urv_mcs: --plant jsbsim: the aircraft's numbers are not finite" \
+        in said.splitlines()
+    assert mcs.outputs.summary["plant"]["died"] == 1
+    alpha = mcs.outputs.words("mcs.downlink", ("alpha",))
+    assert all(word[0] != 0 for word in alpha[5:])
 
 
 @flies_again

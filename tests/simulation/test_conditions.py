@@ -3,10 +3,13 @@
 by the true state and by the words, each against what the line says."""
 
 import math
+import os
 import statistics
+import subprocess
+import sys
 
 import pytest
-from conftest import SENSORS
+from conftest import PROGRAM, ROOT, SENSORS, TIME_LIMIT_S
 from test_flight import has_jsbsim
 
 JSBSIM = ("--plant", "jsbsim")
@@ -145,3 +148,124 @@ def test_conditions_need_the_aircraft(urv_sim, write):
     result = urv_sim("fly", "--conditions", "conditions.txt")
     assert result.returncode == 2
     assert "add --plant jsbsim" in result.stderr
+
+
+PARKED = "time_ms,throttle,brake\n0,0,0xfff\n"
+
+
+@pytest.mark.parametrize("knots", [15, 30, 45, 60])
+def test_a_parked_aircraft_stands_in_wind_from_anywhere(fly_so, write, knots):
+    """It diverged: pitch grew with alpha up to 180 degrees, roll with beta up
+    to 90, and nothing held the aircraft down."""
+    sticks = write("sticks.csv", PARKED)
+    for heading in range(0, 360, 45):
+        flight = fly_so(f"start runway\nwind {heading} {knots}\n",
+                        "--sticks", sticks, seconds=6, name=str(heading))
+        where = f"wind {heading} {knots}"
+        for axis in ("north_ft", "east_ft"):
+            assert max(map(abs, truth(flight, axis))) < 0.1, where
+        assert all(abs(degrees - 90) < 2
+                   for degrees in truth(flight, "heading_deg")), where
+        assert all(abs(degrees) < 12
+                   for degrees in truth(flight, "bank_deg")), where
+        assert all(0.9 < feet < 1.9
+                   for feet in truth(flight, "altitude_ft")), where
+
+
+def test_an_aircraft_let_go_in_a_storm_has_numbers_to_the_end(fly_so):
+    """Sticks neutral: the brake is off, and the wind takes it along."""
+    for heading in (0, 90, 180, 270):
+        for knots in (30, 60):
+            flight = fly_so(f"start runway\nwind {heading} {knots}\n",
+                            seconds=20, name=f"{heading}-{knots}")
+            for name, values in flight.record.items():
+                assert all(map(math.isfinite, values)), (heading, name)
+
+
+PLANT_WITH = """#!{python}
+import sys
+sys.path.insert(0, {folder!r})
+sys.argv[0:1] = []
+import plant
+
+class Broken(plant.Aircraft):
+    frames = 0
+
+    def begin(self, commands):
+        sensors, truth, shown = map(list, super().begin(commands))
+        self.frames += 1
+        if self.frames >= 50:
+            {which}[{place}] = float({value!r})
+        return sensors, truth, shown
+
+plant.Aircraft = Broken
+plant.main()
+"""
+
+
+def plant_with(path, **what):
+    """An interpreter for URV_PYTHON whose aircraft has such a number from its
+    50th frame on."""
+    path.write_text(PLANT_WITH.format(
+        python=sys.executable, folder=str(ROOT / "sim" / "jsbsim"), **what),
+        encoding="utf-8")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.mark.parametrize(("which", "place", "name"), [
+    ("sensors", 10, "alpha"), ("sensors", 26, "uplink_signal_strength"),
+    ("truth", 0, "altitude"), ("shown", 8, "east_ft"),
+])
+@pytest.mark.parametrize("value", ["nan", "inf", "-inf"])
+def test_sim3_a_number_that_is_not_finite_ends_the_flight(
+        tmp_path, which, place, name, value):
+    python = plant_with(
+        tmp_path / "python", which=which, place=place, value=value)
+    result = subprocess.run(
+        [PROGRAM, "fly", *JSBSIM, "--seconds", "4", "--quiet",
+         "--record", "record.csv"], cwd=tmp_path, text=True,
+        capture_output=True, check=False, timeout=TIME_LIMIT_S,
+        env={**os.environ, "URV_PYTHON": str(python)})
+    assert result.returncode == 1
+    assert result.stderr.startswith(
+        f"urv_sim: --plant jsbsim: the aircraft's {name} is not a finite"
+        " number at 10")
+    assert len(result.stderr.splitlines()) == 1
+    rows = (tmp_path / "record.csv").read_text("utf-8").splitlines()
+    assert 49 <= len(rows) <= 53
+    assert "nan" not in rows[-1] and "inf" not in rows[-1]
+
+
+@pytest.mark.parametrize("broken", ["float('nan')", "0.5"])
+def test_sim3_an_aircraft_that_does_not_settle_is_refused(tmp_path, broken):
+    python = tmp_path / "python"
+    python.write_text(f"""#!{sys.executable}
+import sys
+sys.path.insert(0, {str(ROOT / "sim" / "jsbsim")!r})
+sys.argv[0:1] = []
+import plant
+
+class Node:
+    def get_double_value(self):
+        return {broken}
+
+class Broken(plant.Aircraft):
+    def must_be_sound(self):
+        self.altitude = Node()
+        self.sensors[0][25] = self.altitude.get_double_value
+        super().must_be_sound()
+
+plant.Aircraft = Broken
+plant.main()
+""", encoding="utf-8")
+    python.chmod(0o755)
+    result = subprocess.run(
+        [PROGRAM, "fly", *JSBSIM, "--seconds", "1", "--quiet"],
+        cwd=tmp_path, text=True, capture_output=True, check=False,
+        timeout=TIME_LIMIT_S, env={**os.environ, "URV_PYTHON": str(python)})
+    why = {"0.5": "it touches the ground"}.get(
+        broken, "JSBSim's numbers are not finite")
+    assert (result.returncode, result.stderr) == (
+        2, "urv_sim: --plant jsbsim: the aircraft does not settle in these"
+        f" conditions: {why}\n")
