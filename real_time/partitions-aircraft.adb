@@ -25,6 +25,7 @@ package body Partitions.Aircraft is
 
    Sensors  : Script;
    Measured : Sensor_Words := Neutral_Sensors;
+   Answered : Boolean := True;
 
    --  When the servos were commanded last: set by one processor, read by the
    --  other.
@@ -73,16 +74,20 @@ package body Partitions.Aircraft is
       end loop;
    end Sample_Bench;
 
-   procedure Sample (Is_Next : Boolean; Words : out Channel_Words) is
+   procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean) is
    begin
       if Is_Next then
          null;
       elsif Plant.Is_Present then
-         Plant.Look (Measured);
+         Plant.Look (Measured, Answered);
       else
          Sample_Bench;
       end if;
 
+      Answers := Answered;
       Words := (others => Neutral_Value);
       for Item in Sensor_Item loop
          Words (URV.Routing.Channel_Of (Item)) := Measured (Item);

@@ -17,8 +17,12 @@ package Partitions.Aircraft is
    procedure Prepare (Chosen : Host.Options.Choices);
 
    --  What the A/D board's channels see. Asked once for each scan: the
-   --  surfaces have then moved for a major frame.
-   procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
+   --  surfaces have then moved for a major frame. A plant that is gone
+   --  answers nothing.
+   procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean);
 
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;

@@ -125,7 +125,11 @@ package body Partitions.Console is
       end if;
    end Ask_Pilot;
 
-   procedure Sample (Is_Next : Boolean; Words : out Channel_Words) is
+   procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean)
+   is
       pragma Unreferenced (Is_Next);   --  the ground scans once a frame
       This         : Sticks  := Present.Get;
       Pilot_Wanted : Boolean := True;
@@ -141,6 +145,7 @@ package body Partitions.Console is
       Present.Set (This);
       Orders.Send_Due;
 
+      Answers := True;
       Words := (others => Neutral_Value);
       for Command in Command_Item loop
          Words (URV.Routing.Channel_Of (Command)) := This.Words (Command);

@@ -21,7 +21,10 @@ package Partitions.Console is
    procedure Take_Aboard (Pilot_Flight : String);
 
    --  What the A/D board's channels see.
-   procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
+   procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean);
 
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;

@@ -23,8 +23,12 @@ generic
    Board : in out Devices.Shared_AD_Board.Board;
 
    --  What the channels see. Is_Next tells that the scan follows another of
-   --  the same frame.
-   with procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
+   --  the same frame. Answers is False when the sensors give nothing: then
+   --  no conversion ends, and the controller has no scan (RTP-9).
+   with procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean);
    with procedure Interrupt_Controller;
 package Partitions.Converter is
 

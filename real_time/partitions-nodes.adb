@@ -53,6 +53,16 @@ package body Partitions.Nodes is
 
    First_Without_Row : Host.Text_Numbers.Number := 0;
 
+   --  Of the task that takes the rows, and what it has found.
+   Peer_Seen  : Watch;
+   Peer_Found : Peer_State := Never_Heard with Atomic;
+
+   function Refused_In (Log : URV.Errors.Error_Log) return Count is
+     (URV.Errors.Logs.History_Of (Log, URV.Errors.Block_Refused).Occurrences);
+
+   --  Looks whether blocks come that the node takes.
+   procedure Look_For_Peer (Frame : Host.Text_Numbers.Number);
+
    --  Boards
 
    package Telemetry_Hardware is
@@ -144,6 +154,19 @@ package body Partitions.Nodes is
       end if;
    end Observe_Step;
 
+   procedure Look_For_Peer (Frame : Host.Text_Numbers.Number) is
+      Tally   : constant Telemetry.Boards.Statistics := Telemetry_Board.Tally;
+      Refused : constant Count := Refused_In (Errors.Contents);
+   begin
+      Look
+        (Peer_Seen,
+         Received => Tally.Received,
+         Dropped  =>
+           Refused + Count'Min (Tally.Not_Taken, Count'Last - Refused),
+         Frame    => Frame);
+      Peer_Found := Present (Peer_Seen);
+   end Look_For_Peer;
+
    procedure Observe_Frame is
       use type Number;
 
@@ -167,6 +190,8 @@ package body Partitions.Nodes is
       Append (Item, Number (Late));
       Append (Item, Number (Machine_Time (Clock)));
       Append_Last (Item);
+      Look_For_Peer (Frame);
+      Item.Peer := Peer_Found;
       Queue.Put (Item);
       Publish (Item);
    end Observe_Frame;
@@ -199,6 +224,10 @@ package body Partitions.Nodes is
          Node.Request_Start (Warm_Reset);
       end if;
    end Press_Reset_Switch;
+
+   function Peer return Peer_State is (Peer_Found);
+
+   function Refused return Count is (Refused_In (Errors.Contents));
 
    function Pauses return Count is (Stood_Still);
 

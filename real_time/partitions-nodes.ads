@@ -6,6 +6,7 @@
 with Devices.Memory_Bus;
 with Devices.Shared_AD_Board;
 with Partitions.Measurements; use Partitions.Measurements;
+with Partitions.Peer_Watch;   use Partitions.Peer_Watch;
 with Partitions.Rows;         use Partitions.Rows;
 with Telemetry.Boards;
 with Telemetry.Shared_Boards;
@@ -64,7 +65,10 @@ generic
 
    --  What the converter's channels see (see Partitions.Converter), and a row
    --  of the record.
-   with procedure Sample (Is_Next : Boolean; Words : out Channel_Words);
+   with procedure Sample
+     (Is_Next : Boolean;
+      Words   : out Channel_Words;
+      Answers : out Boolean);
    with procedure Append_Values (To : in out Row);
 
    --  What stands behind all else in a row.
@@ -103,6 +107,12 @@ package Partitions.Nodes is
    --  What the telemetry board has counted.
    function Link_Tally return Telemetry.Boards.Statistics is
      (Telemetry_Board.Tally);
+
+   --  What has become of the other node, by the newest frame's row.
+   function Peer return Peer_State;
+
+   --  Blocks that were not the peer's (SEC-5).
+   function Refused return Count;
 
    --  How often the node has found that it had stood still.
    function Pauses return Count;

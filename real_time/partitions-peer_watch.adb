@@ -2,32 +2,28 @@
 
 package body Partitions.Peer_Watch is
 
-   use type Number;
+   use type Host.Text_Numbers.Number;
 
    procedure Look
      (This     : in out Watch;
       Received : Count;
-      Frame    : Number;
-      Change   : out News) is
+      Dropped  : Count;
+      Frame    : Host.Text_Numbers.Number)
+   is
+      Judged : constant Sighting := This.Before (1);
+      Taken  : constant Count    := Count'Max (Judged.Received - Dropped, 0);
    begin
-      Change := Nothing_New;
-      if Received /= This.Former then
-         Change := (if This.Now = Is_Heard then Nothing_New else Heard);
-         This.Now := Is_Heard;
-         This.Former := Received;
-         This.Heard_At := Frame;
-      elsif This.Now = Is_Heard
+      This.Before :=
+        (This.Before (2 .. Delay_Of_Judgement) & Sighting'(Received, Frame));
+      if Taken > This.Taken then
+         This.State := Is_Heard;
+         This.Taken := Taken;
+         This.Heard_At := Judged.Frame;
+      elsif This.State = Is_Heard
         and then Frame > This.Heard_At + Longest_Silence
       then
-         Change := Lost;
-         This.Now := Is_Lost;
+         This.State := Is_Lost;
       end if;
    end Look;
-
-   function State (This : Watch) return String is
-     (case This.Now is
-         when Never_Heard => "never heard",
-         when Is_Heard    => "heard",
-         when Is_Lost     => "lost");
 
 end Partitions.Peer_Watch;

@@ -1,10 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the other node is heard: good messages of it come in (RTP-2).
+--  Whether the other node is heard: blocks come that this node takes (RTP-2,
+--  RTP-7). A block that was refused is not the peer's, however good its
+--  checksum: it does not make the peer heard.
 
 with Host;
-with Partitions.Rows; use Partitions.Rows;
-with URVOS;           use URVOS;
+with Host.Text_Numbers;
+with URVOS;             use URVOS;
 
 package Partitions.Peer_Watch is
 
@@ -15,30 +17,46 @@ package Partitions.Peer_Watch is
 
    type Watch is limited private;
 
-   type News is (Nothing_New, Heard, Lost);
-
-   --  So many good messages have come up to this frame.
+   --  The board has received so many blocks up to this frame. The node has
+   --  dropped so many of them: refused, or never taken.
    procedure Look
      (This     : in out Watch;
       Received : Count;
-      Frame    : Number;
-      Change   : out News);
+      Dropped  : Count;
+      Frame    : Host.Text_Numbers.Number);
 
    type Peer_State is (Never_Heard, Is_Heard, Is_Lost);
 
    function Present (This : Watch) return Peer_State;
 
    --  "never heard", "heard" or "lost".
-   function State (This : Watch) return String;
+   function Name (State : Peer_State) return String is
+     (case State is
+         when Never_Heard => "never heard",
+         when Is_Heard    => "heard",
+         when Is_Lost     => "lost");
 
 private
 
-   type Watch is limited record
-      Now      : Peer_State := Never_Heard;
-      Former   : Count      := 0;
-      Heard_At : Number     := 0;
+   type Sighting is record
+      Received : Count := 0;
+      Frame    : Host.Text_Numbers.Number := 0;
    end record;
 
-   function Present (This : Watch) return Peer_State is (This.Now);
+   --  The node judges a block in the frame after it came. So the blocks of
+   --  two frames ago are compared with those dropped by now.
+   Delay_Of_Judgement : constant := 2;
+
+   type Sightings is array (1 .. Delay_Of_Judgement) of Sighting;
+
+   --  Taken is the most blocks that the node is known to have taken.
+   type Watch is limited record
+      State    : Peer_State := Never_Heard;
+      Before   : Sightings;
+      Taken    : Count      := 0;
+      Heard_At : Host.Text_Numbers.Number := 0;
+   end record;
+
+   function Present (This : Watch) return Peer_State is (This.State);
 
 end Partitions.Peer_Watch;

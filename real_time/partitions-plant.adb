@@ -27,7 +27,10 @@ package body Partitions.Plant is
      ((Integer (MCS.Task_List (MCS.CORE_Task) (Schedule).Offset)
        - Servo_Tick (Schedule) - 1) mod Step_Count'Last + 1);
 
-   type Plant_State is (In_Time, Is_Late, Is_Dead);
+   type Plant_State is (In_Time, Is_Late, Is_Silent, Is_Dead);
+
+   --  Scans without an answer, up to those that are too many.
+   type Missed_Count is range 0 .. Most_Missed + 1;
 
    --  There are commands for the next frame.
    Asked : Suspension_Object;
@@ -44,8 +47,11 @@ package body Partitions.Plant is
       procedure Answer (Words : Sensor_Words; State : Shown_State);
 
       --  A scan begins. Missed tells that it has the words of the one
-      --  before.
-      procedure Look (Words : out Sensor_Words; Missed : out Boolean);
+      --  before; Answers is that of Partitions.Plant.Look.
+      procedure Look
+        (Words   : out Sensor_Words;
+         Missed  : out Boolean;
+         Answers : out Boolean);
 
       --  Is_News is False when that is known.
       procedure Die (Is_News : out Boolean; Diverged : Boolean := False);
@@ -63,6 +69,7 @@ package body Partitions.Plant is
       Commands : PWM_Buffer   := Safe_Outputs;
       Flying   : Boolean      := False;   --  an answer is to come
       Now      : Plant_State  := In_Time;
+      Missing  : Missed_Count := 0;       --  scans in a row
       Flown    : URVOS.Count  := 0;
       Wrong    : Boolean      := False;   --  numbers are not finite
    end Aircraft;
@@ -101,13 +108,25 @@ package body Partitions.Plant is
          Flown := Incremented (Flown);
       end Answer;
 
-      procedure Look (Words : out Sensor_Words; Missed : out Boolean) is
+      procedure Look
+        (Words   : out Sensor_Words;
+         Missed  : out Boolean;
+         Answers : out Boolean) is
       begin
          Words := Sensors;
          Missed := Flying and then Now /= Is_Dead;
+         Missing :=
+           (if not Missed then 0
+            elsif Missing = Missed_Count'Last then Missing
+            else Missing + 1);
          if Now /= Is_Dead then
-            Now := (if Missed then Is_Late else In_Time);
+            Now :=
+              (case Missing is
+                  when 0                 => In_Time,
+                  when 1 .. Most_Missed  => Is_Late,
+                  when Missed_Count'Last => Is_Silent);
          end if;
+         Answers := Now in In_Time | Is_Late;
       end Look;
 
       procedure Die (Is_News : out Boolean; Diverged : Boolean := False) is
@@ -248,10 +267,10 @@ package body Partitions.Plant is
       end if;
    end Fly;
 
-   procedure Look (Sensors : out Sensor_Words) is
+   procedure Look (Sensors : out Sensor_Words; Answers : out Boolean) is
       Missed : Boolean;
    begin
-      Aircraft.Look (Sensors, Missed);
+      Aircraft.Look (Sensors, Missed, Answers);
       if Missed then
          Lates.Add (Clocks.Elapsed);
       end if;
@@ -329,6 +348,9 @@ package body Partitions.Plant is
    begin
       Look_After_Plant;
       State := Aircraft.State;
+      if State = Is_Silent and then Told = In_Time then
+         State := Is_Late;   --  it was, before; the rest at the next row
+      end if;
       Changed := State /= Told;
       Told := State;
       return
@@ -338,17 +360,23 @@ package body Partitions.Plant is
                when In_Time => "plant in time again at " & Now & " s",
                when Is_Late => "plant late at " & Now
                                & " s: the sensors stand still",
+               when Is_Silent => "plant does not answer at " & Now
+                                 & " s: its sensors are old",
                when Is_Dead => (if Aircraft.Has_Diverged
                                 then "plant has diverged at "
                                 else "plant has died at ") & Now
-                               & " s: the sensors stand still"));
+                               & " s: its sensors are old"));
    end Next_News;
 
    function Failure return String is
-     (if Aircraft.State /= Is_Dead then ""
-      elsif Aircraft.Has_Diverged
-      then "--plant jsbsim: the aircraft's numbers are not finite"
-      else "--plant jsbsim: JSBSim's process has ended");
+     (case Aircraft.State is
+         when In_Time | Is_Late => "",
+         when Is_Silent =>
+           "--plant jsbsim: JSBSim's process does not answer",
+         when Is_Dead =>
+           (if Aircraft.Has_Diverged
+            then "--plant jsbsim: the aircraft's numbers are not finite"
+            else "--plant jsbsim: JSBSim's process has ended"));
 
    procedure Put_Counts
      (Result : in out Partitions.Reports.Report;

@@ -6,7 +6,9 @@
 --  It is given the servos' words as the PWM task ends, flies them for a
 --  frame, and is asked by the next scan, 16 ms later. The node never waits:
 --  a scan for which the aircraft is not there yet has the words of the one
---  before, and the aircraft has stood still for a frame.
+--  before, and the aircraft has stood still for a frame. Two such scans in a
+--  row at most: then there is none, and the words are old, as they are at
+--  once when the process has ended (RTP-9).
 --
 --  It waits in level flight until the node has heard the ground.
 
@@ -27,8 +29,10 @@ package Partitions.Plant is
    --  The servos have new words, and so many messages have been received.
    procedure Fly (Servos : PWM_Buffer; Heard : Boolean);
 
-   --  What the sensors show as a scan begins.
-   procedure Look (Sensors : out Sensor_Words);
+   --  What the sensors show as a scan begins. Answers is False when the
+   --  process has ended, or has not answered for more than Most_Missed scans.
+   Most_Missed : constant := 2;
+   procedure Look (Sensors : out Sensor_Words; Answers : out Boolean);
 
    --  What the newest frame that was flown shows of it, at the row's tick.
    function Truth return Shown_State;

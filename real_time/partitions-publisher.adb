@@ -35,7 +35,6 @@ package body Partitions.Publisher is
    Told             : Version_Number := 1;
 
    --  Of the task that takes the rows.
-   Peer     : Watch;
    Fresh_At : Octets.Number := 0;
    Is_Seen  : Boolean := False;
 
@@ -169,7 +168,6 @@ package body Partitions.Publisher is
       CORE     : constant Memory         := GSC.CORE_Memory.Contents;
       Sticks   : constant Console.Sticks := Console.Recorded;
       Age      : Octets.Number;
-      Change   : Peer_Watch.News;
       Words    : Word_List;
       Is_Taken : Boolean;
    begin
@@ -177,10 +175,6 @@ package body Partitions.Publisher is
          return;
       end if;
       Look_At_Downlink (Item, Age);
-      Look
-        (Peer, Count (Item.Value (Received_Column)),
-         Item.Value (Frame_Column), Change);
-      pragma Unreferenced (Change);
       for Place in Words'Range loop
          Words (Place) := Item.Value (First_Word_Column + Column (Place) - 1);
       end loop;
@@ -192,7 +186,7 @@ package body Partitions.Publisher is
              Downlink_Age     => Age,
              Console_State    =>
                Console_Port.Console_State'Pos (Sticks.State),
-             Link_State       => Peer_State'Pos (Present (Peer)),
+             Link_State       => Peer_State'Pos (Item.Peer),
              Console_Sequence => Sticks.Sequence,
              Counts           => Counts_In (Item),
              Words            => Words,

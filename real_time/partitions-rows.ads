@@ -5,6 +5,7 @@
 
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Numbers;
+with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with URVOS; use URVOS;
 
 package Partitions.Rows is
@@ -15,12 +16,14 @@ package Partitions.Rows is
    type Column is range 0 .. Most_Columns;
    type Values is array (Column range 1 .. Most_Columns) of Number;
 
-   --  With an aircraft in JSBSim, what it really does.
+   --  With an aircraft in JSBSim, what it really does; and what has become of
+   --  the other node.
    type Row is record
       Length    : Column      := 0;
       Value     : Values      := (others => 0);
       Has_Truth : Boolean     := False;
       Truth     : Shown_State := (others => 0.0);
+      Peer      : Peer_State  := Never_Heard;
    end record;
 
    procedure Append (To : in out Row; Value : Number)

@@ -29,8 +29,6 @@ with URV.Seals;
 with URVOS;
 with URVOS.Task_Trees;
 
-pragma Unreferenced (Partitions.Permission);
-
 procedure Partitions.Run is
 
    use type URV.Seals.Format_Number;
@@ -41,8 +39,13 @@ procedure Partitions.Run is
    Files  : File_Set;
    Frames : Number := 0;
    Chosen : Choices;
-   Peer   : Watch;
    Screen : Writer;
+
+   --  Of the whole run: no block came that this node took.
+   Carried_Nothing : Boolean := False;
+
+   --  The exit status then.
+   Nothing_Carried : constant := 3;
 
    --  What this node sends and what it receives.
    Sent     : constant String :=
@@ -62,8 +65,17 @@ procedure Partitions.Run is
    --  Hundredths of a second, with no more decimals than it takes.
    function Seconds (Of_Frames : Number) return String;
 
-   --  Says what is new of the other node and of this one.
-   procedure Look_Around;
+   function Number_Of (Total : URVOS.Count; What : String) return String is
+     (Host.Text_Numbers.Image (Long_Long_Integer (Total)) & " " & What
+      & (if Total = 1 then "" else "s"));
+
+   --  Each reports what is new.
+   procedure Report_Peer (State : Peer_State);
+   procedure Report_Refusals;
+   procedure Report_Starts;
+
+   --  Reports what is new of the other node, in that state, and of this one.
+   procedure Look_Around (State : Peer_State);
 
    --  The partition ends. Its other tasks do not: Ravenscar.
    procedure Leave (Status : Integer) with No_Return;
@@ -104,7 +116,9 @@ procedure Partitions.Run is
          "Exit status: 0 run; 2 a bad command line, input file or link;");
       Put_Line
         (Screen,
-         "1 an output cannot be written, an internal fault" & A_Dead_Plant);
+         "1 an output cannot be written, an internal fault" & A_Dead_Plant
+         & ";");
+      Put_Line (Screen, "3 run, but the other node was never heard");
    end Print_Usage;
 
    procedure Note (What : String) is
@@ -131,21 +145,76 @@ procedure Partitions.Run is
            else "." & Image (Long_Long_Integer (Rest)));
    end Seconds;
 
-   Told_Pauses : URVOS.Count := 0;
+   --  Of the environment task: what has been reported.
+   Told_Peer     : Peer_State := Never_Heard;
+   Told_Refused  : URVOS.Count := 0;
+   Refused_Frame : Number := 0;
+   Told_Pauses   : URVOS.Count := 0;
+   Told_Starts   :
+     array (URV.Errors.Error_Kind range URV.Errors.Warm_Reset
+                                     .. URV.Errors.Processor_Restart)
+     of URVOS.Count := (others => 0);
 
-   procedure Look_Around is
-      Change : News;
+   --  Reports a flood of refused blocks this often at most.
+   Refusals_Every : constant Number :=
+     5 * Microseconds_Per_Second / Frame_Length;
+
+   procedure Report_Peer (State : Peer_State) is
    begin
-      Look (Peer, This_Node.Link_Tally.Received, Frames, Change);
-      case Change is
-         when Nothing_New => null;
-         when Heard       =>
-            Note ("peer heard at " & Seconds (Frames) & " s");
-         when Lost        =>
+      if State = Is_Heard and then Told_Peer /= Is_Heard then
+         Note ("peer heard at " & Seconds (Frames) & " s");
+      elsif State = Is_Lost and then Told_Peer = Is_Heard then
+         Note
+           ("peer lost at " & Seconds (Frames)
+            & " s: no good message for 1 s");
+      end if;
+      Told_Peer := State;
+   end Report_Peer;
+
+   procedure Report_Refusals is
+      Refused : constant URVOS.Count := This_Node.Refused;
+   begin
+      if Refused > Told_Refused
+        and then (Told_Refused = 0
+                  or else Frames >= Refused_Frame + Refusals_Every)
+      then
+         Note
+           (Number_Of (Refused, "block") & " refused by "
+            & Seconds (Frames)
+            & " s: of another key or format, or not the peer's");
+         Told_Refused := Refused;
+         Refused_Frame := Frames;
+      end if;
+   end Report_Refusals;
+
+   procedure Report_Starts is
+      use URV.Errors;
+      Log    : constant Error_Log   := This_Node.Log;
+      Paused : constant URVOS.Count := This_Node.Pauses;
+      Found  : URVOS.Count;
+   begin
+      for Kind in Told_Starts'Range loop
+         Found := Logs.History_Of (Log, Kind).Occurrences;
+
+         --  A node that stood still reports its restart below.
+         if Kind = Processor_Restart then
+            Found := URVOS.Count'Max (Found - Paused, 0);
+         end if;
+         if Found > Told_Starts (Kind) then
             Note
-              ("peer lost at " & Seconds (Frames)
-               & " s: no good message for 1 s");
-      end case;
+              ((if Kind = Warm_Reset then "warm reset"
+                else "processor restart")
+               & " by " & Seconds (Frames) & " s");
+            Told_Starts (Kind) := Found;
+         end if;
+      end loop;
+   end Report_Starts;
+
+   procedure Look_Around (State : Peer_State) is
+   begin
+      Report_Peer (State);
+      Report_Refusals;
+      Report_Starts;
       declare
          News : constant String := Next_News (Seconds (Frames));
       begin
@@ -175,7 +244,7 @@ procedure Partitions.Run is
          Await (Item, Found);
          exit when not Found;
          Frames := Item.Value (1) + 1;
-         Look_Around;
+         Look_Around (Item.Peer);
          if Is_Open (Files (Record_Option)) then
             for Place in 1 .. Item.Length loop
                if Place > 1 then
@@ -252,7 +321,7 @@ procedure Partitions.Run is
       Reports.Put_Field
         (Result, To, "rows_left_out", Number (Queue.Left_Out));
       Reports.Begin_Group (Result, To, "link");
-      Reports.Put_Field (Result, To, "state", State (Peer));
+      Reports.Put_Field (Result, To, "state", Name (This_Node.Peer));
       Reports.Put_Field (Result, To, Sent & "_sent", Number (Tally.Sent));
       Reports.Put_Field
         (Result, To, Sent & "_scrapped", Number (Tally.Scrapped));
@@ -260,6 +329,8 @@ procedure Partitions.Run is
         (Result, To, Received & "_received", Number (Tally.Received));
       Reports.Put_Field
         (Result, To, Received & "_bad", Number (Tally.Bad));
+      Reports.Put_Field
+        (Result, To, "blocks_refused", Number (This_Node.Refused));
       Reports.Put_Field (Result, To, "resets", Number (Tally.Resets));
       Reports.Put_Field
         (Result, To, "board_restarts", Number (This_Node.Board_Starts));
@@ -269,14 +340,19 @@ procedure Partitions.Run is
       Reports.Put_Field (Result, To, "stood_still", Number (This_Node.Pauses));
       Reports.Put_Field
         (Result, To, "exceptions", Number (Exceptions.Number));
+      Reports.Put_Field
+        (Result, To, "real_time_priorities",
+         Number (Boolean'Pos (Permission.Is_Granted)));
       Put_Counts (Result, To);
       Put_Results (Result, To, Log);
       Reports.End_Report (Result, To);
    end Write_Summary;
 
    procedure Write_Counts is
+      use type Peer_State;
       Log : constant URV.Errors.Error_Log := This_Node.Log;
    begin
+      Carried_Nothing := This_Node.Peer = Never_Heard;
       Occurrences.Finish;
       if Is_Open (Files (Summary_Option)) then
          Write_Summary (Log);
@@ -292,10 +368,6 @@ procedure Partitions.Run is
       use Host.Text_Numbers;
 
       Tally : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
-
-      function Number_Of (Total : URVOS.Count; What : String) return String is
-        (Image (Long_Long_Integer (Total)) & " " & What
-         & (if Total = 1 then "" else "s"));
    begin
       Attach_Screen (Screen, Is_Error => Use_Standard_Output (Chosen));
       Put_Line
@@ -305,12 +377,13 @@ procedure Partitions.Run is
          & Image (Long_Long_Integer (This_Node.Overruns)) & " overruns");
       Put_Line
         (Screen,
-         "link      peer " & State (Peer) & ", "
+         "link      peer " & Name (This_Node.Peer) & ", "
          & Number_Of (Tally.Sent, Sent) & " sent, "
          & Image (Long_Long_Integer (Tally.Scrapped)) & " scrapped, "
          & Number_Of (Tally.Received, Received) & " received, "
          & Image (Long_Long_Integer (Tally.Bad)) & " bad, "
-         & Number_Of (Tally.Resets, "reset"));
+         & Number_Of (Tally.Resets, "reset") & ", "
+         & Image (Long_Long_Integer (This_Node.Refused)) & " refused");
       Close (Screen);
    end Print_Summary;
 
@@ -345,6 +418,9 @@ begin
       Clocks.Await_Phase (Chosen.Phase);
    end if;
    Note ("listening at " & Value (Chosen, Link_Option));
+   if not Permission.Is_Granted then
+      Note (Permission.How_To_Grant);
+   end if;
    Clocks.Switch_On;
    This_Node.Switch_On
      (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule);
@@ -364,7 +440,7 @@ begin
       Notes.Print ("internal fault: " & Exceptions.First);
       Leave (1);
    end if;
-   Leave (0);
+   Leave (if Carried_Nothing then Nothing_Carried else 0);
 
 exception
    when Error : Host.Bad_Input =>

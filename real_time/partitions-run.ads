@@ -6,7 +6,7 @@
 --  when it is lost.
 --
 --  Exit status: 0 run, 1 an internal fault or a dead plant, 2 a bad command
---  line, input file or link.
+--  line, input file or link, 3 run, but the other node was never heard.
 
 with Host;
 with Host.Options;

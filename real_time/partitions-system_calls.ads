@@ -238,6 +238,14 @@ package Partitions.System_Calls is
    function Policy_Of (Thread : int) return int
    with Import, Convention => C, External_Name => "sched_getscheduler";
 
+   --  Linux has nothing but the priority in its parameters.
+   function Read_Priority (Thread : int; Priority : out int) return int
+   with Import, Convention => C, External_Name => "sched_getparam";
+
+   function Set_Policy
+     (Thread : int; Policy : int; Priority : in out int) return int
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+
    --  What the system writes into is as long as C's, in bytes.
    pragma Compile_Time_Error
      (Time_Span'Size /= 8 * 16

@@ -4,6 +4,7 @@ runs.
 """
 
 import ctypes
+import json
 import os
 import re
 import resource
@@ -11,11 +12,13 @@ import shutil
 import socket
 import subprocess
 import tempfile
+from pathlib import Path
 
 import pytest
 
 from conftest import (
-    PROGRAMS, ROOT, TIME_LIMIT_S, free_ports, of_the_link, udp,
+    NO_PRIORITIES, PROGRAMS, ROOT, TIME_LIMIT_S, UNHEARD, free_ports,
+    of_the_link, udp,
 )
 
 NODES = ("mcs", "gsc")
@@ -217,7 +220,7 @@ def test_a_summary_is_printed_unless_quiet(node):
     for quiet in ((), ("--quiet",)):
         result = run(node, "--link", udp(own, other), "--seconds", "0.2",
                      *quiet)
-        assert result.returncode == 0
+        assert result.returncode == UNHEARD
         assert (result.stdout == "") == bool(quiet)
 
 
@@ -226,7 +229,7 @@ def test_an_output_named_by_a_dash_is_standard_output():
     own, other = free_ports(2)
     result = run("gsc", "--link", udp(own, other), "--seconds", "0.2",
                  "--record", "-")
-    assert result.returncode == 0
+    assert result.returncode == UNHEARD
     assert result.stdout.startswith("frame,time_ms,")
     assert "\nrun  " not in result.stdout and "\nrun  " in result.stderr
 
@@ -303,20 +306,43 @@ def test_root_that_may_give_no_priorities_is_told(node):
                    "--cap-add=SYS_NICE")
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="every test is this one")
-@pytest.mark.parametrize("node", NODES)
-def test_another_user_flies_without_priorities(node):
-    nobody = 65_534
+NOBODY = 65_534
+
+
+def run_as_nobody(node, **more):
+    """A short run of another user, and its summary."""
     with tempfile.TemporaryDirectory() as folder:
         # The sources may be where nobody else may look.
         program = shutil.copy2(PROGRAMS[node], folder)
-        os.chmod(folder, 0o755)
+        os.chmod(folder, 0o777)
         result = subprocess.run(
-            [program, "--link", udp(*free_ports(2)), "--seconds", "0.1"],
+            [program, "--link", udp(*free_ports(2)), "--seconds", "0.1",
+             "--summary", "summary.json"],
             cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT_S,
-            check=False, user=nobody, group=nobody, extra_groups=[])
-    assert result.returncode == 0, result
+            check=False, **more)
+        assert result.returncode == UNHEARD, result
+        return result, json.loads(
+            Path(folder, "summary.json").read_text("utf-8"))
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="every test is this one")
+@pytest.mark.parametrize("node", NODES)
+def test_rtp8_another_user_flies_without_priorities_and_is_told(node):
+    result, summary = run_as_nobody(
+        node, user=NOBODY, group=NOBODY, extra_groups=[])
     assert re.match(r"run +0\.1 s, 5 frames, ", result.stdout)
+    [line] = [line for line in result.stderr.splitlines()
+              if NO_PRIORITIES in line]
+    assert line.endswith("sudo prlimit --pid $$ --rtprio=99")
+    assert summary["real_time_priorities"] == 0
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
+@pytest.mark.parametrize("node", NODES)
+def test_rtp8_a_user_with_the_right_is_told_nothing(node):
+    result, summary = run_as_nobody(node)
+    assert NO_PRIORITIES not in result.stderr
+    assert summary["real_time_priorities"] == 1
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")

@@ -13,7 +13,7 @@ import pytest
 
 from conftest import (
     FOLDER, OF_THE_MACHINE, ROOT, TIME_LIMIT_S, RanLate, flies_again,
-    free_ports, need, of_the_link, udp,
+    free_ports, need, of_the_link, udp, UNHEARD,
 )
 from peer import FRAME_S
 
@@ -24,7 +24,7 @@ LINK = re.compile(
     r"(?P<sent>\d+) (?P<out>uplink|downlink)s? sent, "
     r"(?P<scrapped>\d+) scrapped, "
     r"(?P<received>\d+) (?P<into>uplink|downlink)s? received, "
-    r"(?P<bad>\d+) bad, (?P<resets>\d+) resets?"
+    r"(?P<bad>\d+) bad, (?P<resets>\d+) resets?, (?P<refused>\d+) refused"
 )
 
 
@@ -76,7 +76,8 @@ def test_a_partition_says_when_the_other_is_heard_and_when_it_is_lost(start):
     for name, key in (("sent", "uplink_sent"), ("resets", "resets"),
                       ("scrapped", "uplink_scrapped"),
                       ("received", "downlink_received"),
-                      ("bad", "downlink_bad")):
+                      ("bad", "downlink_bad"),
+                      ("refused", "blocks_refused")):
         need(abs(int(said[name]) - summary["link"][key]) <= 1, gsc.outputs)
 
 
@@ -99,18 +100,18 @@ def test_the_summary_has_what_the_record_has_of_the_link(start_both):
 
 
 @flies_again
-def test_a_partition_alone_says_that_it_heard_nobody(start):
+def test_rtp7_a_partition_alone_says_that_it_heard_nobody(start):
     own, other = free_ports(2)
     run = start("mcs", udp(own, other), "--seconds", 0.3, quiet=False)
     out, err = run.program.communicate(timeout=TIME_LIMIT_S)
-    assert run.program.returncode == 0
+    assert run.program.returncode == UNHEARD
     assert of_the_link(err) == [f"urv_mcs: listening at {udp(own, other)}"]
     need(run.outputs.summary["frames"] == 15, run.outputs)
     assert out.splitlines() == [
         f"run       0.3 s, 15 frames, {run.outputs.summary['overruns']}"
         " overruns",
         "link      peer never heard, 0 downlinks sent, 0 scrapped,"
-        " 0 uplinks received, 0 bad, 0 resets",
+        " 0 uplinks received, 0 bad, 0 resets, 0 refused",
     ]
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """SEC-1, SEC-5: the sealed link between two partitions."""
 
+import re
+import signal
 import subprocess
 import time
 from pathlib import Path
@@ -8,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from conftest import (
-    COMMANDS, FOLDER, SAFE_COMMANDS, TIME_LIMIT_S, different_rows,
-    flies_again, need, script)
+    COMMANDS, FOLDER, HEARD, SAFE_COMMANDS, TIME_LIMIT_S, UNHEARD,
+    different_rows, flies_again, free_ports, need, script, udp)
 
 HOLD_MS = 100
 
@@ -57,7 +59,8 @@ MISMATCHES = {
 @flies_again
 def test_sec5_nodes_that_do_not_agree_take_nothing(
         start_both, write, key, name):
-    """Both say so in their logs, and the servos stay as they were."""
+    """Both say so in their logs, and the servos stay as they were. RTP-7:
+    neither has heard the other, whatever came."""
     of_mcs, of_gsc, why = MISMATCHES[name]
     told = {node: sealed(key(f"{node}.key", *keys)) if keys else ()
             for node, keys in zip(BOTH, (of_mcs, of_gsc), strict=True)}
@@ -71,6 +74,51 @@ def test_sec5_nodes_that_do_not_agree_take_nothing(
     for outputs in (mcs, gsc):
         need("block_refused" in outputs.events, mcs, gsc)
         assert outputs.events["block_refused"]["last_detail"] in why
+        link = outputs.summary["link"]
+        assert link["state"] == "never heard"
+        assert 0 < link["blocks_refused"] <= max(
+            link.get("uplink_received", 0), link.get("downlink_received", 0))
+
+
+@flies_again
+def test_rtp7_refused_blocks_are_reported_and_end_as_a_link_unheard(
+        start, key):
+    up, down = free_ports(2)
+    runs = [
+        start(node, udp(*ports), "--phase", phase, "--seconds", 1.5,
+              *sealed(key(f"{node}.key", 1, byte)), quiet=False)
+        for node, ports, phase, byte in (
+            ("mcs", (up, down), 3, 0x5A), ("gsc", (down, up), 0, 0xA5))]
+    said = [run.program.communicate(timeout=TIME_LIMIT_S) for run in runs]
+    flown = [run.outputs for run in runs]
+    for run, (out, err) in zip(runs, said, strict=True):
+        refused = run.outputs.summary["link"]["blocks_refused"]
+        need(refused > 0, *flown)
+        assert run.program.returncode == UNHEARD
+        assert "peer heard" not in err
+        # The first one at once, the flood of them in a line.
+        assert len(re.findall(r"blocks? refused by", err)) == 1, err
+        assert re.search(rf"peer never heard, .*, {refused} refused$", out)
+
+
+@flies_again
+def test_rtp7_a_peer_that_comes_with_another_key_is_lost(start, key):
+    up, down = free_ports(2)
+    mine, other = key("mine.key", 1, 0x5A), key("other.key", 1, 0xA5)
+    gsc = start("gsc", udp(down, up), "--phase", 0, *sealed(mine),
+                quiet=False)
+    assert "listening" in gsc.say_line()
+    mcs = start("mcs", udp(up, down), "--phase", 3, *sealed(mine))
+    assert "peer heard at" in gsc.say_line()
+    mcs.stop()
+    start("mcs", udp(up, down), "--phase", 3, *sealed(other))
+    lines = [gsc.say_line() for _ in range(2)]
+    need(any("peer lost at" in line for line in lines)
+         and any("refused by" in line for line in lines), mcs.outputs)
+    gsc.send(signal.SIGTERM)
+    gsc.program.communicate(timeout=TIME_LIMIT_S)
+    assert gsc.program.returncode == HEARD
+    assert gsc.outputs.summary["link"]["state"] == "lost"
 
 
 @pytest.mark.parametrize("node", BOTH)

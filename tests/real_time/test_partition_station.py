@@ -117,17 +117,21 @@ def test_gnd2_the_downlink_s_age_and_the_link_s_state_are_told(start, station):
     outputs = gsc.stop()
 
     fresh_at, received, heard_at = None, 0, None
+    # The node judges what it has received two frames later (RTP-7).
+    heard = [None, None]
     for packet in frames.all:
         link = packet.link
         if link["downlink_received"] != received:
             received, heard_at = link["downlink_received"], packet.sequence
+        heard.append(heard_at)
+        judged = heard[-3]
         if received and not packet.columns["gsc.downlink.error"] & STALE:
             fresh_at = packet.sequence
         age = NEVER if fresh_at is None else packet.sequence - fresh_at
         assert packet.downlink_age == age
         assert packet.link_state == (
-            LinkState.NEVER_HEARD if heard_at is None
-            else LinkState.LOST if packet.sequence > heard_at + 50
+            LinkState.NEVER_HEARD if judged is None
+            else LinkState.LOST if packet.sequence > judged + 50
             else LinkState.HEARD)
     assert frames.all[0].downlink_age == NEVER
     need(frames.all[-1].downlink_age > 50, outputs)
