@@ -75,9 +75,9 @@ package body Partitions.Aircraft is
    end Sample_Bench;
 
    procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean) is
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean) is
    begin
       if Is_Next then
          null;
@@ -87,7 +87,7 @@ package body Partitions.Aircraft is
          Sample_Bench;
       end if;
 
-      Answers := Answered;
+      Is_There := Answered;
       Words := (others => Neutral_Value);
       for Item in Sensor_Item loop
          Words (URV.Routing.Channel_Of (Item)) := Measured (Item);

@@ -20,9 +20,9 @@ package Partitions.Aircraft is
    --  surfaces have then moved for a major frame. A plant that is gone
    --  answers nothing.
    procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean);
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean);
 
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;

@@ -126,9 +126,9 @@ package body Partitions.Console is
    end Ask_Pilot;
 
    procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean)
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean)
    is
       pragma Unreferenced (Is_Next);   --  the ground scans once a frame
       This         : Sticks  := Present.Get;
@@ -145,7 +145,7 @@ package body Partitions.Console is
       Present.Set (This);
       Orders.Send_Due;
 
-      Answers := True;
+      Is_There := True;
       Words := (others => Neutral_Value);
       for Command in Command_Item loop
          Words (URV.Routing.Channel_Of (Command)) := This.Words (Command);

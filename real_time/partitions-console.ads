@@ -22,9 +22,9 @@ package Partitions.Console is
 
    --  What the A/D board's channels see.
    procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean);
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean);
 
    --  The names and the values of the record's columns that this node has.
    function Column_Names return String;

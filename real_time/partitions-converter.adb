@@ -39,7 +39,7 @@ package body Partitions.Converter is
    Ended : Time := Time_First;
 
    --  Samples the channels and returns when their scan is due to end.
-   procedure Scan (Words : out Channel_Words; Answers : out Boolean);
+   procedure Scan (Words : out Channel_Words; Is_There : out Boolean);
 
    --  The channel has been started: converts it, and those behind it that the
    --  controller starts thereafter. Wanted tells that it has then started one
@@ -48,11 +48,11 @@ package body Partitions.Converter is
      (Channel : in out Channel_Number;
       Wanted  : out Boolean);
 
-   procedure Scan (Words : out Channel_Words; Answers : out Boolean) is
+   procedure Scan (Words : out Channel_Words; Is_There : out Boolean) is
       Present : constant Time    := Clock;
       Is_Next : constant Boolean := Present < Ended + Right_Behind;
    begin
-      Sample (Is_Next, Words, Answers);
+      Sample (Is_Next, Words, Is_There);
       Ended := (if Is_Next then Ended else Present) + Scan_Time;
       delay until Ended;
    end Scan;
@@ -64,17 +64,19 @@ package body Partitions.Converter is
       Words     : Channel_Words;
       Present   : Channel_Number;
       Interrupt : Boolean;
-      Answers   : Boolean;
+      Is_There  : Boolean;
    begin
-      Scan (Words, Answers);
+      Scan (Words, Is_There);
+      if not Is_There then
+         Wanted := False;
+         return;
+      end if;
       Enter (Interrupts, From => Hardware_Side);
       loop
          Present := Channel;
-         if Answers then
-            Board.Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
-            if Interrupt then
-               Interrupt_Controller;
-            end if;
+         Board.Finish (Words (URV.Buffers.Channel (Present)), Interrupt);
+         if Interrupt then
+            Interrupt_Controller;
          end if;
          Board.Take_Start (Wanted, Channel);
          exit when not Wanted or else Channel <= Present;

@@ -23,12 +23,11 @@ generic
    Board : in out Devices.Shared_AD_Board.Board;
 
    --  What the channels see. Is_Next tells that the scan follows another of
-   --  the same frame. Answers is False when the sensors give nothing: then
-   --  no conversion ends, and the controller has no scan (RTP-9).
+   --  the same frame. Without Is_There no conversion of the scan ends.
    with procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean);
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean);
    with procedure Interrupt_Controller;
 package Partitions.Converter is
 

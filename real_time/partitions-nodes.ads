@@ -66,9 +66,9 @@ generic
    --  What the converter's channels see (see Partitions.Converter), and a row
    --  of the record.
    with procedure Sample
-     (Is_Next : Boolean;
-      Words   : out Channel_Words;
-      Answers : out Boolean);
+     (Is_Next  : Boolean;
+      Words    : out Channel_Words;
+      Is_There : out Boolean);
    with procedure Append_Values (To : in out Row);
 
    --  What stands behind all else in a row.

@@ -38,7 +38,9 @@ package body Partitions.Publisher is
    Fresh_At : Octets.Number := 0;
    Is_Seen  : Boolean := False;
 
-   Run : constant Octets.Number := Clocks.UTC / 1_000 mod 2 ** 32;
+   --  In microseconds: a machine without a clock of its own begins with the
+   --  same second each time.
+   Run : constant Octets.Number := Clocks.UTC mod 2 ** 32;
 
    Unsent : Count := 0 with Atomic;
 

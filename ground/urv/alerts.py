@@ -7,6 +7,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+INFO, CAUTION, WARNING = "info", "caution", "warning"
+
 CLEAR_S = 1.0
 """An alert ends when its reason has been away for so long."""
 

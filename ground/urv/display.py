@@ -40,13 +40,16 @@ def flight() -> str:
             ("age of downlink, frames", "/URV/downlink_age"),
             ("frame", "/URV/sequence")]
     rows += [(name.replace("_", " "), f"/URV/link/{name}")
-             for name in packets.LINK_COUNTS]
+             for name in (*packets.LINK_COUNTS, "blocks_refused")]
     rows += [(f"laws: {name}", f"/URV/laws/{name}")
              for name in ("link", "lateral", "vertical", "power")]
     for row, (label, name) in enumerate(rows):
-        display.row(20, 38 + 29 * row, 276, label, name)
+        display.row(20, 38 + 28 * row, 276, label, name)
     signal = "uplink_signal_strength"
-    display.row(20, 38 + 29 * len(rows), 276, "signal", down(signal), signal)
+    display.row(20, 38 + 28 * len(rows), 276, "signal", down(signal), signal)
+    # Beside the link's state, in the place of its label.
+    display.told(14, 66, 160, 28, "BLOCKS REFUSED",
+                 "/URV/link/blocks_refused", "pv0 > 0", LOST)
 
     display.box(316, 8, 450, 330, "Attitude")
     display.gauge(326, 40, 210, "roll_attitude", "roll")

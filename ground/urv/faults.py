@@ -19,6 +19,12 @@ class Failed(Exception):
     status = 1
 
 
+class Unheard(Failed):
+    """It was done, and the link carried nothing: exit status 3."""
+
+    status = 3
+
+
 def quoted(text):
     """A name or a value as messages show it, on one line."""
     shown = "".join(

@@ -2,8 +2,9 @@
 """bin/urv ground: a flight in real time with everything around it (GND-31).
 
 Both nodes, the aircraft, the station and a Yamcs, each a process of its own.
-What ends the flight ends them all; who of the others dies is told, and the
-rest flies on.
+What ends the flight ends them all. When another one dies or stops, the terminal
+and the page report it, the rest flies on, and the flight ends with a fault
+(GND-47).
 """
 
 from __future__ import annotations
@@ -25,7 +26,9 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, packets
+from urv import faults, packets, processes
+from urv.alerts import CAUTION, WARNING
+from urv.processes import Report
 
 ROOT = Path(__file__).resolve().parents[2]
 YAMCS = ROOT / "ground" / "yamcs"
@@ -33,6 +36,8 @@ JARS = ROOT / "obj" / "yamcs" / "lib"
 DISPLAY = "flight.opi"
 
 LOOKS_S = 0.1
+UNHEARD = 3
+"""The status of a node that was never sent anything that it took."""
 REFUSES = 2
 """The status of a node that does not take its command line."""
 ENDS_S = 10.0
@@ -132,6 +137,7 @@ def ground(
     if status:
         raise faults.Failed("a node has ended by itself: see"
                             f" {faults.quoted(folder)}")
+    flight.judge()
 
 
 def as_event(line: dict) -> dict:
@@ -163,6 +169,13 @@ class Flight:
         self.groups: list[int] = []
         self.given: dict[str, object] = {}
         self.complaint = ""
+        # What has become of each program that has ended, and what has been
+        # reported of those that run.
+        self.statuses: dict[str, int] = {}
+        self.fallen: list[str] = []
+        self.stopped: set[str] = set()
+        self.read: dict[str, int] = {}
+        self.active: dict[str, str] = {}
         self.began = time.monotonic()
 
     def start(self, pilot: str, yamcs: bool, mavlink: str | None,
@@ -173,12 +186,12 @@ class Flight:
                    "--port", self.page_port,
                    "--frames", f"udp:{here}:{self.frames}",
                    "--console", f"udp:{here}:{self.console}",
-                   "--events", self.folder / "station.jsonl"]
+                   "--events", self.folder / "station.jsonl", "--reports"]
         if yamcs:
             station += ["--relay", f"tcp:{here}:{self.relay}",
                         "--yamcs", archive]
         # Who takes the frames is there before the first one.
-        self.run("station", *station, tells=True)
+        self.run("station", *station, tells=True, hears=True)
         self.await_station()
         publish = ["--packets", packets.WHOLE,
                    "--publish", f"udp:{here}:{self.frames}"]
@@ -238,7 +251,7 @@ class Flight:
                  "--data-dir", self.folder / "yamcs-data", later=LATER_BY)
 
     def run(self, name: str, *command, tells: bool = False,
-            later: int = 0) -> None:
+            later: int = 0, hears: bool = False) -> None:
         """Starts a program that ends with this one, whatever ends it."""
         parent = os.getpid()
         library = ctypes.CDLL(None)
@@ -252,7 +265,7 @@ class Flight:
         log = (self.folder / f"{name}.log").open("w", encoding="utf-8")
         self.running[name] = subprocess.Popen(
             list(map(str, command)), cwd=self.folder,
-            stdin=subprocess.DEVNULL,
+            stdin=subprocess.PIPE if hears else subprocess.DEVNULL,
             stdout=subprocess.PIPE if tells else log, stderr=log,
             # A Ctrl-C at the terminal is for this program alone: it ends the
             # others in their order.
@@ -308,21 +321,97 @@ class Flight:
         """Until the flight is over; 0 when it ended as it should."""
         while True:
             time.sleep(LOOKS_S)
+            self.follow_nodes()
             for name, process in list(self.running.items()):
                 status = process.poll()
                 if status is None:
+                    self.look_whether_stopped(name, process.pid)
                     continue
                 del self.running[name]
-                if name == "urv_gsc" and status == 0:
+                self.statuses[name] = status
+                if name == "urv_gsc" and status in (0, UNHEARD):
                     return 0
                 how = (f"status {status}" if status > 0 else
                        signal.Signals(-status).name if status else "status 0")
                 print(f"ground: {name} has ended, {how}"
                       + ("" if name in NODES else
                          "; the flight goes on"), flush=True)
+                self.fallen.append(name)
+                self.tell(Report(
+                    f"process {name}", CAUTION, f"{name.upper()} GONE",
+                    f"the program has ended, {how}"))
                 if name in NODES:
                     self.complaint = self.last_word_of(name)
                     return REFUSES if status == REFUSES else 1
+
+    def follow_nodes(self) -> None:
+        """Prints what the nodes report of themselves, the plant and each
+        other, and hands it to the page."""
+        for name in NODES:
+            try:
+                with (self.folder / f"{name}.log").open("rb") as log:
+                    log.seek(self.read.get(name, 0))
+                    come = log.read()
+            except OSError:
+                continue
+            whole = come[:come.rfind(b"\n") + 1]
+            self.read[name] = self.read.get(name, 0) + len(whole)
+            for line in whole.decode("utf-8", "replace").splitlines():
+                self.follow(name, line.removeprefix(f"{name}: "))
+
+    def follow(self, name: str, said: str) -> None:
+        """What a node has reported."""
+        reports = processes.reports_of(name, said)
+        is_news = bool(processes.ALONE.match(said))
+        for report in reports:
+            if report.active:
+                # Both nodes lack the same right.
+                is_news |= self.active.get(report.key) != said
+                self.active[report.key] = said
+            else:
+                is_news |= self.active.pop(report.key, None) is not None
+            self.tell(report)
+        if is_news:
+            print(f"ground: {name}: {said}", flush=True)
+
+    def look_whether_stopped(self, name: str, pid: int) -> None:
+        """A program that was stopped does nothing, and has not ended."""
+        try:
+            text = Path(f"/proc/{pid}/stat").read_text("utf-8", "replace")
+        except OSError:
+            return
+        is_stopped = text.rpartition(")")[2].split()[0] in "Tt"
+        if is_stopped == (name in self.stopped):
+            return
+        (self.stopped.add if is_stopped else self.stopped.discard)(name)
+        print(f"ground: {name} {'is stopped' if is_stopped else 'runs again'}",
+              flush=True)
+        self.tell(Report(
+            f"stopped {name}", WARNING if name in NODES else CAUTION,
+            f"{name.upper()} STOPPED", "the program is stopped", is_stopped))
+
+    def tell(self, report: Report) -> None:
+        """The page. A station that does not take it keeps nobody waiting."""
+        station = self.running.get("station")
+        if station is not None:
+            with contextlib.suppress(OSError):
+                os.set_blocking(station.stdin.fileno(), False)
+                os.write(station.stdin.fileno(), report.line().encode())
+
+    def judge(self) -> None:
+        """Raises what was wrong with a flight that has come to its end."""
+        for name in NODES:
+            status = self.statuses.get(name, 0)
+            if status not in (0, UNHEARD):
+                raise faults.Failed(
+                    self.last_word_of(name) or f"{name} has failed")
+        if self.fallen:
+            raise faults.Failed(
+                f"{' and '.join(self.fallen)} ended during the flight: see"
+                f" {faults.quoted(self.shown())}")
+        if UNHEARD in self.statuses.values():
+            raise faults.Unheard("the link carried nothing: a node never"
+                                 " heard the other one")
 
     def end(self) -> None:
         """Nobody is left running. The nodes end first, with their records
@@ -335,6 +424,8 @@ class Flight:
                      for name in names if name in self.running}
             for process in group.values():
                 process.send_signal(signal.SIGTERM)
+                # One that was stopped could not end.
+                process.send_signal(signal.SIGCONT)
             late = time.monotonic() + ENDS_S
             for name, process in group.items():
                 try:
@@ -344,6 +435,7 @@ class Flight:
                           flush=True)
                     os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
+                self.statuses[name] = process.returncode
         self.end_groups()
         self.collect_events()
         print(f"ground: records and logs are in {self.shown()}", flush=True)

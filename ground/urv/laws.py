@@ -41,6 +41,8 @@ FAILING = (*SURFACES, "throttle")
 """What the aircraft sees fail: the next bit is the engine's."""
 
 WORD_BITS = 16
+AGE_FRAMES = 16
+"""The unit of a node's age."""
 NIBBLE_BITS = 4
 
 
@@ -59,6 +61,9 @@ class Laws:
     """Of the configuration that was taken last; 0 when none was."""
     table: int = 0
     """The gains that it has set."""
+    age: int = 0
+    """Of the aircraft's node since its cold start, in AGE_FRAMES, modulo
+    65536."""
 
     @classmethod
     def of(cls, frame: packets.FramePacket) -> Laws | None:
@@ -69,14 +74,15 @@ class Laws:
             return None
         modes, low = divmod(row.count, 1 << WORD_BITS)
         high, silent = divmod(row.first_frame, 1 << WORD_BITS)
-        failed = row.last_frame >> WORD_BITS
+        failed, age = divmod(row.last_frame, 1 << WORD_BITS)
         lateral, vertical, power, link = (
             modes >> NIBBLE_BITS * place & 15 for place in range(4))
         return cls(
             name_of(LATERAL, lateral), name_of(VERTICAL, vertical),
             name_of(POWER, power), name_of(LINK, link),
             _set(SENSORS, low | high << WORD_BITS), silent,
-            _set(FAILING, failed), *divmod(row.detail, 1 << NIBBLE_BITS))
+            _set(FAILING, failed), *divmod(row.detail, 1 << NIBBLE_BITS),
+            age)
 
     @property
     def mode(self) -> str:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
-(GND-40, GND-41).
+(GND-40, GND-41, GND-45).
 
 docs/mavlink.md says which item goes where. Nothing comes in this way: what a
 station sends back is not heard.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import socket
+import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,9 @@ import typer
 
 from urv import faults, items, laws, packets, station, view
 from urv.packets import FramePacket, LinkState, Pilot
+from urv.repeats import Repeats, left_out
+from urv.runs import Runs
+from urv.starts import COLD, RESTARTS, Flying, Starts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -31,8 +35,8 @@ SERVOS = 5
 STATUS = 25
 RADIO = 50
 
-# A kind of error is told so often at most; then how often it came.
-ERRORS = 50
+# While the link is lost, that is repeated every so many frames.
+LOST = 500
 
 SYSTEM_ID = 1
 COMPONENT_ID = 1
@@ -138,8 +142,9 @@ class Bridge:
         self.frames = 0
         self.bad = 0
         self.missing = 0
-        self._flight = Flight(common)
-        self._newest: FramePacket | None = None
+        self._runs = Runs()
+        self._starts = Starts()
+        self._flight = Flight(common, self._starts)
         self._link = common.MAVLink(
             sender, srcSystem=SYSTEM_ID, srcComponent=COMPONENT_ID)
 
@@ -150,15 +155,13 @@ class Bridge:
         except packets.PacketError:
             self.bad += 1
             return
-        newest = self._newest
-        if newest is not None and newest.run == frame.run:
-            if frame.sequence <= newest.sequence:
-                self.bad += 1
-                return
-            self.missing += frame.sequence - newest.sequence - 1
-        elif newest is not None:
-            self._flight = Flight(self._flight.dialect)
-        self._newest = frame
+        if not self._runs.take(frame.run, frame.sequence, time.monotonic()):
+            self.bad += 1
+            return
+        self.missing += self._runs.missing
+        if self._runs.began:
+            self._flight = Flight(self._flight.dialect, self._starts,
+                                  self._flight.flying)
         self.frames += 1
         for message in self._flight.messages(frame):
             self._link.send(message)
@@ -185,6 +188,8 @@ class Flight:
     """One run of the ground's node, and what has been told of it."""
 
     dialect: Any
+    starts: Starts = field(default_factory=Starts)
+    flying: Flying = field(default_factory=Flying)
     _heartbeat: Due = field(default_factory=lambda: Due(HEARTBEAT))
     _attitude: Due = field(default_factory=lambda: Due(ATTITUDE))
     _hud: Due = field(default_factory=lambda: Due(VFR_HUD))
@@ -192,9 +197,11 @@ class Flight:
     _status: Due = field(default_factory=lambda: Due(STATUS))
     _radio: Due = field(default_factory=lambda: Due(RADIO))
     _laws: dict[str, int] = field(default_factory=dict)
-    _told: dict[tuple[str, str], tuple[int, int]] = field(
-        default_factory=dict)
+    _repeats: Repeats = field(default_factory=Repeats)
     _state: LinkState = LinkState.NEVER_HEARD
+    _lost_at: int = 0
+    _lost_next: int = 0
+    _refused: int = 0
     _frames: int = 0
     _stale: int = 0
 
@@ -203,6 +210,8 @@ class Flight:
         with a frame that is fresh: the first one from when it is due."""
         self._frames += 1
         self._stale += not frame.is_fresh
+        flew = self.flying.now
+        self.flying.look(frame)
         value = {
             name: items.COLUMNS[name].value(word)
             for name, word in frame.columns.items()
@@ -222,6 +231,7 @@ class Flight:
             yield self.status(frame, value)
         if self._radio.now(sequence):
             yield self.radio(frame, value)
+        yield from self.start_texts(frame, flew)
         yield from self.texts(frame)
 
     def heartbeat(self, frame: FramePacket) -> Any:
@@ -231,9 +241,13 @@ class Flight:
         mode = (mav.MAV_MODE_FLAG_AUTO_ENABLED
                 if frame.pilot == Pilot.FLIES
                 else mav.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED)
+        state = mav.MAV_STATE_STANDBY
+        if self.flying.now:
+            mode |= mav.MAV_MODE_FLAG_SAFETY_ARMED
+            state = mav.MAV_STATE_ACTIVE
         return mav.MAVLink_heartbeat_message(
             mav.MAV_TYPE_FIXED_WING, mav.MAV_AUTOPILOT_GENERIC, mode, 0,
-            mav.MAV_STATE_CRITICAL if broken else mav.MAV_STATE_ACTIVE, 3)
+            mav.MAV_STATE_CRITICAL if broken else state, 3)
 
     def attitude(self, frame: FramePacket, value: dict[str, float]) -> Any:
         """There is no compass: the heading is no number."""
@@ -312,23 +326,62 @@ class Flight:
             UNKNOWN_8, level, 100, UNKNOWN_8, UNKNOWN_8,
             in_16(frame.link["downlink_bad"]), 0)
 
-    def texts(self, frame: FramePacket) -> Iterator[Any]:
-        """What is new in the error logs, and of the link."""
+    def start_texts(self, frame: FramePacket, flew: bool) -> Iterator[Any]:
+        """Every start of a node. A cold one of the aircraft in flight is
+        critical."""
         mav = self.dialect
-        if frame.link_state != self._state:
-            self._state = frame.link_state
-            if self._state == LinkState.LOST:
-                yield self.text(mav.MAV_SEVERITY_CRITICAL, "link lost")
-            elif self._state == LinkState.HEARD:
+        for start in self.starts.look(frame):
+            in_flight = start.node == "mcs" and start.kind == COLD and flew
+            yield self.text(
+                mav.MAV_SEVERITY_CRITICAL if in_flight
+                else mav.MAV_SEVERITY_WARNING,
+                f"{start.node} {start.kind}: {start.count}"
+                + " in flight" * in_flight)
+
+    def link_texts(self, frame: FramePacket) -> Iterator[Any]:
+        """What has become of the link. A loss is repeated while it lasts,
+        and so is that blocks come which are refused."""
+        mav = self.dialect
+        changed = frame.link_state != self._state
+        self._state = frame.link_state
+        refused = frame.logs[0][packets.KINDS.index("block_refused")].count
+        if self._state == LinkState.HEARD:
+            self._refused = refused
+            if changed:
                 yield self.text(mav.MAV_SEVERITY_INFO, "link heard")
+            return
+        if changed:
+            self._lost_at = frame.sequence
+            self._lost_next = frame.sequence + LOST
+            yield self.text(mav.MAV_SEVERITY_CRITICAL, "link lost")
+        elif (self._state == LinkState.LOST
+                and frame.sequence >= self._lost_next):
+            self._lost_next += LOST
+            seconds = (frame.sequence - self._lost_at) // FRAMES_PER_S
+            yield self.text(mav.MAV_SEVERITY_CRITICAL,
+                            f"link lost for {seconds} s")
+        if refused > self._refused and self._repeats.take(
+                ("link", "refused"), refused,
+                frame.sequence / FRAMES_PER_S) is not None:
+            yield self.text(mav.MAV_SEVERITY_CRITICAL,
+                            f"link refused: {refused} blocks")
+
+    def texts(self, frame: FramePacket) -> Iterator[Any]:
+        """What is new of the link, the laws and in the error logs. What a
+        lost link causes in each frame waits for its end."""
+        mav = self.dialect
+        yield from self.link_texts(frame)
         yield from self.law_texts(frame)
         for event in frame.events:
             key = event.node, event.kind
-            count, told = self._told.get(key, (0, -ERRORS))
-            if (event.row.count <= count
-                    or frame.sequence - told < ERRORS):
+            if event.kind in RESTARTS or (
+                    self._state != LinkState.HEARD and event.node == "gsc"
+                    and event.kind in {*view.LOSS_KINDS, "block_refused"}):
                 continue
-            self._told[key] = event.row.count, frame.sequence
+            new = self._repeats.take(
+                key, event.row.count, frame.sequence / FRAMES_PER_S)
+            if new is None:
+                continue
             severity = (
                 mav.MAV_SEVERITY_CRITICAL
                 if event.kind in view.WARNING_KINDS else
@@ -336,7 +389,8 @@ class Flight:
                 if event.kind in view.CAUTION_KINDS else
                 mav.MAV_SEVERITY_INFO)
             yield self.text(
-                severity, f"{event.node} {event.kind}: {event.row.count}")
+                severity, f"{event.node} {event.kind}: {event.row.count}"
+                + left_out(new))
 
     def law_texts(self, frame: FramePacket) -> Iterator[Any]:
         """What is new of the laws: how they fly, and what has failed."""

@@ -9,6 +9,7 @@ import json
 import secrets
 import signal
 import socket
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,6 +54,9 @@ def station(
         help="A Yamcs that gets the same as its events."),
     seconds: float | None = typer.Option(
         None, min=0.0, help="Ends the station after so long."),
+    reports: bool = typer.Option(
+        False, "--reports", help="Take reports about the flight's other"
+        " programs from standard input, as bin/urv ground sends them."),
 ):
     """Serve the page to fly and to watch by."""
     from urv import web
@@ -68,7 +72,7 @@ def station(
         listen, port, token, address("--frames", frames),
         None if console == "none" else address("--console", console),
         None if relay is None else address("--relay", relay, "tcp"),
-        events, yamcs, seconds)))
+        events, yamcs, seconds, reports)))
 
 
 async def until_ended(work):
@@ -125,11 +129,11 @@ def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
 
 
 async def serve(listen, port, token, frames, console, relay, events, yamcs,
-                seconds):
+                seconds, reports=False):
     """The station, until it is ended."""
     from aiohttp import web as http
 
-    from urv import archive, relay as relays, web
+    from urv import archive, processes, relay as relays, web
     from urv.controls import Controls
     from urv.view import View
 
@@ -223,6 +227,8 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     tasks = []
     if keeper is not None:
         tasks.append(asyncio.create_task(keeper.run(view, controls, keeps)))
+    if reports:
+        tasks.append(asyncio.create_task(processes.take(sys.stdin, view)))
     ends = None if seconds is None else loop.time() + seconds
     looked = 0.0
     try:

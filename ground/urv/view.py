@@ -13,34 +13,45 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from urv import items, packets
-from urv.alerts import Alerts
+from urv.alerts import CAUTION, INFO, WARNING, Alerts
 from urv.laws import ALONE, DOES, FAILING, SENSORS, Laws
+from urv.repeats import Repeats, left_out
+from urv.runs import Runs
+from urv.starts import COLD, RESTARTS, Flying, Start, Starts
+
+if TYPE_CHECKING:
+    from urv.processes import Report
 
 LOST_S = 0.5
 """Older than this a word is crossed out, and the link counts as lost."""
 
 KNOT_FT_MIN = 6076.12 / 60
 LOG_LINES = 500
-FLOOD_S = 5.0
-"""A kind of error gets a line of the log so often at most."""
+REFUSING_S = 1.0
+"""A link whose blocks are refused is one for so long after the last one."""
 
 WARNING_KINDS = {"self_test_failed", "rom_check_failed", "surface_failed"}
 CAUTION_KINDS = {"warm_reset", "processor_restart", "task_overrun",
                  "link_reset", "link_block_bad", "link_block_scrapped",
                  "input_out_of_range", "ad_no_scan", "link_loss_state",
                  "sensor_not_valid", "block_refused"}
-ALERT_KINDS = {"self_test_failed", "rom_check_failed", "warm_reset",
-               "processor_restart", "block_refused"}
+ALERT_KINDS = {"self_test_failed", "rom_check_failed", "block_refused"}
+LOSS_KINDS = {"telin_no_block", "no_input", "core_no_downlink", "link_reset",
+              "link_block_bad", "link_block_scrapped", "link_block_cleared"}
+"""What a lost link causes at the ground in every frame: it is reported when
+the aircraft is heard again."""
+WHY_REFUSED = {1: "of the other format", 2: "another key", 3: "a key of"
+               " another number", 4: "a hello within a session"}
+"""By the detail of block_refused."""
 
 LAWS_SETTLE = 100
 """Frames from the first one heard: after a start the laws believe no sensor
 for a second, which is no news."""
 ERROR_BITS = ((2, "ROM", "its ROM differs from what was loaded"),
               (4, "SELF-TEST", "its self-test has failed"))
-INFO, CAUTION, WARNING = "info", "caution", "warning"
 
 
 @dataclass(frozen=True)
@@ -77,12 +88,18 @@ class View:
     missing: int = 0
     late: int = 0
     stick_ms: float | None = None
+    refused: int = 0
+    flying: Flying = field(default_factory=Flying)
+    _runs: Runs = field(default_factory=Runs)
+    _starts: Starts = field(default_factory=Starts)
+    _repeats: Repeats = field(default_factory=Repeats)
+    _refused_at: float = float("-inf")
+    _answered_at: float = float("-inf")
+    _answers: int = 0
     _lines: int = 0
     _began: float = 0.0
     _came: float = float("-inf")
     _second: deque[tuple[float, bool]] = field(default_factory=deque)
-    _kinds: dict[tuple[str, str], tuple[int, float]] = field(
-        default_factory=dict)
     _fresh: int = 0
     _sent: deque[tuple[int, float]] = field(
         default_factory=lambda: deque(maxlen=500))
@@ -103,27 +120,29 @@ class View:
                           f" come: {error}")
             return False
         old = self.frame
-        if old is not None and old.run == frame.run:
-            if frame.sequence <= old.sequence:
-                self.late += 1
-                return False
-            gap = frame.sequence - old.sequence - 1
-            if gap > 0:
-                self.missing += gap
+        now = self.now()
+        if not self._runs.take(frame.run, frame.sequence, now):
+            self.late += 1
+            if self._runs.has_rival:
                 self.alerts.report(
-                    "frames", CAUTION, "FRAMES",
-                    f"{gap} missing before frame {frame.sequence}",
-                    frame.time_us)
-        elif old is None or frame.time_us > old.time_us:
-            # The counts of another run begin anew.
-            self._kinds.clear()
+                    "rival", WARNING, "TWO GROUNDS",
+                    "another ground's node sends frames here, too",
+                    time.time_ns() // 1000)
+            return False
+        first = self._runs.began
+        if first:
+            # The counts of another run begin at 0.
+            self._repeats.forget()
             self._sent.clear()
             self._fresh = 0
-        else:
-            self.late += 1
-            return False
-        now = self.now()
-        first = old is None or old.run != frame.run
+            self._answers = self.refused = 0
+        gap = self._runs.missing
+        if gap > 0:
+            self.missing += gap
+            self.alerts.report(
+                "frames", CAUTION, "FRAMES",
+                f"{gap} missing before frame {frame.sequence}",
+                frame.time_us)
         self.frame = frame
         self.frames += 1
         self._came = now
@@ -132,6 +151,8 @@ class View:
             self.note(INFO, "run", f"the ground's node runs, frame"
                       f" {frame.sequence}")
         self._calibrate(frame)
+        self._link(frame, now)
+        self._find_starts(frame, now)
         self._limits(frame, now)
         self._states(frame, old, now)
         self._laws(frame, now)
@@ -157,12 +178,15 @@ class View:
         else:
             self.alerts.away("silent", now)
         down = self.downlink_s(now)
-        if down is not None and down >= LOST_S:
-            self.alerts.report("link", WARNING, "LINK LOST",
-                               f"no downlink for {LOST_S} s",
-                               time.time_ns() // 1000)
-        else:
-            self.alerts.away("link", now)
+        is_old = down is not None and down >= LOST_S
+        # The aircraft answers, and has nothing new to say.
+        answers = now - self._answered_at < LOST_S
+        self._alert_over_time(
+            "link", is_old and not answers, "LINK LOST",
+            f"no downlink for {LOST_S} s", now)
+        self._alert_over_time(
+            "sensors", is_old and answers, "SENSORS OLD",
+            "the aircraft answers, but has no new scan of its sensors", now)
         # A gap is a moment: it is over when the frames come again.
         if age is not None and age < LOST_S:
             self.alerts.away("frames", now, 5.0)
@@ -170,6 +194,22 @@ class View:
             self.note(alert.level, "alert", f"{alert.name}: {alert.text}",
                       alert.came_us)
         self.alerts.raised.clear()
+
+    def _alert_over_time(self, key: str, is_so: bool, name: str, text: str,
+                         now: float) -> None:
+        if is_so:
+            self.alerts.report(key, WARNING, name, text,
+                               time.time_ns() // 1000)
+        else:
+            self.alerts.away(key, now)
+
+    def report(self, report: Report) -> None:
+        """About another program of the flight."""
+        if report.active:
+            self.alerts.report(report.key, report.level, report.name,
+                               report.text, time.time_ns() // 1000)
+        else:
+            self.alerts.away(report.key, self.now(), 0.0)
 
     def note(self, level: str, kind: str, text: str,
              time_us: int | None = None) -> Line:
@@ -214,6 +254,10 @@ class View:
             "seq": self.frame.sequence,
             "time_us": self.frame.time_us,
             "link": self.frame.link_state.name.lower(),
+            "refused": self.refused,
+            "refusing": now - self._refused_at < REFUSING_S,
+            "answers": now - self._answered_at < LOST_S,
+            "flying": self.flying.now,
             "console": self.frame.console_state.name.lower(),
             "pilot": self.frame.pilot.name.lower(),
             "counts": self.frame.link,
@@ -336,21 +380,59 @@ class View:
         else:
             self.alerts.away(key, now, 0.0)
 
+    def _link(self, frame: packets.FramePacket, now: float) -> None:
+        """Whether blocks come, and whether the ground takes them."""
+        row = frame.logs[0][packets.KINDS.index("block_refused")]
+        came = frame.link["downlink_received"]
+        if row.count > self.refused:
+            self.refused = row.count
+            self._refused_at = now
+        elif came > self._answers:
+            self._answered_at = now
+        self._answers = came
+        is_heard = frame.link_state == packets.LinkState.HEARD
+        if not is_heard and now - self._refused_at < REFUSING_S:
+            why = WHY_REFUSED.get(row.detail, "not the aircraft's")
+            self.alerts.report(
+                "refused", WARNING, "LINK REFUSED",
+                f"blocks come, and none is taken: {why}", frame.time_us)
+        else:
+            self.alerts.away("refused", now)
+
+    def _find_starts(self, frame: packets.FramePacket, now: float) -> None:
+        flew = self.flying.now
+        self.flying.look(frame)
+        for start in self._starts.look(frame):
+            in_flight = start.node == "mcs" and start.kind == COLD and flew
+            level = WARNING if in_flight else CAUTION
+            text = told_of(start, in_flight)
+            self.note(level, "error",
+                      f"{start.node} {start.kind}: {text}", frame.time_us)
+            key = f"{start.node} {start.kind}"
+            # It happened: each time is an alert of its own.
+            self.alerts.away(key, now, 0.0)
+            self.alerts.report(
+                key, level, f"{heading(start.kind)} {start.node.upper()}",
+                text, frame.time_us)
+
     def _errors(self, frame: packets.FramePacket, now: float) -> None:
+        is_heard = frame.link_state == packets.LinkState.HEARD
         for event in frame.events:
             key = (event.node, event.kind)
-            before, told = self._kinds.get(key, (0, float("-inf")))
-            new = event.row.count - before
-            if new == 0 or now - told < FLOOD_S:
+            if event.kind in RESTARTS or (
+                    not is_heard and event.node == "gsc"
+                    and event.kind in LOSS_KINDS):
                 continue
-            self._kinds[key] = (event.row.count, now)
+            new = self._repeats.take(key, event.row.count, now)
+            if new is None:
+                continue
             level = (WARNING if event.kind in WARNING_KINDS else
                      CAUTION if event.kind in CAUTION_KINDS else INFO)
             what = f"{event.node} {event.kind}"
             detail = f", detail {event.row.detail}" if event.row.detail else ""
             self.note(level, "error", f"{what}: {event.row.count} times, last"
-                      f" in its frame {event.row.last_frame}{detail}",
-                      frame.time_us)
+                      f" in its frame {event.row.last_frame}{detail}"
+                      + left_out(new), frame.time_us)
             if event.kind in ALERT_KINDS:
                 # It happened: each time is an alert of its own.
                 self.alerts.away(what, now, 0.0)
@@ -368,6 +450,13 @@ class View:
             sequence, at = self._sent.popleft()
             if sequence == frame.console_sequence:
                 self.stick_ms = round((now - at) * 1000, 1)
+
+
+def told_of(start: Start, in_flight: bool) -> str:
+    """How often, and when in the node's own frames."""
+    if start.kind == COLD:
+        return "it has started again" + " in flight" * in_flight
+    return f"{start.count} times, last in its frame {start.frame}"
 
 
 def heading(name: str) -> str:

@@ -135,6 +135,20 @@ class _Entries:
                                       bitpos=8 * packets.TAIL_AT)
         yield self.choice("pilot", packets.Pilot)
         yield from self.law_words()
+        yield self.refused()
+
+    def refused(self):
+        """Of the ground's log again: how many blocks it has refused. Any is a
+        caution."""
+        row = packets.KINDS.index("block_refused") + 1
+        return self.pymdb.ParameterEntry(
+            self.pymdb.IntegerParameter(
+                self.subsystem("link"), "blocks_refused", signed=False,
+                short_description="blocks that the ground did not take",
+                alarm=self.pymdb.ThresholdAlarm(warning_high=0),
+                encoding=self.encoding(32)),
+            bitpos=8 * packets.row_at("gsc", row),
+            condition=self.pymdb.eq(self.version, packets.WHOLE))
 
     def subsystem(self, path):
         """The one of that name, of dots, made when there is none."""
@@ -160,11 +174,16 @@ class _Entries:
             yield self.whole_number(system, name, bits, bitpos=bitpos)
             bitpos = None
 
-    def choice(self, name, choices):
+    def choice(self, name, choices, alarm=None):
+        """The alarm is one of them and its level."""
+        def word(each):
+            return each.name.lower().replace("_", " ")
+
         return self.pymdb.ParameterEntry(self.pymdb.EnumeratedParameter(
             self.system, name,
-            [(each.value, each.name.lower().replace("_", " "))
-             for each in choices],
+            [(each.value, word(each)) for each in choices],
+            alarm=None if alarm is None else self.pymdb.EnumerationAlarm(
+                {word(alarm[0]): self.pymdb.AlarmLevel[alarm[1]]}),
             encoding=self.encoding(16)))
 
     def header(self):
@@ -183,7 +202,8 @@ class _Entries:
         self.age = age.parameter
         yield age
         yield self.choice("console_state", packets.ConsoleState)
-        yield self.choice("link_state", packets.LinkState)
+        yield self.choice("link_state", packets.LinkState, alarm=(
+            packets.LinkState.LOST, "CRITICAL"))
         yield self.whole_number(
             self.system, "console_sequence", 32,
             "of the console packet whose words are at the converter")
@@ -277,7 +297,9 @@ class _Entries:
                 ("not_valid_low", "a bit for each of the first sensors"),
                 ("not_valid_high", "for the others"),
                 ("silent", "frames without an uplink"),
-                ("failed", "a bit for each surface")), 1):
+                ("failed", "a bit for each surface"),
+                ("age", "of the aircraft's node since its cold start, in"
+                 " 16 frames")), 1):
             yield self.whole_number(system, name, WORD_BITS, what,
                                     at + word * WORD_BITS, comes)
         # The last word: above four bits with the table stands the number.

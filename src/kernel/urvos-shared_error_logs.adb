@@ -30,6 +30,8 @@ package body URVOS.Shared_Error_Logs with SPARK_Mode is
 
       function Contents return Logs.Error_Log is (Present);
 
+      function Time return Clock_Tick is (Now);
+
    end Shared_Log;
 
 end URVOS.Shared_Error_Logs;

@@ -36,6 +36,9 @@ package URVOS.Shared_Error_Logs with SPARK_Mode is
       --  The log as it stands, at one instant.
       function Contents return Logs.Error_Log;
 
+      --  What the clock has shown last.
+      function Time return Clock_Tick;
+
    private
       Present : Logs.Error_Log := Logs.Empty_Log;
       Now     : Clock_Tick     := 0;

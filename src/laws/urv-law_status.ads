@@ -14,13 +14,15 @@
 --  word 5  surfaces that have failed, in the order of URV.Surfaces, the first
 --          in bit 0; the throttle in bit 10
 --
+--  word 6  the node's age: major frames since its cold start, in 16s, modulo
+--          65536 (GND-45)
+--
 --  word 7  the serial number of the configuration that was taken last, above
 --          four bits with its table of gains (EXT-2); 0 for none
---
---  The other word is 0.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
 with URV.Configurations;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
@@ -42,6 +44,14 @@ package URV.Law_Status with Pure, SPARK_Mode is
       else Word (Item.Link.Silent))
    with Global => null;
 
+   --  The unit of a node's age, 0.32 s.
+   Ticks_Per_Age : constant := 16 * Ticks_Per_Major_Frame;
+
+   function Age_Word (Now : Clock_Tick) return Word is
+     (Word (Now / Ticks_Per_Age mod 2 ** Word'Size))
+   with Global => null;
+
+   --  The row without the age.
    function To_Row
      (Item   : Laws.Memory;
       Failed : Word;
@@ -54,6 +64,10 @@ package URV.Law_Status with Pure, SPARK_Mode is
       Last_Frame_High  => Failed,
       Last_Detail      => Configurations.Told (Now),
       others           => 0)
+   with Global => null;
+
+   function With_Age (Row : Log_Row; Now : Clock_Tick) return Log_Row is
+     ((Row with delta Last_Frame_Low => Age_Word (Now)))
    with Global => null;
 
 end URV.Law_Status;

@@ -42,8 +42,10 @@ package body URV.Log_Senders with SPARK_Mode is
         and then not Line.Is_Laws
         and then (Is_Empty or else Line.Sent = Place'Last)
       then
-         Line.Row := Law_Status.To_Row
-           (Flown, Surface_Monitor.Failed_Bits (Watched), Now);
+         Line.Row := Law_Status.With_Age
+           (Law_Status.To_Row
+              (Flown, Surface_Monitor.Failed_Bits (Watched), Now),
+            Errors.Time);
          Line.Is_Laws := True;
          Line.Sent := 0;
       elsif Line.Sent = Place'Last

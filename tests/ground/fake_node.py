@@ -54,6 +54,7 @@ class FakeNode(threading.Thread):
         self.words = {}
         self.cut = self.silent = False
         self.speed = 1
+        self.clock_us = 0
         self.logs = [list(NO_LOG), list(NO_LOG)]
         self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
         self.laws = ()
@@ -149,7 +150,8 @@ class FakeNode(threading.Thread):
         self.logs[1][packets.LAWS_ROW - 1] = laws_row(*self.laws)
         return packets.FramePacket(
             run=self.run_number, sequence=self.sequence,
-            time_us=time.time_ns() // 1000, downlink_age=self._age,
+            time_us=time.time_ns() // 1000 + self.clock_us,
+            downlink_age=self._age,
             console_state=state, link_state=link,
             console_sequence=sequence, counts=tuple(self.counts.values()),
             words=tuple(words[column] for column in packets.COLUMNS),

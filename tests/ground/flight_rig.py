@@ -55,11 +55,19 @@ class Ground:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         self.status = self.process.wait(PATIENCE_S)
-        assert self.left() == []
+        assert self.left() == [], self.said()
         assert not [each for each in started if Path(f"/proc/{each}").exists()]
 
     def said(self):
         return self.log.read_text("utf-8")
+
+    def good_status(self):
+        """The exit status of a flight without a fault: 3 when a slow machine
+        has ended it before the link was there."""
+        states = {
+            json.loads((self.folder / f"{name}.json").read_text("utf-8"))
+            ["link"]["state"] for name in ("ground", "aircraft")}
+        return 3 if "never heard" in states else 0
 
     def started(self):
         """Processes below bin/urv ground. One that has a key may be looked

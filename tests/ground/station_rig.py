@@ -39,8 +39,9 @@ def until(condition, what, patience=PATIENCE_S, pause=0.02):
 
 
 class Station:
-    def __init__(self, record, folder, *options, **node):
+    def __init__(self, record, folder, *options, reads=False, **node):
         self.record, self.options, self.more = record, options, node
+        self.input = subprocess.PIPE if reads else subprocess.DEVNULL
         self.events = folder / "events.jsonl"
         self.log = folder / "station.log"
 
@@ -52,7 +53,7 @@ class Station:
              "udp:127.0.0.1:0", "--console",
              f"udp:127.0.0.1:{self.node.console_port}", "--events", self.events,
              *self.options], stdout=subprocess.PIPE, stderr=self.errors,
-            text=True, stdin=subprocess.DEVNULL)
+            text=True, stdin=self.input)
         self.said = []
         for line in self.process.stdout:
             self.said.append(line.strip())

@@ -15,14 +15,14 @@ from flight_rig import Archive, Ground, needs_yamcs
 from ports import free_ports
 from station_rig import PATIENCE_S, Console, until
 
-from urv import display, packets
+from urv import display, faults, ground as module, packets
 from urv.ground import NODES, PASSED_ON
 
 
 def test_gnd31_a_flight_ends_by_itself_with_its_records(tmp_path):
     with Ground(tmp_path, "--no-yamcs", "--seconds", "4") as ground:
         ground.process.wait(3 * PATIENCE_S)
-    assert ground.status == 0, ground.said()
+    assert ground.status == ground.good_status(), ground.said()
     # On a machine that is late the aircraft begins later, and frames are left
     # out, but not all of the last second.
     frames = [int(row["frame"]) for row in ground.record()]
@@ -60,7 +60,100 @@ def test_gnd31_a_dead_station_is_told_and_the_flight_goes_on(tmp_path):
         until(lambda: len(ground.record()) > frames + 100, "more frames",
               3 * PATIENCE_S)
         assert ground.process.poll() is None
-    assert ground.status == 0
+    assert ground.status == 1
+    assert "station ended during the flight" in ground.said()
+
+
+def plant_of(ground):
+    return ground.named("plant.py")
+
+
+def shows_alert(ground, name, active=True):
+    return ground.wait(lambda state: [
+        alert for alert in state["alerts"]
+        if alert["name"] == name and alert["active"] == active], name)
+
+
+def test_gnd47_a_killed_plant_is_told_at_terminal_and_page(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard"
+                    and state["down_ms"] < 100, "the link")
+        os.kill(plant_of(ground), signal.SIGKILL)
+        until(lambda: "ground: urv_mcs: plant has died at" in ground.said(),
+              "a word of it")
+        shows_alert(ground, "PLANT GONE")
+        state = shows_alert(ground, "SENSORS OLD")
+        # The link is well, and no surface has failed.
+        later = ground.wait(lambda now: now["seq"] > state["seq"] + 50,
+                            "a second more")
+        assert not [alert for alert in later["alerts"]
+                    if "FAILED" in alert["name"]]
+        assert later["down_ms"] > 500
+        assert not (later["laws"] or {}).get("failed")
+    assert ground.status == 1
+    assert ground.said().splitlines()[-1] == (
+        "urv: urv_mcs: --plant jsbsim: JSBSim's process has ended")
+
+
+def test_gnd47_a_stopped_plant_and_a_stopped_node_are_told(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        plant = plant_of(ground)
+        os.kill(plant, signal.SIGSTOP)
+        shows_alert(ground, "PLANT SILENT")
+        os.kill(plant, signal.SIGCONT)
+        shows_alert(ground, "PLANT SILENT", active=False)
+        node = ground.named("urv_mcs")
+        os.kill(node, signal.SIGSTOP)
+        shows_alert(ground, "URV_MCS STOPPED")
+        shows_alert(ground, "LINK LOST")
+        os.kill(node, signal.SIGCONT)
+        shows_alert(ground, "URV_MCS STOPPED", active=False)
+        for said in ("plant does not answer", "plant in time again",
+                     "urv_mcs is stopped", "urv_mcs runs again"):
+            assert said in ground.said()
+    assert ground.status == 0, ground.said()
+
+
+def test_gnd47_a_stopped_station_is_told_and_ends(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        os.kill(ground.named("station"), signal.SIGSTOP)
+        until(lambda: "ground: station is stopped" in ground.said(),
+              "a word of it")
+    assert ground.status == 0, ground.said()
+
+
+def test_gnd47_nodes_with_two_keys_end_with_a_status_of_their_own(
+        tmp_path, urv, monkeypatch):
+    """The aircraft is given another key after the ground has read its own:
+    here by a node that is told another one."""
+    keys = [tmp_path / name for name in ("one.key", "two.key")]
+    for key in keys:
+        assert urv("keygen", key).returncode == 0
+    flight = module.Flight(
+        tmp_path / "flight", free_ports(5)[0], *free_ports(2))
+    flight.folder.mkdir()
+    flight.given = {"--format": "2", "--key": keys[0]}
+    passed_on = flight.passed_on
+    monkeypatch.setattr(flight, "passed_on", lambda node: [
+        keys[1] if node == "urv_mcs" and word == keys[0] else word
+        for word in passed_on(node)])
+    before = {number: signal.getsignal(number)
+              for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        flight.start("none", False, None, 8)
+        assert flight.watch() == 0
+    finally:
+        flight.end()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    with pytest.raises(faults.Unheard, match="never heard"):
+        flight.judge()
+    told = [json.loads(line)["text"] for line in
+            (flight.folder / "station.jsonl").read_text().splitlines()]
+    assert any(text.startswith("LINK REFUSED") for text in told), told
+    assert any(text.startswith("MCS REFUSES BLOCKS") for text in told), told
 
 
 def test_gnd31_a_dead_node_ends_the_flight(tmp_path):
@@ -86,7 +179,7 @@ def test_gnd31_an_interrupt_ends_it_in_the_background_too(tmp_path):
     finally:
         signal.signal(signal.SIGINT, before)
     ground.__exit__()
-    assert ground.status == 0
+    assert ground.status == ground.good_status()
 
 
 def test_gnd31_a_port_that_is_taken_is_told(tmp_path, urv):
@@ -168,7 +261,7 @@ def test_gnd21_a_stick_moved_on_the_page_moves_the_servos(
         ground.wait(lambda state: state["pilot"] == "flies", "pilot again")
         page.close()
         assert errors == []
-    assert ground.status == 0
+    assert ground.status == 0, ground.said()
 
 
 def test_gnd24_garbage_at_every_port_loses_no_frame(tmp_path):
@@ -191,7 +284,7 @@ def test_gnd24_garbage_at_every_port_loses_no_frame(tmp_path):
             and state["counts"]["console_bad"] > 300, "all counted")
         ground.wait(lambda now: now["seq"] > state["seq"] + 50
                     and now["link"] == "heard", "it flies on")
-    assert ground.status == 0
+    assert ground.status == 0, ground.said()
     # A frame is left out only where the machine ran the node late.
     rows = [int(row["frame"]) for row in ground.record()]
     summary = json.loads((ground.folder / "ground.json").read_text())
@@ -282,6 +375,8 @@ def test_gnd30_yamcs_has_every_frame_as_the_record_has_it(tmp_path):
         assert "ARCHIVE" in {alert["name"] for alert in state["alerts"]}
         ground.wait(lambda now: now["seq"] > state["seq"] + 100, "frames")
         console.close()
-    assert ground.status == 0, ground.said()
+    # Whoever has died, the flight was not what was asked for.
+    assert ground.status == 1, ground.said()
+    assert "yamcs ended during the flight" in ground.said()
 
     archive.compare(ground.record(), columns)

@@ -358,14 +358,130 @@ def test_gnd40_new_errors_are_told_with_their_severity(rows, bridge, sent):
         (6, "gsc no_input: 1"), (2, "mcs rom_check_failed: 1")]
     assert texts(2, {"no_input": 1}, {"rom_check_failed": 1}) == []
 
-    # A flood of one kind is told once in a second, and all of it.
+    # A flood of one kind is told once in a second at most, with how many
+    # were left out.
     for sequence in range(3, 51):
         assert texts(sequence, {"no_input": sequence}, {}) == []
     assert texts(51, {"no_input": 77}, {"link_reset": 2}) == [
-        (6, "gsc no_input: 77"), (4, "mcs link_reset: 2")]
+        (6, "gsc no_input: 77, 75 left out"),
+        (4, "mcs link_reset: 2, 1 left out")]
     longest = max(packets.KINDS, key=len)
     assert texts(200, {longest: 4_294_967_295}, {}) == [
-        (6, f"gsc {longest}: 4294967295")]
+        (6, f"gsc {longest}: 4294967295, 4294967294 left out"[:50])]
+
+
+def log_of(**rows):
+    made = list(NO_LOG)
+    for kind, row in rows.items():
+        made[packets.KINDS.index(kind)] = LogRow(*row, 0)
+    return tuple(made)
+
+
+def test_gnd45_every_start_is_told_and_a_cold_one_in_flight_is_critical(
+        rows, bridge, sent):
+    def texts(sequence, mcs=NO_LOG, run=1):
+        bridge.datagram(frame_of(
+            rows[0], sequence, run=run, logs=(NO_LOG, mcs)).encode())
+        return [(message.severity, message.text)
+                for message in sent.take("STATUSTEXT")
+                if not message.text.startswith("link ")]
+
+    assert texts(0) == []
+    assert texts(1, log_of(processor_restart=(1, 40, 40))) == [
+        (4, "mcs processor_restart: 1")]
+    # Two between two looks, and one with the same count after a cold start.
+    assert texts(2, log_of(processor_restart=(3, 40, 90))) == [
+        (4, "mcs processor_restart: 2")]
+    assert texts(3, log_of(processor_restart=(3, 10, 30))) == [
+        (2, "mcs cold_start: 1 in flight"), (4, "mcs processor_restart: 3")]
+    assert texts(0, run=2) == [(4, "gsc cold_start: 1")]
+
+
+def test_gnd45_a_lost_link_is_not_buried(rows, bridge, sent):
+    """A minute of what a lost link causes: it is told each 10 s, alone."""
+    for sequence in range(60 * 50):
+        count = max(0, sequence - 50)
+        row = (count, 51, sequence)
+        bridge.datagram(frame_of(
+            rows[0], sequence, downlink_age=count,
+            link_state=(LinkState.LOST if sequence > 100
+                        else LinkState.HEARD),
+            logs=(log_of(no_input=row, telin_no_block=row,
+                         core_no_downlink=row, link_reset=row)
+                  if count else NO_LOG, NO_LOG)).encode())
+    texts = [message.text for message in sent.take("STATUSTEXT")]
+    after = texts[texts.index("link lost"):]
+    assert after == ["link lost", *(
+        f"link lost for {seconds} s" for seconds in range(10, 60, 10))]
+    bridge.datagram(frame_of(
+        rows[0], 3000, logs=(log_of(no_input=(2950, 51, 2999)),
+                             NO_LOG)).encode())
+    assert [message.text for message in sent.take("STATUSTEXT")][:2] == [
+        "link heard", "gsc no_input: 2950, 2948 left out"]
+
+
+def test_gnd47_a_link_whose_blocks_are_refused_is_told(rows, bridge, sent):
+    for sequence in range(100):
+        refused = (sequence, 1, sequence)
+        bridge.datagram(frame_of(
+            rows[0], sequence, downlink_age=NEVER,
+            link_state=LinkState.NEVER_HEARD,
+            logs=(log_of(block_refused=refused) if sequence else NO_LOG,
+                  NO_LOG)).encode())
+    messages = sent.take()
+    assert "HEARTBEAT" not in {each.get_type() for each in messages}
+    assert [(each.severity, each.text) for each in messages
+            if each.get_type() == "STATUSTEXT"] == [
+        (2, "link refused: 1 blocks"), (2, "link refused: 51 blocks")]
+
+
+def test_gnd40_an_aircraft_that_flies_is_armed(rows, bridge, sent):
+    landed = dict(rows[0])
+    for name in ("airspeed", "altitude"):
+        landed[f"gsc.downlink.{name}"] = 0
+    for sequence, row, armed, state in (
+            (0, landed, 0, 3), (50, rows[0], 128, 4), (100, landed, 0, 3)):
+        bridge.datagram(frame_of(row, sequence).encode())
+        [beat] = sent.take("HEARTBEAT")
+        assert (beat.base_mode & 128, beat.system_status) == (armed, state)
+    # What is not known is as it was.
+    bridge.datagram(frame_of(rows[0], 101).encode())
+    bridge.datagram(frame_of(landed, 150, downlink_age=3).encode())
+    [beat] = sent.take("HEARTBEAT")
+    assert beat.base_mode & 128
+
+
+UNKNOWN = {
+    "SYS_STATUS": {"current_battery": -1, "battery_remaining": -1},
+    "RADIO_STATUS": {"rssi": 255, "noise": 255, "remnoise": 255},
+    "VFR_HUD": {"heading": -1}}
+NEVER_KNOWN = {"SYS_STATUS": {"voltage_battery": 65_535},
+               "RADIO_STATUS": {"remrssi": 255}}
+"""What each field says when nobody knows, as common.xml has it; VFR_HUD has
+none for its heading, -1 is no heading."""
+
+
+def test_gnd41_what_nobody_knows_has_the_value_that_says_so(
+        rows, bridge, sent):
+    bridge.datagram(frame_of(rows[0], 0).encode())
+    found = {each.get_type(): each for each in sent.take()}
+    for name, fields in UNKNOWN.items():
+        for each, value_of_it in fields.items():
+            assert getattr(found[name], each) == value_of_it, (name, each)
+    assert math.isnan(found["ATTITUDE"].yaw)
+    assert math.isnan(found["VFR_HUD"].groundspeed)
+    bridge.datagram(frame_of(
+        rows[0], 0, run=2, downlink_age=NEVER).encode())
+    found = {each.get_type(): each for each in sent.take()}
+    for name, fields in NEVER_KNOWN.items():
+        for each, value_of_it in fields.items():
+            assert getattr(found[name], each) == value_of_it, (name, each)
+
+
+def test_gnd46_a_former_run_that_is_late_changes_nothing(rows, bridge, sent):
+    for sequence, run in ((500, 9), (0, 4), (501, 9), (1, 4)):
+        bridge.datagram(frame_of(rows[0], sequence, run=run).encode())
+    assert (bridge.frames, bridge.bad, bridge.missing) == (3, 1, 0)
 
 
 def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):

@@ -17,6 +17,7 @@ from station_rig import PATIENCE_S, Station, until
 
 from urv import items, laws, packets, web
 from urv.alerts import Alerts
+from urv.processes import Report
 from urv.sticks import ASKED_S, LAPSED_S, SILENT_S, Sticks
 
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
@@ -331,6 +332,39 @@ def test_gnd26_errors_of_both_nodes_are_logged_once(station):
     told = [line for line in station.lines() if line["kind"] == "error"]
     assert [line["text"] for line in told] == [
         "mcs processor_restart: 1 times, last in its frame 77"]
+
+
+def test_gnd46_a_ground_that_starts_again_with_an_earlier_clock(station):
+    station.flying()
+    station.node.clock_us = -3_600_000_000
+    station.node.sequence = 0
+    station.node.run_number -= 3_600_000
+    state = station.wait(
+        lambda state: state["seq"] < 50 and "COLD START GSC" in {
+            alert["name"] for alert in state["alerts"]}, "the new run")
+    station.wait(lambda now: now["seq"] > state["seq"] + 10, "its frames")
+
+
+def test_gnd47_reports_about_other_programs_are_alerts(record, tmp_path):
+    station = Station(record, tmp_path, "--reports", reads=True)
+    with station:
+        for line in (
+                Report("plant", "warning", "PLANT GONE", "it died").line(),
+                "nonsense\n", '{"key": 1}\n'):
+            station.process.stdin.write(line)
+            station.process.stdin.flush()
+        state = station.wait(lambda state: "PLANT GONE" in {
+            alert["name"] for alert in state["alerts"]}, "an alert")
+        station.process.stdin.write(Report("plant", active=False).line())
+        station.process.stdin.close()
+        station.wait(lambda state: [
+            alert for alert in state["alerts"]
+            if alert["name"] == "PLANT GONE" and not alert["active"]],
+            "its end")
+        # Without who reports it goes on.
+        station.wait(lambda now: now["seq"] > state["seq"] + 10, "frames")
+        assert len([line for line in station.lines()
+                    if line["kind"] == "process"]) == 2
 
 
 ROLL_RATE = 1 << laws.SENSORS.index("roll_rate") - 16

@@ -12,6 +12,8 @@ with Telemetry.Shared_Boards;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
 with URV.Errors;          use URV.Errors;
+with URV.Law_Status;
+with URV.Laws;
 with URV.Log_Pieces;      use URV.Log_Pieces;
 with URV.Log_Receivers;
 with URV.Log_Senders;
@@ -34,6 +36,7 @@ package body LOG_Task_Tests is
    procedure Whole_Log;
    procedure Pieces_Lost;
    procedure No_Such_Row;
+   procedure Age_Of_Node;
 
    --  What the task is between. The board is an aircraft's, and has counted
    --  what the tests before had it count.
@@ -490,6 +493,38 @@ package body LOG_Task_Tests is
       end loop;
    end No_Such_Row;
 
+   procedure Age_Of_Node is
+      Off : constant URV.Laws.Settings := Law_Settings.Contents;
+
+      --  The age that the ground has, after a row of it has come.
+      procedure Expect_Age (Frame : Clock_Tick; Age : Word);
+
+      procedure Expect_Age (Frame : Clock_Tick; Age : Word) is
+      begin
+         Begin_Test;
+         Errors.Set_Time (Frame * Ticks_Per_Major_Frame);
+         for Piece in 1 .. 15 loop
+            Fly_Frame;
+         end loop;
+         Expect
+           ("age in frame" & Frame'Image,
+            CORE.Contents.Aircraft_Log (URV.Law_Status.Row_Number)
+              (Last_Frame_Low),
+            Age);
+      end Expect_Age;
+
+   begin
+      Law_Settings.Write ((Off with delta On => True));
+      Expect_Age (0, 0);
+      Expect_Age (15, 0);
+      Expect_Age (16, 1);
+      Expect_Age (16 * 65_535 + 15, 65_535);
+      Expect_Age (16 * 65_536, 0);
+      Expect_Age (Last_Tick / Ticks_Per_Major_Frame,
+                  Word (Last_Tick / (16 * Ticks_Per_Major_Frame) mod 65_536));
+      Law_Settings.Write (Off);
+   end Age_Of_Node;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -525,6 +560,9 @@ package body LOG_Task_Tests is
       Add
         (Suite, "SAF-7 a row that there is not is not taken",
          No_Such_Row'Access);
+      Add
+        (Suite, "GND-45 the ground knows the age of the aircraft's node",
+         Age_Of_Node'Access);
    end Add_To;
 
 end LOG_Task_Tests;

@@ -148,10 +148,13 @@ function show_lost(now, frame, down) {
   } else if (frame >= LOST) {
     what = "NO FRAMES";
     age = frame;
+  } else if (state.refusing && state.link !== "heard") {
+    what = `LINK REFUSED, ${state.refused} blocks`;
+    age = down;
   } else if (down === null) {
     what = "NO DOWNLINK YET";
   } else if (down >= LOST) {
-    what = "LINK LOST";
+    what = state.answers ? "SENSORS OLD" : "LINK LOST";
     age = down;
   }
   byId("lost").hidden = what === "";

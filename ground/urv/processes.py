@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reports about the programs of a flight: bin/urv ground makes them, prints
+them and hands them to the station, a JSON object a line (GND-47)."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+from urv.alerts import CAUTION, WARNING
+
+if TYPE_CHECKING:
+    from urv.view import View
+
+
+@dataclass(frozen=True)
+class Report:
+    """An alert of that key begins, or ends."""
+
+    key: str
+    level: str = CAUTION
+    name: str = ""
+    text: str = ""
+    active: bool = True
+
+    def line(self) -> str:
+        """For the station's standard input."""
+        return json.dumps(asdict(self)) + "\n"
+
+    @classmethod
+    def of(cls, line: str) -> Report:
+        """Raises ValueError when it is none."""
+        said = json.loads(line)
+        if not isinstance(said, dict) or set(said) != set(
+                cls.__dataclass_fields__):
+            raise ValueError("not a report's fields")
+        made = cls(**said)
+        if made.level not in (CAUTION, WARNING) or not all(
+                isinstance(each, str)
+                for each in (made.key, made.name, made.text)):
+            raise ValueError("not a report's values")
+        return made
+
+
+# What a node says on standard error: a pattern, and the alert that it begins.
+BEGINS = (
+    (r"plant has died", "plant", WARNING, "PLANT GONE"),
+    (r"plant does not answer", "plant", WARNING, "PLANT SILENT"),
+    (r"\d+ blocks? refused", "refused {}", WARNING, "{} REFUSES BLOCKS"),
+    (r"peer lost", "peer {}", CAUTION, "{} HEARS NOTHING"),
+    (r"no real-time priorities", "priorities", CAUTION, "NO PRIORITIES"))
+ENDS = (
+    (r"plant in time again", ("plant",)),
+    (r"peer heard", ("refused {}", "peer {}")))
+ALONE = re.compile(r"warm reset|processor restart|internal fault")
+"""What is printed, and is no alert or has one of its own."""
+
+
+def reports_of(node: str, said: str) -> list[Report]:
+    """The alerts that a line of a node begins or ends."""
+    short = node.removeprefix("urv_")
+    for pattern, key, level, name in BEGINS:
+        if re.match(pattern, said):
+            return [Report(key.format(short), level,
+                           name.format(short.upper()), f"{node}: {said}")]
+    for pattern, keys in ENDS:
+        if re.match(pattern, said):
+            return [Report(key.format(short), active=False) for key in keys]
+    return []
+
+
+async def take(stream: Any, view: View) -> None:
+    """Shows what comes at a station's standard input, up to its end."""
+    reader = asyncio.StreamReader()
+    await asyncio.get_running_loop().connect_read_pipe(
+        lambda: asyncio.StreamReaderProtocol(reader), stream)
+    while line := await reader.readline():
+        try:
+            view.report(Report.of(line.decode("utf-8", "replace")))
+        except ValueError as error:
+            view.note(CAUTION, "process", f"no report: {error}")
