@@ -47,7 +47,7 @@ def page(flights, events, summary):
     quality = (summary or {}).get("flight_quality")
     answers = [
         verdicts.flown(flight, quality if isinstance(quality, dict) else None),
-        verdicts.link(flight, summary), verdicts.limits(flight)]
+        verdicts.link(flight, summary, events), verdicts.limits(flight)]
     laws = [flown_laws.of(each) for each in flights]
     answers += [each.answer() for each in laws[:1] if each]
     other = None

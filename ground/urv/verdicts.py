@@ -51,6 +51,9 @@ FLOWN = ("altitude", "airspeed", "alpha", "beta", "vertical_acceleration",
          "roll_attitude", "pitch_attitude")
 
 WAYS = (("uplink", "commands up"), ("downlink", "data down"))
+TAKEN_BY = {"uplink": "mcs", "downlink": "gsc"}
+"""The node to which each way leads."""
+REFUSED = "block_refused"
 
 
 @dataclass(frozen=True)
@@ -182,9 +185,30 @@ def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def link(flight, summary):
+def refused_blocks(events, summary):
+    """How many blocks each node has refused: they came, and were not its
+    peer's. By the events, or else by the summary, which a partition has of
+    itself alone."""
+    found = dict.fromkeys(TAKEN_BY.values(), 0)
+    for event in events:
+        if event.kind == REFUSED and event.node in found:
+            found[event.node] += event.count
+    if any(found.values()) or not summary:
+        return found
+    of_link, of_log = summary.get("link"), summary.get("events")
+    for way, node in TAKEN_BY.items():
+        if isinstance(of_log, dict):
+            found[node] = of_log.get(f"{node}.{REFUSED}", 0)
+        if isinstance(of_link, dict) and f"{way}_received" in of_link:
+            found[node] = of_link.get("blocks_refused", found[node])
+    return {node: many if is_number(many) else 0
+            for node, many in found.items()}
+
+
+def link(flight, summary, events=()):
     """Was the link well?"""
     lines = []
+    refused = refused_blocks(events, summary)
     last = {name: int(flight.columns[f"link.{name}"][-1])
             for name in (f"{way}_{count}" for way, _ in WAYS
                          for count in ("sent", "received", "bad", "scrapped"))
@@ -193,13 +217,18 @@ def link(flight, summary):
         sent, received = last.get(f"{way}_sent"), last.get(f"{way}_received")
         if received is not None:
             # One a frame; the first ones and the last are on their way.
-            share = min(100.0, 100.0 * received / max(
+            taken = max(0, received - refused[TAKEN_BY[way]])
+            share = min(100.0, 100.0 * taken / max(
                 flight.frames - FRAMES_ON_THE_WAY, 1))
             lines.append(Line(
                 f"delivery of {label}",
                 f"{number(share, 2, '%')} of {flight.frames} frames",
                 f"at least {number(DELIVERED_AT_LEAST, 0, '%')}",
                 WELL if share >= DELIVERED_AT_LEAST else WARNING))
+        if refused[TAKEN_BY[way]]:
+            lines.append(Line(
+                f"{label}, refused: another key or format, or not the peer's",
+                counted(refused[TAKEN_BY[way]], "block"), "none", WARNING))
         if sent is not None:
             lines.append(Line(f"{label}, sent, with repeats",
                               f"{sent} messages", "no limit"))

@@ -7,10 +7,13 @@ import random
 import re
 import signal
 import socket
+import sys
 import time
+import urllib.request
 from pathlib import Path
 
 import pytest
+from fake_node import FakeNode
 from flight_rig import Archive, Ground, needs_yamcs
 from ports import free_ports
 from station_rig import PATIENCE_S, Console, until
@@ -327,6 +330,54 @@ def test_gnd32_the_display_shows_what_there_is():
     database = xtce.mission_database()
     for name in shown:
         assert f'name="{name.rpartition("/")[2]}"' in database, name
+
+
+@needs_yamcs
+def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
+        tmp_path, standard):
+    """Its clock is an hour behind that of the run before."""
+    folder = tmp_path / "flight"
+    folder.mkdir()
+    flight = module.Flight(folder, free_ports(5)[0], *free_ports(2))
+    url = f"http://127.0.0.1:{flight.yamcs_port}"
+
+    def sequence():
+        """What Yamcs shows."""
+        try:
+            with urllib.request.urlopen(
+                    f"{url}/api/processors/urv/realtime/parameters/URV/"
+                    "sequence", timeout=PATIENCE_S) as answer:
+                return json.load(answer)["engValue"]["uint32Value"]
+        except (OSError, KeyError):
+            return None
+
+    before = {number: signal.getsignal(number)
+              for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        flight.run("station", sys.executable, "-B", "-m", "urv", "station",
+                   "--port", flight.page_port,
+                   "--frames", f"udp:127.0.0.1:{flight.frames}",
+                   "--relay", f"tcp:127.0.0.1:{flight.relay}",
+                   "--yamcs", url, tells=True)
+        flight.await_station()
+        flight.start_yamcs()
+        with FakeNode(standard / "record.csv",
+                      ("127.0.0.1", flight.frames)) as node:
+            node.sequence = 1_000_000
+            until(lambda: (sequence() or 0) >= 1_000_000, "frames",
+                  5 * PATIENCE_S, pause=0.5)
+            node.clock_us = -3_600_000_000
+            node.run_number ^= 1 << 22
+            node.sequence = 0
+            until(lambda: (sequence() or 10**6) < 10**6, "the new run",
+                  PATIENCE_S, pause=0.5)
+            shown = sequence()
+            until(lambda: shown < (sequence() or 0) < 10**6, "its frames",
+                  PATIENCE_S, pause=0.5)
+    finally:
+        flight.end()
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def assert_local(process):

@@ -221,6 +221,29 @@ def test_gnd14_a_partition_s_record_has_a_report(
     assert "(no flight_quality in a summary)" in text
 
 
+@pytest.mark.parametrize("where", ["--events", "--summary"])
+def test_gnd47_a_link_whose_blocks_were_refused_was_not_well(
+        urv, tmp_path, standard, where):
+    """However many came: they were not the aircraft's."""
+    with (standard / "record.csv").open(encoding="utf-8") as record:
+        received = int(list(csv.DictReader(record))[-1][
+            "link.downlink_received"])
+    told = {
+        "--events": {"node": "gsc", "kind": "block_refused",
+                     "count": received, "first_frame": 1, "last_frame": 99,
+                     "first_ms": 20, "last_ms": 1980, "last_detail": 2},
+        "--summary": {"frames": 3000, "link": {"downlink_received": received,
+                               "blocks_refused": received}}}[where]
+    (tmp_path / "told.json").write_text(json.dumps(told) + "\n", "utf-8")
+    result = urv("report", standard / "record.csv", "-o", "report.html",
+                 where, "told.json")
+    assert (result.returncode, result.stderr) == (0, "")
+    text = Texts(tmp_path / "report.html").text
+    assert re.search(r"No: [^.]*delivery of data down; data down, refused",
+                     text)
+    assert f"{received} blocks" in text
+
+
 def test_gnd14_nothing_read_is_shown_unescaped(
         urv, tmp_path, sagging, browser):
     evil = "<img src=x onerror=document.title=666>"

@@ -139,6 +139,7 @@ function draw() {
 
 function show_lost(now, frame, down) {
   let what = "";
+  let why = "";
   let age = null;
   if (!there) {
     what = "STATION LOST";
@@ -149,7 +150,8 @@ function show_lost(now, frame, down) {
     what = "NO FRAMES";
     age = frame;
   } else if (state.refusing && state.link !== "heard") {
-    what = `LINK REFUSED, ${state.refused} blocks`;
+    what = "LINK REFUSED";
+    why = `${state.refused} blocks`;
     age = down;
   } else if (down === null) {
     what = "NO DOWNLINK YET";
@@ -159,8 +161,8 @@ function show_lost(now, frame, down) {
   }
   byId("lost").hidden = what === "";
   say(byId("lost_what"), what);
-  say(byId("lost_for"), age === null ? ""
-    : `for ${(age / 1000).toFixed(1)} s`);
+  say(byId("lost_for"), age === null ? why
+    : `${why} for ${(age / 1000).toFixed(1)} s`.trim());
 }
 
 const bars = Array.from({ length: BARS }, (_, at) => {
