@@ -214,6 +214,7 @@ package body Theorems.Safety with SPARK_Mode is
        and then Item.Done = Item'Old.Done
        and then
          (if not Is_Fresh (Item'Old.AD)
+            or else Contents (Item'Old.AD).Error_Status = Stale_Data
           then Is_Old (Contents (Item.TELOUT))
             or else Is_Other_Kind (Contents (Item.TELOUT)));
 
@@ -1059,6 +1060,16 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Run_AD (Item, Scans);
    end A_Repeated_Scan_Is_Marked;
+
+   procedure A_Marked_Image_Is_Sent_As_Old
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
+   is
+   begin
+      Run_GDCOUT (Item, Scans, Bits, Order);
+   end A_Marked_Image_Is_Sent_As_Old;
 
    procedure A_Repeated_Image_Is_Marked
      (Item  : in out Ground_Way;

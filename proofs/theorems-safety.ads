@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Nothing moves that was not asked for (SAF-1 to SAF-3, SAF-5, SAF-6, D-13,
---  D-14): the way of the commands from the ground's converter to the servos
---  and the aircraft's CORE memory, over any sequence of what may happen on
---  it.
+--  Nothing moves that was not asked for (SAF-1 to SAF-3, SAF-5, SAF-6,
+--  SAF-10, D-13, D-14): the way of the commands from the ground's converter
+--  to the servos and the aircraft's CORE memory, over any sequence of what
+--  may happen on it.
 --
 --  The way is made of the code's own mailboxes, routing, codec, transform
 --  and layouts. Beside each place stands the scan that its words are of, 0
@@ -467,7 +467,25 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.ADINT),
-     Post   => Contents (Item.AD).Error_Status = Stale_Data;
+     Post   =>
+       Is_Sound (Item, Scans)
+       and then Contents (Item.AD).Error_Status = Stale_Data;
+
+   --  It is sent on as old: with the one above, what a frame without a scan
+   --  sends up (SAF-10).
+   procedure A_Marked_Image_Is_Sent_As_Old
+     (Item  : in out Ground_Way;
+      Scans : Scan_History;
+      Bits  : Word;
+      Order : Uplink_Buffer)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans)
+       and then Contents (Item.AD).Error_Status = Stale_Data,
+     Post   =>
+       Is_Old (Contents (Item.TELOUT))
+       or else Is_Other_Kind (Contents (Item.TELOUT));
 
    procedure A_Repeated_Image_Is_Marked
      (Item  : in out Ground_Way;

@@ -423,11 +423,7 @@ package body URV.Laws with SPARK_Mode is
       Rising := Climb_Rate (After.Smoothed, Now.Altitude);
       After.Smoothed := Next_Smooth (After.Smoothed, Now.Altitude);
       if After.Link.State not in Lost then
-         After.Is_Flying :=
-           not (After.Checks (Airspeed).Is_Valid
-                and then After.Checks (Altitude).Is_Valid
-                and then Now.Airspeed < Flying_Speed
-                and then Now.Altitude < Flying_Height);
+         After.Is_Flying := not Is_On_Ground (Checks);
       end if;
 
       After.Flown :=

@@ -265,6 +265,9 @@ package URV.Laws with Pure, SPARK_Mode is
        and then (if Is_Old (Commands)
                  then Next'Result.Heard = This.Heard
                  else Next'Result.Heard = Commands)
+       and then Next'Result.Is_Flying =
+         (if Next'Result.Link.State in Lost then This.Is_Flying
+          else not Is_On_Ground (Sensor_Checks.Next (This.Checks, Sensors)))
        and then Next'Result.Flown =
          (if Is_Disconnected (Commands) then All_Direct
           else Allowed

@@ -169,6 +169,16 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
            then Items (Item).Is_Valid
              or else Next'Result (Item).Good = Good_Scans));
 
+   --  The aircraft is known to be on the ground: it is slow and low, and both
+   --  sensors are valid. Whatever is not known counts as flying (EXT-5,
+   --  SAF-10).
+   function Is_On_Ground (Items : Check_Table) return Boolean is
+     (Items (Airspeed).Is_Valid
+      and then Items (Altitude).Is_Valid
+      and then Word_Of (Items, Airspeed) < Flying_Speed
+      and then Word_Of (Items, Altitude) < Flying_Height)
+   with Global => null;
+
    --  A bit for each sensor that is not valid, the first in bit 0, in two
    --  words.
 

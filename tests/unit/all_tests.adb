@@ -6,6 +6,7 @@ with Buffers_Tests;
 with Checksum_Tests;
 with Clocked_Executives_Tests;
 with Codecs_Tests;
+with Console_Watch_Tests;
 with CORE_Tests;
 with Error_Log_Tests;
 with Exchange_Tests;
@@ -66,6 +67,7 @@ package body All_Tests is
          Real_Time_Nodes_Tests.Add_To (Result);
       end if;
       Laws_Tests.Add_To (Result);
+      Console_Watch_Tests.Add_To (Result);
       LAW_Task_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);

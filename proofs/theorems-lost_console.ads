@@ -1,0 +1,136 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  A lost console does not cost the aircraft (SAF-10, D-33). In flight it has
+--  the same effect as a lost link; on the ground the safe words go up.
+
+with URV.Buffers;       use URV.Buffers;
+with URV.Console_Watch; use URV.Console_Watch;
+with URV.Laws;          use type URV.Laws.Memory, URV.Laws.Modes;
+with URV.Link_Loss;     use type URV.Link_Loss.Link_Memory;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
+with URV.Type_Codes;    use URV.Type_Codes;
+with URVOS;             use URVOS;
+with Theorems.Safety;   use Theorems.Safety;
+
+package Theorems.Lost_Console with SPARK_Mode, Ghost is
+
+   use For_Stick_Words.Boxes;
+   use For_Uplink.Boxes;
+
+   --  In flight a lost console makes no fresh command: the converter gives no
+   --  scan, and what GDCOUT sends up in the frame is marked as old. An order
+   --  besides the sticks still goes up. No scan of before is pending.
+   procedure In_Flight_Nothing_Fresh_Goes_Up
+     (Ground   : in out Ground_Way;
+      Scans    : Scan_History;
+      Item     : Watch;
+      Silent   : Frame_Count;
+      Downlink : Downlink_Buffer;
+      Bits     : Word;
+      Order    : Uplink_Buffer)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Ground, Scans)
+       and then not Is_Fresh (Ground.ADINT)
+       and then Is_Lost (Silent)
+       and then not Is_On_Ground (Next (Item, Silent, Downlink).Checks),
+     Post   =>
+       Next (Item, Silent, Downlink).Input = Held
+       and then
+         (Is_Old (Contents (Ground.TELOUT))
+          or else Is_Other_Kind (Contents (Ground.TELOUT)));
+
+   --  The console input and the downlink of each frame: anything.
+
+   type Frame is record
+      Has_Input : Boolean;
+      Downlink  : Downlink_Buffer;
+   end record;
+
+   Last_Frame : constant := 1_000_000;
+   type Frame_Number is range 1 .. Last_Frame;
+   type Frame_History is array (Frame_Number) of Frame;
+
+   --  None of the last 25 frames had console input.
+   function Is_Lost_At (Frames : Frame_History; Where : Frame_Number)
+                        return Boolean
+   is
+     (Where >= Frame_Number (Lost_After)
+      and then
+        (for all Each in Frame_Number =>
+           (if Each > Where - Frame_Number'Base (Lost_After)
+              and then Each <= Where
+            then not Frames (Each).Has_Input)))
+   with Global => null;
+
+   --  Whatever the history: with a lost console something fresh goes up only
+   --  when the aircraft is known to be on the ground, and then it is the
+   --  safe words. While the console is not lost, its words go up.
+   procedure Any_History
+     (Frames : Frame_History; Upto : Frame_Number; Item : out Watch)
+   with
+     Global => null,
+     Post   =>
+       (if Is_Lost_At (Frames, Upto)
+        then Item.Input /= Live
+          and then
+            (if not Is_On_Ground (Item.Checks) then Item.Input = Held)
+        else Item.Input = Live);
+
+   --  The aircraft cannot tell a lost console from a lost link: of two
+   --  commands that are marked as old, whoever marked them, it makes the same
+   --  silent frame. The link's state, the sensors, the commands heard, and
+   --  what flies each axis are the same.
+   procedure Same_Effect_As_A_Lost_Link
+     (Before       : URV.Laws.Memory;
+      From_Console : Uplink_Buffer;
+      From_Link    : Uplink_Buffer;
+      Sensors      : Downlink_Buffer;
+      By           : URV.Link_Loss.Times;
+      One, Other   : URV.Laws.Memory)
+   with
+     Global => null,
+     Pre    =>
+       Is_Old (From_Console)
+       and then Is_Old (From_Link)
+       and then One = URV.Laws.Next (Before, From_Console, Sensors, By)
+       and then Other = URV.Laws.Next (Before, From_Link, Sensors, By),
+     Post   =>
+       One.Link = URV.Link_Loss.After_Silence (Before.Link, By)
+       and then One.Link = Other.Link
+       and then One.Checks = Other.Checks
+       and then One.Heard = Other.Heard
+       and then One.Is_Flying = Other.Is_Flying
+       and then One.Flown = Other.Flown;
+
+   --  On the ground the safe words go up as fresh commands from the frame on
+   --  that is 2 s silent: throttle idle, brake on, switches off.
+   procedure On_The_Ground_The_Safe_Words_Go_Up
+     (Item     : Watch;
+      Silent   : Frame_Count;
+      Downlink : Downlink_Buffer)
+   with
+     Global => null,
+     Pre    =>
+       Silent >= Safe_After
+       and then Is_On_Ground (Next (Item, Silent, Downlink).Checks),
+     Post   =>
+       Next (Item, Silent, Downlink).Input = Safe_Words
+       and then
+         not Is_Old (To_Uplink (Stamped (Neutral_Stick_Words, Fresh => True)))
+       and then
+         Transform (To_Uplink (Stamped (Neutral_Stick_Words, Fresh => True)))
+           = Safe_Outputs;
+
+   --  The console flies again with its first input.
+   procedure It_Is_Back_With_Its_First_Input
+     (Item : Watch; Downlink : Downlink_Buffer)
+   with
+     Global => null,
+     Post   => Next (Item, 0, Downlink).Input = Live;
+
+end Theorems.Lost_Console;

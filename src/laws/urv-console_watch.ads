@@ -1,0 +1,71 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  What the ground's converter gives the node when the pilot's console falls
+--  silent (SAF-10, D-33).
+--
+--  A lost console in flight has the same effect as a lost link. The converter
+--  brings no scan, so GDCOUT marks the uplink as old, and the aircraft holds,
+--  orbits and glides as its link-loss rule says (EXT-5). On the ground the
+--  safe words go up: throttle idle, brake on, switches off.
+--
+--  A frame is silent when no console input came in it. An aircraft of which
+--  the ground does not know that it is on the ground is flying.
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URVOS;               use URVOS;
+with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Layout;
+with URV.Law_Gains;       use URV.Law_Gains;
+with URV.Sensor_Checks;   use URV.Sensor_Checks;
+
+package URV.Console_Watch with Pure, SPARK_Mode is
+
+   --  Live        the scan has the words of the last console input
+   --  Held        there is no scan: nothing fresh goes up
+   --  Safe_Words  the scan has the safe words, Neutral_Stick_Words (D-13)
+   type Converter_Input is (Live, Held, Safe_Words);
+
+   --  Silent frames in a row; the last value also stands for more.
+   type Frame_Count is range 0 .. 1_000_000;
+
+   --  Silent frames until the console is lost, 0.5 s, and until the safe words
+   --  may go up, 2 s.
+   Lost_After : constant Frame_Count := Frames_Per_Second / 2;
+   Safe_After : constant Frame_Count := 2 * Frames_Per_Second;
+
+   function Is_Lost (Silent : Frame_Count) return Boolean is
+     (Silent >= Lost_After)
+   with Global => null;
+
+   --  What the ground knows of the aircraft's sensors from the downlinks
+   --  shown in CORE, and what the converter gives the node. At the start no
+   --  sensor is believed.
+   type Watch is record
+      Checks : Check_Table;
+      Input  : Converter_Input := Held;
+   end record;
+
+   --  The downlink as CORE shows it. One that is still cleared says nothing:
+   --  it is as old.
+   function Downlink_Of (Area : Downlink_Words) return Downlink_Buffer is
+     (if (for all Item of Area => Item = 0) then Neutral_Downlink
+      else URV.CORE_Layout.To_Buffer (Area))
+   with Global => null;
+
+   --  A frame: Silent counts up to this frame, Downlink is the latest one,
+   --  marked as old unless it came in the last frame.
+   function Next
+     (This     : Watch;
+      Silent   : Frame_Count;
+      Downlink : Downlink_Buffer) return Watch
+   is
+     (Checks => Sensor_Checks.Next (This.Checks, Downlink),
+      Input  =>
+        (if not Is_Lost (Silent) then Live
+         elsif Silent >= Safe_After
+           and then Is_On_Ground (Sensor_Checks.Next (This.Checks, Downlink))
+         then Safe_Words
+         else Held))
+   with Global => null;
+
+end URV.Console_Watch;
