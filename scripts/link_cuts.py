@@ -27,21 +27,26 @@ STEEPEST = 45.0
 LINKED = "1"
 
 
-def fly(second: int, length: int) -> dict[str, float]:
-    """The worst of a flight with the link cut at that second."""
+def rows_from(first_ms: int, fault: str, end_s: int,
+              pilot: str = "standard") -> list[dict[str, str]]:
+    """The rows of the record from a time on, of a flight with a fault."""
     with tempfile.TemporaryDirectory() as folder:
         faults = Path(folder, "faults.txt")
-        faults.write_text(f"{second * 1000} cut {length * 1000}\n",
-                          encoding="ascii")
+        faults.write_text(f"{fault}\n", encoding="ascii")
         record = Path(folder, "record.csv")
-        end = max(FLIGHT, second + length + AFTER)
         subprocess.run(
             [ROOT / "bin/urv_sim", "fly", "--plant", "jsbsim",
-             "--pilot", "standard", "--laws", "on", "--seconds", str(end),
+             "--pilot", pilot, "--laws", "on", "--seconds", str(end_s),
              "--faults", faults, "--record", record, "--quiet"], check=True)
         with record.open(encoding="ascii", newline="") as lines:
-            rows = [row for row in csv.DictReader(lines)
-                    if float(row["time_ms"]) >= second * 1000]
+            return [row for row in csv.DictReader(lines)
+                    if float(row["time_ms"]) >= first_ms]
+
+
+def fly(second: int, length: int) -> dict[str, float]:
+    """The worst of a flight with the link cut at that second."""
+    rows = rows_from(second * 1000, f"{second * 1000} cut {length * 1000}",
+                     max(FLIGHT, second + length + AFTER))
     altitudes = [float(row["truth.altitude_ft"]) for row in rows]
     return {
         "second": second,

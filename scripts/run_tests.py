@@ -37,12 +37,12 @@ SLOWEST = 10
 # The files of tests of the simulation that `make check` leaves out: they take
 # longest.
 SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
-        "exploration", "faults", "flight", "fuzz", "link_cuts", "link_theory",
-        "mutants", "pilot", "planted", "safety_mixes", "starts", "surfaces",
-        "traceability", "truth")
+        "exploration", "faults", "flight", "fuzz", "link_cuts",
+        "link_theory", "lost_console", "mutants", "pilot", "planted",
+        "safety_mixes", "starts", "surfaces", "traceability", "truth")
 
 # The files of tests of the ground station in which time passes as it does.
-LIVE = ("ground", "mavlink", "page", "station")
+LIVE = ("console_losses", "ground", "mavlink", "page", "station")
 
 # So many tests in which time passes as it does run at once, of any file. They
 # wait more than they work: two processors have time for more of them, and who

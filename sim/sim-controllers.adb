@@ -2,6 +2,7 @@
 
 with Devices.AD_Board;
 with Sim.Agenda;    use Sim.Agenda;
+with Sim.Console_Faults;
 with Sim.Windows;   use Sim.Windows;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 
@@ -92,6 +93,7 @@ package body Sim.Controllers is
       Schedule (GSC_Clock, 0);
       Schedule (MCS_Clock, Lag);
 
+      Console_Faults.Prepare (Script);
       for Which in Node loop
          Controllers (Which).Stalls :=
            Faults.Stalls (Script, Which, Faults.ADC);
@@ -150,10 +152,25 @@ package body Sim.Controllers is
    end Answer_Exception;
 
    procedure Serve_Converter (Which : Node; Time : Microseconds) is
+      use type Devices.AD_Board.Channel_Number;
+
       Wanted  : Boolean;
       Channel : Devices.AD_Board.Channel_Number;
    begin
       Take_Start (Which, Wanted, Channel);
+      if Which = Ground and then Wanted and then Console_Faults.Are_There then
+         if Channel = 0 then
+            Console_Faults.Begin_Scan (Time, Inputs (Ground));
+         end if;
+         if not Console_Faults.Brings_Scan then
+            return;
+         elsif not Console_Faults.Is_Live then
+            Controllers (Ground).Held :=
+              Console_Faults.Words (URV.Buffers.Channel (Channel));
+            Schedule (Converted (Ground), Time + Conversion_Time);
+            return;
+         end if;
+      end if;
       if Wanted then
          Controllers (Which).Held :=
            Inputs (Which) (URV.Buffers.Channel (Channel));

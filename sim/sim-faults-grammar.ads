@@ -8,7 +8,7 @@ private package Sim.Faults.Grammar is
    Servo_Word : constant String := "surface";
 
    --  What stands between the time and the kind.
-   type Subject is (Nothing, A_Way, A_Node, A_Servo);
+   type Subject is (Nothing, A_Way, A_Node, The_Ground, A_Servo);
 
    --  What may follow the kind.
    type Parameter is
@@ -35,6 +35,7 @@ private package Sim.Faults.Grammar is
       ROM_Harm   => (A_Node, (A_ROM_Address, A_ROM_Mask)),
       RAM_Harm   => (A_Node, (A_RAM_Address, A_RAM_Mask)),
       Bus_Error  => (A_Node, (None, None)),
+      Lost_Console => (The_Ground, (A_Duration, None)),
       Stuck      => (A_Servo, (A_Place, None)),
       Float      => (A_Servo, (None, None)),
       Slow       => (A_Servo, (A_Speed, None)));
@@ -56,6 +57,7 @@ private package Sim.Faults.Grammar is
          when ROM_Harm   => "rom",
          when RAM_Harm   => "ram",
          when Bus_Error  => "bus_error",
+         when Lost_Console => "console",
          when Stuck      => "stuck",
          when Float      => "float",
          when Slow       => "slow");
@@ -65,6 +67,7 @@ private package Sim.Faults.Grammar is
          when Nothing => "",
          when A_Way   => "up|down ",
          when A_Node  => "mcs|gsc ",
+         when The_Ground => "gsc ",
          when A_Servo => Servo_Word & " NAME ");
 
    --  How the parameter stands in a description of the form.

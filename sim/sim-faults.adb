@@ -100,11 +100,15 @@ package body Sim.Faults is
       Word   : String;
       Kind   : out Fault_Kind)
    is
-      Choices : constant String :=
-        (if Before = Nothing
-         then Kinds_After (Nothing) & ", " & Kinds_After (A_Way) & ", "
-              & Kinds_After (A_Node) & ", " & Kinds_After (A_Servo)
-         else Kinds_After (Before));
+      Of_Nodes : constant String :=
+        Kinds_After (A_Node) & ", " & Kinds_After (The_Ground);
+      Choices  : constant String :=
+        (case Before is
+            when Nothing =>
+              Kinds_After (Nothing) & ", " & Kinds_After (A_Way) & ", "
+              & Of_Nodes & ", " & Kinds_After (A_Servo),
+            when A_Node  => Of_Nodes,
+            when others  => Kinds_After (Before));
    begin
       for Known in Fault_Kind loop
          if Name (Known) = Word then
@@ -342,7 +346,11 @@ package body Sim.Faults is
            (if Is_Optional (After (1)) and then Count = Next then 0
             else Most);
       begin
-         if Before /= Forms (Kind).Before or else Count - Next /= Wanted then
+         if (Before /= Forms (Kind).Before
+             and then not (Forms (Kind).Before = The_Ground
+                           and then Word (2) = "gsc"))
+           or else Count - Next /= Wanted
+         then
             Refuse
               (From, "a fault of this kind is written " & Image (Kind));
          end if;
@@ -354,9 +362,11 @@ package body Sim.Faults is
                when Nothing => null;
                when A_Way   =>
                   Read.Way := (if Word (2) = "up" then Up else Down);
-               when A_Node  =>
-                  Read.Where :=
-                    (if Word (2) = "mcs" then Aircraft else Ground);
+               when A_Node | The_Ground =>
+                  if Kind in Stall | Hardware_Fault then
+                     Read.Where :=
+                       (if Word (2) = "mcs" then Aircraft else Ground);
+                  end if;
                when A_Servo =>
                   Read.Servo := Servo;
             end case;
@@ -393,6 +403,8 @@ package body Sim.Faults is
       case Given.Kind is
          when Cut =>
             Windows.Add (To.Cuts, Span);
+         when Lost_Console =>
+            Windows.Add (To.Consoles, Span);
          when Bit_Errors =>
             To.Ways (Given.Way).Noises.Append (Given);
          when Character_Fault =>

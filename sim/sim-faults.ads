@@ -18,6 +18,7 @@ package Sim.Faults is
       ROM_Harm,      --  bits of a byte of the program memory change
       RAM_Harm,      --  bits of a RAM word read as 0
       Bus_Error,     --  the next read of the program memory fails
+      Lost_Console,  --  no packet of the pilot's console comes
       Stuck,         --  a servo stays where it is, or at a place
       Float,         --  its linkage is broken
       Slow);         --  it moves at a part of its speed
@@ -60,7 +61,7 @@ package Sim.Faults is
       Duration : Microseconds := 0;
 
       case Kind is
-         when Cut =>
+         when Cut | Lost_Console =>
             null;
 
          when Bit_Errors | Character_Fault =>
@@ -113,6 +114,9 @@ package Sim.Faults is
    --  When the line is cut, both directions of it.
    function Cuts (From : Script) return Windows.List;
 
+   --  When no packet of the console comes to the ground.
+   function Lost_Consoles (From : Script) return Windows.List;
+
    --  Bit errors of a direction.
    function Noises (From : Script; Way : Direction) return Fault_List;
 
@@ -143,6 +147,7 @@ private
    --  Each fault is in one of them.
    type Script is record
       Cuts     : Windows.List;
+      Consoles : Windows.List;
       Ways     : Both_Ways;
       Stalls   : Board_Stalls;
       Hardware : Fault_List;
@@ -150,6 +155,9 @@ private
    end record;
 
    function Cuts (From : Script) return Windows.List is (From.Cuts);
+
+   function Lost_Consoles (From : Script) return Windows.List is
+     (From.Consoles);
 
    function Noises (From : Script; Way : Direction) return Fault_List is
      (From.Ways (Way).Noises);

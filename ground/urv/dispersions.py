@@ -52,6 +52,10 @@ SURFACES = tuple(f"{side}_{name}" for name in (
     for side in ("left", "right"))
 CALM_S = 5
 
+# The console is lost once, in so many flights of a hundred as are asked for,
+# at any time; for how long is even in the logarithm.
+CONSOLE_LOST_MS = (500, 20_000)
+
 
 class Drawn(NamedTuple):
     """A flight's input files, and what was drawn for them."""
@@ -61,7 +65,7 @@ class Drawn(NamedTuple):
     values: dict
 
 
-def draw(seed, pilot, seconds, surface_percent=0):
+def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
     """The flight of that seed."""
     chance = random.Random(f"{pilot} {seconds} {seed}")
 
@@ -107,6 +111,16 @@ def draw(seed, pilot, seconds, surface_percent=0):
         values["surface_fault"] = float(share * 100 < surface_percent)
         if values["surface_fault"]:
             faults.append(failure)
+    if console_percent:
+        # From a source of its own: all else is as without it.
+        lost = random.Random(f"{pilot} {seconds} {seed} console")
+        at_ms = lost.randrange(1000, seconds * 1000)
+        length = round(math.exp(lost.uniform(
+            *map(math.log, CONSOLE_LOST_MS))))
+        is_lost = lost.random() * 100 < console_percent
+        values["console_lost_ms"] = float(length if is_lost else 0)
+        if is_lost:
+            faults.append(f"{at_ms} gsc console {length}")
     values["cuts"] = len(lengths)
     values["cut_ms"] = sum(lengths)
     return Drawn("\n".join(conditions) + "\n", "\n".join(faults) + "\n",

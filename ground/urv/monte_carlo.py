@@ -46,6 +46,9 @@ def monte_carlo(
     surface_faults: Annotated[int, typer.Option(
         min=0, max=100, metavar="PERCENT",
         help="In so many flights of a hundred a surface fails.")] = 0,
+    console_losses: Annotated[int, typer.Option(
+        min=0, max=100, metavar="PERCENT",
+        help="In so many flights of a hundred the console is lost.")] = 0,
     scheduler: Annotated[Optional[str], typer.Option(
         metavar="ADDRESS", help="Dask's scheduler, tcp://HOST:PORT; else"
         " workers here.")] = None,
@@ -75,7 +78,7 @@ def monte_carlo(
     campaign = SimpleNamespace(
         pilot=pilot, seconds=length, first=first, count=count,
         output=output, scheduler=scheduler, workers=workers,
-        surface_percent=surface_faults)
+        surface_percent=surface_faults, console_percent=console_losses)
     if again is not None:
         fly_alone(campaign, again)
     else:
@@ -87,7 +90,8 @@ def job(campaign, seed):
     from urv import dispersions
 
     drawn = dispersions.draw(seed, campaign.pilot, campaign.seconds,
-                             campaign.surface_percent)
+                             campaign.surface_percent,
+                             campaign.console_percent)
     return {
         "seed": seed, "values": drawn.values,
         "files": {"conditions.txt": drawn.conditions,
@@ -105,6 +109,8 @@ def command_again(campaign, seed):
          campaign.pilot, "--seconds", str(campaign.seconds),
          *(["--surface-faults", str(campaign.surface_percent)]
            if campaign.surface_percent else []),
+         *(["--console-losses", str(campaign.console_percent)]
+           if campaign.console_percent else []),
          "--output", str(campaign.output)])
 
 

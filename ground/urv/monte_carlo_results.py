@@ -83,7 +83,8 @@ def write(path, campaign, cargo_hash, flights):
     table = pyarrow.table(columns).replace_schema_metadata({
         "urv.monte_carlo": "1", "urv.pilot": campaign.pilot,
         "urv.seconds": str(campaign.seconds), "urv.cargo": cargo_hash,
-        "urv.surface_percent": str(campaign.surface_percent)})
+        "urv.surface_percent": str(campaign.surface_percent),
+        "urv.console_percent": str(campaign.console_percent)})
     try:
         pyarrow.parquet.write_table(table, path, compression="zstd")
     except OSError as fault:

@@ -107,6 +107,17 @@ def fault(chance, time, node):
             f" {chance.randrange(1, 0x10000):x}"]
 
 
+def lost_consoles(chance, length_ms):
+    """Lines of consoles that are lost once or twice, some from the start on
+    or to the end (SAF-10)."""
+    lines = []
+    for _ in range(chance.randrange(1, 3)):
+        time = chance.uniform(0, length_ms) * chance.choice((0, 1, 1, 1))
+        lines.append(f"{at_ms(time)} gsc console"
+                     f" {at_ms(spread(chance, 10, 2 * length_ms))}")
+    return lines
+
+
 def orders(chance, length_ms):
     """Configurations, good and bad, and blocks of other kinds, most of which
     nobody knows."""
@@ -172,6 +183,13 @@ def of_number(number, message_format=1):
              "faults": "".join(f"{line}\n" for line in lines)}
     more, more_files, schedule, drift = ways_to_fly(
         random.Random(f"mix {number} flies"), length_ms)
+    lost = random.Random(f"mix {number} loses its console")
+    if lost.random() < 0.2:
+        files["faults"] += "".join(
+            f"{line}\n" for line in lost_consoles(lost, length_ms))
+        if lost.random() < 0.5:
+            # The aircraft stands on the ground.
+            files["sensors"] = "time_ms,airspeed,altitude\n0,0,0\n"
     if message_format == 2 and "key" not in more_files:
         more += ["--format", "2"]
         more_files["key"] = KEY

@@ -85,6 +85,7 @@ class Disturbances:
 
     line[way]      characters of it may be altered
     stalls         a telemetry board stands still
+    consoles       no packet of the pilot's console comes
     scans[node]    the converter stands still, or the scan it delays goes on
     down[node]     no task of the node runs, but for its board
     silent[node]   and until CORE has words of a scan again
@@ -95,7 +96,7 @@ class Disturbances:
     def __init__(self, script=""):
         line = {way: [] for way in WAYS}
         counted = []
-        stalls, every = [], []
+        stalls, consoles, every = [], [], []
         scans = {node: [] for node in NODES}
         events = {node: [] for node in NODES}
         for at, (*before, kind, first, second) in (
@@ -108,6 +109,8 @@ class Disturbances:
                 line[subject].append((at, at + to_us(second) + MESSAGE_US))
             elif kind in ("flip", "drop", "dup", "insert"):
                 counted.append((at, subject, int(first)))
+            elif kind == "console":
+                consoles.append((at, at + to_us(first)))
             elif kind == "stall" and first == "telemetry":
                 stalls.append((at, at + to_us(second)))
             elif kind == "stall":
@@ -120,6 +123,7 @@ class Disturbances:
                     for way in WAYS:
                         line[way].append((at, at + MESSAGE_US))
         self.stalls = Spans(stalls)
+        self.consoles = Spans(consoles)
         self.scans = {node: Spans(scans[node]) for node in NODES}
         self.down, self.silent, self.starts = {}, {}, {}
         for node in NODES:

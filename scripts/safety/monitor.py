@@ -45,6 +45,7 @@ from safe_words import (  # noqa: E402
     COMMANDS,
     NEUTRAL_SENSORS,
     NEUTRAL_STICKS,
+    SAFE_COMMANDS,
     SAFE_ROW,
     SENSORS,
     SERVOS,
@@ -81,6 +82,22 @@ OWN_SCAN_US = {
 
 # So long after a tick the aircraft's scans begin, one behind the other.
 SCAN_OFFSETS_US = {"report": (0,), "fast": (0, SCAN_US, 2 * SCAN_US)}
+
+# A console is lost when nothing has come from it for so long; on the ground
+# the safe words go up after so long (GND-4). A frame may pass before the
+# ground's next scan. The aircraft flies when it is this fast or this high
+# (docs/items.md), whatever one of the two says.
+CONSOLE_LOST_US = 500_000
+CONSOLE_SAFE_US = 2_000_000
+FLYING_SPEED, FLYING_HEIGHT = 42 * 32, 100
+
+# The ground knows of the aircraft from downlinks that are this old at most,
+# and believes a sensor after a second of good ones. It must know, and the
+# safe words must be there, after so long on the ground with a calm link and
+# sensors that move less than this. Then a law has let go of the throttle.
+KNOWN_US = 300_000
+ON_GROUND_US = 3_000_000
+CALM_WORDS = 50
 
 # In the partitions a row is taken when CORE has the frame's words; between
 # the rows that show a message at both ends, and at the console and in CORE.
@@ -164,6 +181,12 @@ BUFFERS = (("console", "console", COMMANDS),
            ("pwm", "pwm", SERVOS),
            ("mcs_downlink", "mcs.downlink", (*SENSORS, "error")),
            ("gsc_downlink", "gsc.downlink", (*SENSORS, "error")))
+
+
+def safe_words_from(lost):
+    """When the safe words of a lost console may go up first. One that has
+    never come has been silent for ever."""
+    return lost + CONSOLE_SAFE_US if lost >= 2 * FRAME_US else 0
 
 
 def ms(time):
@@ -299,7 +322,7 @@ class Flight(Checker):
         self.drifts = drift not in (None, "0")
         self.lock = lock
         self.faults = disturbances.of_file(faults)
-        self.console = self._console(sticks)
+        self.console = self._console(sticks).frozen(self.faults.consoles)
         self.orders = self.console.map(orders_of)
         self.sensors = self._sensors(sensors)
         self.fresh_uplinks = Sent(self.record.times, self.record.gsc_uplink)
@@ -345,6 +368,7 @@ class Flight(Checker):
                 self.fresh_uplinks, self.uplink_rows, self.excuse_uplink,
                 "mcs.uplink", (*COMMANDS, "error"))
             self.check_servos(wrong)
+            self.check_lost_console(wrong)
             self.check_marks(
                 self.record, 1, lambda time: self.faults.starts["mcs"].touch(
                     time - FRAME_US, time + FRAME_US),
@@ -413,7 +437,8 @@ class Flight(Checker):
         before = (0,) * len(values[0])
         for time, words in zip(self.record.times, values, strict=True):
             changed, before = words != before, words
-            if is_stale(words):
+            if is_stale(words) or (
+                    node == "gsc" and self.is_of_lost_console(time, words)):
                 continue
             if line.earliest_scan(
                     words[:-1], time - early, time - late,
@@ -451,6 +476,90 @@ class Flight(Checker):
                 return "sent"
         return "wrong" if self.faults.line["down"].touch(first, time) else None
 
+    def is_of_lost_console(self, time, words):
+        """What goes up while the console is lost, but not yet for 0.5 s, is of
+        its last scan; after 2 s it may be the safe words. Whether they may go
+        up, check_lost_console says."""
+        reach = self.own_scan_us["gsc"][0] + FRAME_US
+        for first, last in self.faults.consoles:
+            if first <= time < last + reach:
+                if words[:-1] == SAFE_COMMANDS:
+                    return time >= safe_words_from(first)
+                if time < first + CONSOLE_LOST_US + reach:
+                    return self.console.earliest_scan(
+                        words[:-1], first - FRAME_US, first,
+                        self.scan("gsc", first - FRAME_US, first)) is not None
+        return False
+
+    def has_safe_words(self, first, time):
+        """Safe words may have gone up for a lost console in these times."""
+        return any(safe_words_from(began) <= time and first <= last
+                   for began, last in self.faults.consoles)
+
+    def check_lost_console(self, wrong):
+        """A lost console costs no aircraft (SAF-10). While it is lost nothing
+        fresh reaches the aircraft but the safe words, and those only on the
+        ground; there they do, and the servos have them."""
+        times = self.record.times
+        for began, last in self.faults.consoles:
+            for place in range(
+                    bisect.bisect_left(times, began + CONSOLE_LOST_US),
+                    bisect.bisect_left(times, last)):
+                time, words = times[place], self.record.mcs_uplink[place]
+                sent = self.commands_from(time)
+                if (sent > began + CONSOLE_LOST_US + FRAME_US
+                        and not is_stale(words) and place not in wrong
+                        and not self.faults.silent["mcs"].touch(time, time)):
+                    self._check_fresh_of_lost(time, place, words)
+                if (time > began + CONSOLE_SAFE_US + ON_GROUND_US
+                        and self._is_calm_on_ground(place)
+                        and (is_stale(words)
+                             or words[:-1] != SAFE_COMMANDS
+                             or self.record.pwm[place][7:9]
+                             != SAFE_ROW[7:9])):
+                    self.say(time, "the console is lost on the ground, and"
+                             " the safe words have not come")
+                    break
+
+    def _check_fresh_of_lost(self, time, place, words):
+        if words[:-1] != SAFE_COMMANDS:
+            self.say(time, "the console is lost, and mcs.uplink has fresh"
+                     " commands: " + text(COMMANDS, words[:-1]))
+        elif all(self._flies(row) for row in self._sensors_before(
+                place, KNOWN_US)):
+            self.say(time, "the console is lost in flight, and the safe words"
+                     " reach the aircraft")
+
+    def _sensors_before(self, place, length_us):
+        """The aircraft's sensors in the rows of so long until this one."""
+        first = bisect.bisect_left(self.record.times,
+                                   self.record.times[place] - length_us)
+        return self.record.mcs_downlink[first:place + 1]
+
+    @staticmethod
+    def _flies(row):
+        return (row[SENSORS.index("airspeed")] >= FLYING_SPEED
+                or row[SENSORS.index("altitude")] >= FLYING_HEIGHT)
+
+    def _is_calm_on_ground(self, place):
+        """For so long nothing has kept the ground from knowing it."""
+        time = self.record.times[place]
+        if self.faults.any.touch(time - ON_GROUND_US, time) or any(
+                spans.touch(time - ON_GROUND_US, time)
+                for node in disturbances.NODES
+                for spans in (self.faults.scans[node],
+                              self.faults.silent[node])):
+            return False
+        rows = self._sensors_before(place, ON_GROUND_US)
+        if any(is_stale(row) or self._flies(row) for row in rows):
+            return False
+        return all(max(column) - min(column) <= CALM_WORDS
+                   for column in zip(*(
+                       [row[SENSORS.index(name)]
+                        for name in ("airspeed", "altitude",
+                                     "pitch_attitude")]
+                       for row in rows), strict=True))
+
     def check_servos(self, wrong):
         """What the servos do newly a scan said within the window, and no
         older one than what they did before."""
@@ -468,6 +577,10 @@ class Flight(Checker):
                 self.scan("gsc", first, time))
             if found is not None:
                 floor = found
+                continue
+            if (words == SAFE_ROW
+                    and self.has_safe_words(first, time)):
+                floor = max(floor, first)
                 continue
             if any(near in wrong
                    and transformed(uplink[near][:13]) == words

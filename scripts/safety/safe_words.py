@@ -27,6 +27,10 @@ SAFE = {name: MIDDLE for name in SERVOS} | {
     "throttle": 0, "brake": LARGEST, "discretes": 0}
 SAFE_ROW = tuple(SAFE[name] for name in SERVOS)
 
+# The same as commands: what the ground sends up for a lost console when it
+# knows that the aircraft is on the ground (SAF-10).
+SAFE_COMMANDS = (MIDDLE, MIDDLE, MIDDLE, 0, LARGEST) + (0,) * 8
+
 # The error word's bit that says: these are words of an earlier scan.
 STALE = 1
 

@@ -58,6 +58,23 @@ class Timeline:
     def map(self, change):
         return Timeline(self.times, [change(row) for row in self.words])
 
+    def frozen(self, spans):
+        """The same where nothing changes within these spans; what holds at
+        the end of a span holds from then on."""
+        times, words = [], []
+        for first, last in spans:
+            for time, row in zip(self.times, self.words, strict=True):
+                if (times[-1] if times else -1) < time < first:
+                    times.append(time)
+                    words.append(row)
+            times.append(last)
+            words.append(self.at(last + 1))
+        for time, row in zip(self.times, self.words, strict=True):
+            if not times or time > times[-1]:
+                times.append(time)
+                words.append(row)
+        return Timeline(times, words)
+
     def until(self, seen, time):
         """Until when these words stood, of a time before this one; None if
         they never did."""

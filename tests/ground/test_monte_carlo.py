@@ -23,7 +23,7 @@ distributed = pytest.importorskip("distributed")
 parquet = pytest.importorskip("pyarrow.parquet")
 
 SHORT = SimpleNamespace(pilot="level", seconds=10, output="out",
-                        surface_percent=0)
+                        surface_percent=0, console_percent=0)
 FILES = ("conditions.txt", "faults.txt", "record.csv", "summary.json",
          "events.jsonl")
 
@@ -96,6 +96,29 @@ def test_a_surface_fault_is_one_that_the_simulation_knows(sent, tmp_path):
             SimpleNamespace(**{**vars(SHORT), "surface_percent": 100}), seed)
         job["options"][job["options"].index("--seconds") + 1] = "0.1"
         assert "fault" not in here.do(job)
+
+
+def test_saf10_a_lost_console_is_drawn_apart_from_all_else(sent, tmp_path):
+    here = cargo.Cargo(sent.archive, cargo.fly)
+    here.unpack(tmp_path)
+    found = 0
+    for seed in range(1, 40):
+        never = dispersions.draw(seed, "level", 60)
+        some = dispersions.draw(seed, "level", 60, console_percent=30)
+        assert some.conditions == never.conditions
+        more = some.faults.removeprefix(never.faults)
+        assert bool(more) == bool(some.values["console_lost_ms"])
+        if more:
+            at_ms, *words, length = more.split()
+            assert words == ["gsc", "console"]
+            assert 1_000 <= int(at_ms) < 60_000
+            assert int(length) == some.values["console_lost_ms"]
+            found += 1
+    assert 5 <= found <= 20
+    job = monte_carlo.job(
+        SimpleNamespace(**{**vars(SHORT), "console_percent": 100}), 1)
+    job["options"][job["options"].index("--seconds") + 1] = "0.1"
+    assert "fault" not in here.do(job)
 
 
 # --- how sure a rate is -----------------------------------------------------

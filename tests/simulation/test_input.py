@@ -251,7 +251,7 @@ def test_bad_sensors(refused, write, text, line, message):
 
 FORM = "a fault of this kind is written TIME_MS "
 LINE_FAULTS = "up|down ber|flip|drop|dup|insert"
-NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|bus_error"
+NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|bus_error, gsc console"
 SURFACE_FAULTS = "surface NAME stuck|float|slow"
 ANY_FAULT = f"cut, {LINE_FAULTS}, {NODE_FAULTS}, {SURFACE_FAULTS}"
 SURFACES = (
@@ -288,6 +288,9 @@ BAD_FAULTS = [
     ("100 down drop 1 2 3 4 5 6 7\n", 1, FORM + "up|down drop N"),
     ("100 up stall adc 5\n", 1, FORM + "mcs|gsc stall adc|telemetry"
      " DURATION_MS"),
+    ("100 mcs console 5\n", 1, FORM + "gsc console DURATION_MS"),
+    ("100 console 5\n", 1, FORM + "gsc console DURATION_MS"),
+    ("100 gsc console\n", 1, FORM + "gsc console DURATION_MS"),
     ("100 cut soon\n", 1, f'DURATION_MS: "soon" {TIME_RANGE}'),
     ("100 up drop 0\n", 1,
      'N: "0" is not a whole number from 1 to 2147483647'),
@@ -566,6 +569,7 @@ FAULTS = [
     ("170 down insert 3 A5", "170 down insert 3 a5", True),
     ("184 gsc stall telemetry 2.5", "184 gsc stall telemetry 2.500", True),
     ("185 mcs stall adc 42.5", "185.000 mcs stall adc 42.5 # long", True),
+    ("188 gsc console 600", " 188.0  gsc console 600.000", False),
     ("190 mcs reset warm", "  190 mcs   reset warm  ", True),
     ("190 gsc reset processor", "190\tgsc\treset\tprocessor", True),
     ("205 gsc reset telemetry", "205.0 gsc reset telemetry", True),

@@ -1,0 +1,27 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  A pilot's console whose packets do not come (SAF-10, SIM-7), as the
+--  ground's converter sees it: for 0.5 s the words of its last scan before,
+--  then no scan, or on the ground the safe words.
+
+with Sim.Faults;
+with URV.Buffers; use URV.Buffers;
+
+private package Sim.Console_Faults is
+
+   procedure Prepare (Script : Faults.Script);
+
+   --  The flight has such a fault.
+   function Are_There return Boolean with Inline;
+
+   --  The ground's controller has begun a scan; the console has these words.
+   procedure Begin_Scan (Time : Microseconds; Console : Channel_Words);
+
+   --  Of the present scan: whether the converter brings one, whether it has
+   --  the console's own words, and else those it has.
+
+   function Brings_Scan return Boolean with Inline;
+   function Is_Live return Boolean with Inline;
+   function Words return Channel_Words with Inline;
+
+end Sim.Console_Faults;
