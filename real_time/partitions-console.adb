@@ -14,6 +14,7 @@ with Partitions.Console_Port; use Partitions.Console_Port;
 with Partitions.Occurrences;
 with Partitions.Orders;
 with Telemetry.Boards;
+with URV.Console_Watch;
 with URV.CORE_Layout;
 with URV.Law_Status;
 with URV.Routing;
@@ -23,6 +24,16 @@ package body Partitions.Console is
    Script : Host.Stick_Scripts.Script;
 
    Has_Pilot : Boolean := False;
+
+   --  What means the safe outputs (D-13).
+   Safe_Words : constant Console_Words :=
+     (Throttle    => Neutral_Uplink (Throttle),
+      Brake       => Neutral_Uplink (Brake),
+      Switch_Item => 0,
+      others      => Neutral_Value);
+
+   --  What decides about a silent console. Of the converter alone.
+   Watch : URV.Console_Watch.Watch;
 
    --  Of the flight that the pilot knows by heart, flown by him so far. Of
    --  the converter alone.
@@ -60,7 +71,11 @@ package body Partitions.Console is
    --  What the script has by now.
    procedure Follow_Script (This : in out Sticks);
 
-   --  What the console's packets say.
+   --  Frames of silence.
+   function Frames_In (Silence : Ada.Real_Time.Time_Span)
+                       return URV.Console_Watch.Frame_Count;
+
+   --  What the console's packets say. A lost console's last words stay.
    procedure Follow_Port (This : in out Sticks; Pilot_Wanted : out Boolean);
 
    --  The pilot flies, or watches.
@@ -94,19 +109,50 @@ package body Partitions.Console is
       end loop;
    end Follow_Script;
 
+   function Frames_In (Silence : Ada.Real_Time.Time_Span)
+                       return URV.Console_Watch.Frame_Count
+   is
+      use Ada.Real_Time;
+      use URV.Console_Watch;
+
+      Frame   : constant Time_Span :=
+        Ada.Real_Time.Microseconds (Integer (Major_Frame));
+      Longest : constant Time_Span := Frame * Integer (Frame_Count'Last);
+   begin
+      return
+        (if Silence >= Longest then Frame_Count'Last
+         else Frame_Count (Silence / Frame));
+   end Frames_In;
+
    procedure Follow_Port (This : in out Sticks; Pilot_Wanted : out Boolean) is
       Now : constant Situation := Seen (Ada.Real_Time.Clock);
+      Was : constant Console_State := This.State;
    begin
-      if Now.State /= This.State then
-         if Now.State = Held then
+      Watch := URV.Console_Watch.Next
+        (Watch, Frames_In (Now.Silence),
+         URV.Console_Watch.Downlink_Of (GSC.CORE_Memory.Contents.Downlink));
+      case Watch.Input is
+         when URV.Console_Watch.Live =>
+            This.State := Live;
+            This.Words := Now.Words;
+            This.Sequence := Now.Sequence;
+         when URV.Console_Watch.Held =>
+            This.State := Held;
+            This.Sequence := Now.Sequence;
+            This.Words := (if Now.Has_Come then Now.Words else Safe_Words);
+         when URV.Console_Watch.Safe_Words =>
+            This.State := Neutral;
+            This.Words := Safe_Words;
+            This.Sequence := 0;
+      end case;
+      if Now.Has_Come and then This.State /= Was then
+         if This.State = Held then
             Helds.Add (Clocks.Elapsed);
-         elsif Now.State = Neutral and then This.State /= No_Console then
+         elsif This.State = Neutral then
             Neutrals.Add (Clocks.Elapsed);
          end if;
       end if;
-      This.State := Now.State;
-      This.Words := Now.Words;
-      This.Sequence := Now.Sequence;
+      This.Has_Come := Now.Has_Come;
       Pilot_Wanted := Now.Pilot_Flies;
    end Follow_Port;
 
@@ -144,8 +190,8 @@ package body Partitions.Console is
       end if;
       Present.Set (This);
       Orders.Send_Due;
+      Is_There := This.State /= Held or else This.Pilot = Flies;
 
-      Is_There := True;
       Words := (others => Neutral_Value);
       for Command in Command_Item loop
          Words (URV.Routing.Channel_Of (Command)) := This.Words (Command);
@@ -198,7 +244,6 @@ package body Partitions.Console is
 
    function Next_News (Now : String) return String is
       This : constant Sticks := Present.Get;
-      Came : constant Boolean := Told.State /= No_Console;
       News : Unbounded_String;
 
       procedure Tell (What : String; Why : String := "");
@@ -215,12 +260,17 @@ package body Partitions.Console is
             when No_Console => null;
             when Live       => Tell ("console live");
             when Held       =>
-               Tell ("console held", ": no packet for 0.5 s");
+               Tell
+                 ("console held",
+                  ": no packet "
+                  & (if This.Has_Come then "for 0.5 s" else "yet")
+                  & ", nothing fresh goes up");
             when Neutral    =>
                Tell
                  ("console neutral",
-                  (if Came then ": no packet for 2 s"
-                   else ": no packet yet"));
+                  ": no packet "
+                  & (if This.Has_Come then "for 2 s" else "yet")
+                  & ", the aircraft is on the ground");
          end case;
       end if;
       if This.Pilot /= Told.Pilot then

@@ -10,7 +10,6 @@ with Partitions.Order_Packets;
 with Partitions.Orders;
 with Partitions.Sockets;
 with Partitions.System_Calls;    use Partitions.System_Calls;
-with URV.Buffers;                use URV.Buffers;
 with URV.Configurations;
 
 package body Partitions.Console_Port is
@@ -20,13 +19,6 @@ package body Partitions.Console_Port is
 
    --  After an error of the operating system.
    Rest : constant Ada.Real_Time.Time_Span := Milliseconds (10);
-
-   --  What means the safe outputs (D-13).
-   Safe_Words : constant Console_Words :=
-     (Throttle    => Neutral_Uplink (Throttle),
-      Brake       => Neutral_Uplink (Brake),
-      Switch_Item => 0,
-      others      => Neutral_Value);
 
    protected Latest is
 
@@ -107,23 +99,14 @@ package body Partitions.Console_Port is
       end Drop;
 
       function Contents (Now : Time) return Situation is
-         Silence : constant Ada.Real_Time.Time_Span :=
-           (if Any then Now - Made_At else Time_Span_Last);
-      begin
-         return
-           (if Silence >= Longest_Hold
-            then
-              (State       => Neutral,
-               Words       => Safe_Words,
-               Sequence    => 0,
-               Pilot_Flies => not Any or else Item.Pilot_Flies)
-            else
-              (State       =>
-                 (if Silence >= Longest_Silence then Held else Live),
-               Words       => Item.Words,
-               Sequence    => Item.Sequence,
-               Pilot_Flies => Item.Pilot_Flies));
-      end Contents;
+        (if Any
+         then
+           (Has_Come    => True,
+            Silence     => Now - Made_At,
+            Words       => Item.Words,
+            Sequence    => Item.Sequence,
+            Pilot_Flies => Item.Pilot_Flies)
+         else (Pilot_Flies => True, others => <>));
 
       function Number_Taken return Count is (Good);
 

@@ -14,19 +14,17 @@ with URVOS; use URVOS;
 
 package Partitions.Console_Port is
 
-   --  Held: no packet for Longest_Silence, its words stand still. Neutral:
-   --  none for Longest_Hold, or none ever.
-   type Console_State is (No_Console, Live, Held, Neutral);
-
+   --  A console that has been silent for so long keeps the sticks no more.
    Longest_Silence : constant Time_Span := Milliseconds (500);
-   Longest_Hold    : constant Time_Span := Milliseconds (2_000);
 
    --  A packet that was made longer ago than this has waited somewhere.
    Longest_Way : constant Host.Microseconds := 500_000;
 
    --  What the port has of the console.
+   --  Has_Come: a packet has been taken. Silence: how old the last one is.
    type Situation is record
-      State       : Console_State := No_Console;
+      Has_Come    : Boolean       := False;
+      Silence     : Time_Span     := Time_Span_Last;
       Words       : Console_Words := Neutral_Console;
       Sequence    : Octets.Number := 0;
       Pilot_Flies : Boolean       := False;

@@ -23,7 +23,7 @@ generic
    Board : in out Devices.Shared_AD_Board.Board;
 
    --  What the channels see. Is_Next tells that the scan follows another of
-   --  the same frame. Without Is_There no conversion of the scan ends.
+   --  the same frame. Without Is_There no conversion of the scan ends (D-33).
    with procedure Sample
      (Is_Next  : Boolean;
       Words    : out Channel_Words;

@@ -187,7 +187,7 @@ package body Partitions.Publisher is
              Time             => Clocks.UTC,
              Downlink_Age     => Age,
              Console_State    =>
-               Console_Port.Console_State'Pos (Sticks.State),
+               Console.Console_State'Pos (Sticks.State),
              Link_State       => Peer_State'Pos (Item.Peer),
              Console_Sequence => Sticks.Sequence,
              Counts           => Counts_In (Item),

@@ -11,7 +11,7 @@ none hides another.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 SHORTEST_S = 1.0
 LONGEST_S = 32.0
@@ -46,6 +46,11 @@ class Repeats:
             count, now,
             SHORTEST_S if quiet else min(2 * kind.wait, LONGEST_S))
         return new
+
+    def expect(self, key: tuple[str, ...], count: int) -> None:
+        """So many are explained by something else, and need no report."""
+        kind = self._kinds.get(key, _Kind(0, float("-inf")))
+        self._kinds[key] = replace(kind, count=count)
 
     def forget(self) -> None:
         """All counts begin again."""

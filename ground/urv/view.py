@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the frame packets say, made ready to be looked at (GND-7, GND-20,
-GND-26).
+"""What the frame packets say, made ready to be looked at (GND-4, GND-7,
+GND-20, GND-26).
 
 Age comes before value (GND-25): every value is told with how old it is,
 nothing is made up for a frame that is missing.
@@ -307,23 +307,19 @@ class View:
     def _states(self, frame: packets.FramePacket,
                 old: packets.FramePacket | None, now: float) -> None:
         alerts = self.alerts
-        held = frame.console_state == packets.ConsoleState.HELD
-        neutral = (frame.console_state == packets.ConsoleState.NEUTRAL
-                   and frame.pilot != packets.Pilot.FLIES)
-        if held and frame.pilot != packets.Pilot.FLIES:
-            alerts.report("held", CAUTION, "STICKS HELD",
-                          "no console for 0.5 s: its last words stay",
-                          frame.time_us)
-        else:
-            alerts.away("held", now, 0.0)
-        # Before anybody has flown, neutral is no news.
-        if neutral and frame.counts[packets.LINK_COUNTS.index(
-                "console_packets")] > 0:
-            alerts.report("neutral", WARNING, "STICKS NEUTRAL",
-                          "no console for 2 s: the safe words fly",
-                          frame.time_us)
-        else:
-            alerts.away("neutral", now, 0.0)
+        # Before anybody has flown, a silent console is no news.
+        state = None
+        if (frame.pilot != packets.Pilot.FLIES and frame.counts[
+                packets.LINK_COUNTS.index("console_packets")] > 0):
+            state = frame.console_state
+        for lost, name, text in (
+                (packets.ConsoleState.HELD, "STICKS HELD",
+                 "console lost: nothing fresh goes up, the aircraft does as"
+                 " without a link"),
+                (packets.ConsoleState.NEUTRAL, "STICKS NEUTRAL",
+                 "console lost on the ground: engine idle, brake on")):
+            self._alert_if(state == lost, lost.name.lower(), WARNING, name,
+                           text, now)
         for node, column in (("mcs", "gsc.downlink.error"),
                              ("gsc", "gsc.uplink.error")):
             word = frame.words[packets.COLUMNS.index(column)]
@@ -422,6 +418,11 @@ class View:
             if event.kind in RESTARTS or (
                     not is_heard and event.node == "gsc"
                     and event.kind in LOSS_KINDS):
+                continue
+            if (event.node, event.kind) == ("gsc", "ad_no_scan") and (
+                    frame.console_state == packets.ConsoleState.HELD):
+                # The converter brings no scan because the console is lost.
+                self._repeats.expect(key, event.row.count)
                 continue
             new = self._repeats.take(key, event.row.count, now)
             if new is None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """GND-2: GSC CORE goes out in frame packets. GND-3, GND-4: sticks come in
-console packets, and a console that falls silent is held, then neutral.
+console packets; SAF-10: a console that falls silent is held, or on the ground
+neutral.
 GND-5: the simulated pilot aboard the ground's partition. GND-7: what the
 aircraft's laws tell. GND-35: orders besides the sticks."""
 
@@ -34,6 +35,9 @@ ONE, OTHER, THIRD = STICKS[:3]
 SAFE = (0x800, 0x800, 0x800, 0, 0xFFF) + (0,) * 8
 
 STALE = 1
+
+# The bench's aircraft stands; without this it flies at 64 kt and 1024 ft.
+ON_GROUND = "time_ms,airspeed,altitude\n0,0,0\n"
 
 # A row is taken two ticks after its scan and as late as the machine is.
 FRAME_US = 20_000
@@ -240,7 +244,7 @@ def test_gnd3_a_moved_stick_reaches_the_servos(start_both, station):
                 ConsoleState.LIVE, ConsoleState.HELD)
         else:
             assert sticks_of(packet) == SAFE
-            assert packet.console_state == ConsoleState.NEUTRAL
+            assert packet.console_state == ConsoleState.HELD
     assert_like_the_record(frames.all, gsc.rows)
 
     expected = [tuple(transformed(words)) for words in (SAFE, *STICKS)]
@@ -249,22 +253,99 @@ def test_gnd3_a_moved_stick_reaches_the_servos(start_both, station):
         for row in mcs.rows])
     need(expected[0] in servos, mcs, gsc)
     servos = servos[servos.index(expected[0]):]
-    # A machine that stood still for 2 s has had the safe words in between.
-    if gsc.summary["console"]["neutral"]:
-        raise RanLate
+    assert gsc.summary["console"]["neutral"] == 0
     assert_in_order(servos, expected)
     need(servos == expected, mcs, gsc)
 
 
 @flies_again
-def test_gnd4_a_silent_console_is_held_and_then_neutral(start, station):
+def test_gnd4_saf10_a_silent_console_is_held_while_the_aircraft_may_fly(
+    start_both, station
+):
+    """Nothing fresh goes up, however long it lasts, before the first packet
+    and after the last. Nobody waits for a time: the frames are counted."""
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = start_both(
+        mcs=("--laws", "on"),
+        gsc=("--publish", frames.place, "--console", console.place))
+    frames.wait_until(lambda packet: packet.is_fresh)
+    frames.wait_for(120)
+    console.move(ONE)
+    frames.wait_until(
+        lambda packet: packet.columns["gsc.uplink.roll"] == ONE[0])
+    last = console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.HELD)
+    frames.wait_for(250)
+    console.move(OTHER)
+    frames.wait_until(
+        lambda packet: packet.columns["gsc.uplink.roll"] == OTHER[0])
+    mcs, gsc = mcs.stop(), gsc.stop()
+    frames.finish()
+
+    assert {packet.console_state for packet in frames.all} == {
+        ConsoleState.HELD, ConsoleState.LIVE}
+    assert gsc.summary["console"]["neutral"] == 0
+    # The scan of a frame is in the next frame's uplink.
+    for before, packet in zip(frames.all, frames.all[1:]):
+        if (before.console_state == ConsoleState.HELD
+                and packet.sequence == before.sequence + 1):
+            assert packet.columns["gsc.uplink.error"] & STALE, packet.sequence
+    held = [packet for packet in frames.all
+            if packet.console_sequence == last.sequence
+            and packet.console_state == ConsoleState.HELD]
+    need(len(held) >= 200, gsc)
+    # The aircraft makes of it what it makes of a lost link.
+    lost = [row for row in mcs.rows if row["laws.link"] in (2, 3)]
+    assert lost and {row["laws.link"] for row in mcs.rows} >= {0, 1, 2}
+    assert all(row["mcs.uplink.error"] & STALE for row in lost[:100])
+    assert not [row for row in lost if row["pwm.brake"] == 0xFFF]
+
+
+@flies_again
+def test_gnd4_saf10_a_silent_console_is_neutral_on_the_ground(
+    start_both, station, write
+):
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = start_both(
+        mcs=("--sensors", write("sensors.csv", ON_GROUND)),
+        gsc=("--publish", frames.place, "--console", console.place))
+    begun = frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.NEUTRAL)
+    assert not [packet for packet in frames.all
+                if packet.console_state == ConsoleState.LIVE]
+    console.move(ONE)
+    frames.wait_until(
+        lambda packet: packet.columns["gsc.uplink.roll"] == ONE[0])
+    console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.NEUTRAL
+        and packet.sequence > begun.sequence)
+    frames.wait_for(100)
+    mcs, gsc = mcs.stop(), gsc.stop()
+    frames.finish()
+    need(gsc.summary["console"]["neutral"] == 1, gsc)
+    assert sticks_of(frames.all[-1]) == SAFE
+    fresh = [row for row in gsc.rows[-50:]
+             if not row["gsc.uplink.error"] & STALE]
+    need(len(fresh) > 40, gsc)
+    assert {(row["pwm.throttle"], row["pwm.brake"])
+            for row in mcs.rows[-20:]} == {(0, 0xFFF)}
+
+
+@flies_again
+def test_gnd4_a_silent_console_is_told(start, station, write):
     frames = station(Frames)
     console = station(Console)
     ports = free_ports(2)
-    gsc = start("gsc", udp(*ports), "--publish", frames.place,
+    start("mcs", udp(*ports),
+          "--sensors", write("sensors.csv", ON_GROUND))
+    gsc = start("gsc", udp(*reversed(ports)), "--publish", frames.place,
                 "--console", console.place, quiet=False)
-    # The record begins with the second scan: all is as it was then.
-    frames.wait_for(3)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.NEUTRAL)
     console.move(ONE)
     frames.wait_until(
         lambda packet: packet.console_state == ConsoleState.LIVE)
@@ -279,10 +360,11 @@ def test_gnd4_a_silent_console_is_held_and_then_neutral(start, station):
     frames.finish()
 
     states = in_turn([packet.console_state for packet in frames.all])
-    if ConsoleState.HELD not in states or len(states) > 5:
+    if ConsoleState.HELD not in states[2:] or len(states) > 6:
         # The machine or the console's own thread stood still.
         raise RanLate
-    assert states == [ConsoleState.NEUTRAL, ConsoleState.LIVE,
+    assert states == [ConsoleState.HELD, ConsoleState.NEUTRAL,
+                      ConsoleState.LIVE,
                       ConsoleState.HELD, ConsoleState.NEUTRAL,
                       ConsoleState.LIVE]
     live = next(place for place, packet in enumerate(frames.all)
@@ -295,19 +377,21 @@ def test_gnd4_a_silent_console_is_held_and_then_neutral(start, station):
         assert silent_us >= after_s * 1_000_000
         need(silent_us <= after_s * 1_000_000 + 2 * FRAME_US, outputs)
         assert sticks_of(first) == words
-    held = [packet for packet in frames.all
+    held = [packet for packet in frames.all[live:]
             if packet.console_state == ConsoleState.HELD]
     assert {sticks_of(packet) for packet in held} == {ONE}
     assert {packet.console_sequence for packet in held} == {last.sequence}
 
     # It is said, it is counted, and it is among the events.
-    lines = of_the_link(said)[1:]
+    lines = [line for line in of_the_link(said) if "console" in line]
     for line, what in zip(lines, (
-            "console neutral at .*: no packet yet", "console live at",
-            "console held at .*: no packet for 0.5 s",
-            "console neutral at .*: no packet for 2 s", "console live at"),
-            strict=True):
-        assert re.match(f"urv_gsc: {what}", line), line
+            "console held at .*: no packet yet, nothing fresh goes up",
+            "console neutral at .*: no packet yet, the aircraft is on the"
+            " ground", "console live at",
+            "console held at .*: no packet for 0.5 s, nothing fresh goes up",
+            "console neutral at .*: no packet for 2 s, the aircraft is on the"
+            " ground", "console live at"), strict=True):
+        assert re.search(what, line), line
     counted = outputs.summary["console"]
     assert (counted["held"], counted["neutral"]) == (1, 1)
     assert (frames.all[-1].link["console_packets"] <= counted["packets"]
@@ -432,8 +516,9 @@ def test_gnd5_the_pilot_flies_until_a_console_takes_the_sticks(
     frames.wait_until(lambda packet: packet.pilot == Pilot.FLIES)
     console.fall_silent()
     frames.wait_until(
-        lambda packet: packet.console_state == ConsoleState.NEUTRAL
+        lambda packet: packet.console_state == ConsoleState.HELD
         and packet.pilot == Pilot.FLIES)
+    frames.wait_for(60)
     mcs.stop()
     gsc = gsc.stop()
     frames.finish()
@@ -495,14 +580,15 @@ def test_gnd35_orders_of_a_file_go_up_in_their_time(
 
 @flies_again
 def test_gnd35_orders_of_the_console_that_has_the_sticks_go_up(
-    start_both, station
+    start_both, station, write
 ):
     """Those of another one are dropped while its packets come, and so is what
     is no order, an old one, and one that comes again."""
     frames = station(Frames)
     console = station(Console)
+    # In flight a lost console has a law fly, and no order is taken.
     mcs, gsc = start_both(
-        mcs=("--laws", "on"),
+        mcs=("--laws", "on", "--sensors", write("sensors.csv", ON_GROUND)),
         gsc=("--packets", "2", "--publish", frames.place,
              "--console", console.place))
     console.move(ONE[:5] + (0,) * 8)

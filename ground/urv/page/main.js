@@ -259,10 +259,10 @@ function flies(silent) {
   }
   const holds = state.holder === null ? "nobody"
     : mine ? "you, not live" : `console ${state.holder}, not live`;
-  const by = { held: ["caution", `\u25c6 ${holds}: HELD`,
-    `\u25c6 ${holds}: sticks HELD`],
+  const by = { held: ["warning", `\u25b2 ${holds}: HELD`,
+    `\u25b2 ${holds}: console lost, sticks HELD`],
   neutral: ["warning", `\u25b2 ${holds}: NEUTRAL`,
-    `\u25b2 ${holds}: sticks NEUTRAL`],
+    `\u25b2 ${holds}: console lost, sticks NEUTRAL`],
   none: ["", "script", "a script flies, no console"],
   live: [mine ? "mine" : "", holds, holds] };
   return by[state.console] ?? ["", holds, holds];
