@@ -75,10 +75,18 @@ def reports_of(node: str, said: str) -> list[Report]:
 async def take(stream: Any, view: View) -> None:
     """Shows what comes at a station's standard input, up to its end."""
     reader = asyncio.StreamReader()
-    await asyncio.get_running_loop().connect_read_pipe(
-        lambda: asyncio.StreamReaderProtocol(reader), stream)
-    while line := await reader.readline():
+    try:
+        await asyncio.get_running_loop().connect_read_pipe(
+            lambda: asyncio.StreamReaderProtocol(reader), stream)
+    except (OSError, ValueError) as error:
+        view.note(CAUTION, "process", f"no reports: {error}")
+        return
+    line = b"\n"
+    while line:
         try:
-            view.report(Report.of(line.decode("utf-8", "replace")))
-        except ValueError as error:
+            # A line that is too long is a ValueError, too, and is skipped.
+            line = await reader.readline()
+            if line:
+                view.report(Report.of(line.decode("utf-8", "replace")))
+        except (ValueError, TypeError) as error:
             view.note(CAUTION, "process", f"no report: {error}")

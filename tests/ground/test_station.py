@@ -350,7 +350,7 @@ def test_gnd47_reports_about_other_programs_are_alerts(record, tmp_path):
     with station:
         for line in (
                 Report("plant", "warning", "PLANT GONE", "it died").line(),
-                "nonsense\n", '{"key": 1}\n'):
+                "nonsense\n", '{"key": 1}\n', "x" * 100_000 + "\n"):
             station.process.stdin.write(line)
             station.process.stdin.flush()
         state = station.wait(lambda state: "PLANT GONE" in {
@@ -364,7 +364,7 @@ def test_gnd47_reports_about_other_programs_are_alerts(record, tmp_path):
         # Without who reports it goes on.
         station.wait(lambda now: now["seq"] > state["seq"] + 10, "frames")
         assert len([line for line in station.lines()
-                    if line["kind"] == "process"]) == 2
+                    if line["kind"] == "process"]) >= 3
 
 
 ROLL_RATE = 1 << laws.SENSORS.index("roll_rate") - 16
