@@ -374,6 +374,8 @@ class Flight:
         yield from self.law_texts(frame)
         for event in frame.events:
             key = event.node, event.kind
+            if view.is_held_scan(event, frame):
+                self._repeats.pass_over(key, event.row.count)
             if event.kind in RESTARTS or (
                     self._state != LinkState.HEARD and event.node == "gsc"
                     and event.kind in {*view.LOSS_KINDS, "block_refused"}):

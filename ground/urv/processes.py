@@ -47,7 +47,7 @@ class Report:
 
 # What a node says on standard error: a pattern, and the alert that it begins.
 BEGINS = (
-    (r"plant has died", "plant", WARNING, "PLANT GONE"),
+    (r"plant has (died|diverged)", "plant", WARNING, "PLANT GONE"),
     (r"plant does not answer", "plant", WARNING, "PLANT SILENT"),
     (r"\d+ blocks? refused", "refused {}", WARNING, "{} REFUSES BLOCKS"),
     (r"peer lost", "peer {}", CAUTION, "{} HEARS NOTHING"),

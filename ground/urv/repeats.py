@@ -11,7 +11,7 @@ none hides another.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 SHORTEST_S = 1.0
 LONGEST_S = 32.0
@@ -47,10 +47,12 @@ class Repeats:
             SHORTEST_S if quiet else min(2 * kind.wait, LONGEST_S))
         return new
 
-    def expect(self, key: tuple[str, ...], count: int) -> None:
-        """So many are explained by something else, and need no report."""
-        kind = self._kinds.get(key, _Kind(0, float("-inf")))
-        self._kinds[key] = replace(kind, count=count)
+    def pass_over(self, key: tuple[str, ...], count: int) -> None:
+        """What has come up to this count is no news."""
+        kind = self._kinds.get(key)
+        self._kinds[key] = (
+            _Kind(count, float("-inf")) if kind is None
+            else _Kind(count, kind.at, kind.wait))
 
     def forget(self) -> None:
         """All counts begin again."""

@@ -415,14 +415,11 @@ class View:
         is_heard = frame.link_state == packets.LinkState.HEARD
         for event in frame.events:
             key = (event.node, event.kind)
+            if is_held_scan(event, frame):
+                self._repeats.pass_over(key, event.row.count)
             if event.kind in RESTARTS or (
                     not is_heard and event.node == "gsc"
                     and event.kind in LOSS_KINDS):
-                continue
-            if (event.node, event.kind) == ("gsc", "ad_no_scan") and (
-                    frame.console_state == packets.ConsoleState.HELD):
-                # The converter brings no scan because the console is lost.
-                self._repeats.expect(key, event.row.count)
                 continue
             new = self._repeats.take(key, event.row.count, now)
             if new is None:
@@ -451,6 +448,12 @@ class View:
             sequence, at = self._sent.popleft()
             if sequence == frame.console_sequence:
                 self.stick_ms = round((now - at) * 1000, 1)
+
+
+def is_held_scan(event: packets.Event, frame: packets.FramePacket) -> bool:
+    """The ground's converter brings no scan because the console is lost."""
+    return ((event.node, event.kind) == ("gsc", "ad_no_scan")
+            and frame.console_state == packets.ConsoleState.HELD)
 
 
 def told_of(start: Start, in_flight: bool) -> str:

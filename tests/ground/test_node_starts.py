@@ -247,6 +247,24 @@ def test_gnd45_each_kind_is_reported_once_a_second_at_most():
     assert repeats.take(("gsc", "no_input"), 6001, 301.0) == 1
 
 
+def test_gnd45_scans_that_a_lost_console_leaves_out_are_no_error():
+    clock = Clock()
+    seen = view.View(now=clock)
+    for sequence in range(200):
+        clock.now += 0.02
+        held = 50 <= sequence < 150
+        count = max(0, min(sequence, 150) - 50)
+        seen.datagram(frame_of(
+            sequence, gsc=log(ad_no_scan=(count, 50, sequence))
+            if count else NO_LOG,
+            console_state=ConsoleState.HELD if held or sequence == 150
+            else ConsoleState.LIVE).encode())
+    assert not [line.text for line in seen.log if "ad_no_scan" in line.text]
+    seen.datagram(frame_of(
+        200, gsc=log(ad_no_scan=(101, 50, 200))).encode())
+    assert [line.text for line in seen.log][-1].startswith("gsc ad_no_scan")
+
+
 def test_gnd45_a_lost_link_is_not_buried_by_what_it_causes():
     clock = Clock()
     seen = view.View(now=clock)
