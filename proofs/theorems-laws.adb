@@ -73,9 +73,12 @@ package body Theorems.Laws with SPARK_Mode is
       After := Item;
       for Frame in 1 .. Fresh loop
          pragma Loop_Invariant
-           (After.State = Item.State and then After.Fresh = Frame - 1);
+           (After.State = Item.State
+            and then
+              Integer (After.Fresh) =
+                Integer (Item.Fresh) + Integer (Frame) - 1);
          After := After_Uplink (After, Disconnect => False);
-         exit when Frame = Return_After;
+         exit when After.State = Linked;
       end loop;
    end A_Second_Brings_It_Back;
 

@@ -191,20 +191,23 @@ package Theorems.Laws with SPARK_Mode, Ghost is
              Next (Item, Is_Fresh, Disconnect, By).State in
                Terminated | Linked);
 
-   --  A lost link is back after a second of fresh uplinks without a gap, not
-   --  one frame earlier.
+   --  A lost link is back after a second of fresh uplinks without a gap. One
+   --  whose count begins at 0 is not back one frame earlier.
+   --  Theorems.Lost_Links says what gaps cost.
    procedure A_Second_Brings_It_Back
      (Item : Link_Memory; Fresh : Return_Count; After : out Link_Memory)
    with
      Global => null,
-     Pre    => Item.State in Holding | Orbiting and then Item.Fresh = 0,
+     Pre    => Item.State in Holding | Orbiting,
      Post   =>
-       (After.State = Linked) = (Fresh = Return_After)
-       and then (if Fresh < Return_After then After.State = Item.State);
+       (if Fresh = Return_After then After.State = Linked)
+       and then
+         (if Item.Fresh = 0 and then Fresh < Return_After
+          then After.State = Item.State);
 
    --  Out of termination: a frame whose uplink is fresh with the disconnect
-   --  switch on, the last of a second of such, after a second with the
-   --  switch off. No other frame changes the state.
+   --  switch on, the last of a count of 50 of such, after a count of 50 with
+   --  the switch off. No other frame changes the state.
    procedure Only_The_Order_Ends_Termination
      (Item : Link_Memory; Is_Fresh, Disconnect : Boolean; By : Times)
    with
@@ -219,12 +222,22 @@ package Theorems.Laws with SPARK_Mode, Ghost is
          (Next (Item, Is_Fresh, Disconnect, By).State in
             Linked | Terminated)
 
-       --  A silent frame begins it anew; so does the switch, when the second
-       --  before was not full.
+       --  A silent frame takes 2 from the half that is under way. The switch
+       --  begins the order again when the count before was not full, and when
+       --  it goes back.
        and then
          (if not Is_Fresh
-          then Next (Item, Is_Fresh, Disconnect, By).Off = 0
-            and then Next (Item, Is_Fresh, Disconnect, By).On = 0)
+          then Next (Item, Is_Fresh, Disconnect, By).On =
+                 Less_Of_Return (Item.On)
+            and then Next (Item, Is_Fresh, Disconnect, By).Off =
+                 (if Item.On > 0 then Item.Off
+                  else Less_Of_Return (Item.Off)))
+       and then
+         (if Is_Fresh and then not Disconnect
+          then Next (Item, Is_Fresh, Disconnect, By).On = 0
+            and then
+              (if Item.On > 0
+               then Next (Item, Is_Fresh, Disconnect, By).Off = 1))
        and then
          (if Is_Fresh and then Disconnect and then Item.Off < Return_After
           then Next (Item, Is_Fresh, Disconnect, By).Off = 0

@@ -149,6 +149,10 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Terminate_After : constant := 120 * Frames_Per_Second;
    Return_After    : constant := Frames_Per_Second;
 
+   --  So many fresh frames does each silent one cost on the way back. With 2
+   --  a gap that loses the link clears the count (D-35).
+   Silence_Cost    : constant := 2;
+
    --  Sensors: bad in so many scans one after the other is not valid, good
    --  in so many is valid again.
    Bad_Scans   : constant := 3;

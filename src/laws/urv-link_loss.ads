@@ -4,18 +4,23 @@
 --
 --      Waiting --fresh--> Linked --0.5 s--> Holding --5 s--> Orbiting
 --                           ^                  |                | 120 s
---                           +---1 s fresh------+----------------+
+--                           +---fresh count----+----------------+
 --                           |                                   v
 --                           +------the ground's order---- Terminated
 --
 --  A frame is silent when it has brought no fresh uplink. Once the link is
---  lost, silent frames are counted until it is back: a frame that brought
---  something is not counted, but only a second of them without a gap is the
---  link's return.
+--  lost, silent frames are counted until it is back.
 --
---  The way out of Terminated is an order that no fault gives: for a second
---  without a gap fresh uplinks with the disconnect switch off, then for a
---  second without a gap with it on.
+--  A lost link returns on a proportion of fresh frames (D-35). Each fresh
+--  frame adds 1 to a count, each silent frame takes 2 from it, not below 0.
+--  At 50 the link is back: after 50 fresh frames in a row, or after any n
+--  frames of which at most (n - 50) / 3 are silent. A link that loses a third
+--  of its frames or more does not return. A gap that would lose a link, 25
+--  silent frames, always clears the count.
+--
+--  The way out of Terminated is an order that no fault gives: fresh uplinks
+--  with the disconnect switch off up to such a count of 50, then with the
+--  switch on up to another.
 
 with URV.Law_Gains; use URV.Law_Gains;
 
@@ -52,8 +57,8 @@ package URV.Link_Loss with Pure, SPARK_Mode is
       --  while lost.
       Silent : Frame_Count  := 0;
 
-      --  Fresh frames one after the other, while lost; of the order's first
-      --  half and its second.
+      --  The count of the link's return, while it is lost; those of the
+      --  order's first half and its second, while terminated.
       Fresh  : Return_Count := 0;
       Off    : Return_Count := 0;
       On     : Return_Count := 0;
@@ -66,6 +71,11 @@ package URV.Link_Loss with Pure, SPARK_Mode is
 
    function More_Of_Return (Item : Return_Count) return Return_Count is
      (if Item = Return_Count'Last then Item else Item + 1)
+   with Global => null;
+
+   --  A silent frame takes away what two fresh ones have added.
+   function Less_Of_Return (Item : Return_Count) return Return_Count is
+     (if Item > Silence_Cost then Item - Silence_Cost else 0)
    with Global => null;
 
    Linked_Again : constant Link_Memory :=
@@ -88,9 +98,17 @@ package URV.Link_Loss with Pure, SPARK_Mode is
                then Terminated else Orbiting),
             when Terminated => Terminated),
       Silent => (if This.State = Waiting then 0 else More (This.Silent)),
-      Fresh  => 0,
-      Off    => 0,
-      On     => 0)
+      Fresh  =>
+        (if This.State in Holding | Orbiting
+         then Less_Of_Return (This.Fresh) else 0),
+
+      --  The order loses from the half that is under way.
+      Off    =>
+        (if This.State /= Terminated then 0
+         elsif This.On > 0 then This.Off
+         else Less_Of_Return (This.Off)),
+      On     =>
+        (if This.State = Terminated then Less_Of_Return (This.On) else 0))
    with Global => null;
 
    --  The ground's order is complete with a frame more.
@@ -146,6 +164,21 @@ package URV.Link_Loss with Pure, SPARK_Mode is
                  when Holding    => This.State = Linked,
                  when Orbiting   => This.State = Holding,
                  when Terminated => This.State = Orbiting))
+
+       --  After a loss the count begins at 0, and the link returns at its
+       --  end alone.
+       and then
+         (if This.State = Linked and then Next'Result.State = Holding
+          then Next'Result.Fresh = 0)
+       and then
+         (if This.State in Holding | Orbiting
+            and then Next'Result.State = Linked
+          then This.Fresh >= Return_After - 1)
+
+       --  A link that has returned is like one that was never lost.
+       and then
+         (if This.State /= Linked and then Next'Result.State = Linked
+          then Next'Result = Linked_Again)
 
        --  Out of termination by the ground's order alone.
        and then

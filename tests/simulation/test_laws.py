@@ -122,6 +122,32 @@ def test_ext5_a_cut_of_10_s_at_17_s_is_that_of_the_page(tmp_path):
                                                              HOLDING}
 
 
+@pytest.mark.parametrize("plant", ["bench", "jsbsim"])
+def test_d35_a_link_with_gaps_returns_and_one_with_too_many_does_not(
+        tmp_path, plant):
+    """After an outage of 0.6 s the link loses 2 of 45 frames: it returns
+    within 62 frames and is not lost again. One that loses 20 of 45 does
+    not."""
+    for gap, returns in ((40, True), (400, False)):
+        folder = tmp_path / str(gap)
+        folder.mkdir()
+        (folder / "faults.txt").write_text("10000 cut 600\n" + "".join(
+            f"{time} cut {gap}\n" for time in range(11500, 50000, 900)))
+        flight = fly_in(folder, "--plant", plant, "--laws", "on",
+                        "--seconds", "50", "--faults", "faults.txt")
+        link = flight.record["laws.link"]
+        lost = link.index(HOLDING)
+        assert 10 * 50 + 24 <= lost <= 10 * 50 + 28
+        if returns:
+            back = link.index(LINKED, lost)
+            assert back - lost <= 62 + 8
+            assert set(link[back:]) == {LINKED}
+        else:
+            # A second without a gap still brings it back.
+            link = link[12 * 50:]
+            assert LINKED not in link[-25 * 50:]
+
+
 def test_ext5_times_are_those_of_the_command_line_until_the_ground_sets_others(
         tmp_path):
     """From the last uplink on, to a frame."""

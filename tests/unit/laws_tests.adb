@@ -31,6 +31,7 @@ package body Laws_Tests is
    procedure Stale_Scans;
    procedure Times_Of_Loss;
    procedure Way_Back;
+   procedure Proportions;
    procedure Way_Out;
    procedure On_The_Ground;
    procedure In_The_Air;
@@ -445,12 +446,23 @@ package body Laws_Tests is
       Fly (Item, 49, Sticks);
       Expect_State ("after 49 fresh frames", Item.Link.State, Holding);
       Fly (Item, 1, Old);
-      Fly (Item, 49, Sticks);
-      Expect_State ("49 again after a gap", Item.Link.State, Holding);
+      Fly (Item, 2, Sticks);
+      Expect_State ("a gap costs two", Item.Link.State, Holding);
       Fly (Item, 1, Sticks);
-      Expect_State ("after 50", Item.Link.State, Linked);
+      Expect_State ("at 50", Item.Link.State, Linked);
       Fly (Item, 24, Old);
-      Expect_State ("the count begins anew", Item.Link.State, Linked);
+      Expect_State ("the count begins again", Item.Link.State, Linked);
+      Fly (Item, 1, Old);
+      Expect_State ("25 silent frames, as ever", Item.Link.State, Holding);
+      Fly (Item, 49, Sticks);
+      Expect_State ("from 0 after a loss", Item.Link.State, Holding);
+
+      --  A gap that would lose a link clears the count.
+      Fly (Item, 25, Old);
+      Fly (Item, 49, Sticks);
+      Expect_State ("49 after a long gap", Item.Link.State, Holding);
+      Fly (Item, 1, Sticks);
+      Expect_State ("50 after it", Item.Link.State, Linked);
 
       --  Nothing was ever heard.
       Item := (others => <>);
@@ -458,6 +470,34 @@ package body Laws_Tests is
       Expect_State ("nobody has ever flown", Item.Link.State, Waiting);
       Expect ("so nothing flies", Output (Item, Old) = Old, True);
    end Way_Back;
+
+   --  A link that brings Good frames, then loses Bad, again and again: the
+   --  frames until it is back, or Most.
+   function Frames_Until_Back (Good, Bad, Most : Natural) return Natural;
+
+   function Frames_Until_Back (Good, Bad, Most : Natural) return Natural is
+      Item  : URV.Laws.Memory := Warm;
+      Frame : Natural := 0;
+   begin
+      Fly (Item, 30, Old);
+      while Item.Link.State /= Linked and then Frame < Most loop
+         Fly (Item, 1,
+              (if Frame mod (Good + Bad) < Bad then Old else Sticks));
+         Frame := Frame + 1;
+      end loop;
+      return Frame;
+   end Frames_Until_Back;
+
+   procedure Proportions is
+   begin
+      Expect_Number ("nothing lost", Frames_Until_Back (100, 0, 200), 50);
+      Expect_Number ("2 of 45", Frames_Until_Back (43, 2, 200), 58);
+      Expect_Number ("1 of 10", Frames_Until_Back (9, 1, 200), 71);
+      Expect_Number ("1 of 4", Frames_Until_Back (3, 1, 400), 198);
+      Expect_Number ("1 of 3", Frames_Until_Back (2, 1, 2_000), 2_000);
+      Expect_Number ("1 of 2", Frames_Until_Back (1, 1, 2_000), 2_000);
+      Expect_Number ("24 of 25", Frames_Until_Back (1, 24, 2_000), 2_000);
+   end Proportions;
 
    procedure Way_Out is
       Off  : constant Uplink_Buffer := Sticks;
@@ -488,8 +528,24 @@ package body Laws_Tests is
       Fly (Item, 60, Off);
       Fly (Item, 30, On);
       Fly (Item, 1, Old (On));
+      Fly (Item, 21, On);
+      Expect_State ("a gap costs two", Item.Link.State, Terminated);
+      Fly (Item, 1, On);
+      Expect_State ("no more", Item.Link.State, Linked);
+
+      Item := Long;
+      Fly (Item, 60, Off);
+      Fly (Item, 1, Old (Off));
+      Fly (Item, 100, On);
+      Expect_State ("a gap before the switch spoils it", Item.Link.State,
+                    Terminated);
+
+      Item := Long;
+      Fly (Item, 60, Off);
+      Fly (Item, 30, On);
+      Fly (Item, 40, Old (On));
       Fly (Item, 60, On);
-      Expect_State ("a gap spoils it", Item.Link.State, Terminated);
+      Expect_State ("so does a long one", Item.Link.State, Terminated);
 
       Item := Long;
       Fly (Item, 60, Off);
@@ -611,6 +667,8 @@ package body Laws_Tests is
            Times_Of_Loss'Access);
       Add (Suite, "EXT-5 a second of fresh uplinks is the link's return",
            Way_Back'Access);
+      Add (Suite, "D-35 a link returns on a proportion of its frames",
+           Proportions'Access);
       Add (Suite, "EXT-5 only the ground's order ends a termination",
            Way_Out'Access);
       Add (Suite, "EXT-5 on the ground a lost link idles",
