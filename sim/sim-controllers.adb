@@ -27,6 +27,9 @@ package body Sim.Controllers is
 
       --  It is down until the time of its start is over.
       Is_Starting : Boolean         := False;
+
+      --  It stands still until its next start.
+      Is_Halted   : Boolean         := False;
       Condition   : Start_Condition := Cold_Start;
 
       --  The value held by the A/D board while it converts.
@@ -60,6 +63,9 @@ package body Sim.Controllers is
 
    --  Phases one to three of a start, at its end.
    procedure Start (Which : Node; Time : Microseconds);
+
+   --  It takes interrupts.
+   function Is_Up (Item : Controller) return Boolean;
 
    --  An exception that the node's program has not handled (KRN-6).
    procedure Answer_Exception
@@ -141,6 +147,20 @@ package body Sim.Controllers is
       Inputs (Which) (Where) := Value;
    end Set_Input;
 
+   --  It takes interrupts.
+   function Is_Up (Item : Controller) return Boolean is
+     (not Item.Is_Starting and then not Item.Is_Halted);
+
+   procedure Halt (Which : Node) is
+      Item : Controller renames Controllers (Which);
+   begin
+      Item.Is_Halted := Item.Is_On;
+      if Item.Is_Halted and then Item.Is_Starting then
+         Item.Is_Starting := False;
+         Cancel (Started (Which));
+      end if;
+   end Halt;
+
    procedure Answer_Exception
      (Which  : Node;
       Time   : Microseconds;
@@ -202,12 +222,12 @@ package body Sim.Controllers is
 
          Cancel (Converted (Which));
          Finish_Conversion
-           (Which, Item.Held, not Item.Is_Starting, Raised);
+           (Which, Item.Held, Is_Up (Item), Raised);
          Serve_Converter (Which, Time);
          Answer_Exception (Which, Time, Raised);
 
          --  Behind a scan, or where none is expected.
-         if not Is_Due (Converted (Which)) and then not Item.Is_Starting then
+         if not Is_Due (Converted (Which)) and then Is_Up (Item) then
             Look_Again (Which, Raised);
             Serve_Converter (Which, Time);
             Answer_Exception (Which, Time, Raised);
@@ -246,7 +266,10 @@ package body Sim.Controllers is
       else
          Look_At_Frame (Which, 1, Request);
          Item.Clock := Ticked (Item.Clock, Request);
-         if not Item.Is_Starting and then not Item.Clock.Held then
+         if Which = Aircraft then
+            Tick_Servos;
+         end if;
+         if Is_Up (Item) and then not Item.Clock.Held then
             Clock_Interrupt (Which, Item.Clock.Now, Raised);
             Serve_Converter (Which, Time);
             Answer_Exception (Which, Time, Raised);
@@ -266,6 +289,7 @@ package body Sim.Controllers is
          Item.Condition := Condition;
       end if;
       Item.Is_Starting := True;
+      Item.Is_Halted := False;
       Schedule (Started (Which), Time + Start_Time);
       if Condition = Warm_Reset then
          Cancel (Converted (Which));

@@ -44,6 +44,10 @@ package Sim.Controllers is
       Where : Channel;
       Value : Word);
 
+   --  The node's processor stands still until a reset or a restart; its
+   --  clock and its boards go on. Before it is switched on nothing happens.
+   procedure Halt (Which : Node);
+
    --  A minor frame begins, the node's first one with power up.
    procedure Tick (Which : Node; Time : Microseconds);
 

@@ -186,6 +186,9 @@ package body Sim.Engine is
          when Faults.RAM_Harm =>
             Stick_RAM (Memory_Of (Item.Where), Item.Word_At, Item.Zeros);
 
+         when Faults.Halt =>
+            Controllers.Halt (Item.Where);
+
          when Faults.Bus_Error =>
             Fail_Next_Read (Memory_Of (Item.Where));
       end case;

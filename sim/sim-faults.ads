@@ -17,6 +17,7 @@ package Sim.Faults is
      (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset,
       ROM_Harm,      --  bits of a byte of the program memory change
       RAM_Harm,      --  bits of a RAM word read as 0
+      Halt,          --  the processor stands still until a reset
       Bus_Error,     --  the next read of the program memory fails
       Lost_Console,  --  no packet of the pilot's console comes
       Stuck,         --  a servo stays where it is, or at a place

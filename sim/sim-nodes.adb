@@ -172,6 +172,11 @@ package body Sim.Nodes is
          Complain (Which, Error);
    end Look_Again;
 
+   procedure Tick_Servos is
+   begin
+      MCS.PWM_Board.Tick;
+   end Tick_Servos;
+
    procedure Take_Start
      (Which   : Node;
       Wanted  : out Boolean;

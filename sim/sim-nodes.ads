@@ -56,6 +56,9 @@ package Sim.Nodes is
    --  An interrupt has been handled, which a task may wait for.
    procedure Look_Again (Which : Node; Raised : out Boolean);
 
+   --  The clock of the aircraft's PWM board ticks (SAF-11).
+   procedure Tick_Servos;
+
    --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.
    --  The controller is interrupted if it wants to be, and is not down.
 

@@ -118,6 +118,21 @@ def lost_consoles(chance, length_ms):
     return lines
 
 
+def halts(chance, length_ms):
+    """In every fifth mix a node's processor stands still, the aircraft's more
+    often, and in half of these a reset ends it."""
+    if chance.random() >= 0.2:
+        return []
+    node = chance.choice(("mcs", "mcs", "gsc"))
+    time = chance.uniform(0, length_ms)
+    how = chance.choice(("warm", "processor"))
+    lines = [f"{at_ms(time)} {node} halt"]
+    if chance.random() < 0.5:
+        time += spread(chance, 1, 1_500)
+        lines.append(f"{at_ms(time)} {node} reset {how}")
+    return lines
+
+
 def orders(chance, length_ms):
     """Configurations, good and bad, and blocks of other kinds, most of which
     nobody knows."""
@@ -175,6 +190,7 @@ def of_number(number, message_format=1):
         time = (centre + chance.expovariate(1 / 40)
                 if chance.random() < 0.5 else chance.uniform(0, length_ms))
         lines += fault(chance, time, chance.choice(NODES))
+    lines += halts(random.Random(f"mix {number} stands"), length_ms)
     options = ("--seconds", f"{frames / FRAMES_PER_S:.2f}",
                "--phase", str(chance.randrange(NUMBERS.frame_ticks)), "--seed", str(number),
                "--processors", chance.choice(("1", "1", "1", "2")))

@@ -88,6 +88,7 @@ class Disturbances:
     consoles       no packet of the pilot's console comes
     scans[node]    the converter stands still, or the scan it delays goes on
     down[node]     no task of the node runs, but for its board
+    dead[node]     certainly none runs: it is halted, or has failed its test
     silent[node]   and until CORE has words of a scan again
     starts[node]   the same without the start at power up
     any            all of these
@@ -125,10 +126,12 @@ class Disturbances:
         self.stalls = Spans(stalls)
         self.consoles = Spans(consoles)
         self.scans = {node: Spans(scans[node]) for node in NODES}
-        self.down, self.silent, self.starts = {}, {}, {}
+        self.down, self.silent, self.starts, self.dead = {}, {}, {}, {}
         for node in NODES:
-            down = self._down(node, sorted(events[node]))
+            down, dead = self._down(
+                node, sorted(events[node], key=lambda event: event[0]))
             again = FRAME_US + CORE_US
+            self.dead[node] = Spans(dead)
             self.down[node] = Spans(down)
             self.silent[node] = Spans(
                 (first, last + again) for first, last in down)
@@ -158,34 +161,51 @@ class Disturbances:
 
     @staticmethod
     def _down(node, events):
-        """From when until when no task of the node runs. One that fails its
-        self-test stays down."""
-        spans = [[0, 0 if node == "gsc" else LARGEST_LAG_US]]
+        """From when until when no task of the node may run, and from when
+        until when certainly none does. A halted node stays down until a reset,
+        one that has failed its self-test until a processor restart, which does
+        not test the memories."""
+        on_by = 0 if node == "gsc" else LARGEST_LAG_US
+        spans, dead = [[0, on_by]], []
         harmed = ENDLESS
-        armed = 0
+        armed = tested_until = 0
         for at, kind, first in events:
             if kind in ("rom", "ram"):
                 harmed = min(harmed, at)
+                if at <= on_by:
+                    spans[0][1] = ENDLESS
                 continue
             if kind == "reset" and first == "telemetry":
                 continue
             if at > spans[-1][1]:
                 spans.append([at, at])
                 armed = 0
+            fails = kind == "reset" and first == "warm" and at >= harmed
             if kind == "bus_error":
                 # At the next read of the ROM: when the next start tests
                 # itself, or the task does, so long after a start at most.
                 armed += 1
                 spans[-1][1] += ROM_READ_US + START_US
+                if at <= tested_until and dead:
+                    dead[-1][1] = min(dead[-1][1], tested_until - START_US)
+            elif kind == "halt" or fails:
+                spans[-1][1] = ENDLESS
+                is_dead = bool(dead) and dead[-1][1] == ENDLESS
+                if fails:
+                    tested_until = at + START_US
+                if fails and armed:
+                    # It may break off the test: what starts then passes.
+                    if is_dead:
+                        dead[-1][1] = at
+                elif at > on_by and not is_dead:
+                    dead.append([at, ENDLESS])
             else:
-                spans[-1][1] = max(spans[-1][1],
-                                   at + (armed + 1) * START_US)
-        for number, span in enumerate(spans):
-            if span[1] >= harmed:
-                span[1] = ENDLESS
-                del spans[number + 1:]
-                break
-        return spans
+                end = at + (armed + 1) * START_US
+                spans[-1][1] = (end if spans[-1][1] >= ENDLESS
+                                else max(spans[-1][1], end))
+                if dead:
+                    dead[-1][1] = min(dead[-1][1], at)
+        return spans, dead
 
 
 def of_file(path):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Looks at the record of a flight for what must never happen (SAF-1 to SAF-6,
-SAF-9). It knows the hazards and the record, and nothing of the software:
+SAF-9, SAF-11). It knows the hazards and the record, and nothing of the software:
 docs/evidence/safety-monitor.md says what it checks, and from what its times come.
 
     python3 scripts/safety/monitor.py RECORD [--sticks FILE] [--sensors FILE]
@@ -42,6 +42,7 @@ import disturbances  # noqa: E402
 import timelines  # noqa: E402
 from disturbances import ENDLESS, Spans  # noqa: E402
 from safe_words import (  # noqa: E402
+    BRAKE,
     COMMANDS,
     NEUTRAL_SENSORS,
     NEUTRAL_STICKS,
@@ -55,6 +56,7 @@ from safe_words import (  # noqa: E402
     orders_behind,
     orders_of,
     transformed,
+    unattended,
 )
 from timelines import FRAME_US, SCAN_US, TICK_US, Scan, Timeline  # noqa: E402
 
@@ -107,6 +109,11 @@ PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
 # In the fast schedule the ground's row comes 10 ms after its scan, when the
 # aircraft may have had the uplink for 6.5: its row was first.
 PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
+
+
+# Without a controller the outputs are safe after so long, and a frame until
+# the row. The controller may have touched the board a frame before it stopped.
+HOLD_US = 500_000
 
 
 class Findings(NamedTuple):
@@ -287,6 +294,11 @@ class Checker:
                     " which is too old"))
         return wrong
 
+    def is_unattended(self, time, before, words):
+        """These outputs are those of an aircraft without a controller, and
+        it may have none."""
+        return False
+
     def check_marks(self, record, after, near_start,
                     is_blurred=lambda place: False,
                     between_rows=lambda place, words: False):
@@ -298,7 +310,8 @@ class Checker:
         for place, before, words in changes(record.pwm, SAFE_ROW):
             near = record.mcs_uplink[place:place + after + 1]
             if len(near) < after + 1 or is_blurred(place) or near_start(
-                    times[place]) or (
+                    times[place]) or self.is_unattended(
+                    times[place], before, words) or (
                     record.by_law[place] and is_by_law(before, words, near)):
                 continue
             if not any(transformed(message[:13]) == words
@@ -369,6 +382,7 @@ class Flight(Checker):
                 "mcs.uplink", (*COMMANDS, "error"))
             self.check_servos(wrong)
             self.check_lost_console(wrong)
+            self.check_unattended()
             self.check_marks(
                 self.record, 1, lambda time: self.faults.starts["mcs"].touch(
                     time - FRAME_US, time + FRAME_US),
@@ -560,6 +574,29 @@ class Flight(Checker):
                                      "pitch_attitude")]
                        for row in rows), strict=True))
 
+    def is_unattended(self, time, before, words):
+        return (words == unattended(before)
+                and self.faults.down["mcs"].within(time - HOLD_US, time)
+                >= HOLD_US - 3 * FRAME_US)
+
+    def check_unattended(self):
+        """An aircraft without a controller has safe outputs after half a
+        second, and its brake as it was."""
+        times, pwm = self.record.times, self.record.pwm
+        for first, last in self.faults.dead["mcs"]:
+            begin = bisect.bisect_left(times, first + HOLD_US + FRAME_US)
+            end = bisect.bisect_left(times, last)
+            near = range(max(bisect.bisect_left(times, first) - 1, 0), begin)
+            brakes = {pwm[place][BRAKE] for place in near if place < len(pwm)}
+            for place in range(begin, end):
+                words = pwm[place]
+                if words != unattended(words) or words[BRAKE] not in brakes:
+                    self.say(times[place],
+                             "pwm: frozen outputs: no controller for"
+                             f" {ms(times[place] - first)} ms, and the servos"
+                             f" are not safe: {text(SERVOS, words)}")
+                    break
+
     def check_servos(self, wrong):
         """What the servos do newly a scan said within the window, and no
         older one than what they did before."""
@@ -567,6 +604,8 @@ class Flight(Checker):
         floor = -ENDLESS
         for place, before, words in changes(self.record.pwm, SAFE_ROW):
             time = times[place]
+            if self.is_unattended(time, before, words):
+                continue
             if self.record.by_law[place] and is_by_law(
                     before, words, uplink[place:place + 2]):
                 continue

@@ -31,6 +31,16 @@ SAFE_ROW = tuple(SAFE[name] for name in SERVOS)
 # knows that the aircraft is on the ground (SAF-10).
 SAFE_COMMANDS = (MIDDLE, MIDDLE, MIDDLE, 0, LARGEST) + (0,) * 8
 
+BRAKE = SERVOS.index("brake")
+
+
+def unattended(servos):
+    """What the outputs become when no controller has touched the board for
+    half a second (SAF-11): safe, the brake as it was."""
+    return tuple(servos[BRAKE] if place == BRAKE else word
+                 for place, word in enumerate(SAFE_ROW))
+
+
 # The error word's bit that says: these are words of an earlier scan.
 STALE = 1
 

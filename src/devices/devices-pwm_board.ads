@@ -4,8 +4,14 @@
 --
 --  The board reads its data area all the time, on its own: one word a servo
 --  channel, then the discretes.
+--
+--  A timer on the board counts the ticks of the board's own clock since the
+--  controller last touched the board (SAF-11, D-34). At 0.5 s it replaces the
+--  words by those for an aircraft without a controller, until the
+--  controller writes again.
 
-with URVOS; use URVOS;
+with URVOS;        use URVOS;
+with URVOS.Frames; use URVOS.Frames;
 
 package Devices.PWM_Board with Pure, SPARK_Mode is
 
@@ -16,5 +22,34 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
 
    --  The middle of a channel's range: a surface at zero degrees.
    Neutral : constant Word := 16#800#;
+
+   --  Ticks without a touch until the timer replaces the words: 0.5 s.
+   Hold_Ticks : constant := 500_000 / Microseconds_Per_Tick;
+
+   type Untouched_Ticks is range 0 .. Hold_Ticks;
+
+   type Board_State is record
+      Words     : Data_Area;
+      Untouched : Untouched_Ticks := 0;
+   end record;
+
+   --  The controller has touched the board, and left its words alone.
+   function Touched (This : Board_State) return Board_State is
+     ((This with delta Untouched => 0))
+   with Global => null;
+
+   function Written (Area : Data_Area) return Board_State is
+     ((Words => Area, Untouched => 0))
+   with Global => null;
+
+   --  A tick of the board's clock. Unattended are the words for an aircraft
+   --  without a controller.
+   function Ticked
+     (This : Board_State; Unattended : Data_Area) return Board_State
+   is
+     (if This.Untouched >= Hold_Ticks - 1
+      then (Words => Unattended, Untouched => Hold_Ticks)
+      else (This with delta Untouched => This.Untouched + 1))
+   with Global => null;
 
 end Devices.PWM_Board;

@@ -6,10 +6,23 @@ package body Devices.Shared_PWM_Board with SPARK_Mode is
 
       procedure Write (Area : Data_Area) is
       begin
-         Words := Area;
+         State := Written (Area);
       end Write;
 
-      function Contents return Data_Area is (Words);
+      procedure Touch is
+      begin
+         State := Touched (State);
+      end Touch;
+
+      procedure Tick is
+      begin
+         State := Ticked (State, Unattended (State.Words));
+      end Tick;
+
+      function Contents return Data_Area is (State.Words);
+
+      function Is_Unattended return Boolean is
+        (State.Untouched = Hold_Ticks);
 
    end Board;
 

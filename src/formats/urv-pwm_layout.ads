@@ -30,6 +30,14 @@ package URV.PWM_Layout with Pure, SPARK_Mode is
    function Safe_Area return Data_Area is (To_Data_Area (Safe_Outputs))
    with Global => null;
 
+   --  What the board holds when no controller has touched it for 0.5 s
+   --  (SAF-11, D-34): the safe words, but the brake as it was. In flight it
+   --  was off, and a wheel that is locked upsets the landing; before a flight
+   --  it was on.
+   function Unattended_Area (Words : Data_Area) return Data_Area is
+     ((Safe_Area with delta Channel_Of (Brake) => Words (Channel_Of (Brake))))
+   with Global => null;
+
    function To_Outputs (Area : Data_Area) return PWM_Buffer
    with
      Global => null,

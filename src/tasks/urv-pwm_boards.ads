@@ -1,12 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The pulse width modulation boards of this vehicle: from power up on they
---  hold the safe words (SAF-1, D-13).
+--  hold the safe words (SAF-1, D-13), without a controller the unattended ones
+--  (SAF-11, D-34).
 
 pragma SPARK_Mode;
 
 with Devices.Shared_PWM_Board;
 with URV.PWM_Layout;
 
-package URV.PWM_Boards is
-  new Devices.Shared_PWM_Board (Power_Up => URV.PWM_Layout.Safe_Area);
+package URV.PWM_Boards is new Devices.Shared_PWM_Board
+  (Power_Up   => URV.PWM_Layout.Safe_Area,
+   Unattended => URV.PWM_Layout.Unattended_Area);

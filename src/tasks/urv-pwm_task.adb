@@ -14,6 +14,7 @@ package body URV.PWM_Task with SPARK_Mode is
       Fresh  : Boolean;
    begin
       PWM_Variable.Receive (Item, Fresh);
+      PWM_Board.Touch;
 
       if not Fresh then
          Errors.Report (No_Commands, 0);

@@ -5,7 +5,8 @@
 --
 --  Consumes PWM_variable, produces the data area of the PWM board. When
 --  nothing new has come, or commands that are marked as old, it leaves the
---  board alone (SAF-2, SAF-3, D-14). Whoever marked them has reported why.
+--  board's words alone (SAF-2, SAF-3, D-14). Whoever marked them has reported
+--  why. The board's timer is touched in every frame (SAF-11).
 --  Surfaces that have failed are made up for by the others (EXT-6).
 
 with URV.Mailboxes;     use URV.Mailboxes;

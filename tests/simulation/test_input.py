@@ -251,7 +251,7 @@ def test_bad_sensors(refused, write, text, line, message):
 
 FORM = "a fault of this kind is written TIME_MS "
 LINE_FAULTS = "up|down ber|flip|drop|dup|insert"
-NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|bus_error, gsc console"
+NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|halt|bus_error, gsc console"
 SURFACE_FAULTS = "surface NAME stuck|float|slow"
 ANY_FAULT = f"cut, {LINE_FAULTS}, {NODE_FAULTS}, {SURFACE_FAULTS}"
 SURFACES = (
@@ -336,6 +336,8 @@ BAD_FAULTS = [
     ("100 surface brake stuck 4096\n", 1,
      'WORD: "4096" is not a whole number from 0 to 4095'),
     ("100 gsc bus_error 1\n", 1, FORM + "mcs|gsc bus_error"),
+    ("100 mcs halt 1\n", 1, FORM + "mcs|gsc halt"),
+    ("100 halt\n", 1, FORM + "mcs|gsc halt"),
 ]
 
 

@@ -67,7 +67,7 @@ def test_each_kind_of_fault_of_the_program_is_in_the_mixes(urv_sim):
                     for kind in ("stall adc", "stall telemetry",
                                  "reset warm", "reset processor",
                                  "reset telemetry", "bus_error", "rom",
-                                 "ram"))):
+                                 "ram", "halt"))):
         assert f" {words}" in made, words
     phases = {mixes.of_number(number).options[3] for number in range(100)}
     assert phases == set("0123456789")

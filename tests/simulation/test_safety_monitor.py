@@ -208,6 +208,55 @@ def test_a_flight_with_every_kind_of_fault_has_no_violation(flown):
     assert findings.violations == []
 
 
+def test_saf11_a_controller_that_stops_leaves_safe_outputs(flown):
+    for faults in ("600 mcs halt\n",
+                   "500 mcs ram 10 1\n600 mcs reset warm\n"):
+        assert flown(faults=faults).violations == []
+
+
+def test_saf11_frozen_outputs_are_seen(flown):
+    def alter(cells):
+        cells.copy("pwm", SERVOS, 700, 1100, 1400)
+
+    for faults in ("600 mcs halt\n",
+                   "500 mcs ram 10 1\n600 mcs reset warm\n"):
+        found = said(flown(alter, faults))
+        assert "1120 ms: pwm: frozen outputs: no controller for 520 ms" in found
+
+
+def test_saf11_a_brake_that_comes_on_is_seen(flown):
+    def alter(cells):
+        cells.put(1140, 1400, "pwm.brake", 0xFFF)
+
+    assert "frozen outputs" in said(flown(alter, "600 mcs halt\n"))
+
+
+def test_saf11_safe_outputs_of_a_controller_that_runs_are_seen(flown):
+    """A timer that fires too early, or beside a controller."""
+    def alter(cells):
+        cells.put(1000, 1400, "pwm.throttle", 0)
+
+    assert "pwm: throttle" in said(flown(alter, "600 mcs halt\n"))
+    assert "pwm: throttle" in said(flown(alter))
+
+
+@pytest.mark.parametrize("faults, dead", [
+    ("100 mcs halt\n", [(100_000, disturbances.ENDLESS)]),
+    ("100 mcs halt\n300 mcs reset warm\n", [(100_000, 300_000)]),
+    ("5 mcs halt\n", []),
+    ("100 mcs ram 1 1\n200 mcs reset processor\n", []),
+    ("100 mcs ram 1 1\n200 mcs reset warm\n400 mcs reset warm\n"
+     "500 mcs reset processor\n", [(200_000, 500_000)]),
+    ("100 mcs rom 1 1\n200 mcs bus_error\n210 mcs reset warm\n", []),
+    ("100 mcs rom 1 1\n200 mcs reset warm\n205 mcs bus_error\n",
+     [(200_000, 200_000)]),
+    ("100 mcs rom 1 1\n200 mcs halt\n300 mcs bus_error\n"
+     "400 mcs reset warm\n", [(200_000, 400_000)]),
+])
+def test_saf11_a_script_says_when_no_controller_runs(faults, dead):
+    assert [*disturbances.Disturbances(faults).dead["mcs"]] == dead
+
+
 def test_a_bus_error_in_a_start_makes_it_longer():
     """The start that it breaks off was under way, and the next one reads the
     ROM before it ends."""

@@ -196,6 +196,7 @@ SEEN = {
     "reset": {"mcs.processor_restart": 1},
     "rom": {"mcs.self_test_failed": 1},
     "ram": {"gsc.self_test_failed": 1},
+    "halt": {},
     "bus_error": {"mcs.processor_restart": 1},
     "console": {"gsc.ad_no_scan": 75},
 }

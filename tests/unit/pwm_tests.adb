@@ -4,6 +4,7 @@ with Checks;            use Checks;
 with Devices.PWM_Board; use Devices.PWM_Board;
 with Expectations;      use Expectations;
 with Task_Rig;          use Task_Rig;
+with URVOS.Frames;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Errors;        use URV.Errors;
@@ -26,6 +27,7 @@ package body PWM_Tests is
    procedure Error_Word;
    procedure Read_Back;
    procedure The_Task;
+   procedure Hold_Timer;
    procedure Marked_Commands;
 
    --  Every command different, switches off.
@@ -240,6 +242,67 @@ package body PWM_Tests is
       Expect_Errors ("without new commands", Errors, (1 => No_Commands));
    end The_Task;
 
+   procedure Hold_Timer is
+      Words : Data_Area;
+
+      procedure Tick (Ticks : Natural);
+
+      procedure Tick (Ticks : Natural) is
+      begin
+         for Tick in 1 .. Ticks loop
+            Board.Tick;
+         end loop;
+      end Tick;
+   begin
+      Expect_Number
+        ("half a second", Hold_Ticks * URVOS.Frames.Microseconds_Per_Tick,
+         500_000);
+      Variable.Reset;
+      Errors.Clear;
+      for Brake_Word in Word range 0 .. 1 loop
+         Words := Foreign;
+         Words (Channel_Of (Brake)) := Brake_Word * 16#FFF#;
+         Board.Write (Words);
+         Tick (Hold_Ticks - 1);
+         Expect ("not before 0.5 s", Board.Contents = Words, True);
+         Expect ("attended", Board.Is_Unattended, False);
+
+         --  The task is there, without commands.
+         PWM.Run_Transaction;
+         Tick (Hold_Ticks - 1);
+         Expect ("not while the task runs", Board.Contents = Words, True);
+         Tick (1);
+         for Item in PWM_Item loop
+            Expect
+              (Item'Image, Board.Contents (Channel_Of (Item)),
+               (if Item = Brake then Brake_Word * 16#FFF#
+                else Safe_Outputs (Item)));
+         end loop;
+         Words := Board.Contents;
+         Tick (4 * Hold_Ticks);
+         Expect ("unattended", Board.Is_Unattended, True);
+         PWM.Run_Transaction;
+         Expect ("attended again", Board.Is_Unattended, False);
+         Expect ("it stays so", Board.Contents = Words, True);
+         Up.Give (Variable, Commands);
+         PWM.Run_Transaction;
+         Expect
+           ("until commands come",
+            Board.Contents = To_Data_Area (Transform (Commands)), True);
+      end loop;
+
+      --  From power up.
+      declare
+         New_Board : URV.PWM_Boards.Board;
+      begin
+         for Tick in 1 .. 4 * Hold_Ticks loop
+            New_Board.Tick;
+         end loop;
+         Expect ("without a first write", New_Board.Contents = Safe_Area,
+                 True);
+      end;
+   end Hold_Timer;
+
    procedure Marked_Commands is
       Item : Uplink_Buffer := (others => 16#FFF#);
    begin
@@ -271,6 +334,8 @@ package body PWM_Tests is
       Add
         (Suite, "SAF-3 D-14 commands that are marked as old move nothing",
          Marked_Commands'Access);
+      Add (Suite, "SAF-11 without a controller the outputs are safe in 0.5 s",
+           Hold_Timer'Access);
       Add
         (Suite, "SAF-1 D-13 neutral commands are the safe outputs",
          Neutral_All'Access);

@@ -15,6 +15,7 @@ with URVOS.RAM_Tests;
 with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
+with URVOS.Starts;
 with URV.Errors;            use URV.Errors;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
@@ -198,9 +199,11 @@ package body Self_Test_Tests is
    procedure Expect_Start (What : String; Expected : Test_Result) is
       Result : Test_Result;
    begin
-      Start.Run (Result);
+      Start.Run (URVOS.Starts.Warm_Reset, Result);
       Expect (What & ": passed", Result.Passed, Expected.Passed);
       Expect (What & ": result", To_Word (Result), To_Word (Expected));
+      Start.Run (URVOS.Starts.Processor_Restart, Result);
+      Expect (What & ": restart", To_Word (Result), To_Word (All_Passed));
    end Expect_Start;
 
    procedure Known_Answer is

@@ -10,7 +10,7 @@ package body URVOS.Start_Phases with SPARK_Mode is
       Result : Test_Result;
    begin
       Set_Time (Now);
-      Test (Result);
+      Test (Condition, Result);
       Passed := Result.Passed;
       if Passed then
          case Condition is

@@ -12,7 +12,8 @@ with URVOS.Self_Tests; use URVOS.Self_Tests;
 with URVOS.Starts;     use URVOS.Starts;
 
 generic
-   with procedure Test (Result : out Test_Result);
+   with procedure Test
+     (Condition : Start_Condition; Result : out Test_Result);
 
    --  What the start was and what its test found, for later analysis.
    with procedure Record_Start

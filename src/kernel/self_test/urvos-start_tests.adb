@@ -34,20 +34,22 @@ package body URVOS.Start_Tests with SPARK_Mode is
       Good := Outcome = ROM_Check.Found_Good;
    end Test_ROM;
 
-   procedure Run (Result : out Test_Result) is
+   procedure Run (Condition : Start_Condition; Result : out Test_Result) is
       Good  : Boolean;
       Where : Word_Address;
    begin
-      Test_ROM (Good);
-      if not Good then
-         Result := Failure (ROM);
-         return;
-      end if;
+      if Condition /= Processor_Restart then
+         Test_ROM (Good);
+         if not Good then
+            Result := Failure (ROM);
+            return;
+         end if;
 
-      RAM_Test.Run (Good, Where);
-      if not Good then
-         Result := Failure (RAM, Where);
-         return;
+         RAM_Test.Run (Good, Where);
+         if not Good then
+            Result := Failure (RAM, Where);
+            return;
+         end if;
       end if;
 
       Result := All_Passed;

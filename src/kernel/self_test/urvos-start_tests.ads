@@ -4,11 +4,15 @@
 --  TST-2). ROM first, since the rest is no better than the program; then
 --  RAM; then the processor. It ends at the first test that fails.
 --
+--  A processor restart happens in flight. It tests the processor alone: no
+--  memory fault keeps a flying aircraft from its controller (SAF-12, D-34).
+--
 --  What was in the RAM is lost. The memory that Read_RAM and Write_RAM reach
 --  is therefore not the memory of what survives a restart.
 
 with URVOS.Memories;   use URVOS.Memories;
 with URVOS.Self_Tests; use URVOS.Self_Tests;
+with URVOS.Starts;     use URVOS.Starts;
 
 generic
    --  The last byte of the image and the last word of the RAM.
@@ -20,10 +24,13 @@ generic
    with procedure Write_RAM (Where : Word_Address; Data : Word);
 package URVOS.Start_Tests with SPARK_Mode is
 
-   procedure Run (Result : out Test_Result)
+   procedure Run (Condition : Start_Condition; Result : out Test_Result)
    with
      Post =>
        (if Result.Passed then Result = All_Passed)
+
+       --  A processor restart always reaches phase two.
+       and then (if Condition = Processor_Restart then Result.Passed)
 
        --  Only these can fail: the processor's tests pass on a processor
        --  that does what Ada says.
