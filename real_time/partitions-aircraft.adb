@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Real_Time;
+with System;
 
 with Devices.CORE_Memory;
 with Host;                use Host;
@@ -186,6 +187,35 @@ package body Partitions.Aircraft is
          End_Group (Result, To);
       end if;
    end Put_Counts;
+
+   --  The PWM board's own clock (SAF-11), beside the node's tasks. A tick that
+   --  is late is not made up for: the controller was as late.
+   task Board_Clock with Priority => System.Priority'Last;
+
+   task body Board_Clock is
+      use Ada.Real_Time;
+      Frame : constant Time_Span :=
+        Ada.Real_Time.Microseconds
+          (Ticks_Per_Major_Frame * Microseconds_Per_Tick);
+      Next  : Time := Clock;
+   begin
+      loop
+         Next := Next + Frame;
+         delay until Next;
+         for Tick in 1 .. Ticks_Per_Major_Frame loop
+            MCS.PWM_Board.Tick;
+         end loop;
+         if Clock > Next + Frame then
+            Next := Clock;
+         end if;
+
+         --  Without a controller nobody else lets the plant fly on.
+         if MCS.PWM_Board.Is_Unattended then
+            Plant.Fly
+              (Servos, Heard => MCS.Telemetry_Board.Tally.Received > 0);
+         end if;
+      end loop;
+   end Board_Clock;
 
    procedure Observe (Who : MCS.Task_Name) is
       use type MCS.Task_Name;
