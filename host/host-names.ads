@@ -16,6 +16,27 @@ package Host.Names is
    function Name (Item : Status_Item) return String;
    function Name (Which : Node) return String;
 
+   --  What a switch does, for people (GND-50). Every page, display and report
+   --  takes the words from here, through bin/urv_sim items.
+   function Label (Switch : Switch_Item) return String is
+     (case Switch is
+         when Switch_1 => "rate damping",
+         when Switch_2 => "attitude hold",
+         when Switch_3 => "altitude and airspeed",
+         when Switch_4 => "wings level",
+         when Switch_5 => "discrete 5",
+         when Switch_6 => "discrete 6",
+         when Switch_7 => "laws disconnect",
+         when Switch_8 => "half flaps");
+
+   --  The part of the aircraft that a switch works, besides its discrete:
+   --  "laws", "flaps" or none.
+   function Works (Switch : Switch_Item) return String is
+     (case Switch is
+         when Switch_1 .. Switch_4 | Switch_7 => "laws",
+         when Switch_5 | Switch_6             => "",
+         when Switch_8                        => "flaps");
+
    --  Of the words of the laws' row (URV.Law_Status); empty for the one that
    --  is none.
    function Law_Word_Name (Which : Log_Field) return String is

@@ -71,18 +71,21 @@ package body Host.Scaling is
         (Name     : String;
          Buffer   : String;
          Position : Natural;
-         Columns  : String);
+         Columns  : String;
+         Uses     : String := ",");
 
       procedure Put_Item
         (Name     : String;
          Buffer   : String;
          Position : Natural;
-         Columns  : String) is
+         Columns  : String;
+         Uses     : String := ",") is
       begin
          Put_Line
            (To,
             Name & ',' & Buffer & ','
-            & Trim (Natural'Image (Position + 1), Left) & ',' & Columns);
+            & Trim (Natural'Image (Position + 1), Left) & ',' & Columns
+            & ',' & Uses);
       end Put_Item;
 
       Without_Scale : constant String := ",,,,,,,,";
@@ -111,12 +114,14 @@ package body Host.Scaling is
       Put_Line
         (To,
          "name,buffer,position,unit,at_0,at_4095,warning_low,caution_low,"
-         & "caution_high,warning_high,per_word,zero_word");
+         & "caution_high,warning_high,per_word,zero_word,label,works");
       for Item in Uplink_Item loop
          Put_Item
            (Name (Item), "uplink", Uplink_Item'Pos (Item),
             (if Item in Command_Item
-             then Columns (Sticks (Item)) else Without_Scale));
+             then Columns (Sticks (Item)) else Without_Scale),
+            (if Item in Switch_Item
+             then Label (Item) & ',' & Works (Item) else ","));
       end loop;
       for Item in Downlink_Item loop
          Put_Item

@@ -43,8 +43,10 @@ package Host.Scaling is
    --  name,buffer,position,unit,at_0,at_4095, then the four limits of
    --  Host.Limits, then per_word,zero_word: the value of a word is
    --  per_word * (word - zero_word). Positions count from 1 as in figures 4
-   --  and 13 of the report. What there is not is empty: the scale of
-   --  error/status, discretes and the laws' words, limits of all but sensors.
+   --  and 13 of the report. The last two columns, label,works, are of switches
+   --  alone (Host.Names): what it does, and the part that it works. A column
+   --  is empty where an item has none: the scale of error/status, discretes
+   --  and the laws' words, limits of all but sensors.
    procedure Print (To : in out Text_Output.Writer)
      with Pre => Text_Output.Is_Open (To);
 

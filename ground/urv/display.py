@@ -15,8 +15,8 @@ from urv import items, laws, packets, xtce
 BACK, TEXT, DIM = (18, 23, 28), (242, 245, 247), (163, 175, 186)
 AMBER, RED, WHITE = (255, 176, 0), (255, 116, 104), (242, 245, 247)
 TRACK = (39, 48, 58)
-LOST, DOUBT = (179, 20, 12), (138, 86, 0)
-WIDTH, HEIGHT = 1240, 700
+LOST, DOUBT, PICK = (179, 20, 12), (138, 86, 0), (0, 100, 122)
+WIDTH, HEIGHT = 1240, 772
 WIDGETS = "org.csstudio.opibuilder.widgets."
 KINDS = {"Label": "Label", "Rectangle": "Rectangle", "gauge": "Gauge",
          "TextUpdate": "Text Update", "progressbar": "Progress Bar"}
@@ -94,10 +94,20 @@ def flight() -> str:
         bit = 1 << laws.SURFACES.index(name)
         display.told(904, y + 2, 66, 22, "FAILED", "/URV/laws/failed",
                      f"(pvInt0 & {bit}) != 0", LOST)
+    display.box(8, 700, 1224, 66, "Switches")
+    display.told(110, 704, 190, 24, "LAWS OFF, OR WAITING", "/URV/laws/link",
+                 f'pvStr0 == "{laws.LINK[0]}"', DOUBT)
+    for at, item in enumerate(items.SWITCHES):
+        x = 20 + 151 * at
+        display.label(x, 730, 112, 30, f"{at + 1} {item.use}")
+        display.label(x + 112, 732, 30, 26, "off")
+        display.told(x + 112, 732, 34, 26, "ON",
+                     f"/URV/gsc/uplink/{item.name}", "pv0 >= 0.5", PICK)
     # What is out of date, Yamcs says after a second only.
     display.told(316, 8, 916, 684, "NO DOWNLINK", "/URV/downlink_age",
                  f"pv0 >= {LOST_FRAMES}", LOST, 34)
     for box, text in (((8, 68, 300, 624), ""),
+                      ((8, 700, 1224, 66), ""),
                       ((316, 8, 916, 684), "FRAMES MISSING")):
         display.told(*box, text, "/URV/frames",
                      f'pvStr0 == "{xtce.FRAMES[1]}"', LOST, 34)

@@ -245,7 +245,7 @@ class Flight:
 
     @cached_property
     def switch_changes(self):
-        """Time and words of each: "switch 8 on"."""
+        """Time and words of each: "switch 8, half flaps: on"."""
         found = []
         for item in items.of_group("console")[5:]:
             name = f"console.{item.name}"
@@ -253,7 +253,7 @@ class Flight:
                 continue
             is_on = self.columns[name] >= 0x800
             for row in numpy.flatnonzero(is_on[1:] != is_on[:-1]) + 1:
-                found.append((self.seconds[row], f"{item.label} "
+                found.append((self.seconds[row], f"{item.label}: "
                               f"{'on' if is_on[row] else 'off'}"))
         return sorted(found)
 

@@ -52,6 +52,10 @@ class Item:
     warning_high: float | None
     per_word: float | None
     zero_word: int | None
+    use: str = ""
+    """What a switch does; empty for other items."""
+    works: str = ""
+    """The part of the aircraft that a switch works: "laws", "flaps"."""
 
     @property
     def is_scaled(self) -> bool:
@@ -59,11 +63,11 @@ class Item:
 
     @property
     def label(self) -> str:
-        """For people: "battery volts", "switch 1"."""
+        """For people: "battery volts", "switch 8, half flaps"."""
         words = self.name.replace("_", " ")
         if words[-1].isdigit() and words[-2] != " ":
             words = f"{words[:-1]} {words[-1]}"
-        return words
+        return f"{words}, {self.use}" if self.use else words
 
     @property
     def decimals(self) -> int:
@@ -114,7 +118,7 @@ def _read():
                 row["name"], row["buffer"], int(row["position"]), row["unit"],
                 *(number(row[name]) for name in (
                     "at_0", "at_4095", *_LIMITS, "per_word")),
-                int(zero) if zero else None)
+                int(zero) if zero else None, row["label"], row["works"])
 
 
 ITEMS = tuple(_read())
@@ -134,3 +138,6 @@ def of_group(group: str) -> list[Item]:
 COLUMNS = {f"{group}.{item.name}": item
            for group in GROUPS for item in of_group(group)}
 """The words of the record, by their column, in its order."""
+
+SWITCHES = tuple(item for item in of_buffer("uplink") if item.use)
+"""The pilot's switches, from 1 (GND-50)."""

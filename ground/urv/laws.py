@@ -22,12 +22,15 @@ LINK = ("waiting", "linked", "holding", "orbiting", "terminated")
 ALONE = LINK[2:]
 """The link is lost, and the aircraft flies by itself."""
 
+DISCONNECT = f"{items.SWITCHES[6].use} (switch 7)"
+
 SHORT = {"damping": "damp", "bank by stick": "bank", "wings level": "level",
          "pitch by stick": "pitch", "altitude": "alt", "airspeed": "spd"}
 """As they stand where there is little room."""
 DOES = {"holding": "wings level, altitude and airspeed held",
         "orbiting": "a turn to the right, altitude and airspeed held",
-        "terminated": "throttle idle, a glide; switch 7 off and on ends it"}
+        "terminated": f"throttle idle, a glide; {DISCONNECT} off and on ends"
+                      " it"}
 """What the aircraft does while it is alone."""
 
 SENSORS = tuple(

@@ -76,8 +76,8 @@ PANELS = (
         for name, role in zip(("roll", "pitch", "yaw", "throttle", "brake"),
                               COLOURS, strict=True))),
     Panel(SWITCHES, "", tuple(
-        Trace(f"console.switch{n}", f"switch {n}", COLOURS[n % 5],
-              is_step=True) for n in range(1, 9)),
+        Trace(f"console.{each.name}", each.label, COLOURS[n % 5],
+              is_step=True) for n, each in enumerate(items.SWITCHES, 1)),
         note="those that were thrown"),
     surface("Ailerons", "left_aileron", "right_aileron"),
     surface("Elevators", "left_elevator", "right_elevator"),
@@ -226,6 +226,20 @@ def moved(flight, trace):
     return column in flight and numpy.ptp(flight.columns[column]) > 0
 
 
+def has_laws(flight):
+    """Whether the record tells that the aircraft's laws were on."""
+    return any(column in flight and flight.columns[column].any()
+               for column in ("laws.link", "laws.told"))
+
+
+def note_of(panel, flights):
+    """What stands beside a panel's title."""
+    if panel.title == SWITCHES and not any(map(has_laws, flights)):
+        return (f"{panel.note}; laws off, or not recorded: switches of the"
+                " laws are discretes only")
+    return panel.note
+
+
 def drawn(flights, pack):
     """The panels that have something to show, as the page reads them."""
     found = []
@@ -245,7 +259,8 @@ def drawn(flights, pack):
                     "step": trace.is_step, "series": of_flights})
         if traces:
             found.append({
-                "title": panel.title, "unit": panel.unit, "note": panel.note,
+                "title": panel.title, "unit": panel.unit,
+                "note": note_of(panel, flights),
                 "levels": levels, "traces": traces,
                 "limits": list(panel.limits or limits(panel))})
     return found

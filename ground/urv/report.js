@@ -241,7 +241,7 @@ class TimePlot {
       layout.yaxis.range = [-0.3, this.panel.levels.length];
       layout.yaxis.tickvals = this.panel.levels.map((_, n) => n + 0.35);
       layout.yaxis.ticktext = this.panel.levels.map(
-        (name) => name.replace("switch ", ""));
+        (name) => name.replace(/switch (\d+).*/, "$1"));
     }
     layout.shapes = fitted.shapes;
     layout.width = width();

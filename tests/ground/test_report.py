@@ -131,7 +131,7 @@ def test_gnd14_what_was_out_of_limits_when_and_what_was_around(
         r"(.*?)The flight", text)
     assert row, text
     assert (float(row[1]), float(row[2])) == pytest.approx((8, 9), abs=0.2)
-    assert "switch 3 on" in row[3]
+    assert "switch 3, altitude and airspeed: on" in row[3]
     assert "no fresh data for" in row[3]
     assert "Was the link well? ■ warning No" in text
 
@@ -146,7 +146,8 @@ def test_gnd14_a_flight_s_exceedances(sagging):
     (silence,) = flight.silences
     assert silence.begin == pytest.approx(10.0, abs=0.1)
     assert silence.seconds == pytest.approx(1.0, abs=0.1)
-    assert flight.switch_changes[0][1] == "switch 3 on"
+    assert flight.switch_changes[0][1] == (
+        "switch 3, altitude and airspeed: on")
 
 
 def test_gnd14_stale_words_are_gaps_and_judged_by_nothing(sagging):

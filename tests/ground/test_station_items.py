@@ -2,10 +2,11 @@
 """GND-11: the station's table of items is the simulation's."""
 
 import json
+import re
 import subprocess
 
 import pytest
-from conftest import SIMULATION
+from conftest import ROOT, SIMULATION
 
 from urv import items, packets
 
@@ -63,5 +64,50 @@ def test_gnd11_what_has_no_limits_is_never_out_of_them():
 def test_gnd11_labels_are_for_people():
     labels = [item.label for item in items.of_group("console")]
     assert labels[:2] == ["roll", "pitch"]
-    assert labels[5] == "switch 1"
+    assert labels[5] == "switch 1, rate damping"
     assert items.COLUMNS["pwm.left_flap_2"].label == "left flap 2"
+
+
+# Switches
+
+USES = ["rate damping", "attitude hold", "altitude and airspeed",
+        "wings level", "discrete 5", "discrete 6", "laws disconnect",
+        "half flaps"]
+
+
+def test_gnd50_each_switch_has_the_name_of_what_it_does():
+    assert [item.use for item in items.SWITCHES] == USES
+    assert [item.name for item in items.SWITCHES] == [
+        f"switch{number}" for number in range(1, 9)]
+    assert {item.use for item in items.SWITCHES if item.works == "laws"} == {
+        *USES[:4], USES[6]}
+    assert not any(item.use for item in items.ITEMS
+                   if not item.name.startswith("switch"))
+
+
+def test_gnd50_the_modes_of_the_laws_page_are_named_so():
+    page = (ROOT / "docs" / "control-laws.md").read_text("utf-8")
+    named = re.findall(r"^\| ([1-8]) \| ([^|]+) \|", page.partition(
+        "## Modes")[2].partition("## ")[0], re.M)
+    assert [number for number, _ in named] == list("123478")
+    for number, name in named:
+        assert name == USES[int(number) - 1]
+
+
+def test_gnd50_one_place_has_the_names():
+    """Nobody repeats what the dictionary says."""
+    own = ("rate damping", "discrete 5", "laws disconnect")
+    for file in sorted((ROOT / "ground" / "urv").rglob("*")):
+        if file.suffix in (".py", ".js", ".html"):
+            text = file.read_text("utf-8")
+            assert not [use for use in own if use in text], file
+
+
+def test_gnd50_yamcs_shows_each_switch_by_its_name():
+    from urv import display, xtce
+    database, flight = xtce.mission_database(), display.flight()
+    for number, use in enumerate(USES, 1):
+        assert f"switch {number}, {use}" in database
+        assert f">{number} {use}<" in flight
+        assert f"/URV/gsc/uplink/switch{number}<" in flight
+    assert "LAWS OFF" in flight

@@ -45,7 +45,8 @@ def printed(urv_sim):
 
 def test_items_are_those_of_the_page(urv_sim):
     header, *rows = printed(urv_sim)
-    assert header == [*COLUMNS, *LIMITS, "per_word", "zero_word"]
+    assert header == [*COLUMNS, *LIMITS, "per_word", "zero_word",
+                      "label", "works"]
     for got, wanted in zip(rows, documented(), strict=True):
         assert got[:6] == wanted
 
@@ -122,3 +123,12 @@ def test_the_record_has_these_columns(fly):
     ):
         wanted += [f"{group}.{name}" for name in names]
     assert record == wanted
+
+
+def test_gnd50_the_page_says_what_each_switch_does(urv_sim):
+    uses = {row[0]: row[12] for row in printed(urv_sim)[1:] if row[12]}
+    told = {cells[0]: cells[6] for cells in tables()
+            if cells[0] in uses and cells[1] == "uplink"}
+    assert len(uses) == 8 and told.keys() == uses.keys()
+    for name, use in uses.items():
+        assert told[name].startswith(use), name
