@@ -2,7 +2,7 @@
 """Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
 GND-21 who flies, GND-22 when nobody does, GND-29 the simulated pilot, GND-35
-orders.
+orders, GND-51 old input, GND-52 gamepads.
 """
 
 from __future__ import annotations
@@ -11,11 +11,13 @@ import json
 import secrets
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from urv import items, packets
+from urv.alerts import CLEAR_S
 from urv.orders import Orders, Setting
-from urv.sticks import Sticks
+from urv.sticks import OLD_S, Sticks
 from urv.view import CAUTION, INFO, View
 
 PERIOD_S = packets.FRAME_S
@@ -23,8 +25,42 @@ INSISTS_S = 1.0
 """For so long the simulated pilot is asked again, while it does not do what
 it is asked."""
 
+PROTOCOL = 2
+"""Of the messages between page and station. A page of another one is told to
+reload."""
+
 LOST = {"hidden": ("HIDDEN", "its page is hidden"),
-        "gamepad": ("GAMEPAD", "its gamepad is lost")}
+        "gamepad": ("GAMEPAD", "its gamepad is lost"),
+        "hung": ("BROWSER HUNG", "its browser hung for more than 0.5 s")}
+SILENT, CLOSED = "PAGE SILENT", "PAGE CLOSED"
+NOT_FLYING = (*(name for name, _ in LOST.values()), SILENT, CLOSED)
+"""Alerts that end when somebody flies again."""
+REPORTED_S = 0.4
+"""A holder that is silent for so long is reported: within 0.5 s."""
+
+INPUT = ("sticks", "take", "answer", "pilot", "order")
+"""Messages that must not come late. The others do no harm."""
+OLD, REPEATED = "OLD INPUT", "REPEATED INPUT"
+RELOAD, CLOCK, OTHER = "RELOAD PAGE", "PAGE CLOCK", "OTHER GAMEPAD"
+
+GAMEPAD = {
+    "chosen": "flies by gamepad", "lost": "lost its gamepad",
+    "back": "has its gamepad again", "mapped": "has mapped its gamepad",
+    "other": "has another gamepad, which is not used until the pilot chooses"
+             " it",
+    "unmapped": "has a gamepad that is not used until the pilot maps it",
+}
+"""What a page tells of gamepads."""
+
+
+@dataclass(frozen=True)
+class Late:
+    """Input that came too late, one message after the other."""
+
+    console: int
+    count: int = 0
+    most: float = 0.0
+    at: float = 0.0
 
 
 class Controls:
@@ -40,6 +76,7 @@ class Controls:
         self.orders = Orders()
         self.refused = 0
         self.bad_messages = 0
+        self.old = self.repeats = 0
         self.packets_sent = 0
         self.archive: dict[str, Any] | None = None
         self.pages = 0
@@ -50,32 +87,45 @@ class Controls:
         self._sent_at = float("-inf")
         self._pilot_wanted: bool | None = None
         self._insists_until = 0.0
+        self._outdated: set[int] = set()
+        self._late: Late | None = None
 
-    def hears(self, console: int, said: dict[str, Any]) -> None:
-        """What a page says, already found to be well formed."""
+    def hears(self, console: int, said: dict[str, Any],
+              age: float = 0.0) -> None:
+        """What a page says, already found to be well formed; it said so age
+        seconds ago."""
         now = self._now()
+        if age > OLD_S and said["t"] in INPUT:
+            self._drop(console, age, now)
+            return
         match said:
             case {"t": "sticks", "words": words}:
-                if self.sticks.move(console, words, now):
-                    self.view.alerts.away("HIDDEN", now, 0.0)
-                    self.view.alerts.away("GAMEPAD", now, 0.0)
+                silence = self.sticks.silence(now)
+                if self.sticks.move(console, words, now, age):
+                    if silence >= REPORTED_S:
+                        self.view.note(INFO, "sticks", f"console {console}"
+                                       f" flies again after {silence:.1f} s")
+                    for key in NOT_FLYING:
+                        self.view.alerts.away(key, now, 0.0)
                     self._fly(now)
             case {"t": "take"}:
                 if self._send is not None:
                     self.sticks.take(console, now)
             case {"t": "answer", "yes": yes}:
                 self.sticks.answer(console, yes, now)
-            case {"t": "disconnect"}:
+            case {"t": "release"}:
                 if self._pilot_flies() and self.sticks.holder is None:
                     self.view.note(INFO, "sticks", f"console {console}"
-                                   " disconnects the simulated pilot")
+                                   " stops the simulated pilot")
                     self._want_pilot(False, now)
                 else:
-                    self.sticks.release(console, "disconnected")
+                    self.sticks.release(console, "released")
             case {"t": "pilot"}:
                 self._hand_to_pilot(console, now)
             case {"t": "lost", "what": what}:
                 self._lose(console, what)
+            case {"t": "gamepad", "what": what, "name": name}:
+                self._gamepad(console, what, name, now)
             case {"t": "order", "table": table, "orbit": orbit, "end": end}:
                 self._order(console, Setting(table, orbit, end), now)
             case {"t": "mark", "text": text}:
@@ -87,8 +137,31 @@ class Controls:
     def gone(self, console: int) -> None:
         """A page has closed, or was dropped."""
         self.view.note(INFO, "console", f"console {console} closed")
+        if console == self.sticks.holder:
+            self._caution(CLOSED, f"console {console} had the sticks, and its"
+                          " page has closed: no sticks")
         self.sticks.release(console, "its page has closed")
+        self._outdated.discard(console)
+        if not self._outdated:
+            self.view.alerts.away(RELOAD, self._now(), 0.0)
         self._tell()
+
+    def outdated(self, console: int) -> None:
+        """A page whose messages have no number and no time may only watch."""
+        self._outdated.add(console)
+        self._caution(RELOAD, f"console {console} is older than the station:"
+                      " reload its page; it cannot fly")
+
+    def repeated(self, console: int, sequence: int) -> None:
+        """A message came again, or after a later one."""
+        self.repeats += 1
+        self._caution(REPEATED, f"console {console}: message {sequence} came"
+                      " again or out of order, dropped")
+
+    def stepped(self, console: int, seconds: float) -> None:
+        """A page's clock has stepped back, and its messages count again."""
+        self._caution(CLOCK, f"console {console}: the clock of its page stepped"
+                      f" by {seconds:.1f} s; its input counts again")
 
     def tick(self) -> None:
         """Each 20 ms: what time alone brings about."""
@@ -96,9 +169,20 @@ class Controls:
         self.sticks.tick(now)
         self.view.look(now)
         self.orders.look(self.view.frame, now)
+        alerts = self.view.alerts
         if self.sticks.holder is None:
-            for key in LOST:
-                self.view.alerts.away(LOST[key][0], now, 0.0)
+            for key in NOT_FLYING:
+                if key != CLOSED or self._pilot_flies():
+                    alerts.away(key, now, 0.0)
+            alerts.away(OTHER, now, 0.0)
+        elif (self.sticks.silence(now) >= REPORTED_S
+              and not any(map(alerts.active, NOT_FLYING))):
+            self._caution(SILENT, f"console {self.sticks.holder}: nothing from"
+                          f" its page for {REPORTED_S} s, no sticks")
+        for key in (REPEATED, CLOCK):
+            alerts.away(key, now)
+        if self._late is not None and now - self._late.at >= CLEAR_S:
+            self._end_of_late(now)
         if now - self._sent_at >= PERIOD_S:
             self._fly(now)
         self._tell()
@@ -110,7 +194,9 @@ class Controls:
             "columns": packets.COLUMNS, "commands": packets.COMMANDS,
             "items": {column: about(items.COLUMNS[column])
                       for column in packets.COLUMNS},
-            "can_fly": self._send is not None})
+            "switches": [{"use": item.use, "works": item.works}
+                         for item in items.SWITCHES],
+            "protocol": PROTOCOL, "can_fly": self._send is not None})
 
     def shown(self) -> dict[str, Any]:
         """The state for all pages."""
@@ -124,6 +210,7 @@ class Controls:
             "archive": self.archive,
             "order": self.orders.shown(self.view.laws),
             "station": {"refused": self.refused, "bad": self.bad_messages,
+                        "old": self.old, "repeated": self.repeats,
                         "sent": self.packets_sent}}
 
     def _order(self, console: int, wanted: Setting, now: float) -> None:
@@ -157,14 +244,40 @@ class Controls:
         self._insists_until = now + INSISTS_S
         self._fly(now)
 
+    def _caution(self, name: str, text: str) -> None:
+        self.view.alerts.report(name, CAUTION, name, text,
+                                time.time_ns() // 1000)
+
+    def _drop(self, console: int, age: float, now: float) -> None:
+        """Input that is too old: counted, and told when it begins and ends."""
+        self.old += 1
+        self._caution(OLD, f"console {console}: its input arrives {age:.1f} s"
+                      " late and is dropped")
+        late = self._late or Late(console)
+        self._late = Late(console, late.count + 1, max(late.most, age), now)
+
+    def _end_of_late(self, now: float) -> None:
+        late, self._late = self._late, None
+        self.view.alerts.away(OLD, now, 0.0)
+        self.view.note(INFO, "sticks", f"console {late.console}: {late.count}"
+                       f" messages dropped, up to {late.most:.1f} s late")
+
+    def _gamepad(self, console: int, what: str, name: str,
+                 now: float) -> None:
+        text = f"console {console} {GAMEPAD[what]}: {name or 'no name'}"
+        if what == "other":
+            self._caution(OTHER, text)
+        else:
+            self.view.note(INFO, "sticks", text)
+        if what in ("chosen", "back"):
+            self.view.alerts.away(OTHER, now, 0.0)
+
     def _lose(self, console: int, what: str) -> None:
         if console != self.sticks.holder:
             return
         self.sticks.pause(console)
-        key, text = LOST[what]
-        self.view.alerts.report(
-            key, CAUTION, key, f"console {console}: {text}, no sticks",
-            time.time_ns() // 1000)
+        name, text = LOST[what]
+        self._caution(name, f"console {console}: {text}, no sticks")
 
     def _fly(self, now: float) -> None:
         """Sends a console packet, if there is somebody to send one for."""

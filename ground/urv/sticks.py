@@ -18,6 +18,9 @@ SILENT_S = 0.2
 LAPSED_S = 2.0
 """One that has been silent for so long need not be asked any more."""
 
+OLD_S = 0.5
+"""Words that the page sent longer ago than this are not flown (GND-51)."""
+
 
 @dataclass
 class Sticks:
@@ -32,6 +35,7 @@ class Sticks:
     said: list[str] = field(default_factory=list)
     _asked_at: float = 0.0
     _moved_at: float = float("-inf")
+    _sent_at: float = float("-inf")
 
     def take(self, console: int, now: float) -> None:
         """A console wants the sticks: at once, or it asks the holder."""
@@ -65,12 +69,15 @@ class Sticks:
             self.holder = None
             self.words = None
 
-    def move(self, console: int, words: tuple[int, ...], now: float) -> bool:
-        """Whether these sticks count: only the holder's do."""
+    def move(self, console: int, words: tuple[int, ...], now: float,
+             age: float = 0.0) -> bool:
+        """Whether these sticks count: only the holder's do. The page sent
+        them age seconds ago."""
         if console != self.holder:
             return False
         self.words = words
         self._moved_at = now
+        self._sent_at = now - age
         return True
 
     def pause(self, console: int) -> None:
@@ -81,9 +88,13 @@ class Sticks:
 
     def live(self, now: float) -> tuple[int, ...] | None:
         """The words to send now; None when the holder is not live."""
-        if now - self._moved_at < SILENT_S:
+        if now - self._moved_at < SILENT_S and now - self._sent_at < OLD_S:
             return self.words
         return None
+
+    def silence(self, now: float) -> float:
+        """Seconds since the holder moved or took the sticks."""
+        return now - self._moved_at
 
     def tick(self, now: float) -> None:
         """Who has been asked for too long has given."""

@@ -81,6 +81,8 @@ class View:
         default_factory=lambda: [None] * len(packets.COLUMNS))
     derived: dict[str, float | None] = field(default_factory=dict)
     laws: Laws | None = None
+    laws_state: str = "unknown"
+    """Whether the aircraft has its laws on: "unknown", "off", "on"."""
     alerts: Alerts = field(default_factory=Alerts)
     log: deque[Line] = field(default_factory=lambda: deque(maxlen=LOG_LINES))
     frames: int = 0
@@ -136,6 +138,7 @@ class View:
             self._sent.clear()
             self._fresh = 0
             self._answers = self.refused = 0
+            self.laws_state = "unknown"
         gap = self._runs.missing
         if gap > 0:
             self.missing += gap
@@ -268,6 +271,7 @@ class View:
                 "not_valid": self.laws.not_valid,
                 "serial": self.laws.serial, "table": self.laws.table,
                 "failed": self.laws.failed},
+            "laws_state": self.laws_state,
             "words": self.frame.words,
             "values": self.values,
             "derived": self.derived}
@@ -347,6 +351,11 @@ class View:
             self.note(INFO, "state", "the laws: "
                       + ("nothing told" if told is None else told.mode))
         self.laws = told
+        if told is not None:
+            self.laws_state = "on"
+        elif (frame.version == packets.WHOLE and frame.is_fresh
+              and self._fresh >= LAWS_SETTLE):
+            self.laws_state = "off"
         if not frame.is_fresh or self._fresh < LAWS_SETTLE:
             return
         link, not_valid, failed = (

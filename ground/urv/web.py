@@ -24,7 +24,8 @@ from aiohttp import WSMsgType, web
 from aiohttp.http_exceptions import HttpProcessingError
 
 from urv import items, packets
-from urv.controls import Controls
+from urv.arrivals import Arrivals
+from urv.controls import GAMEPAD, Controls
 
 PAGE = Path(__file__).resolve().parent / "page"
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript",
@@ -37,6 +38,9 @@ LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
 MESSAGES_A_SECOND = 150.0
 MOST_BAD_MESSAGES = 20
+LARGEST_SEQUENCE = 2**53
+LARGEST_TIME_MS = 1e13
+LONGEST_NAME = 200
 PATIENCE_S = 10.0
 """A client that has not asked for anything by then, or does not take its
 answer, is dropped."""
@@ -169,6 +173,7 @@ class Page:
         self.credit = 2 * MESSAGES_A_SECOND
         self.filled = 0.0
         self.bad = 0
+        self.arrivals = Arrivals()
 
     @property
     def is_behind(self) -> bool:
@@ -323,12 +328,27 @@ class Station:
                 if page.bad > MOST_BAD_MESSAGES:
                     await self._drop(page, "messages nobody understands")
                     return
-            elif said["t"] == "drawn":
-                # What it was never sent it cannot have drawn.
-                page.drawn = min(said["number"], page.sent)
-                page.wake.set()
             else:
-                self.controls.hears(page.number, said)
+                self._hears(page, said, loop.time())
+
+    def _hears(self, page: Page, said: dict[str, Any], now: float) -> None:
+        """Only messages with a new number count, and each has an age
+        (GND-51)."""
+        sequence, sent_s = said.get("sequence"), said.get("sent_s")
+        if sequence is None or sent_s is None:
+            self.controls.outdated(page.number)
+        elif not page.arrivals.is_new(sequence):
+            self.controls.repeated(page.number, sequence)
+        elif said["t"] == "drawn":
+            step = page.arrivals.answer(said["number"], sent_s, now)
+            if step is not None:
+                self.controls.stepped(page.number, step)
+            # What it was never sent it cannot have drawn.
+            page.drawn = min(said["number"], page.sent)
+            page.wake.set()
+        else:
+            self.controls.hears(page.number, said,
+                                page.arrivals.age(sent_s, now))
 
     async def _drop(self, page: Page, why: str) -> None:
         self.controls.view.note("caution", "console",
@@ -364,6 +384,8 @@ class Station:
                 state, page.state = page.state, None
                 if state is not None:
                     page.sent += 1
+                    page.arrivals.sends(
+                        page.sent, asyncio.get_running_loop().time())
                     await self._send(
                         page, f'{state[:-1]},"number":{page.sent},'
                         f'"left_out":{page.left_out}}}')
@@ -393,13 +415,29 @@ class Station:
 
 
 def understood(text: str) -> dict[str, Any] | None:
-    """What a page said, if it can be what a page says."""
+    """What a page said, if it can be what a page says, with its number,
+    sequence, and its time, sent_s. A page that is older than the station
+    knows neither."""
     try:
         said = json.loads(text)
     except (ValueError, RecursionError):
         return None
     if not isinstance(said, dict):
         return None
+    meant = meaning(said)
+    if meant is None or ("sequence" not in said and "sent_ms" not in said):
+        return meant
+    match said:
+        case {"sequence": int(sequence), "sent_ms": int() | float() as sent} if (
+                type(sequence) is int and type(sent) is not bool
+                and 0 < sequence <= LARGEST_SEQUENCE
+                and 0 <= sent <= LARGEST_TIME_MS):
+            return meant | {"sequence": sequence, "sent_s": sent / 1000}
+    return None
+
+
+def meaning(said: dict[str, Any]) -> dict[str, Any] | None:
+    """The message without its number and time."""
     match said:
         case {"t": "sticks", "words": list(words)} if (
                 len(words) == len(packets.COMMANDS)
@@ -421,9 +459,12 @@ def understood(text: str) -> dict[str, Any] | None:
             return {"t": "mark", "text": plain(note)}
         case {"t": "seen", "key": str() | None as key}:
             return {"t": "seen", "key": key}
-        case {"t": "lost", "what": "hidden" | "gamepad" as what}:
+        case {"t": "lost", "what": "hidden" | "gamepad" | "hung" as what}:
             return {"t": "lost", "what": what}
-        case {"t": "take" | "disconnect" | "pilot" as what}:
+        case {"t": "gamepad", "what": str(what), "name": str(name)} if (
+                what in GAMEPAD and len(name) <= LONGEST_NAME):
+            return {"t": "gamepad", "what": what, "name": plain(name)}
+        case {"t": "take" | "release" | "pilot" as what}:
             return {"t": what}
     return None
 

@@ -112,17 +112,26 @@ class Station:
                 for line in self.events.read_text("utf-8").splitlines()]
 
 
+CLOCK_S = 1e6
+"""A page's clock shows another time than the station's."""
+
+
 class Console:
-    """A page without a browser."""
+    """A page without a browser. late_s makes its messages that old."""
 
     def __init__(self, port, **more):
         self.socket = websocket.create_connection(
             f"ws://127.0.0.1:{port}/ws", timeout=PATIENCE_S, **more)
+        self.late_s = 0.0
+        self.sequence = 0
         self.hello = self.next("hello")
         self.number = self.hello["console"]
 
     def say(self, message):
-        self.socket.send(json.dumps(message))
+        self.sequence += 1
+        self.socket.send(json.dumps(message | {
+            "sequence": self.sequence,
+            "sent_ms": 1000 * (CLOCK_S + time.monotonic() - self.late_s)}))
 
     def sticks(self, roll=2048):
         self.say({"t": "sticks", "words": [roll, 2048, 2048, 2048, 2048,

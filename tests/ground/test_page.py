@@ -12,7 +12,7 @@ from station_rig import PATIENCE_S, Station, until
 
 from urv import items, laws, packets
 
-SIZES = [(1280, 800), (1920, 1080), (400, 800)]
+SIZES = [(1280, 800), (1440, 900), (1920, 1080), (820, 1180), (400, 800)]
 # "By then" of the issue, counted in the frames that the page has seen.
 SECOND_FRAMES = 50
 
@@ -302,6 +302,25 @@ def test_gnd21_keys_mouse_and_switches_fly(station, pages):
     assert station.state()["holder"] is None
 
 
+def test_gnd50_each_switch_says_what_it_does_and_whether_it_can(
+        station, pages):
+    page = pages.open()
+    for number, item in enumerate(items.SWITCHES, 1):
+        button = page.locator(f"#switch{number}")
+        assert button.locator(".name").inner_text() == f"{number} {item.use}"
+    # No law is told: the frames are many before that is known.
+    page.locator("#switch1 .note", has_text="laws off").wait_for()
+    assert [page.locator(f"#switch{number} .note").text_content()
+            for number in range(1, 9)] == [
+        "laws off" if item.works == "laws" else "" for item in items.SWITCHES]
+    assert page.locator("#laws").inner_text() == "off"
+    station.node.laws = (0x1133,)
+    until(lambda: not "".join(
+        page.locator(".switch .note").all_text_contents()), "the laws are on")
+    station.node.cut = True
+    page.locator("#switch1 .note", has_text="not known").wait_for()
+
+
 def test_gnd21_packets_come_fifty_times_a_second(station, pages):
     page = pages.open()
     hold(page)
@@ -384,6 +403,103 @@ def test_gnd22_a_hidden_page_lets_the_sticks_fall_silent(station, pages):
     station.wait(lambda state: state["console"] == "neutral", "neutral")
     assert "HIDDEN" in {
         alert["name"] for alert in station.state()["alerts"]}
+
+
+def alerts_of(page, name):
+    return page.locator("#alert_list li.caution", has_text=name).first
+
+
+def test_gnd22_however_a_page_goes_the_others_are_told(station, pages):
+    """Hidden, frozen or left: no sticks, and a caution on other pages."""
+    other = pages.open()
+    for number, script in enumerate((
+            "dispatchEvent(new Event('pagehide'))",
+            "document.dispatchEvent(new Event('freeze'))")):
+        page = pages.open()
+        hold(page)
+        first = len(station.node.heard)
+        until(lambda first=first: len(station.node.heard) > first, "packets")
+        page.evaluate(script)
+        until(lambda number=number: sum(
+            "HIDDEN" in line["text"] for line in station.lines())
+            == number + 1, "a caution")
+        alerts_of(other, "HIDDEN").wait_for()
+        page.keyboard.press("x")
+        station.wait(lambda state: state["holder"] is None, "free sticks")
+    page = pages.open()
+    hold(page)
+    until(lambda: station.state()["live"], "packets")
+    page.close()
+    station.wait(lambda state: state["holder"] is None, "free sticks")
+    alerts_of(other, "PAGE CLOSED").wait_for()
+    # The page that comes again shows it, too.
+    alerts_of(pages.open(), "PAGE CLOSED").wait_for()
+
+
+HANG = """(ms) => {
+  const ends = performance.now() + ms;
+  while (performance.now() < ends);
+}"""
+
+
+def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
+        station, pages):
+    other, page = pages.open(), pages.open()
+    hold(page)
+    until(lambda: station.state()["live"], "packets")
+    page.keyboard.down("ArrowRight")
+    until(lambda: station.node.heard[-1][1].words[0] == 3072, "half a roll")
+    hung = station.node.sequence
+    page.evaluate(HANG, 3000)
+    for one in (other, page):
+        alerts_of(one, "BROWSER HUNG").wait_for()
+    alerts_of(other, "PAGE SILENT").wait_for()
+    [frame] = [line["frame"] for line in station.lines()
+               if "PAGE SILENT:" in line["text"]]
+    # By frames, which a slow machine sends late, too.
+    assert frame - hung <= 60
+    # What was held before is held no more.
+    until(lambda: station.node.heard[-1][1].words[0] == 2048, "the middle")
+    until(lambda: any("flies again after" in line["text"]
+                      for line in station.lines()), "that it is back")
+
+
+def test_gnd51_keys_that_waited_in_a_hung_browser_do_not_count(
+        station, pages):
+    page = pages.open()
+    hold(page)
+    until(lambda: station.node.heard, "packets")
+    # As a browser does after it hung: an event of a second ago.
+    page.evaluate("""() => {
+      for (const key of ["8", "ArrowRight", "w"]) {
+        const event = new KeyboardEvent("keydown", {key, bubbles: true});
+        Object.defineProperty(event, "timeStamp",
+          {value: performance.now() - 1000});
+        document.body.dispatchEvent(event);
+      }
+    }""")
+    first = len(station.node.heard)
+    until(lambda: len(station.node.heard) > first + 20, "packets")
+    words = {packet.words for _, packet in station.node.heard[first:]}
+    assert len(words) == 1
+    assert next(iter(words))[0] == 2048 and next(iter(words))[-1] == 0
+
+
+def test_gnd51_a_page_of_another_station_says_that_it_must_be_reloaded(
+        station, pages):
+    page = pages.browser.new_context().new_page()
+    page.add_init_script("""
+      const parse = JSON.parse;
+      JSON.parse = (text) => {
+        const found = parse(text);
+        return found?.t === "hello" ? {...found, protocol: 3} : found;
+      };""")
+    page.goto(station.url)
+    page.locator("#lost", has_text="OLD PAGE: RELOAD IT").wait_for()
+    page.keyboard.press("t")
+    page.wait_for_timeout(300)
+    assert station.state()["holder"] is None
+    page.context.close()
 
 
 def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
@@ -505,6 +621,13 @@ def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
         for shown in ("#attitude", "#speed", "#height", "#bars", "#alerts",
                       "#who"):
             assert page.locator(shown).is_visible(), (width, shown)
+        for shown in ("#engine", "#surfaces", "#log"):
+            assert page.locator(shown).is_visible() == (width >= 600), (
+                width, shown)
+        # No large part of the page is empty.
+        assert page.evaluate("""() => Math.max(...["#alerts", "#log"].map(
+            one => document.querySelector(one).getBoundingClientRect().bottom
+          ))""") >= height * 0.7, width
     # The last is the small one: it cannot take the sticks.
     page.keyboard.press("t")
     page.wait_for_timeout(300)

@@ -95,11 +95,11 @@ def test_gnd21_a_third_does_not_push_in():
     assert sticks.asker == 2
 
 
-def test_gnd21_disconnect_never_asks_and_a_lapsed_holder_is_not_asked():
+def test_gnd21_release_never_asks_and_a_lapsed_holder_is_not_asked():
     sticks = Sticks()
     sticks.take(1, 0.0)
     sticks.move(1, WORDS, 1.0)
-    sticks.release(1, "disconnected")
+    sticks.release(1, "released")
     assert sticks.holder is None and sticks.live(1.0) is None
     sticks.take(1, 2.0)
     sticks.move(1, WORDS, 2.0)
@@ -231,9 +231,9 @@ def test_gnd29_the_simulated_pilot_takes_over_and_gives_back(
                       "hands off")
         console.say({"t": "pilot"})
         console.until(lambda state: state["pilot"] == "flies", "flies")
-        console.say({"t": "disconnect"})
+        console.say({"t": "release"})
         console.until(lambda state: state["pilot"] == "hands_off",
-                      "disconnected")
+                      "stopped")
 
 
 # Frames

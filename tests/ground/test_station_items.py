@@ -111,3 +111,14 @@ def test_gnd50_yamcs_shows_each_switch_by_its_name():
         assert f">{number} {use}<" in flight
         assert f"/URV/gsc/uplink/switch{number}<" in flight
     assert "LAWS OFF" in flight
+
+
+def test_gnd50_the_laws_disconnect_is_no_word_of_the_sticks():
+    """The pilot lets go of the sticks by "release"."""
+    page = "".join(file.read_text("utf-8") for file in sorted(
+        (ROOT / "ground" / "urv" / "page").iterdir()))
+    assert "release sticks" in page
+    assert not re.search("disconnect", page, re.I)
+    for name in ("controls.py", "sticks.py", "web.py"):
+        assert "disconnect" not in (
+            ROOT / "ground" / "urv" / name).read_text("utf-8")

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hand on the stick: mouse, keyboard or gamepad, 50 times a second.
+// GND-22: nothing is sent while nobody can fly from here; GND-50: what each
+// switch does; GND-51: old input does not count.
 
 import { byId, clamp, fixed, html, put, say, signed, svg } from "./draw.js";
+import { Gamepads, isMapped } from "./gamepads.js";
+import { PadPanel } from "./padpanel.js";
+import { store, stored } from "./stored.js";
 
 const PERIOD = 20;
 const KEY_RATE = 2.5;
 const KEY_PART = 0.5;
 const LEVER_RATE = 0.5;
 const PAD = 60;
+// A browser that hung for so long, or a key that waited so long, is too late.
+const OLD = 500;
+// Without a state of the station for so long, nothing goes up.
+const DEAF = 1000;
 
 export const KEYS = [
   ["\u2190 \u2192", "roll; with Shift all the way"],
   ["\u2191 \u2193", "pitch: down is back, nose up"],
   ["A D", "yaw"], ["W S", "throttle"], ["B", "brake, while held"],
-  ["1 to 8", "switches"],
-  ["T H X", "take, hand to the pilot, disconnect"],
+  ["1 to 8", "switches"], ["G", "gamepads: choose one, map it"],
+  ["T H X", "take, hand to the pilot, release the sticks"],
   ["Y N", "give, keep the sticks when asked"],
   ["M", "write a mark; Enter sets it, Esc leaves it"],
   ["K", "acknowledge all alerts"], ["L", "light or dark"],
@@ -25,13 +34,11 @@ const BUTTONS = [
   ["left stick, sideways", "yaw"],
   ["left stick, up and down", "moves the throttle"],
   ["right trigger", "brake"],
-  ["buttons 0, 1, 2, 3", "switches 8, 1, 2, 3"],
-  ["start (9), back (8)", "take, disconnect"],
+  ["buttons 1, 2, 3, 5", "switches 1, 2, 3, 4"],
+  ["pad left, right (14, 15)", "switches 5, 6"],
+  ["buttons 4, 0", "switches 7, 8"],
+  ["start (9), back (8)", "take, release the sticks"],
 ];
-const SWITCH_OF = { 0: 7, 1: 0, 2: 1, 3: 2 };
-const TAKE_BUTTON = 9;
-const DISCONNECT_BUTTON = 8;
-const BRAKE_BUTTON = 7;
 
 const centred = (part) => clamp(Math.round(2048 + part * 2048), 0, 4095);
 
@@ -52,6 +59,7 @@ export class Hands {
   constructor(say_to_station) {
     this.send = say_to_station;
     this.holding = false;
+    this.there = false;
     this.blocked = "";
     this.pad_used = false;
     this.stick = { roll: 0, pitch: 0, yaw: 0, throttle: 0, brake: 0,
@@ -59,12 +67,17 @@ export class Hands {
     this.keyed = { roll: 0, pitch: 0, yaw: 0 };
     this.keys = new Set();
     this.dragged = new Map();
-    this.pressed = new Set();
+    this.ticked = performance.now();
+    this.heard = performance.now();
+    this.gamepads = new Gamepads((what, name) => {
+      this.send({ t: "gamepad", what, name });
+    });
+    this.panel = new PadPanel(this.gamepads);
     this.zone = clamp(Number(stored("zone", "8")), 0, 30);
     this.asked = false;
     this.narrow = matchMedia("(max-width: 899px)");
     this.narrow.addEventListener("change", () => {
-      if (this.narrow.matches && this.holding) this.send({ t: "disconnect" });
+      if (this.narrow.matches && this.holding) this.send({ t: "release" });
     });
     this.build();
     this.listen();
@@ -96,11 +109,12 @@ export class Hands {
       const state = html("span", { class: "state" }, "off");
       const button = html("button", { type: "button", class: "switch",
         id: `switch${number}` },
-      html("span", { class: "name" },
-        number === 8 ? "8 half flaps" : `${number} discrete ${number}`),
-      state);
-      button.addEventListener("click", () => this.flip(number - 1));
-      this.switches.push({ button, state });
+      html("span", { class: "name" }), html("span", { class: "note" }), state);
+      button.addEventListener("click", (event) => {
+        if (!isOld(event)) this.flip(number - 1);
+      });
+      this.switches.push({ button, state, name: button.children[0],
+        note: button.children[1] });
       grid.append(button);
     }
     byId("switches").append(grid);
@@ -119,6 +133,20 @@ export class Hands {
     shown();
   }
 
+  // The station is there, and knows nothing of this page yet.
+  met() {
+    this.there = true;
+    this.gamepads.met();
+  }
+
+  // What each switch does, from the station's table of items.
+  learn(switches) {
+    this.uses = switches;
+    this.switches.forEach(({ name }, number) =>
+      say(name, `${number + 1} ${switches[number].use}`));
+    this.panel.learn(switches);
+  }
+
   drag(root, to, back) {
     const at = (event) => {
       const place = root.getScreenCTM().inverse();
@@ -127,7 +155,7 @@ export class Hands {
       return to(clamp(point.x / PAD, -1, 1), clamp(point.y / PAD, -1, 1));
     };
     root.addEventListener("pointerdown", (event) => {
-      if (!this.holding) return;
+      if (!this.holding || isOld(event)) return;
       root.setPointerCapture(event.pointerId);
       this.dragged.set(root, at(event));
     });
@@ -148,24 +176,41 @@ export class Hands {
     addEventListener("keydown", (event) => this.key(event));
     addEventListener("keyup", (event) => this.keys.delete(named(event)));
     addEventListener("blur", () => this.keys.clear());
+    // However the page goes out of sight, its sticks fall silent.
     document.addEventListener("visibilitychange", () => {
-      this.keys.clear();
-      this.dragged.clear();
-      if (document.hidden && this.holding) {
-        this.send({ t: "lost", what: "hidden" });
-      }
+      this.ticked = performance.now();
+      if (document.hidden) this.leave("hidden");
+      else this.letGo();
     });
+    addEventListener("pagehide", () => this.leave("hidden"));
+    document.addEventListener("freeze", () => this.leave("hidden"));
+  }
+
+  // Keys and mouse that were held are held no more.
+  letGo() {
+    this.keys.clear();
+    this.dragged.clear();
+    Object.assign(this.keyed, { roll: 0, pitch: 0, yaw: 0 });
+    Object.assign(this.stick, { roll: 0, pitch: 0, yaw: 0 });
+    this.gamepads.rearm();
+  }
+
+  leave(what) {
+    this.letGo();
+    if (this.holding) this.send({ t: "lost", what });
   }
 
   key(event) {
     if (event.target.matches?.(
       "input[type=range], #mark, #orders input, #orders select")) return;
+    if (isOld(event)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = named(event);
     const once = !event.repeat;
     const actions = { t: () => this.take(), h: () => this.send({ t: "pilot" }),
-      x: () => this.send({ t: "disconnect" }),
-      y: () => this.answer(true), n: () => this.answer(false) };
+      x: () => this.send({ t: "release" }),
+      y: () => this.answer(true), n: () => this.answer(false),
+      g: () => this.panel.turn() };
     if (key in actions) {
       if (once) actions[key]();
     } else if (/^[1-8]$/.test(key)) {
@@ -211,20 +256,22 @@ export class Hands {
         words[`console.switch${number + 1}`] >= 0x800);
       this.blocked = "";
       this.pad_used = false;
-      this.dragged.clear();
+      this.letGo();
     }
     this.holding = mine;
   }
 
-  gamepad() {
-    return [...(navigator.getGamepads?.() ?? [])].find(
-      (one) => one && one.connected && one.axes.length >= 4) ?? null;
-  }
-
   tick() {
-    const pad = this.gamepad();
-    this.pad_name = pad?.id ?? "";
-    if (!this.holding) return;
+    const now = performance.now();
+    if (now - this.ticked > OLD && !document.hidden) this.leave("hung");
+    this.ticked = now;
+    // What happens to gamepads is told, so somebody must hear it.
+    if (!this.there) return;
+    const pad = this.gamepads.poll();
+    if (pad !== null && this.panel.isMapping) this.gamepads.rearm();
+    const down = pad === null ? [] : this.gamepads.down(pad);
+    if (down.includes("take") && !this.holding && !document.hidden) this.take();
+    if (!this.holding || now - this.heard > DEAF) return;
     const second = PERIOD / 1000;
     if (this.pad_used && pad === null && this.blocked === "") {
       this.blocked = "gamepad";
@@ -244,51 +291,45 @@ export class Hands {
     let lever = held("w") - held("s");
     let brake = held("b");
     const axes = { roll: 0, pitch: 0, yaw: 0 };
-    if (pad !== null) {
-      axes.roll = this.live(pad.axes[2]);
-      axes.pitch = this.live(pad.axes[3]);
-      axes.yaw = this.live(pad.axes[0]);
-      lever -= this.live(pad.axes[1]);
-      brake = Math.max(brake, pad.buttons[BRAKE_BUTTON]?.value ?? 0);
-      this.buttons(pad);
-      if (axes.roll || axes.pitch || axes.yaw) this.pad_used = true;
-    }
     const stick = this.stick;
+    let met = null;
+    if (pad !== null && !this.panel.isMapping) {
+      const zone = this.zone / 100;
+      for (const axis of ["roll", "pitch", "yaw"]) {
+        axes[axis] = this.gamepads.centred(pad, axis, zone);
+      }
+      if (this.gamepads.isLever("throttle")) {
+        // The keys have moved the throttle away from the lever.
+        if (lever) this.gamepads.armed.delete("throttle");
+        else met = this.gamepads.lever(pad, "throttle", stick.throttle);
+      } else {
+        lever += this.gamepads.centred(pad, "throttle", zone);
+      }
+      brake = Math.max(brake, this.gamepads.brake(pad));
+      this.buttons(down);
+      if (axes.roll || axes.pitch || axes.yaw || met !== null) {
+        this.pad_used = true;
+      }
+    }
+    this.waits = pad === null ? []
+      : this.gamepads.waiting(pad, this.zone / 100, stick.throttle);
     for (const axis of ["roll", "pitch", "yaw"]) {
       stick[axis] = clamp(this.keyed[axis] + axes[axis], -1, 1);
     }
-    stick.throttle = clamp(stick.throttle + lever * LEVER_RATE * second, 0, 1);
+    stick.throttle = met
+      ?? clamp(stick.throttle + lever * LEVER_RATE * second, 0, 1);
     if (brake > 0 || this.braked) stick.brake = brake;
     this.braked = brake > 0;
     for (const part of this.dragged.values()) Object.assign(stick, part);
     this.send({ t: "sticks", words: this.words() });
   }
 
-  // Outside the dead zone, from there on without a step.
-  live(axis) {
-    const zone = this.zone / 100;
-    const far = Math.abs(axis ?? 0);
-    return far <= zone ? 0 : Math.sign(axis) * (far - zone) / (1 - zone);
-  }
-
-  buttons(pad) {
-    pad.buttons.forEach((button, number) => {
-      if (!button.pressed) {
-        this.pressed.delete(number);
-      } else if (!this.pressed.has(number)) {
-        this.pressed.add(number);
-        this.pad_used = true;
-        if (number in SWITCH_OF) this.flip(SWITCH_OF[number]);
-        if (number === DISCONNECT_BUTTON) this.send({ t: "disconnect" });
-      }
-    });
-  }
-
-  // The start button takes the sticks, so it is heard before they are held.
-  watchStart() {
-    const pressed = this.gamepad()?.buttons[TAKE_BUTTON]?.pressed ?? false;
-    if (pressed && !this.startPressed && !this.holding) this.take();
-    this.startPressed = pressed;
+  buttons(down) {
+    for (const name of down) {
+      this.pad_used = true;
+      if (name.startsWith("switch")) this.flip(Number(name.slice(6)) - 1);
+      if (name === "release") this.send({ t: "release" });
+    }
   }
 
   words() {
@@ -299,8 +340,7 @@ export class Hands {
       ...stick.switches.map((on) => (on ? 4095 : 0))];
   }
 
-  draw(value, words, silent) {
-    this.watchStart();
+  draw(value, words, silent, laws) {
     const part = (name) => (value[`gsc.uplink.${name}`] ?? 0) / 100;
     const percent = (name) => value[`gsc.uplink.${name}`] ?? 0;
     put(this.right.dot, "transform",
@@ -328,16 +368,21 @@ export class Hands {
     put(this.brakeRing, "transform",
       `translate(0 ${PAD - stick.brake * 2 * PAD})`);
     byId("sticks").classList.toggle("mine", this.holding);
-    this.switches.forEach(({ button, state }, number) => {
+    this.switches.forEach(({ button, state, note }, number) => {
       const up = words[`gsc.uplink.switch${number + 1}`] >= 0x800;
       const picked = this.holding ? stick.switches[number] : up;
       button.classList.toggle("on", picked);
       button.disabled = !this.holding;
       say(state, silent ? "\u2013\u2013" : (picked ? "on" : "off")
         + (picked !== up ? ", on its way" : ""));
+      // A switch of the laws does nothing where they are off.
+      const idle = laws !== "on" && this.uses?.[number].works === "laws";
+      say(note, !idle ? "" : silent || laws === "unknown"
+        ? "laws: not known" : "laws off");
+      button.classList.toggle("idle", idle);
     });
-    say(byId("pad_name"), this.pad_name
-      || "no gamepad: press one of its buttons");
+    say(byId("pad_name"), this.padTold());
+    this.panel.draw();
   }
 
   // What goes up, in digits.
@@ -349,33 +394,46 @@ export class Hands {
     say(this.brakeText, `${fixed(Math.max(0, percent("brake")), 0, 3)} %`);
   }
 
+  // Of the gamepad, in a few words.
+  padTold() {
+    const { chosen, lost } = this.gamepads;
+    if (chosen !== null) return chosen.id + (lost ? " (lost)" : "");
+    const pads = this.gamepads.all();
+    return pads.length === 0 ? "no gamepad: press one of its buttons"
+      : pads.length > 1 ? "several gamepads: press G to choose one"
+        : `${pads[0].id}: press G to map it`;
+  }
+
   // What moves the sticks, for the one who holds them.
   source() {
-    if (!this.holding) return ["", ""];
-    if (this.blocked === "gamepad") {
+    const pads = this.gamepads.all();
+    const others = pads.filter((pad) => !this.gamepads.isChosen(pad));
+    const { chosen, lost } = this.gamepads;
+    if (this.holding && this.blocked === "gamepad") {
       return ["caution", "\u25c6 gamepad lost, no sticks go up: plug it in,"
-        + " or press T for mouse and keyboard"];
+        + ` or press T for mouse and keyboard${others.length > 0
+          ? "; another one is there: G" : ""}`];
     }
-    return ["", this.pad_name ? `by gamepad, mouse, keyboard`
+    if (chosen === null && pads.length > 0) {
+      return ["caution", pads.length > 1
+        ? "\u25c6 several gamepads: press G to choose one"
+        : isMapped(pads[0]) ? ""
+          : "\u25c6 gamepad not mapped, not used: press G"];
+    }
+    if (lost && others.length > 0) {
+      return ["caution", "\u25c6 another gamepad, not used: press G to"
+        + " choose it"];
+    }
+    if (!this.holding) return ["", ""];
+    if (this.waits?.length > 0) {
+      return ["caution", `\u25c6 gamepad: ${this.waits.join(", ")}`];
+    }
+    return ["", chosen !== null && !lost ? "by gamepad, mouse, keyboard"
       : "by mouse and keyboard"];
   }
 }
 
 const named = (event) => event.key.toLowerCase();
 
-// A page may be forbidden to keep anything: then it keeps nothing.
-export function stored(name, otherwise) {
-  try {
-    return localStorage.getItem(`urv.${name}`) ?? otherwise;
-  } catch {
-    return otherwise;
-  }
-}
-
-export function store(name, value) {
-  try {
-    localStorage.setItem(`urv.${name}`, value);
-  } catch {
-    // As good as it gets.
-  }
-}
+// It waited in the queue of a browser that hung.
+const isOld = (event) => performance.now() - event.timeStamp > OLD;

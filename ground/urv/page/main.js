@@ -4,9 +4,10 @@
 
 import { byId, html, put, say } from "./draw.js";
 import { Flight } from "./flight.js";
-import { Hands, store, stored } from "./hands.js";
+import { Hands } from "./hands.js";
 import { Orders } from "./orders.js";
 import { showAlerts, showLines } from "./panels.js";
+import { store, stored } from "./stored.js";
 import { Systems } from "./systems.js";
 
 const OLD = 40;
@@ -19,6 +20,10 @@ const SECOND = 1000;
 const SLOW = 3;
 const BARS = 5;
 const FRAMES_A_SECOND = 50;
+// Of the messages between page and station.
+const PROTOCOL = 2;
+// More than this waits in the browser when the network does not take it.
+const MOST_WAITING = 4096;
 
 let socket = null;
 // What the station said first, kept when it falls silent.
@@ -33,10 +38,17 @@ let told = 0;
 // When each state came, and how many the station had left out by then.
 const left = [];
 
+// Each message has a number, and the page's time: input that comes late is
+// dropped (GND-51). Sticks that cannot leave now are never sent.
+let sequence = 0;
+
 const send = (message) => {
-  if (socket?.readyState === WebSocket.OPEN) {
-    socket.send(JSON.stringify(message));
-  }
+  if (socket?.readyState !== WebSocket.OPEN
+    || (hello !== null && hello.protocol !== PROTOCOL)) return;
+  if (message.t === "sticks" && socket.bufferedAmount > MOST_WAITING) return;
+  sequence += 1;
+  socket.send(JSON.stringify({ ...message, sequence,
+    sent_ms: Math.round(performance.now() * 10) / 10 }));
 };
 
 // The station sends no state before it knows that there is room for it.
@@ -54,11 +66,13 @@ const acknowledge = (key) => send({ t: "seen", key });
 
 function connect() {
   socket = new WebSocket(`ws://${location.host}/ws`);
+  sequence = 0;
   socket.addEventListener("message", (event) => {
     const message = JSON.parse(event.data);
     if (message.t === "state") {
       state = message;
       came = performance.now();
+      hands.heard = came;
       left.push([came, message.left_out]);
       if (hello) draw_soon();
       // Nobody sees a hidden page, but it must not be old when it is seen.
@@ -69,8 +83,14 @@ function connect() {
       left.length = 0;
       told = 0;
       byId("lines").replaceChildren();
+      if (hello.protocol !== PROTOCOL) {
+        draw_soon();
+        return;
+      }
       flight.learn(hello.items);
       systems.learn(hello.items);
+      hands.learn(hello.switches);
+      hands.met();
     } else if (message.t === "alerts") {
       showAlerts(message.alerts, acknowledge);
     } else if (message.t === "log") {
@@ -79,6 +99,7 @@ function connect() {
   });
   socket.addEventListener("close", () => {
     hands.holding = false;
+    hands.there = false;
     if (there) closed = performance.now();
     there = false;
     draw_soon();
@@ -128,7 +149,7 @@ function draw() {
   const silent = body.dataset.frame === "lost";
   if (!lost) flight.draw(value, state.derived);
   systems.draw(value, words, lost, state.laws);
-  hands.draw(value, words, silent);
+  hands.draw(value, words, silent, lost ? "unknown" : state.laws_state);
   show_status(value, lost, silent);
   show_laws(lost);
   show_holder(silent);
@@ -141,7 +162,9 @@ function show_lost(now, frame, down) {
   let what = "";
   let why = "";
   let age = null;
-  if (!there) {
+  if (hello !== null && hello.protocol !== PROTOCOL) {
+    what = "OLD PAGE: RELOAD IT";
+  } else if (!there) {
     what = "STATION LOST";
     age = now - closed;
   } else if (frame === null) {
@@ -234,7 +257,8 @@ const doubts = Object.entries(SHOWN_BY).map(([panel, sensors]) => {
 function show_laws(lost) {
   const laws = lost ? null : state.laws;
   const shown = byId("laws");
-  say(shown, lost ? "\u2013\u2013" : laws === null ? "none"
+  say(shown, lost ? "\u2013\u2013" : laws === null
+    ? state.laws_state === "off" ? "off" : "none"
     : (laws.alone ? "\u25b2 " : "") + laws.short);
   shown.title = laws === null ? "no control law tells what it does"
     : `laws: ${laws.mode}, ${laws.link}`;
@@ -292,7 +316,7 @@ function show_holder(silent) {
     || (mine && hands.blocked === "");
   byId("pilot").disabled = state.pilot !== "hands_off"
     || !(mine || state.holder === null);
-  byId("disconnect").disabled = !(mine || (state.pilot === "flies"
+  byId("release").disabled = !(mine || (state.pilot === "flies"
     && state.holder === null));
 }
 
@@ -300,8 +324,8 @@ function show_holder(silent) {
 
 byId("take").addEventListener("click", () => hands.take());
 byId("pilot").addEventListener("click", () => send({ t: "pilot" }));
-byId("disconnect").addEventListener("click",
-  () => send({ t: "disconnect" }));
+byId("release").addEventListener("click",
+  () => send({ t: "release" }));
 byId("give").addEventListener("click", () => hands.answer(true));
 byId("keep").addEventListener("click", () => hands.answer(false));
 byId("seen").addEventListener("click", () => acknowledge(null));
