@@ -90,8 +90,9 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
          (if After.State = Linked
           then From <= Last
             and then Last - From + 1 >= Return_After
-            and then Last - From + 1 - 3 * (Silent (Last) - Silent (From - 1)) =
-                       Return_After
+            and then
+              Last - From + 1 - 3 * (Silent (Last) - Silent (From - 1)) =
+                Return_After
           else Last = Frames'Last
                or else After.State = Terminated);
 
@@ -154,8 +155,9 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
        and then
          (if After.State = Linked
           then From <= Last
-            and then Last - From + 1 - 3 * (Silent (Last) - Silent (From - 1)) =
-                       Return_After
+            and then
+              Last - From + 1 - 3 * (Silent (Last) - Silent (From - 1)) =
+                Return_After
             and then (for all Frame in From .. Last =>
                         Frames (Frame) /= Switch_Off)
           else After.State = Terminated and then Last = Frames'Last);
