@@ -492,8 +492,8 @@ package body Laws_Tests is
    begin
       Expect_Number ("nothing lost", Frames_Until_Back (100, 0, 200), 50);
       Expect_Number ("2 of 45", Frames_Until_Back (43, 2, 200), 58);
-      Expect_Number ("1 of 10", Frames_Until_Back (9, 1, 200), 71);
-      Expect_Number ("1 of 4", Frames_Until_Back (3, 1, 400), 198);
+      Expect_Number ("1 of 10", Frames_Until_Back (9, 1, 200), 69);
+      Expect_Number ("1 of 4", Frames_Until_Back (3, 1, 400), 192);
       Expect_Number ("1 of 3", Frames_Until_Back (2, 1, 2_000), 2_000);
       Expect_Number ("1 of 2", Frames_Until_Back (1, 1, 2_000), 2_000);
       Expect_Number ("24 of 25", Frames_Until_Back (1, 24, 2_000), 2_000);
