@@ -264,7 +264,8 @@ package body Partitions.Console is
                  ("console held",
                   ": no packet "
                   & (if This.Has_Come then "for 0.5 s" else "yet")
-                  & ", nothing fresh goes up");
+                  & (if This.Pilot = Flies then ", the simulated pilot flies"
+                     else ", nothing fresh goes up"));
             when Neutral    =>
                Tell
                  ("console neutral",
