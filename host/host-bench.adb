@@ -39,6 +39,17 @@ package body Host.Bench is
       Speed : Position := Whole;
    end record;
 
+   --  What the flight's servos are like.
+   Traits : Servo_Traits;
+
+   --  In words, from stop to stop.
+   function Travel (Item : Surface) return Position is
+     (if Item in Right_Flap_1 .. Left_Flap_2 then 2_047 else 4_000);
+
+   function Dead_Band (Item : Surface) return Position is
+     (Travel (Item) * Parts * Position (Traits.Dead_Band)
+      / (100 * Position (One_Per_Cent)));
+
    Servos_Health : array (Servo_Item) of Health;
 
    Script : List;
@@ -49,12 +60,16 @@ package body Host.Bench is
    Scan_After : Step_Number :=
      Step_Number (Ticks_To_Scan (URVOS.Task_Trees.Report));
 
-   --  Moves by at least one part, so that it arrives.
+   --  The way to go in a tick, at least one part, so that it arrives.
+   function Part_Of (Way, Speed : Position) return Position is
+     (Position'Max
+        (1,
+         Way * Speed * Position (One_Per_Cent)
+         / (Lag * Position (Traits.Lag))));
+
    function Moved (From, To, Speed : Position) return Position is
-     (if From < To
-      then From + Position'Max (1, (To - From) * Speed / (Lag * Whole))
-      elsif From > To
-      then From - Position'Max (1, (From - To) * Speed / (Lag * Whole))
+     (if From < To then From + Part_Of (To - From, Speed)
+      elsif From > To then From - Part_Of (From - To, Speed)
       else From);
 
    --  The faults that act from now on.
@@ -73,8 +88,10 @@ package body Host.Bench is
 
    procedure Start
      (Faults   : Surface_Faults.List := Surface_Faults.None;
-      Schedule : Schedule_Name := URVOS.Task_Trees.Report) is
+      Schedule : Schedule_Name := URVOS.Task_Trees.Report;
+      Servos   : Servo_Traits  := Usual_Servos) is
    begin
+      Traits := Servos;
       Scan_After := Step_Number (Ticks_To_Scan (Schedule));
       Places := (others => Rest);
       Servos_Health := (others => <>);
@@ -115,12 +132,13 @@ package body Host.Bench is
       Goal  : constant Position :=
         (if State.Obeys then Position (Servos (Servo)) * Parts
          else State.Place);
+      Rests_Within : constant Position :=
+        (if State.Obeys then Dead_Band (Item) else 0);
    begin
-      if Places (Item) /= Goal then
-         for I in 1 .. Steps loop
-            Places (Item) := Moved (Places (Item), Goal, State.Speed);
-         end loop;
-      end if;
+      for I in 1 .. Steps loop
+         exit when abs (Places (Item) - Goal) <= Rests_Within;
+         Places (Item) := Moved (Places (Item), Goal, State.Speed);
+      end loop;
    end Move_Surface;
 
    procedure Move (Servos : PWM_Buffer; Steps : Step_Number) is

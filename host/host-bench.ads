@@ -5,16 +5,32 @@
 --  there is no wind, so that a floating surface hangs at zero.
 --
 --  The lag is computed in whole numbers, so that it is the same everywhere.
+--  It is 64 ms, and there is no rate limit; a flight's conditions may give the
+--  servos another lag and a dead band (SIM-4).
 
 with Host.Surface_Faults;
 
 package Host.Bench is
 
+   --  In thousandths of a per cent.
+   type Share is range 0 .. 1_000_000;
+   One_Per_Cent : constant Share := 1_000;
+
+   --  The lag of all servos as a share of the bench's, and their dead band as
+   --  a share of the surface's travel: within it a servo rests.
+   type Servo_Traits is record
+      Lag       : Share range 1 .. Share'Last := 100 * One_Per_Cent;
+      Dead_Band : Share                       := 0;
+   end record;
+
+   Usual_Servos : constant Servo_Traits := (others => <>);
+
    --  The surfaces are where neutral servos hold them, and come to be
    --  measured there.
    procedure Start
      (Faults   : Surface_Faults.List := Surface_Faults.None;
-      Schedule : Schedule_Name := URVOS.Task_Trees.Report);
+      Schedule : Schedule_Name := URVOS.Task_Trees.Report;
+      Servos   : Servo_Traits  := Usual_Servos);
 
    --  The servos' words are held for a major frame. Sensors receives the
    --  surfaces' positions Ticks_To_Scan after its beginning, when the

@@ -38,7 +38,8 @@ package body Host.Option_Help is
          when Faults_Option =>
             "what goes wrong (nothing)",
          when Conditions_Option =>
-            "wind, ballast, errors of sensors (none); needs --plant jsbsim",
+            "wind, ballast, servos, errors of sensors (none); the bench has"
+            & " servos only",
          when Orders_Option =>
             "what the ground orders besides the sticks (nothing)",
          when Seed_Option =>

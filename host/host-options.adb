@@ -181,10 +181,6 @@ package body Host.Options is
          Refuse_Both (Pilot_Option, Name (Sticks_Option));
       elsif Given (Sensors_Option) and then Has_Aircraft then
          Refuse_Both (Sensors_Option, Aircraft);
-      elsif Given (Conditions_Option) and then not Has_Aircraft then
-         Refuse
-           (Name (Conditions_Option) & " are those of an aircraft: add "
-            & Aircraft);
       elsif Whose = URV_Sim and then Given (Pilot_Option) then
          if not Pilot.Exists (Value (Chosen, Pilot_Option)) then
             Refuse_Value

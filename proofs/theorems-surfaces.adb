@@ -8,7 +8,54 @@ package body Theorems.Surfaces with SPARK_Mode is
    procedure Limits_Are_Kept
      (Commands : Uplink_Buffer; Now : Health; Given : PWM_Buffer) is null;
 
-   procedure Who_Follows_Is_Not_Named
+   procedure A_Sound_Servo_Stays_Within
+     (Before, After : Servo;
+      Range_Of      : Bounds;
+      Goals         : Bounds;
+      Goal          : Fine;
+      Slowest       : Rate_Limit) is null;
+
+   procedure A_Sound_Servo_Is_Never_Reported
+     (Item    : Monitor;
+      Which   : Surface;
+      Steps   : Servo_Steps;
+      Goals   : Goal_Steps;
+      Sensors : Downlink_Buffer)
+   is
+      Asked   : constant Bounds := Goals_Of (Which, Words_Of (Item, Which));
+      Slowest : constant Rate_Limit := Slowest_Rate (Which);
+      Held    : Bounds := Item.Ranges (Which);
+   begin
+      if Item.Unknown = 0 then
+         A_Sound_Servo_Stays_Within
+           (Steps (0), Steps (1), Held, Asked, Goals (1), Slowest);
+         Held := After_Step (Held, Asked, Slowest);
+         A_Sound_Servo_Stays_Within
+           (Steps (1), Steps (2), Held, Asked, Goals (2), Slowest);
+         Held := After_Step (Held, Asked, Slowest);
+         A_Sound_Servo_Stays_Within
+           (Steps (2), Steps (3), Held, Asked, Goals (3), Slowest);
+         Held := After_Step (Held, Asked, Slowest);
+         A_Sound_Servo_Stays_Within
+           (Steps (3), Steps (4), Held, Asked, Goals (4), Slowest);
+         Held := After_Step (Held, Asked, Slowest);
+         A_Sound_Servo_Stays_Within
+           (Steps (4), Steps (5), Held, Asked, Goals (5), Slowest);
+         Held := After_Step (Held, Asked, Slowest);
+      else
+         Held := Anywhere;
+      end if;
+      pragma Assert (Held = Bounds_After (Item, Which));
+      pragma Assert (Off_Now (Item, Sensors, Which) <= Allowance);
+   end A_Sound_Servo_Is_Never_Reported;
+
+   procedure A_Start_Holds_Every_Servo
+     (Item  : Monitor;
+      Which : Surface;
+      Any   : Servo;
+      Sent  : Surface_Demands) is null;
+
+   procedure A_Surface_That_Follows_Is_Not_Reported
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface) is null;
 
    procedure A_Failure_Is_Not_Forgotten
@@ -34,5 +81,11 @@ package body Theorems.Surfaces with SPARK_Mode is
       Speed    : Level;
       Airspeed : Level;
       Is_Known : Boolean) is null;
+
+   procedure A_Sound_Throttle_Is_Within
+     (Item     : URV.Engine_Monitor.Monitor;
+      Power    : Lever;
+      Speed    : Level;
+      Airspeed : Level) is null;
 
 end Theorems.Surfaces;

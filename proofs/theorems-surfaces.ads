@@ -49,9 +49,137 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then Given (Brake) = Transform (Commands) (Brake)
        and then Given (Discretes) = Transform (Commands) (Discretes);
 
-   --  A surface that is where its model is, within the allowance, is not
-   --  named; nor is any by sensors that are old, or just after a start.
-   procedure Who_Follows_Is_Not_Named
+   --  A servo, whatever its design: what it follows its word with, and where
+   --  its surface is.
+   type Servo is record
+      Lagged, Place : Fine := 0;
+   end record;
+
+   --  Lagged makes at least the slowest sound servo's share of the way to the
+   --  goal in a step, and goes no further than the goal.
+   function Has_Followed (From, To, Goal : Fine) return Boolean is
+     (if From >= Goal then To in Goal .. From - Part_Of (From - Goal)
+      else To in From + Part_Of (Goal - From) .. Goal)
+   with Global => null;
+
+   --  The surface goes after it, at the slowest rate limit or quicker, and no
+   --  further.
+   function Has_Moved (From, To, Goal : Fine; Slowest : Rate_Limit)
+                       return Boolean
+   is
+     (if From >= Goal
+      then To in Goal .. Integer'Max (Goal, From - Slowest)
+      else To in Integer'Min (Goal, From + Slowest) .. Goal)
+   with Global => null;
+
+   --  A sound servo in a step of 4 ms: a lag of 0 to 0.15 s, a rate limit of
+   --  the slowest one's or more, none at all too, each other in every step.
+   function Is_Sound_Step
+     (Before, After : Servo; Goal : Fine; Slowest : Rate_Limit)
+      return Boolean
+   is
+     (Has_Followed (Before.Lagged, After.Lagged, Goal)
+      and then Has_Moved (Before.Place, After.Place, After.Lagged, Slowest))
+   with Global => null;
+
+   function Is_Within (Item : Servo; Range_Of : Bounds) return Boolean is
+     (Item.Lagged in Range_Of.Least .. Range_Of.Most
+      and then Item.Place in Range_Of.Least .. Range_Of.Most)
+   with Global => null;
+
+   --  The bounds hold it in every step, wherever within its dead band around
+   --  whichever of its words it goes.
+   procedure A_Sound_Servo_Stays_Within
+     (Before, After : Servo;
+      Range_Of      : Bounds;
+      Goals         : Bounds;
+      Goal          : Fine;
+      Slowest       : Rate_Limit)
+   with
+     Global => null,
+     Pre    =>
+       Goals.Least <= Goals.Most
+       and then Goal in Goals.Least .. Goals.Most
+       and then Is_Within (Before, Range_Of)
+       and then Is_Sound_Step (Before, After, Goal, Slowest),
+     Post   => Is_Within (After, After_Step (Range_Of, Goals, Slowest));
+
+   --  From scan to scan: where the servo is and what it follows, step by step.
+   type Servo_Steps is array (0 .. Steps_Per_Frame) of Servo;
+   type Goal_Steps is array (1 .. Steps_Per_Frame) of Fine;
+
+   --  A sound servo in a frame. Its words are one of the last three in every
+   --  step, followed to within the dead band, beyond a stop or not.
+   function Is_Sound_Frame
+     (Item  : Monitor;
+      Which : Surface;
+      Steps : Servo_Steps;
+      Goals : Goal_Steps) return Boolean
+   is
+     (for all Step in Goals'Range =>
+        Goals (Step) in
+          Goals_Of (Which, Words_Of (Item, Which)).Least ..
+          Goals_Of (Which, Words_Of (Item, Which)).Most
+        and then Is_Sound_Step
+          (Steps (Step - 1), Steps (Step), Goals (Step),
+           Slowest_Rate (Which)))
+   with Global => null;
+
+   --  Measured, with the sensor's error within the allowance: the place of
+   --  the servo, or the stop that it is beyond.
+   function Is_Measured
+     (Which : Surface; Place : Fine; Measured : Demand) return Boolean
+   is
+     (Measured * Per_Word in
+        Integer'Min (Place, At_Stops (Which, Place)) - Allowance * Per_Word ..
+        Integer'Max (Place, At_Stops (Which, Place)) + Allowance * Per_Word)
+   with Global => null;
+
+   --  EXT-6, D-32: a sound servo is never reported as failed. If it is within
+   --  its bounds at a scan, it is at the next one, the doubt does not grow,
+   --  and it is not reported: whatever was commanded, whatever the sensors of
+   --  the others show. While words are not known it may be anywhere.
+   procedure A_Sound_Servo_Is_Never_Reported
+     (Item    : Monitor;
+      Which   : Surface;
+      Steps   : Servo_Steps;
+      Goals   : Goal_Steps;
+      Sensors : Downlink_Buffer)
+   with
+     Global => null,
+     Pre    =>
+       not Item.Failed (Which)
+       and then
+         (Item.Unknown > 0
+          or else (Is_Within (Steps (0), Item.Ranges (Which))
+                   and then Is_Sound_Frame (Item, Which, Steps, Goals)))
+       and then Is_Measured
+         (Which, Steps (Steps_Per_Frame).Place, Places_Of (Sensors) (Which)),
+     Post   =>
+       Is_Within
+         (Steps (Steps_Per_Frame), Next (Item, Sensors).Ranges (Which))
+       and then Next (Item, Sensors).Doubts (Which) <= Item.Doubts (Which)
+       and then not Next (Item, Sensors).Failed (Which);
+
+   --  So it begins: after a cold start and after a warm one every servo is
+   --  within the bounds; and nothing that is sent puts one outside of them.
+   procedure A_Start_Holds_Every_Servo
+     (Item  : Monitor;
+      Which : Surface;
+      Any   : Servo;
+      Sent  : Surface_Demands)
+   with
+     Global => null,
+     Post   =>
+       Is_Within (Any, Monitor'(others => <>).Ranges (Which))
+       and then Is_Within (Any, Restarted (Item).Ranges (Which))
+       and then Restarted (Item).Unknown = Unknown_Frames'Last
+       and then With_Sent (Item, Sent).Ranges = Item.Ranges
+       and then With_None_Sent (Item).Ranges = Item.Ranges;
+
+   --  A surface within the bounds of every sound servo and the allowance is
+   --  not reported; nor is any from old sensors, or while words are not known.
+   procedure A_Surface_That_Follows_Is_Not_Reported
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
      Global => null,
@@ -59,12 +187,11 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        not Item.Failed (Which)
        and then
          (Is_Old (Sensors)
-          or else Item.Settling > 0
-          or else Off (Model_After (Item, Which),
-                       Places_Of (Sensors) (Which)) <= Allowance),
+          or else Item.Unknown > 0
+          or else Off_Now (Item, Sensors, Which) <= Allowance),
      Post   => not Next (Item, Sensors).Failed (Which);
 
-   --  Who was named is so after every frame and after a warm start.
+   --  A failure that was reported stays after every frame and warm start.
    procedure A_Failure_Is_Not_Forgotten
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
@@ -74,8 +201,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        Next (Item, Sensors).Failed (Which)
        and then Restarted (Item).Failed (Which);
 
-   --  Half a degree of an aileron in each of 24 scans, 0.48 s, is certainty,
-   --  however little doubt there was.
+   --  Half a degree of an aileron outside the bounds in each of 24 scans,
+   --  0.48 s, is certainty, however little doubt there was.
    Seen_Off : constant := 50;
    Enough   : constant := 24;
    type Distances is array (1 .. Enough) of Distance;
@@ -87,24 +214,22 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
      Pre    => (for all Each of Off => Each >= Seen_Off),
      Post   => After = Certainty;
 
-   --  With certainty comes the name, in the same frame.
+   --  With certainty comes the report, in the same frame.
    procedure Certainty_Is_Named
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
      Global => null,
      Pre    =>
        not Is_Old (Sensors)
-       and then Item.Settling = 0
        and then Next_Doubt
-         (Item.Doubts (Which),
-          Off (Model_After (Item, Which), Places_Of (Sensors) (Which))) =
-            Certainty
+         (Item.Doubts (Which), Off_Now (Item, Sensors, Which)) = Certainty
        and then
          (if Item.Doubts (Which) = Certainty then Item.Failed (Which)),
      Post   => Next (Item, Sensors).Failed (Which);
 
-   --  An engine within its bounds, or of which nothing is known, is not told;
-   --  nor one that has not been outside for half a second. None is forgotten.
+   --  An engine within its bounds, or of which nothing is known, is not
+   --  reported; nor one whose speed has never moved, or that has not been
+   --  outside for half a second. A failure is not forgotten.
    procedure An_Engine_Within_Its_Bounds_Is_Not_Told
      (Item     : URV.Engine_Monitor.Monitor;
       Power    : Lever;
@@ -119,8 +244,31 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
           (Item, Power, Speed, Airspeed, Is_Known).Failed
         elsif not Is_Known
           or else not URV.Engine_Monitor.Is_Outside (Item, Speed)
+          or else not URV.Engine_Monitor.Seen (Item, Speed).Has_Moved
           or else Item.Doubt < URV.Engine_Monitor.Certainty - 1
         then not URV.Engine_Monitor.Next
           (Item, Power, Speed, Airspeed, Is_Known).Failed);
+
+   --  The bounds of the next frame hold the speed that is asked for at any
+   --  place of the throttle within its dead band, and so does every speed
+   --  between the bounds and there.
+   procedure A_Sound_Throttle_Is_Within
+     (Item     : URV.Engine_Monitor.Monitor;
+      Power    : Lever;
+      Speed    : Level;
+      Airspeed : Level)
+   with
+     Global => null,
+     Post   =>
+       (declare
+          After : constant URV.Engine_Monitor.Monitor :=
+            URV.Engine_Monitor.Judged (Item, Power, Speed, Airspeed);
+        begin
+          After.Least <=
+            URV.Engine_Monitor.Least_Asked (Power, Airspeed)
+          and then After.Most >=
+            URV.Engine_Monitor.Most_Asked (Power, Airspeed)
+          and then After.Least <= Item.Least + URV.Engine_Monitor.Narrowing
+          and then After.Most >= Item.Most - URV.Engine_Monitor.Narrowing);
 
 end Theorems.Surfaces;

@@ -28,6 +28,7 @@ package body Sim.Conditions is
          when Wind       => "wind",
          when Turbulence => "turbulence",
          when Ballast    => "ballast",
+         when Servos     => "servos",
          when Bias       => "bias",
          when Noisiness  => "noise");
 
@@ -43,12 +44,14 @@ package body Sim.Conditions is
          when Wind       => " FROM_DEG KT",
          when Turbulence => " KT",
          when Ballast    => " LB INCHES_AFT",
+         when Servos     => " LAG_PERCENT RATE_PERCENT DEAD_BAND_PERCENT",
          when Bias       => " SENSOR VALUE",
          when Noisiness  => " SENSOR VALUE");
 
    function Parameter_Count (Kind : Condition_Kind) return Positive is
      (case Kind is
          when Start | Turbulence => 1,
+         when Servos             => 3,
          when others             => 2);
 
    function Form_Of (Kind : Condition_Kind) return String is
@@ -91,10 +94,11 @@ package body Sim.Conditions is
      with Pre => Kind in Bias | Noisiness;
 
    procedure Read_Condition
-     (From   : Reader;
-      Line   : String;
-      Loaded : in out Script;
-      Before : in out Mentioned);
+     (From         : Reader;
+      Line         : String;
+      Has_Aircraft : Boolean;
+      Loaded       : in out Script;
+      Before       : in out Mentioned);
 
    procedure Read_Number
      (From        : Reader;
@@ -201,27 +205,35 @@ package body Sim.Conditions is
    end Read_Error;
 
    procedure Read_Condition
-     (From   : Reader;
-      Line   : String;
-      Loaded : in out Script;
-      Before : in out Mentioned)
+     (From         : Reader;
+      Line         : String;
+      Has_Aircraft : Boolean;
+      Loaded       : in out Script;
+      Before       : in out Mentioned)
    is
+      One_Per_Cent : Host.Bench.Share renames Host.Bench.One_Per_Cent;
       Count  : constant Natural := Orders.Word_Count (Line);
       Kind   : Condition_Kind;
-      Unused : Long_Float;
+      Number : Long_Float;
 
-      function Word (Number : Positive) return String is
-        (Orders.Word (Line, Number));
+      function Word (Index : Positive) return String is
+        (Orders.Word (Line, Index));
 
       procedure Check (Index : Positive; What : String; Least, Most : Integer);
 
       procedure Check (Index : Positive; What : String; Least, Most : Integer)
       is
       begin
-         Read_Number (From, What, Word (Index), Least, Most, Unused);
+         Read_Number (From, What, Word (Index), Least, Most, Number);
       end Check;
    begin
       Read_Kind (From, Word (1), Kind);
+      if Kind /= Servos and then not Has_Aircraft then
+         Refuse
+           (From,
+            "the bench has no " & Name (Kind)
+            & ", only " & Name (Servos) & ": add --plant jsbsim");
+      end if;
       if Count - 1 /= Parameter_Count (Kind) then
          Refuse
            (From, "a condition of this kind is written " & Form_Of (Kind));
@@ -245,6 +257,14 @@ package body Sim.Conditions is
          when Ballast    =>
             Check (2, "LB", -40, 40);
             Check (3, "INCHES_AFT", -40, 40);
+         when Servos     =>
+            Check (2, "LAG_PERCENT", 10, 1_000);
+            Loaded.Servos.Lag :=
+              Host.Bench.Share (Number * Long_Float (One_Per_Cent));
+            Check (3, "RATE_PERCENT", 10, 1_000);
+            Check (4, "DEAD_BAND_PERCENT", 0, 10);
+            Loaded.Servos.Dead_Band :=
+              Host.Bench.Share (Number * Long_Float (One_Per_Cent));
       end case;
 
       if Before.Kinds (Kind) then
@@ -255,18 +275,21 @@ package body Sim.Conditions is
          Texts.Append
            (Loaded.Lines,
             "condition," & Name (Kind) & ',' & Word (2)
-            & (if Count > 2 then ' ' & Word (3) else "") & Line_Feed);
+            & (if Count > 2 then ' ' & Word (3) else "")
+            & (if Count > 3 then ' ' & Word (4) else "") & Line_Feed);
       end if;
    end Read_Condition;
 
-   procedure Load (Loaded : in out Script; File : String) is
+   procedure Load
+     (Loaded : in out Script; File : String; Has_Aircraft : Boolean)
+   is
       Before : Mentioned;
 
       procedure Read (From : Reader; Order : String);
 
       procedure Read (From : Reader; Order : String) is
       begin
-         Read_Condition (From, Order, Loaded, Before);
+         Read_Condition (From, Order, Has_Aircraft, Loaded, Before);
       end Read;
 
       procedure Read_All is new Orders.Read_All (Read);
@@ -295,6 +318,9 @@ package body Sim.Conditions is
                 & Image (Long_Long_Integer (Seeded)) & Line_Feed
            else "");
    end Introduction;
+
+   function Bench_Servos (Given : Script) return Host.Bench.Servo_Traits is
+     (Given.Servos);
 
    procedure Draw_Errors
      (Given  : Script;

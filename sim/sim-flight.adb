@@ -225,7 +225,8 @@ package body Sim.Flight is
       end if;
       if Is_Given (Chosen, Conditions_Option) then
          Sim.Conditions.Load
-           (Conditions, Value (Chosen, Conditions_Option));
+           (Conditions, Value (Chosen, Conditions_Option),
+            Has_Aircraft => Chosen.Plant = JSBSim_Plant);
       end if;
       if Is_Given (Chosen, Orders_Option) then
          Ground_Orders.Load
@@ -574,7 +575,9 @@ package body Sim.Flight is
          Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);
       else
-         Bench.Start (Servo_Faults (Chosen), Chosen.Schedule);
+         Bench.Start
+           (Servo_Faults (Chosen), Chosen.Schedule,
+            Sim.Conditions.Bench_Servos (Conditions));
       end if;
       if Is_Given (Chosen, Pilot_Option) then
          Pilot.Start (Value (Chosen, Pilot_Option));

@@ -36,6 +36,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from servo_faults import Faults
+from servo_traits import Traits
 
 FIELD_FT = 800.0
 START_ALTITUDE_FT = 1000.0
@@ -76,8 +77,11 @@ MOST_SKIPS = 511
 # has none: the aircraft stands there, brake on, and looks down it.
 # turbulence is Dryden's (MIL-F-8785C), given by the wind 20 ft above the
 # ground. ballast is a weight in lb and how far aft of the centre of gravity
-# it is in inches. seed is that of the turbulence.
-CONDITIONS = {"start": 0, "wind": 2, "turbulence": 1, "ballast": 2, "seed": 1}
+# it is in inches. servos are the lag and the rate limit of all servos in per
+# cent of theirs, and their dead band in per cent of the travel. seed is that of
+# the turbulence.
+CONDITIONS = {"start": 0, "wind": 2, "turbulence": 1, "ballast": 2,
+              "servos": 3, "seed": 1}
 DRYDEN = 3
 SEVERITY = 3
 FPS_PER_KT = 1.0 / 0.592484
@@ -273,17 +277,19 @@ class Aircraft:
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
-        self.faults = Faults(
-            self.tree, faults,
-            {name: path for name, (_, path) in SERVOS.items()}
-        ) if faults else None
-        self.run_step = self.broken_step if faults else fdm.run
         if stands:
             self.stand()
         else:
             self.settle()
         self.must_be_sound()
         self.stir()
+        paths = {name: path for name, (_, path) in SERVOS.items()}
+        self.traits = Traits(
+            self.tree, [paths[name] for name, _ in servos],
+            *self.conditions["servos"]) if "servos" in conditions else None
+        # They know the servos' speeds, which have their traits now.
+        self.faults = (Faults(self.tree, faults, paths) if faults else None)
+        self.run_step = self.broken_step if faults else fdm.run
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
         self.count_from_here(truth, self.truth)
@@ -485,6 +491,8 @@ class Aircraft:
         is that of the frame's beginning."""
         if self.crashed.get_double_value():
             return self.last
+        if self.traits:
+            commands = self.traits.obeyed(commands)
         for move, command in zip(self.servos, commands):
             move(command)
         if self.is_tied and commands[self.brake] < PARKED_BRAKE_PCT:

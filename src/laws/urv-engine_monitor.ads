@@ -1,14 +1,17 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the engine follows its throttle (EXT-6). Nothing measures where the
---  throttle is; the speed of the engine, which turns a fixed propeller,
---  tells.
+--  Whether the engine follows its throttle (EXT-6, D-32). Nothing measures
+--  where the throttle is. The engine turns a fixed propeller, and its speed
+--  shows it.
 --
---  Two bounds hold the speed that the throttle's last words ask for. They go
---  out to a new one at once, and come in slower than a sound engine does. An
---  engine that is outside of them by more than an allowance for half a second
---  does not follow. On the ground, and with sensors that are not believed,
---  nothing is said.
+--  Two bounds hold the speed that the throttle's last words ask for, with the
+--  dead band of its servo. They go out to a new one at once, and come in
+--  slower than a sound engine does. An engine that is outside of them by more
+--  than an allowance for half a second does not follow. Nothing is reported on
+--  the ground, nor with sensors that are not valid, nor as long as the
+--  measured speed has never moved: a running engine's speed always moves, and
+--  a word that is held (by the bench, by a sensor that is not connected) shows
+--  nothing.
 
 with URV.Law_Units; use URV.Law_Units;
 
@@ -36,6 +39,21 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
          0, Level'Last))
    with Global => null;
 
+   --  One per cent of the throttle's travel, in words: its servo may rest
+   --  that far on either side of its word.
+   Dead_Band : constant := 41;
+
+   function Least_Asked (Power : Lever; Airspeed : Level) return Level is
+     (Steady (Integer'Max (Power - Dead_Band, 0), Airspeed))
+   with Global => null;
+
+   function Most_Asked (Power : Lever; Airspeed : Level) return Level is
+     (Steady (Integer'Min (Power + Dead_Band, Lever'Last), Airspeed))
+   with Global => null;
+
+   --  16 rev/min: how far the measured speed has to move to be a measurement.
+   Movement : constant := 8;
+
    --  How much a bound comes in a frame: the whole range in ten seconds. A
    --  sound engine, throttled back bit by bit in turbulence, changed by 11.
    Narrowing : constant := 8;
@@ -56,24 +74,62 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
       Most   : Level       := Level'Last;
       Doubt  : Doubt_Level := 0;
       Failed : Boolean     := False;
+
+      --  The first speed that was measured, and whether another one was.
+      Is_Seen   : Boolean := False;
+      First     : Level   := 0;
+      Has_Moved : Boolean := False;
    end record;
 
    function Is_Outside (This : Monitor; Speed : Level) return Boolean is
      (Speed < This.Least - Allowance or else Speed > This.Most + Allowance)
    with Global => null;
 
-   --  The bounds with the speed that is asked for in this frame.
-   function Narrowed (This : Monitor; Goal : Level) return Monitor is
+   --  The bounds with the speeds that are asked for in this frame.
+   function Narrowed
+     (This : Monitor; Least_Goal, Most_Goal : Level) return Monitor
+   is
      ((This with delta
          Least => Integer'Min
-                    (Goal, Integer'Min (This.Least + Narrowing, Level'Last)),
+                    (Least_Goal,
+                     Integer'Min (This.Least + Narrowing, Level'Last)),
          Most  => Integer'Max
-                    (Goal, Integer'Max (This.Most - Narrowing, 0))))
+                    (Most_Goal, Integer'Max (This.Most - Narrowing, 0))))
    with Global => null;
 
    --  Nothing is known of this frame: the bounds are anywhere.
    function Unknown (This : Monitor) return Monitor is
-     ((Least => 0, Most => Level'Last, Doubt => 0, Failed => This.Failed))
+     ((This with delta Least => 0, Most => Level'Last, Doubt => 0))
+   with Global => null;
+
+   --  With a valid measurement of the speed.
+   function Seen (This : Monitor; Speed : Level) return Monitor is
+     ((This with delta
+         Is_Seen   => True,
+         First     => (if This.Is_Seen then This.First else Speed),
+         Has_Moved =>
+           This.Has_Moved
+           or else (This.Is_Seen
+                    and then abs (Speed - This.First) >= Movement)))
+   with Global => null;
+
+   --  A frame in flight. An engine whose speed has never moved is well.
+   function Judged
+     (This     : Monitor;
+      Power    : Lever;
+      Speed    : Level;
+      Airspeed : Level) return Monitor
+   is
+     (if not This.Has_Moved or else not Is_Outside (This, Speed)
+      then (Narrowed
+              (This, Least_Asked (Power, Airspeed),
+               Most_Asked (Power, Airspeed)) with delta Doubt => 0)
+      else
+        (Narrowed
+           (This, Least_Asked (Power, Airspeed),
+            Most_Asked (Power, Airspeed)) with delta
+           Doubt  => Integer'Min (This.Doubt + 1, Certainty),
+           Failed => This.Failed or else This.Doubt + 1 >= Certainty))
    with Global => null;
 
    --  Power is the throttle's word in the last frame.
@@ -84,21 +140,19 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
       Airspeed : Level;
       Is_Known : Boolean) return Monitor
    is
-     (if not Is_Known or else Airspeed < Slowest then Unknown (This)
-      elsif not Is_Outside (This, Speed)
-      then (Narrowed (This, Steady (Power, Airspeed)) with delta Doubt => 0)
-      else
-        (Narrowed (This, Steady (Power, Airspeed)) with delta
-           Doubt  => Integer'Min (This.Doubt + 1, Certainty),
-           Failed => This.Failed or else This.Doubt + 1 >= Certainty))
+     (if not Is_Known then Unknown (This)
+      elsif Airspeed < Slowest then Unknown (Seen (This, Speed))
+      else Judged (Seen (This, Speed), Power, Speed, Airspeed))
    with
      Global => null,
      Post   =>
-       --  It is not forgotten, and seen only after half a second outside.
+       --  A failure is not forgotten, and seen only after half a second
+       --  outside, in a speed that has moved.
        (if This.Failed then Next'Result.Failed)
        and then
          (if Next'Result.Failed and then not This.Failed
           then Is_Known
+            and then Next'Result.Has_Moved
             and then Is_Outside (This, Speed)
             and then This.Doubt >= Certainty - 1);
 

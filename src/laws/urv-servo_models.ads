@@ -1,91 +1,157 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where a sound servo has its surface: it follows with a lag of 0.1 s, no
---  faster than its rate limit, between the linkage's stops (EXT-6). The
---  numbers are those of the aircraft of sim/jsbsim.
+--  Where a sound servo may have its surface (EXT-6, D-32): between two bounds.
 --
---  The servos get new words at minor frame 2 and the sensors are scanned as
---  the next frame begins: 16 ms later. So of a frame from scan to scan the
---  first 4 ms are flown with the words of before.
+--  A servo follows its word with a lag, no faster than its rate limit, and
+--  rests within a dead band around the word. The aircraft's servos have a lag
+--  of 0.1 s and the rates below. No servo is exactly like that, so nothing
+--  here trusts one servo model: the bounds go out to a new word at once, as
+--  the quickest servo would, and come in as the slowest sound servo does, with
+--  half as much lag again and half the rate. Theorems.Surfaces proves that
+--  they hold every servo in between.
+--
+--  Which word a servo has at a scan depends on the schedule: the bounds hold
+--  for every word of the last three frames.
 
 with URV.Law_Units; use URV.Law_Units;
 with URV.Surfaces;  use URV.Surfaces;
 
 package URV.Servo_Models with Pure, SPARK_Mode is
 
-   --  In 64ths of a word.
+   --  Places in 64ths of a word, a dead band beyond the words' range.
    Per_Word : constant := 64;
-   subtype Fine is Number range -2_048 * Per_Word .. 2_048 * Per_Word;
+   subtype Fine is Number range -2_100 * Per_Word .. 2_100 * Per_Word;
 
-   --  Where the lag has come to, and the surface, which is no faster than
-   --  its rate limit.
-   type Model is record
-      Lagged, Place : Fine := 0;
+   type Bounds is record
+      Least, Most : Fine;
    end record;
 
-   --  The lag's share in a step of 4 ms, in thousandths.
-   Share : constant := 39;
+   Anywhere : constant Bounds := (Least => Fine'First, Most => Fine'Last);
 
-   --  As far as a surface gets in a frame: 100 deg/s, 5 deg/s for a flap.
-   subtype Way is Number range 0 .. 20_000;
+   --  A step is 4 ms, five steps are a frame.
+   Steps_Per_Frame : constant := 5;
 
-   function Way_Of (Item : Surface) return Way is
+   --  The share of its way that the slowest sound servo makes in a step, in
+   --  thousandths: a lag of 0.15 s.
+   Slowest_Share : constant := 26;
+
+   function Part_Of (Way : Number) return Number is
+     (Way * Slowest_Share / 1_000)
+   with
+     Global => null,
+     Pre    => Way in 0 .. Fine'Last - Fine'First,
+     Post   => Part_Of'Result in 0 .. Way;
+
+   --  The rate limit of the slowest sound servo for a step: 50 deg/s, and
+   --  2.5 deg/s for a flap.
+   subtype Rate_Limit is Number range 1 .. 1_280;
+
+   function Slowest_Rate (Item : Surface) return Rate_Limit is
      (case Item is
-         when Left_Aileron | Right_Aileron => 200 * Per_Word,
+         when Left_Aileron | Right_Aileron => 1_280,
          when Left_Elevator | Right_Elevator
-            | Left_Rudder | Right_Rudder   => 160 * Per_Word,
-         when Flap                         => 1_365 * Per_Word / 100)
+            | Left_Rudder | Right_Rudder   => 1_024,
+         when Flap                         => 87)
    with Global => null;
 
-   function Lagged_After (From, Goal : Fine) return Fine is
-     (Within
-        (From + (Goal - From) * Share / 1_000, Fine'First, Fine'Last))
+   --  One per cent of the travel, in words: a servo may rest that far on
+   --  either side of its word.
+   function Dead_Band (Item : Surface) return Demand is
+     (if Item in Flap then 21 else 40)
    with Global => null;
 
-   --  A step of 4 ms: shorter than a frame, for a servo at its rate limit
-   --  that is turned back.
-   function Advanced
-     (This : Model; Goal : Demand; Longest : Way) return Model
-   is
-     (Lagged => Lagged_After (This.Lagged, Goal * Per_Word),
-      Place  => Stepped
-        (This.Place, Lagged_After (This.Lagged, Goal * Per_Word), Longest))
-   with
-     Global => null,
-     Post   => abs (Advanced'Result.Place - This.Place) <= Longest;
+   --  The words that a servo may have had from one scan to the next.
+   type Word_History is record
+      First, Before, Last : Demand := 0;
+   end record;
 
-   function Advanced_Twice
-     (This : Model; Goal : Demand; Longest : Way) return Model
-   is
-     (Advanced (Advanced (This, Goal, Longest), Goal, Longest))
+   --  Where these words may send a sound servo. A word beyond a stop of the
+   --  linkage may be followed beyond it or not.
+   function Goals_Of (Which : Surface; Words : Word_History) return Bounds is
+     (Least => Per_Word *
+        (Integer'Min
+           (Integer'Min
+              (Integer'Min (Words.First, Reachable (Which, Words.First)),
+               Integer'Min (Words.Before, Reachable (Which, Words.Before))),
+            Integer'Min (Words.Last, Reachable (Which, Words.Last)))
+         - Dead_Band (Which)),
+      Most  => Per_Word *
+        (Integer'Max
+           (Integer'Max
+              (Integer'Max (Words.First, Reachable (Which, Words.First)),
+               Integer'Max (Words.Before, Reachable (Which, Words.Before))),
+            Integer'Max (Words.Last, Reachable (Which, Words.Last)))
+         + Dead_Band (Which)))
    with
      Global => null,
-     Post   =>
-       abs (Advanced_Twice'Result.Place - This.Place) <= 2 * Longest;
+     Post   => Goals_Of'Result.Least <= Goals_Of'Result.Most;
+
+   --  A bound after a step: out to the goal at once, or in towards it.
+
+   function Most_After
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (if Goal >= From then Goal
+      else From - Integer'Min (Slowest, Part_Of (From - Goal)))
+   with
+     Global => null,
+     Post   => Most_After'Result in Goal .. Integer'Max (From, Goal);
+
+   function Least_After
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (if Goal <= From then Goal
+      else From + Integer'Min (Slowest, Part_Of (Goal - From)))
+   with
+     Global => null,
+     Post   => Least_After'Result in Integer'Min (From, Goal) .. Goal;
+
+   function After_Step
+     (From, Goals : Bounds; Slowest : Rate_Limit) return Bounds
+   is
+     (Least => Least_After (From.Least, Goals.Least, Slowest),
+      Most  => Most_After (From.Most, Goals.Most, Slowest))
+   with Global => null;
+
+   function After_Two_Steps
+     (From, Goals : Bounds; Slowest : Rate_Limit) return Bounds
+   is
+     (After_Step (After_Step (From, Goals, Slowest), Goals, Slowest))
+   with Global => null;
 
    --  From one scan to the next.
-   function Next
-     (Which : Surface; This : Model; Early, Late : Demand) return Model
+   function After_Frame
+     (Which : Surface; From : Bounds; Words : Word_History) return Bounds
    is
-     (Advanced_Twice
-        (Advanced_Twice
-           (Advanced
-              (This, Reachable (Which, Early), Way_Of (Which) / 5),
-            Reachable (Which, Late), Way_Of (Which) / 5),
-         Reachable (Which, Late), Way_Of (Which) / 5))
-   with
-     Global => null,
-     Post   => abs (Next'Result.Place - This.Place) <= Way_Of (Which);
-
-   function At_Rest (Place : Demand) return Model is
-     (Lagged | Place => Place * Per_Word)
+     (After_Step
+        (After_Two_Steps
+           (After_Two_Steps
+              (From, Goals_Of (Which, Words), Slowest_Rate (Which)),
+            Goals_Of (Which, Words), Slowest_Rate (Which)),
+         Goals_Of (Which, Words), Slowest_Rate (Which)))
    with Global => null;
 
-   --  How far the measured place is from the model's, in words.
-   subtype Distance is Number range 0 .. 4_096;
+   --  How far a measured place is outside the bounds, in words; none within
+   --  them. A surface at a stop is measured there, wherever its servo would
+   --  have it.
+   subtype Distance is Number range 0 .. 4_200;
 
-   function Off (This : Model; Measured : Demand) return Distance is
-     (abs (Measured * Per_Word - This.Place) / Per_Word)
+   function At_Stops (Which : Surface; Place : Fine) return Fine is
+     (Within
+        (Place, Per_Word * Lowest (Which), Per_Word * Highest (Which)))
+   with Global => null;
+
+   function Off
+     (Which : Surface; Item : Bounds; Measured : Demand) return Distance
+   is
+     (Integer'Max
+        (0,
+         Integer'Max
+           (Measured * Per_Word
+            - Integer'Max (Item.Most, At_Stops (Which, Item.Most)),
+            Integer'Min (Item.Least, At_Stops (Which, Item.Least))
+            - Measured * Per_Word))
+      / Per_Word)
    with Global => null;
 
 end URV.Servo_Models;

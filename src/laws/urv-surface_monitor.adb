@@ -8,40 +8,41 @@ package body URV.Surface_Monitor with SPARK_Mode is
       After    : Monitor := This;
    begin
       for Which in Surface loop
-         After.Models (Which) := Model_After (This, Which);
+         After.Ranges (Which) := Bounds_After (This, Which);
 
          if not Is_Old (Sensors) then
             After.Places (Which) := Measured (Which);
-            if This.Settling > 0 then
-               After.Models (Which) := At_Rest (Measured (Which));
-            else
-               After.Doubts (Which) := Next_Doubt
-                 (This.Doubts (Which),
-                  Off (After.Models (Which), Measured (Which)));
-               After.Failed (Which) :=
-                 This.Failed (Which)
-                 or else (After.Doubts (Which) = Certainty
-                          and then This.Doubts (Which) < Certainty);
-            end if;
+            After.Doubts (Which) := Next_Doubt
+              (This.Doubts (Which),
+               Off (Which, After.Ranges (Which), Measured (Which)));
+            After.Failed (Which) :=
+              This.Failed (Which)
+              or else (After.Doubts (Which) = Certainty
+                       and then This.Doubts (Which) < Certainty);
          end if;
 
          pragma Loop_Invariant
+           (After.Unknown = This.Unknown
+            and then After.Sent = This.Sent
+            and then After.Sent_Before = This.Sent_Before
+            and then After.Sent_First = This.Sent_First);
+         pragma Loop_Invariant
            (for all Done in Surface'First .. Which =>
-              (if This.Failed (Done) then After.Failed (Done))
+              After.Ranges (Done) = Bounds_After (This, Done)
+              and then
+                (if This.Failed (Done) then After.Failed (Done))
               and then
                 (if After.Failed (Done) and then not This.Failed (Done)
-                 then This.Settling = 0
-                   and then not Is_Old (Sensors)
-                   and then Off (Model_After (This, Done),
-                                 Measured (Done)) > Allowance
+                 then not Is_Old (Sensors)
+                   and then Off_Now (This, Sensors, Done) > Allowance
                    and then This.Doubts (Done) >=
                               Certainty - (Most_Off - Allowance))
               and then
-                (if This.Settling = 0 and then not Is_Old (Sensors)
-                 then After.Doubts (Done) =
+                (if Is_Old (Sensors)
+                 then After.Doubts (Done) = This.Doubts (Done)
+                 else After.Doubts (Done) =
                      Next_Doubt
-                       (This.Doubts (Done),
-                        Off (Model_After (This, Done), Measured (Done)))
+                       (This.Doubts (Done), Off_Now (This, Sensors, Done))
                    and then
                      (if After.Doubts (Done) = Certainty
                         and then This.Doubts (Done) < Certainty
@@ -49,12 +50,9 @@ package body URV.Surface_Monitor with SPARK_Mode is
          pragma Loop_Invariant
            (for all Later in Surface =>
               (if Later > Which
-               then After.Failed (Later) = This.Failed (Later)));
+               then After.Failed (Later) = This.Failed (Later)
+                 and then After.Doubts (Later) = This.Doubts (Later)));
       end loop;
-
-      if not Is_Old (Sensors) and then This.Settling > 0 then
-         After.Settling := This.Settling - 1;
-      end if;
       return After;
    end Next;
 

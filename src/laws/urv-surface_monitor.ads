@@ -1,12 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which surfaces do not follow their servos' words (EXT-6): the measured
---  position is compared with that of a model of the servo, each frame.
+--  Which surfaces do not follow their servos' words (EXT-6): each frame the
+--  measured position is compared with the bounds of every sound servo
+--  (URV.Servo_Models).
 --
---  Doubt grows by how much more than an allowance they differ, no more than
---  so much a frame, and shrinks when they differ by less. A surface that has
---  failed stays so until the next cold start. docs/surfaces.md says how well
---  they are told.
+--  Doubt grows by the distance outside the bounds, less an allowance for the
+--  sensor, limited for each frame; it shrinks when the distance is smaller. A
+--  surface that has failed stays so until the next cold start. After a start
+--  nothing is known, and the bounds are anywhere. docs/surfaces.md has the
+--  times in which failures are identified.
 
 with URVOS;            use URVOS;
 with URV.Buffers;      use URV.Buffers;
@@ -21,22 +23,22 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
    --  In words: 0.4 degrees of an aileron. A sensor may be off by that much.
    Allowance : constant := 40;
 
-   --  How much of a difference counts in a frame, and the doubt that is a
-   --  failure: 0.1 s of a large difference, 0.24 s of one of 60 words.
+   --  How much of a distance counts in a frame, and the doubt that is a
+   --  failure: 0.1 s of a large distance, 0.24 s of one of 60 words.
    Most_Off  : constant := 88;
    Certainty : constant := 240;
 
    subtype Doubt_Level is Number range 0 .. Certainty;
 
-   --  Frames after a start in which the models are put where the surfaces
-   --  are.
-   subtype Settling_Count is Number range 0 .. 50;
+   --  Frames after a start in which the servos may have words that the
+   --  monitor does not know.
+   subtype Unknown_Frames is Number range 0 .. 3;
 
-   type Model_Table is array (Surface) of Model;
+   type Bounds_Table is array (Surface) of Bounds;
    type Doubt_Table is array (Surface) of Doubt_Level;
 
    type Monitor is record
-      Models : Model_Table     := (others => <>);
+      Ranges : Bounds_Table    := (others => Anywhere);
       Doubts : Doubt_Table     := (others => 0);
       Failed : Surface_Flags   := None;
       Places : Surface_Demands := (others => 0);
@@ -44,7 +46,8 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       --  What the servos were given in the last three frames.
       Sent, Sent_Before, Sent_First : Surface_Demands := (others => 0);
 
-      Settling : Settling_Count := Settling_Count'Last;
+      --  How many of these frames are not known.
+      Unknown : Unknown_Frames := Unknown_Frames'Last;
 
       --  Of the engine, and what its throttle was given in the last frame.
       Engine : Engine_Monitor.Monitor := (others => <>);
@@ -63,53 +66,80 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
        (if Off <= Allowance then Next_Doubt'Result <= Doubt)
        and then Next_Doubt'Result <= Doubt + Most_Off - Allowance;
 
-   --  Where a model is at a scan: the words that were sent three frames and
-   --  two frames ago moved it there.
-   function Model_After (This : Monitor; Which : Surface) return Model is
-     (Servo_Models.Next
-        (Which, This.Models (Which),
-         Early => This.Sent_First (Which), Late => This.Sent_Before (Which)))
+   function Words_Of (This : Monitor; Which : Surface) return Word_History is
+     ((First  => This.Sent_First (Which),
+       Before => This.Sent_Before (Which),
+       Last   => This.Sent (Which)))
    with Global => null;
 
-   --  Sensors are in. Old ones tell nothing.
+   --  The bounds at this frame's scan.
+   function Bounds_After (This : Monitor; Which : Surface) return Bounds is
+     (if This.Unknown > 0 then Anywhere
+      else After_Frame
+        (Which, This.Ranges (Which), Words_Of (This, Which)))
+   with Global => null;
+
+   --  How far a surface is measured outside of them.
+   function Off_Now
+     (This : Monitor; Sensors : Downlink_Buffer; Which : Surface)
+      return Distance
+   is
+     (Off
+        (Which, Bounds_After (This, Which), Places_Of (Sensors) (Which)))
+   with Global => null;
+
+   --  Sensors are in. Old ones show nothing.
    function Next (This : Monitor; Sensors : Downlink_Buffer) return Monitor
    with
      Global => null,
      Post   =>
-       (for all Which in Surface =>
-          --  A failure is not forgotten.
-          (if This.Failed (Which) then Next'Result.Failed (Which))
+       Next'Result.Unknown = This.Unknown
+       and then Next'Result.Sent = This.Sent
+       and then Next'Result.Sent_Before = This.Sent_Before
+       and then Next'Result.Sent_First = This.Sent_First
+       and then
+         (for all Which in Surface =>
+            Next'Result.Ranges (Which) = Bounds_After (This, Which)
 
-          --  It is seen in fresh sensors only, which differ now and did
-          --  before.
-          and then
-            (if Next'Result.Failed (Which) and then not This.Failed (Which)
-             then This.Settling = 0
-               and then not Is_Old (Sensors)
-               and then Off (Model_After (This, Which),
-                             Places_Of (Sensors) (Which)) > Allowance
-               and then This.Doubts (Which) >=
-                          Certainty - (Most_Off - Allowance))
+            --  A failure is not forgotten.
+            and then
+              (if This.Failed (Which) then Next'Result.Failed (Which))
 
-          --  And then always.
-          and then
-            (if This.Settling = 0 and then not Is_Old (Sensors)
-             then Next'Result.Doubts (Which) =
-                 Next_Doubt
-                   (This.Doubts (Which),
-                    Off (Model_After (This, Which),
-                         Places_Of (Sensors) (Which)))
-               and then
-                 (if Next'Result.Doubts (Which) = Certainty
-                    and then This.Doubts (Which) < Certainty
-                  then Next'Result.Failed (Which))));
+            --  It is seen in fresh sensors only, outside the bounds now and
+            --  before.
+            and then
+              (if Next'Result.Failed (Which) and then not This.Failed (Which)
+               then not Is_Old (Sensors)
+                 and then Off_Now (This, Sensors, Which) > Allowance
+                 and then This.Doubts (Which) >=
+                            Certainty - (Most_Off - Allowance))
 
-   --  What the servos are given in this frame.
+            --  And then always.
+            and then
+              (if Is_Old (Sensors)
+               then Next'Result.Doubts (Which) = This.Doubts (Which)
+               else Next'Result.Doubts (Which) =
+                   Next_Doubt
+                     (This.Doubts (Which), Off_Now (This, Sensors, Which))
+                 and then
+                   (if Next'Result.Doubts (Which) = Certainty
+                      and then This.Doubts (Which) < Certainty
+                    then Next'Result.Failed (Which))));
+
+   --  The servos are given these words in this frame.
    function With_Sent
      (This : Monitor; Sent : Surface_Demands) return Monitor
    is
      ((This with delta
          Sent        => Sent,
+         Sent_Before => This.Sent,
+         Sent_First  => This.Sent_Before,
+         Unknown     => Integer'Max (This.Unknown - 1, 0)))
+   with Global => null;
+
+   --  The servos are given nothing in this frame, and keep what they have.
+   function With_None_Sent (This : Monitor) return Monitor is
+     ((This with delta
          Sent_Before => This.Sent,
          Sent_First  => This.Sent_Before))
    with Global => null;
@@ -122,13 +152,14 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
      ((This with delta Engine => Engine, Power => Power))
    with Global => null;
 
-   --  After frames that nobody watched: the models are put where the surfaces
-   --  are anew; what has failed is known still.
+   --  After frames that nobody watched: a surface may be anywhere; one that
+   --  has failed is still known.
    function Restarted (This : Monitor) return Monitor is
      ((This with delta
-         Doubts   => (others => 0),
-         Settling => Settling_Count'Last,
-         Engine   => Engine_Monitor.Unknown (This.Engine)))
+         Ranges  => (others => Anywhere),
+         Doubts  => (others => 0),
+         Unknown => Unknown_Frames'Last,
+         Engine  => Engine_Monitor.Unknown (This.Engine)))
    with Global => null;
 
    --  A bit for each surface that has failed, in their order, the first in

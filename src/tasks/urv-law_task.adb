@@ -92,10 +92,8 @@ package body URV.LAW_Task with SPARK_Mode is
       Surface_Health.Write (Now);
       Surface_Memory.Write
         (With_Engine
-           (With_Sent
-              (Watched,
-               (if Routing.Is_Old (Commands) then Watched.Sent
-                else Demands_Of (Servos (Commands, Now)))),
+           ((if Routing.Is_Old (Commands) then With_None_Sent (Watched)
+             else With_Sent (Watched, Demands_Of (Servos (Commands, Now)))),
             Engine,
             (if Routing.Is_Old (Commands) then Before.Power
              else Level_Of (Commands (Throttle)))));

@@ -1,5 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Numerics.Elementary_Functions;
+use Ada.Numerics.Elementary_Functions;
+with Ada.Numerics.Generic_Elementary_Functions;
+
 with Checks;              use Checks;
 with Expectations;        use Expectations;
 with URV.Allocation;      use URV.Allocation;
@@ -7,6 +11,7 @@ with URV.Buffers;         use URV.Buffers;
 with URV.Engine_Monitor;
 with URV.Law_Units;       use URV.Law_Units;
 with URV.PWM_Transform;   use URV.PWM_Transform;
+with URV.Servo_Models;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
 
@@ -14,6 +19,7 @@ package body Surfaces_Tests is
 
    --  The tests, in order.
    procedure Sound_Ones;
+   procedure Quick_And_Slow_Ones;
    procedure Stuck_Ones;
    procedure Small_Offset;
    procedure Old_Sensors;
@@ -25,11 +31,19 @@ package body Surfaces_Tests is
    procedure Stops;
    procedure Engine_Follows;
    procedure Engine_Does_Not;
+   procedure Engine_Held;
    procedure Engine_Unknown;
 
    --  A servo as a textbook has it: a lag of 0.1 s and a rate limit, in
    --  steps of 2 ms. Its words of a frame act from 4 ms after the scan on.
+   --  It may be quicker or slower, and rest within a dead band.
    type Exact is digits 12;
+   type Servo_Kind is record
+      Lag, Rate, Dead_Band : Exact;
+   end record;
+   Usual : constant Servo_Kind :=
+     (Lag => 1.0, Rate => 1.0, Dead_Band => 0.0);
+
    type Exact_Table is array (Surface) of Exact;
    type Rig is record
       Lagged, Place : Exact_Table := (others => 0.0);
@@ -37,10 +51,14 @@ package body Surfaces_Tests is
       Scanned       : Surface_Demands := (others => 0);
       Seen          : Surface_Demands := (others => 0);
       Watch         : Monitor;
+      Kind          : Servo_Kind := Usual;
    end record;
 
    package Engines renames URV.Engine_Monitor;
    package Law_Units renames URV.Law_Units;
+   package Servo_Models renames URV.Servo_Models;
+   package Functions is new Ada.Numerics.Generic_Elementary_Functions (Exact);
+   use Functions;
 
    Free : constant Surface_Flags := None;
 
@@ -63,6 +81,14 @@ package body Surfaces_Tests is
          when Left_Aileron | Right_Aileron => 20.0,
          when Flap                         => 1.365,
          when others                       => 16.0);
+
+   --  Where a servo goes: nowhere within its dead band, a share of the travel.
+   function Goal_Of (Plane : Rig; Which : Surface) return Exact is
+     (if abs (Exact (Plane.Words (Which)) - Plane.Place (Which)) <=
+           Plane.Kind.Dead_Band
+             * Exact (Highest (Which) - Lowest (Which))
+      then Plane.Place (Which)
+      else Exact (Plane.Words (Which)));
 
    function Everywhere (Value : Demand) return Surface_Demands is
      (for Which in Surface => Reachable (Which, Value));
@@ -106,13 +132,13 @@ package body Surfaces_Tests is
          for Which in Surface loop
             if not Stuck (Which) then
                Plane.Lagged (Which) := Plane.Lagged (Which)
-                 + (Exact (Plane.Words (Which)) - Plane.Lagged (Which))
-                   * 0.019_8;
+                 + (Goal_Of (Plane, Which) - Plane.Lagged (Which))
+                   * (1.0 - Exp (-0.02 / Plane.Kind.Lag));
                Plane.Place (Which) := Plane.Place (Which)
                  + Exact'Max
-                     (-Longest (Which),
+                     (-Longest (Which) * Plane.Kind.Rate,
                       Exact'Min
-                        (Longest (Which),
+                        (Longest (Which) * Plane.Kind.Rate,
                          Plane.Lagged (Which) - Plane.Place (Which)));
             end if;
          end loop;
@@ -180,14 +206,64 @@ package body Surfaces_Tests is
       Expect_Number ("named", Count (Plane.Watch.Failed), 0);
    end Sound_Ones;
 
+   --  Words at frame N: steps, doublets, sweeps and a random telegraph.
+   function Any_Word (Frame, Sort : Natural) return Demand is
+     (case Sort mod 6 is
+         when 0      => (if Frame / 40 mod 2 = 0 then 1_455 else -1_455),
+         when 1      => (case Frame mod 50 is
+                            when 0 .. 6  => 2_047,
+                            when 7 .. 13 => -2_048,
+                            when others  => 0),
+         when 2      => Demand
+                          (2_000.0
+                           * Sin (Float (Frame * Frame) / 8_000.0)),
+         when 3      => Demand (300.0 * Sin (Float (Frame) * 0.9)),
+         when 4      => (if Frame * Frame mod 97 mod 5 < 2
+                         then 2_047 else -2_048),
+         when others => Frame * 7_919 mod 4_001 - 2_000);
+
+   --  A lag and a rate limit of half to one and a half times the usual ones,
+   --  or no rate limit at all, and a dead band of up to 1 % of the travel.
+   procedure Quick_And_Slow_Ones is
+      Lags  : constant array (1 .. 4) of Exact := (0.2, 0.5, 1.0, 1.5);
+      Rates : constant array (1 .. 4) of Exact := (0.5, 1.0, 1.5, 1.0E6);
+      Bands : constant array (1 .. 2) of Exact := (0.0, 0.01);
+      Frames : constant Positive :=
+        (if Contracts_Are_Executed then 60 else 600);
+   begin
+      for Lag of Lags loop
+         for Rate of Rates loop
+            for Band of Bands loop
+               for Sort in 0 .. 5 loop
+                  declare
+                     Plane : Rig := (Kind => (Lag, Rate, Band), others => <>);
+                  begin
+                     for Frame in 1 .. Frames loop
+                        Fly (Plane, Everywhere (Any_Word (Frame, Sort)),
+                             Bias => Frame mod 21 - 10);
+                     end loop;
+                     Expect_Number
+                       ("lag" & Lag'Image & ", rate" & Rate'Image
+                        & ", dead band" & Band'Image & ", words"
+                        & Sort'Image,
+                        Count (Plane.Watch.Failed), 0);
+                  end;
+               end loop;
+            end loop;
+         end loop;
+      end loop;
+   end Quick_And_Slow_Ones;
+
    procedure Stuck_Ones is
+      --  Until a flap's bounds have come in.
+      Coming_In : constant := 400;
    begin
       for Which in Surface loop
          declare
             Plane  : Rig;
             Named : Natural := 0;
          begin
-            Fly (Plane, Everywhere (0), Frames => 100);
+            Fly (Plane, Everywhere (0), Frames => Coming_In);
             for Frame in 1 .. 25 loop
                Fly (Plane, Everywhere (400), (None with delta Which => True));
                if Plane.Watch.Failed (Which) and then Named = 0 then
@@ -206,11 +282,14 @@ package body Surfaces_Tests is
 
    procedure Small_Offset is
       Plane : Rig;
+      --  The largest dead band.
+      Band  : constant Demand := Servo_Models.Dead_Band (Left_Aileron);
    begin
-      Fly (Plane, Everywhere (0), Frames => 100);
+      Fly (Plane, Everywhere (0), Frames => 400);
       Fly (Plane, Everywhere (0), Bias => Allowance, Frames => 500);
       Expect_Number ("named within", Count (Plane.Watch.Failed), 0);
-      Fly (Plane, Everywhere (0), Bias => Allowance + 20, Frames => 50);
+      Fly (Plane, Everywhere (0), Bias => Band + Allowance + 20,
+           Frames => 50);
       Expect_Number ("named beyond", Count (Plane.Watch.Failed), 10);
    end Small_Offset;
 
@@ -353,7 +432,7 @@ package body Surfaces_Tests is
 
    --  An engine gets nearer to the speed of its throttle by a 25th a frame.
    type Engine_Rig is record
-      Speed : Exact := 2_702.0;
+      Speed : Exact := 2_600.0;
       Watch : Engines.Monitor;
    end record;
 
@@ -410,6 +489,22 @@ package body Surfaces_Tests is
       end loop;
    end Engine_Does_Not;
 
+   procedure Engine_Held is
+      Engine : Engine_Rig;
+   begin
+      --  As the bench holds it: the same word, whatever the throttle does.
+      Engine.Speed := 2_048.0;
+      for Frame in 1 .. 1_000 loop
+         Engine.Watch := Engines.Next
+           (Engine.Watch, (if Frame < 300 then 2_048 else 4_095),
+            2_048, Engines.Cruise, Is_Known => True);
+      end loop;
+      Expect ("told of a speed that is held", Engine.Watch.Failed, False);
+      --  Once it has moved, it is a measurement.
+      Run (Engine, 4_095, 0, 100);
+      Expect ("told of one that has moved", Engine.Watch.Failed, True);
+   end Engine_Held;
+
    procedure Engine_Unknown is
       Engine : Engine_Rig;
    begin
@@ -433,6 +528,8 @@ package body Surfaces_Tests is
    begin
       Add (Suite, "EXT-6 surfaces that follow are not named, whatever moves",
            Sound_Ones'Access);
+      Add (Suite, "EXT-6 D-32 a sound servo is not named, quick or slow",
+           Quick_And_Slow_Ones'Access);
       Add (Suite, "EXT-6 each stuck surface is named within 0.5 s, alone",
            Stuck_Ones'Access);
       Add (Suite, "EXT-6 an offset is allowed up to its limit",
@@ -452,6 +549,8 @@ package body Surfaces_Tests is
            Engine_Follows'Access);
       Add (Suite, "EXT-6 one that does not is told, wherever it is stuck",
            Engine_Does_Not'Access);
+      Add (Suite, "EXT-6 nothing is told of a speed that is held",
+           Engine_Held'Access);
       Add (Suite, "EXT-6 of an engine nothing is told on the ground or unseen",
            Engine_Unknown'Access);
    end Add_To;
