@@ -80,6 +80,18 @@ def orders(text):
             yield to_us(words[0]), words[1:]
 
 
+def servo_faults(path):
+    """When the first fault of each servo begins, by its name."""
+    found = {}
+    text = Path(path).read_text(encoding="utf-8-sig") if path else ""
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if words[1:2] == ["surface"]:
+            time = to_us(words[0])
+            found[words[2]] = min(time, found.get(words[2], time))
+    return found
+
+
 class Disturbances:
     """Of one flight.
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Looks at the record of a flight for what must never happen (SAF-1 to SAF-6,
-SAF-9, SAF-11). It knows the hazards and the record, and nothing of the software:
+SAF-9 to SAF-11, EXT-6). It knows the hazards and the record, and nothing of the software:
 docs/evidence/safety-monitor.md says what it checks, and from what its times come.
 
     python3 scripts/safety/monitor.py RECORD [--sticks FILE] [--sensors FILE]
-            [--faults FILE]
+            [--faults FILE] [--conditions FILE]
     python3 scripts/safety/monitor.py --gsc RECORD --mcs RECORD
 
 A line for each violation, then a sum; exit status 1 when there is any. The
@@ -14,7 +14,8 @@ move only as a frame of the ground begins, as the simulated pilot moves it.
 
 For a test, with this folder in sys.path:
 
-    findings = monitor.check(record, sticks=None, sensors=None, faults=None)
+    findings = monitor.check(record, sticks=None, sensors=None, faults=None,
+                             conditions=None)
     findings = monitor.check_partitions(gsc=None, mcs=None, starts=(),
                                         disturbed=(), schedule="report")
     assert findings.violations == []
@@ -138,6 +139,11 @@ class Record:
             name: [int(row[titles.index(name)]) for row in rows]
             for name in ("frame", "overruns") if name in titles}
         self.by_law = law_rows(titles, rows)
+        self.failed = ([int(row[titles.index("laws.failed")]) for row in rows]
+                       if "laws.failed" in titles else [])
+        self.truth = [
+            [value for title, value in zip(titles, row, strict=True)
+             if title.startswith("truth.")] for row in rows]
         for name, group, items in BUFFERS:
             wanted = [f"{group}.{item}" for item in items]
             if wanted[0] not in titles:
@@ -181,6 +187,12 @@ class Record:
             found.append(words)
         return found
 
+
+# A bit each in laws.failed, and what measures it: docs/surfaces.md.
+FAILED_BITS = (*(f"{side}_{name}" for name in (
+    "aileron", "elevator", "rudder") for side in ("left", "right")),
+    "left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2", "throttle")
+MEASURES = {"throttle": ("rpm", "airspeed")}
 
 BUFFERS = (("console", "console", COMMANDS),
            ("gsc_uplink", "gsc.uplink", (*COMMANDS, "error")),
@@ -327,8 +339,11 @@ class Flight(Checker):
     """A flight of the simulation."""
 
     def __init__(self, record, sticks, sensors, faults, schedule, drift,
-                 lock):
+                 lock, conditions):
         super().__init__()
+        self.servo_faults = disturbances.servo_faults(faults)
+        self.measured_wrongly = {*self._scripted(sensors),
+                                 *self._with_errors(conditions)}
         self.record = Record(record)
         self.own_scan_us = OWN_SCAN_US[schedule]
         self.scan_offsets_us = SCAN_OFFSETS_US[schedule]
@@ -359,13 +374,29 @@ class Flight(Checker):
         return Timeline(begins, words)
 
     @staticmethod
-    def _sensors(path):
+    def _scripted(path):
+        """The sensors that a script gives."""
+        if not path:
+            return []
+        with open(path, encoding="utf-8-sig") as file:
+            return [title.strip() for title in file.readline().split(",")]
+
+    @staticmethod
+    def _with_errors(path):
+        """The sensors that the conditions give a bias or noise."""
+        lines = (Path(path).read_text(encoding="utf-8").splitlines()
+                 if path else [])
+        return [words[1] for words in (
+                    line.split("#")[0].split() for line in lines)
+                if words and words[0] in ("bias", "noise")]
+
+    @classmethod
+    def _sensors(cls, path):
         """Of the sensors that the script gives; the bench or the aircraft
         moves the others."""
         if not path:
             return None
-        with open(path, encoding="utf-8-sig") as file:
-            titles = [title.strip() for title in file.readline().split(",")]
+        titles = cls._scripted(path)
         line = timelines.of_script(path, SENSORS, NEUTRAL_SENSORS)
         known = [name in titles for name in SENSORS]
         return line.map(lambda words: tuple(
@@ -391,8 +422,26 @@ class Flight(Checker):
                 self.record.times, self.record.gsc_downlink,
                 self.fresh_downlinks, self.downlink_rows,
                 self.excuse_downlink, "gsc.downlink", (*SENSORS, "error"))
+            self.check_failed_surfaces()
         return Findings(self.violations, self.wrong_blocks,
                         len(self.record.times))
+
+    def check_failed_surfaces(self):
+        """A surface is reported as failed only when a fault of its servo is in
+        force. After a crash no surface moves any more."""
+        before, stood = 0, None
+        for time, failed, truth in zip(
+                self.record.times, self.record.failed, self.record.truth):
+            if truth and truth == stood:
+                return
+            new, before, stood = failed & ~before, failed, truth
+            for bit, name in enumerate(FAILED_BITS):
+                if (new >> bit & 1
+                        and self.servo_faults.get(name, ENDLESS) > time
+                        and not self.measured_wrongly.intersection(
+                            MEASURES.get(name, (name,)))):
+                    self.say(time, f"laws.failed: {name} is reported, and no"
+                             " fault of its servo is in force")
 
     def came_between_rows(self, place, words):
         """Two frames of the aircraft may end between two rows, for in step
@@ -653,10 +702,10 @@ class Flight(Checker):
 
 
 def check(record, sticks=None, sensors=None, faults=None,
-          schedule="report", drift=None, lock=False):
+          schedule="report", drift=None, lock=False, conditions=None):
     """A flight of the simulation, from its record and what it was given."""
     return Flight(record, sticks, sensors, faults, schedule, drift,
-                  lock).run()
+                  lock, conditions).run()
 
 
 class Partitions(Checker):
@@ -776,7 +825,7 @@ def text(names, words):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("record", nargs="?", help="of a simulated flight")
-    for option in ("sticks", "sensors", "faults"):
+    for option in ("sticks", "sensors", "faults", "conditions"):
         parser.add_argument(f"--{option}", help="that the flight was given")
     parser.add_argument("--schedule", choices=sorted(OWN_SCAN_US),
                         default="report", help="that the nodes kept")
@@ -794,7 +843,8 @@ def main():
             check_partitions(given.gsc, given.mcs, schedule=given.schedule)
             if partitions
             else check(given.record, given.sticks, given.sensors,
-                       given.faults, given.schedule, given.drift, given.lock))
+                       given.faults, given.schedule, given.drift, given.lock,
+                       given.conditions))
     except (OSError, ValueError) as error:
         print(f"monitor.py: {error}", file=sys.stderr)
         return 2

@@ -151,7 +151,7 @@ def must_be_safe(folder, record, options):
         return
     findings = monitor.check(path, **{
         name: folder / options[f"--{name}"]
-        for name in ("sticks", "sensors", "faults")
+        for name in ("sticks", "sensors", "faults", "conditions")
         if options.get(f"--{name}")},
         schedule=options.get("--schedule", "report"),
         drift=options.get("--drift"), lock="--lock" in options)

@@ -170,6 +170,58 @@ def test_saf5_old_words_that_say_so_are_let_pass(flown, group, names):
     assert f"{group}, shown" not in found and f"{group} is" not in found
 
 
+LEFT_RUDDER, THROTTLE = 1 << 4, 1 << 10
+
+
+@pytest.mark.parametrize("bits, faults, conditions, seen", [
+    (LEFT_RUDDER, "", "", ["left_rudder"]),
+    (LEFT_RUDDER + 1, "", "", ["left_aileron", "left_rudder"]),
+    (THROTTLE, "", "", ["throttle"]),
+    # A fault of this servo is in force, of another one, or not yet.
+    (LEFT_RUDDER, "600 surface left_rudder slow 50\n", "", []),
+    (LEFT_RUDDER, "600 surface right_rudder stuck\n", "", ["left_rudder"]),
+    (LEFT_RUDDER, "1200 surface left_rudder stuck\n", "", ["left_rudder"]),
+    (THROTTLE, "600 surface throttle stuck 0\n", "", []),
+    # A sensor that is known to be wrong.
+    (LEFT_RUDDER, "", "bias left_rudder 9 # deg\n", []),
+    (LEFT_RUDDER, "", "noise alpha 1\n", ["left_rudder"]),
+    (THROTTLE, "", "noise rpm 900\n", []),
+])
+def test_saf9_ext6_a_false_surface_failure_is_seen(
+        fly, write, bits, faults, conditions, seen):
+    write("faults.txt", faults or "# none\n")
+    flight = fly("--laws", "on", "--seconds", "1.4")
+    path = flight.path("record.csv")
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    Cells(rows).put(900, 1400, "laws.failed", bits)
+    path.write_text("\n".join(map(",".join, rows)) + "\n")
+    found = monitor.check(
+        path, faults=flight.folder / write("faults.txt", faults or "#\n"),
+        conditions=flight.folder / write("conditions.txt",
+                                         conditions or "#\n")).violations
+    assert [line.split()[3] for line in found] == seen
+    assert all(line.startswith("900 ms: laws.failed: ") for line in found)
+
+
+def test_saf9_ext6_after_a_crash_no_failure_is_false(tmp_path):
+    path = tmp_path / "record.csv"
+    names = ["time_ms", "frame", "truth.altitude_ft", "laws.failed"]
+    rows = [names, *([str(20 * n), str(n - 1), str(max(8, 10 - n)),
+                      str(int(n > 5))] for n in range(1, 9))]
+    record = monitor.Record.__new__(monitor.Record)
+    record.times = [20_000 * n for n in range(1, 9)]
+    record.failed = [int(row[3]) for row in rows[1:]]
+    record.truth = [row[2:3] for row in rows[1:]]
+    flight = monitor.Flight.__new__(monitor.Flight)
+    flight.violations, flight.record = [], record
+    flight.servo_faults, flight.measured_wrongly = {}, set()
+    flight.check_failed_surfaces()
+    assert flight.violations == []
+    record.truth = [[str(n)] for n in range(8)]
+    flight.check_failed_surfaces()
+    assert len(flight.violations) == 1
+
+
 def test_d7_a_wrong_block_is_named_where_the_line_was_faulty(flown):
     """And is a violation where it was not."""
     def alter(cells):
@@ -383,6 +435,19 @@ def test_saf4_no_command_of_before_a_row_of_starts_flies(fly, write, phase):
                      "--phase", phase, "--seconds", "1.5").record
         # While the line is cut, what moved the servos last stays.
         assert len(set(record["pwm.throttle"][52:69])) == 1
+
+
+def test_saf9_ext6_a_sound_servo_reported_as_failed_is_seen(urv_sim, write,
+                                                            tmp_path):
+    """Every flight passes the monitor: it sees the bench's quick servos taken
+    for failed ones."""
+    write("sticks.csv", "time_ms,roll,switch1\n0,2048,4095\n"
+          "2500,3500,4095\n4000,3500,4095\n")
+    result = urv_sim("fly", "--laws", "on", "--sticks", "sticks.csv",
+                     "--record", "record.csv")
+    assert result.returncode == 0, result.stderr
+    assert monitor.check(tmp_path / "record.csv",
+                         tmp_path / "sticks.csv").violations == []
 
 
 # --- records of the partitions -----------------------------------------------
