@@ -38,6 +38,12 @@ NOISE = {"alpha": 0.2, "beta": 0.2, "roll_attitude": 0.1,
          "pitch_attitude": 0.1, "roll_rate": 0.2, "pitch_rate": 0.2,
          "yaw_rate": 0.2, "airspeed": 0.5, "altitude": 1.0}
 
+# All servos of a flight: per cent of the usual lag and rate limit; the dead
+# band in per cent of the travel. A sound servo is within these (EXT-6).
+SERVO_LAG_PERCENT = (50, 150)
+SERVO_RATE_PERCENT = (50, 150)
+SERVO_DEAD_BAND_PERCENT = (0, 1)
+
 # Probability that a bit on the line is wrong, and how long the line is cut;
 # even in their logarithms.
 BIT_ERRORS = (1e-7, 1e-5)
@@ -97,6 +103,11 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
         values[f"noise_{sensor}"] = between((0, most))
         conditions.append(f"noise {sensor} {values[f'noise_{sensor}']:.3f}")
 
+    # Drawn apart: all else is what it was before there were such.
+    servos = servo_traits(random.Random(f"servos {pilot} {seconds} {seed}"))
+    values |= servos
+    conditions.append("servos " + " ".join(map(str, servos.values())))
+
     values["bit_error_rate"] = float(f"{even_in_logarithm(BIT_ERRORS):.3g}")
     faults = [f"0 {way} ber {values['bit_error_rate']:.3g} {seconds * 1000}"
               for way in ("up", "down")]
@@ -125,6 +136,14 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
     values["cut_ms"] = sum(lengths)
     return Drawn("\n".join(conditions) + "\n", "\n".join(faults) + "\n",
                  values)
+
+
+def servo_traits(chance):
+    """What all servos of the flight are like, by name."""
+    return {name: round(chance.uniform(*pair), 3) for name, pair in (
+        ("servo_lag_percent", SERVO_LAG_PERCENT),
+        ("servo_rate_percent", SERVO_RATE_PERCENT),
+        ("servo_dead_band_percent", SERVO_DEAD_BAND_PERCENT))}
 
 
 def surface_failure(chance, seconds):

@@ -27,12 +27,18 @@ class Flight(NamedTuple):
     @property
     def worst(self):
         """The share of the limit that it used most of."""
-        return max(self.used.values())
+        return max(*self.used.values(),
+                   success.BEYOND if self.has_false_failure else 0.0)
 
     @property
     def is_sound(self):
         """No surface of it fails."""
         return not self.drawn.get("surface_fault")
+
+    @property
+    def has_false_failure(self):
+        """A surface or the engine is reported as failed, and none fails."""
+        return self.is_sound and bool(self.measured.get("surfaces_named"))
 
     @property
     def is_success(self):

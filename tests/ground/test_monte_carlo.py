@@ -65,11 +65,27 @@ def test_what_is_drawn_is_within_its_bounds_and_uses_them():
     for name, (least, most) in (("wind_kt", dispersions.USUAL_WIND_KT),
                                 ("turbulence_kt", dispersions.TURBULENCE_KT),
                                 ("ballast_lb", dispersions.BALLAST_LB),
+                                ("servo_lag_percent",
+                                 dispersions.SERVO_LAG_PERCENT),
+                                ("servo_dead_band_percent",
+                                 dispersions.SERVO_DEAD_BAND_PERCENT),
                                 ("bit_error_rate", dispersions.BIT_ERRORS)):
         values = [each[name] for each in drawn]
         assert least <= min(values) < max(values) <= most
         assert max(values) - min(values) > 0.9 * (most - least)
     assert {each["cuts"] for each in drawn} == {0, 1, 2}
+
+
+def test_servos_are_drawn_without_changing_what_else_is(monkeypatch):
+    drawn = dispersions.draw(7, "standard", 180)
+    lines = drawn.conditions.splitlines()
+    assert lines[-1] == " ".join(["servos", *(
+        str(drawn.values[f"servo_{name}_percent"])
+        for name in ("lag", "rate", "dead_band"))])
+    monkeypatch.setattr(dispersions, "servo_traits", lambda chance: {})
+    other = dispersions.draw(7, "standard", 180)
+    assert other.conditions.splitlines()[:-1] == lines[:-1]
+    assert other.faults == drawn.faults
 
 
 def test_a_surface_fails_as_often_as_is_asked_for():
@@ -153,6 +169,8 @@ def test_a_surface_is_named_wrongly_only_where_none_fails(
         {"summary": {"frames": 1} | ({"failed_surfaces": named} if named
                                      else {})})
     assert flight.measured["surfaces_named"] == len(named)
+    assert flight.has_false_failure == (said == "0 of 1")
+    assert not flight.has_false_failure or not flight.is_success
     page = monte_carlo_page.rates(
         SimpleNamespace(pilot="level"), [flight])
     row = re.search(r"no surface named.*?</tr>", page, re.S)
