@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Looks at the record of a flight for what must never happen (SAF-1 to SAF-6,
-SAF-9 to SAF-11, EXT-6). It knows the hazards and the record, and nothing of the software:
-docs/evidence/safety-monitor.md says what it checks, and from what its times come.
+SAF-9 to SAF-11, EXT-6). It knows the hazards and the record, and nothing of the
+software: docs/evidence/safety-monitor.md says what it checks, and from what its
+times come.
 
     python3 scripts/safety/monitor.py RECORD [--sticks FILE] [--sensors FILE]
             [--faults FILE] [--conditions FILE]
