@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS; use URVOS;
+with URVOS.Frames; use URVOS.Frames;
 with URV.Configurations;
 with URV.CORE_Layout;
 with URV.Law_Status;
@@ -34,6 +35,7 @@ package body URV.Log_Senders with SPARK_Mode is
         Surface_Memory.Contents;
       Now      : constant URV.Configurations.Setting :=
         Law_Configured.Contents;
+      Time     : constant Clock_Tick        := Errors.Time;
       Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
    begin
@@ -45,7 +47,7 @@ package body URV.Log_Senders with SPARK_Mode is
          Line.Row := Law_Status.With_Age
            (Law_Status.To_Row
               (Flown, Surface_Monitor.Failed_Bits (Watched), Now),
-            Errors.Time);
+            Time);
          Line.Is_Laws := True;
          Line.Sent := 0;
       elsif Line.Sent = Place'Last
