@@ -88,6 +88,7 @@ class Controls:
         self._pilot_wanted: bool | None = None
         self._insists_until = 0.0
         self._outdated: set[int] = set()
+        self._others: set[int] = set()
         self._late: Late | None = None
 
     def hears(self, console: int, said: dict[str, Any],
@@ -144,6 +145,7 @@ class Controls:
         self._outdated.discard(console)
         if not self._outdated:
             self.view.alerts.away(RELOAD, self._now(), 0.0)
+        self._knows_its_gamepad(console, self._now())
         self._tell()
 
     def outdated(self, console: int) -> None:
@@ -174,7 +176,6 @@ class Controls:
             for key in NOT_FLYING:
                 if key != CLOSED or self._pilot_flies():
                     alerts.away(key, now, 0.0)
-            alerts.away(OTHER, now, 0.0)
         elif (self.sticks.silence(now) >= REPORTED_S
               and not any(map(alerts.active, NOT_FLYING))):
             self._caution(SILENT, f"console {self.sticks.holder}: nothing from"
@@ -266,10 +267,17 @@ class Controls:
                  now: float) -> None:
         text = f"console {console} {GAMEPAD[what]}: {name or 'no name'}"
         if what == "other":
+            self._others.add(console)
             self._caution(OTHER, text)
         else:
             self.view.note(INFO, "sticks", text)
         if what in ("chosen", "back"):
+            self._knows_its_gamepad(console, now)
+
+    def _knows_its_gamepad(self, console: int, now: float) -> None:
+        """It flies by one that was chosen, or has gone."""
+        self._others.discard(console)
+        if not self._others:
             self.view.alerts.away(OTHER, now, 0.0)
 
     def _lose(self, console: int, what: str) -> None:

@@ -6,7 +6,7 @@ The browser's gamepads are window.pads; a test moves them.
 
 import pytest
 from station_rig import Station, until
-from test_page import Pages, hold
+from test_page import CONTRAST, Pages, hold
 
 STANDARD = "Vendor Pad (STANDARD GAMEPAD)"
 YOKE = "Flight Yoke 44f"
@@ -235,8 +235,27 @@ def test_gnd52_of_several_the_pilot_chooses(pilot):
     hold(pilot.page)
     pilot.do("pads[0].axes[2] = 1; pads[1].axes[2] = -1").stays("roll", 2048)
     pilot.do("pads[0].axes[2] = 0; pads[1].axes[2] = 0")
-    pilot.page.keyboard.press("g")
-    pilot.page.locator("#pad_list .use").nth(1).click()
+    page = pilot.page
+    other = page.locator("#alert_list li.caution:not(.past)",
+                         has_text="OTHER GAMEPAD")
+    other.wait_for()
+    page.keyboard.press("g")
+    page.locator("#pad_list .map").first.click()
+    page.locator("#map_roll .set").click()
+    page.locator("#pad_hint.caution").wait_for()
+    # GND-28: on the page as a whole, and to be read.
+    assert page.evaluate(CONTRAST) == []
+    assert page.evaluate("""() => {
+      const all = document.getElementById("gamepads");
+      const box = all.getBoundingClientRect();
+      return all.scrollHeight <= all.clientHeight + 1 && box.top >= 0
+        && all.scrollWidth <= all.clientWidth + 1
+        && box.bottom <= innerHeight;
+    }""")
+    page.locator("#close_pads").click()
+    page.keyboard.press("g")
+    page.locator("#pad_list .use").nth(1).click()
     pilot.told("flies by gamepad: Second")
+    other.wait_for(state="detached")
     pilot.stays("roll", 2048)
     pilot.do("pads[0].axes[2] = 1; pads[1].axes[2] = -1").until("roll", 0)

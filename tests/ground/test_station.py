@@ -180,8 +180,41 @@ def test_gnd22_packets_stop_when_the_holder_falls_silent(station):
     assert {"STICKS HELD", "STICKS NEUTRAL"} <= names
 
 
+def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
+    """On every page, within half a second, which frames count."""
+    first, other = station.console(), station.console()
+    first.say({"t": "take"})
+    first.until(lambda state: state["holder"] == first.number, "the sticks")
+    for _ in range(20):
+        first.sticks()
+        time.sleep(0.02)
+
+    def alert(name):
+        def look(state):
+            return [alert for alert in state["alerts"]
+                    if alert["name"] == name and alert["active"]]
+        return look
+    station.wait(alert("PAGE SILENT"), "a caution")
+    until(lambda: "PAGE SILENT" in {
+        each["name"] for each in other.next("alerts")["alerts"]}, "the alert")
+    first.sticks()
+    station.wait(lambda state: not alert("PAGE SILENT")(state), "its end")
+    until(lambda: any(f"console {first.number} flies again after" in
+                      line["text"] for line in station.lines()), "a line")
+    first.close()
+    state = station.wait(alert("PAGE CLOSED"), "a caution")
+    assert state["holder"] is None
+    # It lasts until somebody flies.
+    other.say({"t": "take"})
+    other.until(lambda state: state["holder"] == other.number, "the sticks")
+    assert alert("PAGE CLOSED")(station.state())
+    other.sticks()
+    station.wait(lambda state: not alert("PAGE CLOSED")(state), "its end")
+
+
 @pytest.mark.parametrize(("what", "name"),
-                         [("hidden", "HIDDEN"), ("gamepad", "GAMEPAD")])
+                         [("hidden", "HIDDEN"), ("gamepad", "GAMEPAD"),
+                          ("hung", "BROWSER HUNG")])
 def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
         station, what, name):
     console = station.console()
@@ -704,6 +737,9 @@ def test_gnd24_frames_that_come_while_it_ends_stop_nobody(record, tmp_path):
     '{"t": "order", "table": -1, "orbit": 20, "end": 90}',
     '{"t": "order", "table": true, "orbit": 20, "end": 90}',
     '{"t": "order", "table": 1, "orbit": 2.5, "end": 90}',
+    '{"t": "gamepad", "what": "x", "name": "a"}',
+    '{"t": "gamepad", "what": "lost", "name": 7}',
+    '{"t": "gamepad", "what": "lost", "name": "' + 201 * "a" + '"}',
     '{"t": "answer", "yes": 1}', '{"t": "nothing"}', "[" * 4000])
 def test_gnd24_what_no_page_says_is_not_understood(message):
     assert web.understood(message) is None
