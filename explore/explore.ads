@@ -23,6 +23,12 @@ package Explore is
 
    function Length_Of (Sender : Station) return Block_Length;
 
+   --  And both boards wait for a line with that round trip (LNK-11), though
+   --  the one that is explored has none.
+   procedure Set_Round_Trip (Time : Round_Trip_Time);
+
+   function Round_Trip return Round_Trip_Time;
+
    --  The characters of an exchange, and the most that its two guard times
    --  take.
    function Exchange return Positive is
@@ -35,7 +41,8 @@ package Explore is
    function Frame return Positive is (Exchange + Guard_Times + To_Spare);
 
    --  From whatever state, both boards are in step again within this time.
-   function In_Step_Within return Positive is (4 * Exchange + 44);
+   function In_Step_Within return Positive is
+     (4 * Exchange + 44 + 4 * Natural (Round_Trip));
 
    --  What is on the line for a character time. A byte of a block, or its
    --  checksum, may look like anything to who does not take it for that, so

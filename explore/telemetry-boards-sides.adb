@@ -15,8 +15,16 @@ package body Telemetry.Boards.Sides is
 
    Peer : constant Station := (if Role = Ground then Aircraft else Ground);
 
+   function Fresh_Board return Board;
+
    function Fresh_Board return Board is
-     (New_Board (Role, Length_Of (Role), Length_Of (Peer)));
+   begin
+      return Result : Board :=
+        New_Board (Role, Length_Of (Role), Length_Of (Peer))
+      do
+         Set_Round_Trip (Result, Round_Trip);
+      end return;
+   end Fresh_Board;
 
    --  The first character of a message of ours, and of one to us.
    function Our_Header return Byte is (Data_Header (Length_Of (Role)));

@@ -2,10 +2,11 @@
 
 --  Explores both telemetry boards exhaustively: docs/evidence/exploration.md.
 --
---     urv_explore [UP DOWN [in-step]]
+--     urv_explore [UP DOWN [in-step [ROUND_TRIP]]]
 --
 --  UP and DOWN are the bytes of a block each way, 28 and 56 if nothing is
---  said; in-step leaves out the fresh blocks.
+--  said; in-step leaves out the fresh blocks. Both boards wait for a line with
+--  that round trip, in character times; 0 if nothing is said.
 --  Exit status: 0 all is well; 1 something was found, and is printed; 2 the
 --  arguments are wrong.
 
@@ -27,6 +28,9 @@ procedure URV_Explore is
 
    --  The length of a block that an argument gives.
    function Length (Number : Positive) return Headers.Block_Length;
+
+   --  The round trip that the last argument gives.
+   function Round_Trip return Round_Trip_Time;
 
    --  Says what a search has found.
    procedure Report (Name : String; Item : Findings);
@@ -52,6 +56,18 @@ procedure URV_Explore is
         """" & Argument (Number)
         & """ is no length of a block: 1, 2, 4, 28 or 56";
    end Length;
+
+   function Round_Trip return Round_Trip_Time is
+   begin
+      for Value in Round_Trip_Time loop
+         if Round_Trip_Time'Image (Value) = " " & Argument (4) then
+            return Value;
+         end if;
+      end loop;
+      raise Wrong_Argument with
+        """" & Argument (4) & """ is no round trip: 0 to"
+        & Round_Trip_Time'Last'Image;
+   end Round_Trip;
 
    procedure Report (Name : String; Item : Findings) is
    begin
@@ -114,7 +130,7 @@ procedure URV_Explore is
       Aircraft.Check_Normal (1, Calls, Is_Exact);
       Report_Normal ("aircraft", Calls, Is_Exact);
       Flush;
-      if not Is_Well or else Argument_Count = 3 then
+      if not Is_Well or else Argument_Count in 3 | 4 then
          return;
       end if;
 
@@ -153,11 +169,16 @@ procedure URV_Explore is
          raise;
    end Explorer;
 begin
-   if Argument_Count not in 0 | 2 | 3
-     or else (Argument_Count = 3 and then Argument (3) /= "in-step")
+   if Argument_Count not in 0 | 2 | 3 | 4
+     or else (Argument_Count in 3 | 4 and then Argument (3) /= "in-step")
    then
-      raise Wrong_Argument with "usage: urv_explore [UP DOWN [in-step]]";
-   elsif Argument_Count > 0 then
+      raise Wrong_Argument with
+        "usage: urv_explore [UP DOWN [in-step [ROUND_TRIP]]]";
+   end if;
+   if Argument_Count = 4 then
+      Explore.Set_Round_Trip (Round_Trip);
+   end if;
+   if Argument_Count > 0 then
       Explore.Set_Lengths
         ((Telemetry.Ground   => Length (1),
           Telemetry.Aircraft => Length (2)));
@@ -165,8 +186,9 @@ begin
    Put_Line
      ("blocks of" & Explore.Length_Of (Telemetry.Ground)'Image & " and"
       & Explore.Length_Of (Telemetry.Aircraft)'Image & " bytes, dead space"
-      & Telemetry.Dead_Space'Image & ", idle time"
-      & Telemetry.Idle_Time'Image & ", frame"
+      & Character_Times'Image (Dead_Space_On (Explore.Round_Trip))
+      & ", idle time"
+      & Character_Times'Image (Idle_Time_On (Explore.Round_Trip)) & ", frame"
       & Integer'Image (Explore.Frame) & " character times");
    Flush;
 

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Host.Loss_Times;
+with Host.Option_Values; use Host.Option_Values;
 with Host.Pilot;
 with Host.Text_Numbers;
 
@@ -58,6 +59,13 @@ package body Host.Option_Help is
             & " 200 (0)",
          when Lock_Option =>
             "the aircraft's frames come in step with the ground's",
+         when Line_Delay_Option =>
+            (if Whose = URV_Sim
+             then "the line takes so long, one way, and both boards wait for"
+                  & " it, "
+             else "of a line slower than a wire, one way, for both nodes"
+                  & " alike, ")
+            & Line_Delay_Range & " (0)",
          when Schedule_Option =>
             "of the tasks: report or fast (report)",
          when Processors_Option =>

@@ -45,6 +45,26 @@ package body Host.Option_Values is
       return Microseconds (Amount);
    end Time_Of;
 
+   function Line_Delay_Range return String is
+     ("0 to " & Thousandths_Image (Number (Telemetry.Line_Delay'Last)));
+
+   function Line_Delay_Of
+     (Title : String;
+      Value : String) return Telemetry.Line_Delay
+   is
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      Read_Decimal (Value, 3, Amount, Is_Valid);
+      Refuse_Unless
+        (Is_Valid and then Amount <= Number (Telemetry.Line_Delay'Last),
+         Title, Value,
+         "not a number of milliseconds from " & Line_Delay_Range
+         & " with at most three decimals: a frame has no room for an exchange"
+         & " over a slower line");
+      return Telemetry.Line_Delay (Amount);
+   end Line_Delay_Of;
+
    function Whole_Of
      (Title : String;
       Value : String;

@@ -5,6 +5,7 @@
 --  raises Bad_Input.
 
 with Host.Text_Numbers; use Host.Text_Numbers;
+with Telemetry;
 
 package Host.Option_Values is
 
@@ -14,6 +15,14 @@ package Host.Option_Values is
      (Title   : String;
       Value   : String;
       Longest : Microseconds) return Microseconds;
+
+   --  What the boards leave room for: "0 to 1.392".
+   function Line_Delay_Range return String;
+
+   --  Microseconds, of a value in milliseconds with at most three decimals.
+   function Line_Delay_Of
+     (Title : String;
+      Value : String) return Telemetry.Line_Delay;
 
    --  From 0 to Last.
    function Whole_Of

@@ -51,6 +51,7 @@ package body Host.Options is
          when Pilot_Option | Schedule_Option   => "NAME",
          when Phase_Option                     => "TICKS",
          when Drift_Option                     => "PPM",
+         when Line_Delay_Option                => "MS",
          when Laws_Option                      => "LAWS",
          when Pace_Option                      => "PACE",
          when Seed_Option | Processors_Option
@@ -106,6 +107,8 @@ package body Host.Options is
               (Signed_Of (Title, Value, Integer (Drift_Number'Last)));
          when Lock_Option =>
             Chosen.Lock := True;
+         when Line_Delay_Option =>
+            Chosen.Line_Delay := Line_Delay_Of (Title, Value);
          when Schedule_Option =>
             Chosen.Schedule :=
               (if Is_First (Title, Value, "report", "fast")

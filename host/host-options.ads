@@ -13,6 +13,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Host.Loss_Times;
 with Host.Option_Values; use Host.Option_Values;
+with Telemetry;
 with URV.Seals;
 
 package Host.Options is
@@ -24,8 +25,8 @@ package Host.Options is
    type Option is
      (Link_Option, Seconds_Option, Plant_Option, Sticks_Option, Pilot_Option,
       Sensors_Option, Faults_Option, Conditions_Option, Orders_Option,
-      Seed_Option, Phase_Option, Drift_Option, Lock_Option, Schedule_Option,
-      Processors_Option, Laws_Option, Orbit_After_Option,
+      Seed_Option, Phase_Option, Drift_Option, Lock_Option, Line_Delay_Option,
+      Schedule_Option, Processors_Option, Laws_Option, Orbit_After_Option,
       Terminate_After_Option, Format_Option, Key_Option,
       Console_Option, Packets_Option, Publish_Option, Record_Option,
       Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
@@ -102,6 +103,10 @@ package Host.Options is
 
       --  The aircraft's frames come in step with the ground's.
       Lock       : Boolean := False;
+
+      --  Of the line between the boards, one way, and what they are told of
+      --  it (LNK-11).
+      Line_Delay : Telemetry.Line_Delay := 0;
 
       Quiet      : Boolean := False;
    end record;

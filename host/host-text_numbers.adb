@@ -127,6 +127,20 @@ package body Host.Text_Numbers is
         (if Value < 0 then Text else Text (Text'First + 1 .. Text'Last));
    end Image;
 
+   function Thousandths_Image (Value : Number) return String is
+      Text : constant String :=
+        Image (Long_Long_Integer (1_000 + Value mod 1_000));
+      Last : Positive := Text'Last;
+   begin
+      while Last > Text'First and then Text (Last) = '0' loop
+         Last := Last - 1;
+      end loop;
+      return
+        Image (Long_Long_Integer (Value / 1_000))
+        & (if Last = Text'First then ""
+           else "." & Text (Text'First + 1 .. Last));
+   end Thousandths_Image;
+
    function Hexadecimal_Image (Value : Number) return String is
       Digit : constant String (1 .. 16) := "0123456789abcdef";
       Text  : String (1 .. 16);

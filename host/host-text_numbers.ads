@@ -38,6 +38,9 @@ package Host.Text_Numbers is
    --  How the value is written, without a leading blank.
    function Image (Value : Long_Long_Integer) return String;
 
+   --  A number of thousandths, with no more decimals than it takes: "1.392".
+   function Thousandths_Image (Value : Number) return String;
+
    --  In hexadecimal digits, without a mark.
    function Hexadecimal_Image (Value : Number) return String;
 

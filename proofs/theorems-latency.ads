@@ -46,13 +46,15 @@ package Theorems.Latency with SPARK_Mode, Ghost is
 
    --  From the scan's end, when TELOUT gives the ground's board the uplink,
    --  until the aircraft's has it: header, data, checksum, and the guard time,
-   --  which is up to one count of the board's timer shorter.
+   --  which is up to one count of the board's timer shorter. Line is the delay
+   --  of the line itself (LNK-11), 0 on a wire.
 
-   Most_On_Line : constant Microseconds :=
-     (Uplink_Length + 2 + Integer (Guard_Time)) * Microseconds_Per_Character;
+   function Most_On_Line (Line : Line_Delay) return Microseconds is
+     ((Uplink_Length + 2 + Integer (Guard_Time)) * Microseconds_Per_Character
+      + Line);
 
-   Least_On_Line : constant Microseconds :=
-     Most_On_Line - Microseconds_Per_Character;
+   function Least_On_Line (Line : Line_Delay) return Microseconds is
+     (Most_On_Line (Line) - Microseconds_Per_Character);
 
    --  When in the aircraft's frame the uplink comes.
    function Uplink_Comes (Item : Situation) return Microseconds is
@@ -78,33 +80,54 @@ package Theorems.Latency with SPARK_Mode, Ghost is
      Pre    => Is_In_Step (Item),
      Post   => Aircraft_Scan_Ends < Uplink_Comes (Item);
 
-   --  When the ground's TELIN runs the exchange is over.
-   procedure A_Downlink_Comes_Before_TELIN
+   --  When in the ground's frame the exchange is over: each of its first
+   --  four messages has crossed the line.
+   function Downlink_Comes (Line : Line_Delay) return Microseconds is
+     (Ground_Scan_Ends + Exchange * Microseconds_Per_Character + 4 * Line);
+
+   --  By how much later than in that frame the ground's TELIN takes it.
+   function Taken_Later (Line : Line_Delay) return Microseconds is
+     (if Downlink_Comes (Line) <=
+        Time_Of (GSC.Task_List (GSC.TELIN_Task) (Fast).Offset)
+      then 0
+      else Frame_Time);
+
+   --  On a wire, and up to a delay of 92 us, the exchange is over when the
+   --  ground's TELIN runs; by a slower line, before it runs again.
+   procedure A_Downlink_Comes_Before_TELIN (Line : Line_Delay)
    with
      Global => null,
      Post   =>
-       Ground_Scan_Ends + Exchange * Microseconds_Per_Character <=
-         Time_Of (GSC.Task_List (GSC.TELIN_Task) (Fast).Offset);
+       Downlink_Comes (Line) <=
+         Time_Of (GSC.Task_List (GSC.TELIN_Task) (Fast).Offset)
+         + Taken_Later (Line)
+       and then (if Line <= 92 then Taken_Later (Line) = 0);
 
    --  From the scan to the servos.
-   function Stick_To_Servo (Item : Situation) return Microseconds is
-     (Scan_Time + Most_On_Line + Item.Before
+   function Stick_To_Servo
+     (Item : Situation; Line : Line_Delay) return Microseconds
+   is
+     (Scan_Time + Most_On_Line (Line) + Item.Before
       + Time_Of (MCS.Task_List (MCS.PWM_Task) (Fast).Offset)
       - Time_Of (MCS.Task_List (MCS.TELIN_Task) (Fast).Offset));
 
    --  From the scan until the uplink comes, and from there on.
-   function Sensor_To_CORE (Item : Situation) return Microseconds is
+   function Sensor_To_CORE
+     (Item : Situation; Line : Line_Delay) return Microseconds
+   is
      (Uplink_Comes (Item) - Aircraft_Scan_Begins
       + Time_Of (GSC.Task_List (GSC.CORE_Task) (Fast).Offset)
-      - Ground_Scan_Ends - Least_On_Line);
+      + Taken_Later (Line) - Ground_Scan_Ends - Least_On_Line (Line));
 
-   --  With the 20 ms that a change may wait for its scan, 28 and 30 ms.
-   procedure In_Step_Both_Are_Bounded (Item : Situation)
+   --  With the 20 ms that a change may wait for its scan, 28 and 30 ms on a
+   --  wire; by a line slower than 92 us a sensor takes a frame longer.
+   procedure In_Step_Both_Are_Bounded (Item : Situation; Line : Line_Delay)
    with
      Global => null,
      Pre    => Is_In_Step (Item),
      Post   =>
-       Stick_To_Servo (Item) <= 7_987
-       and then Sensor_To_CORE (Item) <= 9_892;
+       Stick_To_Servo (Item, Line) <= 7_987 + Line
+       and then Sensor_To_CORE (Item, Line) <=
+         9_892 - Line + Taken_Later (Line);
 
 end Theorems.Latency;

@@ -434,6 +434,21 @@ package body Theorems.Results with SPARK_Mode is
       Same := One = Other;
    end Of_Clear_Transmit_Half;
 
+   procedure Of_Set_Round_Trip
+     (Item : Board;
+      Time : Round_Trip_Time;
+      Same : out Boolean)
+   is
+      One, Other : Board := Item;
+   begin
+      Set_Round_Trip (One, Time);
+      Set_Round_Trip (Other, Time);
+      Prove_Same_Pairs
+        (One, Other, Receive_Pair (Item), Transmit_Pair (Item));
+      Prove_Same_Board (One, Other);
+      Same := One = Other;
+   end Of_Set_Round_Trip;
+
    procedure Of_Start
      (Item : Board;
       Same : out Boolean)

@@ -209,6 +209,15 @@ package Theorems.Results with SPARK_Mode, Ghost is
      Pre    => Is_Sound (Item),
      Post   => Same;
 
+   procedure Of_Set_Round_Trip
+     (Item : Board;
+      Time : Round_Trip_Time;
+      Same : out Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item),
+     Post   => Same;
+
    procedure Of_Start (Item : Board; Same : out Boolean)
    with
      Global => null,

@@ -107,4 +107,13 @@ package body Theorems.Silence with SPARK_Mode is
    procedure Free_After_Idle_Time
      (Item : Control; Time : Character_Times; Blocks : Buffer_Pair) is null;
 
+   procedure An_Answer_Is_Waited_For
+     (Item   : Control;
+      Line   : Line_Delay;
+      Time   : Character_Times;
+      Blocks : Buffer_Pair) is null;
+
+   procedure An_Exchange_Fits_Into_A_Frame (Round_Trip : Round_Trip_Time)
+   is null;
+
 end Theorems.Silence;

@@ -22,7 +22,12 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
 
    --  The ground idles after it has waited.
    function Idle_After (Item : Control) return Natural is
-     (if Item.Role = Ground then Natural (Idle_Time) else 0);
+     (if Item.Role = Ground then Natural (Idle_Time_On (Item.Round_Trip))
+      else 0);
+
+   --  How long it waits for the other board.
+   function Dead (Item : Control) return Character_Times is
+     (Dead_Space_On (Item.Round_Trip));
 
    --  How many character times of silence the board is from rest, at most.
    function Distance (Item : Control) return Natural is
@@ -32,20 +37,20 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
             elsif Item.Receiver.State = At_End
             then Rest_Of (Guard_Time, Item) + 1
             elsif Item.Receiver.State /= At_Start
-            then Rest_Of (Dead_Space, Item)
+            then Rest_Of (Dead (Item), Item)
             else 0),
          when Sending =>
            Natural (Message_Length (Item.Transmit_Length))
            - Natural (Item.Sender.Sent)
-           + Natural (Dead_Space) + Idle_After (Item),
+           + Natural (Dead (Item)) + Idle_After (Item),
          when Awaiting_Status =>
-           Rest_Of (Dead_Space, Item) + Idle_After (Item),
+           Rest_Of (Dead (Item), Item) + Idle_After (Item),
          when Awaiting_Data =>
            (if Item.Receiver.State = At_End
             then Rest_Of (Guard_Time, Item) + 1
-            else Rest_Of (Dead_Space, Item) + Idle_After (Item)),
+            else Rest_Of (Dead (Item), Item) + Idle_After (Item)),
          when Idling =>
-           Rest_Of (Idle_Time, Item))
+           Rest_Of (Idle_Time_On (Item.Round_Trip), Item))
    with
      Pre =>
        (if Item.State = Sending
@@ -59,13 +64,15 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
      (Is_At_Rest (Control_Of (Item)));
 
    --  No state is farther away than a whole message, the dead space and the
-   --  idle time: 102 character times, 9.8 ms, for the longest block.
+   --  idle time: 102 character times, 9.8 ms, for the longest block on a wire,
+   --  and two round trips of a slower line (LNK-11).
    procedure No_State_Is_Far (Item : Board)
    with
      Global => null,
      Pre    => Is_Sound (Item),
      Post   =>
-       Distance (Item) <= Longest_Block + 2 + 44
+       Distance (Item) <=
+         Longest_Block + 2 + 44 + 2 * Natural (Control_Of (Item).Round_Trip)
        and then (Distance (Item) = 0) = At_Rest (Item);
 
    --  One character time of silence: the main program has its turn, then
@@ -102,7 +109,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
      Post   =>
        Is_Sound (Item)
        and then At_Rest (Item)
-       and then Times < Natural (Idle_Time);
+       and then Times <
+         Natural (Idle_Time_On (Control_Of (Item'Old).Round_Trip));
 
    --  After two data messages the ground sends no third, whatever its
    --  controller puts: it commands, or idles (D-28).
@@ -136,6 +144,40 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
          (if Item.State = Idling
             and then Elapsed (Item, Time, Blocks).State /= Idling
           then Natural (Item.Silence) + Natural (Time) >=
-                 Natural (Idle_Time));
+                 Natural (Idle_Time_On (Item.Round_Trip)));
+
+   --  A line slower than a wire (LNK-11)
+
+   --  A board whose last character has left is still waiting when the answer
+   --  comes: a round trip, the other board's guard time and the answer's first
+   --  character later.
+   procedure An_Answer_Is_Waited_For
+     (Item   : Control;
+      Line   : Line_Delay;
+      Time   : Character_Times;
+      Blocks : Buffer_Pair)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item)
+       and then Item.Round_Trip = Round_Trip_Of (Line)
+       and then Item.State in Awaiting_Status | Awaiting_Data
+       and then Item.Receiver.State = At_Start
+       and then Item.Silence = 0
+       and then Integer (Time) * Microseconds_Per_Character <=
+         2 * Line
+         + Integer (Guard_Time + 1) * Microseconds_Per_Character,
+     Post   =>
+       not Is_Over_After (Item, Time)
+       and then Elapsed (Item, Time, Blocks).State = Item.State;
+
+   --  Whatever the line's delay, an exchange without faults and the ground's
+   --  idle time after it fit into a frame: it has two round trips (D-38).
+   procedure An_Exchange_Fits_Into_A_Frame (Round_Trip : Round_Trip_Time)
+   with
+     Global => null,
+     Post   =>
+       Exchange + 2 * Integer (Round_Trip)
+       + Integer (Idle_Time_On (Round_Trip)) < Room_In_Frame;
 
 end Theorems.Silence;

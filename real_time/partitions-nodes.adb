@@ -244,12 +244,13 @@ package body Partitions.Nodes is
 
    procedure Switch_On
      (Processors : Processor_Number;
-      Chosen     : Schedule_Name := Report) is
+      Chosen     : Schedule_Name := Report;
+      Line       : Telemetry.Line_Delay := 0) is
    begin
       Schedule.Write (Chosen);
       Signals.Listen;
       Host.Memory_Hardware.Repair (Processor_Board);
-      Telemetry_Hardware.Switch_On;
+      Telemetry_Hardware.Switch_On (Line);
       Node.Switch_On (Processors, Switched_On_At, Chosen);
    end Switch_On;
 

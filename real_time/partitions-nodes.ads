@@ -100,7 +100,8 @@ package Partitions.Nodes is
    --  Power up of every board.
    procedure Switch_On
      (Processors : Processor_Number;
-      Chosen     : Schedule_Name := Report);
+      Chosen     : Schedule_Name := Report;
+      Line       : Telemetry.Line_Delay := 0);
 
    function Overruns return Count;
 

@@ -26,4 +26,30 @@ package body Partitions.Peer_Watch is
       end if;
    end Look;
 
+   procedure Look
+     (This      : in out Exchange_Watch;
+      Begun     : Count;
+      Ended     : Count;
+      Frame     : Host.Text_Numbers.Number;
+      Is_Broken : out Boolean;
+      Changed   : out Boolean)
+   is
+      Was : constant Boolean := This.Is_Broken;
+   begin
+      if Ended /= This.Ended then
+         This.Is_Broken := False;
+         This.Begun := Begun;
+         This.Ended := Ended;
+         This.Since := Frame;
+      elsif Frame >= This.Since + Longest_Silence then
+         --  Half of a second's are enough.
+         This.Is_Broken := This.Is_Broken
+           or else Begun - This.Begun >= Longest_Silence / 2;
+         This.Begun := Begun;
+         This.Since := Frame;
+      end if;
+      Is_Broken := This.Is_Broken;
+      Changed := This.Is_Broken /= Was;
+   end Look;
+
 end Partitions.Peer_Watch;

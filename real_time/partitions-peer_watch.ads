@@ -36,7 +36,30 @@ package Partitions.Peer_Watch is
          when Is_Heard    => "heard",
          when Is_Lost     => "lost");
 
+   --  Whether exchanges are whole (RTP-4): what the other node says first in
+   --  each comes in, and so does what ends it. Of the aircraft these are the
+   --  uplinks, and the downlinks that it is asked for; of the ground the
+   --  statuses, and the downlinks.
+   type Exchange_Watch is limited private;
+
+   --  So many beginnings and ends have come up to this frame. Is_Broken is
+   --  True when for a second beginnings have come and no end.
+   procedure Look
+     (This      : in out Exchange_Watch;
+      Begun     : Count;
+      Ended     : Count;
+      Frame     : Host.Text_Numbers.Number;
+      Is_Broken : out Boolean;
+      Changed   : out Boolean);
+
 private
+
+   type Exchange_Watch is limited record
+      Begun     : Count   := 0;
+      Ended     : Count   := 0;
+      Since     : Host.Text_Numbers.Number := 0;
+      Is_Broken : Boolean := False;
+   end record;
 
    type Sighting is record
       Received : Count := 0;

@@ -18,10 +18,12 @@ with Host.Truth_Columns;
 with Partitions.Clocks;
 with Partitions.Exceptions;
 with Partitions.Links;
+with Partitions.Measurements; use Partitions.Measurements;
 with Partitions.Notes;
 with Partitions.Occurrences;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Permission;
+with Partitions.Round_Trips;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
 with URV.Errors;
@@ -39,6 +41,7 @@ procedure Partitions.Run is
    Files  : File_Set;
    Frames : Number := 0;
    Chosen : Choices;
+   Whole  : Exchange_Watch;
    Screen : Writer;
 
    --  Of the whole run: no block came that this node took.
@@ -211,10 +214,40 @@ procedure Partitions.Run is
    end Report_Starts;
 
    procedure Look_Around (State : Peer_State) is
+      Tally     : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
+      Is_Broken : Boolean;
+      Changed   : Boolean;
    begin
       Report_Peer (State);
       Report_Refusals;
       Report_Starts;
+      declare
+         News : constant String := Round_Trips.Next_News (Seconds (Frames));
+      begin
+         if News /= "" then
+            Note (News);
+         end if;
+      end;
+      Look
+        (Whole,
+         Begun     =>
+           (if This = Ground then Round_Trips.Heard else Tally.Received),
+         Ended     => (if This = Ground then Tally.Received else Tally.Sent),
+         Frame     => Frames,
+         Is_Broken => Is_Broken,
+         Changed   => Changed);
+      if Changed then
+         Note
+           (if not Is_Broken
+            then "exchanges are whole again at " & Seconds (Frames) & " s"
+            elsif This = Ground
+            then "the aircraft sends no downlink at " & Seconds (Frames)
+                 & " s, though it answers: it has none, or the line is too"
+                 & " slow for the --line-delay of both nodes"
+            else "the ground asks for no downlink at " & Seconds (Frames)
+                 & " s, though its uplinks come: it does not hear this node,"
+                 & " or too late for its --line-delay");
+      end if;
       declare
          News : constant String := Next_News (Seconds (Frames));
       begin
@@ -336,6 +369,12 @@ procedure Partitions.Run is
         (Result, To, "board_restarts", Number (This_Node.Board_Starts));
       Reports.Put_Field
         (Result, To, "bytes_discarded", Number (Links.Discarded));
+      Reports.Put_Field
+        (Result, To, "line_delay_us", Number (Chosen.Line_Delay));
+      Reports.Put_Times
+        (Result, To, "round_trip_us", Round_Trips.Measured);
+      Reports.Put_Field
+        (Result, To, "late_answers", Number (Round_Trips.Late));
       Reports.End_Group (Result, To);
       Reports.Put_Field (Result, To, "stood_still", Number (This_Node.Pauses));
       Reports.Put_Field
@@ -368,6 +407,7 @@ procedure Partitions.Run is
       use Host.Text_Numbers;
 
       Tally : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
+      Times : constant Statistics := Round_Trips.Measured;
    begin
       Attach_Screen (Screen, Is_Error => Use_Standard_Output (Chosen));
       Put_Line
@@ -383,7 +423,10 @@ procedure Partitions.Run is
          & Number_Of (Tally.Received, Received) & " received, "
          & Image (Long_Long_Integer (Tally.Bad)) & " bad, "
          & Number_Of (Tally.Resets, "reset") & ", "
-         & Image (Long_Long_Integer (This_Node.Refused)) & " refused");
+         & Image (Long_Long_Integer (This_Node.Refused)) & " refused"
+         & (if Times.Number = 0 then ""
+            else ", round trip " & Round_Trips.Image (Times.Median)
+                 & " ms"));
       Close (Screen);
    end Print_Summary;
 
@@ -423,7 +466,8 @@ begin
    end if;
    Clocks.Switch_On;
    This_Node.Switch_On
-     (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule);
+     (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule,
+      Chosen.Line_Delay);
    Write_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 

@@ -7,7 +7,9 @@ with System;
 with Partitions.Exceptions;
 with Partitions.Flood_Guards; use Partitions.Flood_Guards;
 with Partitions.Links; use Partitions.Links;
+with Partitions.Round_Trips;
 with Telemetry;        use Telemetry;
+with Telemetry.Headers; use Telemetry.Headers;
 
 package body Partitions.Telemetry_Processor is
 
@@ -23,8 +25,7 @@ package body Partitions.Telemetry_Processor is
    --  When its input is thrown away, the board listens again after its dead
    --  space of silence, as it does when it has lost its place; at the latest
    --  after five frames.
-   Silence          : constant Time_Span :=
-     Integer (Dead_Space) * Character_Time;
+   Silence          : Time_Span := Integer (Dead_Space) * Character_Time;
    Longest_Deafness : constant Time_Span := Milliseconds (100);
 
    Power : Suspension_Object;
@@ -43,6 +44,17 @@ package body Partitions.Telemetry_Processor is
    On_Line  : Boolean := False;
    Present  : Byte    := 0;
    Ends     : Time    := Time_First;
+
+   --  What is being sent is a data message: it has more than one character.
+   Is_Data : Boolean := False;
+
+   --  The data messages that no status has answered: the last one, and the
+   --  one before it, of which the board has given up the answer.
+   type Unanswered is record
+      Is_There : Boolean := False;
+      Ended_At : Time    := Time_First;
+   end record;
+   Newest, Earlier : Unanswered;
 
    --  How long the board will wait if nothing happens.
    Time_Left : Character_Times := Character_Times'Last;
@@ -67,6 +79,10 @@ package body Partitions.Telemetry_Processor is
 
    --  The interrupt handler.
    procedure Take_In (Now : Time);
+
+   --  A status answers the newest data message if it comes in time for that,
+   --  and else the one before it, if that has no answer.
+   procedure Look_For_Answer (Now : Time; Data : Byte);
 
    --  Everything there is to do.
    procedure Run;
@@ -97,12 +113,33 @@ package body Partitions.Telemetry_Processor is
       --  The board is deaf and dumb meanwhile.
       Links.Discard (Silence, Longest_Deafness);
       On_Line := False;
+      Newest.Is_There := False;
+      Earlier.Is_There := False;
       Time_Left := 0;
       Emptied_At := Clock;
       Told_Until := Emptied_At;
       Overrun := False;
       Start (Guard, Emptied_At);
    end Start_Anew;
+
+   procedure Look_For_Answer (Now : Time; Data : Byte) is
+   begin
+      if not Headers.Is_Valid (Data)
+        or else Headers.Decode (Data).Kind /= Headers.Status
+      then
+         return;
+      elsif Newest.Is_There
+        and then
+          (not Earlier.Is_There
+           or else Round_Trips.Is_In_Time (Now - Newest.Ended_At))
+      then
+         Round_Trips.Note_Answer (After => Now - Newest.Ended_At);
+      elsif Earlier.Is_There then
+         Round_Trips.Note_Answer (After => Now - Earlier.Ended_At);
+      end if;
+      Newest.Is_There := False;
+      Earlier.Is_There := False;
+   end Look_For_Answer;
 
    procedure Take_In (Now : Time) is
       Unused : Boolean;
@@ -114,6 +151,7 @@ package body Partitions.Telemetry_Processor is
       end loop;
       if Heard.Length > 0 then
          Told_Until := Now;
+         Look_For_Answer (Now, Heard.Items (1).Data);
       end if;
    end Take_In;
 
@@ -135,6 +173,17 @@ package body Partitions.Telemetry_Processor is
 
          Ask_Timer (Moment, Elapsed);
          Board.Next_Character (Elapsed, Send, Data, Time_Left);
+         if Send and then not On_Line then
+            if Newest.Is_There then
+               Earlier := Newest;
+               Newest.Is_There := False;
+            end if;
+            Is_Data := False;
+         elsif Send then
+            Is_Data := True;
+         elsif On_Line and then Is_Data then
+            Newest := (Is_There => True, Ended_At => Moment);
+         end if;
          On_Line := Send;
          exit when not Send;
          Present := Data;
@@ -212,8 +261,12 @@ package body Partitions.Telemetry_Processor is
       end loop;
    end Processor;
 
-   procedure Switch_On is
+   procedure Switch_On (Line : Telemetry.Line_Delay) is
    begin
+      Board.Set_Round_Trip (Round_Trip_Of (Line));
+      Round_Trips.Set_Line (Line);
+      Silence :=
+        Integer (Dead_Space_On (Round_Trip_Of (Line))) * Character_Time;
       Set_True (Power);
    end Switch_On;
 

@@ -6,13 +6,14 @@
 --  What has arrived is told before the board is told that time has passed,
 --  and a character begins when the one before it ended, not when the task
 --  woke up: so a task that the machine runs late loses no character and
---  takes no lateness for silence.
+--  takes no lateness for silence. How long answers take it notes (RTP-4).
 --
 --  Only so late, though. A task that has not looked at its input for longer
 --  than Longest_Pause cannot know how old it is, nor is what the board was
 --  about to send of any use. Then the board starts anew, with nothing
 --  received and nothing to send, and the input is thrown away (SAF-4).
 
+with Telemetry;
 with Telemetry.Shared_Boards;
 with URVOS; use URVOS;
 
@@ -21,8 +22,8 @@ generic
 package Partitions.Telemetry_Processor is
 
    --  Power up: the board starts, and its task with it. It hears nothing
-   --  that came before.
-   procedure Switch_On;
+   --  that came before. It waits for a line with that delay (LNK-11).
+   procedure Switch_On (Line : Telemetry.Line_Delay);
 
    --  The reset switch: the board starts anew, at once.
    procedure Reset;

@@ -81,12 +81,13 @@ def core_latencies(record, times):
     return found
 
 
-def fly(phase, drift, schedule, processors, changed=300, program=PROGRAM):
+def fly(phase, drift, schedule, processors, changed=300, program=PROGRAM,
+        options=()):
     """A flight in step; the sensors change while the sticks do."""
     random_ = random.Random(f"{phase} {drift}")
     sticks, sensors = (list(changes(random_, changed)) for _ in range(2))
     seconds = max(sticks[-1], sensors[-1]) / 1e6 + 0.5
-    options = ["--lock", f"--drift={drift}", "--schedule", schedule,
+    options = [*options, "--lock", f"--drift={drift}", "--schedule", schedule,
                "--phase", str(phase), "--processors", str(processors)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder)

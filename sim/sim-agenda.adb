@@ -14,8 +14,8 @@ package body Sim.Agenda is
 
    --  What hardly ever happens is looked at only when it changes.
    Is_Rare    : constant array (Event) of Boolean :=
-     (Extra_Up | Extra_Down | Hardware_Fault | GSC_Started | MCS_Started =>
-        True,
+     (Arrival_Up | Arrival_Down | Extra_Up | Extra_Down | Hardware_Fault
+        | GSC_Started | MCS_Started => True,
       others => False);
    First_Rare : Entry_Time := Never;
 

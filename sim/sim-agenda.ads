@@ -6,7 +6,8 @@ package Sim.Agenda is
 
    --  Of events at the same instant the first named happens first.
    type Event is
-     (Extra_Up, Extra_Down,               --  one more comes than was sent
+     (Arrival_Up, Arrival_Down,           --  one sent comes, by a slow line
+      Extra_Up, Extra_Down,               --  one more comes than was sent
       Character_Up, Character_Down,       --  a character has been sent
       Hardware_Fault,                     --  a node's hardware suffers
       GSC_Converted, MCS_Converted,       --  an A/D conversion is done

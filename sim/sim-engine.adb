@@ -5,6 +5,7 @@ with Sim.Agenda;           use Sim.Agenda;
 with Sim.Controllers;
 with Sim.Faulty_Line;      use Sim.Faulty_Line;
 with Sim.Hardware_Faults;  use Sim.Hardware_Faults;
+with Sim.Slow_Lines;
 with Sim.Windows;          use Sim.Windows;
 with Sim.Wire_Log;
 with Telemetry;            use Telemetry;
@@ -20,6 +21,8 @@ package body Sim.Engine is
      (Ground => GSC_Time_Out, Aircraft => MCS_Time_Out);
    Sent      : constant array (Node) of Event :=
      (Ground => Character_Up, Aircraft => Character_Down);
+   Arrived   : constant array (Node) of Event :=
+     (Ground => Arrival_Up, Aircraft => Arrival_Down);
    Extra     : constant array (Node) of Event :=
      (Ground => Extra_Up, Aircraft => Extra_Down);
    Converted : constant array (Node) of Event :=
@@ -48,6 +51,10 @@ package body Sim.Engine is
    Boards : array (Node) of Hardware;
 
    Link_Line : Line;
+
+   --  How long a character takes to the other board after its last bit has
+   --  left: on a wire no time (LNK-11).
+   Line_Time : Microseconds := 0;
 
    --  A telemetry board starts anew.
    procedure Start_Anew
@@ -110,6 +117,25 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    with Inline_Always;
+
+   --  The other board hears what the line has put before the character.
+   procedure Insert (Sender : Node; Time : Microseconds) with No_Inline;
+
+   --  By a slow line a character comes to the other board later.
+   procedure Delay_Arrival
+     (Sender : Node;
+      Time   : Microseconds;
+      Heard  : Arrival)
+   with No_Inline;
+
+   procedure Delay_Character (Sender : Node; Time : Microseconds)
+   with No_Inline;
+
+   --  It has come.
+   procedure Hear_Late
+     (Sender : Node;
+      Time   : Microseconds;
+      Wire   : in out Text_Output.Writer);
 
    --  The other board hears what the line has added to the node's
    --  characters.
@@ -298,10 +324,7 @@ package body Sim.Engine is
          --  An inserted character comes at once, or behind the doubled one
          --  that is still to come before the character now sent.
          if Board.On_Line.Before.Length > 0 then
-            Append (Board.Added, Board.On_Line.Before);
-            if not Is_Due (Extra (Which)) then
-               Schedule (Extra (Which), Time);
-            end if;
+            Insert (Which, Time);
          end if;
 
          if Text_Output.Is_Open (Wire) then
@@ -338,22 +361,83 @@ package body Sim.Engine is
       May_Speak : Boolean := False;
    begin
       Cancel (Sent (Sender));
+      if Line_Time > 0 then
+         Delay_Character (Sender, Time);
+      else
+         if not Board.On_Line.Is_Lost then
+            Hear (Other (Sender), Time, Board.On_Line.Itself, May_Speak);
+         end if;
+         if Board.On_Line.After.Length > 0 then
+            Append (Board.Added, Board.On_Line.After);
+            Schedule (Extra (Sender), Time + Character_Time);
+         end if;
 
-      if not Board.On_Line.Is_Lost then
-         Hear (Other (Sender), Time, Board.On_Line.Itself, May_Speak);
-      end if;
-      if Board.On_Line.After.Length > 0 then
-         Append (Board.Added, Board.On_Line.After);
-         Schedule (Extra (Sender), Time + Character_Time);
-      end if;
-
-      --  A time-out entered before the character came is too early by now.
-      --  When it is due the board will say so.
-      if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
-         Serve_Telemetry (Other (Sender), Time, Wire);
+         --  A time-out entered before the character came is too early by
+         --  now. When it is due the board will say so.
+         if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
+            Serve_Telemetry (Other (Sender), Time, Wire);
+         end if;
       end if;
       Serve (Sender, Time, Wire);
    end End_Character;
+
+   procedure Insert (Sender : Node; Time : Microseconds) is
+      Board : Hardware renames Boards (Sender);
+   begin
+      if Line_Time > 0 then
+         for Index in 1 .. Board.On_Line.Before.Length loop
+            Delay_Arrival (Sender, Time, Board.On_Line.Before.Items (Index));
+         end loop;
+      else
+         Append (Board.Added, Board.On_Line.Before);
+         if not Is_Due (Extra (Sender)) then
+            Schedule (Extra (Sender), Time);
+         end if;
+      end if;
+   end Insert;
+
+   procedure Delay_Arrival
+     (Sender : Node;
+      Time   : Microseconds;
+      Heard  : Arrival) is
+   begin
+      Slow_Lines.Put (Way_From (Sender), Time + Line_Time, Heard);
+      Schedule
+        (Arrived (Sender), Slow_Lines.Next_Time (Way_From (Sender)));
+   end Delay_Arrival;
+
+   procedure Delay_Character (Sender : Node; Time : Microseconds) is
+      Board : Hardware renames Boards (Sender);
+   begin
+      if not Board.On_Line.Is_Lost then
+         Delay_Arrival (Sender, Time, Board.On_Line.Itself);
+      end if;
+      for Index in 1 .. Board.On_Line.After.Length loop
+         Delay_Arrival
+           (Sender, Time + Character_Time, Board.On_Line.After.Items (Index));
+      end loop;
+   end Delay_Character;
+
+   procedure Hear_Late
+     (Sender : Node;
+      Time   : Microseconds;
+      Wire   : in out Text_Output.Writer)
+   is
+      Way       : constant Direction := Way_From (Sender);
+      Heard     : Arrival;
+      May_Speak : Boolean;
+   begin
+      Slow_Lines.Take (Way, Heard);
+      if Slow_Lines.Next_Time (Way) = Host.Never then
+         Cancel (Arrived (Sender));
+      else
+         Schedule (Arrived (Sender), Slow_Lines.Next_Time (Way));
+      end if;
+      Hear (Other (Sender), Time, Heard, May_Speak);
+      if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
+         Serve_Telemetry (Other (Sender), Time, Wire);
+      end if;
+   end Hear_Late;
 
    procedure Hear_Extra
      (Sender : Node;
@@ -425,8 +509,11 @@ package body Sim.Engine is
       Script     : Faults.Script;
       Seed       : Seed_Number;
       Processors : Processor_Count := 1;
-      Drift      : Drift_Number := 0) is
+      Drift      : Drift_Number := 0;
+      Line       : Telemetry.Line_Delay := 0) is
    begin
+      Line_Time := Microseconds (Line);
+      Slow_Lines.Clear;
       Boards :=
         (Ground   => (others => <>),
          Aircraft => (Timer => Lag, others => <>));
@@ -460,6 +547,8 @@ package body Sim.Engine is
          exit when Time >= Stop;
 
          case Next is
+            when Arrival_Up     => Hear_Late (Ground, Time, Wire);
+            when Arrival_Down   => Hear_Late (Aircraft, Time, Wire);
             when Extra_Up       => Hear_Extra (Ground, Time, Wire);
             when Extra_Down     => Hear_Extra (Aircraft, Time, Wire);
             when Character_Up   => End_Character (Ground, Time, Wire);

@@ -13,19 +13,21 @@
 with Host.Text_Output;
 with Sim.Faults;
 with Sim.Nodes; use Sim.Nodes;
+with Telemetry;
 
 package Sim.Engine is
 
    --  Switches both nodes on: the ground at time 0, the aircraft Lag later,
    --  with ticks that are longer by Drift millionths.
    --  Faults that happen by chance are drawn from Seed. Processors is how
-   --  many the aircraft's node has.
+   --  many the aircraft's node has. Line is the delay of the serial link.
    procedure Start
      (Lag        : Microseconds;
       Script     : Faults.Script;
       Seed       : Seed_Number;
       Processors : Processor_Count := 1;
-      Drift      : Drift_Number := 0);
+      Drift      : Drift_Number := 0;
+      Line       : Telemetry.Line_Delay := 0);
 
    --  Lets everything happen that happens before Stop. Bytes on the link
    --  are written to Wire if that is open.

@@ -562,6 +562,7 @@ package body Sim.Flight is
 
       Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Lock (Chosen.Lock);
+      Nodes.Set_Line (Chosen.Line_Delay);
       Nodes.Set_Laws (Chosen.Laws, Loss_Times.Frames_Of (Chosen.Loss));
       Nodes.Seal_Link
         (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
@@ -570,7 +571,8 @@ package body Sim.Flight is
          Script     => Faults,
          Seed       => Chosen.Seed,
          Processors => Chosen.Processors,
-         Drift      => Chosen.Drift);
+         Drift      => Chosen.Drift,
+         Line       => Chosen.Line_Delay);
       if Chosen.Plant = JSBSim_Plant then
          Start_Aircraft (Chosen);
          Engine.Set_Sensors (Measured);

@@ -99,6 +99,12 @@ package body Sim.Nodes is
       MCS.Frame_Lock.Set (On);
    end Set_Lock;
 
+   procedure Set_Line (Item : Telemetry.Line_Delay) is
+   begin
+      GSC.Telemetry_Board.Set_Round_Trip (Telemetry.Round_Trip_Of (Item));
+      MCS.Telemetry_Board.Set_Round_Trip (Telemetry.Round_Trip_Of (Item));
+   end Set_Line;
+
    procedure Look_At_Frame
      (Which   : Node;
       Ticks   : URVOS.Frame_Clocks.Tick_Count;

@@ -100,6 +100,9 @@ package Sim.Nodes is
    --  in step with the ground's.
    procedure Set_Lock (On : Boolean);
 
+   --  The same: what both boards are told of the line (LNK-11).
+   procedure Set_Line (Item : Telemetry.Line_Delay);
+
    --  What a node requests of its present frame. Its clock has ticked since
    --  this was last asked, or not.
    procedure Look_At_Frame

@@ -49,7 +49,8 @@ DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
 PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
-             "--lock": NODES, "--schedule": NODES, "--laws": ("urv_mcs",),
+             "--lock": NODES, "--line-delay": NODES,
+             "--schedule": NODES, "--laws": ("urv_mcs",),
              "--orders": ("urv_gsc",),
              "--orbit-after": ("urv_mcs",), "--terminate-after": ("urv_mcs",)}
 """Options that are the nodes' own, and whose. What they mean and what is
@@ -75,13 +76,16 @@ def ground(
     message_format: str | None = typer.Option(
         None, "--format", metavar="N",
         help="Of the link's messages, 1 or 2, which is sealed. It goes to"
-        " both nodes, as the next four do."),
+        " both nodes, as the next five do."),
     key: Path | None = typer.Option(
         None, metavar="FILE", help="The keys of format 2."),
     processors: str | None = typer.Option(
         None, metavar="N", help="So many of each node, 1 or 2."),
     lock: bool = typer.Option(
         False, "--lock", help="The aircraft's frames come in step."),
+    line_delay: str | None = typer.Option(
+        None, metavar="MS",
+        help="Of the link, one way, when it is slower than a wire; else 0."),
     schedule: str | None = typer.Option(
         None, metavar="NAME", help="Of the tasks, report or fast."),
     laws: str | None = typer.Option(
@@ -122,6 +126,7 @@ def ground(
     flight.given = {
         "--format": message_format, "--key": key and key.resolve(),
         "--processors": processors, "--lock": lock or None,
+        "--line-delay": line_delay,
         "--schedule": schedule, "--laws": laws,
         "--orders": orders and orders.resolve(),
         "--orbit-after": orbit_after, "--terminate-after": terminate_after}

@@ -255,6 +255,7 @@ def link(flight, summary, events=()):
             f"at most {number(LONGEST_SILENCE_S, 1, 's')}",
             WARNING if seconds > LONGEST_SILENCE_S
             else CAUTION if silence else WELL))
+    lines += round_trip_lines(summary)
     lines += latency_lines(flight, summary)
     if not lines:
         return Answer("Was the link well?", "Link", CAUTION,
@@ -265,6 +266,23 @@ def link(flight, summary, events=()):
             CAUTION: "With remarks: " + "; ".join(beyond) + ".",
             WARNING: "No: " + "; ".join(beyond) + "."}[level]
     return Answer("Was the link well?", "Link", level, text, lines)
+
+
+def round_trip_lines(summary):
+    """What a partition has measured of the line."""
+    counts = summary.get("link") if summary else None
+    times = counts.get("round_trip_us") if isinstance(counts, dict) else None
+    if not isinstance(times, dict) or not times.get("measured"):
+        return
+    for name, field in (("median", "median"), ("at most", "max")):
+        if is_number(times.get(field)):
+            yield Line(f"round trip of the line, {name}",
+                       number(times[field] / 1000, 1, "ms"), "no limit")
+    late = counts.get("late_answers")
+    if is_number(late):
+        yield Line("answers after the board had given up",
+                   counted(late, "message"), "none",
+                   CAUTION if late else WELL)
 
 
 def latency_lines(flight, summary):

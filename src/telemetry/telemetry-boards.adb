@@ -5,6 +5,11 @@ with Telemetry.Senders; use Telemetry.Senders;
 
 package body Telemetry.Boards with SPARK_Mode is
 
+   procedure Set_Round_Trip (This : in out Board; Time : Round_Trip_Time) is
+   begin
+      This.Control.Round_Trip := Time;
+   end Set_Round_Trip;
+
    --  A message that has come to its end went no further: it is good or bad.
    procedure Judge (This : in out Board)
    with

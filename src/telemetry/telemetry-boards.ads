@@ -77,6 +77,19 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Global => null,
      Post   => Is_Sound (New_Board'Result);
 
+   --  How slow the line is (LNK-11). Both boards are told, before they start;
+   --  a new board takes it for a wire.
+   procedure Set_Round_Trip (This : in out Board; Time : Round_Trip_Time)
+   with
+     Global => null,
+     Pre    => Is_Sound (This),
+     Post   =>
+       Is_Sound (This)
+       and then Control_Of (This) =
+         (Control_Of (This'Old) with delta Round_Trip => Time)
+       and then Receive_Pair (This) = Receive_Pair (This'Old)
+       and then Transmit_Pair (This) = Transmit_Pair (This'Old);
+
    --  What a character brings to a board that listens.
    function Heard
      (This         : Board;

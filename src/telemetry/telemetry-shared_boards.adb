@@ -34,6 +34,11 @@ package body Telemetry.Shared_Boards with SPARK_Mode is
            (This, Unused_Data, Unused_Fresh, Unused_Ever_Received);
       end Discard_Received;
 
+      procedure Set_Round_Trip (Time : Round_Trip_Time) is
+      begin
+         Boards.Set_Round_Trip (This, Time);
+      end Set_Round_Trip;
+
       procedure Start is
       begin
          Boards.Start (This);

@@ -36,6 +36,9 @@ package Telemetry.Shared_Boards with SPARK_Mode is
 
       --  The board's side.
 
+      --  Before it starts: see Telemetry.Boards.
+      procedure Set_Round_Trip (Time : Round_Trip_Time);
+
       procedure Start;
 
       --  May_Speak tells whether Next_Character may now give a character; if

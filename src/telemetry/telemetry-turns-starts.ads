@@ -19,6 +19,7 @@ package Telemetry.Turns.Starts with Pure, SPARK_Mode is
      ((Role            => This.Role,
        Transmit_Length => This.Transmit_Length,
        Receive_Length  => This.Receive_Length,
+       Round_Trip      => This.Round_Trip,
        Sender          => This.Sender,
        State           => After_Break (This),
        Tally           => (This.Tally with delta

@@ -9,7 +9,8 @@
 --  When a board that waits hears nothing for the dead space it resets
 --  itself. The ground, before it starts afresh, stays idle until it has
 --  heard nothing for longer than that: by then the aircraft has reset itself
---  too (LNK-9, D-7; docs/link.md has the argument).
+--  too (LNK-9, D-7; docs/link.md has the argument). Both waits are longer by
+--  the round trip of the line (LNK-11, D-38).
 
 with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Memory;    use Telemetry.Memory;
@@ -48,6 +49,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       Downlink_Turns  : Turn_Count      := 0;      --  ground: commands left
       Clear_To_Send   : Boolean         := False;  --  aircraft: may downlink
       In_A_Row        : Row_Count       := 0;      --  ground: sent since idle
+      Round_Trip      : Round_Trip_Time := 0;      --  of the line
 
       --  Data messages received, for the controller (LNK-10).
       Messages        : Count           := 0;
@@ -94,9 +96,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    with Global => null;
 
    function Patience (This : Control) return Character_Times is
-     (if This.State = Idling then Idle_Time
+     (if This.State = Idling then Idle_Time_On (This.Round_Trip)
       elsif This.Receiver.State = At_End then Guard_Time
-      else Dead_Space)
+      else Dead_Space_On (This.Round_Trip))
    with Global => null;
 
    --  Time. Blocks is the transmit pair.

@@ -54,6 +54,32 @@ package Telemetry with Pure, SPARK_Mode is
      Character_Times'Min (24, Room_In_Frame - Exchange - 1);
    Dead_Space : constant Character_Times := Idle_Time * 5 / 6;
 
+   --  A line slower than a wire (LNK-11): an answer comes its round trip
+   --  later. Both boards wait that much longer, and an exchange has two round
+   --  trips, so that three are in a frame, with the idle time. D-38 has why.
+   Longest_Round_Trip : constant :=
+     (Room_In_Frame - Exchange - 1 - Idle_Time) / 3;
+   type Round_Trip_Time is range 0 .. Longest_Round_Trip;
+
+   function Dead_Space_On (Line : Round_Trip_Time) return Character_Times is
+     (Dead_Space + Character_Times (Line))
+   with Global => null;
+
+   function Idle_Time_On (Line : Round_Trip_Time) return Character_Times is
+     (Idle_Time + Character_Times (Line))
+   with Global => null;
+
+   --  How long a character takes at most from one board to the other, in
+   --  microseconds, after its last bit has left: 0 to 1,392.
+   subtype Line_Delay is Integer range
+     0 .. Longest_Round_Trip * Microseconds_Per_Character / 2;
+
+   function Round_Trip_Of (Line : Line_Delay) return Round_Trip_Time is
+     (Round_Trip_Time
+        ((2 * Line + Microseconds_Per_Character - 1)
+         / Microseconds_Per_Character))
+   with Global => null;
+
    pragma Compile_Time_Error
      (Dead_Space < 5,
       "a major frame has no room for an exchange and the ground's idle time");

@@ -207,7 +207,8 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
     orders.write_text("60000000 configure 1 2000 9000\n")
     given = {"--format": "2", "--key": str(key), "--processors": "1",
              "--schedule": "fast", "--laws": "on", "--orbit-after": "10",
-             "--terminate-after": "60.5", "--orders": str(orders)}
+             "--terminate-after": "60.5", "--orders": str(orders),
+             "--line-delay": "0.5"}
     with Ground(tmp_path, "--no-yamcs", "--lock",
                 *(word for pair in given.items() for word in pair)) as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")

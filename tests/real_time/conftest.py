@@ -122,15 +122,18 @@ def flies_again(test):
     return fly
 
 
-# What a partition says of the machine, not of the other node.
-OF_THE_MACHINE = ": stood still before "
+# What a partition says of the machine and of the line's time, not of the
+# other node.
+STOOD_STILL = ": stood still before "
 NO_PRIORITIES = ": no real-time priorities: "
+OF_THE_MACHINE = (
+    STOOD_STILL, ": round trip ", ": answers come ", NO_PRIORITIES)
 
 
 def of_the_link(said):
     """The lines of standard error about the link and the other node."""
     return [line for line in said.splitlines()
-            if OF_THE_MACHINE not in line and NO_PRIORITIES not in line]
+            if not any(each in line for each in OF_THE_MACHINE)]
 
 
 # The exit status of a run without a fault, and of one whose peer was never

@@ -20,13 +20,13 @@ TURNS = "src/telemetry/telemetry-turns.ads"
 CANARIES = {
     "the ground does not wait in its reset": (
         TURNS,
-        "(if This.State = Idling then Idle_Time",
+        "(if This.State = Idling then Idle_Time_On (This.Round_Trip)",
         "(if This.State = Idling then 1",
         "back in step: NEVER",
     ),
     "the aircraft waits longer than the ground ever does": (
         TURNS,
-        "      else Dead_Space)",
+        "      else Dead_Space_On (This.Round_Trip))",
         "      elsif This.Role = Aircraft then 200 else Dead_Space)",
         "back in step: ",
     ),
@@ -84,13 +84,26 @@ def test_real_boards_come_in_step():
     assert figure(out, r"back in step: worst (\d+) character") < 2 * 208
 
 
+def test_lnk11_boards_that_wait_longest_come_in_step():
+    """On a wire: what they wait for is no part of it."""
+    build(ROOT)
+    result = explore(ROOT, "1", "1", "in-step", "29")
+    out = result.stdout
+    assert result.returncode == 0, out + result.stderr
+    assert "dead space 49, idle time 53," in out
+    assert out.count("normal form exact") == 2
+    assert figure(out, r"back in step: (\d+) states") > 1_000_000
+
+
 @pytest.mark.parametrize("arguments", [("28",), ("28", "3"), ("x", "56"),
-                                       ("28", "56", "all")])
+                                       ("28", "56", "all"),
+                                       ("1", "1", "in-step", "30")])
 def test_wrong_arguments_are_refused(arguments):
     build(ROOT)
     result = explore(ROOT, *arguments)
     assert result.returncode == 2
-    assert "usage" in result.stderr or "1, 2, 4, 28 or 56" in result.stderr
+    assert any(each in result.stderr for each in
+               ("usage", "1, 2, 4, 28 or 56", "is no round trip: 0 to 29"))
 
 
 @pytest.mark.parametrize("name", CANARIES)

@@ -34,6 +34,7 @@ with Semaphores_Tests;
 with Senders_Tests;
 with Serial_Line_Tests;
 with Shared_Nodes_Tests;
+with Slow_Line_Tests;
 with Start_Orders_Tests;
 with Starts_Tests;
 with Surfaces_Tests;
@@ -97,6 +98,7 @@ package body All_Tests is
       end if;
       Self_Test_Tests.Add_To (Result, Briefly);
       Link_Tests.Add_To (Result);
+      Slow_Line_Tests.Add_To (Result);
       return Result;
    end Suite;
 

@@ -13,14 +13,13 @@ package body Link_Rig is
    --  Notes a character for the trace.
    procedure Note (This : in out Link; Sender : Station);
 
-   --  Lets the other station hear what arrives of a character, if one is
-   --  sent, and before it what the line has added to the last one.
+   --  Lets the other station hear what arrives of a character, if one comes,
+   --  and before it what the line has added to the last one.
    procedure Deliver
-     (This    : in out Link;
-      Sender  : Station;
-      Is_Sent : Boolean;
-      Data    : Byte;
-      Fault   : Fault_Procedure);
+     (This   : in out Link;
+      Sender : Station;
+      Sent   : Coming;
+      Fault  : Fault_Procedure);
 
    function Block (Mark : Byte) return Block_Data is
    begin
@@ -42,12 +41,25 @@ package body Link_Rig is
       end if;
    end Note;
 
+   function Slow_Link (One_Way : Line_Time; Told : Boolean := True)
+     return Link is
+   begin
+      return Result : Link do
+         Result.One_Way := One_Way;
+         if Told then
+            Set_Round_Trip
+              (Result.Ground_Board, 2 * Round_Trip_Time (One_Way));
+            Set_Round_Trip
+              (Result.Aircraft_Board, 2 * Round_Trip_Time (One_Way));
+         end if;
+      end return;
+   end Slow_Link;
+
    procedure Deliver
-     (This    : in out Link;
-      Sender  : Station;
-      Is_Sent : Boolean;
-      Data    : Byte;
-      Fault   : Fault_Procedure)
+     (This   : in out Link;
+      Sender : Station;
+      Sent   : Coming;
+      Fault  : Fault_Procedure)
    is
       procedure Hear (Heard : Byte; Parity_Error : Boolean := False);
 
@@ -67,20 +79,20 @@ package body Link_Rig is
          This.Added (Sender).Is_There := False;
          Hear (This.Added (Sender).Data);
       end if;
-      if not Is_Sent then
+      if not Sent.Is_There then
          return;
       end if;
       if Fault /= null then
-         Fault (Sender, This.Sent (Sender), What, Mask);
+         Fault (Sender, Sent.Number, What, Mask);
       end if;
       case What is
-         when Whole      => Hear (Data);
-         when Changed    => Hear (Data xor Mask);
-         when Odd_Parity => Hear (Data xor Mask, Parity_Error => True);
+         when Whole      => Hear (Sent.Data);
+         when Changed    => Hear (Sent.Data xor Mask);
+         when Odd_Parity => Hear (Sent.Data xor Mask, Parity_Error => True);
          when Lost       => null;
          when Doubled    =>
-            Hear (Data);
-            This.Added (Sender) := (True, Data xor Mask);
+            Hear (Sent.Data);
+            This.Added (Sender) := (True, Sent.Data xor Mask);
       end case;
    end Deliver;
 
@@ -105,7 +117,18 @@ package body Link_Rig is
             if Send (Sender) then
                Note (This, Sender);
             end if;
-            Deliver (This, Sender, Send (Sender), Data (Sender), Fault);
+            declare
+               Line : Coming_List renames This.On_Its_Way (Sender);
+            begin
+               Line (This.One_Way) :=
+                 (Send (Sender), Positive'Max (1, This.Sent (Sender)),
+                  Data (Sender));
+               Deliver (This, Sender, Line (0), Fault);
+               for Place in Line_Time range 1 .. Line_Time'Last loop
+                  Line (Place - 1) := Line (Place);
+               end loop;
+               Line (Line_Time'Last) := (others => <>);
+            end;
          end loop;
       end loop;
    end Run;

@@ -49,6 +49,17 @@ package Link_Rig is
    end record;
    type Added_Characters is array (Station) of Added_Character;
 
+   --  A line slower than a wire: what is on its way, the next one first.
+   type Line_Time is range 0 .. Longest_Round_Trip / 2;
+
+   type Coming is record
+      Is_There : Boolean  := False;
+      Number   : Positive := 1;
+      Data     : Byte     := 0;
+   end record;
+   type Coming_List is array (Line_Time) of Coming;
+   type Ways is array (Station) of Coming_List;
+
    Longest_Trace : constant := 32;
    type Trace_List is array (1 .. Longest_Trace) of Transmission;
 
@@ -65,6 +76,10 @@ package Link_Rig is
       --  a character time later than the one before it.
       Added          : Added_Characters;
 
+      --  How many character times a character takes, one way.
+      One_Way        : Line_Time := 0;
+      On_Its_Way     : Ways;
+
       --  The turns since the link was made, as many as there is room for.
       Trace          : Trace_List;
       Turns          : Natural := 0;
@@ -77,6 +92,10 @@ package Link_Rig is
    --  Dead space resets of both boards.
    function Resets (This : Link) return Count is
      (Tally (This.Ground_Board).Resets + Tally (This.Aircraft_Board).Resets);
+
+   --  A link with so slow a line, of which both boards are told or not.
+   function Slow_Link (One_Way : Line_Time; Told : Boolean := True)
+     return Link;
 
    --  Lets some character times pass.
    procedure Run
