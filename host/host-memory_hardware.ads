@@ -3,7 +3,7 @@
 --  The memories of the processor boards, behind Devices.Memory_Bus, with
 --  faults to plant (SIM-1, TST-1, TST-3).
 --
---  The ROM holds an image made from numbers, its sum in its last four
+--  The ROM holds an image made from numbers (D-44), its sum in its last four
 --  bytes. The RAM is an array of cells, one a bit. Both are unharmed until a
 --  fault is planted.
 

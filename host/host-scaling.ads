@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  What a word means in engineering units: the one table of the simulation,
---  for every sensor, servo channel and stick.
+--  for every sensor, servo channel and stick. There are no signal conditioners
+--  (D-49).
 --
 --  A converter is linear over its 4096 words. Words of surfaces and sticks
 --  are centred: 0800h is zero. Positive is, on both sides of the aircraft,

@@ -7,7 +7,7 @@
 --  are made together when the last of them is due, 512 us after the first
 --  was started, from values held at the start. A scan that the controller
 --  begins right behind another begins when that one ended: on the target a
---  few instructions pass in between, here two threads take turns.
+--  few instructions pass in between, here two threads take turns (D-42).
 --
 --  On the target the controller's processor takes the interrupt between two
 --  of its instructions, and as soon as the conversion is over. Here another

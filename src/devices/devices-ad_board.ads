@@ -15,7 +15,8 @@ package Devices.AD_Board with Pure, SPARK_Mode is
 
    type Channel_Number is range 0 .. 31;
 
-   --  The interrupt vector that the controller gives the board.
+   --  The interrupt vector that the controller gives the board. Whoever plays
+   --  the hardware calls the handler instead (D-42).
    Interrupt_Vector : constant Byte := 16#40#;
 
    --  Start_Wanted: a channel number has been written, and the hardware has

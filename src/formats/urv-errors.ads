@@ -34,7 +34,7 @@ package URV.Errors with Pure, SPARK_Mode is
       Output_Not_Consumed,     --  TELOUT_variable was overwritten
       No_Output,               --  nothing new in TELOUT_variable
       TELOUT_Overwrote_Block,  --  no transmit buffer was available
-      Commands_Not_Consumed,   --  PWM_variable was overwritten
+      Commands_Not_Consumed,   --  commands_, PWM_variable was overwritten
       No_Commands,             --  nothing new in PWM_, commands_variable
       CORE_No_Uplink,          --  nothing new in uplink_variable
       CORE_No_Downlink,        --  nothing new in downlink_variable

@@ -65,7 +65,8 @@ package URV.Type_Codes with Pure, SPARK_Mode is
      Global => null,
      Post   => Code_Of (Downlink_Item_Of'Result) = Code;
 
-   --  What the channels of a node's converter are. No item has two.
+   --  What the channels of a node's converter are, as they are wired (D-47).
+   --  No item has two. No code selects an item of the control laws (D-48).
 
    type Channel_Codes is array (Channel) of Word;
 

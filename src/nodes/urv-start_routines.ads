@@ -5,7 +5,8 @@
 --
 --  Power up clears CORE and the error log, and nothing has been sent or
 --  received. After the reset switch or an unexpected exception CORE, the
---  error log and the last messages stay, all flags and counts start anew.
+--  error log and the last messages stay, all flags and counts start anew
+--  (D-41).
 --  What the telemetry board received before a start is not acted on.
 
 with Devices.Processor_Memories;

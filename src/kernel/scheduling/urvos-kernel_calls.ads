@@ -11,7 +11,7 @@ package URVOS.Kernel_Calls with Pure, SPARK_Mode is
      (Exit_Call,
       Sleep_Call,         --  until Until_Tick
       Next_Frame_Call,    --  SLEEP until Offset in the next major frame
-      Terminate_Call);
+      Terminate_Call);    --  no task of a node ends (D-45)
 
    type Kernel_Call is record
       Name       : Call_Name;

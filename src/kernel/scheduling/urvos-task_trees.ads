@@ -9,7 +9,7 @@
 --
 --  The report's header holds the task's starting address. Here the
 --  identification number stands for it: the application runs the task of
---  that number when it is told to.
+--  that number when it is told to (D-40).
 
 with URVOS.Arrangements; use URVOS.Arrangements;
 with URVOS.Frames;       use URVOS.Frames;
@@ -45,8 +45,8 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
         Tree (Earlier).Id /= No_Task)
    with Global => null;
 
-   --  A node has one processor or two; the master is number 1, and gives
-   --  the others their numbers at each start (KRN-5, EXT-4, D-23).
+   --  A node has one processor or two (D-46); the master is number 1. At each
+   --  start each loads the tasks of its number (KRN-5, EXT-4, D-23).
    type Processor_Number is range 1 .. 2;
 
    --  When and where tasks run: as the report says (FRM-2), or so that what

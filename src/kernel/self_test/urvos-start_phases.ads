@@ -3,9 +3,9 @@
 --  The first two phases of a start (report, section 3.1; INI-2, D-16, D-22).
 --
 --  Phase one is the operating system's self-test. Phase two is one of the
---  controller's routines, one for each start condition. Then the controller
---  has called START: phase three, the loading of its tasks, is the
---  scheduler's. A failed self-test never reaches phase two.
+--  controller's routines, one for each start condition. That it returns stands
+--  for the report's START call (D-40): phase three, the loading of its tasks,
+--  is the scheduler's. A failed self-test never reaches phase two.
 
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Self_Tests; use URVOS.Self_Tests;
