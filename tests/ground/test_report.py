@@ -570,3 +570,19 @@ def test_gnd14_a_report_tells_what_the_laws_did(lawful, report, tmp_path,
 
 def test_gnd14_without_laws_a_report_says_nothing_of_them(sagging, report):
     assert "control laws" not in report(*of(sagging)).read_text("utf-8")
+
+
+def test_rtp4_a_report_has_the_round_trip_that_a_partition_measured(
+        report, standard, tmp_path):
+    summary = json.loads((standard / "summary.json").read_text("utf-8"))
+    summary["link"] |= {
+        "round_trip_us": {"min": 310, "median": 420, "p99": 2210.5,
+                          "max": 3890, "measured": 499},
+        "late_answers": 2}
+    (tmp_path / "slow.json").write_text(json.dumps(summary), "utf-8")
+    text = Texts(report(standard / "record.csv", "--summary",
+                        tmp_path / "slow.json")).text
+    assert "round trip of the line, median 0.4 ms no limit" in text
+    assert "round trip of the line, at most 3.9 ms no limit" in text
+    assert re.search(r"answers after the board had given up . caution 2"
+                     r" messages none", text), text.split("answers after")
