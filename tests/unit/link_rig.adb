@@ -42,16 +42,15 @@ package body Link_Rig is
    end Note;
 
    function Slow_Link (One_Way : Line_Time; Told : Boolean := True)
-     return Link is
+     return Link
+   is
+      Round_Trip : constant Round_Trip_Time :=
+        (if Told then 2 * Round_Trip_Time (One_Way) else 0);
    begin
       return Result : Link do
          Result.One_Way := One_Way;
-         if Told then
-            Set_Round_Trip
-              (Result.Ground_Board, 2 * Round_Trip_Time (One_Way));
-            Set_Round_Trip
-              (Result.Aircraft_Board, 2 * Round_Trip_Time (One_Way));
-         end if;
+         Set_Round_Trip (Result.Ground_Board, Round_Trip);
+         Set_Round_Trip (Result.Aircraft_Board, Round_Trip);
       end return;
    end Slow_Link;
 

@@ -49,8 +49,9 @@ package Link_Rig is
    end record;
    type Added_Characters is array (Station) of Added_Character;
 
-   --  A line slower than a wire: what is on its way, the next one first.
-   type Line_Time is range 0 .. Longest_Round_Trip / 2;
+   --  A line slower than a wire: what is on its way, the next one first. It
+   --  is as slow as the nodes' frame leaves room for, or slower.
+   type Line_Time is range 0 .. 14;
 
    type Coming is record
       Is_There : Boolean  := False;
