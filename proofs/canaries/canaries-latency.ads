@@ -12,6 +12,6 @@ package Canaries.Latency with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    => Is_In_Step (Item),
-     Post   => Sensor_To_CORE (Item) <= 9_891;  --  VC_POSTCONDITION
+     Post   => Sensor_To_CORE (Item, 0) <= 9_891;  --  VC_POSTCONDITION
 
 end Canaries.Latency;
