@@ -28,12 +28,157 @@ package body Theorems.Laws with SPARK_Mode is
    procedure Damping_Is_Small
      (Stick : Demand; Extra : URV.Law_Axes.Damping) is null;
 
-   procedure Saturated_Trims_Are_Frozen
-     (Roll  : Roll_Trim;
-      Pitch : Pitch_Trim;
-      Power : Power_Trim;
-      Error : Number;
-      By    : Gain) is null;
+   procedure Saturated_Trims_Never_Wind_Up
+     (Roll   : Roll_Trim;
+      Pitch  : Pitch_Trim;
+      Height : Height_Trim;
+      Power  : Power_Trim;
+      Error  : Number;
+      Output : Saturation;
+      By     : Gain) is null;
+
+   procedure Roll_Trim_Recovers
+     (Start  : Roll_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      Table  : Table_Number;
+      After  : out Roll_Trim)
+   is
+      Step    : constant Positive :=
+        Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Hundred;
+      Falling : constant Boolean :=
+        (for all Error of Errors => Error <= -Roll_Learnt)
+        and then not Output.Is_Low;
+      Rising  : constant Boolean :=
+        (for all Error of Errors => Error >= Roll_Learnt)
+        and then not Output.Is_High;
+   begin
+      After := Start;
+      for Frame in Errors'Range loop
+         pragma Loop_Invariant
+           (if Falling
+            then After <= Integer'Max (0, Start - (Frame - 1) * Step));
+         pragma Loop_Invariant
+           (if Rising
+            then After >= Integer'Min
+              (0, Start + (Frame - 1) * Step));
+         After := Next_Roll_Trim
+           (After, Errors (Frame), Output, Gains_Of (Table).Bank_Learning);
+      end loop;
+   end Roll_Trim_Recovers;
+
+   procedure Pitch_Trim_Recovers
+     (Start  : Pitch_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      Table  : Table_Number;
+      After  : out Pitch_Trim)
+   is
+      Step    : constant Positive :=
+        Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Hundred;
+      Falling : constant Boolean :=
+        (for all Error of Errors => Error <= -Pitch_Learnt)
+        and then not Output.Is_Low;
+      Rising  : constant Boolean :=
+        (for all Error of Errors => Error >= Pitch_Learnt)
+        and then not Output.Is_High;
+   begin
+      After := Start;
+      for Frame in Errors'Range loop
+         pragma Loop_Invariant
+           (if Falling
+            then After <= Integer'Max (0, Start - (Frame - 1) * Step));
+         pragma Loop_Invariant
+           (if Rising
+            then After >= Integer'Min
+              (0, Start + (Frame - 1) * Step));
+         After := Next_Pitch_Trim
+           (After, Errors (Frame), Output, Gains_Of (Table).Pitch_Learning);
+      end loop;
+   end Pitch_Trim_Recovers;
+
+   procedure Height_Trim_Recovers
+     (Start  : Height_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      After  : out Height_Trim)
+   is
+      Step    : constant Positive :=
+        Height_Learnt * Height_Learning / Per_Thousand;
+      Falling : constant Boolean :=
+        (for all Error of Errors => Error <= -Height_Learnt)
+        and then not Output.Is_Low;
+      Rising  : constant Boolean :=
+        (for all Error of Errors => Error >= Height_Learnt)
+        and then not Output.Is_High;
+   begin
+      After := Start;
+      for Frame in Errors'Range loop
+         pragma Loop_Invariant
+           (if Falling
+            then After <= Integer'Max (0, Start - (Frame - 1) * Step));
+         pragma Loop_Invariant
+           (if Rising
+            then After >= Integer'Min
+              (0, Start + (Frame - 1) * Step));
+         After := Next_Height_Trim (After, Errors (Frame), Output);
+      end loop;
+   end Height_Trim_Recovers;
+
+   procedure Power_Trim_Recovers
+     (Start  : Power_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      After  : out Power_Trim)
+   is
+      Step    : constant Positive :=
+        Large_Speed_Error * Speed_Learning;
+      Falling : constant Boolean :=
+        (for all Error of Errors => Error <= -Large_Speed_Error)
+        and then not Output.Is_Low;
+      Rising  : constant Boolean :=
+        (for all Error of Errors => Error >= Large_Speed_Error)
+        and then not Output.Is_High;
+   begin
+      After := Start;
+      for Frame in Errors'Range loop
+         pragma Loop_Invariant
+           (if Falling
+            then After <= Integer'Max (0, Start - (Frame - 1) * Step));
+         pragma Loop_Invariant
+           (if Rising
+            then After >= Integer'Min
+              (Power_Trim'Last, Start + (Frame - 1) * Step));
+         After := Next_Power_Trim (After, Errors (Frame), Output);
+      end loop;
+   end Power_Trim_Recovers;
+
+   procedure References_Arrive
+     (Bank, Bank_Target   : Reckoned;
+      Pitch, Pitch_Target : Nose;
+      Bank_After          : out Number;
+      Pitch_After         : out Number)
+   is
+   begin
+      Bank_After := Bank;
+      for Frame in 1 .. Bank_Frames loop
+         pragma Loop_Invariant (Bank_After in Reckoned);
+         pragma Loop_Invariant
+           (abs (Bank_Target - Bank_After) <=
+              Integer'Max
+                (0, abs (Bank_Target - Bank) - (Frame - 1) * Bank_Slew));
+         Bank_After := Stepped (Bank_After, Bank_Target, Bank_Slew);
+      end loop;
+      Pitch_After := Pitch;
+      for Frame in 1 .. Nose_Frames loop
+         pragma Loop_Invariant (Pitch_After in Nose);
+         pragma Loop_Invariant
+           (abs (Pitch_Target - Pitch_After) <=
+              Integer'Max
+                (0, abs (Pitch_Target - Pitch) - (Frame - 1) * Pitch_Slew));
+         Pitch_After := Stepped (Pitch_After, Pitch_Target, Pitch_Slew);
+      end loop;
+   end References_Arrive;
 
    procedure Invalid_Sensors_Disengage
      (Item     : Memory;

@@ -1,11 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the control laws never do and always do (EXT-3, EXT-5), whatever the
---  commands, the sensors and what they remember. They are about the code's
---  own functions. That nothing in them overflows, and that each output is in
---  its converter's range, is proved with their bodies.
+--  What the control laws never do and always do (EXT-3, EXT-5, EXT-8),
+--  whatever the commands, the sensors and what they remember. The theorems are
+--  about the code's own functions. That nothing in them overflows, and that
+--  each output is in its converter's range, is proved with their bodies.
 
 with URV.Buffers;       use URV.Buffers;
+with URV.Integrators;   use URV.Integrators;
 with URV.Law_Axes;      use URV.Law_Axes;
 with URV.Law_Gains;     use URV.Law_Gains;
 with URV.Law_Units;     use URV.Law_Units;
@@ -91,21 +92,173 @@ package Theorems.Laws with SPARK_Mode, Ghost is
      Global => null,
      Post   => abs (Plus (Stick, Extra) - Stick) <= Damping_Authority;
 
-   --  Integrators stand still in saturation; their types bound them.
-   procedure Saturated_Trims_Are_Frozen
-     (Roll  : Roll_Trim;
-      Pitch : Pitch_Trim;
-      Power : Power_Trim;
-      Error : Number;
-      By    : Gain)
+   --  Windup. An integrator whose output is saturated never moves further in,
+   --  whatever its state, and never against the sign of its error. What it
+   --  may hold is bounded by its type.
+   procedure Saturated_Trims_Never_Wind_Up
+     (Roll   : Roll_Trim;
+      Pitch  : Pitch_Trim;
+      Height : Height_Trim;
+      Power  : Power_Trim;
+      Error  : Number;
+      Output : Saturation;
+      By     : Gain)
    with
      Global => null,
      Pre    => Error in -4_095 .. 4_095,
      Post   =>
-       Next_Roll_Trim (Roll, Error, Is_Free => False, By => By) = Roll
+       Follows (Roll, Next_Roll_Trim (Roll, Error, Output, By),
+                Error, Output)
+       and then Follows (Pitch, Next_Pitch_Trim (Pitch, Error, Output, By),
+                         Error, Output)
+       and then Follows (Height, Next_Height_Trim (Height, Error, Output),
+                         Error, Output)
+       and then Follows (Power, Next_Power_Trim (Power, Error, Output),
+                         Error, Output);
+
+   --  Recovery. However far an integrator is wound up, it leaves its limit in
+   --  the first frame of an error of the other sign, unless the output is
+   --  saturated that way too. It has unwound after the frames below of such
+   --  errors: roll, pitch and height are back at zero, power has gone from
+   --  either end of the throttle to the other. The errors are at least those
+   --  that it learns from at most; 10 kt for the airspeed.
+
+   type Error_History is array (Positive range <>) of Number;
+
+   function Frames_For (Distance, Step : Positive) return Positive is
+     ((Distance - 1) / Step + 1)
+   with Global => null;
+
+   Large_Speed_Error : constant := 10 * 32;
+
+   --  625 frames with table 0, 1,000 with table 1.
+   function Roll_Frames (Table : Table_Number) return Positive is
+     (Frames_For
+        (Roll_Trim_Most,
+         Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Hundred))
+   with Global => null;
+
+   --  250 and 500 frames.
+   function Pitch_Frames (Table : Table_Number) return Positive is
+     (Frames_For
+        (Pitch_Trim_Most,
+         Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Hundred))
+   with Global => null;
+
+   --  500 frames.
+   function Height_Frames return Positive is
+     (Frames_For
+        (Height_Trim_Most, Height_Learnt * Height_Learning / Per_Thousand))
+   with Global => null;
+
+   --  854 frames.
+   function Power_Frames return Positive is
+     (Frames_For (Power_Trim'Last, Large_Speed_Error * Speed_Learning))
+   with Global => null;
+
+   procedure Roll_Trim_Recovers
+     (Start  : Roll_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      Table  : Table_Number;
+      After  : out Roll_Trim)
+   with
+     Global => null,
+     Pre    =>
+       Errors'First = 1
+       and then Errors'Last = Roll_Frames (Table)
+       and then (for all Error of Errors =>
+                   Error in -Reckoned_Bank .. Reckoned_Bank),
+     Post   =>
+       (if (for all Error of Errors => Error <= -Roll_Learnt)
+          and then not Output.Is_Low
+        then After <= 0)
        and then
-         Next_Pitch_Trim (Pitch, Error, Is_Free => False, By => By) = Pitch
-       and then Next_Power_Trim (Power, Error, Is_Free => False) = Power;
+         (if (for all Error of Errors => Error >= Roll_Learnt)
+            and then not Output.Is_High
+          then After >= 0);
+
+   procedure Pitch_Trim_Recovers
+     (Start  : Pitch_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      Table  : Table_Number;
+      After  : out Pitch_Trim)
+   with
+     Global => null,
+     Pre    =>
+       Errors'First = 1
+       and then Errors'Last = Pitch_Frames (Table)
+       and then (for all Error of Errors =>
+                   Error in -Reckoned_Bank .. Reckoned_Bank),
+     Post   =>
+       (if (for all Error of Errors => Error <= -Pitch_Learnt)
+          and then not Output.Is_Low
+        then After <= 0)
+       and then
+         (if (for all Error of Errors => Error >= Pitch_Learnt)
+            and then not Output.Is_High
+          then After >= 0);
+
+   procedure Height_Trim_Recovers
+     (Start  : Height_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      After  : out Height_Trim)
+   with
+     Global => null,
+     Pre    =>
+       Errors'First = 1
+       and then Errors'Last = Height_Frames
+       and then (for all Error of Errors => Error in -40_000 .. 40_000),
+     Post   =>
+       (if (for all Error of Errors => Error <= -Height_Learnt)
+          and then not Output.Is_Low
+        then After <= 0)
+       and then
+         (if (for all Error of Errors => Error >= Height_Learnt)
+            and then not Output.Is_High
+          then After >= 0);
+
+   procedure Power_Trim_Recovers
+     (Start  : Power_Trim;
+      Errors : Error_History;
+      Output : Saturation;
+      After  : out Power_Trim)
+   with
+     Global => null,
+     Pre    =>
+       Errors'First = 1
+       and then Errors'Last = Power_Frames
+       and then (for all Error of Errors => Error in -4_095 .. 4_095),
+     Post   =>
+       (if (for all Error of Errors => Error <= -Large_Speed_Error)
+          and then not Output.Is_Low
+        then After = 0)
+       and then
+         (if (for all Error of Errors => Error >= Large_Speed_Error)
+            and then not Output.Is_High
+          then After = Power_Trim'Last);
+
+   --  A reference that is on its way arrives, so that no integrator waits for
+   --  it longer: after 400 frames in bank, 113 in pitch.
+
+   Bank_Frames : constant := 2 * Reckoned_Bank / Bank_Slew;
+   Nose_Frames : constant :=
+     (Highest_Pitch - Lowest_Pitch + Pitch_Slew - 1) / Pitch_Slew;
+
+   procedure References_Arrive
+     (Bank, Bank_Target   : Reckoned;
+      Pitch, Pitch_Target : Nose;
+      Bank_After          : out Number;
+      Pitch_After         : out Number)
+   with
+     Global => null,
+     Post   =>
+       Bank_After = Bank_Target
+       and then Pitch_After = Pitch_Target
+       and then On_The_Way (Bank_After, Bank_Target) = Free
+       and then On_The_Way (Pitch_After, Pitch_Target) = Free;
 
    --  A law flies only with the sensors that it needs.
    procedure Invalid_Sensors_Disengage

@@ -98,19 +98,29 @@ def run_python(folder, job):
 
 
 def fly(folder, job):
-    """Fly with these options and input files; what the summary says, or what
-    went wrong."""
+    """Fly with these options and input files; the summary and the holds of
+    the control laws that were not held, or what went wrong."""
     with tempfile.TemporaryDirectory(dir=folder) as place:
         for name, text in job["files"].items():
             (Path(place) / name).write_text(text, encoding="utf-8")
         result = subprocess.run(
             [str(folder / "bin" / "urv_sim"), "fly", *job["options"],
-             "--quiet", "--summary", "summary.json"],
+             "--quiet", "--summary", "summary.json",
+             "--record", "record.csv"],
             cwd=place, capture_output=True, text=True, check=False,
             stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S,
             env={**os.environ, "URV_PYTHON": sys.executable})
         if result.returncode != 0:
             return {"fault": result.stderr.strip()[-200:]
                     or f"exit status {result.returncode}"}
+        judged = subprocess.run(
+            [sys.executable, str(folder / "scripts/safety/holds.py"),
+             "record.csv", "--faults", "faults.txt", "--json"],
+            cwd=place, capture_output=True, text=True, check=False,
+            stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
+        if judged.returncode != 0:
+            return {"fault": judged.stderr.strip()[-200:]
+                    or f"exit status {judged.returncode} of holds.py"}
         text = (Path(place) / "summary.json").read_text("utf-8")
-        return {"summary": json.loads(text)}
+        return {"summary": json.loads(text),
+                "holds": json.loads(judged.stdout)}

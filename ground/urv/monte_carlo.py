@@ -15,11 +15,15 @@ from urv import faults
 ROOT = Path(__file__).resolve().parents[2]
 
 # What travels to the workers.
-CARGO = ("bin/urv_sim", "sim/jsbsim")
+CARGO = ("bin/urv_sim", "scripts/safety/holds.py", "sim/jsbsim")
 
-# The flights that the pilot knows, in s.
+# Flights of sticks drawn by chance, not of the simulated pilot.
+HISTORIES = "histories"
+
+# How long the flights are, in s. A history's length is drawn; this is the
+# longest.
 LENGTHS = {"standard": 180, "level": 60, "circuit": 300,
-           "damped-circuit": 300}
+           "damped-circuit": 300, HISTORIES: 150}
 LONGEST_S = 3600
 
 OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
@@ -74,6 +78,10 @@ def monte_carlo(
                              " not both")
     if not (ROOT / CARGO[0]).is_file():
         raise faults.Failed("bin/urv_sim is not built: make fly builds it")
+    if pilot == HISTORIES and (seconds or surface_faults):
+        raise faults.Refused("a history draws its own length and surface"
+                             " faults: leave --seconds and --surface-faults"
+                             " out")
     length = seconds or LENGTHS[pilot]
     campaign = SimpleNamespace(
         pilot=pilot, seconds=length, first=first, count=count,
@@ -89,6 +97,8 @@ def job(campaign, seed):
     """The files and options of the flight of that seed."""
     from urv import dispersions
 
+    if campaign.pilot == HISTORIES:
+        return history_job(seed)
     drawn = dispersions.draw(seed, campaign.pilot, campaign.seconds,
                              campaign.surface_percent,
                              campaign.console_percent)
@@ -102,11 +112,29 @@ def job(campaign, seed):
                     "--faults", "faults.txt"]}
 
 
+def history_job(seed):
+    """The same of a random history and the calm after it."""
+    from urv import histories
+
+    drawn = histories.draw(seed)
+    return {
+        "seed": seed, "values": drawn.values,
+        "files": {"sticks.csv": drawn.sticks, "faults.txt": drawn.faults,
+                  "conditions.txt": drawn.conditions},
+        "options": ["--plant", "jsbsim", "--laws", "on",
+                    "--sticks", "sticks.csv",
+                    "--seconds", str(drawn.seconds), "--seed", str(seed),
+                    "--conditions", "conditions.txt",
+                    "--faults", "faults.txt"]}
+
+
 def command_again(campaign, seed):
     """What flies that flight again."""
     return shlex.join(
         ["bin/urv", "monte-carlo", "--again", str(seed), "--pilot",
-         campaign.pilot, "--seconds", str(campaign.seconds),
+         campaign.pilot,
+         *([] if campaign.pilot == HISTORIES
+           else ["--seconds", str(campaign.seconds)]),
          *(["--surface-faults", str(campaign.surface_percent)]
            if campaign.surface_percent else []),
          *(["--console-losses", str(campaign.console_percent)]

@@ -58,7 +58,8 @@ def flight(pilot, job, result):
     if summary:
         measured["surfaces_named"] = float(
             len(summary.get("failed_surfaces", ())))
-    used = {limit.name: limit.used(summary)
+    known = {**summary, "holds": result.get("holds", {})}
+    used = {limit.name: limit.used(known)
             for limit in success.limits(pilot)}
     return Flight(job["seed"], job["values"], measured, used,
                   result.get("fault", ""))

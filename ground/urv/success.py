@@ -8,6 +8,7 @@ import math
 from typing import NamedTuple
 
 from urv.dispersions import CIRCUITS
+from urv.monte_carlo import HISTORIES
 
 # What cannot be measured, or must not happen at all.
 BEYOND = 10.0
@@ -36,10 +37,12 @@ def must(name, text, part, measure, wanted):
     class Fact(Limit):
         def used(self, summary):
             said = summary.get(part, {}).get(measure)
-            return 0.0 if said is wanted else BEYOND
+            return 0.0 if said == wanted else BEYOND
     return Fact(name, text, part, (measure,), 1.0)
 
 
+HELD = must("holds", "every active hold held in calm", "holds", "not_held",
+            0)
 FLOWN = (
     must("whole", "did not crash", "flight_quality", "crashed", False),
     Limit("bank", "bank within 60 degrees", "flight_quality",
@@ -50,6 +53,7 @@ FLOWN = (
           ("airspeed_max_kt",), 15.0),
     Limit("end", "at the end within 100 ft of the wanted altitude",
           "flight_quality", ("final_altitude_error_ft",), 100.0),
+    HELD,
 )
 LANDED = (
     must("whole", "did not crash", "circuit", "crashed", False),
@@ -59,10 +63,13 @@ LANDED = (
           "circuit", ("touchdown_offset_ft",), 25.0),
     must("stop", "stopped on the runway", "circuit", "stopped_on_runway",
          True),
+    HELD,
 )
 
 
 def limits(pilot):
+    if pilot == HISTORIES:
+        return (HELD,)
     return LANDED if pilot in CIRCUITS else FLOWN
 
 

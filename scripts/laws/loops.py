@@ -126,7 +126,8 @@ def longitudinal(of, mode):
         rising = {height: 2.0, "smooth": -1.0}
         maker.state("height_trim")
         maker.next["height_trim"] |= times(
-            2 * of.Height_Learning / of.Per_Ten / 1000, below)
+            of.Height_Learning / of.Per_Ten / of.Per_Thousand,
+            plus(climb, times(-1.0, rising)))
         by_climb = of.Pitch_For_Climb / of.Per_Hundred
         by_lag = of.Pitch_For_Lag / of.Per_Hundred
         maker.now["wanted"] = plus(

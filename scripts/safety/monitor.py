@@ -41,6 +41,7 @@ from typing import NamedTuple
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import disturbances  # noqa: E402
+import holds  # noqa: E402
 import timelines  # noqa: E402
 from disturbances import ENDLESS, Spans  # noqa: E402
 from safe_words import (  # noqa: E402
@@ -346,6 +347,7 @@ class Flight(Checker):
         self.measured_wrongly = {*self._scripted(sensors),
                                  *self._with_errors(conditions)}
         self.record = Record(record)
+        self.files = record, faults
         self.own_scan_us = OWN_SCAN_US[schedule]
         self.scan_offsets_us = SCAN_OFFSETS_US[schedule]
         self.drifts = drift not in (None, "0")
@@ -424,6 +426,7 @@ class Flight(Checker):
                 self.fresh_downlinks, self.downlink_rows,
                 self.excuse_downlink, "gsc.downlink", (*SENSORS, "error"))
             self.check_failed_surfaces()
+            self.violations += holds.check(*self.files).not_held
         return Findings(self.violations, self.wrong_blocks,
                         len(self.record.times))
 

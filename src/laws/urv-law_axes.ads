@@ -1,13 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The control laws' arithmetic, an axis at a time (EXT-3).
+--  The control laws' arithmetic, an axis at a time (EXT-3, EXT-8, D-31).
 --
 --  Each law makes of what was measured a target for its output. The output
---  goes there no faster than its rate limit. An integrator learns only while
---  the output is what the law wants: it stands still in saturation.
+--  goes there no faster than its rate limit. URV.Integrators says when an
+--  integrator moves, and which way.
 
-with URV.Law_Gains; use URV.Law_Gains;
-with URV.Law_Units; use URV.Law_Units;
+with URV.Integrators; use URV.Integrators;
+with URV.Law_Gains;   use URV.Law_Gains;
+with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Law_Axes with Pure, SPARK_Mode is
 
@@ -96,7 +97,10 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Within (Reference - Now.Bank, -Reckoned_Bank, Reckoned_Bank))
    with
      Global => null,
-     Post   => Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
+     Post   =>
+       Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank
+       and then (Bank_Error'Result > 0) = (Now.Bank < Reference)
+       and then (Bank_Error'Result < 0) = (Now.Bank > Reference);
 
    function Unlimited_Roll
      (Reference : Reckoned; Now : Readings; Trim : Roll_Trim; By : Gain)
@@ -122,7 +126,10 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Within (Reference - Now.Pitch, -Reckoned_Bank, Reckoned_Bank))
    with
      Global => null,
-     Post   => Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank;
+     Post   =>
+       Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank
+       and then (Pitch_Error'Result > 0) = (Now.Pitch < Reference)
+       and then (Pitch_Error'Result < 0) = (Now.Pitch > Reference);
 
    function Unlimited_Pitch
      (Reference : Nose; Now : Readings; Trim : Pitch_Trim; By : Gain)
@@ -154,7 +161,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    function Wanted_Climb (Target : Level; Now : Readings) return Climb is
      (Within
         ((Target - Now.Altitude) * Climb_Gain, -Most_Climb, Most_Climb))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       (if Target > Now.Altitude then Wanted_Climb'Result > 0
+        elsif Target < Now.Altitude then Wanted_Climb'Result < 0
+        else Wanted_Climb'Result = 0);
 
    function Next_Smooth (Item : Smooth; Now : Level) return Smooth is
      (Item + (Now * 1_000 - Item) / (1_000 / Filter_Share))
@@ -166,35 +178,25 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Post   => Climb_Rate'Result in -30_000 .. 30_000;
 
-   function Altitude_Nose
+   --  Where the altitude's law would have the nose, without any limit.
+   function Unlimited_Nose
      (Wanted : Climb;
       Rising : Number;
       Bank   : Angle;
-      Trim   : Height_Trim) return Nose
+      Trim   : Height_Trim) return Unlimited
    is
-     (As_Nose
-        (Level_Pitch + Trim / Per_Ten
-         + Wanted * Pitch_For_Climb / Per_Hundred
-         + (Wanted - Rising) * Pitch_For_Lag / Per_Hundred
-         + Extra_Load (Bank) * Pitch_For_Load / Per_Ten))
+     (Level_Pitch + Trim / Per_Ten
+      + Wanted * Pitch_For_Climb / Per_Hundred
+      + (Wanted - Rising) * Pitch_For_Lag / Per_Hundred
+      + Extra_Load (Bank) * Pitch_For_Load / Per_Ten)
    with
      Global => null,
      Pre    => Rising in -30_000 .. 30_000;
 
-   function Next_Height_Trim
-     (Trim : Height_Trim; Target : Level; Now : Readings) return Height_Trim
-   is
-     (if abs (Target - Now.Altitude) > Height_Learnt then Trim
-      else Within
-        (Trim + (Target - Now.Altitude) * Height_Learning,
-         -Height_Trim_Most, Height_Trim_Most))
-   with Global => null;
-
    --  The nose is not above this, so that the speed stays.
-   function Guarded (Wanted : Nose; Airspeed : Level) return Nose is
-     (Integer'Min
-        (Wanted,
-         As_Nose (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain)))
+
+   function Guard (Airspeed : Level) return Nose is
+     (As_Nose (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain))
    with Global => null;
 
    --  Throttle.
@@ -216,43 +218,96 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       + Trim / 1_000)
    with Global => null;
 
-   --  Integrators: what is learnt of an error, unless the output is not what
-   --  the law wants.
+   --  Integrators. Each moves with the sign of its error, unless its output
+   --  is saturated that way. The least error that counts is named with each.
 
    function Next_Roll_Trim
-     (Trim : Roll_Trim; Error : Number; Is_Free : Boolean; By : Gain)
+     (Trim : Roll_Trim; Error : Number; Output : Saturation; By : Gain)
       return Roll_Trim
    is
-     (if not Is_Free or else abs Error > Learnt_From then Trim
-      else Within
-        (Trim + Error * By / Per_Hundred,
+     (Integrated
+        (Trim, Error_Share (Error, Roll_Learnt, By, Per_Hundred), Output,
          -Roll_Trim_Most, Roll_Trim_Most))
    with
      Global => null,
      Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
-     Post   => (if not Is_Free then Next_Roll_Trim'Result = Trim);
+     Post   =>
+       Follows (Trim, Next_Roll_Trim'Result, Error, Output)
+       and then
+         (if Moves (Error, By, Per_Hundred) and then not Output.Is_High
+            and then Error > 0 and then Trim < Roll_Trim'Last
+          then Next_Roll_Trim'Result > Trim)
+       and then
+         (if Moves (Error, By, Per_Hundred) and then not Output.Is_Low
+            and then Error < 0 and then Trim > Roll_Trim'First
+          then Next_Roll_Trim'Result < Trim);
 
    function Next_Pitch_Trim
-     (Trim : Pitch_Trim; Error : Number; Is_Free : Boolean; By : Gain)
+     (Trim : Pitch_Trim; Error : Number; Output : Saturation; By : Gain)
       return Pitch_Trim
    is
-     (if not Is_Free or else abs Error > Learnt_From then Trim
-      else Within
-        (Trim + Error * By / Per_Hundred,
+     (Integrated
+        (Trim, Error_Share (Error, Pitch_Learnt, By, Per_Hundred), Output,
          -Pitch_Trim_Most, Pitch_Trim_Most))
    with
      Global => null,
      Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
-     Post   => (if not Is_Free then Next_Pitch_Trim'Result = Trim);
+     Post   =>
+       Follows (Trim, Next_Pitch_Trim'Result, Error, Output)
+       and then
+         (if Moves (Error, By, Per_Hundred) and then not Output.Is_High
+            and then Error > 0 and then Trim < Pitch_Trim'Last
+          then Next_Pitch_Trim'Result > Trim)
+       and then
+         (if Moves (Error, By, Per_Hundred) and then not Output.Is_Low
+            and then Error < 0 and then Trim > Pitch_Trim'First
+          then Next_Pitch_Trim'Result < Trim);
+
+   --  Of the climb rate: wanted, less what there is. An altitude's own error
+   --  would wind it up for as long as a large one takes to fly away.
+   function Next_Height_Trim
+     (Trim : Height_Trim; Error : Number; Output : Saturation)
+      return Height_Trim
+   is
+     (Integrated
+        (Trim,
+         Error_Share (Error, Height_Learnt, Height_Learning, Per_Thousand),
+         Output, -Height_Trim_Most, Height_Trim_Most))
+   with
+     Global => null,
+     Pre    => Error in -40_000 .. 40_000,
+     Post   =>
+       Follows (Trim, Next_Height_Trim'Result, Error, Output)
+       and then
+         (if Moves (Error, Height_Learning, Per_Thousand)
+            and then not Output.Is_High
+            and then Error > 0 and then Trim < Height_Trim'Last
+          then Next_Height_Trim'Result > Trim)
+       and then
+         (if Moves (Error, Height_Learning, Per_Thousand)
+            and then not Output.Is_Low
+            and then Error < 0 and then Trim > Height_Trim'First
+          then Next_Height_Trim'Result < Trim);
 
    function Next_Power_Trim
-     (Trim : Power_Trim; Error : Number; Is_Free : Boolean) return Power_Trim
+     (Trim : Power_Trim; Error : Number; Output : Saturation)
+      return Power_Trim
    is
-     (if not Is_Free then Trim
-      else Within (Trim + Error * Speed_Learning, 0, Power_Trim'Last))
+     (Integrated
+        (Trim, Error_Share (Error, Level'Last, Speed_Learning, 1), Output,
+         0, Power_Trim'Last))
    with
      Global => null,
      Pre    => Error in -4_095 .. 4_095,
-     Post   => (if not Is_Free then Next_Power_Trim'Result = Trim);
+     Post   =>
+       Follows (Trim, Next_Power_Trim'Result, Error, Output)
+       and then
+         (if Error > 0 and then not Output.Is_High
+            and then Trim < Power_Trim'Last
+          then Next_Power_Trim'Result > Trim)
+       and then
+         (if Error < 0 and then not Output.Is_Low
+            and then Trim > Power_Trim'First
+          then Next_Power_Trim'Result < Trim);
 
 end URV.Law_Axes;

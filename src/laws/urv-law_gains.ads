@@ -57,11 +57,12 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Soft_Pitch_Gain     : constant := 28;
    Soft_Pitch_Learning : constant := 20;
 
-   --  What an integrator may hold: thousandths of a word. It learns only
-   --  from errors below the next, in thousandths of a degree.
+   --  What an integrator may hold: thousandths of a word. From an error
+   --  beyond the next, in thousandths of a degree, it learns as from that.
    Roll_Trim_Most  : constant := 300_000;
    Pitch_Trim_Most : constant := 600_000;
-   Learnt_From     : constant := 6_000;
+   Roll_Learnt     : constant := 6_000;
+   Pitch_Learnt    : constant := 6_000;
 
    --  The trim that pitch begins with is the last output, up to this.
    First_Pitch_Trim : constant := 200;
@@ -102,14 +103,15 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  for it, and for what is missing of it.
    Climb_Gain      : constant := 125;
    Most_Climb      : constant := 10_000;
-   Pitch_For_Climb : constant := 50;
+   Pitch_For_Climb : constant := 18;
    Pitch_For_Lag   : constant := 35;
 
-   --  The altitude's trim of pitch, in tenths of thousandths of a degree;
-   --  it learns from errors below so many half feet.
-   Height_Learning  : constant := 2;
-   Height_Learnt    : constant := 20;
-   Height_Trim_Most : constant := 40_000;
+   --  The altitude's trim of pitch, in tenths of thousandths of a degree: so
+   --  many a frame for a climb rate that lacks a foot a second. What it
+   --  learns from at most, in thousandths of a foot a second.
+   Height_Learning  : constant := 16;
+   Height_Learnt    : constant := 10_000;
+   Height_Trim_Most : constant := 80_000;
 
    --  The altitude's filter: thousandths of the difference a frame. The
    --  difference, in thousandths of half feet, is the climb rate, in

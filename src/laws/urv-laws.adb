@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Integrators; use URV.Integrators;
+
 package body URV.Laws with SPARK_Mode is
 
    function Readings_Of (Checks : Check_Table) return Readings is
@@ -80,6 +82,16 @@ package body URV.Laws with SPARK_Mode is
                       = Before.Is_Stick (Throttle_Axis)))
    with Ghost, Global => null;
 
+   --  An integrator is never moved away from what is wanted, by what is
+   --  measured. Every actuator and every angle of the laws has the same
+   --  sign: more of the output makes more of what is measured.
+   function Moves_With (Before, After, Wanted, Measured : Number)
+                        return Boolean
+   is
+     ((if Measured <= Wanted then After >= Before)
+      and then (if Measured >= Wanted then After <= Before))
+   with Ghost, Global => null;
+
    procedure Fly_Roll
      (This : in out Memory;
       Was  : Modes;
@@ -101,7 +113,14 @@ package body URV.Laws with SPARK_Mode is
        and then
          (if This.Flown.Lateral in Banked
           then abs This.Last.Roll <= Integer'Max
-                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step));
+                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
+
+       --  The integrator moves towards the bank that is wanted.
+       and then
+         (if This.Flown.Lateral in Banked and then Was.Lateral in Banked
+          then Moves_With
+            (This.Roll_Trim'Old, This.Roll_Trim,
+             Wanted => This.Bank_Wanted, Measured => Now.Bank));
 
    procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
    with
@@ -140,7 +159,26 @@ package body URV.Laws with SPARK_Mode is
        and then
          (if This.Flown.Vertical in Pitched
           then abs This.Last.Pitch <= Integer'Max
-                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step))
+
+       --  The integrators move towards the pitch and the climb rate that
+       --  are wanted.
+       and then
+         (if This.Flown.Vertical in Pitched and then Was.Vertical in Pitched
+          then Moves_With
+            (This.Pitch_Trim'Old, This.Pitch_Trim,
+             Wanted => This.Pitch_Wanted, Measured => Now.Pitch))
+       and then
+         (if This.Flown.Vertical = Hold_Altitude
+            and then Was.Vertical in Pitched
+          then Moves_With
+            (This.Height_Trim'Old, This.Height_Trim,
+             Wanted   => Wanted_Climb (This.Height_Held, Now),
+             Measured => Rising))
+       and then
+         (if This.Flown.Vertical = Hold_Altitude
+            and then Was.Vertical = Hold_Altitude
+          then This.Height_Held = This.Height_Held'Old);
 
    procedure Fly_Throttle
      (This : in out Memory;
@@ -159,7 +197,19 @@ package body URV.Laws with SPARK_Mode is
        and then
          (if not This.Is_Stick (Throttle_Axis)
           then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
-                 Throttle_Step);
+                 Throttle_Step)
+
+       --  The integrator moves towards the airspeed that is wanted.
+       and then
+         (if This.Flown.Power = Hold_Airspeed
+            and then Was.Power = Hold_Airspeed
+          then This.Speed_Held = This.Speed_Held'Old
+            and then This.Lever_Held = This.Lever_Held'Old
+            and then Moves_With
+              (This.Power_Trim'Old, This.Power_Trim,
+               Wanted   => Held_Speed
+                 (This.Speed_Held, Hand.Throttle - This.Lever_Held),
+               Measured => Now.Airspeed));
 
    --  All four, and nothing else.
    procedure Fly
@@ -210,6 +260,7 @@ package body URV.Laws with SPARK_Mode is
    is
       Target : Demand;
       Wanted : Unlimited;
+      Aim    : Reckoned := 0;
    begin
       case This.Flown.Lateral is
          when Direct =>
@@ -223,13 +274,12 @@ package body URV.Laws with SPARK_Mode is
                This.Bank_Wanted := Reckoned_Of (Now.Bank);
                This.Roll_Trim := 0;
             end if;
-            This.Bank_Wanted := Stepped
-              (This.Bank_Wanted,
-               (case This.Flown.Lateral is
-                   when Bank_By_Stick => Stick_Bank (Hand.Roll),
-                   when Orbit         => Orbit_Bank_At (Now.Airspeed),
-                   when others        => 0),
-               Bank_Slew);
+            Aim :=
+              (case This.Flown.Lateral is
+                  when Bank_By_Stick => Stick_Bank (Hand.Roll),
+                  when Orbit         => Orbit_Bank_At (Now.Airspeed),
+                  when others        => 0);
+            This.Bank_Wanted := Stepped (This.Bank_Wanted, Aim, Bank_Slew);
             Wanted := Unlimited_Roll
               (This.Bank_Wanted, Now, This.Roll_Trim, By.For_Bank);
             Target := Within (Wanted, -Roll_Authority, Roll_Authority);
@@ -245,8 +295,9 @@ package body URV.Laws with SPARK_Mode is
       if This.Flown.Lateral in Banked then
          This.Roll_Trim := Next_Roll_Trim
            (This.Roll_Trim, Bank_Error (This.Bank_Wanted, Now),
-            Is_Free => This.Last.Roll = Wanted,
-            By      => By.Bank_Learning);
+            Saturation_Of (Wanted, -Roll_Authority, Roll_Authority)
+              or On_The_Way (This.Bank_Wanted, Aim),
+            By.Bank_Learning);
       end if;
    end Fly_Roll;
 
@@ -275,7 +326,12 @@ package body URV.Laws with SPARK_Mode is
    is
       Target : Demand;
       Wanted : Unlimited;
-      Aim    : Nose;
+      Output : Saturation;
+
+      --  Where the mode would have the nose, and the highest that it may be.
+      Aim     : Unlimited := Level_Pitch;
+      Ceiling : Nose      := Highest_Pitch;
+      Bounded : Nose      := Level_Pitch;
    begin
       case This.Flown.Vertical is
          when Direct =>
@@ -298,11 +354,9 @@ package body URV.Laws with SPARK_Mode is
             end if;
             case This.Flown.Vertical is
                when Hold_Altitude =>
-                  Aim := Altitude_Nose
+                  Aim := Unlimited_Nose
                     (Wanted_Climb (This.Height_Held, Now), Rising, Now.Bank,
                      This.Height_Trim);
-                  This.Height_Trim := Next_Height_Trim
-                    (This.Height_Trim, This.Height_Held, Now);
                when Glide =>
                   Aim :=
                     (if This.Checks (Airspeed).Is_Valid
@@ -310,11 +364,12 @@ package body URV.Laws with SPARK_Mode is
                when others =>
                   Aim := Stick_Nose (Hand.Pitch);
             end case;
-            if This.Checks (Airspeed).Is_Valid then
-               Aim := Guarded (Aim, Now.Airspeed);
-            end if;
+            Ceiling :=
+              (if This.Checks (Airspeed).Is_Valid
+               then Guard (Now.Airspeed) else Highest_Pitch);
+            Bounded := Within (Aim, Lowest_Pitch, Ceiling);
             This.Pitch_Wanted :=
-              Stepped (This.Pitch_Wanted, Aim, Pitch_Slew);
+              Stepped (This.Pitch_Wanted, Bounded, Pitch_Slew);
             Wanted := Unlimited_Pitch
               (This.Pitch_Wanted, Now, This.Pitch_Trim, By.For_Pitch);
             Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
@@ -328,10 +383,17 @@ package body URV.Laws with SPARK_Mode is
          else Stepped (This.Last.Pitch, Target, Pitch_Step));
 
       if This.Flown.Vertical in Pitched then
+         Output := Saturation_Of (Wanted, -Pitch_Authority, Pitch_Authority);
+         if This.Flown.Vertical = Hold_Altitude then
+            This.Height_Trim := Next_Height_Trim
+              (This.Height_Trim,
+               Wanted_Climb (This.Height_Held, Now) - Rising,
+               Saturation_Of (Aim, Lowest_Pitch, Ceiling) or Output);
+         end if;
          This.Pitch_Trim := Next_Pitch_Trim
            (This.Pitch_Trim, Pitch_Error (This.Pitch_Wanted, Now),
-            Is_Free => This.Last.Pitch = Wanted,
-            By      => By.Pitch_Learning);
+            Output or On_The_Way (This.Pitch_Wanted, Bounded),
+            By.Pitch_Learning);
       end if;
    end Fly_Pitch;
 
@@ -378,7 +440,7 @@ package body URV.Laws with SPARK_Mode is
            (This.Power_Trim,
             Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held)
               - Now.Airspeed,
-            Is_Free => This.Last.Throttle = Wanted);
+            Saturation_Of (Wanted, 0, Lever'Last));
       end if;
    end Fly_Throttle;
 

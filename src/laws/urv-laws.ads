@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The control laws: what stands between the pilot's commands and the servos
---  (EXT-3, EXT-5). docs/control-laws.md says how they fly.
+--  (EXT-3, EXT-5, EXT-8). docs/control-laws.md says how they fly.
 --
 --     After := Next (Before, Commands, Sensors, By);
 --     Flown := Output (After, Commands);

@@ -8,6 +8,7 @@ with Law_Rig;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Configurations;
+with URV.Law_Axes;
 with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;
 with URV.Law_Status;
@@ -38,6 +39,11 @@ package body Laws_Tests is
    procedure Glide_By_Attitude;
    procedure What_Is_Held;
    procedure Told;
+   procedure Integrators_Follow;
+   procedure Integrators_Recover;
+   procedure Large_Errors_Count;
+
+   type Integer_List is array (Positive range <>) of Integer;
 
    On_Word : constant Word := 16#FFF#;
 
@@ -638,6 +644,132 @@ package body Laws_Tests is
          Integer (Frame_Count'Last));
    end Told;
 
+   --  The state of one integrator, by what its law measures.
+
+   type Trimmed is (By_Bank, By_Pitch, By_Altitude, By_Airspeed);
+
+   function Trim_Of (Item : URV.Laws.Memory; Which : Trimmed) return Integer
+   is
+     (case Which is
+         when By_Bank     => Item.Roll_Trim,
+         when By_Pitch    => Item.Pitch_Trim,
+         when By_Altitude => Item.Height_Trim,
+         when By_Airspeed => Item.Power_Trim);
+
+   Measures : constant array (Trimmed) of Sensor_Item :=
+     (By_Bank     => Roll_Attitude,
+      By_Pitch    => Pitch_Attitude,
+      By_Altitude => Altitude,
+      By_Airspeed => Airspeed);
+
+   --  What flies it, and nothing that is in its way.
+   function Holding (Which : Trimmed) return Uplink_Buffer is
+     (With_On (if Which = By_Pitch then Switch_2 else Switch_3));
+
+   --  In level flight, with its sensor so much beside its target.
+   function Beside (Which : Trimmed; Words : Integer) return Downlink_Buffer
+   is
+     (Measuring
+        (Measures (Which),
+         Word (Integer (Level (Measures (Which))) + Words)));
+
+   --  What a law reads in level flight: the nose 2.4 degrees up.
+   Nose_Up : constant Word := 2_048 + 55;
+
+   procedure Integrators_Follow is
+      Item    : URV.Laws.Memory;
+      Before  : Integer;
+      Sensors : Downlink_Buffer;
+   begin
+      for Which in Trimmed loop
+         for Words of Integer_List'(-30, 30) loop
+            Item := Warm
+              (Holding (Which), Measuring (Pitch_Attitude, Nose_Up));
+            Before := Trim_Of (Item, Which);
+            Sensors := (Beside (Which, Words) with delta
+                          Pitch_Attitude =>
+                            (if Which = By_Pitch
+                             then Word (Integer (Nose_Up) + Words)
+                             else Nose_Up));
+            --  The first frames of an altitude are a climb.
+            Fly (Item, 100, Holding (Which), Sensors);
+            if Which = By_Altitude then
+               Before := Trim_Of (Item, Which);
+            end if;
+            Fly (Item, 50, Holding (Which), Sensors);
+            Expect
+              (Which'Image & " after" & Words'Image & " words",
+               (if Words < 0 then Trim_Of (Item, Which) > Before
+                else Trim_Of (Item, Which) < Before),
+               True);
+         end loop;
+      end loop;
+   end Integrators_Follow;
+
+   procedure Integrators_Recover is
+      Item : URV.Laws.Memory;
+   begin
+      for Which in Trimmed loop
+         --  Wound up to its limit, as after a long time with the surface in
+         --  saturation; then the error changes its sign.
+         Item := Warm (Holding (Which), Measuring (Pitch_Attitude, Nose_Up));
+         Item.Roll_Trim := URV.Law_Axes.Roll_Trim'Last;
+         Item.Pitch_Trim := URV.Law_Axes.Pitch_Trim'Last;
+         Item.Height_Trim := URV.Law_Axes.Height_Trim'Last;
+         Item.Power_Trim := URV.Law_Axes.Power_Trim'Last;
+         --  An altitude does not jump further, it would not be valid; the
+         --  target of the airspeed is moved by the lever.
+         Fly (Item, (if Which = By_Altitude then 1_400 else 900),
+              (Holding (Which) with delta
+                 Throttle => (if Which = By_Airspeed then 1_248 else 2_048)),
+              (Beside (Which, (case Which is
+                                  when By_Bank | By_Pitch => 320,
+                                  when By_Altitude        => 30,
+                                  when By_Airspeed        => 0))
+                 with delta
+                 Pitch_Attitude =>
+                   (if Which = By_Pitch then Nose_Up + 320 else Nose_Up)));
+         Expect (Which'Image & " unwinds, from a large error",
+                 (if Which = By_Airspeed then Item.Last.Throttle = 0
+                  else Trim_Of (Item, Which) <= 0), True);
+      end loop;
+   end Integrators_Recover;
+
+   procedure Large_Errors_Count is
+      Item   : URV.Laws.Memory;
+      Before : Integer;
+
+      --  100 ft lower, 5 ft at a time; then for so long.
+      procedure Sink (Speed : Word; Frames : Positive);
+
+      procedure Sink (Speed : Word; Frames : Positive) is
+         Sensors : Downlink_Buffer :=
+           (Level with delta
+              Airspeed => Speed, Pitch_Attitude => Nose_Up);
+      begin
+         Item := Warm (With_On (Switch_3), Sensors);
+         for Step in 1 .. 20 loop
+            Sensors (Altitude) := Sensors (Altitude) - 10;
+            Fly (Item, 2, With_On (Switch_3), Sensors);
+         end loop;
+         Fly (Item, 200, With_On (Switch_3), Sensors);
+         Before := Item.Height_Trim;
+         Fly (Item, Frames, With_On (Switch_3), Sensors);
+         Expect ("the altitude is held",
+                 Item.Flown.Vertical = Hold_Altitude, True);
+         Expect_Number ("that there was", Item.Height_Held, 2_000);
+      end Sink;
+
+   begin
+      --  The nose is where it is wanted, and the climb is not there.
+      Sink (Speed => 2_240, Frames => 1);
+      Expect ("learns from 100 ft", Item.Height_Trim > Before, True);
+
+      --  Below the guard's speed the nose is lowered: no more of it.
+      Sink (Speed => 1_500, Frames => 500);
+      Expect_Number ("too slow to climb", Item.Height_Trim, Before);
+   end Large_Errors_Count;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add (Suite, "EXT-3 with the law switches off all passes as it is",
@@ -681,6 +813,12 @@ package body Laws_Tests is
            What_Is_Held'Access);
       Add (Suite, "EXT-5 the ground is told what flies and why",
            Told'Access);
+      Add (Suite, "EXT-8 an integrator moves with the sign of its error",
+           Integrators_Follow'Access);
+      Add (Suite, "EXT-8 an integrator unwinds from its limit",
+           Integrators_Recover'Access);
+      Add (Suite, "D-31 a large error counts, unless nothing is left",
+           Large_Errors_Count'Access);
    end Add_To;
 
 end Laws_Tests;
