@@ -55,7 +55,11 @@ class Cargo:
     """The archive, the hash that it must have, and the work: a function of
     the unpacked folder and a job, whose result is JSON's."""
 
-    def __init__(self, archive, work):
+    def __init__(self, archive, work, program=None, modules=()):
+        """A worker must be able to run the program of the cargo, and to
+        import these modules."""
+        self.program = program
+        self.modules = modules
         self.archive = archive
         self.hash = digest(archive)
         self.work = work
@@ -69,6 +73,27 @@ class Cargo:
         self.unpack(tempfile.mkdtemp(prefix="cargo-",
                                      dir=worker.local_directory))
         self.archive = b""
+        self.must_do()
+
+    def must_do(self):
+        """Whether this worker has what the work needs."""
+        wanted = [([sys.executable, "-c", f"import {name}"],
+                   f"the Python module {name}") for name in self.modules]
+        if self.program:
+            wanted.append(([str(self.folder / self.program), "--version"],
+                           self.program))
+        for command, name in wanted:
+            try:
+                ended = subprocess.run(
+                    command, capture_output=True, text=True, check=False,
+                    stdin=subprocess.DEVNULL, timeout=60)
+                said = ended.stderr.strip().splitlines()[-1:]
+                works = ended.returncode == 0
+            except OSError as fault:
+                works, said = False, [str(fault)]
+            if not works:
+                raise RuntimeError(
+                    f"{name} does not run: {' '.join(said)[:200]}")
 
     def unpack(self, folder):
         self.folder = Path(folder)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv convert: a record from one kind of file to another (GND-15)."""
 
-import os
 from pathlib import Path
 from typing import Annotated
 
@@ -19,27 +18,23 @@ def convert(
 ):
     """Convert a record; nothing is lost.
 
-    Both names end with .csv, .mcap or .parquet.
+    Of a record that was cut short it converts what there is, and says what is
+    missing. Both names end with .csv, .mcap or .parquet.
     """
-    from urv import progress, records
+    from urv import progress, records, whole_files
 
     kind = target.suffix.lower()
     if kind not in records.KINDS:
         raise faults.Refused(f"{faults.quoted(target)}: {records.ENDINGS}")
     if source.exists() and target.exists() and source.samefile(target):
         raise faults.Refused("IN and OUT name the same file")
-    with records.opened(source) as record, progress.bar(
+    with records.opened(source, forgiving=True) as record, progress.bar(
             "converting") as told:
-        # What stood under the name before stays until all is written.
-        part = target.with_name(f".{target.name}.{os.getpid()}.part")
-        try:
-            with records.written(part, kind, record) as out:
-                for rows in record.blocks():
-                    out.write(rows)
-                    told(record)
-            os.replace(part, target)
-        except OSError as fault:
-            raise faults.Failed(f"{faults.quoted(target)} cannot be written:"
-                                f" {faults.reason(fault)}") from fault
-        finally:
-            part.unlink(missing_ok=True)
+        with whole_files.replacing(target) as path, records.written(
+                path, kind, record) as out:
+            for rows in record.blocks():
+                out.write(rows)
+                told(record)
+        if record.cut_short:
+            faults.note(f"{faults.quoted(source)} was cut short:"
+                        f" {record.cut_short}")

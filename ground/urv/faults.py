@@ -6,6 +6,8 @@ is read or typed is shown by `quoted` only: no control character of it gets to
 a terminal.
 """
 
+import sys
+
 
 class Refused(Exception):
     """Bad command line or bad input: exit status 2."""
@@ -23,6 +25,11 @@ class Unheard(Failed):
     """It was done, and the link carried nothing: exit status 3."""
 
     status = 3
+
+
+def note(text):
+    """A line for people, beside what a command does."""
+    print(f"urv: {text}", file=sys.stderr, flush=True)
 
 
 def quoted(text):

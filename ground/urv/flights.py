@@ -9,6 +9,10 @@ came, there are none: `values` has NaN there.
 from __future__ import annotations
 
 import json
+import os
+import tempfile
+from collections.abc import Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -78,6 +82,79 @@ class Event:
     span: Span
 
 
+class StoredColumns(Mapping):
+    """The columns of a record in a file without a name, so that a flight may
+    be longer than memory. A column is read when it is asked for."""
+
+    def __init__(self, names, folder):
+        self.kinds = {name: numpy.dtype(
+            numpy.uint16 if name in items.COLUMNS else numpy.float64)
+            for name in names}
+        self.folder = folder or tempfile.gettempdir()
+        with self.kept():
+            self.file = tempfile.TemporaryFile(dir=folder)
+        self.blocks = []
+        """Where each block begins, and how many rows it has."""
+        self.begins = {}
+        self.row_size = 0
+        for name, kind in self.kinds.items():
+            self.begins[name] = self.row_size
+            self.row_size += kind.itemsize
+        self.rows = 0
+
+    def add(self, rows):
+        """Some rows, all columns."""
+        self.blocks.append((self.rows * self.row_size, len(rows)))
+        self.rows += len(rows)
+        with self.kept():
+            for place, kind in enumerate(self.kinds.values()):
+                self.file.write(rows[:, place].astype(kind).tobytes())
+
+    def end(self):
+        with self.kept():
+            self.file.flush()
+
+    @contextmanager
+    def kept(self):
+        """What the system refuses is the folder's."""
+        try:
+            yield
+        except OSError as fault:
+            raise faults.Failed(
+                f"{faults.quoted(self.folder)}: the flight cannot be kept"
+                f" there: {faults.reason(fault)}") from fault
+
+    def __getitem__(self, name):
+        kind, begin = self.kinds[name], self.begins[name]
+        column = numpy.empty(self.rows)
+        first = 0
+        for at, many in self.blocks:
+            column[first:first + many] = numpy.frombuffer(os.pread(
+                self.file.fileno(), many * kind.itemsize,
+                at + begin * many), kind)
+            first += many
+        return column
+
+    def __iter__(self):
+        return iter(self.kinds)
+
+    def __len__(self):
+        return len(self.kinds)
+
+    def __contains__(self, name):
+        return name in self.kinds
+
+
+ROWS_AT_ONCE = 100_000
+"""Where many columns are needed together."""
+
+
+def pieces(rows, before=0):
+    """Parts of a flight's rows, from and to, each with some rows before."""
+    for first in range(0, rows, ROWS_AT_ONCE):
+        yield max(first - before, 0), first, min(first + ROWS_AT_ONCE, rows)
+
+
 class Flight:
     """The numbers of a record, a column each."""
 
@@ -114,11 +191,12 @@ class Flight:
         if self.downlink is None:
             return numpy.zeros(self.rows, bool)
         error = self.columns[f"{self.downlink}.error"].astype(int)
-        words = [self.columns[f"{self.downlink}.{item.name}"]
-                 for item in items.of_buffer("downlink")
-                 if f"{self.downlink}.{item.name}" in self.columns]
         # CORE is cleared at a cold start: all words 0 is no flight.
-        has_none = numpy.all([word == 0 for word in words], axis=0)
+        has_none = numpy.ones(self.rows, bool)
+        for item in items.of_buffer("downlink"):
+            column = f"{self.downlink}.{item.name}"
+            if column in self.columns:
+                has_none &= self.columns[column] == 0
         return (error & items.STALE != 0) | has_none
 
     def values(self, name):
@@ -176,20 +254,30 @@ class Flight:
         servos = [f"pwm.{name}" for name in SERVOS]
         if not self.has_all(*console, *servos) or self.rows < 2:
             return numpy.array([]), numpy.array([])
-        asked = numpy.stack([self.columns[name] for name in console], axis=1)
-        done = numpy.stack([self.columns[name] for name in servos], axis=1)
-        is_new = numpy.r_[False, numpy.any(asked[1:] != asked[:-1], axis=1)]
-        moved = numpy.flatnonzero(
-            numpy.r_[False, numpy.any(done[1:] != done[:-1], axis=1)])
+        is_new, has_moved = (self.changes(names)
+                             for names in (console, servos))
+        moved = numpy.flatnonzero(has_moved)
         found = numpy.full(len(moved), -1)
+        # Words, so that ten columns of a long flight have room.
+        asked, done = ([self.columns[name].astype(numpy.uint16)
+                        for name in names] for names in (console, servos))
         for frames in range(LONGEST_LATENCY_FRAMES, 0, -1):
             before = numpy.maximum(moved - frames, 0)
-            fits = is_new[before] & numpy.all(
-                asked[before] == done[moved], axis=1)
+            fits = is_new[before]
+            for stick, servo in zip(asked, done, strict=True):
+                fits &= stick[before] == servo[moved]
             found = numpy.where(fits, before, found)
         moved, found = moved[found >= 0], found[found >= 0]
         return (self.seconds[moved],
                 1000.0 * (self.seconds[moved] - self.seconds[found]))
+
+    def changes(self, names):
+        """The rows in which one of these columns is another than before."""
+        changed = numpy.zeros(self.rows, bool)
+        for name in names:
+            column = self.columns[name]
+            changed[1:] |= column[1:] != column[:-1]
+        return changed
 
     @cached_property
     def exceedances(self):
@@ -262,32 +350,48 @@ class Flight:
         """East and north in ft, reckoned from airspeed and heading rate, from
         the first heading on; NaN in gaps, from which on it starts anew where
         it was. Nothing when a sensor is missing."""
-        sensors = [self.sensor(name) for name in (
-            "airspeed", "altitude", "altitude_offset", "roll_attitude",
-            "pitch_attitude", "pitch_rate", "yaw_rate")]
-        if self.downlink is None or any(each is None for each in sensors):
+        names = ("airspeed", "altitude", "altitude_offset", "roll_attitude",
+                 "pitch_attitude", "pitch_rate", "yaw_rate")
+        if self.downlink is None or not self.has_all(
+                *(f"{self.downlink}.{name}" for name in names)):
             return None
-        speed, altitude, offset, bank, pitch, q, r = sensors
-        has_all = ~numpy.any(numpy.isnan(sensors), axis=0)
-        if not numpy.any(has_all):
-            return None
-        # The standard atmosphere makes of calibrated airspeed the true one.
-        density = (1.0 - 6.8756e-6 * (altitude + offset)) ** 4.2559
-        knots = speed / numpy.sqrt(density)
-        bank, pitch, q, r = map(numpy.radians, (bank, pitch, q, r))
-        turn = ((q * numpy.sin(bank) + r * numpy.cos(bank))
-                / numpy.maximum(numpy.cos(pitch), 0.05))
-        step = numpy.r_[0.0, numpy.diff(self.seconds)]
-        # Nothing is known of what happens in a gap.
-        step[~has_all | (step > 1.5 * packets.FRAME_S) | (step < 0)] = 0.0
-        heading = (numpy.radians(self.first_heading)
-                   + numpy.cumsum(numpy.where(has_all, turn, 0.0) * step))
-        feet = (numpy.where(has_all, knots * numpy.cos(pitch), 0.0)
-                * FEET_PER_NAUTICAL_MILE / 3600.0 * step)
-        east = numpy.cumsum(feet * numpy.sin(heading))
-        north = numpy.cumsum(feet * numpy.cos(heading))
-        return (numpy.where(has_all, east, numpy.nan),
-                numpy.where(has_all, north, numpy.nan))
+        # Words, so that seven columns of a long flight have room.
+        words = [self.columns[f"{self.downlink}.{name}"].astype(numpy.uint16)
+                 for name in names]
+        scales = [records.item_of(f"{self.downlink}.{name}")
+                  for name in names]
+        track = [numpy.empty(self.rows) for _ in range(2)]
+        turned, place, any_known = 0.0, [0.0, 0.0], False
+        for before, first, last in pieces(self.rows, 1):
+            has_all = ~self.is_stale[first:last]
+            any_known = any_known or has_all.any()
+            speed, altitude, offset, bank, pitch, q, r = (
+                numpy.where(has_all, item.value(word[first:last].astype(float)),
+                            numpy.nan)
+                for item, word in zip(scales, words, strict=True))
+            # The standard atmosphere makes of calibrated airspeed the true
+            # one.
+            density = (1.0 - 6.8756e-6 * (altitude + offset)) ** 4.2559
+            knots = speed / numpy.sqrt(density)
+            bank, pitch, q, r = map(numpy.radians, (bank, pitch, q, r))
+            turn = ((q * numpy.sin(bank) + r * numpy.cos(bank))
+                    / numpy.maximum(numpy.cos(pitch), 0.05))
+            step = numpy.diff(self.seconds[before:last])
+            if before == first:
+                step = numpy.r_[0.0, step]
+            # Nothing is known of what happens in a gap.
+            step[~has_all | (step > 1.5 * packets.FRAME_S) | (step < 0)] = 0.0
+            turns = summed(numpy.where(has_all, turn, 0.0) * step, turned)
+            turned = turns[-1]
+            heading = numpy.radians(self.first_heading) + turns
+            feet = (numpy.where(has_all, knots * numpy.cos(pitch), 0.0)
+                    * FEET_PER_NAUTICAL_MILE / 3600.0 * step)
+            for axis, (whole, share) in enumerate(zip(
+                    track, (numpy.sin, numpy.cos), strict=True)):
+                along = summed(feet * share(heading), place[axis])
+                place[axis] = along[-1]
+                whole[first:last] = numpy.where(has_all, along, numpy.nan)
+        return tuple(track) if any_known else None
 
     @cached_property
     def first_heading(self):
@@ -297,20 +401,25 @@ class Flight:
         return 0.0
 
 
-def read(path, progress):
-    """The flight of a record. A line cut short at its end is left out."""
-    blocks = []
+def summed(steps, start):
+    """The running sum of a part, going on from the part before."""
+    steps[:1] += start
+    return numpy.cumsum(steps)
+
+
+def read(path, progress, folder=None):
+    """The flight of a record, kept in a file without a name in that folder.
+    Of a record that was cut short it has what is whole."""
     with records.opened(path, forgiving=True) as record:
+        columns = StoredColumns(record.names, folder)
         for rows in record.blocks():
-            blocks.append(rows)
+            columns.add(rows)
             progress(record)
-        if not blocks:
+        if not columns.rows:
             raise faults.Refused(
                 f"{faults.quoted(path)}: the record has no rows")
-        table = numpy.concatenate(blocks)
-        columns = {name: numpy.ascontiguousarray(table[:, place])
-                   for place, name in enumerate(record.names)}
-        return Flight(path, columns, getattr(record, "cut_short", None))
+        columns.end()
+        return Flight(path, columns, record.cut_short)
 
 
 def _text(path):

@@ -54,9 +54,9 @@ class Flown:
     def modes(self):
         """Lateral, vertical, power and link, by row."""
         if "laws.lateral" in self.flight:
-            return [self.flight.columns[f"laws.{name}"].astype(int)
+            return [self.flight.columns[f"laws.{name}"].astype(numpy.uint16)
                     for name in ("lateral", "vertical", "power", "link")]
-        told = self.flight.columns["laws.told"].astype(int)
+        told = self.flight.columns["laws.told"].astype(numpy.uint16)
         return [told >> laws.NIBBLE_BITS * place & 15 for place in range(4)]
 
     def spans(self, is_so):

@@ -134,7 +134,7 @@ def ground(
         flight.start(pilot, yamcs, mavlink, seconds)
         status = flight.watch()
     except KeyboardInterrupt:
-        status = 0
+        status = 0   # a deliberate end (D-39)
     finally:
         flight.end()
     if status == REFUSES:

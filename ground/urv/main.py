@@ -6,7 +6,8 @@ Python's own. What `scripts/setup.sh fly` leaves out is imported where it is
 used, so that help is quick, and one command needs nothing of another's.
 
 Exit status, as bin/urv_sim's: 0 done; 1 an output cannot be written, or
-something failed; 2 bad command line or bad input; 130 interrupted.
+something failed; 2 bad command line or bad input; 130 interrupted, of a
+command that would have ended by itself (D-39).
 """
 
 import os
@@ -81,6 +82,14 @@ def drop_standard_output():
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def missing(fault):
+    """Which package an import did not find, and what installs it."""
+    what = (f"the package {fault.name} is missing"
+            if isinstance(fault, ModuleNotFoundError) and fault.name
+            else f"a package is missing ({' '.join(str(fault).split())})")
+    return f"{what}: scripts/setup.sh ground installs it"
+
+
 def misused(fault):
     """What is wrong with the command line, with the choices."""
     said = fault.format_message().rstrip(".")
@@ -117,9 +126,10 @@ def main(arguments=None):
                 else "standard output")
         complain(f"{what}: {faults.reason(fault)}")
         return 1
-    except ModuleNotFoundError as fault:
-        if fault.name.split(".")[0] == "urv":
+    except ImportError as fault:
+        # Of a package in parts, like yamcs, one part may be missing.
+        name = (fault.name or "").split(".")[0]
+        if name == "urv":
             raise
-        complain(f"the package {fault.name} is missing:"
-                 " scripts/setup.sh ground installs it")
+        complain(missing(fault))
         return 1

@@ -16,8 +16,9 @@ from contextlib import contextmanager
 import numpy
 import zstandard
 from google.protobuf import descriptor_pb2
-from mcap.exceptions import McapError
-from mcap.reader import make_reader
+from mcap.exceptions import EndOfFile, McapError
+from mcap.records import Channel, Message, Metadata
+from mcap.stream_reader import CRCValidationError, StreamReader
 from mcap.writer import CompressionType, Writer as McapWriter
 
 from urv import faults, items, records
@@ -212,15 +213,20 @@ class Writer:
 class Record:
     """A record in an MCAP file that bin/urv has written."""
 
-    def __init__(self, path, stream):
+    def __init__(self, path, stream, forgiving=False):
         self.path = path
         self.stream = stream
+        self.forgiving = forgiving
         self.size = path.stat().st_size
-        self.reader = make_reader(stream, validate_crcs=True)
-        summary = self.reader.get_summary()
-        mark = next((each for each in self.reader.iter_metadata()
-                     if each.name == MARK), None)
-        if mark is None or mark.metadata.get("version") != VERSION:
+        self.cut_short = None
+        """What is missing of a record that was cut short, for people."""
+
+        # One chunk at a time; what the file's end says of it is not needed.
+        self.parts = StreamReader(stream, validate_crcs=True).records
+        mark = next((each for each in self.parts
+                     if isinstance(each, (Metadata, Message))), None)
+        if (not isinstance(mark, Metadata) or mark.name != MARK
+                or mark.metadata.get("version") != VERSION):
             raise faults.Refused(
                 f"{faults.quoted(path)}: no record: bin/urv convert has not"
                 " written it")
@@ -230,22 +236,44 @@ class Record:
             names, map(int, mark.metadata["decimals"].split(",")))
         self.names, self.decimals = names, self.columns.decimals
         self.layouts = layouts(self.columns)
-        self.many = summary.statistics.message_count if summary else None
 
     @property
     def position(self):
         return self.stream.tell()
 
+    def messages(self):
+        """Each with its topic. A forgiving reader stops where the file was
+        cut short."""
+        topics = {layout.topic for layout in self.layouts}
+        topic_of = {}
+        try:
+            for part in self.parts:
+                if isinstance(part, Channel):
+                    topic_of[part.id] = part.topic
+                elif isinstance(part, Message):
+                    topic = topic_of[part.channel_id]
+                    if topic in topics:
+                        yield topic, part.data
+        except (EndOfFile, struct.error, zstandard.ZstdError,
+                CRCValidationError):
+            # Of a last chunk that is not whole, too.
+            if not self.forgiving or self.position < self.size:
+                raise
+            self.cut_short = "it has no end; what came before is read"
+
     def blocks(self):
         waiting = {layout.topic: [] for layout in self.layouts}
         last = self.layouts[-1].topic
-        for _, channel, message in self.reader.iter_messages(
-                topics=list(waiting), log_time_order=False):
-            waiting[channel.topic].append(message.data)
-            if (channel.topic == last
+        for topic, data in self.messages():
+            waiting[topic].append(data)
+            if (topic == last
                     and len(waiting[last]) == records.ROWS_PER_BLOCK):
                 yield self.rows(waiting)
                 waiting = {topic: [] for topic in waiting}
+        if self.cut_short:
+            whole = min(map(len, waiting.values()))
+            waiting = {topic: messages[:whole]
+                       for topic, messages in waiting.items()}
         if any(waiting.values()):
             yield self.rows(waiting)
 
@@ -265,7 +293,7 @@ class Record:
 
 
 @contextmanager
-def opened(path):
+def opened(path, forgiving=False):
     """A record to be read."""
     try:
         stream = path.open("rb")
@@ -274,7 +302,7 @@ def opened(path):
                              f" {faults.reason(fault)}") from fault
     with stream:
         try:
-            yield Record(path, stream)
+            yield Record(path, stream, forgiving)
         except (McapError, EOFError, ValueError, KeyError, struct.error,
                 zstandard.ZstdError) as fault:
             raise faults.Refused(

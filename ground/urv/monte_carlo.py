@@ -169,30 +169,56 @@ def made(folder):
 def fly_all(campaign):
     import os
 
-    from urv import cargo, monte_carlo_page, monte_carlo_results, progress
+    from urv import cargo, monte_carlo_results, progress
     from urv import workers as engine
 
     made(campaign.output)
-    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.fly)
+    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.fly,
+                       program=CARGO[0], modules=("jsbsim",))
     jobs = (job(campaign, campaign.first + place)
             for place in range(campaign.count))
     count = campaign.workers or os.cpu_count() or 1
     found = []
     began = time.monotonic()
-    with progress.bar("flying") as told:
-        for asked, result in engine.done(
-                sent, jobs, campaign.scheduler, count):
-            found.append(monte_carlo_results.flight(
-                campaign.pilot, asked, result))
-            told(SimpleNamespace(size=campaign.count, position=len(found)))
+    ended = None
+    try:
+        with progress.bar("flying") as told:
+            for asked, result in engine.done(
+                    sent, jobs, campaign.scheduler, count):
+                found.append(monte_carlo_results.flight(
+                    campaign.pilot, asked, result))
+                told(SimpleNamespace(
+                    size=campaign.count, position=len(found)))
+    except (faults.Failed, KeyboardInterrupt) as fault:
+        # What was flown before is kept.
+        ended = fault
     elapsed = time.monotonic() - began
-    found.sort(key=lambda flight: flight.seed)
-    monte_carlo_results.write(
-        campaign.output / "results.parquet", campaign, sent.hash, found)
-    page = monte_carlo_page.page(
-        campaign, sent.hash, found,
-        lambda seed: command_again(campaign, seed))
-    (campaign.output / "report.html").write_text(page, encoding="utf-8")
+    if found:
+        keep(campaign, sent.hash, found)
+    if ended is not None:
+        faults.note(f"{len(found)} of {campaign.count} flights were flown;"
+                    + (f" they are in {faults.quoted(campaign.output)}"
+                       if found else " nothing is kept"))
+        raise ended
     well = sum(flight.is_success for flight in found)
     print(f"{well} of {len(found)} flights within all limits,"
           f" {len(found) / elapsed:.2f} flights a second")
+    in_vain = [flight for flight in found if flight.fault]
+    if in_vain:
+        raise faults.Failed(
+            f"{len(in_vain)} of {len(found)} flights could not be flown; seed"
+            f" {in_vain[0].seed}: {in_vain[0].fault}")
+
+
+def keep(campaign, cargo_hash, found):
+    """The table and the page of these flights, whole or as before."""
+    from urv import monte_carlo_page, monte_carlo_results, whole_files
+
+    found.sort(key=lambda flight: flight.seed)
+    with whole_files.replacing(campaign.output / "results.parquet") as path:
+        monte_carlo_results.write(path, campaign, cargo_hash, found)
+    page = monte_carlo_page.page(
+        campaign, cargo_hash, found,
+        lambda seed: command_again(campaign, seed))
+    with whole_files.replacing(campaign.output / "report.html") as path:
+        path.write_text(page, encoding="utf-8")

@@ -8,7 +8,7 @@ flew it or when.
 
 from typing import NamedTuple
 
-from urv import faults, success
+from urv import success
 
 # What the summary says of the flight and its link.
 PARTS = ("flight_quality", "circuit")
@@ -93,7 +93,9 @@ def write(path, campaign, cargo_hash, flights):
         "urv.surface_percent": str(campaign.surface_percent),
         "urv.console_percent": str(campaign.console_percent)})
     try:
-        pyarrow.parquet.write_table(table, path, compression="zstd")
+        # Arrow takes some names for addresses: it gets an open file.
+        with open(path, "wb") as file:
+            pyarrow.parquet.write_table(table, file, compression="zstd")
     except OSError as fault:
         raise faults.Failed(f"{faults.quoted(path)} cannot be written:"
                             f" {faults.reason(fault)}") from fault

@@ -10,6 +10,7 @@ of what falls on a pixel. So no peak is lost, however long the flight.
 from __future__ import annotations
 
 import base64
+import tempfile
 import zlib
 from typing import NamedTuple
 
@@ -69,6 +70,9 @@ def surface(title, *names):
 
 
 SWITCHES = "Switches"
+
+BYTES_AT_ONCE = 3 << 18
+"""A multiple of 3, so that each part's text goes on from the one before."""
 
 PANELS = (
     Panel("Sticks", "%", tuple(
@@ -151,10 +155,12 @@ def rate(flight, column):
 
 
 class Pack:
-    """Numbers of flights for the page, in one piece."""
+    """Numbers of flights for the page, in one piece: compressed, in a file
+    without a name, for they may be more than memory has room for."""
 
-    def __init__(self):
-        self.parts = []
+    def __init__(self, folder=None):
+        self.file = tempfile.TemporaryFile(dir=folder)
+        self.packer = zlib.compressobj(6)
         self.length = 0
 
     def add(self, values, kind):
@@ -163,13 +169,16 @@ class Pack:
         # A typed array begins at a multiple of its numbers' size.
         data += bytes(-len(data) % 8)
         place = {"at": self.length, "many": len(values), "type": kind}
-        self.parts.append(data)
+        self.file.write(self.packer.compress(data))
         self.length += len(data)
         return place
 
-    def text(self):
-        return base64.b64encode(
-            zlib.compress(b"".join(self.parts), 6)).decode("ascii")
+    def texts(self):
+        """The text for the page, in parts."""
+        self.file.write(self.packer.flush())
+        self.file.seek(0)
+        while part := self.file.read(BYTES_AT_ONCE):
+            yield base64.b64encode(part).decode("ascii")
 
 
 def series(flight, trace, pack, shift=0):

@@ -53,8 +53,11 @@ class Writer:
             for _, name in self.scaled]
         self.schema = pyarrow.schema(
             self.fields + values, metadata={MARK: VERSION})
+        # Arrow takes some names for addresses: it gets an open file.
+        self.stream = open(path, "wb")  # noqa: SIM115 - closed by close
         self.file = pyarrow.parquet.ParquetWriter(
-            path, self.schema, compression="zstd", write_page_checksum=True)
+            self.stream, self.schema, compression="zstd",
+            write_page_checksum=True)
         self.waiting = []
 
     def write(self, rows):
@@ -79,13 +82,16 @@ class Writer:
             pyarrow.Table.from_arrays(arrays, schema=self.schema))
 
     def close(self, is_whole):
-        if is_whole:
-            self.flush()
-        self.file.close()
+        with self.stream:
+            if is_whole:
+                self.flush()
+            self.file.close()
 
 
 class Record:
     """A record in a Parquet file that bin/urv has written."""
+
+    cut_short = None
 
     def __init__(self, path, file):
         self.path = path
@@ -125,14 +131,23 @@ def _told(path, read):
         if isinstance(fault, OSError) and fault.errno:
             raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
                                  f" {faults.reason(fault)}") from fault
-        raise faults.Refused(f"{faults.quoted(path)}: no Parquet file, or"
-                             " one that is damaged") from fault
+        raise faults.Refused(
+            f"{faults.quoted(path)}: no Parquet file, or one that is damaged"
+            " or cut short: its end says what is in it") from fault
 
 
 @contextmanager
-def opened(path):
-    """A record to be read."""
-    file = _told(path, lambda: pyarrow.parquet.ParquetFile(
-        path, page_checksum_verification=True))
-    with file:
-        yield Record(path, file)
+def opened(path, forgiving=False):
+    """A record to be read. One that was cut short is refused: without its end
+    nothing of it can be read."""
+    del forgiving
+    try:
+        stream = path.open("rb")
+    except OSError as fault:
+        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
+                             f" {faults.reason(fault)}") from fault
+    with stream:
+        file = _told(path, lambda: pyarrow.parquet.ParquetFile(
+            stream, page_checksum_verification=True))
+        with file:
+            yield Record(path, file)

@@ -79,7 +79,7 @@ class CsvRecord:
         self.forgiving = forgiving
         self.size = path.stat().st_size if path.is_file() else None
         self.cut_short = None
-        """The number of the last line, when it is not whole."""
+        """What is missing of a record that was cut short, for people."""
 
         header = self.next_line(1)
         if header is None:
@@ -121,12 +121,15 @@ class CsvRecord:
         found = self.lines(1)
         if found and not found[0].endswith("\n"):
             if number == 2 and self.forgiving:
-                self.cut_short = number
+                self.leave_out(number)
                 return None
             raise faults.Refused(
                 f"{self.where(number)}: the last line has no end: the record"
                 " was cut short")
         return found[0] if found else None
+
+    def leave_out(self, number):
+        self.cut_short = f"its line {number} is not whole and left out"
 
     def kinds(self, names):
         """How many decimals each column has, as its first row shows."""
@@ -151,7 +154,7 @@ class CsvRecord:
                     raise faults.Refused(
                         f"{self.where(last)}: the last line has no end: the"
                         " record was cut short")
-                self.cut_short = last
+                self.leave_out(last)
                 lines.pop()
                 if not lines:
                     return
@@ -227,7 +230,8 @@ ENDINGS = "a record's name ends with .csv, .mcap or .parquet"
 def opened(path, forgiving=False):
     """A record to be read, of whichever kind its name says.
 
-    A forgiving reader leaves out a last line that was cut short.
+    A forgiving reader reads a record that was cut short as far as it is
+    whole; `cut_short` of the record says then what is missing.
     """
     path = Path(path)
     kind = path.suffix.lower()
@@ -235,7 +239,7 @@ def opened(path, forgiving=False):
         with _opened_text(path) as file:
             yield CsvRecord(path, file, forgiving)
     elif kind in KINDS:
-        with _module(kind).opened(path) as record:
+        with _module(kind).opened(path, forgiving) as record:
             yield record
     else:
         raise faults.Refused(f"{faults.quoted(path)}: {ENDINGS}")

@@ -28,17 +28,21 @@ def report(
 
     One page that needs no network.
     """
-    from urv import flights, progress, report_page
+    from urv import flights, progress, report_page, whole_files
 
     with progress.bar("reading") as told:
         pages_events = flights.read_events(events) if events else []
         pages_summary = flights.read_summary(summary) if summary else None
-        read = [flights.read(record, told)]
-        if compare:
-            read.append(flights.read(compare, told))
-    text = report_page.page(read, pages_events, pages_summary)
-    try:
-        output.write_text(text, encoding="utf-8")
-    except OSError as fault:
-        raise faults.Failed(f"{faults.quoted(output)} cannot be written:"
-                            f" {faults.reason(fault)}") from fault
+        # What does not fit into memory is kept beside the page.
+        beside = output.parent if output.parent.is_dir() else None
+        read = [flights.read(each, told, beside)
+                for each in (record, compare) if each]
+    with whole_files.replacing(output) as path, path.open(
+            "w", encoding="utf-8") as page:
+        for text in report_page.page(
+                read, pages_events, pages_summary, beside):
+            page.write(text)
+    for flight in read:
+        if flight.cut_short:
+            faults.note(f"{faults.quoted(flight.path)} was cut short:"
+                        f" {flight.cut_short}")

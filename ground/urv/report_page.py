@@ -32,12 +32,12 @@ MOST_EXCEEDANCES = 100
 """In the table; a flight with more of them has another problem."""
 
 
-def page(flights, events, summary):
-    """The text of the page."""
+def page(flights, events, summary, folder=None):
+    """The text of the page, in parts."""
     flight = flights[0]
-    pack = panels.Pack()
+    pack = panels.Pack(folder)
     data = {
-        "names": [each.path.name for each in flights],
+        "names": [shown_name(each) for each in flights],
         "timing": [panels.timing(each, pack) for each in flights],
         "panels": panels.drawn(flights, pack),
         "track": panels.track(flights, pack),
@@ -57,24 +57,37 @@ def page(flights, events, summary):
         # Beside those of the first flight, if it has any.
         other += [each.answer() if each else None
                   for each in laws[1:] if laws[0]]
-    return "".join((
+    yield "".join((
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
         "<meta charset=\"utf-8\">\n"
         f"<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,"
         " initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        f"<title>Flight report: {escape(flight.path.name)}</title>\n"
+        f"<title>Flight report: {named(flight)}</title>\n"
         "<style>\n", (FOLDER / "report.css").read_text("utf-8"),
         "</style>\n</head>\n<body>\n",
-        head(flights), summary_of(answers, other),
+        head(flights, summary), summary_of(answers, other),
         exceedances(flight, events), PLOTS, foot(flights),
         f"<script type=\"application/json\" id=\"data\">{script(data)}"
-        "</script>\n",
-        f"<script type=\"text/plain\" id=\"numbers\">{pack.text()}</script>\n",
-        f"<script type=\"text/plain\" id=\"plotly\">{library()}</script>\n",
+        "</script>\n"))
+    yield "<script type=\"text/plain\" id=\"numbers\">"
+    yield from pack.texts()
+    yield "</script>\n"
+    yield (f"<script type=\"text/plain\" id=\"plotly\">{library()}"
+           "</script>\n")
+    yield "".join((
         "<script>\n", (FOLDER / "report.js").read_text("utf-8"),
         "</script>\n</body>\n</html>\n"))
+
+
+def named(flight):
+    """The name of its file, also one that is not UTF-8."""
+    return escape(shown_name(flight))
+
+
+def shown_name(flight):
+    return flight.path.name.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def library():
@@ -99,19 +112,35 @@ def seconds(value):
     return verdicts.number(value, 2, "s")
 
 
-def head(flights):
-    """The title and which flights these are."""
+def head(flights, summary=None):
+    """The title, which flights these are, and what is missing of them."""
+    missing = missing_frames(flights[0], summary)
     rows = []
     for letter, flight in zip("AB", flights, strict=False):
         mark = f"{letter}: " if len(flights) > 1 else ""
-        cut = (f"; its line {flight.cut_short} is cut short and left out"
+        cut = (f"; it was cut short: {escape(flight.cut_short)}"
                if flight.cut_short else "")
+        if flight is flights[0]:
+            cut += "".join(f"; {escape(each)}" for each in missing)
         begin, end = flight.seconds[0], flight.seconds[-1]
         rows.append(
-            f"<p>{mark}<b>{escape(flight.path.name)}</b>: {flight.rows}"
+            f"<p>{mark}<b>{named(flight)}</b>: {flight.rows}"
             f" frames, {seconds(begin)} to {seconds(end)},"
             f" {len(flight.columns)} columns{cut}</p>\n")
     return f"<header>\n<h1>Flight report</h1>\n{''.join(rows)}</header>\n"
+
+
+def missing_frames(flight, summary):
+    """What the summary says of frames that the record has not, and of its own
+    end."""
+    if not summary:
+        return
+    frames = summary.get("frames")
+    if verdicts.is_number(frames) and frames > flight.frames:
+        yield f"the summary has {frames} frames, the record {flight.frames}"
+    if summary.get("unfinished"):
+        yield ("the program was ended in flight: its summary is not that of"
+               " the whole flight")
 
 
 def mark(level):

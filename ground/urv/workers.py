@@ -5,12 +5,18 @@
 
 A worker that dies costs its job a second try: Dask gives it to another one, or
 to the one that is started in its place. Results come as they are done.
+
+faults.Failed says within PATIENCE_S that nobody can go on: no worker, one of
+another version or without what the cargo needs, a scheduler that has gone.
+What was done before has come by then.
 """
 
 import contextlib
 import logging
+import queue
 import sys
 import tempfile
+import time
 
 from urv import faults
 
@@ -19,6 +25,17 @@ AHEAD = 20
 
 # How often a job's worker may die before the job is to blame.
 DEATHS = 3
+
+# How long there may be no worker, or no scheduler, in s.
+PATIENCE_S = 20
+
+# Of these each side must have the same, down to the last digit but Python's.
+SAME = ("python", "dask", "distributed", "cloudpickle")
+
+# After so many jobs in a row that could not be done the workers are to blame.
+MOST_FAULTS = 20
+
+LOOK_S = 1.0
 
 
 def task():
@@ -58,17 +75,22 @@ def connected(scheduler, count):
 def done(cargo, jobs, scheduler=None, count=2):
     """Each job with its result, in the order in which they are done."""
     with connected(scheduler, count) as client:
-        yield from done_by(client, cargo, jobs)
+        yield from done_by(client, cargo, jobs, scheduler or "here")
 
 
-def done_by(client, cargo, jobs):
-    import distributed
-
-    client.register_plugin(plugin_of(cargo), name=cargo.name)
+def done_by(client, cargo, jobs, where="here"):
+    watch = Watch(client, where)
+    watch.await_a_worker()
+    must_be_the_same(client, where)
+    try:
+        client.register_plugin(plugin_of(cargo), name=cargo.name)
+    except RuntimeError as fault:
+        raise faults.Failed(f"a worker of {where} lacks what it needs:"
+                            f" {fault}") from fault
     do_it = task()
     waiting = iter(jobs)
     asked = {}
-    results = distributed.as_completed()
+    results = queue.SimpleQueue()
 
     def ask_more():
         wanted = AHEAD * max(1, len(client.nthreads()))
@@ -78,19 +100,94 @@ def done_by(client, cargo, jobs):
                 return
             future = client.submit(do_it, cargo.name, job, pure=False)
             asked[future] = job
-            results.add(future)
+            future.add_done_callback(results.put)
 
     try:
         ask_more()
-        for future in results:
-            job = asked.pop(future)
+        in_vain = 0
+        while asked:
+            try:
+                future = results.get(timeout=LOOK_S)
+            except queue.Empty:
+                watch.look()
+                continue
+            watch.must_be_connected()
             result = answer(future)
             if result.get("cargo", cargo.hash) != cargo.hash:
                 raise faults.Failed("a worker had another cargo")
-            yield job, result
+            yield asked.pop(future), result
+            in_vain = in_vain + 1 if "fault" in result else 0
+            if in_vain == MOST_FAULTS:
+                raise faults.Failed(
+                    f"the last {in_vain} could not be done, the workers of"
+                    f" {where} are to blame: {result['fault']}")
             ask_more()
     finally:
-        client.unregister_worker_plugin(cargo.name)
+        if client.status == "running":
+            with contextlib.suppress(Exception):
+                client.unregister_worker_plugin(cargo.name)
+
+
+class Watch:
+    """Whether there is a scheduler, and a worker."""
+
+    def __init__(self, client, where):
+        self.client = client
+        self.where = where
+        self.last_seen = time.monotonic()
+
+    def must_be_connected(self):
+        if self.client.status != "running":
+            raise faults.Failed(
+                f"the scheduler of {self.where} has ended or cannot be"
+                " reached")
+
+    def look(self):
+        """Raises faults.Failed when there has been none for too long."""
+        self.must_be_connected()
+        try:
+            is_there = bool(self.client.nthreads())
+        except (OSError, TimeoutError):
+            is_there = False
+        self.must_be_connected()
+        now = time.monotonic()
+        if is_there:
+            self.last_seen = now
+        elif now - self.last_seen >= PATIENCE_S:
+            raise faults.Failed(
+                f"no worker of {self.where} for {PATIENCE_S} s; the log of one"
+                " that was there says why it ended")
+
+    def await_a_worker(self):
+        while True:
+            self.look()
+            if self.client.nthreads():
+                return
+            time.sleep(LOOK_S / 4)
+
+
+def must_be_the_same(client, where):
+    """What travels is code: each side must have the same versions."""
+    found = client.get_versions()
+
+    def of(side):
+        packages = {**side.get("packages", {})}
+        python = str(packages.get("python") or side.get("host", {}).get(
+            "python", "unknown"))
+        packages["python"] = ".".join(python.split(".")[:2])
+        return packages
+
+    here = of(found["client"])
+    sides = {"the scheduler": found["scheduler"], **{
+        f"the worker {name}": side
+        for name, side in found["workers"].items()}}
+    for name, side in sides.items():
+        there = of(side)
+        for package in SAME:
+            if there.get(package) != here.get(package):
+                raise faults.Failed(
+                    f"{name} of {where} has {package} {there.get(package)},"
+                    f" here is {here.get(package)}")
 
 
 def plugin_of(cargo):
@@ -117,4 +214,5 @@ def answer(future):
     try:
         return future.result()
     except Exception as fault:  # noqa: BLE001 - whatever a worker meets
-        return {"fault": f"{type(fault).__name__}: {fault}"[:200]}
+        return {"fault": " ".join(
+            f"{type(fault).__name__}: {fault}".split())[:200]}

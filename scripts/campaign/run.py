@@ -369,12 +369,13 @@ def planned(size, only=None):
 
 
 def run_campaign(size, jobs, scheduler, message_format=1, only=None):
-    from urv import cargo, progress, workers
+    from urv import cargo, faults, progress, workers
 
     RESULTS.mkdir(exist_ok=True)
     names = planned(size, only)
     began = time.monotonic()
-    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.run_python)
+    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.run_python,
+                       program="bin/urv_sim")
     flown = flown_before(sent.hash, message_format)
     results = {name: flown[name] for name in names if name in flown}
     before = len(results)
@@ -394,6 +395,10 @@ def run_campaign(size, jobs, scheduler, message_format=1, only=None):
                         "failures": [f"{job['name']}: no result:"
                                      f" {answer['fault']}"]})
                 told(SimpleNamespace(size=len(names), position=len(results)))
+    except faults.Failed as fault:
+        print(f"{size}: {fault}; {len(results)} of {len(names)} shards were"
+              " flown; it goes on from here next time", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print(f"{size}: broken off after {len(results)} of {len(names)}"
               " shards; it goes on from here next time")

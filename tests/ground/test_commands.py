@@ -2,12 +2,14 @@
 """GND-10: what bin/urv says to whom, and its exit status."""
 
 import io
+import os
 import re
+import subprocess
 import sys
 import time
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, TIME_LIMIT_S
 
 from urv import progress
 
@@ -84,3 +86,71 @@ def test_gnd10_where_nobody_looks_there_is_no_bar(monkeypatch):
     with progress.bar("converting") as told:
         told(Record)
     assert sys.stderr.getvalue() == ""
+
+
+WITHOUT = """
+import sys
+
+class Hidden:
+    def find_spec(self, name, path=None, target=None):
+        if name == {name!r} or name.startswith({name!r} + "."):
+            raise {error}
+
+sys.meta_path.insert(0, Hidden())
+sys.argv[0] = "urv"
+import runpy
+runpy.run_module("urv", run_name="__main__")
+"""
+
+
+def run_without(folder, name, *arguments, error=None):
+    """bin/urv where that package is not installed."""
+    error = error or "ModuleNotFoundError('No module named', name=name)"
+    return subprocess.run(
+        [sys.executable, "-B", "-c", WITHOUT.format(name=name, error=error),
+         *map(str, arguments)], cwd=folder, text=True, capture_output=True,
+        check=False, timeout=TIME_LIMIT_S,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "ground")})
+
+
+@pytest.mark.parametrize("name, command", [
+    ("typer", ["--help"]), ("numpy", ["report", "a.csv", "-o", "a.html"]),
+    ("pyarrow", ["convert", "a.csv", "a.parquet"]),
+    ("mcap", ["convert", "a.csv", "a.mcap"]),
+    ("google.protobuf", ["convert", "a.csv", "a.mcap"]),
+    ("yamcs", ["xtce", "-o", "a.xml"]),
+    ("aiohttp", ["station"]), ("pymavlink", ["mavlink"]),
+    ("distributed", ["monte-carlo", "--flights", "1"]),
+])
+def test_gnd10_a_missing_package_gives_one_line_with_the_command(
+        tmp_path, name, command):
+    (tmp_path / "a.csv").write_text("frame,time_ms\n0,20\n", "utf-8")
+    result = run_without(tmp_path, name, *command)
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr.startswith(f"urv: the package {name}")
+    target = "fly" if name == "typer" else "ground"
+    assert result.stderr.endswith(
+        f" is missing: scripts/setup.sh {target} installs it\n")
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_gnd10_a_package_with_a_part_missing_gives_one_line(tmp_path):
+    """An ImportError that is no ModuleNotFoundError was a traceback."""
+    result = run_without(
+        tmp_path, "yamcs", "xtce", "-o", "a.xml",
+        error="ImportError(\"cannot import name 'pymdb' from 'yamcs'\")")
+    assert (result.returncode, result.stderr) == (
+        1, "urv: a package is missing (cannot import name 'pymdb' from"
+        " 'yamcs'): scripts/setup.sh ground installs it\n")
+
+
+SCRIPTS = [path for folder in ("scripts", "ground")
+           for path in sorted((ROOT / folder).rglob("*"))
+           if path.is_file() and path.suffix in (".py", ".sh")]
+
+
+def test_gnd10_what_has_a_first_line_for_it_can_be_run():
+    """A script with #! has its run bit, and none has the one only."""
+    for path in SCRIPTS:
+        has_line = path.read_bytes().startswith(b"#!")
+        assert os.access(path, os.X_OK) == has_line, path

@@ -175,7 +175,8 @@ def test_gnd31_killed_itself_it_leaves_nobody(tmp_path):
 
 
 def test_gnd31_an_interrupt_ends_it_in_the_background_too(tmp_path):
-    """A shell that is not interactive starts programs with SIGINT off."""
+    """A shell that is not interactive starts programs with SIGINT off. The end
+    is deliberate: exit status 0 (D-39)."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         ground = Ground(tmp_path, "--no-yamcs").__enter__()

@@ -12,15 +12,17 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from conftest import ROOT, TIME_LIMIT_S
+from conftest import ROOT, TIME_LIMIT_S, URV
 
 from urv import (
-    cargo, dispersions, monte_carlo, monte_carlo_page, monte_carlo_results,
+    cargo, dispersions, faults, monte_carlo, monte_carlo_page, monte_carlo_results,
     success, workers)
 
 pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
 distributed = pytest.importorskip("distributed")
 parquet = pytest.importorskip("pyarrow.parquet")
+
+PATIENCE_S = workers.PATIENCE_S
 
 SHORT = SimpleNamespace(pilot="level", seconds=10, output="out",
                         surface_percent=0, console_percent=0)
@@ -337,6 +339,152 @@ def test_what_is_asked_wrongly_is_said(urv, options, complaint):
     result = urv("monte-carlo", *options)
     assert result.returncode == 2
     assert complaint in result.stderr
+
+
+WORKER = ("--nthreads", "1", "--no-nanny", "--no-dashboard",
+          "--local-directory", ".")
+
+
+def test_a_scheduler_without_workers_is_told(dask, sent, monkeypatch):
+    monkeypatch.setattr(workers, "PATIENCE_S", 2)
+    address = dask.scheduler()
+    with pytest.raises(faults.Failed, match="no worker of .* for 2 s"):
+        list(workers.done(sent, jobs(2), address))
+    assert 10 <= PATIENCE_S < 30
+
+
+def test_workers_that_end_are_told_and_what_was_flown_has_come(
+        dask, sent, monkeypatch):
+    monkeypatch.setattr(workers, "PATIENCE_S", 2)
+    address = dask.scheduler()
+    worker = dask.start("worker-0", address, *WORKER)
+    found = []
+    with pytest.raises(faults.Failed, match="no worker of .* for 2 s"):
+        for job, _ in workers.done(sent, jobs(8), address):
+            found.append(job["seed"])
+            if len(found) == 2:
+                worker.kill()
+    assert 2 <= len(found) < 8
+
+
+def test_a_scheduler_that_dies_is_told_and_what_was_flown_is_kept(
+        dask, tmp_path):
+    """kill -9 of it in the middle."""
+    address = dask.scheduler()
+    dask.start("worker-0", address, *WORKER)
+    running = subprocess.Popen(
+        [URV, "monte-carlo", "--flights", "500", "--pilot", "level",
+         "--seconds", "10", "--scheduler", address, "-o", "kept"],
+        cwd=tmp_path, text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE)
+    wait_for_flights(tmp_path / "worker-0")
+    dask.running[0].kill()
+    began = time.monotonic()
+    _, said = running.communicate(timeout=TIME_LIMIT_S)
+    # Its own patience, and room for a slow machine.
+    assert time.monotonic() - began < 120
+    assert running.returncode == 1
+    lines = said.splitlines()
+    assert lines[-1].startswith(f"urv: the scheduler of {address} has ended")
+    flown_before = re.search(r"urv: (\d+) of 500 flights were flown", said)
+    table = tmp_path / "kept" / "results.parquet"
+    assert table.exists() == (int(flown_before[1]) > 0)
+    if table.exists():
+        assert parquet.read_table(table).num_rows == int(flown_before[1])
+
+
+def wait_for_flights(folder):
+    """Until a worker has flown for a while."""
+    for _ in range(1200):
+        if any(folder.rglob("cargo-*/tmp*")):
+            time.sleep(5)
+            return
+        time.sleep(0.1)
+    raise AssertionError("the worker flew nothing")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_d39_what_was_flown_before_it_was_ended_is_kept(
+        tmp_path, number):
+    running = subprocess.Popen(
+        [URV, "monte-carlo", "--flights", "5000", "--pilot", "level",
+         "--seconds", "10", "--workers", "1", "-o", "kept"], cwd=tmp_path,
+        text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        env={**os.environ, "TMPDIR": str(tmp_path)})
+    wait_for_flights(tmp_path)
+    running.send_signal(number)
+    _, said = running.communicate(timeout=TIME_LIMIT_S)
+    assert running.returncode == 130
+    flown_before = re.search(r"urv: (\d+) of 5000 flights were flown", said)
+    assert said.splitlines()[-1] == "urv: interrupted"
+    table = parquet.read_table(tmp_path / "kept" / "results.parquet")
+    assert table.num_rows == int(flown_before[1]) > 0
+
+
+@pytest.mark.parametrize("lacks", ["program", "module"])
+def test_a_worker_without_what_it_needs_is_told(dask, sent, lacks):
+    lame = cargo.Cargo(
+        sent.archive, cargo.fly, **(
+            {"program": "sim/jsbsim/plant.py"} if lacks == "program"
+            else {"modules": ("no_such_module",)}))
+    address = dask.scheduler()
+    dask.start("worker-0", address, *WORKER)
+    with pytest.raises(faults.Failed, match="lacks what it needs: "
+                       + ("sim/jsbsim/plant.py" if lacks == "program"
+                          else "the Python module no_such_module")):
+        list(workers.done(lame, jobs(2), address))
+
+
+def test_another_version_is_told():
+    here = {"host": {"python": "3.11.2.final.0"},
+            "packages": {"dask": "1", "distributed": "1", "cloudpickle": "3"}}
+
+    def of(scheduler, worker):
+        return SimpleNamespace(get_versions=lambda: {
+            "client": here, "scheduler": scheduler,
+            "workers": {"tcp://a": worker}})
+
+    workers.must_be_the_same(of(here, here), "here")
+    patched = {**here, "host": {"python": "3.11.9.final.0"}}
+    workers.must_be_the_same(of(patched, patched), "here")
+    for other, what in (
+            ({**here, "host": {"python": "3.13.1.final.0"}},
+             "python 3.13, here is 3.11"),
+            ({**here, "packages": {**here["packages"], "distributed": "2"}},
+             "distributed 2, here is 1")):
+        with pytest.raises(faults.Failed, match=f"the worker tcp://a .*{what}"):
+            workers.must_be_the_same(of(here, other), "here")
+        with pytest.raises(faults.Failed, match=f"the scheduler .*{what}"):
+            workers.must_be_the_same(of(other, here), "here")
+
+
+def test_workers_that_can_do_nothing_are_stopped(dask, sent):
+    """Not each of a thousand flights is tried."""
+    wrong = jobs(1)[0]
+    wrong["files"]["conditions.txt"] = "wind 3\n"
+    address = dask.scheduler()
+    dask.start("worker-0", address, *WORKER)
+    found = []
+    with pytest.raises(faults.Failed, match="the last 20 could not be done"):
+        for _, result in workers.done(sent, [wrong] * 1000, address):
+            found.append(result)
+    assert len(found) == workers.MOST_FAULTS
+
+
+def test_flights_that_could_not_be_flown_are_no_success(
+        monkeypatch, tmp_path):
+    """The command's exit status is that of a failure, and the table is
+    there."""
+    monkeypatch.setattr(workers, "done", lambda sent, wanted, *_: (
+        (job, {"fault": "no such library"}) for job in wanted))
+    with pytest.raises(faults.Failed, match="2 of 2 flights could not be"
+                       " flown; seed 1: no such library"):
+        monte_carlo.fly_all(SimpleNamespace(
+            pilot="level", seconds=10, first=1, count=2,
+            output=tmp_path / "a:b", scheduler=None, workers=1,
+            surface_percent=0))
+    assert parquet.read_table(
+        (tmp_path / "a:b" / "results.parquet").open("rb")).num_rows == 2
 
 
 def test_a_scheduler_that_is_not_there_is_said(urv):

@@ -443,10 +443,28 @@ def test_gnd14_a_record_that_was_cut_short_still_has_a_report(
     text = (sagging / "record.csv").read_bytes()
     (tmp_path / "cut.csv").write_bytes(text[:-100])
     result = urv("report", "cut.csv", "-o", "report.html")
-    assert (result.returncode, result.stderr) == (0, "")
+    missing = "its line 751 is not whole and left out"
+    assert (result.returncode, result.stderr) == (
+        0, f'urv: "cut.csv" was cut short: {missing}\n')
     shown = Texts(tmp_path / "report.html").text
     assert "749 frames" in shown
-    assert "its line 751 is cut short and left out" in shown
+    assert f"it was cut short: {missing}" in shown
+
+
+def test_gnd14_a_report_says_what_the_summary_has_more(
+        urv, tmp_path, sagging):
+    lines = (sagging / "record.csv").read_bytes().splitlines(True)
+    (tmp_path / "part.csv").write_bytes(b"".join(lines[:701]))
+    summary = json.loads((sagging / "summary.json").read_text("utf-8"))
+    (tmp_path / "summary.json").write_text(json.dumps(
+        summary | {"unfinished": True}), encoding="utf-8")
+    result = urv("report", "part.csv", "--summary", "summary.json",
+                 "-o", "report.html")
+    assert (result.returncode, result.stderr) == (0, "")
+    shown = Texts(tmp_path / "report.html").text
+    assert f"the summary has {summary['frames']} frames, the record 700" \
+        in shown
+    assert "the program was ended in flight" in shown
 
 
 @pytest.mark.parametrize("option, text, message", [

@@ -4,6 +4,7 @@ SLEEP, TERMINATE, P, V and RECV with a wait have a user (KRN-2 to KRN-5, SEM-1,
 SEM-2, MBX-3, D-25)."""
 
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -73,3 +74,50 @@ def test_the_kernel_is_a_project_of_its_own():
         withs = re.findall(r"^with ([\w.]+);", path.read_text("utf-8"), re.M)
         for unit in withs:
             assert re.match(r"(URVOS|Ada|System|Interfaces)\b", unit), path
+
+
+@pytest.mark.parametrize("arguments", [
+    (), ("virtual",), ("real",), ("virtual", "3"), ("virtual", "0"),
+    ("real", "x"), ("unreal", "1"), ("real", "1", "2"), ("", "1")])
+def test_a_wrong_command_line_is_answered_with_the_usage(arguments):
+    """It hung: the environment task ended, and the kernel's tasks do not."""
+    result = subprocess.run([PROGRAM, *arguments], check=False, text=True,
+                            capture_output=True, timeout=60)
+    assert (result.returncode, result.stdout, result.stderr) == (
+        2, "", "run_thermostat: usage: run_thermostat virtual|real 1|2\n")
+
+
+@pytest.fixture(scope="module")
+def faulty(tmp_path_factory):
+    """The example with a task that raises an exception after two seconds."""
+    root = tmp_path_factory.mktemp("faulty")
+    for name in ("src/kernel", "examples/thermostat"):
+        shutil.copytree(ROOT / name, root / name)
+    shutil.copy(ROOT / "ravenscar.adc", root)
+    body = root / "examples" / "thermostat" / "thermostat.adb"
+    text = body.read_text("utf-8")
+    step = "            when Sensor  => Measure;\n"
+    assert text.count(step) == 1
+    body.write_text(text.replace(step, """\
+            when Sensor  =>
+               if Now > 1000 then
+                  raise Constraint_Error with "planted";
+               end if;
+               Measure;
+"""), encoding="utf-8")
+    subprocess.run(["gprbuild", "-q", "-p", "-j0", "-P", PROJECT], cwd=root,
+                   check=True)
+    return root / "bin" / "thermostat" / "run_thermostat"
+
+
+@pytest.mark.parametrize("clock", ["virtual", "real"])
+@pytest.mark.parametrize("processors", ["1", "2"])
+def test_krn6_an_exception_ends_the_program_with_a_message(
+        faulty, clock, processors):
+    """In real time it was swallowed with its task; in virtual time the program
+    hung."""
+    result = subprocess.run([faulty, clock, processors], check=False,
+                            text=True, capture_output=True, timeout=120)
+    assert (result.returncode, result.stdout) == (1, "")
+    assert len(result.stderr.splitlines()) == 1
+    assert "CONSTRAINT_ERROR: planted" in result.stderr

@@ -226,3 +226,15 @@ def test_each_fault_of_the_page_is_seen(fly, write, example):
 
 def test_the_page_has_an_example_of_each_kind():
     assert [*map(kind_of, EXAMPLES)] == [*SEEN, *PLACES]
+
+
+def test_no_table_is_cut_by_a_blank_line():
+    """A row without a head before it is no row where the page is shown."""
+    for page in sorted((ROOT / "docs").rglob("*.md")):
+        lines = page.read_text("utf-8").splitlines()
+        for number, line in enumerate(lines):
+            begins = line.startswith("|") and (
+                number == 0 or not lines[number - 1].startswith("|"))
+            if begins:
+                assert set(lines[number + 1]) <= set("|-: "), (
+                    page, number + 1)
