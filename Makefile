@@ -44,7 +44,8 @@ help:
 fly:
 	@scripts/setup.sh fly
 	@echo "fly: building bin/urv_sim"
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@scripts/patiently.sh "fly: building" \
+	   $(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@mkdir -p flight
 	@echo "fly: flying 180 s"
 	@bin/urv_sim fly --plant jsbsim --pilot standard \
@@ -61,7 +62,8 @@ OPTIONS        :=
 ground:
 	@scripts/setup.sh ground
 	@echo "ground: building bin/urv_gsc and bin/urv_mcs"
-	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
+	@scripts/patiently.sh "ground: building" \
+	   $(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
 	@exec bin/urv ground $(if $(GROUND_SECONDS),--seconds $(GROUND_SECONDS)) \
 	   $(OPTIONS)
 

@@ -10,6 +10,7 @@ tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation, of the real-time partitions and of the ground station; likely
 changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record.
+Each test is a line, once; where none comes for 15 s a line says what goes on.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same. Before the last line stand the slowest tests, the
 failed ones, and each part with its result and time (EVI-11).
@@ -17,11 +18,13 @@ Exit status: 0 when none failed and at least one passed.
 """
 
 import concurrent.futures
+import contextlib
 import os
 import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
 import xml.etree.ElementTree
 from pathlib import Path
@@ -33,6 +36,9 @@ GPRBUILD = ["gprbuild", "-q", "-p", "-j0"]
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$")
 UNIT_TEST = re.compile(r"^(ok  |FAIL) (.+)$")
 SLOWEST = 10
+
+# Nobody waits longer for a line.
+SILENCE_S = 15.0
 
 # The files of tests of the simulation that `make check` leaves out: they take
 # longest.
@@ -63,17 +69,63 @@ tests = []
 building = []
 
 
-def run(*command):
+class Screen:
+    """What is shown, a line at a time. After each SILENCE_S without one it says
+    what goes on, and for how long."""
+
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.last = time.monotonic()
+
+    def put(self, line):
+        with self.lock:
+            sys.stdout.write(line)
+            sys.stdout.flush()
+            self.last = time.monotonic()
+
+    @contextlib.contextmanager
+    def working(self, what):
+        """While this goes on."""
+        began = time.monotonic()
+        is_over = threading.Event()
+
+        def watch():
+            while not is_over.wait(SILENCE_S / 10):
+                if time.monotonic() - self.last >= SILENCE_S:
+                    seconds = duration(time.monotonic() - began)
+                    self.put(f"... {what}, {seconds} so far\n")
+
+        watcher = threading.Thread(target=watch, daemon=True)
+        self.last = began
+        watcher.start()
+        try:
+            yield
+        finally:
+            is_over.set()
+            watcher.join()
+
+
+screen = Screen()
+
+
+def run(*command, what=None):
     """Run a command with its output on ours, return its exit status."""
-    sys.stdout.flush()
-    return subprocess.run(command, cwd=ROOT, check=False).returncode
+    with screen.working(what or " ".join(map(str, command[:3]))), \
+            subprocess.Popen(
+                command, cwd=ROOT, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True, errors="replace"
+            ) as running:
+        for line in running.stdout:
+            screen.put(line)
+    return running.returncode
 
 
 def build(project, mode):
     """Whether it was built. Warnings are errors."""
-    print(f"building {project}", flush=True)
+    screen.put(f"building {project}\n")
     began = time.monotonic()
-    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}")
+    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
+                 what=f"building {project}")
     building.append(time.monotonic() - began)
     if status != 0:
         tests.append(Test(0, True, f"building {project}"))
@@ -93,7 +145,7 @@ def unit_tests(mode):
     if not build("tests/urv_tests.gpr", mode):
         return BROKEN
     shares = len(os.sched_getaffinity(0))
-    with concurrent.futures.ThreadPoolExecutor(shares) as pool:
+    with screen.working("unit tests"), concurrent.futures.ThreadPoolExecutor(shares) as pool:
         totals = list(pool.map(
             lambda number: unit_share(mode, number, shares),
             range(1, shares + 1)))
@@ -108,8 +160,7 @@ def unit_share(mode, number, shares):
         command, cwd=ROOT, stdout=subprocess.PIPE, text=True
     ) as running:
         for line in running.stdout:
-            sys.stdout.write(line)
-            sys.stdout.flush()
+            screen.put(line)
             totals = TOTALS.match(line)
             if ended := UNIT_TEST.match(line):
                 now = time.monotonic()
@@ -135,12 +186,14 @@ def python_tests(projects, name, without=(), at_once="auto",
     report = RESULTS / f"{told or name}.xml"
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
+    pytest += ["-p", "test_lines"]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
     pytest += ["-n", at_once, "--dist", spread, "--no-loadscope-reorder"]
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
-    status = run(*pytest, f"tests/{name}")
+    with extended_path(Path(__file__).parent):
+        status = run(*pytest, f"tests/{name}", what=f"tests of {name}")
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
@@ -155,6 +208,21 @@ def python_tests(projects, name, without=(), at_once="auto",
         passed += count - failures - errors - left_out
         tests.extend(map(python_test, suite.iter("testcase")))
     return passed, failed, skipped
+
+
+@contextlib.contextmanager
+def extended_path(folder):
+    """Where what is started finds modules, too."""
+    before = os.environ.get("PYTHONPATH")
+    os.environ["PYTHONPATH"] = os.pathsep.join(
+        filter(None, [str(folder), before]))
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["PYTHONPATH"]
+        else:
+            os.environ["PYTHONPATH"] = before
 
 
 def python_test(case):

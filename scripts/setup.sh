@@ -35,12 +35,15 @@ case $debian in
    *)  debian= build='' aunit='' gcov='' ;;
 esac
 
+# What `make ground` wants besides what `make test` does.
+more="default-jre-headless maven"
+
 case $target in
    fly)   packages="$build python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt" ;;
    ground)
-          packages="$build python3 python3-venv default-jre-headless maven"
+          packages="$build python3 python3-venv $more"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
@@ -125,6 +128,17 @@ unreachable="$unreachable|[Nn]etwork is unreachable|No route to host"
 unreachable="$unreachable|[Cc]onnection (refused|timed out)|Could not connect"
 unreachable="$unreachable|NewConnectionError|ConnectTimeout"
 
+# quietly WHAT COMMAND ...: its words go to the log; each 10 s a line says that
+# it goes on.
+quietly ()
+{
+   what=$1
+   shift
+   # shellcheck disable=SC2016 # for the shell that is started
+   scripts/patiently.sh "$target: $what" \
+      sh -c '"$@" >"$0" 2>&1 </dev/null' "$log" "$@"
+}
+
 # failed WHAT WANTED: ends, and says why.
 failed ()
 {
@@ -145,6 +159,11 @@ install_packages ()
    update="apt-get update"
    install="apt-get install -y --no-install-recommends $missing"
    if [ "$(id -u)" -ne 0 ]; then
+      # Enough for fly, test, check and ground, so that root is asked once.
+      if [ "$target" = test ]; then
+         missing=$(missing_packages "$@" $more)
+         install="apt-get install -y --no-install-recommends${missing}"
+      fi
       echo "setup: packages are missing. Have this run as root, then try" \
            "again:" >&2
       echo "    $update && $install" >&2
@@ -153,11 +172,11 @@ install_packages ()
    echo "$target: installing $missing"
    export DEBIAN_FRONTEND=noninteractive
    # apt-get update succeeds when it reached nothing.
-   if ! $update >"$log" 2>&1 </dev/null || ! grep -E -q '^(Get|Hit):' "$log"
+   if ! quietly installing $update || ! grep -E -q '^(Get|Hit):' "$log"
    then
       failed "apt-get update" "$missing"
    fi
-   if ! $install >"$log" 2>&1 </dev/null; then
+   if ! quietly installing $install; then
       failed "apt-get install" "$missing"
    fi
 }
@@ -208,7 +227,7 @@ fi
 for list in $requirements; do
    if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
       rm -rf .venv
-      if ! "$python" -m venv .venv >"$log" 2>&1; then
+      if ! quietly "making .venv" "$python" -m venv .venv; then
          failed "$python -m venv" "Python 3 with its module venv"
       fi
    fi
@@ -216,8 +235,9 @@ for list in $requirements; do
    if ! cmp -s "$list" "$done_list"; then
       echo "$target: installing into .venv: $(grep -c == "$list") packages" \
            "of $list"
-      if ! .venv/bin/python -m pip install --quiet --retries 1 \
-         --disable-pip-version-check --no-deps -r "$list" >"$log" 2>&1
+      if ! quietly "installing into .venv" \
+         .venv/bin/python -m pip install --quiet --retries 1 \
+         --disable-pip-version-check --no-deps -r "$list"
       then
          failed pip "the packages of $list"
       fi
@@ -241,9 +261,8 @@ case $target in
       then
          echo "$target: getting Yamcs with Maven"
          rm -rf "$jars"
-         if ! mvn -B -q -f ground/yamcs/pom.xml \
-            dependency:copy-dependencies -DoutputDirectory="$PWD/$jars/lib" \
-            >"$log" 2>&1 </dev/null
+         if ! quietly "getting Yamcs" mvn -B -q -f ground/yamcs/pom.xml \
+            dependency:copy-dependencies -DoutputDirectory="$PWD/$jars/lib"
          then
             failed Maven "Yamcs: ground/yamcs/pom.xml"
          fi

@@ -437,6 +437,8 @@ def read_events(path):
     """The events of a file of JSON lines, as urv_sim writes it."""
     found = []
     for number, line in enumerate(_text(path).splitlines(), 1):
+        if not line.strip():
+            continue
         where = f"{faults.quoted(path)[1:-1]}:{number}"
         try:
             event = json.loads(line)

@@ -20,6 +20,9 @@ import typer
 from urv import (convert, faults, ground, keygen, mavlink, monte_carlo,
                  pictures, report, station, xtce)
 
+# What typer makes of an interrupt, too.
+INTERRUPTED = 130
+
 ROOT = Path(__file__).resolve().parents[2]
 
 app = typer.Typer(
@@ -106,6 +109,8 @@ def main(arguments=None):
     try:
         status = app(args=arguments, prog_name="urv", standalone_mode=False)
         sys.stdout.flush()
+        if status == INTERRUPTED:
+            complain("interrupted")
         return status or 0
     except (faults.Refused, faults.Failed) as fault:
         complain(fault)
@@ -115,7 +120,7 @@ def main(arguments=None):
         return fault.exit_code
     except KeyboardInterrupt:
         complain("interrupted")
-        return 130
+        return INTERRUPTED
     except BrokenPipeError:
         drop_standard_output()
         complain("standard output cannot be written: Broken pipe")

@@ -196,9 +196,9 @@ def fly_all(campaign):
     if found:
         keep(campaign, sent.hash, found)
     if ended is not None:
-        faults.note(f"{len(found)} of {campaign.count} flights were flown;"
-                    + (f" they are in {faults.quoted(campaign.output)}"
-                       if found else " nothing is kept"))
+        if found:
+            faults.note(f"{len(found)} of {campaign.count} flights were flown;"
+                        f" they are in {faults.quoted(campaign.output)}")
         raise ended
     well = sum(flight.is_success for flight in found)
     print(f"{well} of {len(found)} flights within all limits,"

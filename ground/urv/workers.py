@@ -27,7 +27,7 @@ AHEAD = 20
 DEATHS = 3
 
 # How long there may be no worker, or no scheduler, in s.
-PATIENCE_S = 20
+PATIENCE_S = 25
 
 # Of these each side must have the same, down to the last digit but Python's.
 SAME = ("python", "dask", "distributed", "cloudpickle")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """EVI-11: what scripts/run_tests.py makes of what ran."""
 
+import os
+import subprocess
 import sys
 
 import pytest
@@ -233,9 +235,44 @@ def test_times_are_in_minutes_and_seconds(seconds, text):
 
 @pytest.mark.parametrize("status", [0, 1, -9])
 def test_a_part_of_one_command_fails_as_the_command(place, monkeypatch, status):
-    monkeypatch.setattr(run_tests, "run", lambda *_: status)
+    monkeypatch.setattr(run_tests, "run", lambda *_, **__: status)
     assert run_tests.links() == (
         (1, 0, 0) if status == 0 else run_tests.BROKEN)
     (test,) = run_tests.tests
     assert test.failed == (status != 0)
     assert test.name == "scripts/trace/run.py check"
+
+
+def test_evi11_each_python_test_is_a_line_once(place, capsys):
+    python_tests(place, PYTHON_TESTS)
+    shown = capsys.readouterr().out
+    report = shown[:shown.index("= ERRORS =")]
+    for name, result in (("good", "PASSED"), ("bad", "FAILED"),
+                         ("left_out", "SKIPPED"), ("error", "ERROR")):
+        lines = [line for line in report.splitlines()
+                 if f"test_one.py::test_{name}" in line]
+        assert len(lines) == 1 and result in lines[0], lines
+
+
+def test_evi11_what_says_nothing_is_told_to_go_on(place, monkeypatch, capsys):
+    monkeypatch.setattr(run_tests, "SILENCE_S", 0.2)
+    assert run_tests.run("sh", "-c", "sleep 1; exit 3", what="sleeping") == 3
+    lines = capsys.readouterr().out.splitlines()
+    assert 1 <= len(lines) <= 5
+    assert all(line.startswith("... sleeping, ") for line in lines)
+
+
+def test_evi11_patience_says_that_a_command_goes_on(tmp_path):
+    """Here its 10 s are none."""
+    sleep = tmp_path / "sleep"
+    sleep.write_text("#!/bin/sh\nexec /bin/sleep 0.2\n", encoding="utf-8")
+    sleep.chmod(0o755)
+    result = subprocess.run(
+        [ROOT / "scripts" / "patiently.sh", "fly: building", "/bin/sh", "-c",
+         "/bin/sleep 2; exit 3"], check=False, text=True, capture_output=True,
+        env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"},
+        timeout=60)
+    assert (result.returncode, result.stderr) == (3, "")
+    lines = result.stdout.splitlines()
+    assert lines[:2] == ["fly: building: 10 s so far",
+                         "fly: building: 20 s so far"]

@@ -24,7 +24,8 @@ def debian():
 def set_up(tmp_path):
     """Runs a copy of the script with commands of the test's on the PATH."""
     (tmp_path / "scripts").mkdir()
-    shutil.copy(ROOT / "scripts" / "setup.sh", tmp_path / "scripts")
+    for name in ("setup.sh", "patiently.sh"):
+        shutil.copy(ROOT / "scripts" / name, tmp_path / "scripts")
     for name in ("sim/jsbsim/requirements.txt", "tests/requirements.txt",
                  "scripts/trace/requirements.txt",
                  "ground/report-requirements.txt",
@@ -35,7 +36,10 @@ def set_up(tmp_path):
     commands = tmp_path / "commands"
     commands.mkdir()
 
-    def run(target, alire=False, path="/usr/bin:/bin", **scripts):
+    # Who runs the tests may have no right to real-time priorities.
+    def run(target, alire=False, path="/usr/bin:/bin", chrt="exit 0",
+            **scripts):
+        scripts["chrt"] = chrt
         for name, script in scripts.items():
             command = commands / name.replace("_", "-")
             command.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
@@ -75,6 +79,30 @@ def test_what_test_needs_is_enough_to_fly(set_up):
     needed = {target: set(text.split("recommends ")[1].split())
               for target, text in told.items()}
     assert needed["fly"] < needed["check"] < needed["test"]
+
+
+@on_debian
+def test_what_test_names_is_enough_for_each_command_of_readme(set_up):
+    told = {target: set_up(target, **MISSING, id="echo 1000").stderr
+            for target in ("fly", "test", "check", "ground")}
+    needed = {target: set(text.split("recommends ")[1].split())
+              for target, text in told.items()}
+    assert needed["fly"] | needed["check"] | needed["ground"] \
+        < needed["test"]
+    # As root a target installs what it wants itself.
+    result = set_up("test", **MISSING, id="echo 0", apt_get="exit 1")
+    assert "maven" not in result.stdout + result.stderr
+
+
+@on_debian
+def test_root_without_real_time_rights_is_told_before_anything_is_installed(
+        set_up):
+    result = set_up("test", **MISSING, id="echo 0", chrt="exit 1",
+                    apt_get="echo called")
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr.startswith(
+        "setup: root may not give threads real-time priorities here")
+    assert len(result.stderr.splitlines()) == 1
 
 
 @on_debian
