@@ -12,6 +12,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 import urllib.request
 from pathlib import Path
@@ -123,15 +124,18 @@ class Console:
         self.socket = websocket.create_connection(
             f"ws://127.0.0.1:{port}/ws", timeout=PATIENCE_S, **more)
         self.late_s = 0.0
+        self.answers = False
+        self.saying = threading.Lock()
         self.sequence = 0
         self.hello = self.next("hello")
         self.number = self.hello["console"]
 
     def say(self, message):
-        self.sequence += 1
-        self.socket.send(json.dumps(message | {
-            "sequence": self.sequence,
-            "sent_ms": 1000 * (CLOCK_S + time.monotonic() - self.late_s)}))
+        with self.saying:
+            self.sequence += 1
+            self.socket.send(json.dumps(message | {
+                "sequence": self.sequence, "sent_ms": 1000 * (
+                    CLOCK_S + time.monotonic() - self.late_s)}))
 
     def sticks(self, roll=2048):
         self.say({"t": "sticks", "words": [roll, 2048, 2048, 2048, 2048,

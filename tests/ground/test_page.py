@@ -449,15 +449,10 @@ def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
     until(lambda: station.state()["live"], "packets")
     page.keyboard.down("ArrowRight")
     until(lambda: station.node.heard[-1][1].words[0] == 3072, "half a roll")
-    hung = station.node.sequence
     page.evaluate(HANG, 3000)
     for one in (other, page):
         alerts_of(one, "BROWSER HUNG").wait_for()
     alerts_of(other, "PAGE SILENT").wait_for()
-    [frame] = [line["frame"] for line in station.lines()
-               if "PAGE SILENT:" in line["text"]]
-    # By frames, which a slow machine sends late, too.
-    assert frame - hung <= 60
     # What was held before is held no more.
     until(lambda: station.node.heard[-1][1].words[0] == 2048, "the middle")
     until(lambda: any("flies again after" in line["text"]

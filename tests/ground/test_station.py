@@ -17,8 +17,10 @@ from station_rig import PATIENCE_S, Station, until
 
 from urv import items, laws, packets, web
 from urv.alerts import Alerts
+from urv.controls import Controls
 from urv.processes import Report
 from urv.sticks import ASKED_S, LAPSED_S, SILENT_S, Sticks
+from urv.view import View
 
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 
@@ -178,6 +180,23 @@ def test_gnd22_packets_stop_when_the_holder_falls_silent(station):
     names = {alert["name"] for alert in station.wait(
         lambda state: state["console"] == "neutral")["alerts"]}
     assert {"STICKS HELD", "STICKS NEUTRAL"} <= names
+
+
+def test_gnd22_packets_stop_and_silence_is_reported_within_half_a_second():
+    now, sent = 0.0, []
+    controls = Controls(View(now=lambda: now), lambda _: sent.append(now),
+                        now=lambda: now)
+    controls.hears(1, {"t": "take"})
+    for frame in range(100):
+        now = frame * packets.FRAME_S
+        if frame <= 50:
+            controls.hears(1, {"t": "sticks", "words": WORDS})
+        controls.tick()
+        silent = now - 50 * packets.FRAME_S
+        told = controls.view.alerts.active("PAGE SILENT")
+        assert told <= (silent > SILENT_S), "told too early"
+        assert told or silent < 0.5, "told too late"
+    assert 50 * packets.FRAME_S <= sent[-1] <= 1.0 + SILENT_S
 
 
 def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
