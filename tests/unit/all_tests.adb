@@ -23,6 +23,7 @@ with Link_Tests;
 with LOG_Task_Tests;
 with Mailboxes_Tests;
 with Nodes_Tests;
+with Peer_Watch_Tests;
 with PWM_Tests;
 with Real_Time_Nodes_Tests;
 with Receive_Calls_Tests;
@@ -88,6 +89,7 @@ package body All_Tests is
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Flood_Tests.Add_To (Result);
+      Peer_Watch_Tests.Add_To (Result);
       Guarded_Step_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);
       Starts_Tests.Add_To (Result);
