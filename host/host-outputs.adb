@@ -121,7 +121,9 @@ package body Host.Outputs is
             Name      : constant String  := Value (Chosen, Output);
             Is_Screen : constant Boolean := Name = Standard_Output;
          begin
-            if Attempts (Output).Existed
+            --  Also a new one: what appends cannot be written again from the
+            --  beginning.
+            if Attempts (Output).File /= Invalid_FD
               and then not Is_Screen
               and then Is_Regular_File (Name)
             then
@@ -136,7 +138,9 @@ package body Host.Outputs is
                Text_Output.Attach
                  (Files (Output), Attempts (Output).File,
                   Options.Name (Output) & ": "
-                  & (if Is_Screen then "standard output" else Quoted (Name)));
+                  & (if Is_Screen then "standard output" else Quoted (Name)),
+                  Is_Rewritten =>
+                    not Is_Screen and then Is_Regular_File (Name));
             end if;
          end;
       end loop;

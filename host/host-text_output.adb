@@ -12,8 +12,10 @@ package body Host.Text_Output is
    Ten_Digits : constant String := "0123456789";
    Tens, Ones : Digit_Table;
 
-   --  Empties the block into the file.
-   procedure Flush (To : in out Writer);
+   function Truncate
+     (File   : GNAT.OS_Lib.File_Descriptor;
+      Length : Long_Long_Integer) return Integer
+     with Import, Convention => C, External_Name => "ftruncate64";
 
    procedure Refuse (To : Writer) with No_Return;
 
@@ -38,18 +40,41 @@ package body Host.Text_Output is
             Refuse (To);
          end if;
          First := First + Written;
+         To.Length := To.Length + Long_Long_Integer (Written);
       end loop;
       To.Last := 0;
    end Flush;
 
-   procedure Attach
-     (To    : in out Writer;
-      File  : GNAT.OS_Lib.File_Descriptor;
-      Title : String) is
+   procedure Restart (To : in out Writer) is
    begin
-      To.File  := File;
-      To.Title := To_Unbounded_String (Title);
-      To.Last  := 0;
+      To.Last    := 0;
+      To.Longest := Long_Long_Integer'Max (To.Longest, To.Length);
+      To.Length  := 0;
+      GNAT.OS_Lib.Lseek (To.File, 0, GNAT.OS_Lib.Seek_Set);
+   end Restart;
+
+   procedure End_Version (To : in out Writer) is
+      Missing : constant Long_Long_Integer :=
+        To.Longest - To.Length - Long_Long_Integer (To.Last);
+   begin
+      for Blank in 1 .. Missing loop
+         Put (To, ' ');
+      end loop;
+      Flush (To);
+   end End_Version;
+
+   procedure Attach
+     (To           : in out Writer;
+      File         : GNAT.OS_Lib.File_Descriptor;
+      Title        : String;
+      Is_Rewritten : Boolean := False) is
+   begin
+      To.File         := File;
+      To.Title        := To_Unbounded_String (Title);
+      To.Last         := 0;
+      To.Length       := 0;
+      To.Longest      := 0;
+      To.Is_Rewritten := Is_Rewritten;
    end Attach;
 
    function Screen (Is_Error : Boolean := False)
@@ -175,6 +200,9 @@ package body Host.Text_Output is
 
       Flush (To);
       To.File := GNAT.OS_Lib.Invalid_FD;
+      if To.Longest > To.Length and then Truncate (File, To.Length) /= 0 then
+         Refuse (To);
+      end if;
       GNAT.OS_Lib.Close (File, Closed);
       if not Closed then
          Refuse (To);

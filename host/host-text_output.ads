@@ -16,16 +16,22 @@ package Host.Text_Output is
 
    type Writer is limited private;
 
+   --  How often what has been written so far goes to the files, so that a
+   --  program that is killed loses no more of it (SIM-1, GND-4).
+   Flush_Interval : constant := Microseconds_Per_Second;
+
    Most_Decimals : constant := 6;
 
    function Is_Open (To : Writer) return Boolean with Inline;
 
    --  Takes over a file that is open for writing. The title says in a
-   --  complaint which output it is.
+   --  complaint which output it is. Is_Rewritten: the file is a regular one
+   --  and holds nothing else, so that Restart may be called.
    procedure Attach
-     (To    : in out Writer;
-      File  : GNAT.OS_Lib.File_Descriptor;
-      Title : String)
+     (To           : in out Writer;
+      File         : GNAT.OS_Lib.File_Descriptor;
+      Title        : String;
+      Is_Rewritten : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
    --  Another descriptor of the program's standard output or standard
@@ -57,6 +63,23 @@ package Host.Text_Output is
       Decimals : Positive)
      with Pre => Is_Open (To) and then Decimals <= Most_Decimals;
 
+   --  Writes what is left; the file stays open.
+   procedure Flush (To : in out Writer)
+     with Pre => Is_Open (To);
+
+   --  Whether the file can be written again from its beginning.
+   function Can_Restart (To : Writer) return Boolean
+     with Pre => Is_Open (To);
+
+   --  What comes next takes the place of all that was written before.
+   procedure Restart (To : in out Writer)
+     with Pre => Is_Open (To) and then Can_Restart (To);
+
+   --  Writes what is left of a version; where the one before was longer,
+   --  blanks take its place.
+   procedure End_Version (To : in out Writer)
+     with Pre => Is_Open (To);
+
    --  Writes what is left and closes the file.
    procedure Close (To : in out Writer)
      with Post => not Is_Open (To);
@@ -72,9 +95,16 @@ private
       Title : Unbounded_String;
       Block : String (1 .. Block_Length);
       Last  : Natural range 0 .. Block_Length := 0;
+
+      --  How long the file's present version is, and the longest before.
+      Is_Rewritten : Boolean           := False;
+      Length       : Long_Long_Integer := 0;
+      Longest      : Long_Long_Integer := 0;
    end record;
 
    function Is_Open (To : Writer) return Boolean is
      (To.File /= GNAT.OS_Lib.Invalid_FD);
+
+   function Can_Restart (To : Writer) return Boolean is (To.Is_Rewritten);
 
 end Host.Text_Output;

@@ -86,10 +86,17 @@ procedure Partitions.Run is
    --  Writes a row for each frame until the partition is switched off.
    procedure Write_Rows (Last_Frame : Number);
 
-   procedure Write_Summary (Log : URV.Errors.Error_Log);
+   --  While the run goes on, without what the tasks took: to sum that up
+   --  takes the node's time.
+   procedure Write_Summary (Log : URV.Errors.Error_Log; Is_Over : Boolean);
 
-   --  The summary and the events, of one moment: the node flies on.
-   procedure Write_Counts;
+   --  The summary and the events, of one moment: the node flies on. Before it
+   --  is over, what cannot be written again is left out.
+   procedure Write_Counts (Is_Over : Boolean);
+
+   --  All that there is goes to the files, each second of the run: a program
+   --  that is killed leaves it.
+   procedure Keep_Results;
 
    procedure Print_Summary;
 
@@ -269,6 +276,18 @@ procedure Partitions.Run is
       GNAT.OS_Lib.OS_Exit (Status);
    end Leave;
 
+   Frames_Between : constant := Flush_Interval / Frame_Length;
+
+   procedure Keep_Results is
+   begin
+      Write_Counts (Is_Over => False);
+      if Is_Open (Files (Record_Option))
+        and then Can_Restart (Files (Record_Option))
+      then
+         Flush (Files (Record_Option));
+      end if;
+   end Keep_Results;
+
    procedure Write_Rows (Last_Frame : Number) is
       Item  : Row;
       Found : Boolean;
@@ -292,6 +311,9 @@ procedure Partitions.Run is
             New_Line (Files (Record_Option));
          end if;
          exit when Last_Frame > 0 and then Frames >= Last_Frame;
+         if Frames mod Frames_Between = 1 then
+            Keep_Results;
+         end if;
       end loop;
       Queue.Finish;
    end Write_Rows;
@@ -336,12 +358,15 @@ procedure Partitions.Run is
       Reports.Put_Log (To, Result, Log);
    end Put_Results;
 
-   procedure Write_Summary (Log : URV.Errors.Error_Log) is
+   procedure Write_Summary (Log : URV.Errors.Error_Log; Is_Over : Boolean) is
       Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Result : Reports.Report;
       To     : Writer renames Files (Summary_Option);
    begin
       Reports.Begin_Report (Result, To);
+      if not Is_Over then
+         Reports.Put_Field (Result, To, "unfinished", Number'(1));
+      end if;
       Reports.Put_Field (Result, To, "seconds", In_Hundredths (Frames), 2);
       Reports.Put_Field (Result, To, "frames", Frames);
       Reports.Put_Field
@@ -383,23 +408,44 @@ procedure Partitions.Run is
         (Result, To, "real_time_priorities",
          Number (Boolean'Pos (Permission.Is_Granted)));
       Put_Counts (Result, To);
-      Put_Results (Result, To, Log);
+      if Is_Over then
+         Put_Results (Result, To, Log);
+      end if;
       Reports.End_Report (Result, To);
    end Write_Summary;
 
-   procedure Write_Counts is
+   procedure Write_Counts (Is_Over : Boolean) is
       use type Peer_State;
       Log : constant URV.Errors.Error_Log := This_Node.Log;
+
+      --  Whether it is written, from its beginning.
+      function Begun (Output : Output_Option) return Boolean;
+
+      function Begun (Output : Output_Option) return Boolean is
+      begin
+         if not Is_Open (Files (Output)) then
+            return False;
+         elsif Can_Restart (Files (Output)) then
+            Restart (Files (Output));
+            return True;
+         end if;
+         return Is_Over;
+      end Begun;
+
    begin
       Carried_Nothing := This_Node.Peer = Never_Heard;
-      Occurrences.Finish;
-      if Is_Open (Files (Summary_Option)) then
-         Write_Summary (Log);
+      if Is_Over then
+         Occurrences.Finish;
       end if;
-      if Is_Open (Files (Events_Option)) then
+      if Begun (Summary_Option) then
+         Write_Summary (Log, Is_Over);
+         End_Version (Files (Summary_Option));
+      end if;
+      if Begun (Events_Option) then
          Host.Event_Log.Write
            (Files (Events_Option), Host.Names.Name (This), Log, 0);
          Put_Events (Files (Events_Option));
+         End_Version (Files (Events_Option));
       end if;
    end Write_Counts;
 
@@ -471,7 +517,7 @@ begin
    Write_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 
-   Write_Counts;
+   Write_Counts (Is_Over => True);
    Outputs.Close (Files);
    if not Chosen.Quiet then
       Print_Summary;

@@ -439,7 +439,19 @@ package body Sim.Faults is
       for Each of Every loop
          Hand_Out (Loaded, Each);
       end loop;
+      Loaded.Every := Every;
    end Load;
+
+   function Number_From
+     (From : Script; Time : Microseconds) return Natural
+   is
+      Found : Natural := 0;
+   begin
+      for Each of From.Every loop
+         Found := Found + (if Each.Time >= Time then 1 else 0);
+      end loop;
+      return Found;
+   end Number_From;
 
    function For_Plant
      (From : Script; Begins : Microseconds) return Surface_Faults.List

@@ -109,6 +109,10 @@ package Sim.Faults is
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : out Script; File : String);
 
+   --  How many begin at that time or later.
+   function Number_From
+     (From : Script; Time : Microseconds) return Natural;
+
    --  What befalls whom, in the order of time; what happens at one time, in
    --  the order of the lines.
 
@@ -145,7 +149,7 @@ private
    type Both_Ways is array (Direction) of One_Way;
    type Board_Stalls is array (Node, Board) of Windows.List;
 
-   --  Each fault is in one of them.
+   --  Each fault is in one of the first five.
    type Script is record
       Cuts     : Windows.List;
       Consoles : Windows.List;
@@ -153,6 +157,9 @@ private
       Stalls   : Board_Stalls;
       Hardware : Fault_List;
       Servos   : Fault_List;
+
+      --  All of them again, for who counts.
+      Every    : Fault_List;
    end record;
 
    function Cuts (From : Script) return Windows.List is (From.Cuts);

@@ -109,10 +109,21 @@ package body Sim.Flight is
    --  What the ground was told of surfaces.
    procedure Report_Failed_Surfaces (Further : in out Summary.Result);
 
-   procedure Conclude
+   --  Events and summary; when it is over, also closes the outputs and prints
+   --  the summary. Before that, what cannot be written again is left out.
+   procedure Write_Results
      (Chosen  : Choices;
       Flown   : Microseconds;
-      Elapsed : Duration);
+      Elapsed : Duration;
+      Is_Over : Boolean);
+
+   --  When the flight began, and its results were last written.
+   Began_At : Time := Clock;
+   Kept_At  : Time := Began_At;
+
+   --  Writes what there is of the record, and each second on the clock on the
+   --  wall events and summary: a program that is killed leaves them.
+   procedure Keep_Results (Chosen : Choices; Flown : Microseconds);
 
    --  Whether the pilot stands beside the runway.
    function Is_By_Eye (Chosen : Choices) return Boolean is
@@ -122,6 +133,9 @@ package body Sim.Flight is
    --  In whole frames: as --seconds says; else as long as the pilot or the
    --  sticks need; else 60 s.
    function Flight_Length (Chosen : Choices) return Microseconds;
+
+   --  Says when faults of the file begin only after a flight of that length.
+   procedure Warn_Of_Late_Faults (Chosen : Choices; Length : Microseconds);
 
    function Flight_Length (Chosen : Choices) return Microseconds is
       Needed : constant Microseconds :=
@@ -207,6 +221,27 @@ package body Sim.Flight is
          & Fault_Lines (Servo_Faults (Chosen)),
          Chosen.Schedule, Errors, Measured, Truth, Shown);
    end Start_Aircraft;
+
+   procedure Warn_Of_Late_Faults (Chosen : Choices; Length : Microseconds) is
+      Late  : constant Natural := Sim.Faults.Number_From (Faults, Length);
+      Whole : constant Natural := Sim.Faults.Number_From (Faults, 0);
+
+      function Image (Value : Natural) return String is
+        (Text_Numbers.Image (Long_Long_Integer (Value)));
+
+      Screen : Text_Output.Writer;
+   begin
+      if Late > 0 and then not Chosen.Quiet then
+         Text_Output.Attach_Screen (Screen, Is_Error => True);
+         Text_Output.Put_Line
+           (Screen,
+            "urv_sim: warning: --faults: " & Image (Late) & " of "
+            & Image (Whole) & " do not begin before the flight ends, at "
+            & Text_Numbers.Image (Long_Long_Integer (Length / 1000))
+            & " ms");
+         Text_Output.Close (Screen);
+      end if;
+   end Warn_Of_Late_Faults;
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
@@ -396,6 +431,11 @@ package body Sim.Flight is
 
          if Next = Frame_End then
             End_Frame (Chosen, Frame_End, Waits => Due < Host.Never);
+            if Frame_End mod Text_Output.Flush_Interval = 0
+              or else Frame_End = Major_Frame
+            then
+               Keep_Results (Chosen, Frame_End);
+            end if;
             exit when Frame_End = Length or else Signals.Interrupted;
             if Chosen.Pace = Realtime then
                delay until Began + Duration (Frame_End) / 1_000_000;
@@ -455,10 +495,11 @@ package body Sim.Flight is
       end if;
    end Report_Failed_Surfaces;
 
-   procedure Conclude
+   procedure Write_Results
      (Chosen  : Choices;
       Flown   : Microseconds;
-      Elapsed : Duration)
+      Elapsed : Duration;
+      Is_Over : Boolean)
    is
       Figures : constant Summary.Figures :=
         (Flown    => Flown,
@@ -469,10 +510,16 @@ package body Sim.Flight is
          Latency  => Latency.Result (Delays),
          Has_Lock => Chosen.Lock,
          Lock     => Nodes.Lock,
-         Lag      => Lag_Of (Chosen));
+         Lag      => Lag_Of (Chosen),
+         Is_Unfinished => not Is_Over);
       Further : Summary.Result;
       Screen  : Text_Output.Writer;
    begin
+      if Text_Output.Is_Open (Files (Events_Option))
+        and then Text_Output.Can_Restart (Files (Events_Option))
+      then
+         Text_Output.Restart (Files (Events_Option));
+      end if;
       for Node in Host.Node loop
          declare
             Log  : constant Error_Log    := Nodes.Errors (Node);
@@ -514,7 +561,11 @@ package body Sim.Flight is
                end;
             end loop;
 
-            if Text_Output.Is_Open (Files (Events_Option)) then
+            if Text_Output.Is_Open (Files (Events_Option))
+              and then
+                (Is_Over or else Text_Output.Can_Restart
+                                   (Files (Events_Option)))
+            then
                Event_Log.Write
                  (Files (Events_Option), Name, Log,
                   Switched_On =>
@@ -537,8 +588,29 @@ package body Sim.Flight is
          Flight_Quality.Report (Further);
       end if;
 
-      if Text_Output.Is_Open (Files (Summary_Option)) then
+      if Text_Output.Is_Open (Files (Summary_Option))
+        and then
+          (Is_Over or else Text_Output.Can_Restart (Files (Summary_Option)))
+      then
+         if Text_Output.Can_Restart (Files (Summary_Option)) then
+            Text_Output.Restart (Files (Summary_Option));
+         end if;
          Summary.Write (Files (Summary_Option), Figures, Further);
+      end if;
+
+      if not Is_Over then
+         for Output in Output_Option loop
+            if Text_Output.Is_Open (Files (Output))
+              and then Text_Output.Can_Restart (Files (Output))
+            then
+               if Output in Summary_Option | Events_Option then
+                  Text_Output.End_Version (Files (Output));
+               else
+                  Text_Output.Flush (Files (Output));
+               end if;
+            end if;
+         end loop;
+         return;
       end if;
       Outputs.Close (Files);
 
@@ -549,7 +621,23 @@ package body Sim.Flight is
          Summary.Print (Screen, Figures, Further);
          Text_Output.Close (Screen);
       end if;
-   end Conclude;
+   end Write_Results;
+
+   procedure Keep_Results (Chosen : Choices; Flown : Microseconds) is
+      Now : constant Ada.Calendar.Time := Clock;
+   begin
+      --  A record of a fast flight grows by more in a second than a killed
+      --  program may lose.
+      if Text_Output.Is_Open (Files (Record_Option))
+        and then Text_Output.Can_Restart (Files (Record_Option))
+      then
+         Text_Output.Flush (Files (Record_Option));
+      end if;
+      if Now - Kept_At not in 0.0 .. 1.0 then
+         Kept_At := Now;
+         Write_Results (Chosen, Flown, Now - Began_At, Is_Over => False);
+      end if;
+   end Keep_Results;
 
    procedure Fly (Chosen : Choices; Flown : out Microseconds) is
       Length  : Microseconds;
@@ -559,6 +647,7 @@ package body Sim.Flight is
    begin
       Load_Inputs (Chosen);
       Length := Flight_Length (Chosen);
+      Warn_Of_Late_Faults (Chosen, Length);
 
       Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Lock (Chosen.Lock);
@@ -605,12 +694,14 @@ package body Sim.Flight is
          Wanted => not Chosen.Quiet,
          Beside => Use_Standard_Output (Chosen));
       Began := Clock;
+      Began_At := Began;
+      Kept_At := Began - 2.0;
       Fly_Through (Chosen, Length, Flown);
       Elapsed := Clock - Began;
       Progress.Stop;
       JSBSim.Stop;
 
-      Conclude (Chosen, Flown, Elapsed);
+      Write_Results (Chosen, Flown, Elapsed, Is_Over => True);
 
    exception
       when others =>

@@ -351,6 +351,10 @@ package body Sim.Summary is
       Known  : Object := (Depth => 2, others => <>);
    begin
       Put (To, '{');
+      if Flight.Is_Unfinished then
+         Begin_Field (To, Made, "unfinished");
+         Put (To, "true");
+      end if;
       Put_Field (To, Made, "seconds", In_Seconds (Flight.Flown));
       Put_Field (To, Made, "frames", Flight.Frames);
       Put_Field (To, Made, "speed", Rounded (Speed (Flight), 1));

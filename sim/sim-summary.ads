@@ -29,6 +29,9 @@ package Sim.Summary is
       Has_Lock : Boolean := False;
       Lock     : URVOS.Frame_Locks.Lock_State;
       Lag      : Microseconds := 0;
+
+      --  The flight goes on: what it is so far.
+      Is_Unfinished : Boolean := False;
    end record;
 
    type Result is limited private;

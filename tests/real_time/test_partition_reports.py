@@ -8,6 +8,7 @@ import re
 import shutil
 import signal
 import subprocess
+import time
 
 import pytest
 
@@ -163,3 +164,24 @@ def test_the_commands_of_the_page_do_what_it_says(kind, tmp_path):
                      or out.count(" frames, 0 overruns\n") < 2):
         raise RanLate
     assert well, out
+
+
+def test_sim1_a_killed_partition_leaves_its_results(start):
+    """kill -9: of the record at most a second is lost, and events and summary
+    are there."""
+    gsc = start("gsc", udp(*free_ports(2)), "--phase", 0, quiet=False)
+    folder = gsc.outputs.folder
+    deadline = time.monotonic() + TIME_LIMIT_S
+
+    def rows():
+        path = folder / "record.csv"
+        return path.read_bytes().count(b"\n") - 1 if path.exists() else 0
+    while rows() < 120:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    gsc.program.kill()
+    gsc.program.wait()
+    summary = gsc.outputs.summary
+    assert summary["unfinished"] == 1
+    assert abs(rows() - summary["frames"]) <= 2 * round(1 / FRAME_S)
+    assert gsc.outputs.events["no_input"]["node"] == "gsc"

@@ -7,6 +7,9 @@ Each frame has words of its own. So whatever a node holds tells from which
 frame it is; a mixture of two frames, or anything else, is wrong.
 """
 
+import json
+import subprocess
+import time
 from collections import Counter
 
 import pytest
@@ -16,6 +19,7 @@ from conftest import (
     EXCHANGE,
     FRAMES_PER_S,
     FRAME_MS,
+    PROGRAM,
     SENSORS,
     SERVOS,
     columns,
@@ -359,3 +363,50 @@ def test_commands_are_held_while_the_link_is_cut(tmp_path, phase):
     assert link["uplink_received"] + link["uplink_bad"] < \
         link["uplink_sent"]
     assert link["uplink_scrapped"] > 0
+
+
+def test_sim2_faults_after_the_end_are_warned_of(urv_sim, write):
+    """They were passed over in silence."""
+    write("faults.txt", "500 cut 100\n1000 cut 100\n30000 cut 5\n")
+    result = urv_sim("fly", "--seconds", "1", "--faults", "faults.txt")
+    assert result.returncode == 0
+    assert result.stderr == (
+        "urv_sim: warning: --faults: 2 of 3 do not begin before the flight"
+        " ends, at 1000 ms\n")
+    result = urv_sim("fly", "--seconds", "40", "--faults", "faults.txt")
+    assert (result.returncode, result.stderr) == (0, "")
+    result = urv_sim("fly", "--quiet", "--seconds", "1",
+                     "--faults", "faults.txt")
+    assert (result.returncode, result.stderr) == (0, "")
+
+
+def test_sim1_a_killed_simulation_leaves_its_results(tmp_path):
+    """kill -9: at most a second of the record is lost, and events and summary
+    are there."""
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--quiet", "--seconds", "60", "--pace",
+             "realtime", "--record", "record.csv", "--summary",
+             "summary.json", "--events", "events.jsonl"],
+            cwd=tmp_path) as running:
+        time.sleep(4.5)
+        before = time.monotonic()
+        running.kill()
+        assert time.monotonic() - before < 60
+    rows = (tmp_path / "record.csv").read_text("utf-8").splitlines()
+    summary = json.loads((tmp_path / "summary.json").read_text("utf-8"))
+    assert summary["unfinished"] is True
+    # What was flown is in both, but for a second; a slow machine flies less.
+    assert abs(len(rows) - 1 - summary["frames"]) <= 2 * FRAMES_PER_S
+    assert len(rows) > 1
+    for line in (tmp_path / "events.jsonl").read_text("utf-8").splitlines():
+        assert json.loads(line)["node"] in ("mcs", "gsc")
+
+
+def test_sim1_a_summary_that_was_written_often_is_whole(fly):
+    """The last version is shorter than the one before: it has no
+    "unfinished", and nothing of that one is left."""
+    flight = fly("--seconds", "3", "--pace", "realtime")
+    text = flight.path("summary.json").read_text("utf-8")
+    assert text.endswith("\n}\n")
+    assert "unfinished" not in text
+    assert flight.summary["frames"] == 3 * FRAMES_PER_S
