@@ -57,9 +57,9 @@ def refused(urv_sim, tmp_path):
 
 OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--faults", "--conditions", "--orders", "--seed", "--phase",
-           "--drift", "--lock", "--schedule", "--processors", "--laws",
-           "--orbit-after", "--terminate-after", "--format", "--key", "--record",
-           "--summary", "--wire", "--events", "--pace", "--quiet")
+           "--drift", "--lock", "--line-delay", "--schedule", "--processors",
+           "--laws", "--orbit-after", "--terminate-after", "--format", "--key",
+           "--record", "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
     ([], "no command; there are fly, items, numbers, help, --version"),
