@@ -102,8 +102,8 @@ def faults_of(text):
     lost = {}
     for name, (at, is_sound) in sorted(last.items()):
         if not is_sound:
-            kind = next(kind for kind in NEEDED if kind in name)
-            for hold in NEEDED[kind]:
+            kind = next((kind for kind in NEEDED if kind in name), None)
+            for hold in NEEDED.get(kind, ()):
                 first, _ = lost.get(hold, (at, ""))
                 lost[hold] = (min(first, at), f"{name} failed for good")
     return Faults(sorted(times), sorted(node_times), lost)

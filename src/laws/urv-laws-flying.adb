@@ -1,0 +1,214 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with URV.Integrators; use URV.Integrators;
+
+package body URV.Laws.Flying with SPARK_Mode is
+
+   procedure Fly_Roll
+     (This : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks;
+      By   : Gain_Table)
+   is
+      Target : Demand;
+      Wanted : Unlimited;
+      Aim    : Reckoned := 0;
+   begin
+      case This.Flown.Lateral is
+         when Direct =>
+            Wanted := Hand.Roll;
+            Target := Hand.Roll;
+         when Damping =>
+            Target := Plus (Hand.Roll, Roll_Damping_Of (Now));
+            Wanted := Target;
+         when Banked =>
+            if Was.Lateral not in Banked then
+               This.Bank_Wanted := Reckoned_Of (Now.Bank);
+               This.Roll_Trim := 0;
+            end if;
+            Aim :=
+              (case This.Flown.Lateral is
+                  when Bank_By_Stick => Stick_Bank (Hand.Roll),
+                  when Orbit         => Orbit_Bank_At (Now.Airspeed),
+                  when others        => 0);
+            This.Bank_Wanted := Stepped (This.Bank_Wanted, Aim, Bank_Slew);
+            Wanted := Unlimited_Roll
+              (This.Bank_Wanted, Now, This.Roll_Trim, By.For_Bank);
+            Target := Within (Wanted, -Roll_Authority, Roll_Authority);
+      end case;
+
+      This.Is_Stick (Roll_Axis) := Is_Stick_Again
+        (This.Is_Stick (Roll_Axis), This.Flown.Lateral = Direct,
+         Hand.Is_Pilot, This.Last.Roll, Hand.Roll);
+      This.Last.Roll :=
+        (if This.Is_Stick (Roll_Axis) then Hand.Roll
+         else Stepped (This.Last.Roll, Target, Roll_Step));
+
+      if This.Flown.Lateral in Banked then
+         This.Roll_Trim := Next_Roll_Trim
+           (This.Roll_Trim, Bank_Error (This.Bank_Wanted, Now),
+            Saturation_Of (Wanted, -Roll_Authority, Roll_Authority)
+              or On_The_Way (This.Bank_Wanted, Aim),
+            By.Bank_Learning);
+      end if;
+   end Fly_Roll;
+
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks) is
+      Is_Direct : constant Boolean :=
+        This.Flown.Lateral = Direct or else not Can_Damp_Yaw (This.Checks);
+      Target    : constant Demand :=
+        (if Is_Direct then Hand.Yaw
+         else Plus (Hand.Yaw, Yaw_Damping_Of (Now)));
+   begin
+      This.Is_Stick (Yaw_Axis) := Is_Stick_Again
+        (This.Is_Stick (Yaw_Axis), Is_Direct, Hand.Is_Pilot, This.Last.Yaw,
+         Hand.Yaw);
+      This.Last.Yaw :=
+        (if This.Is_Stick (Yaw_Axis) then Hand.Yaw
+         else Stepped (This.Last.Yaw, Target, Yaw_Step));
+   end Fly_Yaw;
+
+   procedure Fly_Pitch
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table)
+   is
+      Target : Demand;
+      Wanted : Unlimited;
+      Output : Saturation;
+
+      --  Where the mode would have the nose, and the highest that it may be.
+      Aim     : Unlimited := Level_Pitch;
+      Ceiling : Nose      := Highest_Pitch;
+      Bounded : Nose      := Level_Pitch;
+   begin
+      case This.Flown.Vertical is
+         when Direct =>
+            Wanted := Hand.Pitch;
+            Target := Hand.Pitch;
+         when Damping =>
+            Target := Plus (Hand.Pitch, Pitch_Damping_Of (Now));
+            Wanted := Target;
+         when Pitched =>
+            if Was.Vertical not in Pitched then
+               This.Pitch_Wanted := As_Nose (Now.Pitch);
+               This.Height_Trim := 0;
+               This.Pitch_Trim :=
+                 Within
+                   (This.Last.Pitch, -First_Pitch_Trim, First_Pitch_Trim)
+                 * 1_000;
+            end if;
+            if Was.Vertical /= Hold_Altitude then
+               This.Height_Held := Now.Altitude;
+            end if;
+            case This.Flown.Vertical is
+               when Hold_Altitude =>
+                  Aim := Unlimited_Nose
+                    (Wanted_Climb (This.Height_Held, Now), Rising, Now.Bank,
+                     This.Height_Trim);
+               when Glide =>
+                  Aim :=
+                    (if This.Checks (Airspeed).Is_Valid
+                     then Glide_Nose (Now.Airspeed) else Glide_Pitch);
+               when others =>
+                  Aim := Stick_Nose (Hand.Pitch);
+            end case;
+            Ceiling :=
+              (if This.Checks (Airspeed).Is_Valid
+               then Guard (Now.Airspeed) else Highest_Pitch);
+            Bounded := Within (Aim, Lowest_Pitch, Ceiling);
+            This.Pitch_Wanted :=
+              Stepped (This.Pitch_Wanted, Bounded, Pitch_Slew);
+            Wanted := Unlimited_Pitch
+              (This.Pitch_Wanted, Now, This.Pitch_Trim, By.For_Pitch);
+            Target := Within (Wanted, -Pitch_Authority, Pitch_Authority);
+      end case;
+
+      This.Is_Stick (Pitch_Axis) := Is_Stick_Again
+        (This.Is_Stick (Pitch_Axis), This.Flown.Vertical = Direct,
+         Hand.Is_Pilot, This.Last.Pitch, Hand.Pitch);
+      This.Last.Pitch :=
+        (if This.Is_Stick (Pitch_Axis) then Hand.Pitch
+         else Stepped (This.Last.Pitch, Target, Pitch_Step));
+
+      if This.Flown.Vertical in Pitched then
+         Output := Saturation_Of (Wanted, -Pitch_Authority, Pitch_Authority);
+         if This.Flown.Vertical = Hold_Altitude then
+            This.Height_Trim := Next_Height_Trim
+              (This.Height_Trim,
+               Wanted_Climb (This.Height_Held, Now) - Rising,
+               Saturation_Of (Aim, Lowest_Pitch, Ceiling) or Output);
+         end if;
+         This.Pitch_Trim := Next_Pitch_Trim
+           (This.Pitch_Trim, Pitch_Error (This.Pitch_Wanted, Now),
+            Output or On_The_Way (This.Pitch_Wanted, Bounded),
+            By.Pitch_Learning);
+      end if;
+   end Fly_Pitch;
+
+   procedure Fly_Throttle
+     (This : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   is
+      Target : Lever;
+      Wanted : Unlimited;
+   begin
+      case This.Flown.Power is
+         when Direct =>
+            Wanted := Hand.Throttle;
+            Target := Hand.Throttle;
+         when Idle =>
+            Wanted := 0;
+            Target := 0;
+         when Hold_Airspeed =>
+            if Was.Power /= Hold_Airspeed then
+               This.Speed_Held := Now.Airspeed;
+               This.Lever_Held := Hand.Throttle;
+               This.Power_Trim := This.Last.Throttle * 1_000;
+            end if;
+            Wanted := Unlimited_Throttle
+              (Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held),
+               Now,
+               (if This.Flown.Vertical = Hold_Altitude
+                then Wanted_Climb (This.Height_Held, Now) else 0),
+               This.Power_Trim);
+            Target := Within (Wanted, 0, Lever'Last);
+      end case;
+
+      This.Is_Stick (Throttle_Axis) := Is_Stick_Again
+        (This.Is_Stick (Throttle_Axis), This.Flown.Power = Direct,
+         Hand.Is_Pilot, This.Last.Throttle, Hand.Throttle);
+      This.Last.Throttle :=
+        (if This.Is_Stick (Throttle_Axis) then Hand.Throttle
+         else Stepped (This.Last.Throttle, Target, Throttle_Step));
+
+      if This.Flown.Power = Hold_Airspeed then
+         This.Power_Trim := Next_Power_Trim
+           (This.Power_Trim,
+            Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held)
+              - Now.Airspeed,
+            Saturation_Of (Wanted, 0, Lever'Last));
+      end if;
+   end Fly_Throttle;
+
+   procedure Fly
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table) is
+   begin
+      Fly_Roll (This, Was, Now, Hand, By);
+      Fly_Yaw (This, Now, Hand);
+      Fly_Pitch (This, Was, Now, Hand, Rising, By);
+      Fly_Throttle (This, Was, Now, Hand);
+   end Fly;
+
+end URV.Laws.Flying;

@@ -1,0 +1,255 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  How the laws fly each axis in a frame whose modes are decided (EXT-3,
+--  EXT-8): its target, its output, its integrator. URV.Laws.Next calls Fly.
+
+private package URV.Laws.Flying with Pure, SPARK_Mode is
+
+   function Readings_Of (Checks : Check_Table) return Readings is
+     (Bank       => Roll_Angle_Of (Word_Of (Checks, Roll_Attitude)),
+      Pitch      => Pitch_Angle_Of (Word_Of (Checks, Pitch_Attitude)),
+      Roll_Rate  => Roll_Rate_Of (Word_Of (Checks, Roll_Rate)),
+      Pitch_Rate => Slow_Rate_Of (Word_Of (Checks, Pitch_Rate)),
+      Yaw_Rate   => Slow_Rate_Of (Word_Of (Checks, Yaw_Rate)),
+      Altitude   => Level_Of (Word_Of (Checks, Altitude)),
+      Airspeed   => Level_Of (Word_Of (Checks, Airspeed)))
+   with Global => null;
+
+   --  The sticks as a law reads them: at rest while the link is lost, the
+   --  rudder held as a trim.
+   type Sticks is record
+      Is_Pilot         : Boolean;
+      Roll, Pitch, Yaw : Demand;
+      Throttle         : Lever;
+   end record;
+
+   function Sticks_Of (Commands : Uplink_Buffer; Link : Link_State)
+                       return Sticks
+   is
+     (if Link in Lost
+      then (Is_Pilot => False,
+            Roll     => 0,
+            Pitch    => 0,
+            Yaw      =>
+              Within (Demand_Of (Commands (Yaw)), -Held_Yaw, Held_Yaw),
+            Throttle => Level_Of (Commands (Throttle)))
+      else (Is_Pilot => True,
+            Roll     => Demand_Of (Commands (Roll)),
+            Pitch    => Demand_Of (Commands (Pitch)),
+            Yaw      => Demand_Of (Commands (Yaw)),
+            Throttle => Level_Of (Commands (Throttle))))
+   with Global => null;
+
+   --  An axis that is the stick's stays so. One that a law has let go
+   --  becomes so when its output has come to the stick. None is while the
+   --  link is lost.
+   function Is_Stick_Again
+     (Was, Is_Direct, Is_Pilot : Boolean; Last, Stick : Number)
+      return Boolean
+   is
+     (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
+   with Global => null;
+
+   --  Flying changes nothing of what was decided before.
+   function Decides_The_Same (Before, After : Memory) return Boolean is
+     (After.Link = Before.Link
+      and then After.Checks = Before.Checks
+      and then After.Flown = Before.Flown
+      and then After.Heard = Before.Heard
+      and then After.Is_Flying = Before.Is_Flying)
+   with Ghost, Global => null;
+
+   --  Of what a frame decides a law has flown one axis, and nothing else.
+   function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
+   is
+     (Decides_The_Same (Before, After)
+      and then
+        (if Which /= Roll_Axis
+         then After.Last.Roll = Before.Last.Roll
+           and then After.Is_Stick (Roll_Axis) = Before.Is_Stick (Roll_Axis))
+      and then
+        (if Which /= Pitch_Axis
+         then After.Last.Pitch = Before.Last.Pitch
+           and then After.Is_Stick (Pitch_Axis)
+                      = Before.Is_Stick (Pitch_Axis))
+      and then
+        (if Which /= Yaw_Axis
+         then After.Last.Yaw = Before.Last.Yaw
+           and then After.Is_Stick (Yaw_Axis) = Before.Is_Stick (Yaw_Axis))
+      and then
+        (if Which /= Throttle_Axis
+         then After.Last.Throttle = Before.Last.Throttle
+           and then After.Is_Stick (Throttle_Axis)
+                      = Before.Is_Stick (Throttle_Axis)))
+   with Ghost, Global => null;
+
+   --  An integrator is never moved away from what is wanted, by what is
+   --  measured. Every actuator and every angle of the laws has the same
+   --  sign: more of the output makes more of what is measured.
+   function Moves_With (Before, After, Wanted, Measured : Number)
+                        return Boolean
+   is
+     ((if Measured <= Wanted then After >= Before)
+      and then (if Measured >= Wanted then After <= Before))
+   with Ghost, Global => null;
+
+   procedure Fly_Roll
+     (This : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks;
+      By   : Gain_Table)
+   with
+     Global => null,
+     Post   =>
+       Flies_Only (Roll_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick'Old (Roll_Axis)
+            and then This.Flown.Lateral = Direct
+            and then Hand.Is_Pilot
+          then This.Is_Stick (Roll_Axis))
+       and then
+         (if not This.Is_Stick (Roll_Axis)
+          then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
+       and then
+         (if This.Flown.Lateral in Banked
+          then abs This.Last.Roll <= Integer'Max
+                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
+
+       --  The integrator moves towards the bank that is wanted.
+       and then
+         (if This.Flown.Lateral in Banked and then Was.Lateral in Banked
+          then Moves_With
+            (This.Roll_Trim'Old, This.Roll_Trim,
+             Wanted => This.Bank_Wanted, Measured => Now.Bank));
+
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
+   with
+     Global => null,
+     Post   =>
+       Flies_Only (Yaw_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick'Old (Yaw_Axis)
+            and then This.Flown.Lateral = Direct
+            and then Hand.Is_Pilot
+          then This.Is_Stick (Yaw_Axis))
+       and then
+         (if not This.Is_Stick (Yaw_Axis)
+          then abs (This.Last.Yaw - This.Last'Old.Yaw) <= Yaw_Step);
+
+   procedure Fly_Pitch
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table)
+   with
+     Global => null,
+     Pre    => Rising in -30_000 .. 30_000,
+     Post   =>
+       Flies_Only (Pitch_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick'Old (Pitch_Axis)
+            and then This.Flown.Vertical = Direct
+            and then Hand.Is_Pilot
+          then This.Is_Stick (Pitch_Axis))
+       and then
+         (if not This.Is_Stick (Pitch_Axis)
+          then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
+       and then
+         (if This.Flown.Vertical in Pitched
+          then abs This.Last.Pitch <= Integer'Max
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step))
+
+       --  The integrators move towards the pitch and the climb rate that
+       --  are wanted.
+       and then
+         (if This.Flown.Vertical in Pitched and then Was.Vertical in Pitched
+          then Moves_With
+            (This.Pitch_Trim'Old, This.Pitch_Trim,
+             Wanted => This.Pitch_Wanted, Measured => Now.Pitch))
+       and then
+         (if This.Flown.Vertical = Hold_Altitude
+            and then Was.Vertical in Pitched
+          then Moves_With
+            (This.Height_Trim'Old, This.Height_Trim,
+             Wanted   => Wanted_Climb (This.Height_Held, Now),
+             Measured => Rising))
+       and then
+         (if This.Flown.Vertical = Hold_Altitude
+            and then Was.Vertical = Hold_Altitude
+          then This.Height_Held = This.Height_Held'Old);
+
+   procedure Fly_Throttle
+     (This : in out Memory;
+      Was  : Modes;
+      Now  : Readings;
+      Hand : Sticks)
+   with
+     Global => null,
+     Post   =>
+       Flies_Only (Throttle_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick'Old (Throttle_Axis)
+            and then This.Flown.Power = Direct
+            and then Hand.Is_Pilot
+          then This.Is_Stick (Throttle_Axis))
+       and then
+         (if not This.Is_Stick (Throttle_Axis)
+          then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
+                 Throttle_Step)
+
+       --  The integrator moves towards the airspeed that is wanted.
+       and then
+         (if This.Flown.Power = Hold_Airspeed
+            and then Was.Power = Hold_Airspeed
+          then This.Speed_Held = This.Speed_Held'Old
+            and then This.Lever_Held = This.Lever_Held'Old
+            and then Moves_With
+              (This.Power_Trim'Old, This.Power_Trim,
+               Wanted   => Held_Speed
+                 (This.Speed_Held, Hand.Throttle - This.Lever_Held),
+               Measured => Now.Airspeed));
+
+   --  All four, and nothing else.
+   procedure Fly
+     (This   : in out Memory;
+      Was    : Modes;
+      Now    : Readings;
+      Hand   : Sticks;
+      Rising : Number;
+      By     : Gain_Table)
+   with
+     Global => null,
+     Pre    => Rising in -30_000 .. 30_000,
+     Post   =>
+       Decides_The_Same (This'Old, This)
+       and then
+         (if Is_All_Stick (This'Old)
+            and then This.Flown = All_Direct
+            and then Hand.Is_Pilot
+          then Is_All_Stick (This))
+       and then
+         (if not This.Is_Stick (Roll_Axis)
+          then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
+       and then
+         (if not This.Is_Stick (Pitch_Axis)
+          then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
+       and then
+         (if not This.Is_Stick (Yaw_Axis)
+          then abs (This.Last.Yaw - This.Last'Old.Yaw) <= Yaw_Step)
+       and then
+         (if not This.Is_Stick (Throttle_Axis)
+          then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
+                 Throttle_Step)
+       and then
+         (if This.Flown.Lateral in Banked
+          then abs This.Last.Roll <= Integer'Max
+                 (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
+       and then
+         (if This.Flown.Vertical in Pitched
+          then abs This.Last.Pitch <= Integer'Max
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
+
+end URV.Laws.Flying;
