@@ -263,8 +263,13 @@ export class Hands {
 
   tick() {
     const now = performance.now();
-    if (now - this.ticked > OLD && !document.hidden) this.leave("hung");
+    const hung = now - this.ticked > OLD && !document.hidden;
     this.ticked = now;
+    if (hung) {
+      // Keys that were released meanwhile are told before the next tick.
+      if (this.holding) this.send({ t: "lost", what: "hung" });
+      return;
+    }
     // What happens to gamepads is told, so somebody must hear it.
     if (!this.there) return;
     const pad = this.gamepads.poll();
