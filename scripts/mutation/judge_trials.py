@@ -69,6 +69,7 @@ TESTS = {
     "scripts/proof_stamp.py": ["proof_record", "canaries"],
     "scripts/seal_tags.py": ["seal"],
     "scripts/safety/*": ["safety_monitor", "lost_console", "safety_mixes"],
+    "scripts/test_lines.py": ["run_tests"],
     "scripts/trace/*": ["traceability"],
     # The others have a file of tests of their name.
     "scripts/*": ["{}"],
