@@ -43,12 +43,19 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
    --  that far on either side of its word.
    Dead_Band : constant := 41;
 
+   --  An engine follows the airspeed as Steady says, or not at all: at idle
+   --  in a dive it does not.
+
    function Least_Asked (Power : Lever; Airspeed : Level) return Level is
-     (Steady (Integer'Max (Power - Dead_Band, 0), Airspeed))
+     (Steady
+        (Integer'Max (Power - Dead_Band, 0),
+         Integer'Min (Airspeed, Cruise)))
    with Global => null;
 
    function Most_Asked (Power : Lever; Airspeed : Level) return Level is
-     (Steady (Integer'Min (Power + Dead_Band, Lever'Last), Airspeed))
+     (Steady
+        (Integer'Min (Power + Dead_Band, Lever'Last),
+         Integer'Max (Airspeed, Cruise)))
    with Global => null;
 
    --  16 rev/min: how far the measured speed has to move to be a measurement.
