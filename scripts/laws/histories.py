@@ -41,7 +41,8 @@ def known(path, program):
             except ValueError:
                 # A line that was not written to its end.
                 continue
-            if result.get("program") == program:
+            # One that could not be flown is tried again.
+            if result.get("program") == program and not result["fault"]:
                 found[result["seed"]] = result
     return found
 
