@@ -482,7 +482,7 @@ def test_flights_that_could_not_be_flown_are_no_success(
         monte_carlo.fly_all(SimpleNamespace(
             pilot="level", seconds=10, first=1, count=2,
             output=tmp_path / "a:b", scheduler=None, workers=1,
-            surface_percent=0))
+            surface_percent=0, console_percent=0))
     assert parquet.read_table(
         (tmp_path / "a:b" / "results.parquet").open("rb")).num_rows == 2
 
