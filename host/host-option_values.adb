@@ -45,8 +45,11 @@ package body Host.Option_Values is
       return Microseconds (Amount);
    end Time_Of;
 
+   function Longest_Line_Delay return Number is
+     (Number (Telemetry.Line_Delay'Last));
+
    function Line_Delay_Range return String is
-     ("0 to " & Thousandths_Image (Number (Telemetry.Line_Delay'Last)));
+     ("0 to " & Thousandths_Image (Longest_Line_Delay));
 
    function Line_Delay_Of
      (Title : String;
@@ -57,8 +60,7 @@ package body Host.Option_Values is
    begin
       Read_Decimal (Value, 3, Amount, Is_Valid);
       Refuse_Unless
-        (Is_Valid and then Amount <= Number (Telemetry.Line_Delay'Last),
-         Title, Value,
+        (Is_Valid and then Amount <= Longest_Line_Delay, Title, Value,
          "not a number of milliseconds from " & Line_Delay_Range
          & " with at most three decimals: a frame has no room for an exchange"
          & " over a slower line");

@@ -19,6 +19,10 @@ package Host.Option_Values is
    --  What the boards leave room for: "0 to 1.392".
    function Line_Delay_Range return String;
 
+   --  The longest --line-delay, in microseconds: 0 where a frame has no room
+   --  for a slow line at all.
+   function Longest_Line_Delay return Host.Text_Numbers.Number;
+
    --  Microseconds, of a value in milliseconds with at most three decimals.
    function Line_Delay_Of
      (Title : String;

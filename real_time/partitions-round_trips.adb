@@ -123,7 +123,7 @@ package body Partitions.Round_Trips is
       One_Way : constant Number := Number ((Time + 199) / 200) * 10;
    begin
       return
-        (if One_Way <= Number (Telemetry.Line_Delay'Last)
+        (if One_Way <= Host.Option_Values.Longest_Line_Delay
          then "give both nodes --line-delay " & Thousandths_Image (One_Way)
          else "no --line-delay ("
               & Host.Option_Values.Line_Delay_Range
