@@ -8,6 +8,8 @@ with URVOS;                 use URVOS;
 
 package body Peer_Watch_Tests is
 
+   use type Host.Text_Numbers.Number;
+
    --  The tests, in order.
    procedure Taken;
    procedure All_Refused;
@@ -38,13 +40,14 @@ package body Peer_Watch_Tests is
       Expect_State ("not judged yet", Item, Never_Heard);
       Look (Item, 1, 0, 12);
       Expect_State ("two frames later", Item, Is_Heard);
-      for Frame in Number range 13 .. 60 loop
+      for Frame in Number range 13 .. 10 + Longest_Silence loop
          Look (Item, 1, 0, Frame);
          Expect_State ("within a second", Item, Is_Heard);
       end loop;
-      Look (Item, 1, 0, 61);
+      Look (Item, 1, 0, 11 + Longest_Silence);
       Expect_State ("after it", Item, Is_Lost);
-      for Frame in Number range 62 .. 64 loop
+      for Frame in Number range 12 + Longest_Silence
+                                .. 14 + Longest_Silence loop
          Look (Item, 2, 0, Frame);
       end loop;
       Expect_State ("again", Item, Is_Heard);
