@@ -4,7 +4,7 @@
 
 .PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
         theory bench size trace mutate planted real_time timing trials coverage \
-        independence margins surfaces times clean
+        independence margins surfaces times clean attack
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -27,6 +27,7 @@ help:
 	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
+	@echo "  make attack     2,000 sealed flights with someone in the middle"
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
 	@echo "  make independence  other switches, compilers, provers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
@@ -98,6 +99,12 @@ mutate:
 	@scripts/setup.sh mutate
 	@.venv/bin/python scripts/mutation/run.py --jobs $(MUTATE_JOBS)
 	@.venv/bin/python scripts/mutation/report.py table
+
+# Someone in the middle of a sealed line (docs/security.md).
+attack:
+	@scripts/setup.sh fly
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@.venv/bin/python scripts/attack.py $(if $(FLIGHTS),--flights $(FLIGHTS))
 
 planted:
 	@scripts/setup.sh test

@@ -25,7 +25,11 @@ package body Host.Key_Files is
    function Close (This : int) return int
    with Import, Convention => C, External_Name => "close";
 
-   Close_On_Exec : constant := 8#2_000_000#;
+   --  Close on exec, do not wait for a writer, and become nobody's terminal.
+   Open_Flags : constant := 8#2_000_000# + 8#4_000# + 8#400#;
+
+   function Effective_User return Unsigned_32
+   with Import, Convention => C, External_Name => "geteuid";
 
    --  struct statx: what is wanted of it, and room for all that the system
    --  writes.
@@ -53,7 +57,7 @@ package body Host.Key_Files is
    with Import, Convention => C, External_Name => "statx";
 
    Of_Descriptor : constant := 16#1000#;
-   Mode_And_Kind : constant := 3;
+   Mode_Kind_User : constant := 16#B#;
    Kind_Bits     : constant := 8#170_000#;
    Regular       : constant := 8#100_000#;
    Owners_Alone  : constant := 8#600#;
@@ -125,19 +129,22 @@ package body Host.Key_Files is
    end Octal;
 
    function Opened (Name : String) return int is
-      File   : constant int := Open (To_C (Name), Close_On_Exec);
+      File   : constant int := Open (To_C (Name), Open_Flags);
       Status : File_Status;
       Unused : int;
    begin
       if File = Failed then
          Refuse (Name, 1, "cannot be read: " & GNAT.OS_Lib.Errno_Message);
       elsif Get_Status
-        (File, To_C (""), Of_Descriptor, Mode_And_Kind, Status) = Failed
+        (File, To_C (""), Of_Descriptor, Mode_Kind_User, Status) = Failed
       then
          Refuse (Name, 1, "its mode cannot be read");
       elsif (Status.Mode and Kind_Bits) /= Regular then
          Unused := Close (File);
          Refuse (Name, 1, "is not a file");
+      elsif Status.User /= Effective_User then
+         Unused := Close (File);
+         Refuse (Name, 1, "belongs to another user");
       elsif (Status.Mode and not Kind_Bits) /= Owners_Alone then
          Unused := Close (File);
          Refuse
@@ -185,6 +192,13 @@ package body Host.Key_Files is
       end Refuse_Line;
 
    begin
+      --  What another program shows as a line of its own is one.
+      if (for some Place in Line'First .. Line'Last - 1 =>
+            Line (Place) = ASCII.CR)
+      then
+         Refuse_Line ("a carriage return that ends no line");
+      end if;
+
       --  The parts between blanks: the word, the number, the digits.
       loop
          while First <= Line'Last and then Line (First) in ' ' | ASCII.HT
@@ -246,16 +260,18 @@ package body Host.Key_Files is
       else
          Into (URV.Sessions.First) := (True, Key_Number (Of_Key), Value);
       end if;
+      Half  := (0, 0);
+      Value := No_Key;
+      pragma Inspection_Point (Half, Value);
    end Take;
 
-   function Keys_From (Name : String) return Key_List is
+   procedure Load (Ring : in out Key_Ring; Name : String) is
       Text   : String (1 .. Longest) := (others => ' ') with Volatile;
       File   : int;
       Length : long;
       Unused : int;
       Begins : Positive := 1;
       Number : Positive := 1;
-      Result : Key_List := (others => (others => <>));
 
       procedure Wipe;
 
@@ -279,21 +295,27 @@ package body Host.Key_Files is
 
       for Place in 1 .. Natural (Length) + 1 loop
          if Place > Natural (Length) or else Text (Place) = ASCII.LF then
-            Take (Name, Number, Text (Begins .. Place - 1), Result);
+            Take (Name, Number, Text (Begins .. Place - 1), Ring.Keys);
             Begins := Place + 1;
             Number := Number + 1;
          end if;
       end loop;
       Wipe;
-      if not Result (URV.Sessions.First).Is_Present then
+      if not Ring.Keys (URV.Sessions.First).Is_Present then
          Refuse (Name, 1, "has no key; bin/urv keygen makes one");
       end if;
-      return Result;
    exception
       when others =>
          Wipe;
          raise;
-   end Keys_From;
+   end Load;
+
+   procedure Hand_Over (Ring : in out Key_Ring) is
+   begin
+      Receive (Ring.Keys);
+      Ring.Keys := (others => (others => <>));
+      pragma Inspection_Point (Ring);
+   end Hand_Over;
 
    function Random_Nonce return Nonce is
       Result : Unsigned_64 := 0;

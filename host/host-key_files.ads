@@ -4,11 +4,12 @@
 --  DIGITS" for each, two at most, the first to call with; # begins a comment.
 --  NUMBER is 0 to 255, DIGITS are 32 hexadecimal digits.
 --
---  A file that another user may read is refused. What was read is wiped,
+--  A file that another user owns or may read is refused, and so is one that
+--  is no file: a pipe or a device is not waited for. What was read is erased,
 --  complaints repeat nothing of it, and the process leaves no core dump.
 
 with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Seals;       use URV.Seals;
+with URV.Handshakes;  use URV.Handshakes;
 with URV.Sessions;    use URV.Sessions;
 
 package Host.Key_Files is
@@ -16,11 +17,26 @@ package Host.Key_Files is
    --  Format 2 needs a key, format 1 has none. Raises Bad_Input.
    procedure Check (Format : Format_Number; Has_Key : Boolean);
 
+   --  Keys between their file and the seal.
+   type Key_Ring is limited private;
+
    --  Raises Bad_Input.
-   function Keys_From (Name : String) return Key_List;
+   procedure Load (Ring : in out Key_Ring; Name : String);
+
+   --  The keys, none if nothing was loaded, to where they are used. The ring
+   --  has them no longer.
+   generic
+      with procedure Receive (Keys : Key_List);
+   procedure Hand_Over (Ring : in out Key_Ring);
 
    --  From the operating system's source of random numbers. Raises Bad_Input
    --  if it gives none.
    function Random_Nonce return Nonce;
+
+private
+
+   type Key_Ring is limited record
+      Keys : Key_List;
+   end record;
 
 end Host.Key_Files;

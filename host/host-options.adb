@@ -123,7 +123,7 @@ package body Host.Options is
             Loss_Times.Read_Finish (Value, Chosen.Loss);
          when Format_Option =>
             Chosen.Format :=
-              URV.Seals.Format_Number (Number_Of (Title, Value));
+              URV.Handshakes.Format_Number (Number_Of (Title, Value));
          when Packets_Option =>
             Chosen.Packets := Number_Of (Title, Value);
          when Publish_Option =>

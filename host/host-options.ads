@@ -14,7 +14,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Host.Loss_Times;
 with Host.Option_Values; use Host.Option_Values;
 with Telemetry;
-with URV.Seals;
+with URV.Handshakes;
 
 package Host.Options is
 
@@ -94,7 +94,7 @@ package Host.Options is
       Loss       : Loss_Times.Pair;
 
       --  Of the messages, which have keys in format 2.
-      Format     : URV.Seals.Format_Number := 1;
+      Format     : URV.Handshakes.Format_Number := 1;
 
       --  The version of the packets that are published.
       Packets    : One_Or_Two := 1;

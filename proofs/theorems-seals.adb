@@ -9,6 +9,7 @@ package body Theorems.Seals with SPARK_Mode is
      (Block  : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Inside : Session)
    with
      Global => null,
@@ -16,22 +17,25 @@ package body Theorems.Seals with SPARK_Mode is
        Tag_Of
          (With_Tag
             (Block, Sender,
-             Tag_Of (Block, Sender, Number, Key_Of (Inside, Sender))),
-          Sender, Number, Key_Of (Inside, Sender)) =
-       Tag_Of (Block, Sender, Number, Key_Of (Inside, Sender));
+             Tag_Of (Block, Sender, Number, Echo, Key_Of (Inside, Sender))),
+          Sender, Number, Echo, Key_Of (Inside, Sender)) =
+       Tag_Of (Block, Sender, Number, Echo, Key_Of (Inside, Sender));
 
    procedure Tag_Leaves_The_Rest
      (Block  : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Inside : Session)
    is
       Tagged_One : constant Block_Data :=
         With_Tag
           (Block, Sender,
-           Tag_Of (Block, Sender, Number, Key_Of (Inside, Sender)));
-      Before : constant Message := Message_Of (Block, Sender, Number);
-      After  : constant Message := Message_Of (Tagged_One, Sender, Number);
+           Tag_Of (Block, Sender, Number, Echo, Key_Of (Inside, Sender)));
+      Before : constant Message :=
+        Message_Of (Block, Sender, Number, Echo);
+      After  : constant Message :=
+        Message_Of (Tagged_One, Sender, Number, Echo);
    begin
       pragma Assert
         (for all Where in Message_Index =>
@@ -39,14 +43,33 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Before = After);
    end Tag_Leaves_The_Rest;
 
-   --  Within 4096 in a row each has a remainder of its own.
-   procedure Same_Remainder (Left, Right : Counter)
+   --  Of so many numbers in a row each has a remainder of its own, so that
+   --  the latest with it is the number.
+   procedure The_Latest_Is_It (Number, Modulus, Most : Counter)
    with
      Global => null,
      Pre    =>
-       Left mod Numbers_Told = Right mod Numbers_Told
-       and then abs (Left - Right) < Numbers_Told,
-     Post   => Left = Right;
+       Modulus in Echoes_Told | Numbers_Told
+       and then Number <= Most
+       and then Most - Number < Modulus
+       and then Most <= Counter'Last - Numbers_Told,
+     Post   => Last_With (Number mod Modulus, Modulus, Most) = Number;
+
+   procedure The_Latest_Is_It (Number, Modulus, Most : Counter) is
+      Of_Number : constant Counter := Number / Modulus;
+      Of_Most   : constant Counter := Most / Modulus;
+   begin
+      pragma Assert (Number = Modulus * Of_Number + Number mod Modulus);
+      pragma Assert (Most = Modulus * Of_Most + Most mod Modulus);
+      pragma Assert (Of_Number <= Of_Most);
+      pragma Assert
+        (if Of_Most > Of_Number + 1
+         then Modulus * Of_Most >= Modulus * Of_Number + 2 * Modulus);
+      pragma Assert (Of_Most in Of_Number .. Of_Number + 1);
+      pragma Assert
+        (if Of_Most = Of_Number + 1
+         then Modulus * Of_Most = Modulus * Of_Number + Modulus);
+   end The_Latest_Is_It;
 
    --  Four bytes tell a number.
    procedure Bytes_Tell (Number : Counter; Block : Block_Data)
@@ -58,24 +81,6 @@ package body Theorems.Seals with SPARK_Mode is
        and then Block (Before_Counter + 3) = Byte_Of (Number, 3)
        and then Block (Before_Counter + 4) = Byte_Of (Number, 4),
      Post   => Number_At (Block) = Number;
-
-   procedure Same_Remainder (Left, Right : Counter) is
-      Of_Left  : constant Counter := Left / Numbers_Told;
-      Of_Right : constant Counter := Right / Numbers_Told;
-   begin
-      pragma Assert (Left = Numbers_Told * Of_Left + Left mod Numbers_Told);
-      pragma Assert
-        (Right = Numbers_Told * Of_Right + Right mod Numbers_Told);
-      pragma Assert
-        (if Of_Left > Of_Right
-         then Numbers_Told * Of_Left >= Numbers_Told * Of_Right
-                                        + Numbers_Told);
-      pragma Assert
-        (if Of_Right > Of_Left
-         then Numbers_Told * Of_Right >= Numbers_Told * Of_Left
-                                         + Numbers_Told);
-      pragma Assert (Of_Left = Of_Right);
-   end Same_Remainder;
 
    procedure Bytes_Tell (Number : Counter; Block : Block_Data) is
       Upper   : constant Counter := Number / 2 ** 8;
@@ -101,11 +106,13 @@ package body Theorems.Seals with SPARK_Mode is
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Inside : Session;
       Which  : Word_Place)
    is
-      Without : constant Block_Data := Packed (Data, Sender, Number);
-      Block   : constant Block_Data := Sealed (Data, Sender, Number, Inside);
+      Without : constant Block_Data := Packed (Data, Sender, Number, Echo);
+      Block   : constant Block_Data :=
+        Sealed (Data, Sender, Number, Echo, Inside);
    begin
       pragma Assert (Field_At (Block, Which) = Field_At (Without, Which));
       pragma Assert (Block (1) = Without (1));
@@ -114,57 +121,204 @@ package body Theorems.Seals with SPARK_Mode is
            = Byte (Word_At (Data, Words_Of (Sender)) mod 16));
    end Words_Come_Through;
 
+   --  Two values of six bits share a field.
+   procedure Halves_Of_A_Field (High, Low : Word)
+   with
+     Global => null,
+     Pre    => High < Numbers_Told and then Low < Numbers_Told,
+     Post   =>
+       (High * Numbers_Told + Low) / Numbers_Told = High
+       and then (High * Numbers_Told + Low) mod Numbers_Told = Low;
+
+   procedure Halves_Of_A_Field (High, Low : Word) is null;
+
+   --  The number and the echo of an uplink, and of a downlink, are those that
+   --  it was sealed with.
+
+   procedure Uplink_Tells
+     (Block  : Block_Data;
+      Number : Counter;
+      Echo   : Counter;
+      Theirs : Session)
+   with
+     Global => null,
+     Pre    =>
+       Field_At (Block, Uplink_Words) =
+         Field_Of (Block, Ground, Number, Echo, Uplink_Words)
+       and then Number <= Latest (Theirs)
+       and then Latest (Theirs) - Number < Numbers_Told
+       and then Echo <= Theirs.Age
+       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told),
+     Post   =>
+       Number_Of (Block, Ground, Theirs) = Number
+       and then Echo_Of (Block, Ground, Theirs) = Echo;
+
+   procedure Uplink_Tells
+     (Block  : Block_Data;
+      Number : Counter;
+      Echo   : Counter;
+      Theirs : Session)
+   is
+      Last : constant Field := Field_At (Block, Uplink_Words);
+   begin
+      Halves_Of_A_Field (Word (Number mod Numbers_Told), Code_Of (Echo));
+      pragma Assert
+        (Counter (Last / Numbers_Told) = Number mod Numbers_Told);
+      pragma Assert (Last mod Numbers_Told = Code_Of (Echo));
+      The_Latest_Is_It (Number, Numbers_Told, Latest (Theirs));
+      pragma Assert (Uplink_Number (Block, Latest (Theirs)) = Number);
+      if Echo > 0 then
+         The_Latest_Is_It (Echo, Echoes_Told, Theirs.Age);
+      end if;
+   end Uplink_Tells;
+
+   procedure Downlink_Tells
+     (Block  : Block_Data;
+      Number : Counter;
+      Echo   : Counter;
+      Theirs : Session)
+   with
+     Global => null,
+     Pre    =>
+       Block (Before_Counter) = Byte (Code_Of (Echo))
+       and then
+         (for all Where in Byte_Index range 1 .. 4 =>
+            Block (Before_Counter + Where) = Byte_Of (Number, Where))
+       and then Echo <= Theirs.Age
+       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told),
+     Post   =>
+       Number_Of (Block, Aircraft, Theirs) = Number
+       and then Echo_Of (Block, Aircraft, Theirs) = Echo;
+
+   procedure Downlink_Tells
+     (Block  : Block_Data;
+      Number : Counter;
+      Echo   : Counter;
+      Theirs : Session) is
+   begin
+      Bytes_Tell (Number, Block);
+      if Echo > 0 then
+         The_Latest_Is_It (Echo, Echoes_Told, Theirs.Age);
+      end if;
+   end Downlink_Tells;
+
    procedure What_Is_Sealed_Opens
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Mine   : Session;
       Theirs : Session)
    is
-      Without  : constant Block_Data := Packed (Data, Sender, Number);
-      Block    : constant Block_Data := Sealed (Data, Sender, Number, Mine);
-      Told_Low : constant Field := Field_At (Block, Uplink_Words);
+      Without : constant Block_Data := Packed (Data, Sender, Number, Echo);
+      Block   : constant Block_Data :=
+        Sealed (Data, Sender, Number, Echo, Mine);
    begin
-      Tag_Leaves_The_Rest (Without, Sender, Number, Mine);
+      Tag_Leaves_The_Rest (Without, Sender, Number, Echo, Mine);
       if Sender = Ground then
-         pragma Assert (Told_Low = Field_At (Without, Uplink_Words));
-         pragma Assert (Told_Low = Word (Number mod Numbers_Told));
          pragma Assert
-           (Counter (Word (Number mod Numbers_Told))
-              = Number mod Numbers_Told);
-         pragma Assert
-           (Following (Theirs.Newest, Told_Low) mod Numbers_Told
-              = Counter (Told_Low));
-         Same_Remainder (Following (Theirs.Newest, Told_Low), Number);
+           (Field_At (Block, Uplink_Words) =
+              Field_At (Without, Uplink_Words));
+         Uplink_Tells (Block, Number, Echo, Theirs);
       else
          pragma Assert
-           (for all Where in Byte_Index range 1 .. 4 =>
-              Block (Before_Counter + Where) = Byte_Of (Number, Where));
-         pragma Assert (Block (Before_Counter + 1) = Byte_Of (Number, 1));
-         pragma Assert (Block (Before_Counter + 2) = Byte_Of (Number, 2));
-         pragma Assert (Block (Before_Counter + 3) = Byte_Of (Number, 3));
-         pragma Assert (Block (Before_Counter + 4) = Byte_Of (Number, 4));
-         Bytes_Tell (Number, Block);
+           (for all Where in Byte_Index range Before_Counter ..
+              Before_Counter + 4 => Block (Where) = Without (Where));
+         Downlink_Tells (Block, Number, Echo, Theirs);
       end if;
-      pragma Assert
-        (Number_Of (Block, Sender, Theirs.Newest) = Number);
       pragma Assert
         (Has_Tag
            (Block, Sender,
-            Tag_Of (Without, Sender, Number, Key_Of (Mine, Sender))));
+            Tag_Of (Without, Sender, Number, Echo, Key_Of (Mine, Sender))));
    end What_Is_Sealed_Opens;
 
    procedure Nothing_Older_Is_Taken
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       Came  : Boolean;
-      What  : out Outcome) is
+      What  : out Outcome)
+   is
+      Was  : constant URV.Handshakes.Seal := Item;
+      Sent : constant Block_Data := Block;
    begin
       Open (Item, Block, Came, What);
+      if What = Opened then
+         pragma Assert (Opens (Sent, Other (Was.Role), Was.Active));
+         pragma Assert
+           (Item.Active = With_Newest (Was.Active, Sent, Other (Was.Role)));
+      elsif What = Opened_Anew then
+         pragma Assert (Opened_Place (Was, Sent) > 0);
+      end if;
    end Nothing_Older_Is_Taken;
 
+   procedure Clocks_Keep_Step
+     (Theirs : Counter; Mine : Counter; Time : Nanoseconds) is null;
+
+   procedure A_Taken_Block_Is_Young
+     (Item         : Session;
+      Block        : Block_Data;
+      Sender       : Station;
+      Reference_At : Counter;
+      Sealed_At    : Counter) is null;
+
+   procedure The_Reference_Stays_True
+     (Item         : Session;
+      Block        : Block_Data;
+      Sender       : Station;
+      Reference_At : Counter;
+      Sealed_At    : Counter) is null;
+
+   procedure A_Call_Is_Answered
+     (Item  : in out URV.Handshakes.Seal;
+      Call  : Block_Data;
+      What  : out Outcome)
+   is
+      Block : Block_Data := Call;
+   begin
+      Open (Item, Block, True, What);
+   end A_Call_Is_Answered;
+
+   procedure Each_Answer_Has_Its_Turn
+     (Item  : in out URV.Handshakes.Seal;
+      Which : Pending_Place) is
+   begin
+      pragma Assert (Is_Answered (Item.Pending (To_Answer (Item))));
+      pragma Assert
+        (Distance (Item.Turn, To_Answer (Item)) <=
+           Distance (Item.Turn, Which));
+      Pass (Item, 1);
+   end Each_Answer_Has_Its_Turn;
+
+   procedure A_Call_Displaces_The_Oldest
+     (Item  : in out URV.Handshakes.Seal;
+      Call  : Block_Data;
+      What  : out Outcome)
+   is
+      Was   : constant URV.Handshakes.Seal := Item;
+      Block : Block_Data := Call;
+   begin
+      pragma Assert (Outcome_Of (Item, Call, True) not in Taken);
+      Open (Item, Block, True, What);
+      if What = Hello_Taken then
+         pragma Assert (Item = After_Hello (Was, Call));
+      else
+         pragma Assert (Item = Was);
+      end if;
+   end A_Call_Displaces_The_Oldest;
+
+   procedure A_Sealed_Block_Completes
+     (Item  : in out URV.Handshakes.Seal;
+      Block : in out Block_Data;
+      Which : Pending_Place;
+      What  : out Outcome) is
+   begin
+      pragma Assert
+        (Opened_Place (Item, Block) in 1 .. Pending_Count (Which));
+      Open (Item, Block, True, What);
+   end A_Sealed_Block_Completes;
+
    procedure What_Is_Refused_Changes_Nothing
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       What  : out Outcome) is
    begin
@@ -172,7 +326,7 @@ package body Theorems.Seals with SPARK_Mode is
    end What_Is_Refused_Changes_Nothing;
 
    procedure Own_Nonces_Are_Used_Once
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       What  : out Outcome) is
    begin

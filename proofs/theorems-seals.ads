@@ -1,7 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The sealed link: what is sealed comes through, and nothing is taken twice
---  or late (SEC-1, SEC-3, SEC-4).
+--  The sealed link: what is sealed comes through, nothing is taken twice, and
+--  nothing that was sealed more than a quarter of a second before, whatever
+--  the line does (SEC-1, SEC-3, SEC-4).
+--
+--  How old a block may be is shown in three steps. Clocks_Keep_Step: two
+--  clocks within 200 ppm agree on a number of frames, but for Drift.
+--  A_Taken_Block_Is_Young: if the reference of a session is true, a block
+--  that opens was sealed at most Most_Age frames ago.
+--  The_Reference_Stays_True: after a block has opened, the reference is true
+--  again. In the beginning it is true, since the ground makes its session
+--  after the aircraft.
 --
 --  That nobody without the key finds a tag is not proved, here or anywhere:
 --  it is what SipHash is believed to do.
@@ -9,6 +18,7 @@
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Handshakes;  use URV.Handshakes;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
@@ -33,6 +43,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Inside : Session;
       Which  : Word_Place)
    with
@@ -40,15 +51,18 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Pre    => Which <= Words_Of (Sender),
      Post   =>
        Word_At
-         (Unpacked (Sealed (Data, Sender, Number, Inside), Sender), Which) =
+         (Unpacked (Sealed (Data, Sender, Number, Echo, Inside), Sender),
+          Which) =
        Carried (Data, Sender, Which);
 
-   --  A block opens for whoever has the session, as long as it is newer than
-   --  all that was taken, up by 4096 at most.
+   --  A block opens for the node that has the session, if it is newer than
+   --  all that was taken, came in time, and its number and echo are among the
+   --  latest that its receiver's clock allows.
    procedure What_Is_Sealed_Opens
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Mine   : Session;
       Theirs : Session)
    with
@@ -56,19 +70,25 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Pre    =>
        Theirs.Is_Present
        and then Key_Of (Mine, Sender) = Key_Of (Theirs, Sender)
-       and then Theirs.Newest < Last_Number
        and then Number > Theirs.Newest
-       and then Number - Theirs.Newest <= Numbers_Told,
+       and then Number <= Last_Age
+       and then Number <= Latest (Theirs)
+       and then Latest (Theirs) - Number < Numbers_Told
+       and then Echo <= Theirs.Age
+       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told)
+       and then Is_Timely (Theirs, Number, Echo),
      Post   =>
        Number_Of
-         (Sealed (Data, Sender, Number, Mine), Sender, Theirs.Newest) =
-           Number
-       and then Opens (Sealed (Data, Sender, Number, Mine), Sender, Theirs);
+         (Sealed (Data, Sender, Number, Echo, Mine), Sender, Theirs) = Number
+       and then Echo_Of
+         (Sealed (Data, Sender, Number, Echo, Mine), Sender, Theirs) = Echo
+       and then Opens
+         (Sealed (Data, Sender, Number, Echo, Mine), Sender, Theirs);
 
    --  Whatever comes, a block that is taken has a higher number than all
    --  that its session has taken, and a session keeps its newest.
    procedure Nothing_Older_Is_Taken
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       Came  : Boolean;
       What  : out Outcome)
@@ -79,49 +99,224 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        (if What = Opened
         then Item'Old.Active.Is_Present
           and then Item.Active.Newest > Item'Old.Active.Newest
-          and then Item.Active =
-            (Item'Old.Active with delta Newest => Item.Active.Newest)
         elsif What = Opened_Anew
-        then Item'Old.Pending.Is_Present
-          and then Item.Active.Newest > Item'Old.Pending.Newest
-          and then Item.Active =
-            (Item'Old.Pending with delta Newest => Item.Active.Newest)
+        then (for some Each of Item'Old.Pending => Each.Is_Present)
+          and then Item.Active.Newest > 0
         elsif What /= Hello_Taken
-        then Item.Active = Item'Old.Active
-          or else not Item.Active.Is_Present);
+        then Item.Active = Item'Old.Active);
 
-   --  What is refused changes nothing but the time since something opened.
+   --  Time: a frame of a clock within 200 ppm of its rate, in nanoseconds.
+
+   type Nanoseconds is range 0 .. 2 ** 62;
+
+   Shortest_Frame : constant := 20_000_000 - 4_000;
+   Longest_Frame  : constant := 20_000_000 + 4_000;
+
+   --  The time between two events lies between the whole frames that a clock
+   --  counts between them, one fewer and one more.
+   function Can_Count (Frames : Counter; Time : Nanoseconds) return Boolean is
+     (Time < (Nanoseconds (Frames) + 1) * Longest_Frame
+      and then
+        (Frames = 0
+         or else Time > (Nanoseconds (Frames) - 1) * Shortest_Frame))
+   with Global => null;
+
+   --  In a time in which the peer counts Theirs frames, this node counts
+   --  Least_Of (Theirs) or more.
+   procedure Clocks_Keep_Step
+     (Theirs : Counter; Mine : Counter; Time : Nanoseconds)
+   with
+     Global => null,
+     Pre    =>
+       Theirs <= Last_Age
+       and then Can_Count (Theirs, Time)
+       and then Can_Count (Mine, Time),
+     Post   => Mine >= Least_Of (Theirs);
+
+   --  This node's age, as nobody knows it, when the peer sealed a block:
+   --  Sealed_At is that of the block that came, Reference_At that of the
+   --  reference.
+
+   --  The reference says something true.
+   function Is_True
+     (Item : Session; Reference_At : Counter) return Boolean
+   is
+     (Item.Reference = 0 or else Reference_At >= Item.Not_Before)
+   with Global => null;
+
+   --  The peer is honest and its clock within bounds: it had taken what it
+   --  echoes, and has counted the frames between the two blocks.
+   function Is_Honest
+     (Item         : Session;
+      Number       : Counter;
+      Echo         : Counter;
+      Reference_At : Counter;
+      Sealed_At    : Counter) return Boolean
+   is
+     (Sealed_At >= Echo
+      and then
+        (if Item.Reference > 0 and then Number >= Item.Reference
+         then Sealed_At >= Reference_At
+           and then Sealed_At - Reference_At >=
+                      Least_Of (Number - Item.Reference)))
+   with
+     Global => null,
+     Pre    => Number <= Last_Age;
+
+   --  For any line: what it delays, withholds or reorders is refused.
+   procedure A_Taken_Block_Is_Young
+     (Item         : Session;
+      Block        : Block_Data;
+      Sender       : Station;
+      Reference_At : Counter;
+      Sealed_At    : Counter)
+   with
+     Global => null,
+     Pre    =>
+       Opens (Block, Sender, Item)
+       and then Is_True (Item, Reference_At)
+       and then Is_Honest
+         (Item, Number_Of (Block, Sender, Item),
+          Echo_Of (Block, Sender, Item), Reference_At, Sealed_At),
+     Post   =>
+       Item.Age <= Sealed_At
+       or else Item.Age - Sealed_At <= Most_Age;
+
+   procedure The_Reference_Stays_True
+     (Item         : Session;
+      Block        : Block_Data;
+      Sender       : Station;
+      Reference_At : Counter;
+      Sealed_At    : Counter)
+   with
+     Global => null,
+     Pre    =>
+       Opens (Block, Sender, Item)
+       and then Is_True (Item, Reference_At)
+       and then Is_Honest
+         (Item, Number_Of (Block, Sender, Item),
+          Echo_Of (Block, Sender, Item), Reference_At, Sealed_At),
+     Post   =>
+       (if With_Newest (Item, Block, Sender).Reference =
+             Number_Of (Block, Sender, Item)
+        then Is_True (With_Newest (Item, Block, Sender), Sealed_At)
+        else Is_True (With_Newest (Item, Block, Sender), Reference_At));
+
+   --  Three blocks that arrive make a session: a call, its answer, and a
+   --  sealed block; recorded calls between them, up to three, prevent
+   --  nothing. Each node needs a new nonce.
+
+   --  A call is taken, and answered.
+   procedure A_Call_Is_Answered
+     (Item  : in out URV.Handshakes.Seal;
+      Call  : Block_Data;
+      What  : out Outcome)
+   with
+     Global => null,
+     Pre    =>
+       Item.Role = Aircraft
+       and then Item.Format = 2
+       and then Outcome_Of (Item, Call, True) = Hello_Taken,
+     Post   =>
+       What = Hello_Taken
+       and then Is_Answered (Item.Pending (Item.Latest))
+       and then Item.Pending (Item.Latest).Number = Hello_Number (Call)
+       and then Item.Pending (Item.Latest).Aircraft_Nonce = Item'Old.Own
+       and then Item.Pending (Item.Latest).Ground_Nonce =
+         Nonce_At (Call, Own_Place);
+
+   --  Each answer has its turn: of the aircraft's hellos, every fourth or
+   --  sooner answers the session in this place, for as long as it is
+   --  answered.
+
+   function Distance (From, To : Pending_Place) return Natural is
+     ((Integer (To) - Integer (From)) mod Integer (Pending_Place'Last))
+   with Global => null;
+
+   procedure Each_Answer_Has_Its_Turn
+     (Item  : in out URV.Handshakes.Seal;
+      Which : Pending_Place)
+   with
+     Global => null,
+     Pre    =>
+       Is_Answered (Item.Pending (Which)) and then Says_Hello (Item),
+     Post   =>
+       To_Answer (Item'Old) = Which
+       or else
+         Distance (Item.Turn, Which) < Distance (Item.Turn'Old, Which);
+
+   --  What was pending is still there after a call more, unless it is the
+   --  fourth.
+   procedure A_Call_Displaces_The_Oldest
+     (Item  : in out URV.Handshakes.Seal;
+      Call  : Block_Data;
+      What  : out Outcome)
+   with
+     Global => null,
+     Pre    =>
+       Item.Role = Aircraft
+       and then Item.Format = 2
+       and then Mark_Of (Call) = Hello_Mark,
+     Post   =>
+       (for all Which in Pending_Place =>
+          (if Which /= Next_Place (Item'Old.Latest)
+           then Item.Pending (Which) = Item'Old.Pending (Which)))
+       and then Item.Latest in
+         Item'Old.Latest | Next_Place (Item'Old.Latest);
+
+   --  A sealed block of a pending session makes it the session.
+   procedure A_Sealed_Block_Completes
+     (Item  : in out URV.Handshakes.Seal;
+      Block : in out Block_Data;
+      Which : Pending_Place;
+      What  : out Outcome)
+   with
+     Global => null,
+     Pre    =>
+       Item.Role = Aircraft
+       and then Item.Format = 2
+       and then Mark_Of (Block) = Sealed_Mark
+       and then Opens (Block, Ground, Item.Pending (Which)),
+     Post   =>
+       What in Taken
+       and then Item.Active.Is_Present
+       and then Item.Silence = 0
+       and then
+         (if What = Opened_Anew
+          then (for some Each in Pending_Place =>
+                  Each <= Which
+                  and then Item.Active.Ground_Nonce =
+                    Item'Old.Pending (Each).Ground_Nonce
+                  and then Item.Active.Aircraft_Nonce =
+                    Item'Old.Pending (Each).Aircraft_Nonce));
+
+   --  What is refused changes nothing.
    procedure What_Is_Refused_Changes_Nothing
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       What  : out Outcome)
    with
      Global => null,
      Post   =>
        (if What in Refused
-        then Item = A_Frame_Later (Item'Old)
+        then Item = Item'Old
           and then (for all Each of Block => Each = 0));
 
-   --  A session is begun with a nonce of this node that it goes past: the
-   --  aircraft when it answers, the ground when it calls anew.
+   --  A session is begun with a nonce of this node that it goes past.
    procedure Own_Nonces_Are_Used_Once
-     (Item  : in out URV.Seals.Seal;
+     (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
       What  : out Outcome)
    with
      Global => null,
      Pre    => Item.Format = 2,
      Post   =>
-       (if What = Hello_Taken
-        then
-          (if Item.Role = Aircraft
-           then Item.Pending.Aircraft_Nonce = Item.Own'Old
-             and then Item.Own = Item.Own'Old + 1
-           elsif Item.Active.Is_Present
-           then Item.Active.Ground_Nonce = Item.Own
-           else Item.Own = Item.Own'Old + 1)
-        else Item.Own = Item.Own'Old
-          and then Item.Pending.Aircraft_Nonce in
-            Item.Pending.Aircraft_Nonce'Old | 0);
+       (if What = Hello_Taken and then Item.Role = Aircraft
+        then Item.Own = Item.Own'Old + 1
+          and then Item.Pending (Item.Latest).Aircraft_Nonce = Item.Own'Old
+        elsif What = Hello_Taken and then Is_Answer (Item'Old, Block'Old)
+        then Item.Own = Item.Own'Old + 1
+          and then Item.Active.Ground_Nonce = Item.Own'Old
+        else Item.Own = Item.Own'Old);
 
 end Theorems.Seals;

@@ -235,7 +235,7 @@ package body Partitions.Nodes is
      (Telemetry_Hardware.Starts_Unasked);
 
    procedure Seal_Link
-     (Format : URV.Seals.Format_Number;
+     (Format : URV.Handshakes.Format_Number;
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce) is
    begin

@@ -21,7 +21,7 @@ with URVOS.Usual_Frames;
 with URV.Buffers;             use URV.Buffers;
 with URV.Errors;
 with URV.Seal_Blocks;
-with URV.Seals;
+with URV.Handshakes;
 with URV.Sessions;
 with URV.Shared_Errors;
 with URV.Shared_Schedules;
@@ -93,7 +93,7 @@ package Partitions.Nodes is
 
    --  Before it is switched on: see URV.Shared_Seals.
    procedure Seal_Link
-     (Format : URV.Seals.Format_Number;
+     (Format : URV.Handshakes.Format_Number;
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce);
 

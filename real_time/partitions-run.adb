@@ -27,13 +27,14 @@ with Partitions.Round_Trips;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
 with URV.Errors;
-with URV.Seals;
+with URV.Handshakes;
+with URV.Sessions;
 with URVOS;
 with URVOS.Task_Trees;
 
 procedure Partitions.Run is
 
-   use type URV.Seals.Format_Number;
+   use type URV.Handshakes.Format_Number;
    use Host.Text_Output;
    use type Number;
    use type URVOS.Count;
@@ -43,6 +44,8 @@ procedure Partitions.Run is
    Chosen : Choices;
    Whole  : Exchange_Watch;
    Screen : Writer;
+
+   Keys   : Host.Key_Files.Key_Ring;
 
    --  Of the whole run: no block came that this node took.
    Carried_Nothing : Boolean := False;
@@ -71,6 +74,8 @@ procedure Partitions.Run is
    function Number_Of (Total : URVOS.Count; What : String) return String is
      (Host.Text_Numbers.Image (Long_Long_Integer (Total)) & " " & What
       & (if Total = 1 then "" else "s"));
+
+   procedure Seal_Node (Given : URV.Sessions.Key_List);
 
    --  Each reports what is new.
    procedure Report_Peer (State : Peer_State);
@@ -476,6 +481,13 @@ procedure Partitions.Run is
       Close (Screen);
    end Print_Summary;
 
+   procedure Seal_Node (Given : URV.Sessions.Key_List) is
+   begin
+      This_Node.Seal_Link (2, Given, Host.Key_Files.Random_Nonce);
+   end Seal_Node;
+
+   procedure Seal_Link is new Host.Key_Files.Hand_Over (Seal_Node);
+
 begin
    Chosen := Parsed (Program, First => 1);
    if Chosen.Wants_Help then
@@ -486,9 +498,8 @@ begin
    end if;
 
    if Chosen.Format = 2 then
-      This_Node.Seal_Link
-        (2, Host.Key_Files.Keys_From (Value (Chosen, Key_Option)),
-         Host.Key_Files.Random_Nonce);
+      Host.Key_Files.Load (Keys, Value (Chosen, Key_Option));
+      Seal_Link (Keys);
    end if;
    Prepare (Chosen);
    Links.Open (Value (Chosen, Link_Option));

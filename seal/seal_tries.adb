@@ -3,6 +3,7 @@
 with Interfaces;      use Interfaces;
 with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
 with URVOS;           use URVOS;
 
@@ -11,6 +12,10 @@ package body Seal_Tries is
    --  SplitMix64.
    function Random return Unsigned_64;
 
+   --  A frame passes, and a block of random words is closed.
+   procedure Close_Next (From : Station; Block : out Block_Data);
+
+   --  The other node opens it.
    procedure Exchange (From : Station; Block : out Block_Data);
 
    --  Both nodes are switched on anew and have a session; its hellos are
@@ -52,13 +57,20 @@ package body Seal_Tries is
    Newest : array (Station) of Block_Data;
    Lost   : array (Station) of Block_Data;
 
+   procedure Close_Next (From : Station; Block : out Block_Data) is
+   begin
+      for Node of Nodes loop
+         Pass (Node, 1);
+      end loop;
+      Block := [for Each in Byte_Index => Byte (Random and 16#0F#)];
+      Close (Nodes (From), Block);
+   end Close_Next;
+
    procedure Exchange (From : Station; Block : out Block_Data) is
       Copy : Block_Data;
       What : Outcome;
    begin
-      Block :=
-              [for Each in Byte_Index => Byte (Random and 16#0F#)];
-      Close (Nodes (From), Block);
+      Close_Next (From, Block);
       Copy := Block;
       Open (Nodes (Other (From)), Copy, True, What);
    end Exchange;
@@ -79,9 +91,7 @@ package body Seal_Tries is
    procedure Go_On is
    begin
       for From in Station loop
-         Lost (From) :=
-              [for Each in Byte_Index => Byte (Random and 16#0F#)];
-         Close (Nodes (From), Lost (From));
+         Close_Next (From, Lost (From));
          Exchange (From, Newest (From));
       end loop;
    end Go_On;

@@ -4,7 +4,7 @@
 --  (SEC-1, SEC-3, SEC-4). Before each try the nodes may go on with their
 --  session; the try is then given to one of them.
 
-with URV.Seals; use URV.Seals;
+with URV.Handshakes;  use URV.Handshakes;
 
 package Seal_Tries is
 

@@ -14,7 +14,7 @@ with Ada.Text_IO;      use Ada.Text_IO;
 with Interfaces;       use Interfaces;
 
 with Seal_Tries;   use Seal_Tries;
-with URV.Seals;    use URV.Seals;
+with URV.Handshakes;  use URV.Handshakes;
 with URV.Sip_Hash; use URV.Sip_Hash;
 with URVOS;        use URVOS;
 

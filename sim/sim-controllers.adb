@@ -291,7 +291,7 @@ package body Sim.Controllers is
       Item.Is_Starting := True;
       Item.Is_Halted := False;
       Schedule (Started (Which), Time + Start_Time);
-      if Condition = Warm_Reset then
+      if Condition /= Processor_Restart then
          Cancel (Converted (Which));
       end if;
    end Begin_Start;

@@ -195,6 +195,9 @@ package body Sim.Engine is
             --  Before it is switched on there is nothing to start anew.
             if Controllers.Is_On (Item.Where) then
                case Item.How is
+                  when Faults.Cold =>
+                     Start_Anew (Item.Where, Time, Wire);
+                     Controllers.Begin_Start (Item.Where, Time, Cold_Start);
                   when Faults.Warm =>
                      Start_Anew (Item.Where, Time, Wire);
                      Controllers.Begin_Start (Item.Where, Time, Warm_Reset);

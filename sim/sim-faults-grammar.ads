@@ -26,6 +26,7 @@ private package Sim.Faults.Grammar is
    Forms : constant array (Fault_Kind) of Form :=
      (Cut        => (Nothing, (A_Duration, None)),
       Bit_Errors => (A_Way, (A_Probability, A_Duration)),
+      Replay     => (A_Way, (An_Ordinal, A_Duration)),
       Flip       => (A_Way, (An_Ordinal, A_Mask)),
       Drop       => (A_Way, (An_Ordinal, None)),
       Duplicate  => (A_Way, (An_Ordinal, None)),
@@ -49,6 +50,7 @@ private package Sim.Faults.Grammar is
      (case Kind is
          when Cut        => "cut",
          when Bit_Errors => "ber",
+         when Replay     => "replay",
          when Flip       => "flip",
          when Drop       => "drop",
          when Duplicate  => "dup",
@@ -82,7 +84,7 @@ private package Sim.Faults.Grammar is
          when A_Mask        => " MASK",
          when A_Byte        => " BYTE",
          when A_Board       => " adc|telemetry",
-         when A_Restart     => " warm|processor|telemetry",
+         when A_Restart     => " cold|warm|processor|telemetry",
          when A_ROM_Address => " ADDRESS",
          when A_ROM_Mask    => " MASK",
          when A_RAM_Address => " ADDRESS",

@@ -309,7 +309,9 @@ package body Sim.Faults is
             end if;
 
          when A_Restart =>
-            if Word = "warm" then
+            if Word = "cold" then
+               Made.How := Cold;
+            elsif Word = "warm" then
                Made.How := Warm;
             elsif Word = "processor" then
                Made.How := Processor;
@@ -319,7 +321,7 @@ package body Sim.Faults is
                Refuse
                  (From,
                   "unknown reset " & Quoted (Word)
-                  & "; there are warm, processor, telemetry");
+                  & "; there are cold, warm, processor, telemetry");
             end if;
       end case;
    end Read_Parameter;
@@ -407,6 +409,8 @@ package body Sim.Faults is
             Windows.Add (To.Consoles, Span);
          when Bit_Errors =>
             To.Ways (Given.Way).Noises.Append (Given);
+         when Replay =>
+            To.Ways (Given.Way).Replays.Append (Given);
          when Character_Fault =>
             To.Ways (Given.Way).Characters.Append (Given);
          when Stall =>

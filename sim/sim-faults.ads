@@ -14,7 +14,9 @@ with URVOS;                use URVOS;
 package Sim.Faults is
 
    type Fault_Kind is
-     (Cut, Bit_Errors, Flip, Drop, Duplicate, Insert, Stall, Reset,
+     (Cut, Bit_Errors,
+      Replay,        --  in the place of a block goes one sent before
+      Flip, Drop, Duplicate, Insert, Stall, Reset,
       ROM_Harm,      --  bits of a byte of the program memory change
       RAM_Harm,      --  bits of a RAM word read as 0
       Halt,          --  the processor stands still until a reset
@@ -38,9 +40,9 @@ package Sim.Faults is
 
    type Board is (ADC, Telemetry);
 
-   --  Of the whole node by its switch, of its processor, or of its telemetry
-   --  board alone.
-   type Restart is (Warm, Processor, Telemetry_Board);
+   --  Of the whole node by its power or its switch, of its processor, or of
+   --  its telemetry board alone.
+   type Restart is (Cold, Warm, Processor, Telemetry_Board);
 
    --  Which byte of a direction, counted from those whose sending begins
    --  at the fault's time or later.
@@ -65,13 +67,13 @@ package Sim.Faults is
          when Cut | Lost_Console =>
             null;
 
-         when Bit_Errors | Character_Fault =>
+         when Bit_Errors | Replay | Character_Fault =>
             Way : Direction := Up;
             case Kind is
                when Bit_Errors =>
                   Rate : Probability := 0.0;
                when others =>
-                  Ordinal  : Byte_Ordinal := 1;
+                  Ordinal  : Byte_Ordinal := 1;    --  or blocks back
                   Mask     : Flip_Mask    := 1;    --  which bits flip
                   Inserted : Byte         := 0;
             end case;
@@ -125,6 +127,9 @@ package Sim.Faults is
    --  Bit errors of a direction.
    function Noises (From : Script; Way : Direction) return Fault_List;
 
+   --  Those of blocks of a direction.
+   function Replays (From : Script; Way : Direction) return Fault_List;
+
    --  Those of single characters, each a Character_Fault.
    function Of_Characters (From : Script; Way : Direction) return Fault_List;
 
@@ -143,6 +148,7 @@ private
 
    type One_Way is record
       Noises     : Fault_List;
+      Replays    : Fault_List;
       Characters : Fault_List;
    end record;
 
@@ -169,6 +175,9 @@ private
 
    function Noises (From : Script; Way : Direction) return Fault_List is
      (From.Ways (Way).Noises);
+
+   function Replays (From : Script; Way : Direction) return Fault_List is
+     (From.Ways (Way).Replays);
 
    function Of_Characters (From : Script; Way : Direction) return Fault_List is
      (From.Ways (Way).Characters);

@@ -86,6 +86,8 @@ package body Sim.Faulty_Line is
       for Way in Direction loop
          Made.Ways (Way).Waiting  := Faults.Of_Characters (Script, Way);
          Made.Ways (Way).Noises   := Faults.Noises (Script, Way);
+         Replays.Prepare
+           (Made.Middles (Way), Faults.Replays (Script, Way));
          Made.Ways (Way).Silences := Faults.Cuts (Script);
          Set_Next_Time (Made.Ways (Way));
          Set_Next_Noise (Made.Ways (Way));
@@ -240,13 +242,15 @@ package body Sim.Faulty_Line is
       Heard    : out Delivery)
    is
       Carrier : One_Way renames Over.Ways (Way);
+      Passed  : Byte := Data;
    begin
       Carrier.Sent := Carrier.Sent + 1;
+      Replays.Replace (Over.Middles (Way), Time, Passed);
 
       Heard.Before.Length := 0;
       Heard.After.Length  := 0;
       Heard.Is_Lost       := False;
-      Heard.Itself        := (Data, Parity_Error => False);
+      Heard.Itself        := (Passed, Parity_Error => False);
 
       if Is_Disturbed (Carrier, Time) then
          Disturb (Carrier, Time, Heard);

@@ -19,6 +19,7 @@
 
 with Sim.Faults;
 with Sim.Noise;
+with Sim.Replays;
 with URVOS; use URVOS;
 
 private with Ada.Containers.Ordered_Maps;
@@ -123,10 +124,13 @@ private
       Silences : Windows.List;
    end record;
 
+   type Two_Middles is array (Direction) of Replays.Middle;
+
    type Both_Ways is array (Direction) of One_Way;
 
    type Line is limited record
-      Ways : Both_Ways;
+      Ways    : Both_Ways;
+      Middles : Two_Middles;
    end record;
 
 end Sim.Faulty_Line;

@@ -61,7 +61,7 @@ package body Sim.Flight is
    Conditions : Sim.Conditions.Script;
    Orders     : Ground_Orders.Script;
    Files      : File_Set;
-   Keys       : URV.Sessions.Key_List := (others => (others => <>));
+   Keys       : Key_Files.Key_Ring;
 
    Console  : Console_Words := Neutral_Console;
    Measured : Sensor_Words  := Neutral_Sensors;
@@ -246,7 +246,7 @@ package body Sim.Flight is
    procedure Load_Inputs (Chosen : Choices) is
    begin
       if Is_Given (Chosen, Key_Option) then
-         Keys := Key_Files.Keys_From (Value (Chosen, Key_Option));
+         Key_Files.Load (Keys, Value (Chosen, Key_Option));
       end if;
       if Is_Given (Chosen, Sticks_Option) then
          Stick_Scripts.Load (Sticks, Value (Chosen, Sticks_Option));
@@ -644,6 +644,16 @@ package body Sim.Flight is
 
       Began   : Time;
       Elapsed : Duration;
+
+      procedure Seal_Nodes (Given : URV.Sessions.Key_List);
+
+      procedure Seal_Nodes (Given : URV.Sessions.Key_List) is
+      begin
+         Nodes.Seal_Link
+           (Chosen.Format, Given, URV.Seal_Blocks.Nonce (Chosen.Seed));
+      end Seal_Nodes;
+
+      procedure Seal_Link is new Key_Files.Hand_Over (Seal_Nodes);
    begin
       Load_Inputs (Chosen);
       Length := Flight_Length (Chosen);
@@ -653,8 +663,7 @@ package body Sim.Flight is
       Nodes.Set_Lock (Chosen.Lock);
       Nodes.Set_Line (Chosen.Line_Delay);
       Nodes.Set_Laws (Chosen.Laws, Loss_Times.Frames_Of (Chosen.Loss));
-      Nodes.Seal_Link
-        (Chosen.Format, Keys, URV.Seal_Blocks.Nonce (Chosen.Seed));
+      Seal_Link (Keys);
       Engine.Start
         (Lag        => Lag_Of (Chosen),
          Script     => Faults,

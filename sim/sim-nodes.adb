@@ -52,7 +52,7 @@ package body Sim.Nodes is
    end Complain;
 
    procedure Seal_Link
-     (Format : URV.Seals.Format_Number;
+     (Format : URV.Handshakes.Format_Number;
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce)
    is

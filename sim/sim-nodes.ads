@@ -14,7 +14,7 @@ with URV.Errors;
 with URV.Laws;
 with URV.Link_Loss;
 with URV.Seal_Blocks;
-with URV.Seals;
+with URV.Handshakes;
 with URV.Sessions;
 with URVOS;        use URVOS;
 with URVOS.Frame_Clocks;
@@ -30,7 +30,7 @@ package Sim.Nodes is
    --  Before the nodes are switched on: the format of messages, the keys of
    --  format 2, which both have, and what their nonces are made of.
    procedure Seal_Link
-     (Format : URV.Seals.Format_Number;
+     (Format : URV.Handshakes.Format_Number;
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce);
 

@@ -10,25 +10,27 @@ with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package Canaries.Seals with Pure, SPARK_Mode, Ghost is
 
-   --  After as many losses as an uplink's number tells it is another one.
-   procedure One_More_May_Be_Lost (Newest, Number : Counter)
+   --  A number as far back as there are remainders is another one.
+   procedure One_More_May_Be_Lost (Number, Most : Counter)
    with
      Global => null,
      Pre    =>
-       Newest < Last_Number
-       and then Number > Newest
-       and then Number - Newest <= Numbers_Told + 1,
+       Number <= Most
+       and then Most <= Last_Age
+       and then Most - Number <= Numbers_Told,
      Post   =>
-       Following  --  VC_POSTCONDITION
-         (Newest, Word (Number mod Numbers_Told)) = Number;
+       Last_With  --  VC_POSTCONDITION
+         (Number mod Numbers_Told, Numbers_Told, Most) = Number;
 
    --  Not the words that exceed 12 bits.
-   procedure All_Words_Come_Through (Data : Block_Data; Number : Counter)
+   procedure All_Words_Come_Through
+     (Data : Block_Data; Number, Echo : Counter)
    with
      Global => null,
      Post   =>
-       Field_At (Packed (Data, Ground, Number), 3) =  --  VC_POSTCONDITION
-         Word_At (Data, 3);
+       Field_At  --  VC_POSTCONDITION
+         (Packed (Data, Ground, Number, Echo), 3) =
+       Word_At (Data, 3);
 
    --  Not the newest itself.
    procedure The_Newest_Opens_Again (Item : Session; Block : Block_Data)
@@ -39,9 +41,23 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
        and then Number_At (Block) = Item.Newest
        and then Has_Tag
          (Block, Aircraft,
-          Tag_Of (Block, Aircraft, Item.Newest, Item.Down_Key)),
+          Tag_Of (Block, Aircraft, Item.Newest, 0, Item.Down_Key)),
      Post   =>
        Opens (Block, Aircraft, Item);  --  VC_POSTCONDITION
+
+   --  A block may be as old as Most_Age, by the reference that is at hand.
+   procedure Every_Block_Is_A_Frame_Younger
+     (Item : Session; Number, Echo, Sealed_At : Counter)
+   with
+     Global => null,
+     Pre    =>
+       Number <= Last_Age
+       and then Echo <= Item.Age
+       and then Is_Timely (Item, Number, Echo)
+       and then Sealed_At >= Earliest (Item, Number, Echo),
+     Post   =>
+       Item.Age <= Sealed_At  --  VC_POSTCONDITION
+       or else Item.Age - Sealed_At <= Most_Age - 1;
 
    --  Nor one without its first byte of the tag.
    procedure Seven_Bytes_Are_Enough
@@ -51,9 +67,10 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
      Pre    =>
        (for all Where in Byte_Index range 2 .. 8 =>
           Block (Covered (Aircraft) + Where) =
-            Tag_Byte (Tag_Of (Block, Aircraft, 1, With_Key), Where)),
+            Tag_Byte
+              (Tag_Of (Block, Aircraft, 1, 0, With_Key), Where)),
      Post   =>
        Has_Tag  --  VC_POSTCONDITION
-         (Block, Aircraft, Tag_Of (Block, Aircraft, 1, With_Key));
+         (Block, Aircraft, Tag_Of (Block, Aircraft, 1, 0, With_Key));
 
 end Canaries.Seals;

@@ -7,8 +7,8 @@ from cases import FRAME_US, NUMBERS
 
 SEALED, HELLO = 0xA, 0xB
 
-# An uplink tells as much of its number.
-TOLD = {"up": 1 << 12, "down": 1 << 32}
+# An uplink tells as much of its number, which is a frame's.
+TOLD = {"up": 1 << 6, "down": 1 << 32}
 
 # A good status of the node that received.
 ANSWERED_BY = {"up": ("down", (0x2D, 0xD2)), "down": ("up", (0xD2,))}
@@ -16,7 +16,7 @@ ANSWERED_BY = {"up": ("down", (0x2D, 0xD2)), "down": ("up", (0xD2,))}
 
 def number_of(block, way):
     if way == "up":
-        return (block[20] & 15) << 8 | block[21]
+        return (block[20] & 15) << 2 | block[21] >> 6
     return int.from_bytes(block[44:48], "big")
 
 

@@ -118,7 +118,7 @@ class Disturbances:
             if kind == "cut":
                 for way in WAYS:
                     line[way].append((at, at + to_us(first) + MESSAGE_US))
-            elif kind == "ber":
+            elif kind in ("ber", "replay"):
                 line[subject].append((at, at + to_us(second) + MESSAGE_US))
             elif kind in ("flip", "drop", "dup", "insert"):
                 counted.append((at, subject, int(first)))
@@ -192,7 +192,8 @@ class Disturbances:
             if at > spans[-1][1]:
                 spans.append([at, at])
                 armed = 0
-            fails = kind == "reset" and first == "warm" and at >= harmed
+            fails = (kind == "reset" and first in ("cold", "warm")
+                     and at >= harmed)
             if kind == "bus_error":
                 # At the next read of the ROM: when the next start tests
                 # itself, or the task does, so long after a start at most.

@@ -44,7 +44,7 @@ package body GSC with SPARK_Mode is
       else
          case Who is
             when AD_Task        => AD.Run_Transaction (Now);
-            when TELIN_Task     => TELIN.Run_Transaction;
+            when TELIN_Task     => TELIN.Run_Transaction (Now);
             when GDCIN_Task     => GDCIN.Run_Transaction;
             when GDCOUT_Task    => GDCOUT.Run_Transaction;
             when TELOUT_Task    => TELOUT.Run_Transaction;

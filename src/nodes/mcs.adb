@@ -79,7 +79,7 @@ package body MCS with SPARK_Mode is
       else
          case Who is
             when AD_Task        => AD.Run_Transaction (Now);
-            when TELIN_Task     => TELIN.Run_Transaction;
+            when TELIN_Task     => TELIN.Run_Transaction (Now);
             when MDCIN_Task     => MDCIN.Run_Transaction;
             when MDCOUT_Task    => MDCOUT.Run_Transaction;
             when LAW_Task       => LAW.Run_Transaction;

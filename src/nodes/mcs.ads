@@ -253,8 +253,8 @@ package MCS with SPARK_Mode is
    procedure Say_Refused;
 
    package Starts is new URV.Start_Routines
-     (Memories, AD_Board, CORE_Memory, Telemetry_Board, Errors, Status,
-      Reset_Variables, Restart_Variables, Say_Refused);
+     (Memories, AD_Board, CORE_Memory, Telemetry_Board, Sealing, Errors,
+      Status, Reset_Variables, Restart_Variables, Say_Refused);
 
    --  For the clock: it has ticked so often since it last looked, once at
    --  most, and this is what is requested of the present frame (FRM-6).

@@ -30,6 +30,7 @@ package body URV.Start_Routines with SPARK_Mode is
    procedure Set_Time (Now : Clock_Tick) is
    begin
       Errors.Set_Time (Now);
+      Sealing.Set_Time (Now);
    end Set_Time;
 
    procedure Prepare_Boards is

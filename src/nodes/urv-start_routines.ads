@@ -16,6 +16,7 @@ with Telemetry.Shared_Boards;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Starts;       use URVOS.Starts;
 with URV.Shared_Errors;  use URV.Shared_Errors;
+with URV.Shared_Seals;
 with URV.Shared_Status;  use URV.Shared_Status;
 
 generic
@@ -23,6 +24,7 @@ generic
    AD_Board        : in out Devices.Shared_AD_Board.Board;
    CORE_Memory     : in out Devices.Shared_CORE_Memory.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
    Node_Status     : in out Status;
 

@@ -5,7 +5,8 @@ package body URV.Seal_Blocks with SPARK_Mode is
    function Packed
      (Data   : Block_Data;
       Sender : Station;
-      Number : Counter) return Block_Data
+      Number : Counter;
+      Echo   : Counter) return Block_Data
    is
       Result : Block_Data := [others => 0];
       First  : Field;
@@ -15,10 +16,11 @@ package body URV.Seal_Blocks with SPARK_Mode is
         Sealed_Mark or Byte (Word_At (Data, Words_Of (Sender)) mod 16);
 
       for Pair in Byte_Index range 1 .. (Words_Of (Sender) + 1) / 2 loop
-         First := Field_Of (Data, Sender, Number, 2 * Pair - 1);
+         First := Field_Of (Data, Sender, Number, Echo, 2 * Pair - 1);
          Second :=
            (if 2 * Pair <= Words_Of (Sender)
-            then Field_Of (Data, Sender, Number, 2 * Pair) else 0);
+            then Field_Of (Data, Sender, Number, Echo, 2 * Pair)
+            else 0);
          Result (3 * Pair - 1) := Byte (First / 16);
          Result (3 * Pair) :=
            Byte (First mod 16) * 16 + Byte (Second / 256);
@@ -33,10 +35,11 @@ package body URV.Seal_Blocks with SPARK_Mode is
            (for all Which in Word_Place =>
               (if Which <= 2 * Pair and then Which <= Words_Of (Sender)
                then Field_At (Result, Which) =
-                      Field_Of (Data, Sender, Number, Which)));
+                      Field_Of (Data, Sender, Number, Echo, Which)));
       end loop;
 
       if Sender = Aircraft then
+         Result (Before_Counter) := Byte (Code_Of (Echo));
          for Where in Byte_Index range 1 .. 4 loop
             Result (Before_Counter + Where) := Byte_Of (Number, Where);
             pragma Loop_Invariant

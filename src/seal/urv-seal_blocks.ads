@@ -6,13 +6,19 @@
 --                  uplink        downlink
 --     mark         byte 1        byte 1        high half; low half: flags
 --     fields       bytes 2..22   bytes 2..43   of 12 bits, two in three bytes
---     counter      last field    bytes 45..48  the four before the tag
+--     number       last field    bytes 45..48  the four before the tag
+--     echo         last field    byte 44       the byte before the number
 --     tag          bytes 23..28  bytes 49..56  the last
 --
 --  The fields are the block's words but the last, which is the error/status
 --  word: its four flags stand in byte 1, the log's piece above them is the
 --  last field of a downlink (D-15). A word that exceeds 12 bits goes as
 --  0FFFh, as which it would reach a servo (D-11).
+--
+--  The number is the frame of the session in which the sender sealed the
+--  block. The echo is the number of the newest block that the sender had
+--  taken by then. An uplink carries 6 bits of each; the tag covers both whole
+--  (SEC-4).
 --
 --  A hello has another mark; its bytes are a key's number and two nonces.
 --  In format 1 the first byte's high half is 0, unless a converter gives
@@ -61,7 +67,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (if Sender = Ground then Uplink_Covered else Downlink_Covered)
    with Global => null;
 
-   --  The byte before a downlink's counter.
+   --  The byte before a downlink's number; it holds the echo.
    Before_Counter : constant := Downlink_Covered - 4;
 
    --  A further word may not fit: each needs a byte and a half.
@@ -70,16 +76,15 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       "in format 2 the fields of an uplink reach into its tag");
 
    pragma Compile_Time_Error
-     (1 + (3 * Downlink_Words + 1) / 2 > Before_Counter,
-      "in format 2 the fields of a downlink reach into its counter");
+     (1 + (3 * Downlink_Words + 1) / 2 >= Before_Counter,
+      "in format 2 the fields of a downlink reach into its echo");
 
    pragma Compile_Time_Error
-     (Downlink_Covered + 4 > Message_Index'Last,
+     (Downlink_Covered + 8 > Message_Index'Last,
       "in format 2 a downlink exceeds URV.Sip_Hash.Message");
 
-   --  Blocks of a session are numbered from 1; 50 a second last 16 months.
+   --  Frames of a session: blocks' numbers, and 0 for none.
    type Counter is range 0 .. 2 ** 31 - 1;
-   subtype Block_Number is Counter range 1 .. Counter'Last;
 
    --  A word of format 1.
    function Word_At (Data : Block_Data; Which : Word_Place) return Word is
@@ -92,17 +97,29 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Word'Min (Value, Field'Last))
    with Global => null;
 
-   --  The last field of an uplink.
-   Numbers_Told : constant := 2 ** 12;
+   --  The last field of an uplink: the number's remainder, and the echo's
+   --  code. The code is a remainder, too, or says that there is no echo.
+
+   Numbers_Told : constant := 2 ** 6;
+   Echoes_Told  : constant := 2 ** 6 - 1;
+   No_Echo      : constant := Echoes_Told;
+
+   subtype Echo_Code is Word range 0 .. No_Echo;
+
+   function Code_Of (Echo : Counter) return Echo_Code is
+     (if Echo = 0 then No_Echo else Word (Echo mod Echoes_Told))
+   with Global => null;
 
    function Field_Of
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
+      Echo   : Counter;
       Which  : Word_Place) return Field
    is
      (if Which < Words_Of (Sender) then Clipped (Word_At (Data, Which))
-      elsif Sender = Ground then Word (Number mod Numbers_Told)
+      elsif Sender = Ground
+      then Word (Number mod Numbers_Told) * Numbers_Told + Code_Of (Echo)
       else Word_At (Data, Which) / 16)
    with
      Global => null,
@@ -137,11 +154,19 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
            + Counter (Block (Before_Counter + 4)))
    with Global => null;
 
+   --  The echo's code.
+   function Code_At (Block : Block_Data; Sender : Station) return Word is
+     (if Sender = Ground
+      then Field_At (Block, Uplink_Words) mod Numbers_Told
+      else Word (Block (Before_Counter)))
+   with Global => null;
+
    --  A block of format 1 in format 2, without its tag.
    function Packed
      (Data   : Block_Data;
       Sender : Station;
-      Number : Counter) return Block_Data
+      Number : Counter;
+      Echo   : Counter) return Block_Data
    with
      Global => null,
      Post   =>
@@ -152,10 +177,11 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
          (for all Which in Word_Place =>
             (if Which <= Words_Of (Sender)
              then Field_At (Packed'Result, Which) =
-                    Field_Of (Data, Sender, Number, Which)))
+                    Field_Of (Data, Sender, Number, Echo, Which)))
        and then
          (if Sender = Aircraft
-          then
+          then Packed'Result (Before_Counter) = Byte (Code_Of (Echo))
+            and then
             (for all Where in Byte_Index range 1 .. 4 =>
                Packed'Result (Before_Counter + Where) =
                  Byte_Of (Number, Where)));
@@ -233,18 +259,21 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  The tag
 
-   --  The number of the block, which need not be on the wire, and the bytes.
+   --  The number and the echo of the block, of which an uplink carries only
+   --  the remainders, and the bytes before the tag.
    function Message_Of
      (Block  : Block_Data;
       Sender : Station;
-      Number : Counter) return Message
+      Number : Counter;
+      Echo   : Counter) return Message
    is
-     ((Length => Message_Length (Covered (Sender)) + 4,
+     ((Length => Message_Length (Covered (Sender)) + 8,
        Bytes  =>
          [for Where in Message_Index =>
             (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
-             elsif Where <= Message_Length (Covered (Sender)) + 4
-             then Block (Byte_Index (Where - 4))
+             elsif Where <= 8 then Byte_Of (Echo, Byte_Index (Where - 4))
+             elsif Where <= Message_Length (Covered (Sender)) + 8
+             then Block (Byte_Index (Where - 8))
              else 0)]))
    with Global => null;
 
@@ -252,8 +281,9 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Block    : Block_Data;
       Sender   : Station;
       Number   : Counter;
+      Echo     : Counter;
       With_Key : Key) return Unsigned_64
-   is (Tag (Message_Of (Block, Sender, Number), With_Key))
+   is (Tag (Message_Of (Block, Sender, Number, Echo), With_Key))
    with Global => null;
 
    --  Its low byte first; an uplink has the first six.

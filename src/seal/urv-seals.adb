@@ -2,16 +2,19 @@
 
 package body URV.Seals with SPARK_Mode is
 
+   procedure Pass (This : in out Seal; Frames : Counter) is
+   begin
+      This := After_Frames (This, Frames);
+   end Pass;
+
    procedure Open
      (This  : in out Seal;
       Block : in out Block_Data;
       Came  : Boolean;
-      What  : out Outcome)
-   is
-      Now : constant Seal := A_Frame_Later (This);
+      What  : out Outcome) is
    begin
-      What := Outcome_Of (Now, Block, Came);
-      This := After (Now, Block, What);
+      What := Outcome_Of (This, Block, Came);
+      This := After (This, Block, What);
       if What not in Taken then
          Block := [others => 0];
       elsif This.Format = 2 then
@@ -20,10 +23,9 @@ package body URV.Seals with SPARK_Mode is
    end Open;
 
    procedure Close (This : in out Seal; Data : in out Block_Data) is
-      Now : constant Seal := Renewed (This);
    begin
-      Data := Closed (Now, Data);
-      This := After_Closing (Now);
+      This := Renewed (This);
+      Data := Closed (This, Data);
    end Close;
 
 end URV.Seals;

@@ -1,10 +1,17 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The keys of a sealed link, its sessions, and the numbers of their blocks
+--  The keys of a sealed link, its sessions, and the age of their blocks
 --  (SEC-3 to SEC-5).
 --
 --  A session is a key and two nonces, one of each node that it never used
 --  before; its two keys, up and down, are made of these.
+--
+--  Each node counts the frames of a session from the frame in which it made
+--  the session: the session's age. A block's number is that age of its
+--  sender. A receiver knows two bounds on when a block was sealed, in its own
+--  frames: not before the block whose number it echoes, and not before an
+--  earlier block plus the frames between their numbers, less the drift of
+--  the clocks. A block that may be older than Most_Age is refused.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
@@ -84,26 +91,49 @@ package URV.Sessions with Pure, SPARK_Mode is
          (Derivation (For_Use, 1, Ground_Nonce, Aircraft_Nonce), From)))
    with Global => null;
 
-   type Session is record
-      Is_Present     : Boolean    := False;
-      Number         : Key_Number := 0;
-      Ground_Nonce   : Nonce      := 0;
-      Aircraft_Nonce : Nonce      := 0;
-      Up_Key         : Key        := No_Key;
-      Down_Key       : Key        := No_Key;
+   --  A session ends at this age, after 4 months.
+   Last_Age : constant Counter := 2 ** 29;
 
-      --  Of the blocks sent the last, of those taken the newest.
-      Sent           : Counter    := 0;
-      Newest         : Counter    := 0;
-   end record;
+   subtype Session_Age is Counter range 1 .. Last_Age;
+
+   type Session is record
+      Is_Present     : Boolean     := False;
+      Number         : Key_Number  := 0;
+      Ground_Nonce   : Nonce       := 0;
+      Aircraft_Nonce : Nonce       := 0;
+      Up_Key         : Key         := No_Key;
+      Down_Key       : Key         := No_Key;
+
+      --  Frames since this node made the session, and one.
+      Age            : Session_Age := 1;
+
+      --  The number of the newest block taken, and this node's age then.
+      Newest         : Counter     := 0;
+      Taken_At       : Session_Age := 1;
+
+      --  The peer sealed block Reference no earlier than this node's age
+      --  Not_Before; with Reference = 0 this node knows of no such block.
+      Reference      : Counter     := 0;
+      Not_Before     : Session_Age := 1;
+   end record
+   with Predicate =>
+     Session.Newest <= Last_Age
+     and then Session.Reference <= Last_Age
+     and then (Session.Newest = 0 or else Session.Reference <= Session.Newest)
+     and then Session.Not_Before <= Session.Age
+     and then Session.Taken_At <= Session.Age;
 
    No_Session : constant Session := (others => <>);
 
+   --  The ground makes its session after the aircraft has made its own, so
+   --  that the aircraft knows of number 1 that it comes no earlier than age
+   --  1.
    function New_Session
      (Keys           : Key_List;
       Number         : Key_Number;
       Ground_Nonce   : Nonce;
-      Aircraft_Nonce : Nonce) return Session
+      Aircraft_Nonce : Nonce;
+      Maker          : Station) return Session
    is
      ((Is_Present     => True,
        Number         => Number,
@@ -113,62 +143,196 @@ package URV.Sessions with Pure, SPARK_Mode is
          (Found (Keys, Number), Blocks_Up, Ground_Nonce, Aircraft_Nonce),
        Down_Key       => Derived
          (Found (Keys, Number), Blocks_Down, Ground_Nonce, Aircraft_Nonce),
-       Sent           => 0,
-       Newest         => 0))
+       Age            => 1,
+       Newest         => 0,
+       Taken_At       => 1,
+       Reference      => (if Maker = Aircraft then 1 else 0),
+       Not_Before     => 1))
    with Global => null;
 
    function Key_Of (This : Session; Sender : Station) return Key is
      (if Sender = Ground then This.Up_Key else This.Down_Key)
    with Global => null;
 
-   --  The number of a block that came. An uplink tells the low 12 bits of
-   --  it: it is the first after the newest that ends in them. 0 is none.
+   --  The session some frames later.
+   function Older (This : Session; Frames : Counter) return Session is
+     ((This with delta
+         Age =>
+           (if Frames <= Last_Age - This.Age
+            then This.Age + Frames else Last_Age)))
+   with Global => null;
 
-   Last_Number : constant Counter := Counter'Last - Numbers_Told;
+   --  Clocks: each is within 200 ppm of its rate. So of Frames whole frames
+   --  of one node the other counts as many, but for two and for one in 2,400
+   --  (Theorems.Seals.Clocks_Keep_Step).
 
-   function Following (Newest : Counter; Low : Field) return Counter is
-     (if Newest >= Last_Number then 0
-      else Newest + 1
-        + (Counter (Low) + Numbers_Told - (Newest + 1) mod Numbers_Told)
-          mod Numbers_Told)
+   function Drift (Frames : Counter) return Counter is (Frames / 2_400 + 2)
+   with Global => null;
+
+   function Least_Of (Frames : Counter) return Counter is
+     (if Frames > Drift (Frames) then Frames - Drift (Frames) else 0)
+   with Global => null;
+
+   --  The latest number that the peer can have used by now.
+   function Latest (This : Session) return Counter is
+     (This.Reference + (This.Age - This.Not_Before)
+      + Drift (This.Age - This.Not_Before))
    with
      Global => null,
-     Post   =>
-       (if Newest < Last_Number
-        then Following'Result in Newest + 1 .. Newest + Numbers_Told
-          and then Following'Result mod Numbers_Told = Counter (Low));
+     Post   => Latest'Result <= Counter'Last - Numbers_Told;
+
+   --  The greatest number up to Most that has this remainder; 0 is none.
+   function Last_With
+     (Remainder : Counter;
+      Modulus   : Counter;
+      Most      : Counter) return Counter
+   is
+     (if Most - Most mod Modulus + Remainder <= Most
+      then Most - Most mod Modulus + Remainder
+      elsif Most >= Modulus
+      then Most - Most mod Modulus - Modulus + Remainder
+      else 0)
+   with
+     Global => null,
+     Pre    => Modulus in 1 .. Numbers_Told and then Remainder < Modulus
+       and then Most <= Counter'Last - Numbers_Told;
+
+   --  An uplink's number: the latest up to Most with its 6 bits.
+   function Uplink_Number (Block : Block_Data; Most : Counter) return Counter
+   is
+     (Last_With
+        (Counter (Field_At (Block, Uplink_Words) / Numbers_Told),
+         Numbers_Told, Most))
+   with
+     Global => null,
+     Pre    => Most <= Counter'Last - Numbers_Told;
+
+   --  The echo, which is no later than Now; 0 is none.
+   function Echo_At
+     (Block  : Block_Data;
+      Sender : Station;
+      Now    : Counter) return Counter
+   is
+     (if Code_At (Block, Sender) >= No_Echo then 0
+      else Last_With
+        (Counter (Code_At (Block, Sender)), Echoes_Told, Now))
+   with
+     Global => null,
+     Pre    => Now <= Counter'Last - Numbers_Told;
 
    function Number_Of
      (Block  : Block_Data;
       Sender : Station;
-      Newest : Counter) return Counter
+      This   : Session) return Counter
    is
      (if Sender = Aircraft then Number_At (Block)
-      else Following (Newest, Field_At (Block, Uplink_Words)))
+      else Uplink_Number (Block, Latest (This)))
    with Global => null;
 
-   --  The block is one of the session, of that sender, and newer than all
-   --  that was taken.
-   function Opens
+   function Echo_Of
+     (Block  : Block_Data;
+      Sender : Station;
+      This   : Session) return Counter
+   is (Echo_At (Block, Sender, This.Age))
+   with
+     Global => null,
+     Post   => Echo_Of'Result <= This.Age;
+
+   --  The block has the tag of the session, of that sender, and is newer
+   --  than all that was taken.
+   function Is_Sealed
      (Block  : Block_Data;
       Sender : Station;
       This   : Session) return Boolean
    is
      (This.Is_Present
-      and then Number_Of (Block, Sender, This.Newest) > This.Newest
+      and then Number_Of (Block, Sender, This) > This.Newest
+      and then Number_Of (Block, Sender, This) <= Last_Age
       and then Has_Tag
         (Block, Sender,
          Tag_Of
-           (Block, Sender, Number_Of (Block, Sender, This.Newest),
-            Key_Of (This, Sender))))
+           (Block, Sender, Number_Of (Block, Sender, This),
+            Echo_Of (Block, Sender, This), Key_Of (This, Sender))))
    with Global => null;
 
+   --  This node's age at which a block with this number was sealed at the
+   --  earliest, by the reference alone; 0 when nothing is known.
+   function By_Reference (This : Session; Number : Counter) return Counter is
+     (if This.Reference = 0 then 0
+      elsif Number >= This.Reference
+      then This.Not_Before + Least_Of (Number - This.Reference)
+      else 0)
+   with
+     Global => null,
+     Pre    => Number <= Last_Age,
+     Post   => By_Reference'Result <= 2 * Last_Age - 1;
+
+   function Earliest
+     (This : Session; Number : Counter; Echo : Counter) return Counter
+   is (Counter'Max (Echo, By_Reference (This, Number)))
+   with
+     Global => null,
+     Pre    => Number <= Last_Age and then Echo <= This.Age;
+
+   --  0.24 s: transit, one repetition, and what the bounds leave open.
+   Most_Age : constant := 12;
+
+   function Is_Timely
+     (This : Session; Number : Counter; Echo : Counter) return Boolean
+   is
+     (Earliest (This, Number, Echo) > 0
+      and then This.Age <= Earliest (This, Number, Echo) + Most_Age)
+   with
+     Global => null,
+     Pre    => Number <= Last_Age and then Echo <= This.Age;
+
+   --  The block is one of the session, newer than all that was taken, and no
+   --  older than Most_Age.
+   function Opens
+     (Block  : Block_Data;
+      Sender : Station;
+      This   : Session) return Boolean
+   is
+     (Is_Sealed (Block, Sender, This)
+      and then Is_Timely
+        (This, Number_Of (Block, Sender, This),
+         Echo_Of (Block, Sender, This)))
+   with Global => null;
+
+   --  An echo that says more than the reference becomes the reference.
    function With_Newest
      (This   : Session;
       Block  : Block_Data;
       Sender : Station) return Session
    is
-     ((This with delta Newest => Number_Of (Block, Sender, This.Newest)))
+     (if Echo_Of (Block, Sender, This) > 0
+        and then
+          Echo_Of (Block, Sender, This) >=
+            By_Reference (This, Number_Of (Block, Sender, This))
+      then
+        (This with delta
+           Newest     => Number_Of (Block, Sender, This),
+           Taken_At   => This.Age,
+           Reference  => Number_Of (Block, Sender, This),
+           Not_Before => Echo_Of (Block, Sender, This))
+      else
+        (This with delta
+           Newest     => Number_Of (Block, Sender, This),
+           Taken_At   => This.Age))
+   with
+     Global => null,
+     Pre    => Opens (Block, Sender, This),
+     Post   =>
+       With_Newest'Result.Newest = Number_Of (Block, Sender, This)
+       and then With_Newest'Result.Newest > This.Newest;
+
+   --  The echo of a block that is sealed now: the newest number taken, unless
+   --  that was so long ago that six bits might be read as another one.
+
+   Echo_Lasts : constant := 30;
+
+   function Echo_Now (This : Session) return Counter is
+     (if This.Age - This.Taken_At <= Echo_Lasts then This.Newest else 0)
    with Global => null;
 
 end URV.Sessions;

@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Seals; use URV.Seals;
+
 package body URV.Shared_Seals with SPARK_Mode is
 
    protected body Shared_Seal is
@@ -16,6 +18,12 @@ package body URV.Shared_Seals with SPARK_Mode is
       begin
          Item := Begun_Anew (Item);
       end Begin_Anew;
+
+      procedure Set_Time (Now : Clock_Tick) is
+      begin
+         Pass (Item, Frames_Between (Seen, Now));
+         Seen := Now;
+      end Set_Time;
 
       procedure Open
         (Block : in out Block_Data;

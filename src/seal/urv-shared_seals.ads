@@ -3,11 +3,21 @@
 --  A node's seal between TELIN, TELOUT and whoever starts the node (SEC-1).
 
 with Telemetry;       use Telemetry;
+with URVOS.Frames;    use URVOS.Frames;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Seals;       use URV.Seals;
+with URV.Handshakes;  use URV.Handshakes;
 with URV.Sessions;    use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
+
+   --  Whole frames between two times; one when the clock was set back.
+   function Frames_Between (Before, Now : Clock_Tick) return Counter is
+     (if Now < Before then 1
+      else Counter
+        (Tick'Min
+           (Now / Ticks_Per_Major_Frame - Before / Ticks_Per_Major_Frame,
+            Tick (Last_Age))))
+   with Global => null;
 
    protected type Shared_Seal (Role : Station) is
 
@@ -20,6 +30,10 @@ package URV.Shared_Seals with SPARK_Mode is
       --  At a cold start.
       procedure Begin_Anew;
 
+      --  The node's clock: before each Open, and before a Close that follows
+      --  none.
+      procedure Set_Time (Now : Clock_Tick);
+
       procedure Open
         (Block : in out Block_Data;
          Came  : Boolean;
@@ -30,6 +44,7 @@ package URV.Shared_Seals with SPARK_Mode is
    private
       Item : Seal := New_Seal
         (Role, 1, [others => (others => <>)], 0);
+      Seen : Clock_Tick := 0;
    end Shared_Seal;
 
 end URV.Shared_Seals;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URV.Errors; use URV.Errors;
-with URV.Seals;  use URV.Seals;
+with URV.Handshakes; use URV.Handshakes;
 with URVOS;      use URVOS;
 
 package body URV.TELIN_Task with SPARK_Mode is
@@ -11,7 +11,7 @@ package body URV.TELIN_Task with SPARK_Mode is
       Previous.Write ((others => <>));
    end Initialise;
 
-   procedure Run_Transaction is
+   procedure Run_Transaction (Now : Clock_Tick) is
       Kept          : Kept_Message := Previous.Contents;
       Data          : Block_Data;
       Fresh         : Boolean;
@@ -20,6 +20,7 @@ package body URV.TELIN_Task with SPARK_Mode is
       Success       : Boolean;
    begin
       Telemetry_Board.Take (Data, Fresh, Ever_Received);
+      Sealing.Set_Time (Now);
       Sealing.Open (Data, Fresh, What);
       if What in Refused then
          Errors.Report

@@ -13,6 +13,7 @@
 
 with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
+with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Shared_Data;
 with URVOS.Shared_Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
@@ -41,7 +42,7 @@ package URV.TELIN_Task with SPARK_Mode is
    procedure Initialise
    with Global => (In_Out => Previous);
 
-   procedure Run_Transaction
+   procedure Run_Transaction (Now : Clock_Tick)
    with
      Global =>
        (In_Out =>

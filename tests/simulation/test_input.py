@@ -250,7 +250,7 @@ def test_bad_sensors(refused, write, text, line, message):
 # --- faults ---------------------------------------------------------------
 
 FORM = "a fault of this kind is written TIME_MS "
-LINE_FAULTS = "up|down ber|flip|drop|dup|insert"
+LINE_FAULTS = "up|down ber|replay|flip|drop|dup|insert"
 NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|halt|bus_error, gsc console"
 SURFACE_FAULTS = "surface NAME stuck|float|slow"
 ANY_FAULT = f"cut, {LINE_FAULTS}, {NODE_FAULTS}, {SURFACE_FAULTS}"
@@ -310,12 +310,12 @@ BAD_FAULTS = [
      'P: "often" is not a probability from 0 to 1'),
     ("100 mcs stall pwm 5\n", 1,
      'unknown board "pwm"; there are adc, telemetry'),
-    ("100 gsc reset cold\n", 1,
-     'unknown reset "cold"; there are warm, processor, telemetry'),
+    ("100 gsc reset hot\n", 1,
+     'unknown reset "hot"; there are cold, warm, processor, telemetry'),
     ("10 cut 5\n20 mcs reset\n", 2,
-     FORM + "mcs|gsc reset warm|processor|telemetry"),
+     FORM + "mcs|gsc reset cold|warm|processor|telemetry"),
     ("100 reset warm\n", 1,
-     FORM + "mcs|gsc reset warm|processor|telemetry"),
+     FORM + "mcs|gsc reset cold|warm|processor|telemetry"),
     ("100 mcs rom 0\n", 1, FORM + "mcs|gsc rom ADDRESS MASK"),
     ("100 mcs rom 10000 1\n", 1,
      'ADDRESS: "10000" is not a hexadecimal number from 0 to ffff'),

@@ -3,6 +3,8 @@
 docs/security.md alone, with libsodium's SipHash."""
 
 import inspect
+import json
+import os
 import random
 import subprocess
 
@@ -18,6 +20,7 @@ from conftest import (
     run_program,
     script,
 )
+import attack
 import seal_tags
 from nacl.bindings import crypto_shorthash_siphash24 as siphash
 
@@ -53,9 +56,10 @@ def key_of(use, ground, aircraft):
         for half in (0, 1))
 
 
-def has_tag(block, way, key, number):
+def has_tag(block, way, key, number, echo):
     cut = COVERED[way]
-    tag = siphash(number.to_bytes(4, "big") + block[:cut], key)
+    tag = siphash(number.to_bytes(4, "big") + echo.to_bytes(4, "big")
+                  + block[:cut], key)
     return block[cut:cut + TAG[way]] == tag[:TAG[way]]
 
 
@@ -113,14 +117,15 @@ def test_sec1_what_arrives_is_the_same(flights):
 
 
 def test_sec3_the_wire_is_what_the_page_says(flights):
-    """Hellos until both nonces are told, then blocks numbered from 1."""
+    """Hellos until both nonces are told; then blocks have the numbers of
+    their sender's frames, and echo the newest number of the other node."""
     blocks = blocks_of(flights[2])
     hellos = [(way, block) for way, block in blocks if block[0] == 0xB0]
     sealed = [(way, block) for way, block in blocks if block[0] >> 4 == 0xA]
     assert len(hellos) + len(sealed) == len(blocks)
     nothing = bytes(8)
     for way, block in hellos:
-        assert has_tag(block, way, key_of(HELLO[way], nothing, nothing), 0)
+        assert has_tag(block, way, key_of(HELLO[way], nothing, nothing), 0, 0)
         assert block[1] == 1
     ground = next(b for way, b in hellos if way == "up")[2:10]
     answers = [b for way, b in hellos if way == "down" and any(b[10:18])]
@@ -128,18 +133,26 @@ def test_sec3_the_wire_is_what_the_page_says(flights):
     aircraft = answers[0][2:10]
     assert len(hellos) < 12
 
-    for way in ("up", "down"):
-        key = key_of(BLOCKS[way], ground, aircraft)
-        mine = [block for sender, block in sealed if sender == way]
-        assert len(mine) > 200
-        for number, block in enumerate(mine, 1):
-            assert has_tag(block, way, key, number)
-            assert not has_tag(block, way, key, number + 1)
-            fields, _ = words_of(block, way)
-            if way == "up":
-                assert fields[-1] == number
-            else:
-                assert block[43:48] == number.to_bytes(5, "big")
+    keys = {way: key_of(BLOCKS[way], ground, aircraft) for way in BLOCKS}
+    last, counts = {"up": 0, "down": 0}, {"up": 0, "down": 0}
+    for way, block in sealed:
+        if way == "up":
+            told = words_of(block, way)[0][-1]
+            number = last[way] + ((told >> 6) - last[way]) % 64
+            code = told & 63
+        else:
+            number = int.from_bytes(block[44:48], "big")
+            code = block[43]
+        peer = last["down" if way == "up" else "up"]
+        echo = 0 if code == 63 else peer - (peer - code) % 63
+        assert peer - echo <= 3 or not counts[way]
+        assert has_tag(block, way, keys[way], number, echo)
+        assert not has_tag(block, way, keys[way], number + 64, echo)
+        assert not has_tag(block, way, keys[way], number, echo + 63)
+        assert number - last[way] == 1 or not counts[way]
+        last[way] = number
+        counts[way] += 1
+    assert min(counts.values()) > 200
     up = [words_of(block, "up")[0][:-1] for way, block in sealed if way == "up"]
     assert list(ROWS[-1]) == up[-1]
     assert {tuple(row) for row in ROWS} <= set(map(tuple, up))
@@ -182,6 +195,8 @@ BAD_FILES = {
     "zeros": ("key 1 " + 32 * "0", 0o600, "zeros"),
     "one number twice": (f"key 1 {KEY.hex()}\nkey 1 {KEY[::-1].hex()}", 0o600,
                          ":2: the second key has the number"),
+    "a line within a line": (f"# mine\rkey 1 {KEY.hex()}\n", 0o600,
+                             ":1: a carriage return"),
     "three": (f"key 1 {KEY.hex()}\nkey 2 {KEY[::-1].hex()}\n"
               f"key 3 {KEY.hex()}", 0o600, ":3: a third key"),
 }
@@ -197,6 +212,31 @@ def test_sec5_a_bad_file_of_keys_is_refused(tmp_path, name):
     assert said in result.stderr and str(path) in result.stderr
     assert result.stderr.count("\n") == 1
     assert KEY.hex() not in result.stderr
+
+
+def test_sec5_a_file_of_keys_may_come_from_windows(tmp_path):
+    path = write_key(tmp_path / "keys", f"# mine\r\nkey 1 {KEY.hex()}\r\n")
+    result = run_program(tmp_path, "fly", "--seconds", "1", "--format", "2",
+                         "--key", str(path))
+    assert (result.returncode, result.stderr) == (0, "")
+
+
+def test_sec5_a_pipe_is_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "keys", 0o600)
+    result = run_program(
+        tmp_path, "fly", "--format", "2", "--key", str(tmp_path / "keys"))
+    assert result.returncode == 2
+    assert result.stderr.endswith("keys:1: is not a file\n")
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+def test_sec5_keys_of_another_user_are_refused(tmp_path):
+    path = write_key(tmp_path / "keys")
+    os.chown(path, 65534, 65534)
+    result = run_program(
+        tmp_path, "fly", "--format", "2", "--key", str(path))
+    assert result.returncode == 2
+    assert result.stderr.endswith("keys:1: belongs to another user\n")
 
 
 @pytest.mark.parametrize("options, said", [
@@ -243,6 +283,31 @@ def test_sec2_tags_are_those_of_a_known_library(tool):
     wanted = [int.from_bytes(siphash(message, key), "little")
               for key, message in cases]
     assert [int(line) for line in result.stdout.split()] == wanted
+
+
+@pytest.mark.parametrize("number", range(1, 22))
+def test_sec4_an_attacked_flight_takes_nothing_late(number, tmp_path):
+    """make attack flies 2,000 of them."""
+    attack.prepare(tmp_path)
+    assert attack.fly(number, 7, tmp_path)[0] == []
+
+
+def test_sec4_the_attacks_show_a_link_without_a_seal(tmp_path):
+    attack.prepare(tmp_path)
+    shown = [attack.fly(number, 7, tmp_path, ("--format", "1"))[0]
+             for number in range(1, 10)]
+    assert any("words too late" in line for found in shown for line in found)
+
+
+def test_sec4_a_block_that_is_late_is_refused_for_that(tmp_path):
+    (tmp_path / "faults.txt").write_text("1000 up replay 20 1000\n", "utf-8")
+    flight = fly_in(tmp_path, "--seconds", "3", "--faults", "faults.txt",
+                    "--format", "2", "--key", str(write_key(tmp_path / "keys")))
+    events = [json.loads(line) for line in
+              (tmp_path / "events.jsonl").read_text("utf-8").splitlines()]
+    [refused] = [event for event in events if event["node"] == "mcs"
+                 and event["kind"] == "block_refused"]
+    assert refused["last_detail"] == 5
 
 
 def test_sec1_of_100000_tries_none_is_taken(tool):

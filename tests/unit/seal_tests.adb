@@ -8,6 +8,7 @@ with Expect_Value;
 with Published_Tags;  use Published_Tags;
 with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Handshakes;  use URV.Handshakes;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
@@ -25,6 +26,8 @@ package body Seal_Tests is
    procedure Three_Steps;
    procedure Taken_Once;
    procedure Losses;
+   procedure Late_Blocks;
+   procedure A_Growing_Delay;
    procedure Every_Bit_Counts;
    procedure Other_Direction;
    procedure Other_Session;
@@ -35,7 +38,9 @@ package body Seal_Tests is
    procedure Ground_Restarts;
    procedure Aircraft_Restarts;
    procedure Hellos_Are_Disregarded;
+   procedure Hellos_Lock_Nobody_Out;
    procedure Long_Silence;
+   procedure A_Node_Stands_Still;
    procedure One_Format;
    procedure Numbers_Used_Up;
 
@@ -75,7 +80,10 @@ package body Seal_Tests is
       Block    : Block_Data;
       Expected : Outcome);
 
-   --  What one end sends next is that to the other.
+   --  Frames pass at both ends.
+   procedure Pass (Both : in out Link; Frames : Counter := 1);
+
+   --  A frame passes; then one end sends a block to the other.
    procedure Expect_Next
      (What     : String;
       Both     : in out Link;
@@ -83,8 +91,12 @@ package body Seal_Tests is
       Expected : Outcome;
       Mark     : Word := 0);
 
-   --  A frame without a block.
-   procedure Pass (Both : in out Link; By : Station; Frames : Positive);
+   --  Frames in which both ends send: until both have taken a sealed block
+   --  of the other, which is to be within so many.
+   procedure Expect_Session
+     (What   : String;
+      Both   : in out Link;
+      Within : Positive);
 
    function Data_Of (From : Station; Mark : Word) return Block_Data is
       Result : Block_Data := (others => 0);
@@ -126,6 +138,13 @@ package body Seal_Tests is
          Found in Taken);
    end Expect_Opening;
 
+   procedure Pass (Both : in out Link; Frames : Counter := 1) is
+   begin
+      for Node of Both loop
+         Pass (Node, Frames);
+      end loop;
+   end Pass;
+
    procedure Expect_Next
      (What     : String;
       Both     : in out Link;
@@ -133,20 +152,33 @@ package body Seal_Tests is
       Expected : Outcome;
       Mark     : Word := 0) is
    begin
+      Pass (Both);
       Expect_Opening
         (What, Both, Other (From), Closed (Both, From, Mark), Expected);
    end Expect_Next;
 
-   procedure Pass (Both : in out Link; By : Station; Frames : Positive) is
+   procedure Expect_Session
+     (What   : String;
+      Both   : in out Link;
+      Within : Positive)
+   is
+      Opens : array (Station) of Boolean := (others => False);
       Data  : Block_Data;
       Found : Outcome;
    begin
-      for Frame in 1 .. Frames loop
-         Data := (others => 0);
-         Open (Both (By), Data, False, Found);
-         Expect_Outcome ("no block", Found, Nothing_Came);
+      for Frame in 1 .. Within loop
+         Pass (Both);
+         for From in Station loop
+            Data := Closed (Both, From);
+            Open (Both (Other (From)), Data, True, Found);
+            Opens (Other (From)) := Found in Taken;
+         end loop;
+         exit when Opens (Ground) and then Opens (Aircraft);
       end loop;
-   end Pass;
+      Expect
+        (What & " within" & Within'Image,
+         Opens (Ground) and then Opens (Aircraft), True);
+   end Expect_Session;
 
    procedure Shake_Hands (Both : in out Link) is
    begin
@@ -177,17 +209,20 @@ package body Seal_Tests is
    end Known_Tags;
 
    procedure Places_On_The_Wire is
-      Up   : constant Block_Data := Packed (Data_Of (Ground, 0), Ground, 10);
+      Up   : constant Block_Data :=
+        Packed (Data_Of (Ground, 0), Ground, Number => 74, Echo => 68);
       Down : constant Block_Data :=
-        Packed (Data_Of (Aircraft, 0), Aircraft, 16#1234567#);
+        Packed
+          (Data_Of (Aircraft, 0), Aircraft,
+           Number => 16#1234567#, Echo => 100);
    begin
       Expect ("mark and flags up", Up (1), 16#A5#);
       Expect ("word 1", Up (2), 16#10#);
       Expect ("words 1 and 2", Up (3), 16#11#);
       Expect ("word 2", Up (4), 16#02#);
       Expect ("word 13", Up (20), 16#10#);
-      Expect ("word 13 and number", Up (21), 16#D0#);
-      Expect ("number", Up (22), 16#0A#);
+      Expect ("word 13 and number", Up (21), 16#D2#);
+      Expect ("number and echo", Up (22), 16#85#);
       for Where in Byte_Index range 23 .. Byte_Index'Last loop
          Expect ("behind", Up (Where), 0);
       end loop;
@@ -195,7 +230,7 @@ package body Seal_Tests is
       Expect ("word 25", Down (38), 16#11#);
       Expect ("words 25 and 26", Down (39), 16#91#);
       Expect ("word 26", Down (40), 16#1A#);
-      Expect ("before the number", Down (Downlink_Length - 12), 0);
+      Expect ("echo down", Down (Downlink_Length - 12), 37);
       Expect ("number's high byte", Down (Downlink_Length - 11), 16#01#);
       Expect ("number's low byte", Down (Downlink_Length - 8), 16#67#);
       Expect ("tag's first byte", Down (Downlink_Length - 7), 0);
@@ -222,6 +257,7 @@ package body Seal_Tests is
                Given (2 * Which - 1) := Byte (Value / 256);
                Given (2 * Which) := Byte (Value mod 256);
                Block := Given;
+               Pass (Both);
                Close (Both (From), Block);
                Open (Both (Other (From)), Block, True, Found);
                Expect_Outcome ("sealed", Found, Opened);
@@ -269,6 +305,7 @@ package body Seal_Tests is
       Shake_Hands (Both);
       for From in Station loop
          Older := Closed (Both, From, 1);
+         Pass (Both);
          Newer := Closed (Both, From, 2);
          Expect_Opening
            ("the newer", Both, Other (From), Newer, Opened);
@@ -281,26 +318,89 @@ package body Seal_Tests is
    end Taken_Once;
 
    procedure Losses is
-      Both   : Link;
-      Unused : Block_Data;
+      Lasts : constant := Longest_Silence - 10;
+      Both  : Link;
    begin
       for From in Station loop
-         for Lost in Positive range 1 .. 4_096 loop
-            if Lost in 1 .. 3 | 4_094 .. 4_096 then
+         for Lost in Counter range 1 .. Lasts loop
+            if Lost in 1 .. 3 | 62 .. 66 | Lasts - 2 .. Lasts then
                Both := New_Link;
                Shake_Hands (Both);
-               for Each in 1 .. Lost loop
-                  Unused := Closed (Both, From);
-               end loop;
-               Expect_Opening
+               Pass (Both, Lost);
+               Expect_Next
                  ("after" & Lost'Image & " were lost from " & From'Image,
-                  Both, Other (From), Closed (Both, From),
-                  (if From = Ground and then Lost = 4_096
-                   then Not_Opened else Opened));
+                  Both, From, Opened);
             end if;
          end loop;
       end loop;
    end Losses;
+
+   procedure Late_Blocks is
+      Both  : Link;
+      Block : Block_Data;
+      Found : Outcome;
+   begin
+      for From in Station loop
+         for Late in Counter range 1 .. 200 loop
+            Both := New_Link;
+            Shake_Hands (Both);
+            Expect_Session ("goes on", Both, 1);
+            Pass (Both);
+            Block := Closed (Both, From);
+            Pass (Both, Late);
+            Open (Both (Other (From)), Block, True, Found);
+            if Late <= 6 or else Late > Most_Age then
+               Expect_Outcome
+                 (Late'Image & " frames late from " & From'Image, Found,
+                  (if Late <= 6 then Opened
+                   elsif Late < 60 then Too_Late
+                   else Found));
+            end if;
+            if Late > Most_Age then
+               Expect ("refused", Found in Refused, True);
+               Expect
+                 ("nothing of it is left",
+                  (for all Each of Block => Each = 0), True);
+            end if;
+         end loop;
+      end loop;
+   end Late_Blocks;
+
+   --  One block in three comes, and each that comes is the oldest that has
+   --  not: every line that is shorter than the blocks on it.
+   procedure A_Growing_Delay is
+      Frames  : constant := 600;
+      Both    : Link := New_Link;
+      Waiting : array (1 .. Frames) of Block_Data;
+      First   : Positive;
+      Found   : Outcome;
+      Unused  : Block_Data;
+      Taken_Blocks : Natural;
+   begin
+      for From in Station loop
+         Both := New_Link;
+         Shake_Hands (Both);
+         First := 1;
+         Taken_Blocks := 0;
+         for Frame in 1 .. Frames loop
+            Pass (Both);
+            Waiting (Frame) := Closed (Both, From);
+            if Frame mod 3 = 0 then
+               Open (Both (Other (From)), Waiting (First), True, Found);
+               if Found in Taken then
+                  Taken_Blocks := Taken_Blocks + 1;
+                  Expect_Number
+                    ("age of a block taken from " & From'Image,
+                     Integer'Max (Frame - First, Most_Age), Most_Age);
+               end if;
+               First := First + 1;
+            end if;
+            Unused := Closed (Both, Other (From));
+            Open (Both (From), Unused, True, Found);
+         end loop;
+         Expect ("some were young", Taken_Blocks > 0, True);
+      end loop;
+   end A_Growing_Delay;
 
    procedure Every_Bit_Counts is
       Both    : Link := New_Link;
@@ -310,6 +410,7 @@ package body Seal_Tests is
    begin
       for Kind in 1 .. 2 loop
          for From in Station loop
+            Pass (Both);
             Block := Closed (Both, From);
             Length := Covered (From) + Tag_Bytes (From);
             for Where in 1 .. Length loop
@@ -336,8 +437,7 @@ package body Seal_Tests is
    end Every_Bit_Counts;
 
    procedure Other_Direction is
-      Both   : Link := New_Link;
-      Unused : Block_Data;
+      Both : Link := New_Link;
    begin
       Expect_Opening
         ("own hello", Both, Ground, Closed (Both, Ground), Not_Opened);
@@ -345,8 +445,7 @@ package body Seal_Tests is
         ("own hello", Both, Aircraft, Closed (Both, Aircraft), Not_Opened);
       Both := New_Link;
       Shake_Hands (Both);
-      Unused := Closed (Both, Ground);
-      Unused := Closed (Both, Aircraft);
+      Pass (Both);
       Expect_Opening
         ("own block", Both, Ground, Closed (Both, Ground), Not_Opened);
       Expect_Opening
@@ -354,14 +453,14 @@ package body Seal_Tests is
    end Other_Direction;
 
    procedure Other_Session is
-      This   : Link := New_Link;
-      That   : Link := New_Link (Start => 7_000);
-      Unused : Block_Data;
+      This : Link := New_Link;
+      That : Link := New_Link (Start => 7_000);
    begin
       Shake_Hands (This);
       Shake_Hands (That);
       for From in Station loop
-         Unused := Closed (That, From);
+         Pass (This);
+         Pass (That);
          Expect_Opening
            ("of another session", This, Other (From), Closed (That, From),
             Not_Opened);
@@ -404,7 +503,6 @@ package body Seal_Tests is
    procedure Key_Of_The_Call is
       Both   : Link := New_Link (Keys_12, Keys_12);
       Other  : Link := New_Link (Keys_21, Keys_12);
-      Unused : Block_Data;
    begin
       --  Another ground calls with the same nonce and the other key.
       Expect_Next ("call", Other, Ground, Hello_Taken);
@@ -453,9 +551,8 @@ package body Seal_Tests is
       Both (Ground) := New_Seal (Ground, 2, Keys_1, 9_000);
 
       --  The aircraft has just heard its session, and waits.
-      Pass (Both, Aircraft, 1);
       Expect_Next ("too early", Both, Ground, Hello_Out_Of_Turn);
-      Shake_Hands (Both);
+      Expect_Session ("again", Both, 6);
       Expect_Opening
         ("of before the start", Both, Aircraft, Old, Not_Opened);
    end Ground_Restarts;
@@ -476,26 +573,21 @@ package body Seal_Tests is
         ("and the block", Both, Aircraft, Old, Not_Opened);
 
       --  Its hellos are heeded when its blocks have stayed away.
-      Pass (Both, Ground, 1);
       Expect_Next ("too early", Both, Aircraft, Hello_Out_Of_Turn);
-      Expect_Next ("call again", Both, Aircraft, Hello_Taken);
-      Shake_Hands (Both);
+      Expect_Session ("again", Both, 9);
    end Aircraft_Restarts;
 
    procedure Hellos_Are_Disregarded is
       Both : Link := New_Link;
       Hello_Up, Hello_Down : Block_Data;
    begin
-      --  Hellos of an earlier session of the same ground and aircraft.
+      --  Hellos of a session, and then another one.
       Hello_Up := Closed (Both, Ground);
-      Shake_Hands (Both);
-      Both (Ground) := Begun_Anew (Both (Ground));
-      Pass (Both, Aircraft, 3);
       Expect_Next ("call", Both, Ground, Hello_Taken);
       Hello_Down := Closed (Both, Aircraft);
-      Expect_Opening ("answer", Both, Ground, Hello_Down, Hello_Taken);
-      Expect_Next ("up", Both, Ground, Opened_Anew);
-      Expect_Next ("down", Both, Aircraft, Opened);
+      Expect_Session ("first", Both, 3);
+      Both (Ground) := Begun_Anew (Both (Ground));
+      Expect_Session ("second", Both, 8);
 
       Expect_Opening
         ("call of before", Both, Aircraft, Hello_Up, Hello_Out_Of_Turn);
@@ -503,28 +595,68 @@ package body Seal_Tests is
         ("answer of before", Both, Ground, Hello_Down, Hello_Out_Of_Turn);
 
       --  In a gap the call is answered, but the session stays as it is.
-      Pass (Both, Aircraft, 5);
+      Pass (Both, 5);
       Expect_Opening
         ("call of before", Both, Aircraft, Hello_Up, Hello_Taken);
       Expect_Next ("up", Both, Ground, Opened);
       Expect_Next ("down", Both, Aircraft, Opened);
    end Hellos_Are_Disregarded;
 
-   procedure Long_Silence is
-      Both   : Link := New_Link;
-      Unused : Block_Data;
+   --  One recorded call behind every block of the ground, which has started
+   --  again.
+   procedure Hellos_Lock_Nobody_Out is
+      Both     : Link := New_Link;
+      Recorded : array (1 .. 3) of Block_Data;
+      Data     : Block_Data;
+      Found    : Outcome;
+      Needed   : Natural := 0;
    begin
-      --  What is sent meanwhile is more than an uplink can tell.
-      Shake_Hands (Both);
-      Pass (Both, Aircraft, Longest_Silence);
-      Pass (Both, Ground, Longest_Silence);
-      for Lost in 1 .. 4_096 loop
-         Unused := Closed (Both, Ground);
+      for Each of Recorded loop
+         Each := Closed (Both, Ground);
+         Both (Ground) := Begun_Anew (Both (Ground));
       end loop;
-      Expect_Next ("given up", Both, Ground, Not_Opened);
-      Expect_Next ("so it says hello", Both, Aircraft, Hello_Taken);
       Shake_Hands (Both);
+      Both (Ground) := Begun_Anew (Both (Ground));
+      for Frame in 1 .. 20 loop
+         Needed := Frame;
+         Pass (Both);
+         Data := Closed (Both, Ground);
+         Open (Both (Aircraft), Data, True, Found);
+         exit when Found = Opened_Anew;
+         Data := Recorded (Frame mod 3 + 1);
+         Open (Both (Aircraft), Data, True, Found);
+         Data := Closed (Both, Aircraft);
+         Open (Both (Ground), Data, True, Found);
+      end loop;
+      Expect ("a session within 10 frames", Needed <= 10, True);
+   end Hellos_Lock_Nobody_Out;
+
+   procedure Long_Silence is
+      Both : Link := New_Link;
+      Old  : Block_Data;
+   begin
+      Shake_Hands (Both);
+      Pass (Both, Longest_Silence);
+      Old := Closed (Both, Ground);
+      Expect_Opening ("given up", Both, Aircraft, Old, Not_Opened);
+      Expect_Session ("a new one", Both, 8);
    end Long_Silence;
+
+   --  Its clock goes on when it does.
+   procedure A_Node_Stands_Still is
+      Stopped : constant Counter := 4_250;
+      Both    : Link;
+   begin
+      for Still in Station loop
+         Both := New_Link;
+         Shake_Hands (Both);
+         for Frame in 1 .. Stopped loop
+            Pass (Both (Other (Still)), 1);
+         end loop;
+         Pass (Both (Still), Stopped);
+         Expect_Session (Still'Image & " stood still", Both, 8);
+      end loop;
+   end A_Node_Stands_Still;
 
    procedure One_Format is
       Both : Link := New_Link;
@@ -550,21 +682,22 @@ package body Seal_Tests is
    end One_Format;
 
    procedure Numbers_Used_Up is
-      Both : Link := New_Link;
+      Both   : Link := New_Link;
+      Before : constant Counter := Last_Age - 2;
    begin
       for From in Station loop
          Both := New_Link;
          Shake_Hands (Both);
-         Both (From).Active.Sent := Last_Number - 1;
-         Both (Other (From)).Active.Newest := Last_Number - 1;
-         Expect_Opening
-           ("the last", Both, Other (From), Closed (Both, From), Opened);
-         Pass (Both, Other (From), 3);
-         if From = Aircraft then
-            Pass (Both, Aircraft, 3);
-            Expect_Next ("hello", Both, Aircraft, Hello_Taken);
-         end if;
-         Shake_Hands (Both);
+         Both (From).Active.Age := Before;
+         Both (Other (From)).Active :=
+           (Both (Other (From)).Active with delta
+              Newest     => Before,
+              Reference  => Before,
+              Taken_At   => Both (Other (From)).Active.Age,
+              Not_Before => Both (Other (From)).Active.Age);
+         Expect_Next ("the last", Both, From, Opened);
+         Expect_Session ("a new one", Both, 12);
+         Expect ("it is young", Both (From).Active.Age < 20, True);
       end loop;
    end Numbers_Used_Up;
 
@@ -587,6 +720,12 @@ package body Seal_Tests is
          Taken_Once'Access);
       Add
         (Suite, "SEC-4 a number goes on after losses", Losses'Access);
+      Add
+        (Suite, "SEC-4 a block that comes late is refused",
+         Late_Blocks'Access);
+      Add
+        (Suite, "SEC-4 what a growing delay brings is refused",
+         A_Growing_Delay'Access);
       Add
         (Suite, "SEC-1 a block with any one bit altered is refused",
          Every_Bit_Counts'Access);
@@ -616,8 +755,14 @@ package body Seal_Tests is
         (Suite, "SEC-3 hellos of before end no session",
          Hellos_Are_Disregarded'Access);
       Add
+        (Suite, "SEC-3 recorded hellos lock nobody out",
+         Hellos_Lock_Nobody_Out'Access);
+      Add
         (Suite, "SEC-4 a session that was silent for a minute is renewed",
          Long_Silence'Access);
+      Add
+        (Suite, "SEC-4 a node that stood still has a session at once",
+         A_Node_Stands_Still'Access);
       Add
         (Suite, "SEC-1 a node takes only the format that it was told",
          One_Format'Access);

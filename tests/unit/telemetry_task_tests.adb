@@ -153,7 +153,7 @@ package body Telemetry_Task_Tests is
       Errors.Clear;
       TELIN.Initialise;
       for Frame in 1 .. 5 loop
-         TELIN.Run_Transaction;
+         TELIN.Run_Transaction (0);
       end loop;
       Up.Expect_Counts ("nothing sent", Input, 0, 0);
       Expect_Errors ("before the first message", Errors, None);
@@ -163,7 +163,7 @@ package body Telemetry_Task_Tests is
    begin
       Before_The_First;
       Receive_Block (Uplink_Of (16#100#));
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Up.Expect_Counts ("sent", Input, 1, 0);
       Expect_Buffer
         ("message", Up.Taken ("message", Input), Uplink_Of (16#100#));
@@ -174,7 +174,7 @@ package body Telemetry_Task_Tests is
    begin
       New_Block;
       for Frame in 1 .. 3 loop
-         TELIN.Run_Transaction;
+         TELIN.Run_Transaction (0);
          Up.Expect_Counts ("sent", Input, 1 + Count (Frame), Count (Frame));
          Expect_Buffer
            ("previous", Up.Taken ("previous", Input),
@@ -183,7 +183,7 @@ package body Telemetry_Task_Tests is
       end loop;
 
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Expect_Buffer
         ("the next", Up.Taken ("the next", Input), Uplink_Of (16#200#));
       Expect_Errors ("the next", Errors, None);
@@ -193,10 +193,10 @@ package body Telemetry_Task_Tests is
    begin
       New_Block;
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Expect_Errors ("all is well", Errors, None);
       Receive_Block (Uplink_Of (16#300#));
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Expect_Errors ("nobody took", Errors, (1 => Input_Not_Consumed));
       Expect_Buffer
         ("the newest", Up.Taken ("the newest", Input), Uplink_Of (16#300#));
@@ -208,11 +208,11 @@ package body Telemetry_Task_Tests is
       --  start is lost: nothing may go to the servos in its place.
       New_Block;
       TELIN.Initialise;
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Up.Expect_Counts ("nothing sent", Input, 1, 1);
       Expect_Errors ("no block", Errors, (1 => TELIN_No_Block));
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction;
+      TELIN.Run_Transaction (0);
       Expect_Buffer
         ("sent when one has come", Up.Taken ("sent", Input),
          Uplink_Of (16#200#));

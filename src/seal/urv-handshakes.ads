@@ -1,0 +1,249 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  How two nodes come to a session (SEC-3), and what a node knows of its
+--  sealed link.
+--
+--     ground                                    aircraft
+--     hello (G)              ------------>      keeps G, takes a new A
+--     both know G and A      <------------      hello (A, in answer to G)
+--     sealed blocks 1, 2 ... ------------>      both know that both know
+--                            <------------      sealed blocks 1, 2 ...
+--
+--  A node without a session says hello. One that hears its peer's sealed
+--  blocks disregards a hello.
+
+with Telemetry;       use Telemetry;
+with URV.Seal_Blocks; use URV.Seal_Blocks;
+with URV.Sessions;    use URV.Sessions;
+with URV.Sip_Hash;    use URV.Sip_Hash;
+
+package URV.Handshakes with Pure, SPARK_Mode is
+
+   type Format_Number is range 1 .. 2;
+
+   function Other (This : Station) return Station is
+     (if This = Ground then Aircraft else Ground)
+   with Global => null;
+
+   --  The node. Silence counts the frames since a block opened.
+
+   Patience : constant := 3;
+
+   --  A minute.
+   Longest_Silence : constant := 3_000;
+   subtype Frame_Count is Counter range 0 .. Longest_Silence;
+
+   --  Sessions that the aircraft has answered a hello with, and of which no
+   --  block has come yet. Several, so that recorded hellos do not displace the
+   --  ground's own.
+   type Pending_Place is range 1 .. 4;
+   type Pending_List is array (Pending_Place) of Session;
+
+   function None_Pending return Pending_List is ([others => No_Session])
+   with Global => null;
+
+   type Seal is record
+      Role     : Station       := Ground;
+      Format   : Format_Number := 1;
+      Keys     : Key_List;
+
+      --  The nonce of the next call or answer.
+      Own      : Nonce         := 0;
+      Active   : Session;
+
+      --  The aircraft's; the place of the newest, and from where on it looks
+      --  for one to answer.
+      Pending  : Pending_List  := [others => (others => <>)];
+      Latest   : Pending_Place := 1;
+      Turn     : Pending_Place := 1;
+
+      --  The ground has a session, but has heard a hello instead of its
+      --  blocks: it calls in every second block.
+      Doubts   : Boolean       := False;
+
+      Silence  : Frame_Count   := 0;
+   end record;
+
+   --  As a node is configured before it is switched on. Start is a nonce
+   --  that it has never begun with before.
+   function New_Seal
+     (Role   : Station;
+      Format : Format_Number;
+      Keys   : Key_List;
+      Start  : Nonce) return Seal
+   is
+     ((Role     => Role,
+       Format   => Format,
+       Keys     => Keys,
+       Own      => Start,
+       Active   => No_Session,
+       Pending  => None_Pending,
+       Latest   => 1,
+       Turn     => 1,
+       Doubts   => False,
+       Silence  => 0))
+   with Global => null;
+
+   --  Sessions are forgotten: a cold start, or the end of their numbers.
+   function Begun_Anew (This : Seal) return Seal is
+     ((This with delta
+         Own     => This.Own + 1,
+         Active  => No_Session,
+         Pending => None_Pending,
+         Doubts  => False))
+   with Global => null;
+
+   --  What has become of a block.
+   type Outcome is
+     (Nothing_Came,
+      Opened,
+      Opened_Anew,         --  the first of a session
+      Hello_Taken,
+      Hello_Repeated,      --  known already, or in answer to nothing
+
+      --  Refused
+      Wrong_Format,
+      Not_Opened,          --  its tag or its number is wrong
+      Unknown_Key,
+      Hello_Out_Of_Turn,   --  there is a session
+      Too_Late);           --  it was sealed more than Most_Age frames ago
+
+   subtype Taken is Outcome range Opened .. Opened_Anew;
+   subtype Refused is Outcome range Wrong_Format .. Too_Late;
+
+   --  A hello that came
+
+   function Hello_Number (Block : Block_Data) return Key_Number is
+     (Key_Number (Block (2)))
+   with Global => null;
+
+   function Hello_Key (From : Key; Sender : Station) return Key is
+     (Derived
+        (From, (if Sender = Ground then Hello_Up else Hello_Down), 0, 0))
+   with Global => null;
+
+   function Is_True (This : Seal; Block : Block_Data) return Boolean is
+     (Has_Tag
+        (Block, Other (This.Role),
+         Tag_Of
+           (Block, Other (This.Role), 0, 0,
+            Hello_Key
+              (Found (This.Keys, Hello_Number (Block)),
+               Other (This.Role)))))
+   with Global => null;
+
+   --  The ground calls: an answer is one to the nonce that it calls with.
+
+   function Calls (This : Seal) return Boolean is
+     (not This.Active.Is_Present or else This.Doubts)
+   with Global => null;
+
+   function Is_Answer (This : Seal; Block : Block_Data) return Boolean is
+     (Calls (This)
+      and then Nonce_At (Block, Answered_Place) = This.Own
+      and then Hello_Number (Block) = This.Keys (First).Number)
+   with Global => null;
+
+   function Answer_Of_Hello (This : Seal; Block : Block_Data) return Outcome
+   is
+     (if Is_Answer (This, Block) then Hello_Taken
+      elsif Calls (This) then Hello_Repeated
+      elsif Nonce_At (Block, Own_Place) = This.Active.Aircraft_Nonce
+        and then Nonce_At (Block, Answered_Place) = This.Active.Ground_Nonce
+        and then This.Active.Newest = 0
+      then Hello_Repeated
+      elsif This.Silence < Patience
+        or else (Nonce_At (Block, Own_Place) = This.Active.Aircraft_Nonce
+                 and then Nonce_At (Block, Answered_Place)
+                            = This.Active.Ground_Nonce)
+      then Hello_Out_Of_Turn
+      else Hello_Taken)
+   with Global => null;
+
+   --  The aircraft answers. It answers a call for so many frames; the same
+   --  call is a new one after that, since a block that closes the exchange
+   --  would be too late. In these frames each pending session has its turn,
+   --  even if every second block is a sealed one.
+
+   Answer_Lasts : constant := 8;
+
+   function Is_Answered (Item : Session) return Boolean is
+     (Item.Is_Present and then Item.Age <= Answer_Lasts)
+   with Global => null;
+
+   function Is_Call (Item : Session; Block : Block_Data) return Boolean is
+     (Is_Answered (Item)
+      and then Nonce_At (Block, Own_Place) = Item.Ground_Nonce
+      and then Hello_Number (Block) = Item.Number)
+   with Global => null;
+
+   function Call_Of_Hello (This : Seal; Block : Block_Data) return Outcome is
+     (if (for some Each of This.Pending => Is_Call (Each, Block))
+      then Hello_Repeated
+      elsif This.Active.Is_Present
+        and then (This.Silence < Patience
+                  or else Nonce_At (Block, Own_Place)
+                            = This.Active.Ground_Nonce)
+      then Hello_Out_Of_Turn
+      else Hello_Taken)
+   with Global => null;
+
+   function Outcome_Of_Hello (This : Seal; Block : Block_Data) return Outcome
+   is
+     (if not Is_Known (This.Keys, Hello_Number (Block)) then Unknown_Key
+      elsif not Is_True (This, Block) then Not_Opened
+      elsif This.Role = Ground then Answer_Of_Hello (This, Block)
+      else Call_Of_Hello (This, Block))
+   with
+     Global => null,
+     Post   => Outcome_Of_Hello'Result not in Opened | Opened_Anew;
+
+   --  What the node knows then.
+
+   function Next_Place (Item : Pending_Place) return Pending_Place is
+     (if Item = Pending_Place'Last then Pending_Place'First else Item + 1)
+   with Global => null;
+
+   --  The aircraft has a pending session more, in the place of the oldest.
+   function With_Pending (This : Seal; Item : Session) return Seal is
+     ((This with delta
+         Own      => This.Own + 1,
+         Pending  =>
+           [for Each in Pending_Place =>
+              (if Each = Next_Place (This.Latest) then Item
+               else This.Pending (Each))],
+         Latest   => Next_Place (This.Latest)))
+   with
+     Global => null,
+     Post   =>
+       With_Pending'Result.Pending (Next_Place (This.Latest)) = Item
+       and then
+         (for all Each in Pending_Place =>
+            (if Each /= Next_Place (This.Latest)
+             then With_Pending'Result.Pending (Each) =
+                    This.Pending (Each)));
+
+   function After_Hello (This : Seal; Block : Block_Data) return Seal is
+     (if This.Role = Aircraft
+      then With_Pending
+        (This,
+         New_Session
+           (This.Keys, Hello_Number (Block),
+            Ground_Nonce   => Nonce_At (Block, Own_Place),
+            Aircraft_Nonce => This.Own,
+            Maker          => Aircraft))
+      elsif Is_Answer (This, Block)
+      then
+        (This with delta
+           Own     => This.Own + 1,
+           Active  => New_Session
+             (This.Keys, Hello_Number (Block),
+              Ground_Nonce   => This.Own,
+              Aircraft_Nonce => Nonce_At (Block, Own_Place),
+              Maker          => Ground),
+           Doubts  => False,
+           Silence => 0)
+      else (This with delta Doubts => True))
+   with Global => null;
+
+end URV.Handshakes;
