@@ -23,14 +23,13 @@ package body Host.Complaints is
    Program : constant String :=
      Last_Name (Ada.Command_Line.Command_Name) & ": ";
 
-   Status : Natural := 2;
-
-   function Exit_Status return Natural is (Status);
-
    --  The first complaint, whole.
    First : Unbounded_String;
 
    procedure Complain (Line : String) with No_Return;
+
+   --  In one piece, so that lines of two tasks do not mix.
+   procedure Print_Line (Text : String);
 
    procedure Complain (Line : String) is
    begin
@@ -46,11 +45,10 @@ package body Host.Complaints is
       Complain (Program & What);
    end Refuse;
 
-   procedure Give_Up (What : String) is
+   procedure Report (What : String) is
    begin
-      Status := 1;
-      Refuse (What);
-   end Give_Up;
+      Print_Line (Program & What);
+   end Report;
 
    procedure Refuse (File : String; Line : Positive; What : String) is
       Number : constant String := Line'Image;
@@ -76,7 +74,12 @@ package body Host.Complaints is
    end Line_Of;
 
    procedure Print (Error : Ada.Exceptions.Exception_Occurrence) is
-      Line    : constant String := Line_Of (Error) & ASCII.LF;
+   begin
+      Print_Line (Line_Of (Error));
+   end Print;
+
+   procedure Print_Line (Text : String) is
+      Line    : constant String := Text & ASCII.LF;
       Written : Integer;
    begin
       Written :=
@@ -85,7 +88,7 @@ package body Host.Complaints is
 
       --  There is nowhere left to complain to.
       pragma Unreferenced (Written);
-   end Print;
+   end Print_Line;
 
    function Quoted (Text : String) return String is
       Longest : constant := 60;

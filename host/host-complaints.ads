@@ -14,9 +14,9 @@ package Host.Complaints is
    --  the name of the program that runs.
    procedure Refuse (What : String) with No_Return;
 
-   --  Gives up because an output cannot be written, in the same words as
-   --  the first Refuse.
-   procedure Give_Up (What : String) with No_Return;
+   --  Prints "urv_sim: What" on standard error, should anybody read it, and
+   --  goes on.
+   procedure Report (What : String);
 
    --  Refuses an input file. The line is "File:Line: What".
    procedure Refuse (File : String; Line : Positive; What : String)
@@ -31,9 +31,8 @@ package Host.Complaints is
    --  need not be text in any encoding.
    procedure Print (Error : Ada.Exceptions.Exception_Occurrence);
 
-   --  With what the program then ends: 2, or 1 after Give_Up, when the
-   --  command line was not to blame.
-   function Exit_Status return Natural;
+   --  With what the program then ends.
+   Exit_Status : constant := 2;
 
    --  Text of the user's in quotes, fit for one line: control characters
    --  are replaced and the rest of a long text is cut off.

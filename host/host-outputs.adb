@@ -146,24 +146,20 @@ package body Host.Outputs is
       end loop;
    end Open;
 
+   procedure Flush (Files : in out File_Set; Except : Output_Option) is
+   begin
+      for Output in Output_Option loop
+         if Output /= Except and then Text_Output.Is_Open (Files (Output)) then
+            Text_Output.Flush (Files (Output));
+         end if;
+      end loop;
+   end Flush;
+
    procedure Close (Files : in out File_Set) is
    begin
       for File of Files loop
          Text_Output.Close (File);
       end loop;
    end Close;
-
-   procedure Rescue (Files : in out File_Set) is
-   begin
-      for File of Files loop
-         begin
-            Text_Output.Close (File);
-         exception
-            when Bad_Input =>
-               --  The first thing that went wrong is what is told.
-               null;
-         end;
-      end loop;
-   end Rescue;
 
 end Host.Outputs;

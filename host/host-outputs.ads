@@ -4,7 +4,7 @@
 --
 --  They are opened after every input was read and checked. If one of them
 --  cannot be written, those that existed keep what they held and none is left
---  that did not exist.
+--  that did not exist. One that fails later is lost alone (SIM-8).
 
 with Host.Options; use Host.Options;
 with Host.Text_Output;
@@ -27,11 +27,17 @@ package Host.Outputs is
    --  The null device may stand for any number of files.
    procedure Open (Files : in out File_Set; Chosen : Choices);
 
-   --  Gives up when what is left to write cannot be written.
-   procedure Close (Files : in out File_Set);
+   --  Writes what has been put so far, to all of them but one.
+   procedure Flush (Files : in out File_Set; Except : Output_Option);
 
-   --  Closes them after something has gone wrong: what was written so far
-   --  stays, as far as it can be.
-   procedure Rescue (Files : in out File_Set);
+   --  Whether somebody read one of them from standard output, and has gone:
+   --  that ends a simulated flight (D-55).
+   function Is_Unread (Files : File_Set; Chosen : Choices) return Boolean is
+     (for some Which in Output_Option =>
+        Value (Chosen, Which) = Standard_Output
+        and then Text_Output.Is_Unread (Files (Which)));
+
+   --  Writes what is left, as far as it can be written.
+   procedure Close (Files : in out File_Set);
 
 end Host.Outputs;

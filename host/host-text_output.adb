@@ -1,9 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with System.Storage_Elements;
+
 with Host.Complaints;
 
 package body Host.Text_Output is
 
+   use type GNAT.OS_Lib.File_Descriptor;
    use type Text_Numbers.Number;
 
    --  The digits of the numbers below 100.
@@ -17,30 +20,52 @@ package body Host.Text_Output is
       Length : Long_Long_Integer) return Integer
      with Import, Convention => C, External_Name => "ftruncate64";
 
-   procedure Refuse (To : Writer) with No_Return;
+   --  What a system that gives no reason means.
+   Input_Output_Error : constant := 5;
 
-   procedure Refuse (To : Writer) is
+   --  Of this program.
+   Has_Lost : Boolean := False with Atomic;
+
+   --  The last call of the system has failed: the output is closed.
+   procedure Lose (To : in out Writer);
+
+   function Any_Lost return Boolean is (Has_Lost);
+
+   function Loss (To : Writer) return String is
+     (GNAT.OS_Lib.Errno_Message (To.Error));
+
+   procedure Lose (To : in out Writer) is
+      Unused_Closed : Boolean;
    begin
-      Complaints.Give_Up
-        (To_String (To.Title) & " cannot be written: "
-         & GNAT.OS_Lib.Errno_Message);
-   end Refuse;
+      To.Error := GNAT.OS_Lib.Errno;
+      if To.Error = 0 then
+         To.Error := Input_Output_Error;
+      end if;
+      To.State := Lost;
+      To.Last := 0;
+      Has_Lost := True;
+      if To.File /= GNAT.OS_Lib.Invalid_FD then
+         GNAT.OS_Lib.Close (To.File, Unused_Closed);
+         To.File := GNAT.OS_Lib.Invalid_FD;
+      end if;
+      Complaints.Report
+        (To_String (To.Title) & " cannot be written: " & Loss (To));
+   end Lose;
 
    procedure Flush (To : in out Writer) is
-      First   : Positive := 1;
-      Written : Integer;
+      First : Positive := 1;
+      Count : Integer;
    begin
-      while First <= To.Last loop
-         Written :=
+      while First <= To.Last and then To.State = Written loop
+         Count :=
            GNAT.OS_Lib.Write
              (To.File, To.Block (First)'Address, To.Last - First + 1);
-         if Written <= 0 then
-            --  A second try, when the writer is closed, would fail too.
-            To.Last := 0;
-            Refuse (To);
+         if Count <= 0 then
+            Lose (To);
+            return;
          end if;
-         First := First + Written;
-         To.Length := To.Length + Long_Long_Integer (Written);
+         First := First + Count;
+         To.Length := To.Length + Long_Long_Integer (Count);
       end loop;
       To.Last := 0;
    end Flush;
@@ -50,7 +75,9 @@ package body Host.Text_Output is
       To.Last    := 0;
       To.Longest := Long_Long_Integer'Max (To.Longest, To.Length);
       To.Length  := 0;
-      GNAT.OS_Lib.Lseek (To.File, 0, GNAT.OS_Lib.Seek_Set);
+      if To.State = Written then
+         GNAT.OS_Lib.Lseek (To.File, 0, GNAT.OS_Lib.Seek_Set);
+      end if;
    end Restart;
 
    procedure End_Version (To : in out Writer) is
@@ -58,6 +85,7 @@ package body Host.Text_Output is
         To.Longest - To.Length - Long_Long_Integer (To.Last);
    begin
       for Blank in 1 .. Missing loop
+         exit when Is_Lost (To);
          Put (To, ' ');
       end loop;
       Flush (To);
@@ -69,6 +97,8 @@ package body Host.Text_Output is
       Title        : String;
       Is_Rewritten : Boolean := False) is
    begin
+      To.State        := Written;
+      To.Error        := 0;
       To.File         := File;
       To.Title        := To_Unbounded_String (Title);
       To.Last         := 0;
@@ -76,6 +106,17 @@ package body Host.Text_Output is
       To.Longest      := 0;
       To.Is_Rewritten := Is_Rewritten;
    end Attach;
+
+   procedure Attach_Memory (To : in out Writer) is
+   begin
+      To.State := In_Memory;
+      To.Last  := 0;
+   end Attach_Memory;
+
+   procedure Clear (To : in out Writer) is
+   begin
+      To.Last := 0;
+   end Clear;
 
    function Screen (Is_Error : Boolean := False)
                     return GNAT.OS_Lib.File_Descriptor
@@ -94,11 +135,10 @@ package body Host.Text_Output is
         (if Is_Error then "standard error" else "standard output");
       File  : constant GNAT.OS_Lib.File_Descriptor := Screen (Is_Error);
    begin
-      if File = GNAT.OS_Lib.Invalid_FD then
-         To.Title := To_Unbounded_String (Title);
-         Refuse (To);
-      end if;
       Attach (To, File, Title);
+      if File = GNAT.OS_Lib.Invalid_FD then
+         Lose (To);
+      end if;
    end Attach_Screen;
 
    procedure Put (To : in out Writer; Char : Character) is
@@ -191,27 +231,52 @@ package body Host.Text_Output is
    end Put;
 
    procedure Close (To : in out Writer) is
-      File   : constant GNAT.OS_Lib.File_Descriptor := To.File;
-      Closed : Boolean;
+      Is_Closed : Boolean;
    begin
-      if not Is_Open (To) then
-         return;
+      if Is_Open (To) then
+         Flush (To);
       end if;
-
-      Flush (To);
-      To.File := GNAT.OS_Lib.Invalid_FD;
-      if To.Longest > To.Length and then Truncate (File, To.Length) /= 0 then
-         Refuse (To);
+      if To.State = Written then
+         if To.Longest > To.Length and then Truncate (To.File, To.Length) /= 0
+         then
+            Lose (To);
+         else
+            GNAT.OS_Lib.Close (To.File, Is_Closed);
+            To.File := GNAT.OS_Lib.Invalid_FD;
+            if not Is_Closed then
+               Lose (To);
+            end if;
+         end if;
       end if;
-      GNAT.OS_Lib.Close (File, Closed);
-      if not Closed then
-         Refuse (To);
-      end if;
+      To.State := Closed;
    end Close;
+
+   --  A pipe that nobody reads, and a file that has reached the user's limit,
+   --  fail as any other output does. By default they end the program without
+   --  a word.
+   procedure Ignore_Signals;
+
+   procedure Ignore_Signals is
+      Broken_Pipe_Signal : constant := 13;
+      File_Limit_Signal  : constant := 25;
+
+      Ignored : constant System.Address :=
+        System.Storage_Elements.To_Address (1);
+
+      function Set
+        (Signal : Integer; To : System.Address) return System.Address
+        with Import, Convention => C, External_Name => "signal";
+
+      Unused : System.Address;
+   begin
+      Unused := Set (Broken_Pipe_Signal, Ignored);
+      Unused := Set (File_Limit_Signal, Ignored);
+   end Ignore_Signals;
 
 begin
    for Pair in Two_Digits loop
       Tens (Pair) := Ten_Digits (Integer (Pair) / 10 + 1);
       Ones (Pair) := Ten_Digits (Integer (Pair) mod 10 + 1);
    end loop;
+   Ignore_Signals;
 end Host.Text_Output;

@@ -6,6 +6,10 @@
 --
 --  A writer is open only if its output was asked for. Host.Outputs opens
 --  all of a flight.
+--
+--  An output that cannot be written never ends the program (SIM-8): the
+--  writer reports it in a line on standard error, closes the file, and drops
+--  what comes after. The writer stays open, and is lost.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
@@ -34,6 +38,17 @@ package Host.Text_Output is
       Is_Rewritten : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
+   --  Keeps what is put, up to Block_Length characters, until Clear; for a
+   --  task that may not wait for a disk.
+   procedure Attach_Memory (To : in out Writer)
+     with Pre => not Is_Open (To), Post => Is_Open (To);
+
+   --  What a writer to memory has been given since Clear.
+   function Text (To : Writer) return String
+     with Pre => Is_Open (To);
+   procedure Clear (To : in out Writer)
+     with Pre => Is_Open (To);
+
    --  Another descriptor of the program's standard output or standard
    --  error, so that closing it leaves the program's.
    function Screen (Is_Error : Boolean := False)
@@ -42,7 +57,17 @@ package Host.Text_Output is
    procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Each gives up (Host.Complaints) when the file cannot be written.
+   --  Whether the file could not be written, why, in the system's words, and
+   --  whether because it is a pipe that nobody reads any more. A writer that
+   --  was closed keeps it.
+   function Is_Lost (To : Writer) return Boolean with Inline;
+   function Loss (To : Writer) return String
+     with Pre => Is_Lost (To);
+   function Is_Unread (To : Writer) return Boolean with Inline;
+
+   --  Whether any output of this program has been lost.
+   function Any_Lost return Boolean;
+
    procedure Put (To : in out Writer; Char : Character)
      with Inline, Pre => Is_Open (To);
    procedure Put (To : in out Writer; Text : String)
@@ -63,7 +88,8 @@ package Host.Text_Output is
       Decimals : Positive)
      with Pre => Is_Open (To) and then Decimals <= Most_Decimals;
 
-   --  Writes what is left; the file stays open.
+   --  Writes what is left; the file stays open. Ends early when the file
+   --  cannot be written.
    procedure Flush (To : in out Writer)
      with Pre => Is_Open (To);
 
@@ -86,13 +112,18 @@ package Host.Text_Output is
 
 private
 
-   use type GNAT.OS_Lib.File_Descriptor;
-
    Block_Length : constant := 65_536;
 
+   type Writer_State is (Closed, Written, In_Memory, Lost);
+
    type Writer is limited record
+      State : Writer_State := Closed;
       File  : GNAT.OS_Lib.File_Descriptor := GNAT.OS_Lib.Invalid_FD;
       Title : Unbounded_String;
+
+      --  Of a lost one: the system's error.
+      Error : Integer := 0;
+
       Block : String (1 .. Block_Length);
       Last  : Natural range 0 .. Block_Length := 0;
 
@@ -102,8 +133,16 @@ private
       Longest      : Long_Long_Integer := 0;
    end record;
 
-   function Is_Open (To : Writer) return Boolean is
-     (To.File /= GNAT.OS_Lib.Invalid_FD);
+   function Is_Open (To : Writer) return Boolean is (To.State /= Closed);
+
+   function Is_Lost (To : Writer) return Boolean is (To.Error /= 0);
+
+   Broken_Pipe : constant := 32;
+
+   function Is_Unread (To : Writer) return Boolean is
+     (To.Error = Broken_Pipe);
+
+   function Text (To : Writer) return String is (To.Block (1 .. To.Last));
 
    function Can_Restart (To : Writer) return Boolean is (To.Is_Rewritten);
 

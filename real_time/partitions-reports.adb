@@ -101,6 +101,23 @@ package body Partitions.Reports is
       Put (To, '"' & Value & '"');
    end Put_Field;
 
+   procedure Add_Name (To : in out Unbounded_String; Name : String) is
+   begin
+      Append (To, (if To = "" then "" else ", ") & '"' & Name & '"');
+   end Add_Name;
+
+   procedure Put_Names
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Names : Unbounded_String) is
+   begin
+      if Names /= "" then
+         Begin_Field (This, To, Name);
+         Put (To, '[' & To_String (Names) & ']');
+      end if;
+   end Put_Names;
+
    procedure Put_Field
      (This     : in out Report;
       To       : in out Writer;

@@ -3,6 +3,8 @@
 --  The result of a run as a JSON object (--summary), and as a few lines for
 --  people.
 
+with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
+
 with Host.Text_Numbers;
 with Host.Text_Output;        use Host.Text_Output;
 with Partitions.Measurements; use Partitions.Measurements;
@@ -34,6 +36,16 @@ package Partitions.Reports is
       To    : in out Writer;
       Name  : String;
       Value : String);
+
+   --  Adds a name to an array of them: nothing to begin with.
+   procedure Add_Name (To : in out Unbounded_String; Name : String);
+
+   --  Nothing when there is none.
+   procedure Put_Names
+     (This  : in out Report;
+      To    : in out Writer;
+      Name  : String;
+      Names : Unbounded_String);
 
    --  A value with decimals, counted in units of the last of them.
    procedure Put_Field

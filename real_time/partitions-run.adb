@@ -2,7 +2,7 @@
 
 with Ada.Characters.Handling;
 with Ada.Exceptions;
-with Ada.Text_IO;
+with Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 
 with Host;                  use Host;
@@ -12,7 +12,7 @@ with Host.Key_Files;
 with Host.Names;
 with Host.Option_Help;
 with Host.Options;          use Host.Options;
-with Host.Outputs;          use Host.Outputs;
+with Host.Outputs;
 with Host.Text_Numbers;
 with Host.Truth_Columns;
 with Partitions.Clocks;
@@ -21,6 +21,7 @@ with Partitions.Links;
 with Partitions.Measurements; use Partitions.Measurements;
 with Partitions.Notes;
 with Partitions.Occurrences;
+with Partitions.Output_Files; use Partitions.Output_Files;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Permission;
 with Partitions.Round_Trips;
@@ -39,11 +40,13 @@ procedure Partitions.Run is
    use type Number;
    use type URVOS.Count;
 
-   Files  : File_Set;
    Frames : Number := 0;
    Chosen : Choices;
    Whole  : Exchange_Watch;
+
+   --  What goes to an output next: for the help, to the screen at once.
    Screen : Writer;
+   Page   : Writer;
 
    Keys   : Host.Key_Files.Key_Ring;
 
@@ -81,6 +84,7 @@ procedure Partitions.Run is
    procedure Report_Peer (State : Peer_State);
    procedure Report_Refusals;
    procedure Report_Starts;
+   procedure Report_Left_Out;
 
    --  Reports what is new of the other node, in that state, and of this one.
    procedure Look_Around (State : Peer_State);
@@ -89,7 +93,7 @@ procedure Partitions.Run is
    procedure Leave (Status : Integer) with No_Return;
 
    --  Writes a row for each frame until the partition is switched off.
-   procedure Write_Rows (Last_Frame : Number);
+   procedure Take_Rows (Last_Frame : Number);
 
    --  While the run goes on, without what the tasks took: to sum that up
    --  takes the node's time.
@@ -131,7 +135,7 @@ procedure Partitions.Run is
          "Exit status: 0 run; 2 a bad command line, input file or link;");
       Put_Line
         (Screen,
-         "1 an output cannot be written, an internal fault" & A_Dead_Plant
+         "1 an output was lost, an internal fault" & A_Dead_Plant
          & ";");
       Put_Line (Screen, "3 run, but the other node was never heard");
    end Print_Usage;
@@ -164,13 +168,16 @@ procedure Partitions.Run is
    Told_Peer     : Peer_State := Never_Heard;
    Told_Refused  : URVOS.Count := 0;
    Refused_Frame : Number := 0;
+   Told_Missing  : URVOS.Count := 0;
+   Missing_Frame : Number := 0;
    Told_Pauses   : URVOS.Count := 0;
    Told_Starts   :
      array (URV.Errors.Error_Kind range URV.Errors.Warm_Reset
                                      .. URV.Errors.Processor_Restart)
      of URVOS.Count := (others => 0);
 
-   --  Reports a flood of refused blocks this often at most.
+   --  Reports a flood of refused blocks, or rows that are left out, this often
+   --  at most.
    Refusals_Every : constant Number :=
      5 * Microseconds_Per_Second / Frame_Length;
 
@@ -225,6 +232,22 @@ procedure Partitions.Run is
       end loop;
    end Report_Starts;
 
+   procedure Report_Left_Out is
+      Missing : constant URVOS.Count := Rows_Left_Out;
+   begin
+      if Missing > Told_Missing
+        and then not Is_Lost (Record_Option)
+        and then (Told_Missing = 0
+                  or else Frames >= Missing_Frame + Refusals_Every)
+      then
+         Note
+           ("--record: " & Number_Of (Missing, "row") & " left out by "
+            & Seconds (Frames) & " s: the file is too slow");
+         Told_Missing := Missing;
+         Missing_Frame := Frames;
+      end if;
+   end Report_Left_Out;
+
    procedure Look_Around (State : Peer_State) is
       Tally     : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Is_Broken : Boolean;
@@ -233,6 +256,7 @@ procedure Partitions.Run is
       Report_Peer (State);
       Report_Refusals;
       Report_Starts;
+      Report_Left_Out;
       declare
          News : constant String := Round_Trips.Next_News (Seconds (Frames));
       begin
@@ -277,6 +301,7 @@ procedure Partitions.Run is
 
    procedure Leave (Status : Integer) is
    begin
+      Notes.Finish;
       Stop;
       GNAT.OS_Lib.OS_Exit (Status);
    end Leave;
@@ -286,14 +311,12 @@ procedure Partitions.Run is
    procedure Keep_Results is
    begin
       Write_Counts (Is_Over => False);
-      if Is_Open (Files (Record_Option))
-        and then Can_Restart (Files (Record_Option))
-      then
-         Flush (Files (Record_Option));
+      if Is_Open (Record_Option) then
+         Write_Rows;
       end if;
    end Keep_Results;
 
-   procedure Write_Rows (Last_Frame : Number) is
+   procedure Take_Rows (Last_Frame : Number) is
       Item  : Row;
       Found : Boolean;
    begin
@@ -302,18 +325,19 @@ procedure Partitions.Run is
          exit when not Found;
          Frames := Item.Value (1) + 1;
          Look_Around (Item.Peer);
-         if Is_Open (Files (Record_Option)) then
+         if Is_Open (Record_Option) then
+            Clear (Page);
             for Place in 1 .. Item.Length loop
                if Place > 1 then
-                  Put (Files (Record_Option), ',');
+                  Put (Page, ',');
                end if;
-               Put (Files (Record_Option), Item.Value (Place));
+               Put (Page, Item.Value (Place));
             end loop;
             if Item.Has_Truth then
-               Host.Truth_Columns.Put_Values
-                 (Files (Record_Option), Item.Truth);
+               Host.Truth_Columns.Put_Values (Page, Item.Truth);
             end if;
-            New_Line (Files (Record_Option));
+            New_Line (Page);
+            Put_Row (Text (Page));
          end if;
          exit when Last_Frame > 0 and then Frames >= Last_Frame;
          if Frames mod Frames_Between = 1 then
@@ -321,7 +345,7 @@ procedure Partitions.Run is
          end if;
       end loop;
       Queue.Finish;
-   end Write_Rows;
+   end Take_Rows;
 
    --  What the tasks took, and the error log.
    procedure Put_Results
@@ -366,7 +390,8 @@ procedure Partitions.Run is
    procedure Write_Summary (Log : URV.Errors.Error_Log; Is_Over : Boolean) is
       Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Result : Reports.Report;
-      To     : Writer renames Files (Summary_Option);
+      To     : Writer renames Page;
+      Lost   : Ada.Strings.Unbounded.Unbounded_String;
    begin
       Reports.Begin_Report (Result, To);
       if not Is_Over then
@@ -382,7 +407,14 @@ procedure Partitions.Run is
       Reports.Put_Field
         (Result, To, "characters_not_sent", Number (Links.Not_Sent));
       Reports.Put_Field
-        (Result, To, "rows_left_out", Number (Queue.Left_Out));
+        (Result, To, "rows_left_out",
+         Number (Queue.Left_Out) + Number (Rows_Left_Out));
+      for Output in Kept loop
+         if Output_Files.Is_Lost (Output) then
+            Reports.Add_Name (Lost, Name (Output));
+         end if;
+      end loop;
+      Reports.Put_Names (Result, To, "lost_outputs", Lost);
       Reports.Begin_Group (Result, To, "link");
       Reports.Put_Field (Result, To, "state", Name (This_Node.Peer));
       Reports.Put_Field (Result, To, Sent & "_sent", Number (Tally.Sent));
@@ -423,34 +455,29 @@ procedure Partitions.Run is
       use type Peer_State;
       Log : constant URV.Errors.Error_Log := This_Node.Log;
 
-      --  Whether it is written, from its beginning.
-      function Begun (Output : Output_Option) return Boolean;
-
-      function Begun (Output : Output_Option) return Boolean is
-      begin
-         if not Is_Open (Files (Output)) then
-            return False;
-         elsif Can_Restart (Files (Output)) then
-            Restart (Files (Output));
-            return True;
-         end if;
-         return Is_Over;
-      end Begun;
+      function Is_Written (Output : Kept) return Boolean is
+        (Is_Open (Output) and then (Is_Over or else Can_Restart (Output)));
 
    begin
       Carried_Nothing := This_Node.Peer = Never_Heard;
       if Is_Over then
          Occurrences.Finish;
       end if;
-      if Begun (Summary_Option) then
-         Write_Summary (Log, Is_Over);
-         End_Version (Files (Summary_Option));
+      if Is_Written (Events_Option) then
+         Clear (Page);
+         Host.Event_Log.Write (Page, Host.Names.Name (This), Log, 0);
+         Put_Events (Page);
+         Put_Version (Events_Option, Text (Page));
       end if;
-      if Begun (Events_Option) then
-         Host.Event_Log.Write
-           (Files (Events_Option), Host.Names.Name (This), Log, 0);
-         Put_Events (Files (Events_Option));
-         End_Version (Files (Events_Option));
+      if Is_Over then
+         --  What is lost is known when it has been written.
+         Finish (Record_Option);
+         Finish (Events_Option);
+      end if;
+      if Is_Written (Summary_Option) then
+         Clear (Page);
+         Write_Summary (Log, Is_Over);
+         Put_Version (Summary_Option, Text (Page));
       end if;
    end Write_Counts;
 
@@ -460,14 +487,14 @@ procedure Partitions.Run is
       Tally : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Times : constant Statistics := Round_Trips.Measured;
    begin
-      Attach_Screen (Screen, Is_Error => Use_Standard_Output (Chosen));
+      Clear (Page);
       Put_Line
-        (Screen,
+        (Page,
          "run       " & Seconds (Frames) & " s, "
          & Image (Long_Long_Integer (Frames)) & " frames, "
          & Image (Long_Long_Integer (This_Node.Overruns)) & " overruns");
       Put_Line
-        (Screen,
+        (Page,
          "link      peer " & Name (This_Node.Peer) & ", "
          & Number_Of (Tally.Sent, Sent) & " sent, "
          & Image (Long_Long_Integer (Tally.Scrapped)) & " scrapped, "
@@ -478,7 +505,12 @@ procedure Partitions.Run is
          & (if Times.Number = 0 then ""
             else ", round trip " & Round_Trips.Image (Times.Median)
                  & " ms"));
-      Close (Screen);
+      if Host.Outputs.Use_Standard_Output (Chosen) then
+         Notes.Print_Lines (Text (Page));
+      else
+         Print (Text (Page));
+         Finish_Printing;
+      end if;
    end Print_Summary;
 
    procedure Seal_Node (Given : URV.Sessions.Key_List) is
@@ -494,7 +526,7 @@ begin
       Attach_Screen (Screen);
       Print_Usage;
       Close (Screen);
-      Leave (0);
+      Leave (if Host.Text_Output.Any_Lost then 1 else 0);
    end if;
 
    if Chosen.Format = 2 then
@@ -503,15 +535,17 @@ begin
    end if;
    Prepare (Chosen);
    Links.Open (Value (Chosen, Link_Option));
-   Outputs.Open (Files, Chosen);
-   if Is_Open (Files (Record_Option)) then
+   Output_Files.Open (Chosen);
+   Attach_Memory (Page);
+   if Is_Open (Record_Option) then
       Put
-        (Files (Record_Option),
+        (Page,
          "frame,time_ms" & Column_Names & ",overruns,clock_us" & Last_Names);
       if Has_Truth then
-         Host.Truth_Columns.Put_Names (Files (Record_Option));
+         Host.Truth_Columns.Put_Names (Page);
       end if;
-      New_Line (Files (Record_Option));
+      New_Line (Page);
+      Put_Row (Text (Page));
    end if;
 
    if Is_Given (Chosen, Phase_Option) then
@@ -525,11 +559,11 @@ begin
    This_Node.Switch_On
      (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule,
       Chosen.Line_Delay);
-   Write_Rows
+   Take_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 
    Write_Counts (Is_Over => True);
-   Outputs.Close (Files);
+   Finish (Summary_Option);
    if not Chosen.Quiet then
       Print_Summary;
    end if;
@@ -541,17 +575,18 @@ begin
       Notes.Print ("internal fault: " & Exceptions.First);
       Leave (1);
    end if;
+   if Output_Files.Any_Lost then
+      Leave (1);
+   end if;
    Leave (if Carried_Nothing then Nothing_Carried else 0);
 
 exception
    when Error : Host.Bad_Input =>
-      Outputs.Rescue (Files);
       Host.Complaints.Print (Error);
       Leave (Host.Complaints.Exit_Status);
 
    when Error : others =>
-      Ada.Text_IO.Put_Line
-        (Ada.Text_IO.Standard_Error,
-         "internal fault: " & Ada.Exceptions.Exception_Information (Error));
+      Notes.Print
+        ("internal fault: " & Ada.Exceptions.Exception_Information (Error));
       Leave (1);
 end Partitions.Run;

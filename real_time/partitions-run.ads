@@ -5,8 +5,9 @@
 --  While it runs it says on standard error when the other node is heard and
 --  when it is lost.
 --
---  Exit status: 0 run, 1 an internal fault or a dead plant, 2 a bad command
---  line, input file or link, 3 run, but the other node was never heard.
+--  Exit status: 0 run, 1 an internal fault, a dead plant or a lost output, 2 a
+--  bad command line, input file or link, 3 run, but the other node was never
+--  heard.
 
 with Host;
 with Host.Options;

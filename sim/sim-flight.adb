@@ -436,7 +436,8 @@ package body Sim.Flight is
             then
                Keep_Results (Chosen, Frame_End);
             end if;
-            exit when Frame_End = Length or else Signals.Interrupted;
+            exit when Frame_End = Length or else Signals.Interrupted
+              or else Outputs.Is_Unread (Files, Chosen);
             if Chosen.Pace = Realtime then
                delay until Began + Duration (Frame_End) / 1_000_000;
             end if;
@@ -514,6 +515,8 @@ package body Sim.Flight is
          Is_Unfinished => not Is_Over);
       Further : Summary.Result;
       Screen  : Text_Output.Writer;
+
+      Is_Unread : Boolean;
    begin
       if Text_Output.Is_Open (Files (Events_Option))
         and then Text_Output.Can_Restart (Files (Events_Option))
@@ -588,6 +591,16 @@ package body Sim.Flight is
          Flight_Quality.Report (Further);
       end if;
 
+      --  What is lost is known when it has been written.
+      if Is_Over then
+         Outputs.Flush (Files, Except => Summary_Option);
+      end if;
+      for Output in Output_Option loop
+         if Text_Output.Is_Lost (Files (Output)) then
+            Summary.Add_Lost_Output (Further, Options.Name (Output));
+         end if;
+      end loop;
+
       if Text_Output.Is_Open (Files (Summary_Option))
         and then
           (Is_Over or else Text_Output.Can_Restart (Files (Summary_Option)))
@@ -612,9 +625,10 @@ package body Sim.Flight is
          end loop;
          return;
       end if;
+      Is_Unread := Outputs.Is_Unread (Files, Chosen);
       Outputs.Close (Files);
 
-      if not Chosen.Quiet then
+      if not Chosen.Quiet and then not Is_Unread then
          Text_Output.Attach_Screen
            (Screen,
             Is_Error => Use_Standard_Output (Chosen));
@@ -716,7 +730,7 @@ package body Sim.Flight is
       when others =>
          Progress.Stop;
          JSBSim.Stop;
-         Rescue (Files);
+         Outputs.Close (Files);
          raise;
    end Fly;
 

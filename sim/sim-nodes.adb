@@ -2,9 +2,9 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Exceptions;
-with Ada.Text_IO;
 
 with GSC.Virtual_Time;
+with Host.Complaints;
 with Host.Memory_Hardware;
 with Host.Names;
 with MCS.Virtual_Time;
@@ -42,9 +42,8 @@ package body Sim.Nodes is
                    Host.Memory_Hardware.Bus_Error'Identity
       then
          Failed := True;
-         Ada.Text_IO.Put_Line
-           (Ada.Text_IO.Standard_Error,
-            "urv_sim: internal fault: "
+         Host.Complaints.Report
+           ("internal fault: "
             & To_Upper (Host.Names.Name (Which))
             & " restarts its processor: "
             & Ada.Exceptions.Exception_Information (Error));

@@ -7,7 +7,6 @@ with System.Storage_Elements;
 package body Sim.Signals is
 
    Keyboard_Interrupt : constant int := 2;
-   Broken_Pipe        : constant int := 13;
    Request_To_End     : constant int := 15;
 
    Default : constant Address := Null_Address;
@@ -70,12 +69,5 @@ package body Sim.Signals is
       Watch (Keyboard_Interrupt);
       Watch (Request_To_End);
    end Watch;
-
-   procedure Ignore_Broken_Pipes is
-      Before : constant Address := Set (Broken_Pipe, Ignored);
-      pragma Unreferenced (Before);
-   begin
-      null;
-   end Ignore_Broken_Pipes;
 
 end Sim.Signals;

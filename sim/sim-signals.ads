@@ -1,13 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  What the system tells the program in the middle of its work: that the
---  user wants it to end, and that nobody reads what it writes.
+--  user wants it to end.
 
 package Sim.Signals is
-
-   --  From now on a write to a pipe that nobody reads fails like any other,
-   --  instead of ending the program without a word.
-   procedure Ignore_Broken_Pipes;
 
    --  A process that is started between the two calls does not heed an
    --  interrupt from the keyboard, not even before it could say so itself.

@@ -71,9 +71,9 @@ package body Sim.Summary is
    procedure Put_Known
      (To : in out Writer; Further : Result; Where : Node);
 
-   --  The names of surfaces that failed, each in such marks.
-   procedure Put_Failed
-     (To : in out Writer; Further : Result; Mark : String);
+   --  Names, each in such marks.
+   procedure Put_Names
+     (To : in out Writer; Names : Name_Vectors.Vector; Mark : String);
 
    procedure Put_Quality (To : in out Writer; Further : Result);
 
@@ -177,6 +177,11 @@ package body Sim.Summary is
    begin
       To.Failed.Append (Texts.To_Unbounded_String (Name));
    end Add_Failed_Surface;
+
+   procedure Add_Lost_Output (To : in out Result; Name : String) is
+   begin
+      To.Lost.Append (Texts.To_Unbounded_String (Name));
+   end Add_Lost_Output;
 
    procedure Add_Quality
      (To    : in out Result;
@@ -313,17 +318,17 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Known;
 
-   procedure Put_Failed
-     (To : in out Writer; Further : Result; Mark : String)
+   procedure Put_Names
+     (To : in out Writer; Names : Name_Vectors.Vector; Mark : String)
    is
       Any : Boolean := False;
    begin
-      for Each of Further.Failed loop
+      for Each of Names loop
          Put (To, (if Any then ", " else "") & Mark
               & Texts.To_String (Each) & Mark);
          Any := True;
       end loop;
-   end Put_Failed;
+   end Put_Names;
 
    procedure Put_Quality (To : in out Writer; Further : Result) is
       Made : Object := (Depth => 2, others => <>);
@@ -389,7 +394,14 @@ package body Sim.Summary is
       if not Further.Failed.Is_Empty then
          Begin_Field (To, Made, "failed_surfaces");
          Put (To, '[');
-         Put_Failed (To, Further, Mark => [1 => '"']);
+         Put_Names (To, Further.Failed, Mark => [1 => '"']);
+         Put (To, ']');
+      end if;
+
+      if not Further.Lost.Is_Empty then
+         Begin_Field (To, Made, "lost_outputs");
+         Put (To, '[');
+         Put_Names (To, Further.Lost, Mark => [1 => '"']);
          Put (To, ']');
       end if;
 
@@ -499,8 +511,14 @@ package body Sim.Summary is
 
       if not Further.Failed.Is_Empty then
          Put (To, "failed    ");
-         Put_Failed (To, Further, Mark => "");
+         Put_Names (To, Further.Failed, Mark => "");
          Put_Line (", as the ground was told");
+      end if;
+
+      if not Further.Lost.Is_Empty then
+         Put (To, "lost      ");
+         Put_Names (To, Further.Lost, Mark => "");
+         Put_Line (": could not be written");
       end if;
 
       if not Further.Qualities.Is_Empty then

@@ -65,6 +65,9 @@ package Sim.Summary is
    --  is one does the result speak of them.
    procedure Add_Failed_Surface (To : in out Result; Name : String);
 
+   --  An output that could not be written (SIM-8), in the same way.
+   procedure Add_Lost_Output (To : in out Result; Name : String);
+
    --  How well the pilot flew. A name ends with its unit, as in
    --  "altitude_rms_ft". Values are given to three decimals; one that is
    --  no number is given as null.
@@ -143,6 +146,7 @@ private
       Statuses  : Status_Vectors.Vector;
       Known     : Known_Error_Vectors.Vector;
       Failed    : Name_Vectors.Vector;
+      Lost      : Name_Vectors.Vector;
       Qualities : Quality_Vectors.Vector;
       Part      : Texts.Unbounded_String :=
         Texts.To_Unbounded_String ("flight_quality");

@@ -3,12 +3,11 @@
 --  The deterministic twin: both nodes, both telemetry boards, the serial
 --  link, boards and aircraft in one process in virtual time.
 --
---  Exit status: 0 flown, 1 an output cannot be written or an internal fault,
+--  Exit status: 0 flown, 1 an output was lost or an internal fault,
 --  2 a bad command line or input file, 130 interrupted.
 
 with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Exceptions;   use Ada.Exceptions;
-with Ada.Text_IO;
 
 with Host;             use Host;
 with Host.Complaints;
@@ -41,8 +40,7 @@ procedure Urv_Sim is
 
    procedure Complain (What : String) is
    begin
-      Ada.Text_IO.Put_Line
-        (Ada.Text_IO.Standard_Error, "urv_sim: " & What);
+      Complaints.Report (What);
    end Complain;
 
    function Seconds (Time : Microseconds) return String is
@@ -60,16 +58,16 @@ procedure Urv_Sim is
       Flown : Microseconds;
    begin
       Flight.Fly (Chosen, Flown);
-      if Nodes.Has_Failed then
-         Set_Exit_Status (Failure);
-      elsif Signals.Interrupted then
+      if Signals.Interrupted then
          Complain ("interrupted at " & Seconds (Flown) & " s");
          Set_Exit_Status (Interrupted);
+      end if;
+      if Nodes.Has_Failed then
+         Set_Exit_Status (Failure);
       end if;
    end Fly;
 
 begin
-   Signals.Ignore_Broken_Pipes;
    declare
       Asked  : constant Commands.Call := Commands.Parsed;
       Screen : Text_Output.Writer;
@@ -92,11 +90,14 @@ begin
       end case;
       Text_Output.Close (Screen);
    end;
+   if Text_Output.Any_Lost then
+      Set_Exit_Status (Failure);
+   end if;
 
 exception
    when Error : Bad_Input =>
       Complaints.Print (Error);
-      Set_Exit_Status (Exit_Status (Complaints.Exit_Status));
+      Set_Exit_Status (Complaints.Exit_Status);
 
    when Error : JSBSim.Plant_Failure | JSBSim.Plant_Silence
               | Plant_Messages.Not_Finite =>

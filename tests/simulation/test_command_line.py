@@ -293,18 +293,47 @@ def test_standard_output_is_closed(tmp_path):
 
 @needs_full_device
 @pytest.mark.parametrize("option", OUTPUT_OPTIONS)
-def test_the_disk_is_full(urv_sim, tmp_path, option):
+def test_sim8_a_full_disk_ends_no_flight(urv_sim, tmp_path, option):
+    """It is reported once, the others are whole, and the status says it."""
     other = "--wire" if option == "--record" else "--record"
     result = urv_sim("fly", "--seconds", "30", option, "/dev/full",
-                     other, "other")
+                     other, "other", "--quiet",
+                     *(() if option == "--summary" else ("--summary", "s")))
     assert complaint(result) == \
         f'urv_sim: {option}: "/dev/full" cannot be written: {NO_SPACE}'
-    # What could be written is there, up to the end of a line.
-    text = (tmp_path / "other").read_text()
-    assert text.count("\n") > 50 and text.endswith("\n")
+    rows = (tmp_path / "other").read_text().splitlines()
+    time = rows[-1].split(",")[0 if other == "--wire" else 1]
+    assert int(time) > (29_900_000 if other == "--wire" else 29_900)
+    if option != "--summary":
+        summary = json.loads((tmp_path / "s").read_text())
+        assert summary["seconds"] == 30
+        assert summary["lost_outputs"] == [option]
+
+
+def test_sim8_a_limit_of_the_file_s_size_ends_no_flight(tmp_path):
+    limit = 50_000
+
+    def be_limited():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    result = run_into(tmp_path, subprocess.DEVNULL, "fly", "--seconds", "30",
+                      "--record", "r", "--summary", "s",
+                      preexec_fn=be_limited)
+    assert result.returncode == 1
+    assert result.stderr == (
+        'urv_sim: --record: "r" cannot be written: File too large\n')
+    assert (tmp_path / "r").stat().st_size == limit
+    summary = json.loads((tmp_path / "s").read_text())
+    assert (summary["seconds"], summary["lost_outputs"]) == (30, ["--record"])
+
+
+def test_sim8_a_summary_without_a_loss_is_as_it_was(urv_sim, tmp_path):
+    urv_sim("fly", "--seconds", "1", "--summary", "s")
+    assert "lost_outputs" not in json.loads((tmp_path / "s").read_text())
 
 
 def test_who_reads_an_output_ends_early(tmp_path):
+    """D-55: as other programs of a pipeline do."""
     with subprocess.Popen(
             [PROGRAM, "fly", "--seconds", "1000", "--wire", "-"],
             cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,

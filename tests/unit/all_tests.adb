@@ -23,6 +23,7 @@ with Link_Tests;
 with LOG_Task_Tests;
 with Mailboxes_Tests;
 with Nodes_Tests;
+with Output_Buffers_Tests;
 with Peer_Watch_Tests;
 with PWM_Tests;
 with Real_Time_Nodes_Tests;
@@ -89,6 +90,7 @@ package body All_Tests is
       LOG_Task_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Flood_Tests.Add_To (Result);
+      Output_Buffers_Tests.Add_To (Result);
       Peer_Watch_Tests.Add_To (Result);
       Guarded_Step_Tests.Add_To (Result);
       Nodes_Tests.Add_To (Result);

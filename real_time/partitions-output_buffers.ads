@@ -1,0 +1,61 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Text on its way to an output that may be slow. What puts it never waits: a
+--  text that finds no room is left out as a whole (RTP-10).
+--
+--  One task puts, another one takes, both of the default priority.
+
+with System;
+
+package Partitions.Output_Buffers is
+
+   --  Of ten seconds of a record at least.
+   Capacity : constant := 1_048_576;
+
+   --  The most that is taken at once, and the longest version.
+   Block_Length : constant := 65_536;
+   subtype Block is String (1 .. Block_Length);
+
+   protected type Buffer with Priority => System.Default_Priority is
+
+      --  Is_Taken is False when there is no room for all of it.
+      procedure Put (Text : String; Is_Taken : out Boolean);
+
+      --  A version of the whole output: it takes the place of one that is
+      --  not taken yet. A text longer than a block is cut off.
+      procedure Replace (Text : String);
+
+      --  Nothing more is put.
+      procedure Finish;
+
+      --  Length is 0 when there is nothing; Is_Over when nothing more comes.
+      --  A text is to be followed by Done when it has been written.
+      procedure Take
+        (Text       : out Block;
+         Length     : out Natural;
+         Is_Version : out Boolean;
+         Is_Over    : out Boolean);
+      procedure Done;
+
+      --  All has been written, and the output is closed.
+      procedure Close;
+      function Is_Closed return Boolean;
+
+      --  Grows with each Done, and with Close.
+      function Progress return Natural;
+
+      --  What has not been written yet, in characters.
+      function Waiting return Natural;
+
+   private
+      Ring    : String (1 .. Capacity);
+      First   : Positive := 1;
+      Length  : Natural  := 0;
+      Taken   : Natural  := 0;
+      Version : Boolean  := False;
+      Over    : Boolean  := False;
+      Closed  : Boolean  := False;
+      Steps   : Natural  := 0;
+   end Buffer;
+
+end Partitions.Output_Buffers;
