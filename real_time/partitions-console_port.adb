@@ -122,9 +122,11 @@ package body Partitions.Console_Port is
 
    function Is_Open return Boolean is (Port /= Invalid);
 
-   --  How far two times lie from each other.
-   function Between (One, Another : Octets.Number) return Octets.Number is
-     (if One > Another then One - Another else Another - One);
+   --  A packet has a known age, and has not waited for too long. One of the
+   --  future was made before the machine's clock was set back, or by another
+   --  clock: how long it has waited is not known (GND-59).
+   function Is_Recent (Made_At, Now : Octets.Number) return Boolean is
+     (Made_At <= Now and then Now - Made_At <= Octets.Number (Longest_Way));
 
    --  A datagram has come: sticks, or an order.
    procedure Take_In (Datagram : Octets.Octet_Array);
@@ -147,8 +149,7 @@ package body Partitions.Console_Port is
       Order_Packets.Read (Datagram, Item, Is_Taken);
       Is_Taken :=
         Is_Taken
-        and then Between (Clocks.UTC, Item.Made_At) <=
-                   Octets.Number (Longest_Way);
+        and then Is_Recent (Item.Made_At, Now => Clocks.UTC);
       if Is_Taken then
          Latest.Check_Order (Item.Run, Item.Sequence, Clock, Is_Taken);
       end if;
@@ -164,16 +165,12 @@ package body Partitions.Console_Port is
       Item     : Packet;
       Is_Valid : Boolean;
       Now      : constant Octets.Number := Clocks.UTC;
-      Way      : Octets.Number;
    begin
       Read (Datagram, Item, Is_Valid);
-      Way := Between (Now, Item.Made_At);
-      if Is_Valid and then Way <= Octets.Number (Longest_Way) then
+      if Is_Valid and then Is_Recent (Item.Made_At, Now) then
          Latest.Take
            (Item, Clock,
-            (if Now > Item.Made_At
-             then Ada.Real_Time.Microseconds (Integer (Way))
-             else Time_Span_Zero));
+            Ada.Real_Time.Microseconds (Integer (Now - Item.Made_At)));
       else
          Latest.Drop;
       end if;

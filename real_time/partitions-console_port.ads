@@ -17,7 +17,8 @@ package Partitions.Console_Port is
    --  A console that has been silent for so long keeps the sticks no more.
    Longest_Silence : constant Time_Span := Milliseconds (500);
 
-   --  A packet that was made longer ago than this has waited somewhere.
+   --  A packet that was made longer ago than this has waited somewhere. One of
+   --  the future has no known age, and is dropped as well.
    Longest_Way : constant Host.Microseconds := 500_000;
 
    --  What the port has of the console.

@@ -466,6 +466,38 @@ def test_gnd3_what_is_no_console_packet_is_counted_and_dropped(
     assert outputs.summary["console"]["bad"] == bad
 
 
+@flies_again
+def test_gnd59_a_packet_of_the_future_has_no_age_and_is_dropped(
+    start, station
+):
+    """A third of a second ahead of the machine's clock."""
+    frames = station(Frames)
+    console = station(Console)
+    gsc = start("gsc", udp(*free_ports(2)), "--publish", frames.place,
+                "--console", console.place)
+    frames.wait_for(3)
+    console.move(ONE)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.LIVE)
+    last = console.fall_silent()
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.HELD)
+    bad = frames.all[-1].link["console_bad"]
+    sent = []
+    for ahead_us in (400_000, 300_000, 100_000):
+        console.words = OTHER
+        sent.append(console.send(time_us=utc_us() + ahead_us))
+        console.words = None
+        bad += 1
+        frames.wait_until(
+            lambda packet: packet.link["console_bad"] >= bad
+            or packet.console_sequence != last.sequence)
+    outputs = gsc.stop()
+    need(outputs.summary["console"]["bad"] == bad, outputs)
+    need({packet.console_sequence for packet in frames.all}.isdisjoint(
+        {packet.sequence for packet in sent}), outputs)
+
+
 def test_gnd3_the_first_console_keeps_the_sticks_while_it_is_there(
     start, station
 ):
