@@ -2,7 +2,11 @@
 """The station's log in the archive of a Yamcs, as its events (GND-30).
 
 Yamcs is another program: it may be slow, die or come later. Nobody waits for
-it here, and its absence is told.
+it here, and its absence is told. An event that it does not take costs that
+event and no other (GND-57).
+
+Yamcs is also told how far the clock of the ground's node is from this
+machine's, so that it knows how old a frame is (GND-56).
 """
 
 from __future__ import annotations
@@ -14,6 +18,8 @@ from typing import TYPE_CHECKING
 
 import aiohttp
 
+from urv import packets
+
 if TYPE_CHECKING:
     from urv.controls import Controls
     from urv.relay import Relay
@@ -21,11 +27,17 @@ if TYPE_CHECKING:
 
 INSTANCE = "urv"
 LINK = "frames"
+PROCESSOR = "realtime"
+CLOCK = "URV/clock_ahead"
 SEVERITY = {"info": "INFO", "caution": "WARNING", "warning": "CRITICAL"}
 WAITING = 1000
 PATIENCE = aiohttp.ClientTimeout(total=5.0)
 LOOKS_S = 1.0
 RUNNING_LOOKS_S = 0.2
+REFUSALS = 5
+"""An event that Yamcs has failed to take this many times is left out."""
+CLOCK_US = 5_000
+"""A clock that differs by less than this from what Yamcs knows is no news."""
 STARTS_S = 30.0
 """Yamcs may take so long to start before its absence is an alert."""
 NO_ANSWER = (aiohttp.ClientError, TimeoutError, ValueError, TypeError,
@@ -40,6 +52,8 @@ class Archive:
         self._url = url.rstrip("/")
         self._lines: deque[Line] = deque()
         self._dropped = 0
+        self._refusals = 0
+        self._clock_us: int | None = None
 
     def take(self, line: Line) -> None:
         """A line that Yamcs shall have, when it can."""
@@ -60,10 +74,11 @@ class Archive:
                     if not await self._is_running(session):
                         raise ValueError("it starts, or has failed")
                     count = await self._count(session)
+                    await self._tell_clock(session, view)
                     while self._lines:
-                        await self._hand_over(session, self._lines[0])
-                        self._lines.popleft()
+                        await self._hand_over(session)
                 except NO_ANSWER:
+                    self._clock_us = None
                     controls.archive = {"text": "no Yamcs", "lost": True}
                     if there or loop.time() - began > STARTS_S:
                         view.alerts.report(
@@ -108,9 +123,40 @@ class Archive:
             answer.raise_for_status()
             return dict(await answer.json())
 
-    async def _hand_over(self, session: aiohttp.ClientSession,
-                         line: Line) -> None:
-        at = datetime.fromtimestamp(line.time_us / 1e6, UTC)
+    async def _tell_clock(self, session: aiohttp.ClientSession,
+                          view: View) -> None:
+        """What is added to the time of a frame for this machine's UTC."""
+        ahead_us = view.clock_ahead_us()
+        if ahead_us is None or (
+                self._clock_us is not None
+                and abs(ahead_us - self._clock_us) < CLOCK_US):
+            return
+        async with session.put(
+                f"{self._url}/api/processors/{INSTANCE}/{PROCESSOR}"
+                f"/parameters/{CLOCK}",
+                json={"type": "DOUBLE", "doubleValue": ahead_us / 1e6},
+        ) as answer:
+            if answer.status < 400:
+                self._clock_us = ahead_us
+
+    async def _hand_over(self, session: aiohttp.ClientSession) -> None:
+        """The first line. One that Yamcs refuses, or fails at again and again,
+        is counted and left out."""
+        status = await self._post(session, self._lines[0])
+        if status >= 500:
+            self._refusals += 1
+            if self._refusals < REFUSALS:
+                raise ValueError(f"Yamcs answers {status}")
+        self._dropped += status >= 400
+        self._refusals = 0
+        self._lines.popleft()
+
+    async def _post(self, session: aiohttp.ClientSession,
+                    line: Line) -> int:
+        """The status of the answer."""
+        at = datetime.fromtimestamp(
+            min(max(line.time_us, 0), packets.LATEST_US) // 10**6, UTC)
+        at = at.replace(microsecond=line.time_us % 10**6)
         async with session.post(
                 f"{self._url}/api/archive/{INSTANCE}/events",
                 json={"source": "station", "type": line.kind,
@@ -119,5 +165,4 @@ class Archive:
                       "sequenceNumber": line.number,
                       "time": at.isoformat().replace("+00:00", "Z")},
         ) as answer:
-            if answer.status >= 500:
-                answer.raise_for_status()
+            return answer.status

@@ -5,10 +5,7 @@
     arrivals.is_new(sequence)           False: repeated, or out of order
     arrivals.age(sent_s, now)           seconds
 
-The page's clock and the station's have an unknown offset. The least receive
-time minus send time of the session is the best estimate of it: a message
-cannot arrive before it was sent. The excess over it is the message's age,
-whatever delayed it: the network, a queue, a browser or a station that hung.
+The age is that of urv.ages: its clock is the page's.
 
 When the page's clock steps back, every message looks old. A round trip tells
 the two apart: the page answers a state, so that its answer cannot be older
@@ -19,11 +16,8 @@ from __future__ import annotations
 
 from collections import OrderedDict
 
+from urv.ages import SenderClock
 from urv.sticks import OLD_S
-
-DRIFT = 500e-6
-"""The best offset may be wrong by this much more each second: two clocks
-whose rates are adjusted differ by this much at most."""
 
 ROUND_TRIP_S = 0.3
 """A state that was answered within this time shows what the clock is."""
@@ -38,8 +32,7 @@ class Arrivals:
 
     def __init__(self) -> None:
         self._sequence = 0
-        self._offset: float | None = None
-        self._at = 0.0
+        self._clock = SenderClock()
         self._states: OrderedDict[int, float] = OrderedDict()
 
     def is_new(self, sequence: int) -> bool:
@@ -51,13 +44,7 @@ class Arrivals:
 
     def age(self, sent_s: float, now: float) -> float:
         """Of a message that arrives now, in seconds."""
-        offset = now - sent_s
-        if self._offset is not None:
-            self._offset += DRIFT * (now - self._at)
-        self._at = now
-        if self._offset is None or offset < self._offset:
-            self._offset = offset
-        return offset - self._offset
+        return self._clock.age(sent_s, now)
 
     def sends(self, number: int, now: float) -> None:
         """A state of this number goes to the page."""
@@ -74,5 +61,5 @@ class Arrivals:
         if age <= OLD_S or asked is None or now - asked > ROUND_TRIP_S:
             return None
         # The answer was sent after the state was: no age is told too small.
-        self._offset = asked - sent_s
+        self._clock.step(asked - sent_s, now)
         return age

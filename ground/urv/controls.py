@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
-GND-21 who flies, GND-22 when nobody does, GND-29 the simulated pilot, GND-35
+GND-21, GND-58 who flies, GND-22 when nobody does, GND-29 the simulated pilot, GND-35
 orders, GND-51 old input, GND-52 gamepads.
 """
 
@@ -16,6 +16,7 @@ from typing import Any
 
 from urv import items, packets
 from urv.alerts import CLEAR_S
+from urv.answers import first_sequence
 from urv.orders import Orders, Setting
 from urv.sticks import OLD_S, Sticks
 from urv.view import CAUTION, INFO, View
@@ -83,7 +84,7 @@ class Controls:
         self._send = send
         self._now = now
         self._run = secrets.randbits(32)
-        self._sequence = 0
+        self._sequence = first_sequence()
         self._sent_at = float("-inf")
         self._pilot_wanted: bool | None = None
         self._insists_until = 0.0

@@ -145,9 +145,12 @@ def ground(
     flight.judge()
 
 
-def as_event(line: dict) -> dict:
-    """A line of the station's log as bin/urv_sim writes an event. What was
-    typed loses what a page could take for markup."""
+def as_event(line: dict) -> dict | None:
+    """A line of the station's log as bin/urv_sim writes an event; None when it
+    is no mark and no alert, or of no frame. What was typed loses what a page
+    could take for markup."""
+    if line["kind"] not in ("mark", "alert") or line["frame"] is None:
+        return None
     at = line["frame"] * packets.FRAME_US // 1000
     text = line["text"].translate(str.maketrans("<>&", "\u2039\u203a+"))
     if line["kind"] == "alert":
@@ -461,10 +464,19 @@ class Flight:
         try:
             lines = (self.folder / "ground.jsonl").read_text("utf-8")
             told = (self.folder / "station.jsonl").read_text("utf-8")
-            for line in map(json.loads, told.splitlines()):
-                if (line["kind"] in ("mark", "alert")
-                        and line["frame"] is not None):
-                    lines += json.dumps(as_event(line)) + "\n"
+            bad = 0
+            for line in told.splitlines():
+                try:
+                    event = as_event(json.loads(line))
+                except (ValueError, TypeError, KeyError, AttributeError):
+                    # One bad row costs one row (GND-57).
+                    bad += 1
+                    continue
+                if event is not None:
+                    lines += json.dumps(event) + "\n"
+            if bad:
+                print(f"ground: {bad} lines of station.jsonl are none and"
+                      " left out", flush=True)
             (self.folder / "events.jsonl").write_text(lines, "utf-8")
         except (OSError, ValueError) as error:
             print(f"ground: no events.jsonl: {error}", flush=True)

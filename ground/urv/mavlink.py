@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
-(GND-40, GND-41, GND-45).
+(GND-40, GND-41, GND-45, GND-56).
 
 docs/mavlink.md says which item goes where. Nothing comes in this way: what a
 station sends back is not heard.
@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import socket
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -23,7 +23,7 @@ from urv.runs import Runs
 from urv.starts import COLD, RESTARTS, Flying, Starts
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 FRAMES_PER_S = 50
 
@@ -101,7 +101,7 @@ def mavlink(
         print("mavlink: whoever is on that network can read it", flush=True)
     try:
         while True:
-            bridge.datagram(receiver.recv(4096))
+            bridge.datagram(*receiver.recvfrom(4096))
     except KeyboardInterrupt:
         print(f"mavlink: {bridge.frames} frames, {bridge.missing} missing,"
               f" {bridge.bad} bad, {bridge.sender.sent} messages,"
@@ -135,10 +135,12 @@ class Sender:
 class Bridge:
     """Frame packets in, MAVLink out."""
 
-    def __init__(self, sender: Any) -> None:
+    def __init__(self, sender: Any,
+                 now: Callable[[], float] = time.monotonic) -> None:
         from pymavlink.dialects.v20 import common
 
         self.sender = sender
+        self._now = now
         self.frames = 0
         self.bad = 0
         self.missing = 0
@@ -148,14 +150,15 @@ class Bridge:
         self._link = common.MAVLink(
             sender, srcSystem=SYSTEM_ID, srcComponent=COMPONENT_ID)
 
-    def datagram(self, data: bytes) -> None:
+    def datagram(self, data: bytes, came_from: Any = None) -> None:
         """Sends what is due with the frame in it, if there is one."""
         try:
             frame = FramePacket.decode(data)
         except packets.PacketError:
             self.bad += 1
             return
-        if not self._runs.take(frame.run, frame.sequence, time.monotonic()):
+        if not self._runs.take(frame, self._now(),
+                               came_from and came_from[:2]):
             self.bad += 1
             return
         self.missing += self._runs.missing
@@ -163,7 +166,7 @@ class Bridge:
             self._flight = Flight(self._flight.dialect, self._starts,
                                   self._flight.flying)
         self.frames += 1
-        for message in self._flight.messages(frame):
+        for message in self._flight.messages(frame, self._runs.age):
             self._link.send(message)
 
 
@@ -204,10 +207,17 @@ class Flight:
     _refused: int = 0
     _frames: int = 0
     _stale: int = 0
+    _late_next: int | None = None
 
-    def messages(self, frame: FramePacket) -> Iterator[Any]:
-        """What is due with this frame. What the aircraft says is sent only
-        with a frame that is fresh: the first one from when it is due."""
+    def messages(self, frame: FramePacket,
+                 age_s: float = 0.0) -> Iterator[Any]:
+        """What is due with this frame, which was made so many seconds ago.
+        What the aircraft says is sent only with a frame that is fresh and not
+        late: the first one from when it is due."""
+        is_late = age_s >= view.LOST_S
+        if is_late and frame.is_fresh:
+            frame = replace(frame, downlink_age=int(
+                age_s / packets.FRAME_S))
         self._frames += 1
         self._stale += not frame.is_fresh
         flew = self.flying.now
@@ -217,7 +227,7 @@ class Flight:
             for name, word in frame.columns.items()
             if items.COLUMNS[name].is_scaled}
         sequence = frame.sequence
-        if (frame.link_state == LinkState.HEARD
+        if (frame.link_state == LinkState.HEARD and not is_late
                 and self._heartbeat.now(sequence)):
             yield self.heartbeat(frame)
         if frame.is_fresh:
@@ -231,6 +241,7 @@ class Flight:
             yield self.status(frame, value)
         if self._radio.now(sequence):
             yield self.radio(frame, value)
+        yield from self.late_texts(frame, age_s if is_late else None)
         yield from self.start_texts(frame, flew)
         yield from self.texts(frame)
 
@@ -325,6 +336,20 @@ class Flight:
         return self.dialect.MAVLink_radio_status_message(
             UNKNOWN_8, level, 100, UNKNOWN_8, UNKNOWN_8,
             in_16(frame.link["downlink_bad"]), 0)
+
+    def late_texts(self, frame: FramePacket,
+                   age_s: float | None) -> Iterator[Any]:
+        """Frames come long after they were made. It is repeated while it
+        lasts, and told when it ends."""
+        mav = self.dialect
+        if age_s is None:
+            if self._late_next is not None:
+                self._late_next = None
+                yield self.text(mav.MAV_SEVERITY_INFO, "frames in time")
+        elif self._late_next is None or frame.sequence >= self._late_next:
+            self._late_next = frame.sequence + LOST
+            yield self.text(mav.MAV_SEVERITY_CRITICAL,
+                            f"frames {age_s:.1f} s late")
 
     def start_texts(self, frame: FramePacket, flew: bool) -> Iterator[Any]:
         """Every start of a node. A cold one of the aircraft in flight is

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The packets between the ground's node and the station (GND-1).
+"""The packets between the ground's node and the station (GND-1, GND-57).
 
 docs/station-packets.md has their layouts. A frame packet goes from urv_gsc
 to the station each major frame, a console packet and an order packet from
@@ -23,6 +23,8 @@ VERSION = 1
 """Of a console packet, and of a frame packet that has a part of the logs."""
 WHOLE = 2
 """Of a frame packet that has the whole logs."""
+LATEST_US = 253_402_300_799_999_999
+"""The last time that a packet may have: the end of the year 9999."""
 NEVER = 0xFFFF_FFFF
 """The age of a downlink that has not come yet."""
 
@@ -240,6 +242,9 @@ class FramePacket:
         version = _check("frame packet", data, _FRAME_MAGIC, LENGTHS)
         (_, _, _, run, sequence, time_us, age, console_state, link_state,
          console_sequence) = _FRAME_HEAD.unpack_from(data)
+        if time_us > LATEST_US:
+            raise PacketError(
+                f"frame packet: time is {time_us}, not 0 to {LATEST_US}")
         # What the first version does not have is as if it had not happened.
         more = data[MORE_AT:].ljust(FRAME_LENGTH - MORE_AT, b"\0")
         *status, pilot = _TAIL.unpack_from(data, TAIL_AT)

@@ -1,8 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The order of frame packets, whatever the clocks say (GND-46, D-37).
+"""Which frame packets count, in which order, and how old they are (GND-46,
+GND-56, GND-57, D-37, D-58, D-60).
 
-Within a run of the ground's node the sequence number orders them. A run that
-has not been seen before follows the one that was: its clock may be earlier.
+    runs = Runs()
+    runs.take(frame, now, sender)   True: the newest packet of the flight
+    runs.age                        seconds, of the packet taken last
+
+The packets of one sender and one run of its program are a source. Within a
+source the sequence number is the order, and the clock: the node counts frames
+of 20 ms, also while it stood still, and nobody can set that clock.
+
+A packet that does not follow the present packets is dropped while those come:
+one of another source, one whose number is ahead of time, one whose UTC is far
+from the UTC before. Two of its kind, one after the other, replace packets that
+have stopped. So no single datagram changes what is shown.
 """
 
 from __future__ import annotations
@@ -10,60 +21,170 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field
 
+from urv import packets
+from urv.ages import SenderClock
+
+AHEAD_S = 0.1
+"""A packet may arrive sooner than the best one before by this much."""
+SET_S = 1.0
+"""UTC and sequence number may differ by this much more than before."""
+ALIVE_S = 0.1
+"""Packets that have come within this time are replaced by no others."""
 SILENT_S = 0.5
-"""A run that has ended is taken up again when the present one has been silent
-for so long."""
-FORMER_RUNS = 64
-"""So many runs that have ended are remembered."""
+"""The same for others that were replaced before, or have lower numbers."""
+FORMER_SOURCES = 64
+"""As many sources that have ended are remembered."""
 STRAYS = 25
-"""Packets of a former run, after which another node is sending. Fewer have
-been late on their way."""
+"""Packets of a former source between packets of the present one, after which
+both send. Fewer have been late on their way."""
+RIVAL_S = 5.0
+"""Another source is reported for this time after its last packet."""
+
+Sender = tuple[str, int]
+Source = tuple[Sender | None, int]
+
+
+@dataclass
+class _Series:
+    """Packets of one source that follow each other."""
+
+    source: Source
+    sequence: int
+    zero_s: float
+    """UTC of the source's frame 0, by the last packet."""
+    came: float
+    clock: SenderClock
+    count: int = 1
+
+    def is_followed_by(self, source: Source, sequence: int, zero_s: float,
+                       now: float) -> bool:
+        """Whether a packet that arrives now can be a later one of these."""
+        return (source == self.source and sequence > self.sequence
+                and abs(zero_s - self.zero_s) <= SET_S
+                and self.clock.lead(sequence * packets.FRAME_S, now)
+                <= AHEAD_S)
+
+    def take(self, sequence: int, zero_s: float, now: float) -> float:
+        """The next one. Returns its age."""
+        self.sequence, self.zero_s, self.came = sequence, zero_s, now
+        self.count += 1
+        return self.clock.age(sequence * packets.FRAME_S, now)
 
 
 @dataclass
 class Runs:
-    """Says of each packet whether it is new."""
+    """Judges each packet."""
 
-    run: int | None = None
-    sequence: int = -1
+    age: float = 0.0
+    """Seconds between making and arrival of the packet that was taken
+    last."""
+    began: bool = False
+    """It is the first one of its source."""
     missing: int = 0
-    """Packets that have not come between the last two of one run."""
-    strays: int = 0
-    """Packets of former runs since the present one began."""
-    _came: float = float("-inf")
-    _former: deque[int] = field(
-        default_factory=lambda: deque(maxlen=FORMER_RUNS))
+    """Packets that have not come between it and the one before."""
+    set_by: float = 0.0
+    """Seconds by which the source's UTC was set between the two."""
+    rival: Sender | None = None
+    """Who sends besides the present source, when that is known."""
+    _now: _Series | None = None
+    _next: _Series | None = None
+    _stranger: Source | None = None
+    _strays: int = 0
+    _rival_at: float = float("-inf")
+    _former: deque[Source] = field(
+        default_factory=lambda: deque(maxlen=FORMER_SOURCES))
 
-    def take(self, run: int, sequence: int, now: float) -> bool:
-        """Whether the packet is newer than all before. The first of a run
-        is: then `began` is True until the next one."""
-        self.missing = 0
-        self.began = False
-        if run == self.run:
-            if sequence <= self.sequence:
-                return False
-            self.missing = sequence - self.sequence - 1
-        elif run in self._former and now - self._came < SILENT_S:
-            self.strays += 1
-            return False
+    def take(self, frame: packets.FramePacket, now: float,
+             sender: Sender | None = None) -> bool:
+        """Whether the packet is newer than all before."""
+        source = sender, frame.run
+        sequence = frame.sequence
+        zero_s = frame.time_us / 1e6 - sequence * packets.FRAME_S
+        present = self._now
+        if present is None:
+            self._begin(source, sequence, zero_s, now)
+        elif present.is_followed_by(source, sequence, zero_s, now):
+            self.began, self.set_by = False, 0.0
+            self.missing = sequence - present.sequence - 1
+            self.age = present.take(sequence, zero_s, now)
+            self._next = None
+            self._see_rival(now)
         else:
-            self._begin(run)
-        self.sequence = sequence
-        self._came = now
+            if source != present.source:
+                self._stranger = source
+            if not self._replaces(source, sequence, zero_s, now):
+                return False
         return True
 
-    def _begin(self, run: int) -> None:
-        if run in self._former:
-            self._former.remove(run)
-        if self.run is not None:
-            self._former.append(self.run)
-        self.run = run
-        self.strays = 0
-        self.began = True
-
-    began: bool = False
+    def has_rival(self, now: float) -> bool:
+        """Another source sends to this port, too."""
+        return now - self._rival_at <= RIVAL_S
 
     @property
-    def has_rival(self) -> bool:
-        """Another node sends to this port, too."""
-        return self.strays >= STRAYS
+    def zero_s(self) -> float:
+        """UTC of the present source's frame 0, by its own clock."""
+        return 0.0 if self._now is None else self._now.zero_s
+
+    @property
+    def offset(self) -> float:
+        """When frame 0 of the present source was made, by this clock."""
+        clock = None if self._now is None else self._now.clock
+        return 0.0 if clock is None or clock.offset is None else clock.offset
+
+    def _begin(self, source: Source, sequence: int, zero_s: float,
+               now: float) -> None:
+        present = self._now
+        is_same = present is not None and present.source == source
+        self.began = not is_same
+        self.missing, self.set_by = 0, 0.0
+        if is_same:
+            clock = present.clock
+            self.missing = max(0, sequence - present.sequence - 1)
+            moved = zero_s - present.zero_s
+            self.set_by = moved if abs(moved) > SET_S else 0.0
+        else:
+            clock = SenderClock()
+            if source in self._former:
+                self._former.remove(source)
+            if present is not None:
+                self._former.append(present.source)
+            self._stranger, self._strays = None, 0
+            self._rival_at = float("-inf")
+        self.age = clock.age(sequence * packets.FRAME_S, now)
+        self._now = _Series(source, sequence, zero_s, now, clock)
+        self._next = None
+
+    def _replaces(self, source: Source, sequence: int, zero_s: float,
+                  now: float) -> bool:
+        """Whether this packet and the one before, which do not follow the
+        present ones, replace them."""
+        present, coming = self._now, self._next
+        if coming is not None and coming.is_followed_by(
+                source, sequence, zero_s, now):
+            coming.take(sequence, zero_s, now)
+        else:
+            clock = SenderClock()
+            clock.age(sequence * packets.FRAME_S, now)
+            coming = self._next = _Series(source, sequence, zero_s, now,
+                                          clock)
+        is_back = (source == present.source
+                   and sequence <= present.sequence)
+        longest = (SILENT_S if is_back or source in self._former
+                   else ALIVE_S)
+        is_sure = coming.count > 1 and now - present.came >= longest
+        # One packet alone has shown nothing yet.
+        if not is_sure and (is_back or present.count > 1):
+            return False
+        self._begin(source, sequence, zero_s, now)
+        self._now.count = coming.count
+        return True
+
+    def _see_rival(self, now: float) -> None:
+        """A packet of the present source came after one of another."""
+        if self._stranger is None:
+            return
+        sender, _ = self._stranger
+        self._strays += 1
+        if self._stranger not in self._former or self._strays >= STRAYS:
+            self._rival_at, self.rival = now, sender
+        self._stranger = None

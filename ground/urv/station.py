@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv station: the pilot's and the engineer's page (GND-20, GND-24)."""
+"""bin/urv station: the pilot's and the engineer's page (GND-20, GND-24,
+GND-57)."""
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import ipaddress
 import json
 import secrets
 import signal
@@ -37,7 +39,12 @@ def station(
         " one is demanded."),
     frames: str = typer.Option(
         "udp:127.0.0.1:6003", metavar="udp:HOST:PORT",
-        help="Where frame packets come: urv_gsc --publish."),
+        help="Where frame packets come: urv_gsc --publish. Of another host"
+        " than this machine's loopback, other machines can send them."),
+    sender: str | None = typer.Option(
+        None, "--sender", metavar="ADDRESS",
+        help="The machine whose frame packets are taken, by its IP address;"
+        " those of others raise an alert. Any machine unless said."),
     console: str = typer.Option(
         "udp:127.0.0.1:6004", metavar="udp:HOST:PORT",
         help="Where console packets go: urv_gsc --console. \"none\": the"
@@ -68,11 +75,13 @@ def station(
     if yamcs is not None and not yamcs.startswith("http://"):
         raise faults.Refused(
             f"--yamcs {faults.quoted(yamcs)}: not http://HOST:PORT")
+    if sender is not None:
+        sender = ip_address("--sender", sender)
     asyncio.run(until_ended(serve(
         listen, port, token, address("--frames", frames),
         None if console == "none" else address("--console", console),
         None if relay is None else address("--relay", relay, "tcp"),
-        events, yamcs, seconds, reports)))
+        events, yamcs, seconds, reports, sender)))
 
 
 async def until_ended(work):
@@ -99,14 +108,23 @@ def address(option: str, given: str, wanted: str = "udp"
     return host.strip("[]"), int(port)
 
 
+def ip_address(option: str, given: str) -> str:
+    """The address as the operating system writes it."""
+    try:
+        return str(ipaddress.ip_address(given.strip("[]")))
+    except ValueError as error:
+        raise faults.Refused(f"{option} {faults.quoted(given)}: no IP address,"
+                             " such as 192.168.1.7") from error
+
+
 class Frames(asyncio.DatagramProtocol):
-    """Takes frame packets."""
+    """Takes frame packets, and who sent them."""
 
     def __init__(self, take) -> None:
         self._take = take
 
     def datagram_received(self, data: bytes, addr) -> None:
-        self._take(data)
+        self._take(data, addr[:2])
 
     def error_received(self, exc: Exception) -> None:
         """Nobody listens at the other end: no concern of ours."""
@@ -129,7 +147,7 @@ def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
 
 
 async def serve(listen, port, token, frames, console, relay, events, yamcs,
-                seconds, reports=False):
+                seconds, reports=False, only=None):
     """The station, until it is ended."""
     from aiohttp import web as http
 
@@ -199,9 +217,11 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         fetching = await asyncio.start_server(
             keeps.serve, sock=fetched, backlog=4)
 
-    def take(data: bytes) -> None:
+    def take(data: bytes, sender: tuple[str, int]) -> None:
         nonlocal pushed
-        if view.datagram(data):
+        if only is not None and sender[0] != only:
+            view.stranger(sender[0])
+        elif view.datagram(data, sender):
             if keeps is not None:
                 keeps.put(data)
             now = loop.time()
@@ -222,6 +242,10 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         if not web.is_loopback(listen):
             print(f"station: other machines reach it at {listen}; what goes"
                   " over the network can be read there", flush=True)
+    if only is None and not web.is_loopback(frames[0]):
+        print(f"station: any machine that reaches udp:{frames[0]} can send"
+              " frames, and the page shows them; --sender ADDRESS takes"
+              " those of one machine", flush=True)
     print(f"station: frames at udp:{frames[0]}:"
           f"{receiver.getsockname()[1]}", flush=True)
     tasks = []

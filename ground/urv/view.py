@@ -3,7 +3,8 @@
 GND-20, GND-26).
 
 Age comes before value (GND-25): every value is told with how old it is,
-nothing is made up for a frame that is missing.
+nothing is made up for a frame that is missing. A frame is as old as its own
+time says, not as its arrival (GND-56). Who flies is what the node answers (GND-58).
 """
 
 from __future__ import annotations
@@ -17,9 +18,10 @@ from typing import TYPE_CHECKING, Any
 
 from urv import items, packets
 from urv.alerts import CAUTION, INFO, WARNING, Alerts
+from urv.answers import OTHER, Answers
 from urv.laws import ALONE, DOES, FAILING, SENSORS, Laws
 from urv.repeats import Repeats, left_out
-from urv.runs import Runs
+from urv.runs import RIVAL_S, Runs, Sender
 from urv.starts import COLD, RESTARTS, Flying, Start, Starts
 
 if TYPE_CHECKING:
@@ -89,30 +91,56 @@ class View:
     bad: int = 0
     missing: int = 0
     late: int = 0
-    stick_ms: float | None = None
+    foreign: int = 0
+    """Datagrams of a machine whose frames are not taken."""
+    answers: Answers = field(default_factory=Answers)
     refused: int = 0
     flying: Flying = field(default_factory=Flying)
     _runs: Runs = field(default_factory=Runs)
     _starts: Starts = field(default_factory=Starts)
     _repeats: Repeats = field(default_factory=Repeats)
+    _foreign_at: float = float("-inf")
     _refused_at: float = float("-inf")
     _answered_at: float = float("-inf")
-    _answers: int = 0
+    _blocks: int = 0
     _lines: int = 0
     _began: float = 0.0
     _came: float = float("-inf")
+    _made: float = float("-inf")
+    _latest_s: float = 0.0
+    _fault: str = ""
     _second: deque[tuple[float, bool]] = field(default_factory=deque)
     _fresh: int = 0
-    _sent: deque[tuple[int, float]] = field(
-        default_factory=lambda: deque(maxlen=500))
 
     def __post_init__(self) -> None:
         self._began = self.now()
 
     # What comes in
 
-    def datagram(self, data: bytes) -> bool:
-        """Whether it is a frame packet, and a new one."""
+    def datagram(self, data: bytes, sender: Sender | None = None) -> bool:
+        """Whether it is a frame packet, and a new one. A fault in here costs
+        this datagram and no other (GND-57)."""
+        try:
+            return self._take(data, sender)
+        except Exception as error:  # noqa: BLE001 - whatever it is
+            self.bad += 1
+            fault = f"{type(error).__name__}: {error}"
+            if fault != self._fault:
+                self._fault = fault
+                self.note(CAUTION, "packet",
+                          f"a frame could not be shown: {fault}")
+            return False
+
+    def stranger(self, host: str) -> None:
+        """A datagram has come from a machine whose frames are not taken."""
+        self.foreign += 1
+        self.alerts.report(
+            "foreign", WARNING, "FOREIGN FRAMES",
+            f"{host} sends to this port, too: nothing of it is taken",
+            time.time_ns() // 1000)
+        self._foreign_at = self.now()
+
+    def _take(self, data: bytes, sender: Sender | None) -> bool:
         try:
             frame = packets.FramePacket.decode(data)
         except packets.PacketError as error:
@@ -123,21 +151,19 @@ class View:
             return False
         old = self.frame
         now = self.now()
-        if not self._runs.take(frame.run, frame.sequence, now):
+        if not self._runs.take(frame, now, sender):
             self.late += 1
-            if self._runs.has_rival:
-                self.alerts.report(
-                    "rival", WARNING, "TWO GROUNDS",
-                    "another ground's node sends frames here, too",
-                    time.time_ns() // 1000)
             return False
+        if self._runs.set_by:
+            self.note(CAUTION, "run", "the clock of the ground's node was set"
+                      f" by {self._runs.set_by:.1f} s")
         first = self._runs.began
         if first:
             # The counts of another run begin at 0.
             self._repeats.forget()
-            self._sent.clear()
+            self.answers.begin()
             self._fresh = 0
-            self._answers = self.refused = 0
+            self._blocks = self.refused = 0
             self.laws_state = "unknown"
         gap = self._runs.missing
         if gap > 0:
@@ -149,37 +175,33 @@ class View:
         self.frame = frame
         self.frames += 1
         self._came = now
-        self._second.append((now, frame.is_fresh))
+        self._made = made = now - self._runs.age
+        self._second.append((made, frame.is_fresh))
         if first:
             self.note(INFO, "run", f"the ground's node runs, frame"
                       f" {frame.sequence}")
         self._calibrate(frame)
-        self._link(frame, now)
+        self._link(frame, made)
         self._find_starts(frame, now)
         self._limits(frame, now)
         self._states(frame, old, now)
         self._laws(frame, now)
         self._errors(frame, now)
-        self._latency(frame, now)
+        self.answers.look(frame, made, now)
+        self._drops(frame, now)
         self.look(now)
         return True
 
     def sent(self, sequence: int) -> None:
         """A console packet has left, to be seen again in a frame."""
-        self._sent.append((sequence, self.now()))
+        self.answers.sent(sequence, self.now())
 
     def look(self, now: float) -> None:
         """What the passing of time alone changes."""
         age = self.age_s(now)
         while self._second and now - self._second[0][0] > 1.0:
             self._second.popleft()
-        silent = age is None and now - self._began > LOST_S
-        if silent or (age is not None and age >= LOST_S):
-            self.alerts.report("silent", WARNING, "NO FRAMES",
-                               "nothing comes from the ground's node",
-                               time.time_ns() // 1000)
-        else:
-            self.alerts.away("silent", now)
+        self._look_at_age(age, now)
         down = self.downlink_s(now)
         is_old = down is not None and down >= LOST_S
         # The aircraft answers, and has nothing new to say.
@@ -190,6 +212,22 @@ class View:
         self._alert_over_time(
             "sensors", is_old and answers, "SENSORS OLD",
             "the aircraft answers, but has no new scan of its sensors", now)
+        self._alert_over_time(
+            "sticks refused", self.answers.is_refused(now), "STICKS REFUSED",
+            "the ground's node takes no packet of this station" + (
+                ": another console flies" if self.answers.flies == OTHER
+                else ""), now)
+        if self._runs.has_rival(now):
+            rival = self._runs.rival
+            self.alerts.report(
+                "rival", WARNING, "TWO GROUNDS",
+                "another ground's node sends frames here, too"
+                + (f", from {rival[0]}, port {rival[1]}" if rival else ""),
+                time.time_ns() // 1000)
+        else:
+            self.alerts.away("rival", now)
+        if now - self._foreign_at > RIVAL_S:
+            self.alerts.away("foreign", now)
         # A gap is a moment: it is over when the frames come again.
         if age is not None and age < LOST_S:
             self.alerts.away("frames", now, 5.0)
@@ -197,6 +235,24 @@ class View:
             self.note(alert.level, "alert", f"{alert.name}: {alert.text}",
                       alert.came_us)
         self.alerts.raised.clear()
+
+    def _look_at_age(self, age: float | None, now: float) -> None:
+        """Whether frames come, and whether they come in time."""
+        waits = now - (self._began if self.frame is None else self._came)
+        self._alert_over_time(
+            "silent", waits >= LOST_S, "NO FRAMES",
+            "nothing comes from the ground's node", now)
+        is_late = (age is not None and age >= LOST_S > waits)
+        if is_late:
+            self._latest_s = max(self._latest_s, age)
+        self._alert_over_time(
+            "late", is_late, "FRAMES LATE",
+            f"frames come {age or 0.0:.1f} s after they were made: what is"
+            " shown is old", now)
+        if self._latest_s and not self.alerts.active("late"):
+            self.note(INFO, "frames", "frames came up to"
+                      f" {self._latest_s:.1f} s late")
+            self._latest_s = 0.0
 
     def _alert_over_time(self, key: str, is_so: bool, name: str, text: str,
                          now: float) -> None:
@@ -220,23 +276,41 @@ class View:
         self._lines += 1
         line = Line(self._lines,
                     time.time_ns() // 1000 if time_us is None else time_us,
-                    None if self.frame is None else self.frame.sequence,
-                    level, kind, text)
+                    self._frame_of(time_us), level, kind, text)
         self.log.append(line)
         self.told(line)
         return line
 
+    def _frame_of(self, time_us: int | None) -> int | None:
+        """The ground's frame of a line: the newest one when that says it.
+        What happens here happens in the frame that the node is in, though the
+        newest one that has come may be old."""
+        if self.frame is None or time_us is not None:
+            return None if self.frame is None else self.frame.sequence
+        now = self.now()
+        behind = self.age_s(now) if now - self._came < LOST_S else 0.0
+        return self.frame.sequence + int(behind / packets.FRAME_S)
+
     # Ages
 
     def age_s(self, now: float) -> float | None:
-        """Since the newest frame packet came; None before the first."""
-        return None if self.frame is None else max(0.0, now - self._came)
+        """Since the newest frame packet was made, by its own time; None
+        before the first."""
+        return None if self.frame is None else max(0.0, now - self._made)
+
+    def clock_ahead_us(self) -> int | None:
+        """What is added to a frame's time for the UTC of this machine; None
+        before the first frame."""
+        if self.frame is None:
+            return None
+        made_utc_s = time.time() - (self.now() - self._runs.offset)
+        return round((made_utc_s - self._runs.zero_s) * 1e6)
 
     def downlink_s(self, now: float) -> float | None:
         """How old the words of the downlink are; None before the first."""
         if self.frame is None or self.frame.downlink_age == packets.NEVER:
             return None
-        waited = max(0.0, now - self._came - packets.FRAME_S)
+        waited = max(0.0, now - self._made - packets.FRAME_S)
         return self.frame.downlink_age * packets.FRAME_S + waited
 
     def shown(self) -> dict[str, Any]:
@@ -247,8 +321,11 @@ class View:
         state: dict[str, Any] = {
             "age_ms": None if age is None else round(age * 1000),
             "down_ms": None if down is None else round(down * 1000),
+            "silent_ms": (None if self.frame is None
+                          else round((now - self._came) * 1000)),
             "packets": {"frames": self.frames, "bad": self.bad,
-                        "missing": self.missing, "late": self.late},
+                        "missing": self.missing, "late": self.late,
+                        "foreign": self.foreign},
             "fresh": sum(fresh for _, fresh in self._second),
             "rate": len(self._second)}
         if self.frame is None:
@@ -264,7 +341,9 @@ class View:
             "console": self.frame.console_state.name.lower(),
             "pilot": self.frame.pilot.name.lower(),
             "counts": self.frame.link,
-            "stick_ms": self.stick_ms,
+            "stick_ms": self.answers.stick_ms,
+            "flies": self.answers.flies,
+            "sticks_refused": self.answers.is_refused(now),
             "laws": None if self.laws is None else {
                 "short": self.laws.short, "mode": self.laws.mode,
                 "link": self.laws.link, "alone": self.laws.is_alone,
@@ -392,9 +471,9 @@ class View:
         if row.count > self.refused:
             self.refused = row.count
             self._refused_at = now
-        elif came > self._answers:
+        elif came > self._blocks:
             self._answered_at = now
-        self._answers = came
+        self._blocks = came
         is_heard = frame.link_state == packets.LinkState.HEARD
         if not is_heard and now - self._refused_at < REFUSING_S:
             why = WHY_REFUSED.get(row.detail, "not the aircraft's")
@@ -449,14 +528,16 @@ class View:
                     f"{event.row.count} times, last in frame"
                     f" {event.row.last_frame}", frame.time_us)
 
-    def _latency(self, frame: packets.FramePacket, now: float) -> None:
-        if frame.console_state != packets.ConsoleState.LIVE:
-            self.stick_ms = None
-            return
-        while self._sent and self._sent[0][0] <= frame.console_sequence:
-            sequence, at = self._sent.popleft()
-            if sequence == frame.console_sequence:
-                self.stick_ms = round((now - at) * 1000, 1)
+    def _drops(self, frame: packets.FramePacket, now: float) -> None:
+        """What the node has not taken at its console port."""
+        if self.answers.new_drops:
+            self.alerts.report(
+                "drops", CAUTION, "CONSOLE PACKETS DROPPED",
+                f"the ground's node dropped {self.answers.new_drops} at its"
+                " console port: another console sends, or they came late",
+                frame.time_us)
+        else:
+            self.alerts.away("drops", now)
 
 
 def is_held_scan(event: packets.Event, frame: packets.FramePacket) -> bool:

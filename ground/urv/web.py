@@ -14,6 +14,7 @@ import ipaddress
 import json
 import logging
 import socket
+import time
 import unicodedata
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -406,8 +407,9 @@ class Station:
         """The newest state is for every page."""
         if not self.pages:
             return
-        state = json.dumps({"t": "state"} | self.controls.shown(),
-                           separators=(",", ":"))
+        state = json.dumps(
+            {"t": "state", "sent_ms": round(1000 * time.monotonic(), 1)}
+            | self.controls.shown(), separators=(",", ":"))
         for page in self.pages.values():
             page.left_out += page.state is not None
             page.state = state

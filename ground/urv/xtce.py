@@ -35,9 +35,15 @@ WATCH = """
         org.yamcs.mdb.ProcessorData here = execCtx.getProcessorData();
         org.yamcs.Processor processor = org.yamcs.YamcsServer.getServer()
             .getProcessor(here.getYamcsInstance(), here.getProcessorName());
-        boolean come = processor != null && sequence != null
-            && processor.getCurrentTime() - sequence.getAcquisitionTime()
-               <= {milliseconds};
+        boolean come = processor != null && sequence != null;
+        if (come) {{
+            long now = processor.getCurrentTime();
+            long ahead = clock_ahead == null ? 0L : Math.round(
+                1000.0 * clock_ahead.getEngValue().toDouble());
+            long made = sequence.getGenerationTime() + ahead;
+            come = now - sequence.getAcquisitionTime() <= {milliseconds}
+                && now - made <= {milliseconds};
+        }}
         frames.setStringValue(come ? "{coming}" : "{missing}");
 """
 
@@ -98,7 +104,15 @@ def mission_database() -> str:
 
 
 def _watch_frames(pymdb, system):
-    """Says whether frames come, also while none does."""
+    """Says whether frames come, also while none does. Frames that come late
+    are not those of now (GND-56): the station says how far the clock of their
+    times is from this machine's."""
+    clock = pymdb.FloatParameter(
+        system, "clock_ahead", bits=64, units="s",
+        data_source=pymdb.DataSource.LOCAL, initial_value=0.0,
+        persistent=False,
+        short_description="what is added to the time of a frame for the UTC of"
+        " this machine; the station sets it")
     frames = pymdb.EnumeratedParameter(
         system, "frames", list(enumerate(FRAMES)),
         data_source=pymdb.DataSource.DERIVED,
@@ -109,7 +123,8 @@ def _watch_frames(pymdb, system):
         system, "watch_frames", language="java-expression",
         text=WATCH.format(milliseconds=round(1000 * MISSING_AFTER_S),
                           coming=FRAMES[0], missing=FRAMES[1]),
-        inputs=[pymdb.InputParameter("sequence")],
+        inputs=[pymdb.InputParameter("sequence"),
+                pymdb.InputParameter(clock)],
         outputs=[pymdb.OutputParameter(frames)],
         triggers=[pymdb.ParameterTrigger("sequence")])
 

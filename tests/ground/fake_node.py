@@ -69,6 +69,7 @@ class FakeNode(threading.Thread):
         self.run_number = int(time.time() * 1000) & 0xFFFF_FFFF
         self._old = None
         self._age = 0
+        self._due = time.monotonic()
         self._ends = threading.Event()
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.bind(("127.0.0.1", console_port))
@@ -98,8 +99,14 @@ class FakeNode(threading.Thread):
             except packets.PacketError:
                 self.counts["console_bad"] += 1
                 continue
+            now = time.monotonic()
+            if (self.heard and packet.run != self.heard[-1][1].run
+                    and now - self.heard[-1][0] < HELD_S):
+                # The first console keeps the sticks.
+                self.counts["console_bad"] += 1
+                continue
             self.counts["console_packets"] += 1
-            self.heard.append((time.monotonic(), packet))
+            self.heard.append((now, packet))
             if self.pilot != packets.Pilot.NONE:
                 self.pilot = (
                     packets.Pilot.FLIES if packet.flags
@@ -150,7 +157,7 @@ class FakeNode(threading.Thread):
         self.logs[1][packets.LAWS_ROW - 1] = laws_row(*self.laws)
         return packets.FramePacket(
             run=self.run_number, sequence=self.sequence,
-            time_us=time.time_ns() // 1000 + self.clock_us,
+            time_us=self._due_us() + self.clock_us,
             downlink_age=self._age,
             console_state=state, link_state=link,
             console_sequence=sequence, counts=tuple(self.counts.values()),
@@ -158,8 +165,14 @@ class FakeNode(threading.Thread):
             logs=tuple(tuple(log) for log in self.logs),
             status=(0,) * len(packets.STATUS), pilot=self.pilot)
 
+    def _due_us(self):
+        """UTC of the present frame: a node's frames are 20 ms apart, whenever
+        the machine lets it send them."""
+        return round(time.time_ns() / 1000
+                     + 1e6 * (self._due - time.monotonic()))
+
     def run(self):
-        due = time.monotonic()
+        self._due = time.monotonic()
         while not self._ends.is_set():
             self.hear()
             if not self.silent:
@@ -169,8 +182,8 @@ class FakeNode(threading.Thread):
                 self.socket.sendto(self.sent.encode(), self.to)
             self.sequence += 1
             self.row = (self.row + self.speed) % len(self.rows)
-            due = max(due + packets.FRAME_S, time.monotonic() - 0.1)
-            self._ends.wait(max(0.0, due - time.monotonic()))
+            self._due += packets.FRAME_S
+            self._ends.wait(max(0.0, self._due - time.monotonic()))
 
 
 if __name__ == "__main__":

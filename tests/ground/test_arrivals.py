@@ -14,7 +14,8 @@ import websocket
 from station_rig import Console, Station, until
 
 from urv import web
-from urv.arrivals import DRIFT, OLD_S, ROUND_TRIP_S, STATES, Arrivals
+from urv.ages import DRIFT
+from urv.arrivals import OLD_S, ROUND_TRIP_S, STATES, Arrivals
 from urv.controls import INPUT, PROTOCOL
 from urv.sticks import SILENT_S, Sticks
 

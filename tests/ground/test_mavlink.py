@@ -11,6 +11,7 @@ import signal
 import socket
 import subprocess
 import time
+from dataclasses import replace
 
 import pytest
 from conftest import TIME_LIMIT_S, URV
@@ -124,6 +125,16 @@ def client():
     made.close()
 
 
+class Clock:
+    """One that the test moves."""
+
+    def __init__(self):
+        self.now = 10.0
+
+    def __call__(self):
+        return self.now
+
+
 class Messages:
     """Stands for the network: what was sent, as pymavlink reads it."""
 
@@ -146,9 +157,33 @@ def sent():
     return Messages()
 
 
+class Timely(mavlink.Bridge):
+    """Each frame comes when it was made. A new run begins a second after the
+    one before, and with two frames: one alone shows nothing yet (GND-57)."""
+
+    def __init__(self, sender):
+        self.clock = Clock()
+        self.run = None
+        super().__init__(sender, self.clock)
+
+    def datagram(self, data):
+        frame = FramePacket.decode(data)
+        if frame.run != self.run:
+            first = self.run is None
+            self.run = frame.run
+            self.clock.now += 1.0
+            self.began = self.clock.now - frame.sequence * packets.FRAME_S
+            if not first:
+                super().datagram(data)
+                frame = replace(frame, sequence=frame.sequence + 1)
+        self.clock.now = max(self.clock.now, self.began
+                             + frame.sequence * packets.FRAME_S)
+        super().datagram(frame.encode())
+
+
 @pytest.fixture
 def bridge(sent):
-    return mavlink.Bridge(sent)
+    return Timely(sent)
 
 
 def value(row, name, group="gsc.downlink"):
@@ -478,10 +513,52 @@ def test_gnd41_what_nobody_knows_has_the_value_that_says_so(
             assert getattr(found[name], each) == value_of_it, (name, each)
 
 
-def test_gnd46_a_former_run_that_is_late_changes_nothing(rows, bridge, sent):
-    for sequence, run in ((500, 9), (0, 4), (501, 9), (1, 4)):
+def test_gnd46_a_former_run_that_is_late_changes_nothing(rows, sent):
+    clock = Clock()
+    bridge = mavlink.Bridge(sent, clock)
+    for now, sequence, run in (
+            (10.0, 500, 9), (10.02, 501, 9), (10.2, 0, 4), (10.22, 1, 4),
+            (10.23, 502, 9), (10.24, 2, 4)):
+        clock.now = now
         bridge.datagram(frame_of(rows[0], sequence, run=run).encode())
-    assert (bridge.frames, bridge.bad, bridge.missing) == (3, 1, 0)
+    # One packet of another run alone shows nothing yet.
+    assert (bridge.frames, bridge.bad, bridge.missing) == (4, 2, 0)
+
+
+ALIVE = {"ATTITUDE", "HEARTBEAT", "VFR_HUD", "SERVO_OUTPUT_RAW"}
+
+
+def test_gnd56_a_bridge_that_stood_still_sends_nothing_old_as_fresh(
+        rows, sent):
+    """Three seconds of frames wait for it, and come at once."""
+    clock = Clock()
+    bridge = mavlink.Bridge(sent, clock)
+    texts = []
+
+    def send(sequence):
+        bridge.datagram(frame_of(rows[0], sequence).encode())
+        messages = sent.take()
+        texts.extend(message.text for message in messages
+                     if message.get_type() == "STATUSTEXT")
+        return messages
+    for sequence in range(100):
+        clock.now += packets.FRAME_S
+        send(sequence)
+    clock.now += 3.0
+    kinds = set()
+    for sequence in range(100, 250):
+        late_s = (249 - sequence) * packets.FRAME_S
+        for message in send(sequence):
+            kind = message.get_type()
+            if late_s < 0.51:
+                kinds.add(kind)
+                continue
+            assert kind not in ALIVE, late_s
+            if kind == "SYS_STATUS":
+                assert message.voltage_battery == 65_535
+                assert message.onboard_control_sensors_health == 0
+    assert {"ATTITUDE", "VFR_HUD", "SERVO_OUTPUT_RAW"} <= kinds
+    assert texts == ["link heard", "frames 3.0 s late", "frames in time"]
 
 
 def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):
@@ -524,7 +601,7 @@ def test_gnd40_another_run_of_the_node_begins_anew(rows, bridge, sent):
         bridge.datagram(frame_of(rows[0], sequence).encode())
     sent.take()
     bridge.datagram(frame_of(rows[0], 0, run=2).encode())
-    assert [message.time_boot_ms for message in sent.take("ATTITUDE")] == [0]
+    assert [message.time_boot_ms for message in sent.take("ATTITUDE")] == [20]
     assert bridge.missing == 0
 
 

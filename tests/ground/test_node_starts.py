@@ -12,7 +12,7 @@ from urv import items, packets, view
 from urv.packets import (
     ConsoleState, FramePacket, LinkState, LogRow, Pilot)
 from urv.repeats import LONGEST_S, Repeats
-from urv.runs import SILENT_S, STRAYS, Runs
+from urv.runs import ALIVE_S, SILENT_S, STRAYS, Runs
 from urv.starts import COLD, ROUND, Flying, Start, Starts
 
 FLIES = {"gsc.downlink.airspeed": 70, "gsc.downlink.altitude": 1000}
@@ -317,19 +317,28 @@ def test_gnd46_within_a_run_the_sequence_number_is_the_order():
 def test_gnd46_late_packets_of_a_former_run_change_nothing():
     """D-37: it is taken up again when nothing else has come for a while."""
     runs = Runs()
-    assert runs.take(1, 100, 0.0)
-    assert runs.take(2, 0, 0.1)
-    assert not runs.take(1, 101, 0.2)
-    assert runs.take(2, 1, 0.3)
-    assert not runs.has_rival
-    # Two nodes that send at once: the later one is shown, the other reported.
+
+    def take(run, at_s, now=None):
+        """A packet that the run makes at that time."""
+        return runs.take(frame_of(round(at_s / packets.FRAME_S), run=run),
+                         at_s if now is None else now)
+    assert take(1, 2.0) and take(1, 2.02)
+    # Another ground: taken when the first has fallen silent.
+    assert not take(2, 2.04)
+    assert take(2, 2.04 + ALIVE_S) and runs.began
+    assert not take(1, 2.04, 2.2)
+    assert take(2, 2.22) and not runs.has_rival(2.22)
+    # Both go on to send: the present one is shown, the other reported.
     for step in range(STRAYS):
-        assert not runs.take(1, 102 + step, 0.31)
-    assert runs.has_rival
-    # It is taken up when the other has ended.
-    assert runs.take(1, 500, 0.3 + SILENT_S)
-    assert runs.began and not runs.has_rival
-    assert not runs.take(2, 2, 0.9)
+        now = 2.22 + (step + 1) * packets.FRAME_S
+        assert not take(1, now)
+        assert take(2, now) and not runs.began
+    assert runs.has_rival(now)
+    # It is taken up when the present one has ended.
+    assert not take(1, now + SILENT_S - 0.1)
+    assert take(1, now + SILENT_S + 0.02)
+    assert runs.began and not runs.has_rival(now + SILENT_S)
+    assert not take(2, now + 1.0)
 
 
 # A link whose blocks are refused, sensors that are old

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""GND-30: frames and events go to a Yamcs when it can keep them."""
+"""GND-30: frames and events go to a Yamcs when it can keep them. GND-57: an
+event that it does not take costs that event alone. GND-56: it is told what the
+clock of the frames shows."""
 
 import asyncio
+import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
+from datetime import datetime
 from types import SimpleNamespace
 
 import pytest
 from aiohttp import web
+from test_node_starts import frame_of
+from urv import packets
 from urv.archive import INSTANCE, LINK, Archive
 from urv.relay import Relay
 from urv.view import View
@@ -22,6 +28,7 @@ class Yamcs:
         self.state = "STARTING"
         self.asked = 0
         self.events = []
+        self.clocks = []
 
     async def answer(self, _):
         self.asked += 1
@@ -33,7 +40,15 @@ class Yamcs:
         return web.json_response({"dataInCount": "7"})
 
     async def take(self, request):
-        self.events.append((await request.json())["message"])
+        event = await request.json()
+        if event["message"].startswith("bad "):
+            return web.Response(status=int(event["message"][4:]))
+        datetime.fromisoformat(event["time"])
+        self.events.append(event["message"])
+        return web.json_response({})
+
+    async def set(self, request):
+        self.clocks.append((await request.json())["doubleValue"])
         return web.json_response({})
 
 
@@ -45,6 +60,9 @@ async def relaying():
     application.router.add_get(f"/api/instances/{INSTANCE}", yamcs.answer)
     application.router.add_get(f"/api/links/{INSTANCE}/{LINK}", yamcs.count)
     application.router.add_post(f"/api/archive/{INSTANCE}/events", yamcs.take)
+    application.router.add_put(
+        f"/api/processors/{INSTANCE}/realtime/parameters/URV/clock_ahead",
+        yamcs.set)
     runner = web.AppRunner(application)
     await runner.setup()
     site = web.TCPSite(runner, "127.0.0.1", 0)
@@ -133,5 +151,55 @@ def test_gnd30_events_wait_until_every_service_of_yamcs_runs(state):
                 await asyncio.sleep(0.1)
             assert yamcs.events == ["gear up"]
             assert controls.archive["text"] == "7 frames"
+            running.cancel()
+    in_time(work())
+
+
+def test_gnd57_an_event_that_yamcs_does_not_take_costs_itself():
+    """Whatever its status, and whatever time it has."""
+    async def work():
+        async with relaying() as (yamcs, archive, relay, _):
+            yamcs.state = "RUNNING"
+            controls = SimpleNamespace(archive=None)
+            view = View(archive.take)
+            for time_us in (-1, 0, packets.LATEST_US, 2**64 - 1, 10**30):
+                view.note("info", "mark", f"at {time_us}", time_us)
+                view.note("info", "mark", "bad 400")
+            view.note("info", "mark", "bad 500")
+            view.note("info", "mark", "the last")
+            running = asyncio.create_task(
+                archive.run(view, controls, relay))
+            while "the last" not in yamcs.events:
+                assert not running.done(), running.result()
+                await asyncio.sleep(0.1)
+            assert yamcs.events == [
+                *(f"at {time_us}" for time_us in (
+                    -1, 0, packets.LATEST_US, 2**64 - 1, 10**30)),
+                "the last"]
+            while (controls.archive or {}).get("text") != (
+                    "7 frames, 6 events lost"):
+                await asyncio.sleep(0.1)
+            running.cancel()
+    in_time(work())
+
+
+def test_gnd56_yamcs_is_told_the_clock_of_the_frames_once():
+    async def work():
+        async with relaying() as (yamcs, archive, relay, _):
+            yamcs.state = "RUNNING"
+            controls = SimpleNamespace(archive=None)
+            view = View(archive.take)
+            running = asyncio.create_task(
+                archive.run(view, controls, relay))
+            while controls.archive is None or controls.archive["lost"]:
+                await asyncio.sleep(0.1)
+            assert yamcs.clocks == [], "no frame has come"
+            view.datagram(frame_of(0, time_us=round(
+                1e6 * (time.time() + 3600.0))).encode())
+            asked = yamcs.asked
+            while yamcs.asked < asked + 4:
+                await asyncio.sleep(0.1)
+            [ahead_s] = yamcs.clocks
+            assert ahead_s == pytest.approx(-3600.0, abs=1.0)
             running.cancel()
     in_time(work())

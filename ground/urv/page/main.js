@@ -2,6 +2,7 @@
 // The page: hears the station, keeps the ages (GND-25), draws when there is
 // news.
 
+import { SenderClock } from "./ages.js";
 import { byId, html, put, say } from "./draw.js";
 import { Flight } from "./flight.js";
 import { Hands } from "./hands.js";
@@ -31,6 +32,9 @@ let hello = null;
 let there = false;
 let state = null;
 let came = 0;
+// How long the newest state had waited when it came (GND-56).
+let waited = 0;
+let clock = new SenderClock();
 let closed = performance.now();
 let drawing = false;
 let told = 0;
@@ -67,11 +71,13 @@ const acknowledge = (key) => send({ t: "seen", key });
 function connect() {
   socket = new WebSocket(`ws://${location.host}/ws`);
   sequence = 0;
+  clock = new SenderClock();
   socket.addEventListener("message", (event) => {
     const message = JSON.parse(event.data);
     if (message.t === "state") {
       state = message;
       came = performance.now();
+      waited = clock.age(message.sent_ms ?? came, came);
       hands.heard = came;
       left.push([came, message.left_out]);
       if (hello) draw_soon();
@@ -126,7 +132,7 @@ const aged = (age) =>
 
 function draw() {
   const now = performance.now();
-  const late = Math.max(0, now - came - BETWEEN);
+  const late = Math.max(0, now - came + waited - BETWEEN);
   const frame = state === null || state.age_ms === null ? null
     : Math.max(0, state.age_ms - 20) + late;
   const down = state === null || state.down_ms === null ? null
@@ -135,7 +141,7 @@ function draw() {
   body.dataset.station = there ? "there" : "lost";
   body.dataset.frame = there ? aged(frame) : "lost";
   body.dataset.down = there ? aged(frame === null ? null : down) : "lost";
-  show_lost(now, frame, down);
+  show_lost(now, frame, down, late);
   show_slow();
   if (state === null || state.values === undefined || hello === null) return;
   const value = {};
@@ -158,7 +164,7 @@ function draw() {
   body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
 }
 
-function show_lost(now, frame, down) {
+function show_lost(now, frame, down, late) {
   let what = "";
   let why = "";
   let age = null;
@@ -169,6 +175,9 @@ function show_lost(now, frame, down) {
     age = now - closed;
   } else if (frame === null) {
     what = "NO FRAMES YET";
+  } else if (frame >= LOST && state.silent_ms + late < LOST) {
+    what = "FRAMES LATE";
+    why = `by ${(frame / 1000).toFixed(1)} s`;
   } else if (frame >= LOST) {
     what = "NO FRAMES";
     age = frame;
@@ -276,13 +285,26 @@ function flies(silent) {
     return ["warning", "\u25b2 not known", "\u25b2 who flies is not known"];
   }
   const mine = state.holder === hello.console;
-  if (state.pilot === "flies") return ["", "sim pilot", "simulated pilot flies"];
-  if (state.holder !== null && state.live) {
-    return mine ? ["mine", "YOU", `YOU fly (console ${hello.console})`]
-      : ["", `console ${state.holder}`, `console ${state.holder} flies`];
+  const holder = state.holder === null ? "nobody"
+    : mine ? "you" : `console ${state.holder}`;
+  const sends = state.holder !== null && state.live;
+  // The node's answer counts, not what this station sends (GND-58).
+  if (state.flies === "pilot") return ["", "sim pilot", "simulated pilot flies"];
+  if (state.flies === "other") {
+    return sends ? ["warning", "\u25b2 other station",
+      `\u25b2 ANOTHER STATION flies, ${holder} REFUSED`]
+      : ["", "other station", "another station flies"];
   }
-  const holds = state.holder === null ? "nobody"
-    : mine ? "you, not live" : `console ${state.holder}, not live`;
+  if (state.sticks_refused) {
+    return ["warning", `\u25b2 ${holder}: REFUSED`,
+      `\u25b2 ${holder}: sticks REFUSED by the ground's node`];
+  }
+  if (sends && state.flies === "us") {
+    return mine ? ["mine", "YOU", `YOU fly (console ${hello.console})`]
+      : ["", holder, `${holder} flies`];
+  }
+  const holds = state.holder === null ? holder
+    : `${holder}, not ${sends ? "flown" : "live"}`;
   const by = { held: ["warning", `\u25b2 ${holds}: HELD`,
     `\u25b2 ${holds}: console lost, sticks HELD`],
   neutral: ["warning", `\u25b2 ${holds}: NEUTRAL`,

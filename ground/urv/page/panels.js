@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cautions and warnings, the log, the marks. What came from outside is put
-// in as text only (GND-27).
+// in as text only (GND-27). A row that has a bad time costs nothing (GND-57).
 
 import { byId, html, say } from "./draw.js";
 
 const SHAPE = { warning: "\u25b2", caution: "\u25c6" };
 const LINES = 200;
 
-const clock = (time_us) =>
-  new Date(time_us / 1000).toISOString().slice(11, 19);
+// Any number: a time that no calendar has must not cost the other rows.
+const clock = (time_us) => {
+  const at = new Date(time_us / 1000);
+  return Number.isNaN(at.getTime()) ? "--:--:--"
+    : at.toISOString().slice(-13, -5);
+};
 
 export function showAlerts(alerts, acknowledge) {
   const unseen = alerts.filter((alert) => !alert.seen);
