@@ -14,6 +14,7 @@ import socket
 import sys
 import threading
 import time
+from collections import deque
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "ground"))
@@ -44,7 +45,8 @@ def laws_row(*words):
 class FakeNode(threading.Thread):
     """words replaces words of the record, cut stops the downlink, silent all
     packets; laws are words of the laws' row; refuses is why orders are refused,
-    None when they are lost; speed 0 stands still at a row. sent is the newest packet."""
+    None when they are lost; speed 0 stands still at a row. A packet leaves late_s
+    after it was made. sent is the newest packet."""
 
     def __init__(self, record, to, console_port=0, row=0, pilot=False):
         super().__init__(daemon=True)
@@ -55,6 +57,8 @@ class FakeNode(threading.Thread):
         self.cut = self.silent = False
         self.speed = 1
         self.clock_us = 0
+        self.late_s = 0.0
+        self._waiting = deque()
         self.logs = [list(NO_LOG), list(NO_LOG)]
         self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
         self.laws = ()
@@ -179,7 +183,10 @@ class FakeNode(threading.Thread):
                 self.sent = self.frame()
                 self.history.append(self.sent)
                 del self.history[:-500]
-                self.socket.sendto(self.sent.encode(), self.to)
+                self._waiting.append((self._due, self.sent.encode()))
+                while (self._waiting and self._waiting[0][0] + self.late_s
+                       <= self._due):
+                    self.socket.sendto(self._waiting.popleft()[1], self.to)
             self.sequence += 1
             self.row = (self.row + self.speed) % len(self.rows)
             self._due += packets.FRAME_S

@@ -337,21 +337,28 @@ def test_gnd32_the_display_shows_what_there_is():
 @needs_yamcs
 def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
         tmp_path, standard):
-    """Its clock is an hour behind that of the run before."""
+    """Its clock is an hour behind that of the run before. GND-56: Yamcs knows
+    how old its frames are all the same."""
     folder = tmp_path / "flight"
     folder.mkdir()
     flight = module.Flight(folder, free_ports(5)[0], *free_ports(2))
     url = f"http://127.0.0.1:{flight.yamcs_port}"
 
-    def sequence():
+    def shown(name, kind):
         """What Yamcs shows."""
         try:
             with urllib.request.urlopen(
                     f"{url}/api/processors/urv/realtime/parameters/URV/"
-                    "sequence", timeout=PATIENCE_S) as answer:
-                return json.load(answer)["engValue"]["uint32Value"]
+                    f"{name}", timeout=PATIENCE_S) as answer:
+                return json.load(answer)["engValue"][kind]
         except (OSError, KeyError):
             return None
+
+    def sequence():
+        return shown("sequence", "uint32Value")
+
+    def frames():
+        return shown("frames", "stringValue")
 
     before = {number: signal.getsignal(number)
               for number in (signal.SIGINT, signal.SIGTERM)}
@@ -373,9 +380,19 @@ def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
             node.sequence = 0
             until(lambda: (sequence() or 10**6) < 10**6, "the new run",
                   PATIENCE_S, pause=0.5)
-            shown = sequence()
-            until(lambda: shown < (sequence() or 0) < 10**6, "its frames",
+            seen = sequence()
+            until(lambda: seen < (sequence() or 0) < 10**6, "its frames",
                   PATIENCE_S, pause=0.5)
+            until(lambda: frames() == "coming", "its clock", PATIENCE_S)
+            # They come, but three seconds after they were made.
+            node.late_s = 3.0
+            until(lambda: frames() == "MISSING", "no frames", PATIENCE_S)
+            seen = sequence()
+            until(lambda: seen + 200 < (sequence() or 0) < 10**6, "old ones",
+                  PATIENCE_S, pause=0.5)
+            assert frames() == "MISSING"
+            node.late_s = 0.0
+            until(lambda: frames() == "coming", "new ones", PATIENCE_S)
     finally:
         flight.end()
         for number, handler in before.items():
