@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # bin/urv, a link to this: the ground station's commands, run by the Python of
-# .venv. scripts/setup.sh makes both.
+# .venv. scripts/setup.sh makes both. Python's -I keeps the current folder and
+# PYTHONPATH out of where it looks for modules (SEC-10).
 
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd) || exit 1
 if [ ! -x "$root/.venv/bin/python" ]; then
    echo "urv: there is no .venv; scripts/setup.sh ground makes it" >&2
    exit 1
 fi
-PYTHONPATH=$root/ground${PYTHONPATH:+:$PYTHONPATH}
-export PYTHONPATH
-exec "$root/.venv/bin/python" -B -m urv "$@"
+exec "$root/.venv/bin/python" -I -B "$root/ground/urv/__main__.py" "$@"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What travels to a worker, and what it does there (SIM-6).
+"""What travels to a worker, and what it does there (SIM-6, SEC-10).
 
 A worker has Python and the packages of ground/campaign-requirements.txt and
 sim/jsbsim/requirements.txt, and nothing of this repository. The files travel
@@ -77,7 +77,8 @@ class Cargo:
 
     def must_do(self):
         """Whether this worker has what the work needs."""
-        wanted = [([sys.executable, "-c", f"import {name}"],
+        # Without -P it would look in the folder where the worker was started.
+        wanted = [([sys.executable, "-P", "-c", f"import {name}"],
                    f"the Python module {name}") for name in self.modules]
         if self.program:
             wanted.append(([str(self.folder / self.program), "--version"],

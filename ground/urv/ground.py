@@ -14,7 +14,6 @@ import ctypes
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -26,7 +25,7 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, packets, processes
+from urv import faults, packets, processes, programs
 from urv.alerts import CAUTION, WARNING
 from urv.processes import Report
 
@@ -115,7 +114,7 @@ def ground(
         if not (ROOT / "bin" / program).exists():
             raise faults.Refused(f"bin/{program} is not built; make ground"
                                  " builds it")
-    if yamcs and not (shutil.which("java") and JARS.is_dir()):
+    if yamcs and not (programs.found("java") and JARS.is_dir()):
         raise faults.Refused(
             "there is no Yamcs; scripts/setup.sh ground gets it, --no-yamcs"
             " goes without")
@@ -190,7 +189,7 @@ class Flight:
               seconds: float | None) -> None:
         here = "127.0.0.1"
         archive = f"http://{here}:{self.yamcs_port}"
-        station = [sys.executable, "-B", "-m", "urv", "station",
+        station = [*programs.URV, "station",
                    "--port", self.page_port,
                    "--frames", f"udp:{here}:{self.frames}",
                    "--console", f"udp:{here}:{self.console}",
@@ -252,8 +251,8 @@ class Flight:
             text = text.replace("port: 6005", f"port: {self.relay}")
             (self.folder / "etc" / source.name).write_text(text, "utf-8")
         # A small machine has other things to do than to compile well.
-        self.run("yamcs", "java", "-Xmx512m", "-XX:+UseSerialGC",
-                 "-XX:TieredStopAtLevel=1", "-cp", f"{JARS}/*",
+        self.run("yamcs", programs.found("java"), "-Xmx512m",
+                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", f"{JARS}/*",
                  "org.yamcs.YamcsServer", "--no-color", "--log", "1",
                  "--etc-dir", self.folder / "etc",
                  "--data-dir", self.folder / "yamcs-data", later=LATER_BY)
@@ -278,9 +277,7 @@ class Flight:
             # A Ctrl-C at the terminal is for this program alone: it ends the
             # others in their order.
             start_new_session=True, preexec_fn=become, text=True,
-            env=os.environ | {
-                "PYTHONPATH": str(ROOT / "ground"),
-                "URV_PYTHON": sys.executable})
+            env=os.environ | {"URV_PYTHON": sys.executable})
         log.close()
         self.groups.append(self.running[name].pid)
 
@@ -290,7 +287,7 @@ class Flight:
 
     def start_mavlink(self, to: str) -> str:
         """Where it takes frames."""
-        self.run("mavlink", sys.executable, "-B", "-m", "urv", "mavlink",
+        self.run("mavlink", *programs.URV, "mavlink",
                  "--listen", "udp:127.0.0.1:0", "--to", to, tells=True)
         return self.await_line("mavlink", "mavlink: from ").split()[2]
 

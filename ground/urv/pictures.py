@@ -8,17 +8,15 @@ display in Yamcs. Then the report of the standard flight.
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
 import typer
 
-from urv import faults
+from urv import faults, programs
 
 ROOT = Path(__file__).resolve().parents[2]
 SIZE = {"width": 1280, "height": 800}
@@ -36,7 +34,7 @@ def pictures(
         help="Where console.png, yamcs.png and report.png go."),
 ):
     """Make the pictures of README: page, display in Yamcs, report."""
-    chromium = os.environ.get("URV_CHROMIUM") or shutil.which("chromium")
+    chromium = os.environ.get("URV_CHROMIUM") or programs.found("chromium")
     if chromium is None:
         raise faults.Refused("there is no Chromium: scripts/setup.sh test"
                              " installs it")
@@ -70,8 +68,8 @@ def _fly(browser, work: Path, folder: Path) -> None:
     log = work / "ground.log"
     with log.open("w", encoding="utf-8") as out:
         flight = subprocess.Popen(
-            [sys.executable, "-B", "-m", "urv", "ground", "--laws", "on",
-             "--folder", work / "flight"], stdin=subprocess.DEVNULL, stdout=out,
+            [*programs.URV, "ground", "--laws", "on", "--folder",
+             work / "flight"], stdin=subprocess.DEVNULL, stdout=out,
             stderr=out)
     try:
         text = _wait_for(log, flight, "live after")
@@ -113,8 +111,8 @@ def _report(browser, work: Path, folder: Path) -> None:
              "standard", "--quiet", "--record", work / "record.csv",
              "--summary", work / "summary.json", "--events",
              work / "events.jsonl"],
-            [sys.executable, "-B", "-m", "urv", "report",
-             work / "record.csv", "--summary", work / "summary.json",
+            [*programs.URV, "report", work / "record.csv",
+             "--summary", work / "summary.json",
              "--events", work / "events.jsonl", "-o", report]):
         if subprocess.run(command, cwd=ROOT, check=False).returncode != 0:
             raise faults.Failed(f"{Path(command[0]).name} has failed")

@@ -7,7 +7,6 @@ import random
 import re
 import signal
 import socket
-import sys
 import time
 import urllib.request
 from pathlib import Path
@@ -18,7 +17,7 @@ from flight_rig import Archive, Ground, needs_yamcs
 from ports import free_ports
 from station_rig import PATIENCE_S, Console, until
 
-from urv import display, faults, ground as module, packets
+from urv import display, faults, ground as module, packets, programs
 from urv.ground import NODES, PASSED_ON
 
 
@@ -363,7 +362,7 @@ def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
     before = {number: signal.getsignal(number)
               for number in (signal.SIGINT, signal.SIGTERM)}
     try:
-        flight.run("station", sys.executable, "-B", "-m", "urv", "station",
+        flight.run("station", *programs.URV, "station",
                    "--port", flight.page_port,
                    "--frames", f"udp:127.0.0.1:{flight.frames}",
                    "--relay", f"tcp:127.0.0.1:{flight.relay}",
