@@ -48,8 +48,8 @@ SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
         "safety_mixes", "starts", "surfaces", "traceability", "truth")
 
 # The files of tests of the ground station in which time passes as it does.
-LIVE = ("arrivals", "console_losses", "gamepads", "ground", "mavlink", "page",
-        "station")
+LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
+        "page", "station")
 
 # So many tests in which time passes as it does run at once, of any file. They
 # wait more than they work: two processors have time for more of them, and who

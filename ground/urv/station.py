@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv station: the pilot's and the engineer's page (GND-20, GND-24,
-GND-57)."""
+GND-57, SEC-11)."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import socket
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import quote
 
 import typer
 
@@ -72,6 +73,9 @@ def station(
         token = secrets.token_urlsafe(16)
     if token is not None and len(token) < 8:
         raise faults.Refused("--token: shorter than 8 characters")
+    if token is not None and not (token.isascii() and token.isprintable()):
+        raise faults.Refused("--token: a word of printable ASCII characters"
+                             " is needed")
     if yamcs is not None and not yamcs.startswith("http://"):
         raise faults.Refused(
             f"--yamcs {faults.quoted(yamcs)}: not http://HOST:PORT")
@@ -203,12 +207,12 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
 
     controls = Controls(view, None if sender is None else send)
     page = web.Station(controls, token)
-    runner = http.AppRunner(page.application, access_log=None,
-                            logger=web.LOG,
-                            keepalive_timeout=5.0, lingering_time=1.0,
+    options = {"access_log": None, "logger": web.LOG,
+               "keepalive_timeout": 5.0, "lingering_time": 1.0}
+    runner = http.AppRunner(page.application, **options,
                             handler_cancellation=True, shutdown_timeout=1.0)
     await runner.setup()
-    page.door = web.Door(runner.server)
+    page.door = web.Door(runner.server, **options)
     pushed = 0.0
     keeps = None
     if fetched is not None:
@@ -238,10 +242,12 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     if token is None:
         print(f"station: {told_at}", flush=True)
     else:
-        print(f"station: {told_at}?token={token}", flush=True)
+        print(f"station: {told_at}?token={quote(token, safe='')}", flush=True)
         if not web.is_loopback(listen):
-            print(f"station: other machines reach it at {listen}; what goes"
-                  " over the network can be read there", flush=True)
+            print(f"station: other machines reach it at {listen}, over plain"
+                  " HTTP: a listener on the network can read the token, take"
+                  " the sticks and fly; a tunnel (SSH, WireGuard) keeps"
+                  " listeners out", flush=True)
     if only is None and not web.is_loopback(frames[0]):
         print(f"station: any machine that reaches udp:{frames[0]} can send"
               " frames, and the page shows them; --sender ADDRESS takes"

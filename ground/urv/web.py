@@ -3,13 +3,12 @@
 
 Nothing outside is trusted: a foreign origin is refused (GND-23), sizes and
 rates have limits, and a slow or silent client is dropped, never waited for
-(GND-24). What is typed is made one plain line (GND-27).
+(GND-24, SEC-11). What is typed is made one plain line (GND-27).
 """
 
 from __future__ import annotations
 
 import asyncio
-import hmac
 import ipaddress
 import json
 import logging
@@ -27,14 +26,17 @@ from aiohttp.http_exceptions import HttpProcessingError
 from urv import items, packets
 from urv.arrivals import Arrivals
 from urv.controls import GAMEPAD, Controls
+from urv.door import Door, Token, address_of
 
 PAGE = Path(__file__).resolve().parent / "page"
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript",
          ".svg": "image/svg+xml"}
 COOKIE = "urv_token"
 
-MOST_CONNECTIONS = 64
 MOST_PAGES = 16
+QUIET_S = 5.0
+"""A page that has said nothing for so long gives its place to another one that
+opens. The one that holds the sticks never does."""
 LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
 MESSAGES_A_SECOND = 150.0
@@ -42,9 +44,6 @@ MOST_BAD_MESSAGES = 20
 LARGEST_SEQUENCE = 2**53
 LARGEST_TIME_MS = 1e13
 LONGEST_NAME = 200
-PATIENCE_S = 10.0
-"""A client that has not asked for anything by then, or does not take its
-answer, is dropped."""
 SLOW_S = 2.0
 """A page that does not take its state is dropped."""
 UNDRAWN = 2
@@ -109,55 +108,6 @@ def is_loopback(address: str) -> bool:
         return False
 
 
-class Door:
-    """Makes a connection's protocol, and shuts those that hang about.
-
-    A request is answered and its connection closed within PATIENCE_S; only a
-    WebSocket stays longer.
-    """
-
-    def __init__(self, server: web.Server) -> None:
-        self._server = server
-        self._coming: set[Any] = set()
-        self._since: dict[Any, float] = {}
-
-    def __call__(self) -> asyncio.BaseProtocol:
-        loop = asyncio.get_running_loop()
-        self.look(loop.time())
-        if len(self._coming) + len(self._since) >= MOST_CONNECTIONS:
-            return Refusal()
-        protocol = self._server()
-        self._coming.add(protocol)
-        # The transport is made in the loop's next turn.
-        loop.call_soon(loop.call_soon, self._has_come, protocol)
-        return protocol
-
-    def _has_come(self, protocol: Any) -> None:
-        self._coming.discard(protocol)
-        self._since[protocol] = asyncio.get_running_loop().time()
-
-    def stays(self, protocol: Any) -> None:
-        """It has become a WebSocket, which has limits of its own."""
-        self._since.pop(protocol, None)
-
-    def look(self, now: float) -> None:
-        """Forgets what has ended, and shuts what has been open for too
-        long."""
-        for protocol, since in list(self._since.items()):
-            if protocol.transport is None:
-                del self._since[protocol]
-            elif now - since > PATIENCE_S:
-                protocol.transport.abort()
-                del self._since[protocol]
-
-
-class Refusal(asyncio.Protocol):
-    """One connection too many."""
-
-    def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        transport.abort()  # type: ignore[attr-defined]
-
-
 class Page:
     """One page that is open: a console, with its number."""
 
@@ -173,6 +123,7 @@ class Page:
         self.wake = asyncio.Event()
         self.credit = 2 * MESSAGES_A_SECOND
         self.filled = 0.0
+        self.heard = 0.0
         self.bad = 0
         self.arrivals = Arrivals()
 
@@ -195,9 +146,10 @@ class Station:
 
     def __init__(self, controls: Controls, token: str | None = None) -> None:
         self.controls = controls
-        self.token = token
+        self.token = None if token is None else Token(token)
         self.door: Door | None = None
         self.pages: dict[int, Page] = {}
+        self._dropping: set[asyncio.Task[None]] = set()
         self._numbers = 0
         self.application = web.Application(
             middlewares=[self._guard], client_max_size=1)
@@ -216,9 +168,11 @@ class Station:
             self.controls.refused += 1
             answer: web.StreamResponse = web.Response(
                 status=403, text=f"refused: {refused}\n")
-        elif not self._has_token(request):
-            answer = self._welcome(request)
+        elif (stranger := self._stranger(request)) is not None:
+            answer = stranger
         else:
+            if self.door is not None:
+                self.door.knows(request.protocol)
             try:
                 answer = await handler(request)
             except web.HTTPException as error:
@@ -243,29 +197,38 @@ class Station:
             return "asked for by a foreign page"
         return None
 
-    def _has_token(self, request: web.Request) -> bool:
-        if self.token is None:
-            return True
-        given = request.cookies.get(COOKIE, "")
-        bearer = request.headers.get("Authorization", "")
-        return (hmac.compare_digest(given.encode(), self.token.encode())
-                or hmac.compare_digest(
-                    bearer.encode(), f"Bearer {self.token}".encode()))
-
-    def _welcome(self, request: web.Request) -> web.Response:
-        """Takes the token from the address into a cookie."""
-        given = request.query.get("token", "")
-        if (self.token is None or request.path != "/"
-                or not hmac.compare_digest(given.encode(),
-                                           self.token.encode())):
+    def _stranger(self, request: web.Request) -> web.Response | None:
+        """The answer to a request without the token, or None. The token in
+        the page's address goes into a cookie."""
+        token = self.token
+        if token is None:
+            return None
+        cookie = request.cookies.get(COOKIE, "")
+        if token.is_session(cookie):
+            return None
+        now = asyncio.get_running_loop().time()
+        address = address_of(request.remote)
+        if not token.may_try(address, now):
             self.controls.refused += 1
             return web.Response(
-                status=401, text="a token is needed: open the address that"
-                " the station printed\n")
-        answer = web.Response(status=303, headers={"Location": "/"})
-        answer.set_cookie(COOKIE, self.token, httponly=True,
-                          samesite="Strict")
-        return answer
+                status=429, headers={"Retry-After": "1"},
+                text="too many requests without the token\n")
+        kind, _, bearer = request.headers.get(
+            "Authorization", "").partition(" ")
+        if token.is_token(cookie) or (kind == "Bearer"
+                                      and token.is_token(bearer)):
+            return None
+        if request.path == "/" and token.is_token(
+                request.query.get("token", "")):
+            answer = web.Response(status=303, headers={"Location": "/"})
+            answer.set_cookie(COOKIE, token.session, httponly=True,
+                              samesite="Strict")
+            return answer
+        token.failed(address, now)
+        self.controls.refused += 1
+        return web.Response(
+            status=401, text="a token is needed: open the address that the"
+            " station printed\n")
 
     async def _index(self, _request: web.Request) -> web.StreamResponse:
         return self._read("index.html")
@@ -292,26 +255,40 @@ class Station:
     # WebSocket
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        if len(self.pages) >= MOST_PAGES:
+        now = asyncio.get_running_loop().time()
+        if len(self.pages) >= MOST_PAGES and not self._drop_a_quiet_page(now):
             raise web.HTTPServiceUnavailable
         answer = web.WebSocketResponse(
             max_msg_size=LONGEST_MESSAGE, heartbeat=4.0, compress=False)
         await answer.prepare(request)
         if self.door is not None:
-            self.door.stays(request.protocol)
+            self.door.leaves(request.protocol)
         self._numbers += 1
         page = Page(self._numbers, answer)
-        page.filled = asyncio.get_running_loop().time()
+        page.filled = page.heard = now
         self.pages[page.number] = page
         self.controls.view.note("info", "console", f"console {page.number} opened")
         writer = asyncio.create_task(self._write(page, request))
         try:
             await self._listen(page)
         finally:
-            del self.pages[page.number]
+            self.pages.pop(page.number, None)
             self.controls.gone(page.number)
             writer.cancel()
         return answer
+
+    def _drop_a_quiet_page(self, now: float) -> bool:
+        """Makes a place for another page, if one was silent for QUIET_S."""
+        quiet = min((page for page in self.pages.values()
+                     if page.number != self.controls.sticks.holder),
+                    key=lambda page: page.heard, default=None)
+        if quiet is None or now - quiet.heard < QUIET_S:
+            return False
+        del self.pages[quiet.number]
+        self._dropping.add(dropping := asyncio.create_task(
+            self._drop(quiet, "silent, and another page opens")))
+        dropping.add_done_callback(self._dropping.discard)
+        return True
 
     async def _listen(self, page: Page) -> None:
         loop = asyncio.get_running_loop()
@@ -330,7 +307,8 @@ class Station:
                     await self._drop(page, "messages nobody understands")
                     return
             else:
-                self._hears(page, said, loop.time())
+                page.heard = loop.time()
+                self._hears(page, said, page.heard)
 
     def _hears(self, page: Page, said: dict[str, Any], now: float) -> None:
         """Only messages with a new number count, and each has an age

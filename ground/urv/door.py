@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Who comes in at the station's page, and for how long (GND-24, SEC-11).
+
+A connection waits until its first request has been authenticated: with the
+token where one is demanded, else by Host and Origin. Waiting connections have
+few places, each address a part of them, and little time. So strangers hold no
+place of a pilot's.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import hmac
+import ipaddress
+from collections import Counter
+from typing import Any
+
+from aiohttp import web
+
+MOST_WAITING = 48
+"""Connections that wait, of all addresses."""
+MOST_OF_ADDRESS = 16
+"""Connections that wait, of one address. Browsers open six."""
+MOST_KNOWN = 64
+"""Connections with a request that was authenticated."""
+WAITS_S = 3.0
+"""A connection that has not been authenticated by then is shut."""
+PATIENCE_S = 10.0
+"""So is one whose answer has not been taken by then, counted from its
+beginning."""
+
+BURST = 20
+"""Requests without the token of an address at once."""
+TRIES_A_SECOND = 1.0
+"""And later."""
+MOST_ADDRESSES = 1024
+LONGEST_ERROR = 200
+
+
+def address_of(host: str | None) -> str:
+    """Whose a connection is: an IPv4 address, or a network of IPv6, which is
+    given to one subscriber."""
+    try:
+        address = ipaddress.ip_address((host or "").partition("%")[0])
+    except ValueError:
+        return ""
+    if isinstance(address, ipaddress.IPv6Address):
+        if address.ipv4_mapped is not None:
+            return str(address.ipv4_mapped)
+        return str(ipaddress.ip_network((address, 64), strict=False))
+    return str(address)
+
+
+class Visitor(web.RequestHandler):
+    """A connection. A request that makes no sense is answered in a line."""
+
+    __slots__ = ("door", "address")
+
+    def __init__(self, door: Door, *arguments: Any, **more: Any) -> None:
+        super().__init__(*arguments, **more)
+        self.door = door
+        self.address = ""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        super().connection_made(transport)
+        peer = transport.get_extra_info("peername")
+        self.address = address_of(peer[0] if peer else None)
+        self.door.enters(self)
+
+    def connection_lost(self, exc: BaseException | None) -> None:
+        self.door.leaves(self)
+        super().connection_lost(exc)
+
+    def handle_error(self, request: Any, status: int = 500,
+                     exc: BaseException | None = None,
+                     message: str | None = None) -> web.StreamResponse:
+        answer = super().handle_error(request, status, exc, message)
+        if isinstance(answer, web.Response):
+            said = " ".join((answer.text or "").split())[:LONGEST_ERROR]
+            answer.text = "".join(
+                letter if letter.isprintable() else "?"
+                for letter in said) + "\n"
+        return answer
+
+
+class Door:
+    """Makes a connection's protocol, and shuts those that hang about.
+
+    A request is answered and its connection closed within PATIENCE_S; only a
+    WebSocket stays longer, which has limits of its own.
+    """
+
+    def __init__(self, server: web.Server, **options: Any) -> None:
+        """The options are those of the server's connections."""
+        self._server, self._options = server, options
+        # The oldest comes first.
+        self._waiting: dict[Visitor, float] = {}
+        self._known: dict[Visitor, float] = {}
+
+    def __call__(self) -> asyncio.BaseProtocol:
+        return Visitor(self, self._server, loop=asyncio.get_running_loop(),
+                       **self._options)
+
+    def enters(self, visitor: Visitor) -> None:
+        """It waits. Where there is no place, the oldest of its address goes,
+        or of the address that has most."""
+        address = visitor.address
+        counts = Counter(each.address for each in self._waiting)
+        if counts[address] < MOST_OF_ADDRESS:
+            address = (counts.most_common(1)[0][0]
+                       if len(self._waiting) >= MOST_WAITING else None)
+        if address is not None:
+            self._shut(next(each for each in self._waiting
+                            if each.address == address))
+        self._waiting[visitor] = asyncio.get_running_loop().time()
+
+    def knows(self, visitor: Any) -> None:
+        """Its request has been authenticated."""
+        since = self._waiting.pop(visitor, None)
+        if since is not None:
+            if len(self._known) >= MOST_KNOWN:
+                self._shut(next(iter(self._known)))
+            self._known[visitor] = since
+
+    def leaves(self, visitor: Any) -> None:
+        """It has ended, or has become a WebSocket."""
+        self._waiting.pop(visitor, None)
+        self._known.pop(visitor, None)
+
+    def look(self, now: float) -> None:
+        """Shuts what has been open for too long."""
+        for group, most_s in ((self._waiting, WAITS_S),
+                              (self._known, PATIENCE_S)):
+            for visitor in [visitor for visitor, since in group.items()
+                            if now - since > most_s]:
+                self._shut(visitor)
+
+    def _shut(self, visitor: Visitor) -> None:
+        self.leaves(visitor)
+        if visitor.transport is not None:
+            visitor.transport.abort()
+
+
+class Token:
+    """What a page has to show, and how often an address may try.
+
+    The token itself is looked at only while its address has tries left. A
+    browser then shows a word that is slow to reckon from the token, so that
+    pages which are in stay in, whatever a stranger with their address does.
+    """
+
+    def __init__(self, token: str) -> None:
+        self._token = token.encode()
+        self.session = hashlib.scrypt(
+            self._token, salt=b"urv: a page of the station",
+            n=2**14, r=8, p=1).hex()
+        # Of an address: tries that it has left, and when that was so.
+        self._tries: dict[str, tuple[float, float]] = {}
+
+    def is_session(self, word: str) -> bool:
+        """Whether this is what a browser was given."""
+        return hmac.compare_digest(octets(word), self.session.encode())
+
+    def is_token(self, word: str) -> bool:
+        """Whether this is the token. may_try must have been asked before."""
+        return hmac.compare_digest(octets(word), self._token)
+
+    def may_try(self, address: str, now: float) -> bool:
+        """Whether the address has a try left."""
+        return self._left(address, now) >= 1
+
+    def failed(self, address: str, now: float) -> None:
+        """A try that was none of the token."""
+        left = self._left(address, now) - 1
+        self._tries.pop(address, None)
+        if len(self._tries) >= MOST_ADDRESSES:
+            del self._tries[next(iter(self._tries))]
+        self._tries[address] = (left, now)
+
+    def _left(self, address: str, now: float) -> float:
+        left, then = self._tries.get(address, (BURST, now))
+        return min(BURST, left + (now - then) * TRIES_A_SECOND)
+
+
+def octets(text: str) -> bytes:
+    """What came, of which not all need be characters."""
+    return text.encode("utf-8", "surrogateescape")
