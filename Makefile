@@ -155,20 +155,23 @@ size:
 	@scripts/setup.sh size
 	@python3 scripts/node_size.py
 
-# SCHEDULER: of Dask, whose workers fly instead of processes here.
+# SCHEDULER: of Dask, whose workers fly instead of processes here, with the
+# CERTIFICATES of a folder.
 # FORMAT: of the messages; 2 is sealed. ONLY=single,soak: of the cases.
 CAMPAIGN := short
 FORMAT   := 1
 ONLY     :=
 JOBS     :=
 SCHEDULER :=
+CERTIFICATES :=
 campaign:
 	@scripts/setup.sh campaign
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@.venv/bin/python scripts/campaign/run.py $(CAMPAIGN) \
 	   --format $(FORMAT) $(if $(ONLY),--only $(ONLY)) \
 	   $(if $(JOBS),--jobs $(JOBS)) \
-	   $(if $(SCHEDULER),--scheduler $(SCHEDULER))
+	   $(if $(SCHEDULER),--scheduler $(SCHEDULER)) \
+	   $(if $(CERTIFICATES),--certificates $(CERTIFICATES))
 
 trials:
 	@scripts/setup.sh ground

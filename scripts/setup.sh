@@ -43,19 +43,19 @@ case $target in
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt" ;;
    ground)
-          packages="$build python3 python3-venv $more"
+          packages="$build openssl python3 python3-venv $more"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
                         ground/campaign-requirements.txt" ;;
    monte_carlo)
-          packages="$build python3 python3-venv"
+          packages="$build openssl python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
                         ground/campaign-requirements.txt" ;;
    test | check)
-          packages="$build $aunit afl++ binutils gcc python3
+          packages="$build $aunit afl++ binutils gcc openssl python3
                     python3-venv socat"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
                         scripts/trace/requirements.txt
@@ -83,7 +83,7 @@ case $target in
           requirements="sim/jsbsim/requirements.txt
                         scripts/laws/requirements.txt" ;;
    campaign)
-          packages="$build python3 python3-venv"
+          packages="$build openssl python3 python3-venv"
           requirements="ground/report-requirements.txt
                         ground/campaign-requirements.txt" ;;
    real_time)

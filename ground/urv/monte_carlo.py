@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv monte-carlo: flights by the thousand, each from its seed (SIM-6)."""
+"""bin/urv monte-carlo: flights by the thousand, each from its seed (SIM-6,
+SEC-12)."""
 
 import shlex
 import subprocess
@@ -10,7 +11,7 @@ from typing import Annotated, Optional
 
 import typer
 
-from urv import faults
+from urv import certificates as secured, faults
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -54,8 +55,14 @@ def monte_carlo(
         min=0, max=100, metavar="PERCENT",
         help="In so many flights of a hundred the console is lost.")] = 0,
     scheduler: Annotated[Optional[str], typer.Option(
-        metavar="ADDRESS", help="Dask's scheduler, tcp://HOST:PORT; else"
+        metavar="ADDRESS", help="Dask's scheduler, tls://HOST:PORT; else"
         " workers here.")] = None,
+    certificates: Annotated[Optional[Path], typer.Option(
+        metavar="FOLDER", help="ca.pem, cert.pem and key.pem for"
+        " --scheduler.")] = None,
+    insecure: Annotated[bool, typer.Option(
+        "--insecure", help="Go without certificates: whoever can reach the"
+        " scheduler can run code here.")] = False,
     workers: Annotated[Optional[int], typer.Option(
         min=1, max=1024, metavar="N",
         help="Workers here; else one for each processor.")] = None,
@@ -73,6 +80,7 @@ def monte_carlo(
     if scheduler is not None and workers is not None:
         raise faults.Refused("--workers are workers here, and do not go"
                              " together with --scheduler")
+    security = secured.of(scheduler, certificates, insecure)
     if (count is None) == (again is None):
         raise faults.Refused("either --flights or --again is needed, and"
                              " not both")
@@ -86,6 +94,7 @@ def monte_carlo(
     campaign = SimpleNamespace(
         pilot=pilot, seconds=length, first=first, count=count,
         output=output, scheduler=scheduler, workers=workers,
+        security=security,
         surface_percent=surface_faults, console_percent=console_losses)
     if again is not None:
         fly_alone(campaign, again)
@@ -184,7 +193,8 @@ def fly_all(campaign):
     try:
         with progress.bar("flying") as told:
             for asked, result in engine.done(
-                    sent, jobs, campaign.scheduler, count):
+                    sent, jobs, campaign.scheduler, count,
+                    campaign.security):
                 found.append(monte_carlo_results.flight(
                     campaign.pilot, asked, result))
                 told(SimpleNamespace(

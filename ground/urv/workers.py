@@ -17,8 +17,9 @@ import queue
 import sys
 import tempfile
 import time
+from pathlib import Path
 
-from urv import faults
+from urv import certificates, faults
 
 # So many jobs wait at the scheduler for each worker.
 AHEAD = 20
@@ -47,15 +48,17 @@ def task():
 
 
 @contextlib.contextmanager
-def connected(scheduler, count):
-    """A client of that scheduler, or of workers of our own."""
+def connected(scheduler, count, security=None):
+    """A client of that scheduler, or of workers of our own, which take nobody
+    who does not have their certificate (SEC-12)."""
     import dask
     import distributed
 
     dask.config.set({"distributed.scheduler.allowed-failures": DEATHS})
     if scheduler:
         try:
-            client = distributed.Client(scheduler, timeout="5s")
+            client = distributed.Client(scheduler, timeout="5s",
+                                        security=security)
         except (OSError, ValueError, TypeError) as fault:
             raise faults.Failed(
                 f"no scheduler at {faults.quoted(scheduler)}: {fault}"
@@ -63,18 +66,20 @@ def connected(scheduler, count):
         with client:
             yield client
         return
-    with tempfile.TemporaryDirectory(prefix="urv-") as place, \
-            distributed.LocalCluster(
+    with tempfile.TemporaryDirectory(prefix="urv-") as place:
+        security = certificates.temporary(Path(place))
+        with distributed.LocalCluster(
                 n_workers=count, threads_per_worker=1, processes=True,
                 dashboard_address="127.0.0.1:0", local_directory=place,
-                silence_logs=logging.CRITICAL) as cluster, \
-            distributed.Client(cluster) as client:
-        yield client
+                security=security, silence_logs=logging.CRITICAL) as cluster, \
+                distributed.Client(cluster, security=security) as client:
+            yield client
 
 
-def done(cargo, jobs, scheduler=None, count=2):
-    """Each job with its result, in the order in which they are done."""
-    with connected(scheduler, count) as client:
+def done(cargo, jobs, scheduler=None, count=2, security=None):
+    """Each job with its result, in the order in which they are done. For the
+    security of a scheduler's address see certificates.of."""
+    with connected(scheduler, count, security) as client:
         yield from done_by(client, cargo, jobs, scheduler or "here")
 
 

@@ -368,7 +368,8 @@ def planned(size, only=None):
             if not only or name.split("/")[0] in only]
 
 
-def run_campaign(size, jobs, scheduler, message_format=1, only=None):
+def run_campaign(size, jobs, scheduler, message_format=1, only=None,
+                 security=None):
     from urv import cargo, faults, progress, workers
 
     RESULTS.mkdir(exist_ok=True)
@@ -387,7 +388,8 @@ def run_campaign(size, jobs, scheduler, message_format=1, only=None):
         for name in names if name not in flown)
     try:
         with progress.bar("flying") as told:
-            for job, answer in workers.done(sent, wanted, scheduler, jobs):
+            for job, answer in workers.done(sent, wanted, scheduler, jobs,
+                                            security):
                 if "said" in answer:
                     keep(answer["said"], sent.hash, message_format)
                 results[job["name"]] = (
@@ -417,6 +419,11 @@ def main():
                         help="at once, here")
     parser.add_argument("--scheduler", metavar="ADDRESS",
                         help="of Dask, whose workers fly instead")
+    parser.add_argument("--certificates", metavar="FOLDER",
+                        help="ca.pem, cert.pem and key.pem for it")
+    parser.add_argument("--insecure", action="store_true",
+                        help="without certificates: whoever can reach the"
+                        " scheduler can run code here")
     parser.add_argument("--format", type=int, choices=(1, 2), default=1,
                         help="of the messages; 2 is sealed")
     parser.add_argument("--only", metavar="GROUPS",
@@ -440,8 +447,14 @@ def main():
         name.split("/")[0] for name in cases.plan(given.size)}
     if unknown:
         parser.error(f"no such group: {', '.join(sorted(unknown))}")
+    from urv import certificates, faults
+    try:
+        security = certificates.of(given.scheduler, given.certificates,
+                                   given.insecure)
+    except faults.Refused as fault:
+        parser.error(str(fault))
     return run_campaign(given.size, given.jobs, given.scheduler, given.format,
-                        only)
+                        only, security)
 
 
 if __name__ == "__main__":

@@ -374,7 +374,8 @@ def test_a_scheduler_that_dies_is_told_and_what_was_flown_is_kept(
     dask.start("worker-0", address, *WORKER)
     running = subprocess.Popen(
         [URV, "monte-carlo", "--flights", "500", "--pilot", "level",
-         "--seconds", "10", "--scheduler", address, "-o", "kept"],
+         "--seconds", "10", "--scheduler", address, "--insecure",
+         "-o", "kept"],
         cwd=tmp_path, text=True, stdout=subprocess.PIPE,
         stderr=subprocess.PIPE)
     wait_for_flights(tmp_path / "worker-0")

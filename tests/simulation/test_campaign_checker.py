@@ -513,7 +513,7 @@ def test_a_shard_without_a_result_fails(
         monkeypatch, tmp_path, capsys, size, lost):
     names = list(cases.plan(size))
 
-    def done(sent, jobs, scheduler, count):
+    def done(sent, jobs, scheduler, count, security):
         assert (scheduler, count) == ("tcp://somewhere:1", 2)
         jobs = list(jobs)
         assert [job["name"] for job in jobs] == names

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Certificates of Dask's scheduler, workers and clients (SEC-12).
+
+Whoever can talk to a scheduler, a worker or a client of Dask's can have it run
+any code. So they talk TLS, and each shows a certificate.
+"""
+
+import stat
+import subprocess
+from pathlib import Path
+
+from urv import faults, programs
+
+FILES = ("ca.pem", "cert.pem", "key.pem")
+"""Of a folder: which certificates are taken, which one is shown, and its
+key."""
+DAYS = 30
+"""Longer than any campaign takes."""
+SECURE = "tls://"
+
+
+def security(authority, certificate, key):
+    """Dask's settings: nothing but TLS, with that certificate on each side."""
+    from distributed.security import Security
+
+    own = {f"tls_{role}_{what}": str(path)
+           for role in ("client", "scheduler", "worker")
+           for what, path in (("cert", certificate), ("key", key))}
+    return Security(require_encryption=True, tls_ca_file=str(authority), **own)
+
+
+def temporary(folder):
+    """A new certificate, which alone is taken: its key is the secret that the
+    processes of one command share. The folder must be the user's alone."""
+    openssl = programs.found("openssl")
+    if openssl is None:
+        raise faults.Failed("the program openssl is missing: scripts/setup.sh"
+                            " monte_carlo installs it")
+    certificate, key = folder / "cert.pem", folder / "key.pem"
+    made = subprocess.run(
+        [openssl, "req", "-x509", "-newkey", "ec", "-pkeyopt",
+         "ec_paramgen_curve:prime256v1", "-nodes", "-days", str(DAYS),
+         "-subj", "/CN=urv workers", "-keyout", key, "-out", certificate],
+        stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    if made.returncode:
+        raise faults.Failed("openssl makes no certificate: "
+                            + " ".join(made.stderr.split())[-200:])
+    return security(certificate, certificate, key)
+
+
+def of(scheduler, folder, insecure):
+    """The settings for a scheduler's address, with the certificates of the
+    folder; None for workers here, and where nothing is secure.
+
+    Raises faults.Refused when that is not wanted expressly, or is not so.
+    """
+    if scheduler is None:
+        if folder is not None or insecure:
+            raise faults.Refused("--certificates and --insecure go together"
+                                 " with --scheduler")
+        return None
+    if insecure:
+        if folder is not None:
+            raise faults.Refused("either --certificates or --insecure, and"
+                                 " not both")
+        faults.note(f"nobody at {faults.quoted(scheduler)} shows a"
+                    " certificate: whoever can reach this scheduler can run"
+                    " code here")
+        return None
+    if folder is None:
+        raise faults.Refused(
+            "--scheduler: give --certificates FOLDER, or --insecure: without"
+            " certificates whoever can reach the scheduler can run code here")
+    if not scheduler.startswith(SECURE):
+        raise faults.Refused(f"--scheduler {faults.quoted(scheduler)}: with"
+                             " certificates it is tls://HOST:PORT")
+    return of_folder(Path(folder))
+
+
+def of_folder(folder):
+    """The settings with these certificates."""
+    import ssl
+
+    paths = [folder / name for name in FILES]
+    for path in paths:
+        try:
+            mode = path.stat().st_mode
+        except OSError as fault:
+            raise faults.Refused(
+                f"--certificates {faults.quoted(path)}:"
+                f" {faults.reason(fault)}; there must be"
+                f" {', '.join(FILES)}") from fault
+        if not stat.S_ISREG(mode):
+            raise faults.Refused(
+                f"--certificates {faults.quoted(path)}: is no file")
+    if mode & 0o077:
+        raise faults.Refused(f"--certificates {faults.quoted(path)}: others"
+                             " may read or change it: chmod 600 makes it"
+                             " yours alone")
+    try:
+        context = ssl.create_default_context(cafile=paths[0])
+        context.load_cert_chain(*paths[1:])
+    except (OSError, ValueError) as fault:
+        raise faults.Refused(
+            f"--certificates {faults.quoted(folder)}: {fault}") from fault
+    return security(*paths)
