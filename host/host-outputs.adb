@@ -1,13 +1,39 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Ada.Directories;
-with GNAT.OS_Lib; use GNAT.OS_Lib;
+with GNAT.OS_Lib;  use GNAT.OS_Lib;
+with Interfaces.C; use Interfaces.C;
 
 with Host.Complaints; use Host.Complaints;
 
 package body Host.Outputs is
 
    Null_Device : constant String := "/dev/null";
+
+   --  The operating system: Linux. An output whose name is a symbolic link is
+   --  not opened, also when the link was made a moment ago (SEC-15, D-66).
+
+   To_Write       : constant := 1;
+   Creating       : constant := 8#100#;
+   Following_None : constant := 8#400_000#;
+   Close_On_Exec  : constant := 8#2_000_000#;
+   For_All        : constant := 8#666#;
+
+   function Open (Name : char_array; Flags : int; Mode : unsigned) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   function Truncate
+     (File : File_Descriptor; Length : Long_Long_Integer) return int
+   with Import, Convention => C, External_Name => "ftruncate64";
+
+   --  The program's own descriptors have such names. They are links, but
+   --  nobody else's.
+   function Begins (Text, Beginning : String) return Boolean is
+     (Text'Length >= Beginning'Length
+      and then Text (Text'First .. Text'First + Beginning'Length - 1)
+               = Beginning);
+
+   function Is_Own_Descriptor (Name : String) return Boolean;
 
    --  What was found of an output on the way to opening it.
    type Attempt is record
@@ -32,6 +58,11 @@ package body Host.Outputs is
 
    function Is_Input (Which : Option) return Boolean is
      (Which not in Output_Option and then Value_Name (Which) = "FILE");
+
+   function Is_Own_Descriptor (Name : String) return Boolean is
+     (Name in "/dev/stdout" | "/dev/stderr"
+      or else Begins (Name, "/dev/fd/")
+      or else Begins (Name, "/proc/self/fd/"));
 
    function Place (Name : String) return String is
      (if Name = Standard_Output then Standard_Output
@@ -68,10 +99,15 @@ package body Host.Outputs is
          return;
       end if;
 
-      --  Appending creates a file that is missing and leaves what a file
-      --  holds untouched.
+      --  Creates a file that is missing and leaves what a file holds
+      --  untouched.
       Made.Existed := Ada.Directories.Exists (Name);
-      Made.File    := Open_Append (Name, Binary);
+      Made.File    := File_Descriptor
+        (Open
+           (To_C (Name),
+            To_Write + Creating + Close_On_Exec
+            + (if Is_Own_Descriptor (Name) then 0 else Following_None),
+            For_All));
    end Try;
 
    procedure Give_Up (Attempts : Attempt_List; Chosen : Choices) is
@@ -81,8 +117,7 @@ package body Host.Outputs is
          if Attempts (Output).File /= Invalid_FD then
             Close (Attempts (Output).File);
             if not Attempts (Output).Existed then
-               --  A link to nothing now leads to the file to delete.
-               Delete_File (Place (Value (Chosen, Output)), Deleted);
+               Delete_File (Value (Chosen, Output), Deleted);
             end if;
          end if;
       end loop;
@@ -94,7 +129,11 @@ package body Host.Outputs is
       procedure Refuse_Output (Output : Output_Option) with No_Return;
 
       procedure Refuse_Output (Output : Output_Option) is
-         Reason : constant String := Errno_Message;
+         Reason : constant String :=
+           (if Is_Symbolic_Link (Value (Chosen, Output))
+              and then not Is_Own_Descriptor (Value (Chosen, Output))
+            then "it is a symbolic link"
+            else Errno_Message);
       begin
          Give_Up (Attempts, Chosen);
          Refuse
@@ -121,17 +160,12 @@ package body Host.Outputs is
             Name      : constant String  := Value (Chosen, Output);
             Is_Screen : constant Boolean := Name = Standard_Output;
          begin
-            --  Also a new one: what appends cannot be written again from the
-            --  beginning.
             if Attempts (Output).File /= Invalid_FD
               and then not Is_Screen
               and then Is_Regular_File (Name)
+              and then Truncate (Attempts (Output).File, 0) /= 0
             then
-               Close (Attempts (Output).File);
-               Attempts (Output).File := Create_File (Name, Binary);
-               if Attempts (Output).File = Invalid_FD then
-                  Refuse_Output (Output);
-               end if;
+               Refuse_Output (Output);
             end if;
 
             if Attempts (Output).File /= Invalid_FD then

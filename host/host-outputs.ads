@@ -22,8 +22,9 @@ package Host.Outputs is
    --  Writers of outputs that nobody asked for stay closed.
    type File_Set is array (Output_Option) of Text_Output.Writer;
 
-   --  Refuses two outputs in one file, an output that is an input, and a
-   --  file that cannot be written or created. Folders are not made.
+   --  Refuses two outputs in one file, an output that is an input, one that
+   --  is a symbolic link (SEC-15), and a file that cannot be written or
+   --  created. Folders are not made.
    --  The null device may stand for any number of files.
    procedure Open (Files : in out File_Set; Chosen : Choices);
 

@@ -1,8 +1,24 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Interfaces.C; use Interfaces.C;
+
 with Host.Complaints;
 
 package body Host.Text_Input is
+
+   --  The operating system: Linux. Without Without_Waiting the opening of a
+   --  pipe would block until there is a writer.
+
+   Without_Waiting : constant := 8#4_000#;
+   Close_On_Exec   : constant := 8#2_000_000#;
+
+   function Open (Name : char_array; Flags : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   --  Of GNAT's run-time library; 0 when it is none.
+   function Is_Regular_File (File : int) return int
+   with Import, Convention => C,
+        External_Name => "__gnat_is_regular_file_fd";
 
    Byte_Order_Mark : constant String :=
      Character'Val (16#EF#) & Character'Val (16#BB#)
@@ -34,9 +50,14 @@ package body Host.Text_Input is
       From.Number := 0;
       From.Next   := 1;
       From.Last   := 0;
-      From.File   := Open_Read (File, Binary);
+      From.File   :=
+        File_Descriptor (Open (To_C (File), Without_Waiting + Close_On_Exec));
       if From.File = Invalid_FD then
          Refuse (From, "cannot be opened: " & Errno_Message);
+      elsif Is_Regular_File (int (From.File)) = 0
+        and then not Is_Directory (File)
+      then
+         Refuse (From, "is no regular file");
       end if;
 
       Fill (From);

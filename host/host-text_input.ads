@@ -16,7 +16,7 @@ package Host.Text_Input is
    type Reader is limited private;
 
    --  Refuses at line 1 a file that is missing, cannot be read, is a
-   --  directory, or is empty.
+   --  directory, a pipe or a device, or is empty (SEC-14). Never blocks.
    procedure Open (From : in out Reader; File : String);
 
    --  Takes the next line. At the end of the file nothing is found, and

@@ -21,13 +21,14 @@ def convert(
     Of a record that was cut short it converts what there is, and says what is
     missing. Both names end with .csv, .mcap or .parquet.
     """
-    from urv import progress, records, whole_files
+    from urv import input_files, progress, records, whole_files
 
     kind = target.suffix.lower()
     if kind not in records.KINDS:
         raise faults.Refused(f"{faults.quoted(target)}: {records.ENDINGS}")
     if source.exists() and target.exists() and source.samefile(target):
         raise faults.Refused("IN and OUT name the same file")
+    input_files.limit_memory()
     with records.opened(source, forgiving=True) as record, progress.bar(
             "converting") as told:
         with whole_files.replacing(target) as path, records.written(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A flight in memory, in engineering units, with its gaps (GND-14).
+"""A flight in memory, in engineering units, with its gaps (GND-14, SEC-14).
 
 Words of the downlink are those of the ground's CORE, or of the aircraft's in
 the aircraft's own record. While they are stale, and before the first ones
@@ -8,6 +8,7 @@ came, there are none: `values` has NaN there.
 
 from __future__ import annotations
 
+import bisect
 import json
 import os
 import tempfile
@@ -19,7 +20,7 @@ from pathlib import Path
 
 import numpy
 
-from urv import faults, items, packets, records
+from urv import faults, input_files, items, packets, records
 
 
 STICKS = ("roll", "pitch", "yaw", "throttle", "brake")
@@ -29,6 +30,10 @@ LONGEST_LATENCY_FRAMES = 25
 
 SAME_EXCEEDANCE_S = 0.5
 """What is out of limits again so soon has not been within them."""
+
+MOST_EVENTS = 10_000
+LONGEST_WORD = 100
+"""Characters of an event's node or kind."""
 
 CLOSE_S = 2.0
 """What happened so close to something happened around it."""
@@ -295,14 +300,24 @@ class Flight:
     @cached_property
     def excursions(self):
         """The same, but a caution that became a warning is that alone."""
-        warnings = [each for each in self.exceedances
-                    if each.level == "warning"]
+        # Both levels of an item are in order of time and do not overlap.
+        warnings = {}
+        for each in self.exceedances:
+            if each.level == "warning":
+                warnings.setdefault(each.item.name, []).append(each.span)
+        begins = {name: [span.begin for span in spans]
+                  for name, spans in warnings.items()}
+
+        def became_a_warning(each):
+            name = each.item.name
+            if name not in warnings:
+                return False
+            place = bisect.bisect_left(begins[name], each.span.begin)
+            return (place < len(begins[name])
+                    and warnings[name][place].end <= each.span.end)
+
         return [each for each in self.exceedances
-                if each.level == "warning"
-                or not any(each.item.name == other.item.name
-                           and each.span.begin <= other.span.begin
-                           and other.span.end <= each.span.end
-                           for other in warnings)]
+                if each.level == "warning" or not became_a_warning(each)]
 
     @staticmethod
     def levels(item):
@@ -422,41 +437,42 @@ def read(path, progress, folder=None):
         return Flight(path, columns, record.cut_short)
 
 
-def _text(path):
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except OSError as fault:
-        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
-                             f" {faults.reason(fault)}") from fault
-    except UnicodeDecodeError as fault:
-        raise faults.Refused(f"{faults.quoted(path)}: not a text file"
-                             ) from fault
-
-
 def read_events(path):
     """The events of a file of JSON lines, as urv_sim writes it."""
     found = []
-    for number, line in enumerate(_text(path).splitlines(), 1):
+    for number, line in enumerate(input_files.text(path).split("\n"), 1):
         if not line.strip():
             continue
         where = f"{faults.quoted(path)[1:-1]}:{number}"
         try:
-            event = json.loads(line)
+            event = input_files.parsed(line)
             found.append(Event(
                 _word(event["node"]), _word(event["kind"]),
-                int(event["count"]),
-                Span(float(event["first_ms"]) / 1000.0,
-                     float(event["last_ms"]) / 1000.0)))
+                _number(event["count"], int),
+                Span(_number(event["first_ms"]) / 1000.0,
+                     _number(event["last_ms"]) / 1000.0)))
         except KeyError as fault:
             raise faults.Refused(
                 f"{where}: the event has no {fault.args[0]}") from fault
         except (ValueError, TypeError) as fault:
             raise faults.Refused(f"{where}: no event") from fault
+        if len(found) > MOST_EVENTS:
+            raise faults.Refused(
+                f"{where}: there may be {MOST_EVENTS} events")
     return found
 
 
 def _word(value):
-    if not isinstance(value, str):
+    """A name; half a character of UTF-16 is not one."""
+    if not isinstance(value, str) or len(value) > LONGEST_WORD:
+        raise TypeError(value)
+    value.encode("utf-8")
+    return value
+
+
+def _number(value, kind=(int, float)):
+    if isinstance(value, bool) or not isinstance(value, kind) or not (
+            0 <= value <= records.LONGEST_TIME_MS):
         raise TypeError(value)
     return value
 
@@ -465,10 +481,12 @@ def read_summary(path):
     """A summary, as urv_sim writes it."""
     where = faults.quoted(path)[1:-1]
     try:
-        summary = json.loads(_text(path))
+        summary = input_files.parsed(input_files.text(path))
     except json.JSONDecodeError as fault:
         raise faults.Refused(
             f"{where}:{fault.lineno}: not JSON: {fault.msg}") from fault
+    except ValueError as fault:
+        raise faults.Refused(f"{where}:1: {fault}") from fault
     if not isinstance(summary, dict) or "frames" not in summary:
         raise faults.Refused(f"{where}:1: no summary of a flight")
     return summary

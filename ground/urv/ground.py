@@ -25,7 +25,7 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, packets, processes, programs
+from urv import faults, packets, processes, programs, whole_files
 from urv.alerts import CAUTION, WARNING
 from urv.processes import Report
 
@@ -269,7 +269,8 @@ class Flight:
             if os.getppid() != parent:
                 os._exit(1)
 
-        log = (self.folder / f"{name}.log").open("w", encoding="utf-8")
+        log = open(self.folder / f"{name}.log", "w", encoding="utf-8",
+                   opener=whole_files.no_link)
         self.running[name] = subprocess.Popen(
             list(map(str, command)), cwd=self.folder,
             stdin=subprocess.PIPE if hears else subprocess.DEVNULL,
@@ -474,7 +475,9 @@ class Flight:
             if bad:
                 print(f"ground: {bad} lines of station.jsonl are none and"
                       " left out", flush=True)
-            (self.folder / "events.jsonl").write_text(lines, "utf-8")
+            with open(self.folder / "events.jsonl", "w", encoding="utf-8",
+                      opener=whole_files.no_link) as out:
+                out.write(lines)
         except (OSError, ValueError) as error:
             print(f"ground: no events.jsonl: {error}", flush=True)
 

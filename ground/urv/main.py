@@ -118,6 +118,11 @@ def main(arguments=None):
     except typer.TyperException as fault:
         complain(misused(fault))
         return fault.exit_code
+    except MemoryError:
+        # Only commands that read files of others have a limit.
+        complain("the file needs more memory than any record does: it is"
+                 " damaged, or made to do so")
+        return 2
     except KeyboardInterrupt:
         complain("interrupted")
         return INTERRUPTED

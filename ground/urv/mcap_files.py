@@ -6,22 +6,28 @@ each frame: `raw` has the words, `value` the same in their units, not a number
 where they are stale. Counts, times and the truth are numbers of their own.
 The messages are protobuf with fixed places for everything, so that a thousand
 of them are made, and read again, at once.
+
+A file may come from anybody: no length in it, and no chunk unpacked, may be
+beyond LARGEST_RECORD (SEC-14).
 """
 
 from __future__ import annotations
 
 import struct
 from contextlib import contextmanager
+from dataclasses import replace
 
+import lz4.frame
 import numpy
 import zstandard
 from google.protobuf import descriptor_pb2
 from mcap.exceptions import EndOfFile, McapError
-from mcap.records import Channel, Message, Metadata
-from mcap.stream_reader import CRCValidationError, StreamReader
+from mcap.records import Channel, Chunk, Message, Metadata
+from mcap.stream_reader import (CRCValidationError, StreamReader,
+                                breakup_chunk)
 from mcap.writer import CompressionType, Writer as McapWriter
 
-from urv import faults, items, records
+from urv import faults, input_files, items, records
 
 MARK = "urv.record"
 VERSION = "1"
@@ -32,6 +38,9 @@ _TYPES = descriptor_pb2.FieldDescriptorProto
 _FIXED_32, _FIXED_64, _NESTED = 5, 1, 2
 
 NANOSECONDS_PER_MS = 1_000_000
+
+LARGEST_RECORD = 16 * 2 ** 20
+"""Bytes, of a record and of a chunk unpacked; bin/urv writes chunks of 1 MB."""
 
 
 def varint(number):
@@ -210,6 +219,53 @@ class Writer:
                 self.file.finish()
 
 
+class BoundedStream:
+    """A file of which nobody can read much at once. A damaged length asks for
+    up to 2**64 bytes."""
+
+    def __init__(self, file):
+        self.file = file
+
+    def read(self, length):
+        if not 0 <= length <= LARGEST_RECORD:
+            raise ValueError(f"a length of {length}")
+        return self.file.read(length)
+
+
+def unpacked(chunk):
+    """The records of a chunk. Raises ValueError when it is too large."""
+    if chunk.uncompressed_size > LARGEST_RECORD:
+        raise ValueError("too large a chunk")
+    data = chunk.data
+    if chunk.compression == "zstd":
+        # Frames that do not say how long they are need the other limit.
+        if zstandard.frame_content_size(data) > LARGEST_RECORD:
+            raise ValueError("too large a chunk")
+        data = zstandard.decompress(data, LARGEST_RECORD)
+    elif chunk.compression == "lz4":
+        unpack = lz4.frame.LZ4FrameDecompressor()
+        try:
+            data = unpack.decompress(data, LARGEST_RECORD)
+        except RuntimeError as fault:
+            raise ValueError("not LZ4") from fault
+        if not unpack.eof:
+            raise ValueError("too large a chunk, or cut short")
+    return breakup_chunk(replace(chunk, compression="", data=data),
+                         validate_crc=True)
+
+
+def parts_of(stream):
+    """The file's records in order, those in chunks too, a chunk at a time.
+    What the file's end says of it is not needed."""
+    for part in StreamReader(
+            BoundedStream(stream), validate_crcs=True, emit_chunks=True,
+            record_size_limit=LARGEST_RECORD).records:
+        if isinstance(part, Chunk):
+            yield from unpacked(part)
+        else:
+            yield part
+
+
 class Record:
     """A record in an MCAP file that bin/urv has written."""
 
@@ -221,8 +277,7 @@ class Record:
         self.cut_short = None
         """What is missing of a record that was cut short, for people."""
 
-        # One chunk at a time; what the file's end says of it is not needed.
-        self.parts = StreamReader(stream, validate_crcs=True).records
+        self.parts = parts_of(stream)
         mark = next((each for each in self.parts
                      if isinstance(each, (Metadata, Message))), None)
         if (not isinstance(mark, Metadata) or mark.name != MARK
@@ -232,8 +287,8 @@ class Record:
                 " written it")
         names = mark.metadata["columns"].split(",")
         records.check_names(names, faults.quoted(path))
-        self.columns = records.Columns(
-            names, map(int, mark.metadata["decimals"].split(",")))
+        self.columns = records.Columns(names, records.read_decimals(
+            mark.metadata["decimals"].split(","), names))
         self.names, self.decimals = names, self.columns.decimals
         self.layouts = layouts(self.columns)
 
@@ -244,7 +299,8 @@ class Record:
     def messages(self):
         """Each with its topic. A forgiving reader stops where the file was
         cut short."""
-        topics = {layout.topic for layout in self.layouts}
+        sizes = {layout.topic: layout.kind.itemsize
+                 for layout in self.layouts}
         topic_of = {}
         try:
             for part in self.parts:
@@ -252,7 +308,9 @@ class Record:
                     topic_of[part.id] = part.topic
                 elif isinstance(part, Message):
                     topic = topic_of[part.channel_id]
-                    if topic in topics:
+                    if topic in sizes:
+                        if len(part.data) != sizes[topic]:
+                            raise self.not_ours(topic)
                         yield topic, part.data
         except (EndOfFile, struct.error, zstandard.ZstdError,
                 CRCValidationError):
@@ -261,11 +319,14 @@ class Record:
                 raise
             self.cut_short = "it has no end; what came before is read"
 
+    @records.bounded
     def blocks(self):
         waiting = {layout.topic: [] for layout in self.layouts}
         last = self.layouts[-1].topic
         for topic, data in self.messages():
             waiting[topic].append(data)
+            if len(waiting[topic]) > records.ROWS_PER_BLOCK:
+                raise self.missing()
             if (topic == last
                     and len(waiting[last]) == records.ROWS_PER_BLOCK):
                 yield self.rows(waiting)
@@ -280,26 +341,32 @@ class Record:
     def rows(self, waiting):
         many = {len(messages) for messages in waiting.values()}
         if len(many) != 1:
-            raise faults.Refused(
-                f"{faults.quoted(self.path)}: messages of some topics are"
-                " missing")
+            raise self.missing()
         rows = numpy.empty((many.pop(), len(self.names)))
         for layout in self.layouts:
             if not layout.decoded(waiting[layout.topic], rows):
-                raise faults.Refused(
-                    f"{faults.quoted(self.path)}: {layout.topic}: messages"
-                    " are not as bin/urv convert writes them")
+                raise self.not_ours(layout.topic)
+        bad = self.columns.first_bad(rows)
+        if bad:
+            raise faults.Refused(
+                f"{faults.quoted(self.path)}: {bad[1]}: a number that no"
+                " record has")
         return rows
+
+    def missing(self):
+        return faults.Refused(
+            f"{faults.quoted(self.path)}: messages of some topics are missing")
+
+    def not_ours(self, topic):
+        return faults.Refused(
+            f"{faults.quoted(self.path)}: {topic}: messages are not as"
+            " bin/urv convert writes them")
 
 
 @contextmanager
 def opened(path, forgiving=False):
     """A record to be read."""
-    try:
-        stream = path.open("rb")
-    except OSError as fault:
-        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
-                             f" {faults.reason(fault)}") from fault
+    stream = input_files.opened(path)
     with stream:
         try:
             yield Record(path, stream, forgiving)

@@ -153,10 +153,13 @@ def command_again(campaign, seed):
 
 def fly_alone(campaign, seed):
     """Fly one here; its files stay."""
+    from urv import whole_files
+
     asked = job(campaign, seed)
     folder = made(campaign.output / str(seed))
     for name, text in asked["files"].items():
-        (folder / name).write_text(text, encoding="utf-8")
+        with whole_files.replacing(folder / name) as path:
+            path.write_text(text, encoding="utf-8")
     command = [str(ROOT / CARGO[0]), "fly", *asked["options"], *OUTPUTS]
     print(f"cd {shlex.quote(str(folder))} && {shlex.join(command)}",
           flush=True)

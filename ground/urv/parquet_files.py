@@ -7,15 +7,20 @@
 Each column of the record is one of the file, words as 16 bits. After them
 stands, for each word with a scale, NAME.value in its unit, without a value
 where the words are stale; the unit is in the field's metadata.
+
+A file may come from anybody (SEC-14). The size of its end, its columns and its
+rows are looked at before they are read; a page that unpacks to more than there
+is memory for ends as input_files.limit_memory says.
 """
 
+import os
 from contextlib import contextmanager
 
 import numpy
 import pyarrow
 import pyarrow.parquet
 
-from urv import faults, items, records
+from urv import faults, input_files, items, records
 
 MARK = b"urv.record"
 VERSION = b"1"
@@ -23,6 +28,14 @@ DECIMALS = b"urv.decimals"
 UNIT = b"unit"
 
 ROWS_PER_GROUP = 20_000
+
+LARGEST_END = 8 * 2 ** 20
+"""Bytes of the metadata, at the file's end; a day has half of it."""
+MAGIC = b"PAR1"
+LARGEST_CHUNK = 16 * 2 ** 20
+"""Bytes of a column in a row group, unpacked; bin/urv writes 176 kB."""
+MOST_LISTED = 1_000_000
+"""Elements of a list in the metadata."""
 
 
 def field(name, decimals):
@@ -104,20 +117,49 @@ class Record:
         fields = [one for one in schema if DECIMALS in (one.metadata or {})]
         names = [one.name for one in fields]
         records.check_names(names, faults.quoted(path))
-        self.columns = records.Columns(
-            names, [int(one.metadata[DECIMALS]) for one in fields])
-        self.names, self.decimals = names, self.columns.decimals
+        decimals = records.read_decimals(
+            [one.metadata[DECIMALS].decode() for one in fields], names)
+        self.columns = records.Columns(names, decimals)
+        self.names, self.decimals = names, decimals
         self.size = file.metadata.num_rows
         self.position = 0
+        self.kinds = [field(*one).type for one in zip(
+            names, decimals, strict=True)]
+        self.check_sizes()
 
+    def check_sizes(self):
+        """Before any of it is unpacked."""
+        metadata = self.file.metadata
+        if (metadata.num_columns > 2 * records.MOST_COLUMNS
+                or metadata.num_rows > records.MOST_ROWS):
+            raise ValueError("more than a day, or too many columns")
+        for group in range(metadata.num_row_groups):
+            of_group = metadata.row_group(group)
+            for place in range(of_group.num_columns):
+                if not (0 <= of_group.column(place).total_uncompressed_size
+                        <= LARGEST_CHUNK):
+                    raise ValueError("too large a column")
+
+    @records.bounded
     def blocks(self):
         batches = self.file.iter_batches(
-            records.ROWS_PER_BLOCK, columns=self.names)
+            records.ROWS_PER_BLOCK, columns=self.names, use_threads=False)
         while (batch := _told(self.path, lambda: next(batches, None))):
+            if (sorted(batch.schema.names) != sorted(self.names)
+                    or [batch.schema.field(name).type
+                        for name in self.names] != self.kinds):
+                raise ValueError("other columns than its schema says")
             rows = numpy.empty((batch.num_rows, len(self.names)))
             for place, name in enumerate(self.names):
-                rows[:, place] = batch.column(name).to_numpy(
-                    zero_copy_only=False)
+                column = batch.column(name)
+                if column.null_count:
+                    raise ValueError("a word is missing")
+                rows[:, place] = column.to_numpy(zero_copy_only=False)
+            bad = self.columns.first_bad(rows)
+            if bad:
+                raise faults.Refused(
+                    f"{faults.quoted(self.path)}: {bad[1]}: a number that no"
+                    " record has")
             self.position += len(rows)
             yield rows
 
@@ -127,13 +169,32 @@ def _told(path, read):
     OSErrors of its own, without a number."""
     try:
         return read()
-    except (pyarrow.ArrowException, OSError) as fault:
+    except MemoryError:
+        # Arrow's is an ArrowException, too.
+        raise MemoryError from None
+    except (pyarrow.ArrowException, OSError, ValueError) as fault:
         if isinstance(fault, OSError) and fault.errno:
             raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
                                  f" {faults.reason(fault)}") from fault
-        raise faults.Refused(
-            f"{faults.quoted(path)}: no Parquet file, or one that is damaged"
-            " or cut short: its end says what is in it") from fault
+        raise damaged(path) from fault
+
+
+def damaged(path):
+    return faults.Refused(
+        f"{faults.quoted(path)}: no Parquet file, or one that is damaged"
+        " or cut short: its end says what is in it")
+
+
+def check_end(stream):
+    """How long the metadata is; Arrow would read whatever it says. Raises
+    ValueError."""
+    size = stream.seek(0, os.SEEK_END)
+    stream.seek(max(0, size - 8))
+    end = stream.read(8)
+    stream.seek(0)
+    if (end[4:] != MAGIC
+            or int.from_bytes(end[:4], "little") > min(size, LARGEST_END)):
+        raise ValueError("no end of a Parquet file")
 
 
 @contextmanager
@@ -141,13 +202,14 @@ def opened(path, forgiving=False):
     """A record to be read. One that was cut short is refused: without its end
     nothing of it can be read."""
     del forgiving
-    try:
-        stream = path.open("rb")
-    except OSError as fault:
-        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
-                             f" {faults.reason(fault)}") from fault
-    with stream:
+    with input_files.opened(path) as stream:
+        _told(path, lambda: check_end(stream))
         file = _told(path, lambda: pyarrow.parquet.ParquetFile(
-            stream, page_checksum_verification=True))
+            stream, page_checksum_verification=True, pre_buffer=False,
+            thrift_string_size_limit=LARGEST_END,
+            thrift_container_size_limit=MOST_LISTED))
         with file:
-            yield Record(path, file)
+            try:
+                yield Record(path, file)
+            except (ValueError, KeyError) as fault:
+                raise damaged(path) from fault

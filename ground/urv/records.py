@@ -9,20 +9,54 @@ A record has whole numbers, and columns of decimals with always as many places
 (`truth.*`). So its text can be made again from its numbers. That it can is
 tried, for every block: what is not exactly as urv_sim would write it is
 refused with its line (GND-13).
+
+A file may come from anybody, so what it may ask for is bounded (SEC-14): the
+lengths of a line and a name, the columns, the rows, and each number.
 """
 
 from __future__ import annotations
 
 import re
 from contextlib import contextmanager
+from functools import wraps
 from pathlib import Path
 
 import numpy
 
-from urv import faults, items
+from urv import faults, input_files, items
 
 ROWS_PER_BLOCK = 2_000
 """Of a file that is read: half a minute, some MB."""
+
+LONGEST_LINE = 65_536
+"""Characters; a line of urv_sim has about a thousand."""
+
+CHARACTERS_PER_BLOCK = 4 * 2 ** 20
+
+MOST_COLUMNS = 1_024
+LONGEST_NAME = 200
+"""Characters of a column's name."""
+
+MOST_ROWS = 24 * 3600 * 50
+"""A day of major frames."""
+
+MOST_DECIMALS = 9
+LONGEST_NUMBER = 24
+"""Characters."""
+
+LONGEST_TIME_MS = 10_000_000_000
+"""The longest that urv_sim takes, 115 days."""
+
+FORMULA = re.compile("\\s*[=+\\-@\uff1d\uff0b\uff0d\uff20]")
+"""The beginning of a cell that a spreadsheet may run: = + - @, narrow or wide
+(SEC-16). A record's numbers are none; the name of a column may be one."""
+
+NO_NAME_HAS = '",;/'
+"""Spreadsheets of some countries part cells at semicolons; topics of MCAP have
+slashes between their parts."""
+
+TEXT_MARK = "'"
+"""Before such a name, in CSV: spreadsheets take what follows for text."""
 
 LARGEST_WORD = 0xFFFF
 
@@ -38,6 +72,14 @@ class Columns:
     def __init__(self, names, decimals):
         self.names = list(names)
         self.decimals = list(decimals)
+        self.words = numpy.array([name in items.COLUMNS for name in names])
+        self.scales = 10.0 ** numpy.array(self.decimals)
+        self.largest = numpy.where(self.words, LARGEST_WORD, LARGEST)
+        self.smallest = numpy.where(self.words, 0, -LARGEST)
+        for name, most in (("frame", LARGEST), ("time_ms", LONGEST_TIME_MS)):
+            place = self.names.index(name)
+            self.smallest[place] = 0
+            self.largest[place] = most * self.scales[place]
         self.row_format = ",".join(
             f"%.{places}f" if places else "%d"
             for places in self.decimals) + "\n"
@@ -49,14 +91,61 @@ class Columns:
 
     @property
     def header(self):
-        return ",".join(self.names) + "\n"
+        """As CSV has it; no name in it is a formula."""
+        return ",".join(
+            TEXT_MARK + name if FORMULA.match(name) else name
+            for name in self.names) + "\n"
+
+    def first_bad(self, rows):
+        """The row and the name of the first number that no record has: not
+        finite, too large, a word beyond 16 bits, or with more decimals than
+        its column. Nothing when all are good."""
+        with numpy.errstate(all="ignore"):
+            scaled = numpy.rint(rows * self.scales)
+            good = ((scaled >= self.smallest) & (scaled <= self.largest)
+                    & (scaled / self.scales == rows))
+        if good.all():
+            return None
+        row, column = numpy.argwhere(~good)[0]
+        return int(row), self.names[column]
+
+
+def read_decimals(texts, names):
+    """The decimals of each column, words have none. Raises ValueError."""
+    if len(texts) != len(names):
+        raise ValueError("as many as columns")
+    for name, text in zip(names, texts, strict=True):
+        if not (text.isascii() and text.isdigit() and len(text) == 1
+                and int(text) <= (0 if name in items.COLUMNS
+                                  else MOST_DECIMALS)):
+            raise ValueError(text)
+    return [int(text) for text in texts]
+
+
+def bounded(blocks):
+    """A reader's blocks, whose rows are at most a day's."""
+    @wraps(blocks)
+    def counted(record):
+        many = 0
+        for rows in blocks(record):
+            many += len(rows)
+            if many > MOST_ROWS:
+                raise faults.Refused(f"{faults.quoted(record.path)}: more than"
+                                     f" {MOST_ROWS} rows, a day of frames")
+            yield rows
+    return counted
 
 
 def check_names(names, where):
     """Refuse what is not a record."""
+    if len(names) > MOST_COLUMNS:
+        raise faults.Refused(f"{where}: {len(names)} columns; there may be"
+                             f" {MOST_COLUMNS}")
     seen = set()
     for name in names:
-        if not name or not name.isprintable() or '"' in name:
+        if (not name.isprintable() or not 0 < len(name) <= LONGEST_NAME
+                or name[0] == TEXT_MARK
+                or any(mark in name for mark in NO_NAME_HAS)):
             raise faults.Refused(
                 f"{where}: {faults.quoted(name)} is no name of a column")
         if name in seen:
@@ -81,15 +170,18 @@ class CsvRecord:
         self.cut_short = None
         """What is missing of a record that was cut short, for people."""
 
+        self.number = 0
+        """Lines that have been read."""
+
         header = self.next_line(1)
         if header is None:
             raise faults.Refused(f"{self.where(1)}: the file is empty")
-        names = header[:-1].split(",")
+        names = [name[1:] if FORMULA.match(name, 1)
+                 and name[0] == TEXT_MARK else name
+                 for name in header[:-1].split(",")]
         check_names(names, self.where(1))
         self.first = self.next_line(2)
         self.columns = Columns(names, self.kinds(names))
-        self.words = [place for place, name in enumerate(names)
-                      if name in items.COLUMNS]
 
     @property
     def names(self):
@@ -108,13 +200,25 @@ class CsvRecord:
         return f"{faults.quoted(self.path)[1:-1]}:{line}"
 
     def lines(self, many):
-        """As many lines as there are, up to that."""
+        """As many lines as there are, up to that, or to a block's length."""
+        found, length = [], 0
         try:
-            return [line for _, line in zip(range(many), self.file)]
+            while len(found) < many and length < CHARACTERS_PER_BLOCK:
+                line = self.file.readline(LONGEST_LINE + 1)
+                if not line:
+                    break
+                if len(line) > LONGEST_LINE:
+                    raise faults.Refused(
+                        f"{self.where(self.number + len(found) + 1)}: the line"
+                        f" is longer than {LONGEST_LINE} characters")
+                found.append(line)
+                length += len(line)
         except UnicodeDecodeError as fault:
             raise faults.Refused(
                 f"{self.where('?')}: not a text file: byte"
                 f" {fault.object[fault.start]:02x}h") from fault
+        self.number += len(found)
+        return found
 
     def next_line(self, number):
         """A line, or nothing at the end."""
@@ -139,6 +243,7 @@ class CsvRecord:
         self.check_cells(2, self.first, [None] * len(names), names)
         return [len(NUMBER.fullmatch(cell)[1] or "") for cell in cells]
 
+    @bounded
     def blocks(self):
         """Arrays of rows, in order."""
         if self.first is None:
@@ -167,12 +272,13 @@ class CsvRecord:
         text = "".join(lines)
         width = len(self.names)
         try:
+            if text.count(",") != len(lines) * (width - 1):
+                raise ValueError("cells")
             values = numpy.array(
                 text.replace("\n", ",").split(",")[:-1], dtype=object)
             rows = values.astype(numpy.float64).reshape(len(lines), width)
-            words = rows[:, self.words]
-            if (self.columns.text(rows) == text
-                    and ((words >= 0) & (words <= LARGEST_WORD)).all()):
+            if (self.columns.first_bad(rows) is None
+                    and self.columns.text(rows) == text):
                 return rows
         except (ValueError, OverflowError):
             pass
@@ -188,11 +294,15 @@ class CsvRecord:
                 f"{self.where(number)}: {len(cells)} cells, the header has"
                 f" {len(names)}")
         for cell, name, places in zip(cells, names, decimals, strict=True):
-            found = NUMBER.fullmatch(cell)
+            found = (NUMBER.fullmatch(cell) if len(cell) <= LONGEST_NUMBER
+                     else None)
             here = f"{self.where(number)}: {name}: {faults.quoted(cell)}"
             if not found:
                 raise faults.Refused(f"{here} is no number")
             fine = len(found[1] or "")
+            if fine > MOST_DECIMALS:
+                raise faults.Refused(f"{here} has {fine} decimals, more than"
+                                     f" {MOST_DECIMALS}")
             if places is not None and fine != places:
                 raise faults.Refused(
                     f"{here} has {fine} decimals, the rows before have"
@@ -205,6 +315,11 @@ class CsvRecord:
                     or abs(float(cell)) * 10 ** fine >= LARGEST):
                 raise faults.Refused(
                     f"{here} is not written as a record's numbers are")
+            if name == "frame" and float(cell) < 0:
+                raise faults.Refused(f"{here} is no number of a frame")
+            if name == "time_ms" and not 0 <= float(cell) <= LONGEST_TIME_MS:
+                raise faults.Refused(f"{here} is no time, 0 to"
+                                     f" {LONGEST_TIME_MS} ms")
 
 
 class CsvWriter:
@@ -236,7 +351,7 @@ def opened(path, forgiving=False):
     path = Path(path)
     kind = path.suffix.lower()
     if kind == ".csv":
-        with _opened_text(path) as file:
+        with input_files.opened_text(path) as file:
             yield CsvRecord(path, file, forgiving)
     elif kind in KINDS:
         with _module(kind).opened(path, forgiving) as record:
@@ -265,21 +380,6 @@ def _module(kind):
         return parquet_files
     from urv import mcap_files
     return mcap_files
-
-
-@contextmanager
-def _opened_text(path):
-    try:
-        file = path.open(newline="\n", encoding="utf-8")
-    except OSError as fault:
-        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
-                             f" {faults.reason(fault)}") from fault
-    with file:
-        try:
-            yield file
-        except IsADirectoryError as fault:
-            raise faults.Refused(f"{faults.quoted(path)} is a folder"
-                                 ) from fault
 
 
 def group_of(name):

@@ -28,8 +28,10 @@ def report(
 
     One page that needs no network.
     """
-    from urv import flights, progress, report_page, whole_files
+    from urv import (flights, input_files, progress, report_page,
+                     whole_files)
 
+    input_files.limit_memory()
     with progress.bar("reading") as told:
         pages_events = flights.read_events(events) if events else []
         pages_summary = flights.read_summary(summary) if summary else None

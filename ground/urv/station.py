@@ -18,7 +18,7 @@ from urllib.parse import quote
 
 import typer
 
-from urv import faults, packets
+from urv import faults, packets, whole_files
 
 if TYPE_CHECKING:
     from urv.view import Line
@@ -161,7 +161,10 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
 
     loop = asyncio.get_running_loop()
     keeper = archive.Archive(yamcs) if yamcs else None
-    kept = events.open("a", encoding="utf-8") if events else None
+    if events:
+        whole_files.refuse_link(events)
+    kept = open(events, "a", encoding="utf-8",  # noqa: SIM115
+                opener=whole_files.no_link) if events else None
 
     def told(line: Line) -> None:
         if keeper is not None:

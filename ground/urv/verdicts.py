@@ -11,6 +11,7 @@ was never silent for long, and as quick as the design says.
 
 from __future__ import annotations
 
+import bisect
 from dataclasses import dataclass
 
 import numpy
@@ -331,27 +332,36 @@ def counted(many, what):
 def around(flight, events, exceedance):
     """What happened close to it, in words, in the order of time."""
     span = exceedance.span
+    first, last = span.begin - flights.CLOSE_S, span.end + flights.CLOSE_S
     found = []
 
     def close(at):
-        return span.begin - flights.CLOSE_S <= at <= span.end + flights.CLOSE_S
+        return first <= at <= last
+
+    def near(ordered, time_of):
+        """Those between; a record made to do so has a million."""
+        return ordered[bisect.bisect_left(ordered, first, key=time_of):
+                       bisect.bisect_right(ordered, last, key=time_of)]
 
     for event in events:
         times = dict.fromkeys([event.span.begin, event.span.end])
         found += [(at, f"{event.node} {event.kind}"
                    + (f" (one of {event.count})" if event.count > 1 else ""))
                   for at in times if close(at)][:1]
-    for silence in flight.silences:
+    silences = flight.silences[
+        bisect.bisect_left(flight.silences, first, key=lambda each: each.end):
+        bisect.bisect_right(flight.silences, last,
+                            key=lambda each: each.begin)]
+    for silence in silences:
         if silence.is_close_to(span) and silence.seconds > SHOWN_SILENCE_S:
             found.append((silence.begin, "no fresh data for "
                           + number(silence.seconds, 2, "s")))
-    for other in flight.excursions:
-        if other.item.name != exceedance.item.name and close(
-                other.span.begin):
+    for other in near(flight.excursions, lambda each: each.span.begin):
+        if other.item.name != exceedance.item.name:
             found.append((other.span.begin,
                           f"{other.item.label} {other.level}"))
-    found += [(at, change) for at, change in flight.switch_changes
-              if close(at)]
+    found += [(at, change) for at, change in near(
+        flight.switch_changes, lambda each: each[0])]
     texts = [f"{number(at, 2, 's')} {what}"
              for at, what in dict.fromkeys(sorted(found))]
     if len(texts) > MOST_AROUND:

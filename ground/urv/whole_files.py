@@ -1,29 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Output files that are complete or not there (GND-15).
+"""Output files that are complete or not there (GND-15, SEC-15, D-66).
 
     with whole_files.replacing(target) as path:
         path.write_text(...)
 
-What was under the name stays until the new file is complete. Where the file
-system can, the new file has no name until then, so that a killed program
-leaves nothing. Elsewhere it is .NAME.PID.part, and the next run removes those
-of programs that have ended.
+The old file stays until the new one is complete. Where the file system can,
+the new file has no name until then, so that a killed program leaves nothing.
+Elsewhere it is .NAME.PID.TOKEN.part, where nobody can guess TOKEN, and the
+next run removes those of programs that have ended.
+
+An output whose name is a symbolic link is refused: in a folder that others may
+write to, a link could lead to any file of the user. The names of the program's
+own descriptors, /dev/stdout and the like, are no such links.
 """
 
 import os
 import re
+import secrets
 import stat
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from urv import faults
+
+OWN_DESCRIPTOR = re.compile(
+    r"/dev/(stdout|stderr|fd/[0-9]+)|/proc/self/fd/[0-9]+")
+
+IS_LINK = "is a symbolic link; an output must be a file"
 
 
 @contextmanager
 def replacing(target):
     """The path to write to. Raises faults.Failed when the file cannot be
     written. Devices and pipes are written in place."""
-    named, target = target, Path(os.path.realpath(target))
+    refuse_link(target)
+    named, target = target, Path(target)
     try:
         if not _can_be_replaced(target):
             yield target
@@ -43,7 +54,24 @@ def replacing(target):
                             f" {faults.reason(fault)}") from fault
 
 
+def refuse_link(path):
+    """An output is no symbolic link."""
+    if (not OWN_DESCRIPTOR.fullmatch(os.fspath(path))
+            and Path(path).is_symlink()):
+        raise faults.Refused(f"{faults.quoted(path)} {IS_LINK}")
+
+
+def no_link(path, flags):
+    """An opener, as open() takes one, of outputs that are written in place.
+    It follows no link, also one that was made a moment ago."""
+    if not OWN_DESCRIPTOR.fullmatch(os.fspath(path)):
+        flags |= os.O_NOFOLLOW
+    return os.open(path, flags, 0o666)
+
+
 def _can_be_replaced(target):
+    if OWN_DESCRIPTOR.fullmatch(str(target)):
+        return False
     try:
         return stat.S_ISREG(target.stat().st_mode)
     except FileNotFoundError:
@@ -51,18 +79,22 @@ def _can_be_replaced(target):
 
 
 def _part(target, number):
-    """Of a long name only so much that the whole fits."""
-    name = os.fsdecode(os.fsencode(target.name)[:200])
-    return target.with_name(f".{name}.{number}.part")
+    """As much of a long name as fits; the token cannot be guessed."""
+    name = os.fsdecode(os.fsencode(target.name)[:180])
+    return target.with_name(
+        f".{name}.{number}.{secrets.token_hex(8)}.part")
 
 
 def _remove_abandoned(target):
+    name = os.fsdecode(os.fsencode(target.name)[:180])
     pattern = re.compile(
-        re.escape(_part(target, "PID").name).replace("PID", "([0-9]+)"))
+        re.escape(f".{name}.") + r"([0-9]+)(\.[0-9a-f]{16})?\.part")
     for path in target.parent.iterdir():
         found = pattern.fullmatch(path.name)
         if found and not Path(f"/proc/{found[1]}").exists():
-            path.unlink(missing_ok=True)
+            # Another user's is not ours to remove.
+            with suppress(OSError):
+                path.unlink()
 
 
 def _nameless(folder):
@@ -84,7 +116,6 @@ def _closing(file):
 def _give_name(file, target):
     """A link cannot replace a file, so it is made beside it and renamed."""
     part = _part(target, os.getpid())
-    part.unlink(missing_ok=True)
     folder = os.open(target.parent, os.O_RDONLY | os.O_DIRECTORY)
     # With a folder's descriptor Python follows the link, without it does not.
     with _closing(folder):
@@ -95,8 +126,11 @@ def _give_name(file, target):
 @contextmanager
 def _named(target):
     part = _part(target, os.getpid())
+    file = os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW,
+                   0o666)
     try:
-        yield part
+        with _closing(file):
+            yield Path(f"/proc/self/fd/{file}")
         os.replace(part, target)
     finally:
         part.unlink(missing_ok=True)

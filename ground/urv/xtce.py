@@ -15,7 +15,7 @@ from typing import Annotated
 
 import typer
 
-from urv import faults, items, laws, packets
+from urv import items, laws, packets, whole_files
 
 SYSTEM = "URV"
 CONTAINER = "frame"
@@ -78,11 +78,8 @@ def xtce(
     The frame packet as XTCE: every field, calibrated, with limits.
     """
     text = mission_database()
-    try:
-        output.write_text(text, encoding="utf-8")
-    except OSError as fault:
-        raise faults.Failed(f"{faults.quoted(output)} cannot be written:"
-                            f" {faults.reason(fault)}") from fault
+    with whole_files.replacing(output) as path:
+        path.write_text(text, encoding="utf-8")
 
 
 def mission_database() -> str:

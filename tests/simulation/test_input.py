@@ -2,6 +2,7 @@
 """SIM-1: what urv_sim reads. Good input is taken as promised; bad input gives
 one line on standard error and exit status 2, and no output file."""
 
+import json
 import os
 
 import pytest
@@ -406,9 +407,37 @@ def test_what_existed_stays_when_input_is_bad(refused, write):
     refused("fly", "--sticks", "sticks.csv", *ALL_OUTPUTS)
 
 
-def test_link_to_nothing_stays_when_another_output_fails(refused, tmp_path):
-    (tmp_path / "record.csv").symlink_to("elsewhere.csv")
-    refused("fly", "--record", "record.csv", "--wire", "none/wire.csv")
+@pytest.mark.parametrize("option", ["--record", "--summary", "--wire",
+                                    "--events"])
+@pytest.mark.parametrize("target", ["precious", "elsewhere.csv"])
+def test_sec15_an_output_follows_no_link(
+        refused, write, tmp_path, option, target):
+    # `refused` compares every file before and after.
+    write("precious", "precious\n")
+    (tmp_path / "out").symlink_to(target)
+    said = refused("fly", "--seconds", "0.1", option, "out")
+    assert said == (f'urv_sim: {option}: "out" cannot be created: it is a'
+                    " symbolic link")
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "/proc/self/fd/1"])
+def test_sec15_standard_output_may_be_an_output(urv_sim, name):
+    result = urv_sim("fly", "--seconds", "0.1", "--quiet", "--summary", name)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert json.loads(result.stdout)["frames"] == 5
+
+
+@pytest.mark.parametrize("option", ["--sticks", "--sensors", "--faults",
+                                    "--conditions", "--orders"])
+@pytest.mark.parametrize("kind", ["pipe", "device"])
+def test_sec14_an_input_is_a_regular_file(refused, tmp_path, option, kind):
+    """Nobody writes to the pipe: a program that opens it waits for ever."""
+    name = "/dev/zero"
+    if kind == "pipe":
+        name = "pipe"
+        os.mkfifo(tmp_path / name)
+    said = refused("fly", option, name, *ALL_OUTPUTS)
+    assert said == f"{name}:1: is no regular file"
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write any file")

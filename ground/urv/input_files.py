@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that a command reads, whoever made them (SEC-14, D-65).
+
+    with input_files.opened(path) as file:
+        file.read(...)
+
+Only regular files are read: a pipe or a device may never end, or block for
+ever. A command that reads files of others calls `limit_memory` first. Each
+reader has limits of its own; this one is for what they do not see, like a page
+of Parquet that claims to be 2 GB long.
+"""
+
+import io
+import json
+import math
+import os
+import re
+import resource
+import stat
+
+from urv import faults
+
+MOST_MEMORY = 2 ** 30
+"""Bytes beyond those that a program has when it begins to read."""
+
+LARGEST_JSON = 16 * 2 ** 20
+"""Bytes; a summary and the events of a flight are some kB."""
+
+LARGEST_INTEGER = 2 ** 53
+
+
+def opened(path):
+    """The file, to be read as bytes. Refuses what is no regular file."""
+    try:
+        # Without O_NONBLOCK a pipe without a writer would block.
+        number = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY
+                         | os.O_CLOEXEC)
+    except OSError as fault:
+        raise faults.Refused(f"{faults.quoted(path)} cannot be read:"
+                             f" {faults.reason(fault)}") from fault
+    mode = os.fstat(number).st_mode
+    if not stat.S_ISREG(mode):
+        os.close(number)
+        raise faults.Refused(
+            f"{faults.quoted(path)} is a folder" if stat.S_ISDIR(mode)
+            else f"{faults.quoted(path)} is no regular file")
+    return open(number, "rb")
+
+
+def opened_text(path):
+    """The same as text; its lines end in line feeds alone."""
+    return io.TextIOWrapper(opened(path), encoding="utf-8", newline="\n")
+
+
+def text(path):
+    """All of a file of JSON. Refuses one that is too large."""
+    with opened(path) as file:
+        read = file.read(LARGEST_JSON + 1)
+    if len(read) > LARGEST_JSON:
+        raise faults.Refused(f"{faults.quoted(path)} is larger than"
+                             f" {LARGEST_JSON} bytes")
+    try:
+        return read.decode("utf-8")
+    except UnicodeDecodeError as fault:
+        raise faults.Refused(f"{faults.quoted(path)}: not a text file"
+                             ) from fault
+
+
+def parsed(text):
+    """The value of a JSON text. Raises ValueError for what is none, is nested
+    too deeply, or has numbers that are not finite or whole numbers beyond
+    2**53."""
+
+    def finite(digits):
+        if not math.isfinite(float(digits)):
+            raise ValueError(f"{digits[:20]} is no number")
+        return float(digits)
+
+    def whole(digits):
+        if len(digits) > 17 or abs(int(digits)) > LARGEST_INTEGER:
+            raise ValueError(f"{digits[:20]} is too large")
+        return int(digits)
+
+    try:
+        return json.loads(text, parse_float=finite, parse_int=whole,
+                          parse_constant=finite)
+    except RecursionError as fault:
+        raise ValueError("nested too deeply") from fault
+
+
+def limit_memory():
+    """From now on this process gets so much memory more; beyond it there is a
+    MemoryError."""
+    with open("/proc/self/status", encoding="ascii") as file:
+        used = re.search(r"VmData:\s+(\d+) kB", file.read())
+    most = int(used[1]) * 1024 + MOST_MEMORY
+    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+    least = min(limit for limit in (soft, hard, most)
+                if limit != resource.RLIM_INFINITY)
+    resource.setrlimit(resource.RLIMIT_DATA, (least, hard))
