@@ -270,12 +270,10 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure A_Call_Is_Answered
      (Item  : in out URV.Handshakes.Seal;
-      Call  : Block_Data;
-      What  : out Outcome)
-   is
-      Block : Block_Data := Call;
+      Call  : in out Block_Data;
+      What  : out Outcome) is
    begin
-      Open (Item, Block, True, What);
+      Open (Item, Call, True, What);
    end A_Call_Is_Answered;
 
    procedure Each_Answer_Has_Its_Turn
@@ -291,16 +289,16 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure A_Call_Displaces_The_Oldest
      (Item  : in out URV.Handshakes.Seal;
-      Call  : Block_Data;
+      Call  : in out Block_Data;
       What  : out Outcome)
    is
-      Was   : constant URV.Handshakes.Seal := Item;
-      Block : Block_Data := Call;
+      Was  : constant URV.Handshakes.Seal := Item;
+      Sent : constant Block_Data := Call;
    begin
-      pragma Assert (Outcome_Of (Item, Call, True) not in Taken);
-      Open (Item, Block, True, What);
+      pragma Assert (Outcome_Of (Item, Sent, True) not in Taken);
+      Open (Item, Call, True, What);
       if What = Hello_Taken then
-         pragma Assert (Item = After_Hello (Was, Call));
+         pragma Assert (Item = After_Hello (Was, Sent));
       else
          pragma Assert (Item = Was);
       end if;

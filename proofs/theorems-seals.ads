@@ -209,7 +209,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A call is taken, and answered.
    procedure A_Call_Is_Answered
      (Item  : in out URV.Handshakes.Seal;
-      Call  : Block_Data;
+      Call  : in out Block_Data;
       What  : out Outcome)
    with
      Global => null,
@@ -220,10 +220,10 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Post   =>
        What = Hello_Taken
        and then Is_Answered (Item.Pending (Item.Latest))
-       and then Item.Pending (Item.Latest).Number = Hello_Number (Call)
+       and then Item.Pending (Item.Latest).Number = Hello_Number (Call'Old)
        and then Item.Pending (Item.Latest).Aircraft_Nonce = Item'Old.Own
        and then Item.Pending (Item.Latest).Ground_Nonce =
-         Nonce_At (Call, Own_Place);
+         Nonce_At (Call'Old, Own_Place);
 
    --  Each answer has its turn: of the aircraft's hellos, every fourth or
    --  sooner answers the session in this place, for as long as it is
@@ -249,7 +249,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  fourth.
    procedure A_Call_Displaces_The_Oldest
      (Item  : in out URV.Handshakes.Seal;
-      Call  : Block_Data;
+      Call  : in out Block_Data;
       What  : out Outcome)
    with
      Global => null,
