@@ -2,6 +2,7 @@
 """GND-56, GND-57, D-58, D-60: how old frames are by their own time, and that no datagram
 takes the station's sight."""
 
+import json
 import random
 import signal
 import socket
@@ -12,7 +13,7 @@ import pytest
 
 from station_rig import Station, until
 from test_node_starts import Clock, frame_of
-from urv import packets, view
+from urv import ground, packets, view
 from urv.packets import FRAME_S, FramePacket
 from urv.runs import ALIVE_S, SILENT_S
 
@@ -270,6 +271,24 @@ def test_d60_lower_numbers_of_a_run_replace_what_has_stopped():
     taken = node.come(60, 160)
     assert taken.index(True) * FRAME_S <= SILENT_S + 2 * FRAME_S
     assert all(taken[taken.index(True):])
+
+
+def test_gnd57_a_bad_line_of_the_station_s_log_costs_itself(tmp_path, capsys):
+    """Of events.jsonl, which bin/urv report reads."""
+    flight = ground.Flight(tmp_path, 1, 2, 3)
+    good = {"number": 1, "time_us": 1, "frame": 50, "level": "info",
+            "kind": "mark", "text": "gear"}
+    (tmp_path / "ground.jsonl").write_text('{"node": "gsc"}\n')
+    (tmp_path / "station.jsonl").write_text("\n".join((
+        json.dumps(good), "{", "7", "{}", json.dumps(good | {"frame": "x"}),
+        json.dumps(good | {"text": None}), json.dumps(good | {"frame": None}),
+        json.dumps(good | {"kind": "state"}), json.dumps(good))) + "\n")
+    flight.collect_events()
+    lines = (tmp_path / "events.jsonl").read_text().splitlines()
+    assert [json.loads(line).get("kind") for line in lines] == [
+        None, "mark: gear", "mark: gear"]
+    assert capsys.readouterr().out == (
+        "ground: 5 lines of station.jsonl are none and left out\n")
 
 
 # In a station

@@ -693,6 +693,55 @@ def test_gnd28_every_text_has_contrast(station, pages, scheme):
     until(lambda: page.evaluate(CONTRAST) == [], "contrast")
 
 
+LIST = """() => import("/page/panels.js").then((panels) => {
+  const times = [0, 1.7e15, 253402300799999999, 8.7e18, 2 ** 64, -1, null];
+  panels.showAlerts(times.map((came_us, at) => ({key: `k${at}`,
+    level: "caution", name: `N${at}`, text: "t", came_us, count: 1,
+    active: true, seen: false})), () => 0);
+  panels.showLines(times.map((time_us, at) => ({level: "info", kind: "k",
+    text: `line ${at}`, time_us})));
+  return [document.querySelectorAll("#alert_list .when"),
+    document.querySelectorAll("#lines li")].map((rows) =>
+    Array.from(rows, (row) => row.innerText));
+})"""
+
+
+def test_gnd57_no_time_takes_the_other_rows_of_a_list(station, pages):
+    page = pages.open()
+    alerts, lines = page.evaluate(LIST)
+    assert alerts[:5] == ["00:00:00", "22:13:20", "00:00:00", "--:--:--",
+                          "--:--:--"]
+    assert len(alerts) == 7
+    assert [f"line {at}" in " ".join(lines) for at in range(7)] == [True] * 7
+
+
+HUNG = """
+window.hang = (ms) => {
+  const ends = performance.now() + ms;
+  while (performance.now() < ends);
+};
+window.seen = [];
+new MutationObserver(() => window.seen.push([performance.now(),
+  Number(document.body.dataset.seq), document.body.dataset.frame]))
+  .observe(document, {subtree: true, attributes: true,
+    attributeFilter: ["data-seq"]});
+"""
+
+
+def test_gnd56_what_waited_in_a_browser_that_hung_is_old(station, pages):
+    """The first state that it draws afterwards came before it hung."""
+    page = pages.open(script=HUNG)
+    before = page.evaluate("(seen.length = 0, hang(3000), performance.now())")
+    until(lambda: page.evaluate("seen.length") > 20, "more states")
+    drawn = [each for each in page.evaluate("seen") if each[0] >= before - 1]
+    newest = drawn[-1][1]
+    for at, sequence, frame in drawn:
+        # By when it was drawn, how old that frame was at least.
+        behind = (newest - sequence) * packets.FRAME_S - (
+            drawn[-1][0] - at) / 1000
+        assert frame != "fresh" or behind < 0.5, (sequence, newest)
+
+
 def test_gnd25_pictures_follow_the_frames(station, pages):
     """Each picture is of a newer frame, never of an older one."""
     page = pages.open()
