@@ -115,10 +115,16 @@ def address(option: str, given: str, wanted: str = "udp"
 def ip_address(option: str, given: str) -> str:
     """The address as the operating system writes it."""
     try:
-        return str(ipaddress.ip_address(given.strip("[]")))
+        return plain_address(str(ipaddress.ip_address(given.strip("[]"))))
     except ValueError as error:
         raise faults.Refused(f"{option} {faults.quoted(given)}: no IP address,"
                              " such as 192.168.1.7") from error
+
+
+def plain_address(host: str) -> str:
+    """A socket of IPv6 writes an address of IPv4 in its own way."""
+    mapped = getattr(ipaddress.ip_address(host), "ipv4_mapped", None)
+    return host if mapped is None else str(mapped)
 
 
 class Frames(asyncio.DatagramProtocol):
@@ -226,7 +232,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
 
     def take(data: bytes, sender: tuple[str, int]) -> None:
         nonlocal pushed
-        if only is not None and sender[0] != only:
+        if only is not None and plain_address(sender[0]) != only:
             view.stranger(sender[0])
         elif view.datagram(data, sender):
             if keeps is not None:

@@ -13,7 +13,7 @@ import pytest
 
 from station_rig import Station, until
 from test_node_starts import Clock, frame_of
-from urv import ground, packets, view
+from urv import ground, packets, station as station_command, view
 from urv.packets import FRAME_S, FramePacket
 from urv.runs import ALIVE_S, SILENT_S
 
@@ -332,6 +332,14 @@ def test_gnd57_frames_of_another_machine_than_the_sender_are_not_taken(
         assert "words" not in state
         assert "FOREIGN FRAMES" in {
             alert["name"] for alert in state["alerts"] if alert["active"]}
+
+
+@pytest.mark.parametrize("given, written", [
+    ("192.168.1.7", "192.168.1.7"), ("[::1]", "::1"), ("0:0::1", "::1"),
+    ("::ffff:10.0.0.1", "10.0.0.1")])
+def test_gnd57_an_address_is_compared_in_one_way_of_writing(given, written):
+    assert station_command.ip_address("--sender", given) == written
+    assert station_command.plain_address(written) == written
 
 
 def test_gnd57_a_port_that_others_reach_is_said(standard, tmp_path):
