@@ -12,6 +12,8 @@ with Partitions.Output_Buffers;    use Partitions.Output_Buffers;
 
 package body Partitions.Output_Files is
 
+   use type URVOS.Count;
+
    --  Those of Kept, and standard output.
    type Place is (Record_Place, Summary_Place, Events_Place, Screen_Place);
 
@@ -190,6 +192,8 @@ package body Partitions.Output_Files is
      (Is_Lost (Files (Which)) or else Stuck (Place_Of (Which)));
 
    function Any_Lost return Boolean is
-     (Host.Text_Output.Any_Lost or else (for some Each of Stuck => Each));
+     (Host.Text_Output.Any_Lost
+      or else Rows_Left_Out > 0
+      or else (for some Each of Stuck => Each));
 
 end Partitions.Output_Files;

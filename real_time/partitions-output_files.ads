@@ -48,7 +48,7 @@ package Partitions.Output_Files is
 
    function Is_Lost (Which : Kept) return Boolean;
 
-   --  Whether any of them is lost, standard output included.
+   --  Whether any of them is not whole, standard output included.
    function Any_Lost return Boolean;
 
 end Partitions.Output_Files;

@@ -29,8 +29,10 @@ package body Partitions.Plant is
 
    type Plant_State is (In_Time, Is_Late, Is_Silent, Is_Dead);
 
-   --  Scans without an answer, up to those that are too many.
-   type Missed_Count is range 0 .. Most_Missed + 1;
+   --  Scans without an answer, up to those of a second: then it has stood
+   --  still, and the run has a fault.
+   type Missed_Count is
+     range 0 .. Microseconds_Per_Second / Major_Frame;
 
    --  There are commands for the next frame.
    Asked : Suspension_Object;
@@ -59,6 +61,9 @@ package body Partitions.Plant is
       --  It has died of numbers that are not finite.
       function Has_Diverged return Boolean;
 
+      --  How often it has not answered for a second.
+      function Times_Still return URVOS.Count;
+
       function State return Plant_State;
       function Frames return URVOS.Count;
       function Present return Shown_State;
@@ -70,6 +75,7 @@ package body Partitions.Plant is
       Flying   : Boolean      := False;   --  an answer is to come
       Now      : Plant_State  := In_Time;
       Missing  : Missed_Count := 0;       --  scans in a row
+      Still    : URVOS.Count  := 0;       --  times
       Flown    : URVOS.Count  := 0;
       Wrong    : Boolean      := False;   --  numbers are not finite
    end Aircraft;
@@ -115,16 +121,20 @@ package body Partitions.Plant is
       begin
          Words := Sensors;
          Missed := Flying and then Now /= Is_Dead;
-         Missing :=
-           (if not Missed then 0
-            elsif Missing = Missed_Count'Last then Missing
-            else Missing + 1);
+         if not Missed then
+            Missing := 0;
+         elsif Missing < Missed_Count'Last then
+            Missing := Missing + 1;
+            if Missing = Missed_Count'Last then
+               Still := URVOS.Incremented (Still);
+            end if;
+         end if;
          if Now /= Is_Dead then
             Now :=
               (case Missing is
-                  when 0                 => In_Time,
-                  when 1 .. Most_Missed  => Is_Late,
-                  when Missed_Count'Last => Is_Silent);
+                  when 0                => In_Time,
+                  when 1 .. Most_Missed => Is_Late,
+                  when others           => Is_Silent);
          end if;
          Answers := Now in In_Time | Is_Late;
       end Look;
@@ -139,6 +149,8 @@ package body Partitions.Plant is
       end Die;
 
       function Has_Diverged return Boolean is (Wrong);
+
+      function Times_Still return URVOS.Count is (Still);
 
       function State return Plant_State is (Now);
 
@@ -370,7 +382,9 @@ package body Partitions.Plant is
 
    function Failure return String is
      (case Aircraft.State is
-         when In_Time | Is_Late => "",
+         when In_Time | Is_Late =>
+           (if Aircraft.Times_Still = 0 then ""
+            else "--plant jsbsim: JSBSim's process stood still"),
          when Is_Silent =>
            "--plant jsbsim: JSBSim's process does not answer",
          when Is_Dead =>
@@ -389,6 +403,8 @@ package body Partitions.Plant is
            (Result, To, "late", Reports.Number (Lates.Contents.Number));
          Put_Field
            (Result, To, "died", Reports.Number (Deaths.Contents.Number));
+         Put_Field
+           (Result, To, "stood_still", Reports.Number (Aircraft.Times_Still));
          End_Group (Result, To);
       end if;
    end Put_Counts;

@@ -41,7 +41,8 @@ package Partitions.Plant is
    --  when all is as it was. It is now so many seconds.
    function Next_News (Now : String) return String;
 
-   --  Why the run was no good; nothing when it was.
+   --  Why the run was no good; nothing when it was. A process that has not
+   --  answered for a second is a fault, though it answers again (RTP-11).
    function Failure return String;
 
    --  For the summary, and the lines of --events.

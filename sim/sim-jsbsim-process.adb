@@ -5,6 +5,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;           use GNAT, GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
 
+with Host.Complaints;
 with Host.Plant_Program;
 with Sim.Signals;
 
@@ -12,7 +13,10 @@ package body Sim.JSBSim.Process is
 
    --  The first answer takes half a second, or several on a machine that
    --  has to read Python and JSBSim from its disk.
-   Longest_Wait : constant Duration := 60.0;
+   Longest_Wait : constant := 60;
+
+   --  After a second without an answer it is reported (SIM-9).
+   Wait         : constant Duration := 1.0;
 
    Has_Ended : constant String := "JSBSim's process has ended";
 
@@ -30,6 +34,9 @@ package body Sim.JSBSim.Process is
    Skips   : Natural := 0;   --  after the last look in vain
    To_Skip : Natural := 0;
 
+   --  Its start takes longer.
+   Has_Answered : Boolean := False;
+
    Link    : Socket_Type := No_Socket;
    Running : Process_Id  := Invalid_Pid;
 
@@ -45,7 +52,7 @@ package body Sim.JSBSim.Process is
       Set_Close_On_Exec (Theirs, False, Closed);
       pragma Assert (Closed);
       Set_Socket_Option
-        (Link, Socket_Level, (Receive_Timeout, Timeout => Longest_Wait));
+        (Link, Socket_Level, (Receive_Timeout, Timeout => Wait));
 
       Signals.Begin_Deafness;
       Plant_Program.Spawn (To_C (Theirs), Running);
@@ -91,21 +98,35 @@ package body Sim.JSBSim.Process is
       Next : Stream_Element_Offset;
 
       --  What has come, up to the end of the message. A signal interrupts
-      --  a wait that has a time limit; it is waited for anew.
+      --  a wait that has a time limit; it is waited for again.
       procedure Receive_Some (First : Stream_Element_Offset);
 
       procedure Receive_Some (First : Stream_Element_Offset) is
+         Waits : Natural := 0;
       begin
          loop
             begin
                Receive_Socket (Link, Message (First .. Message'Last), Last);
+               if Waits > 0 and then Has_Answered then
+                  Host.Complaints.Report
+                    ("--plant jsbsim: JSBSim's process answers again");
+               end if;
                return;
             exception
                when Error : Socket_Error =>
-                  if Resolve_Exception (Error) /= Interrupted_System_Call
-                  then
-                     raise;
-                  end if;
+                  case Resolve_Exception (Error) is
+                     when Interrupted_System_Call          => null;
+                     when Resource_Temporarily_Unavailable =>
+                        Waits := Waits + 1;
+                        if Waits = Longest_Wait then
+                           raise;
+                        elsif Waits = 1 and then Has_Answered then
+                           Host.Complaints.Report
+                             ("--plant jsbsim: JSBSim's process does not"
+                              & " answer: the flight waits");
+                        end if;
+                     when others                           => raise;
+                  end case;
             end;
          end loop;
       end Receive_Some;
@@ -119,6 +140,7 @@ package body Sim.JSBSim.Process is
             raise Plant_Failure with Has_Ended;
          end if;
       end loop;
+      Has_Answered := True;
    exception
       when Error : Socket_Error =>
          if Resolve_Exception (Error) = Resource_Temporarily_Unavailable then

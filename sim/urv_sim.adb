@@ -58,12 +58,11 @@ procedure Urv_Sim is
       Flown : Microseconds;
    begin
       Flight.Fly (Chosen, Flown);
-      if Signals.Interrupted then
-         Complain ("interrupted at " & Seconds (Flown) & " s");
-         Set_Exit_Status (Interrupted);
-      end if;
       if Nodes.Has_Failed then
          Set_Exit_Status (Failure);
+      elsif Signals.Interrupted then
+         Complain ("interrupted at " & Seconds (Flown) & " s");
+         Set_Exit_Status (Interrupted);
       end if;
    end Fly;
 

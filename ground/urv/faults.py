@@ -6,6 +6,7 @@ is read or typed is shown by `quoted` only: no control character of it gets to
 a terminal.
 """
 
+import contextlib
 import sys
 
 
@@ -28,8 +29,10 @@ class Unheard(Failed):
 
 
 def note(text):
-    """A line for people, beside what a command does."""
-    print(f"urv: {text}", file=sys.stderr, flush=True)
+    """A line for people, beside what a command does, should anybody read
+    it."""
+    with contextlib.suppress(OSError, ValueError):
+        print(f"urv: {text}", file=sys.stderr, flush=True)
 
 
 def quoted(text):

@@ -4,7 +4,7 @@
 Both nodes, the aircraft, the station and a Yamcs, each a process of its own.
 What ends the flight ends them all. When another one dies or stops, the terminal
 and the page report it, the rest flies on, and the flight ends with a fault
-(GND-47).
+(GND-47, GND-54). So it is with an output that cannot be written (GND-53).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import contextlib
 import ctypes
 import json
 import os
+import queue
 import re
 import signal
 import subprocess
@@ -25,7 +26,7 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, packets, processes, programs, whole_files
+from urv import faults, outputs, packets, processes, programs
 from urv.alerts import CAUTION, WARNING
 from urv.processes import Report
 
@@ -37,6 +38,8 @@ DISPLAY = "flight.opi"
 LOOKS_S = 0.1
 UNHEARD = 3
 """The status of a node that was never sent anything that it took."""
+LOST = 1
+"""The status of a node one of whose outputs was lost, among other faults."""
 REFUSES = 2
 """The status of a node that does not take its command line."""
 ENDS_S = 10.0
@@ -44,6 +47,7 @@ ENDS_S = 10.0
 STARTS_S = 30.0
 LATER_BY = 5
 """Yamcs is so much nicer than who flies."""
+LONGEST_LINE = 4_096
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
@@ -181,7 +185,15 @@ class Flight:
         self.statuses: dict[str, int] = {}
         self.fallen: list[str] = []
         self.stopped: set[str] = set()
-        self.read: dict[str, int] = {}
+        self.stood_still: dict[str, None] = {}
+        self.losses: dict[str, str] = {}
+        self.terminal = outputs.Terminal()
+        # Of each program: its log, the thread that reads what it says, and
+        # the last line of that.
+        self.logs: dict[str, outputs.Output] = {}
+        self.readers: dict[str, threading.Thread] = {}
+        self.last_words: dict[str, str] = {}
+        self.lines: queue.SimpleQueue[tuple[str, str]] = queue.SimpleQueue()
         self.active: dict[str, str] = {}
         self.began = time.monotonic()
 
@@ -217,10 +229,9 @@ class Flight:
                  *publish, *self.passed_on("urv_gsc"),
                  "--console", f"udp:{here}:{self.console}",
                  *self.outputs("ground"))
-        print(f"ground: page to fly and watch by: http://{here}:"
-              f"{self.page_port}/", flush=True)
-        if yamcs:
-            self.start_yamcs()
+        self.say(f"ground: page to fly and watch by: http://{here}:"
+              f"{self.page_port}/")
+        if yamcs and self.start_yamcs():
             threading.Thread(target=self.await_yamcs, args=(archive,),
                              daemon=True).start()
 
@@ -237,7 +248,24 @@ class Flight:
                 "--summary", self.folder / f"{name}.json",
                 "--events", self.folder / f"{name}.jsonl"]
 
-    def start_yamcs(self) -> None:
+    def start_yamcs(self) -> bool:
+        """Whether it could be, on a disk that may be full."""
+        try:
+            self.configure_yamcs()
+        except OSError as error:
+            self.lose("yamcs", "yamcs is not started: its files cannot be"
+                      f" written: {faults.reason(error)}")
+            return False
+        # A small machine has other things to do than to compile well.
+        self.run("yamcs", programs.found("java"), "-Xmx512m",
+                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp",
+                 f"{JARS}/*",
+                 "org.yamcs.YamcsServer", "--no-color", "--log", "1",
+                 "--etc-dir", self.folder / "etc",
+                 "--data-dir", self.folder / "yamcs-data", later=LATER_BY)
+        return True
+
+    def configure_yamcs(self) -> None:
         for name in ("mdb", "displays", "etc"):
             (self.folder / name).mkdir(exist_ok=True)
         from urv import display, xtce
@@ -250,12 +278,6 @@ class Flight:
             text = text.replace("port: 8092", f"port: {self.yamcs_port}")
             text = text.replace("port: 6005", f"port: {self.relay}")
             (self.folder / "etc" / source.name).write_text(text, "utf-8")
-        # A small machine has other things to do than to compile well.
-        self.run("yamcs", programs.found("java"), "-Xmx512m",
-                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", f"{JARS}/*",
-                 "org.yamcs.YamcsServer", "--no-color", "--log", "1",
-                 "--etc-dir", self.folder / "etc",
-                 "--data-dir", self.folder / "yamcs-data", later=LATER_BY)
 
     def run(self, name: str, *command, tells: bool = False,
             later: int = 0, hears: bool = False) -> None:
@@ -269,8 +291,7 @@ class Flight:
             if os.getppid() != parent:
                 os._exit(1)
 
-        log = open(self.folder / f"{name}.log", "w", encoding="utf-8",
-                   opener=whole_files.no_link)
+        said, log = os.pipe()
         self.running[name] = subprocess.Popen(
             list(map(str, command)), cwd=self.folder,
             stdin=subprocess.PIPE if hears else subprocess.DEVNULL,
@@ -279,8 +300,58 @@ class Flight:
             # others in their order.
             start_new_session=True, preexec_fn=become, text=True,
             env=os.environ | {"URV_PYTHON": sys.executable})
-        log.close()
+        os.close(log)
+        self.read(name, said)
         self.groups.append(self.running[name].pid)
+
+    def read(self, name: str, said: int) -> None:
+        """Takes what a program says, to its log and to who follows it. A disk
+        that is full or slow keeps neither waiting (D-56)."""
+        try:
+            log = outputs.Output.of_file(
+                f"{name}.log", self.folder / f"{name}.log", os.O_TRUNC)
+        except OSError as error:
+            log = None
+            self.lose(f"{name}.log", f"{name}.log cannot be written:"
+                      f" {faults.reason(error)}")
+        else:
+            self.logs[name] = log
+
+        def take() -> None:
+            rest = b""
+            with open(said, "rb", buffering=0) as stream:
+                while data := stream.read(1 << 16):
+                    if log is not None:
+                        log.put(data)
+                    *lines, rest = (rest + data).split(b"\n")
+                    # A program that never ends its line is cut off.
+                    rest = rest[-LONGEST_LINE:]
+                    for line in lines:
+                        text = line.decode("utf-8", "replace")
+                        if text.strip():
+                            self.last_words[name] = text.strip()
+                        self.lines.put((name, text))
+
+        self.readers[name] = threading.Thread(target=take, daemon=True)
+        self.readers[name].start()
+
+    def say(self, text: str) -> None:
+        """At the terminal, should it take it."""
+        self.terminal.say(text)
+
+    def lose(self, output: str, text: str) -> None:
+        """An output is lost: the flight goes on, and ends with a fault."""
+        if output not in self.losses:
+            self.losses[output] = text
+            self.say(f"ground: {text}; the flight goes on")
+            self.tell(Report(f"lost {output}", CAUTION, "OUTPUT LOST", text))
+
+    def look_at_outputs(self) -> None:
+        """Those of this program."""
+        for output in (*self.logs.values(), self.terminal):
+            problem = output.problem()
+            if problem is not None:
+                self.lose(output.name, problem)
 
     def await_station(self) -> None:
         """Until it says where it takes frames."""
@@ -304,8 +375,13 @@ class Flight:
 
     def last_word_of(self, name: str) -> str:
         """The last line that a program has left, which says why it ended."""
-        lines = (self.folder / f"{name}.log").read_text("utf-8", "replace")
-        return lines.strip().rpartition("\n")[2]
+        self.await_end_of_words(name)
+        return self.last_words.get(name, "")
+
+    def await_end_of_words(self, name: str) -> None:
+        """Of a program that has ended: all that it has said is there."""
+        if name in self.readers:
+            self.readers[name].join(1.0)
 
     def await_yamcs(self, archive: str) -> None:
         """Says when its pages are there."""
@@ -318,16 +394,17 @@ class Flight:
                 time.sleep(0.3)
         else:
             return
-        print(f"ground: Yamcs: {archive}/telemetry/displays/files/{DISPLAY}"
-              "?c=urv__realtime", flush=True)
-        print(f"ground: live after {time.monotonic() - self.began:.0f} s;"
-              " Ctrl-C ends it", flush=True)
+        self.say(f"ground: Yamcs: {archive}/telemetry/displays/files/{DISPLAY}"
+              "?c=urv__realtime")
+        self.say(f"ground: live after {time.monotonic() - self.began:.0f} s;"
+              " Ctrl-C ends it")
 
     def watch(self) -> int:
         """Until the flight is over; 0 when it ended as it should."""
         while True:
             time.sleep(LOOKS_S)
-            self.follow_nodes()
+            self.follow_programs()
+            self.look_at_outputs()
             for name, process in list(self.running.items()):
                 status = process.poll()
                 if status is None:
@@ -335,13 +412,17 @@ class Flight:
                     continue
                 del self.running[name]
                 self.statuses[name] = status
-                if name == "urv_gsc" and status in (0, UNHEARD):
+                self.await_end_of_words(name)
+                self.follow_programs()
+                if name == "urv_gsc" and (
+                        status in (0, UNHEARD)
+                        or status == LOST and self.has_losses(name)):
                     return 0
                 how = (f"status {status}" if status > 0 else
                        signal.Signals(-status).name if status else "status 0")
-                print(f"ground: {name} has ended, {how}"
+                self.say(f"ground: {name} has ended, {how}"
                       + ("" if name in NODES else
-                         "; the flight goes on"), flush=True)
+                         "; the flight goes on"))
                 self.fallen.append(name)
                 self.tell(Report(
                     f"process {name}", CAUTION, f"{name.upper()} GONE",
@@ -350,20 +431,18 @@ class Flight:
                     self.complaint = self.last_word_of(name)
                     return REFUSES if status == REFUSES else 1
 
-    def follow_nodes(self) -> None:
+    def follow_programs(self) -> None:
         """Prints what the nodes report of themselves, the plant and each
-        other, and hands it to the page."""
-        for name in NODES:
-            try:
-                with (self.folder / f"{name}.log").open("rb") as log:
-                    log.seek(self.read.get(name, 0))
-                    come = log.read()
-            except OSError:
-                continue
-            whole = come[:come.rfind(b"\n") + 1]
-            self.read[name] = self.read.get(name, 0) + len(whole)
-            for line in whole.decode("utf-8", "replace").splitlines():
+        other, and hands it to the page. Of other programs only losses."""
+        while not self.lines.empty():
+            name, line = self.lines.get()
+            if name in NODES:
                 self.follow(name, line.removeprefix(f"{name}: "))
+            elif name != "yamcs":
+                said = line.removeprefix("urv: ")
+                for report in processes.reports_of(name, said):
+                    if processes.is_loss(report):
+                        self.lose(f"{name} {report.key}", f"{name}: {said}")
 
     def follow(self, name: str, said: str) -> None:
         """What a node has reported."""
@@ -376,12 +455,25 @@ class Flight:
                 self.active[report.key] = said
             else:
                 is_news |= self.active.pop(report.key, None) is not None
+            if processes.is_loss(report):
+                self.losses.setdefault(f"{name} {report.key}",
+                                       f"{name}: {said}")
             self.tell(report)
         if is_news:
-            print(f"ground: {name}: {said}", flush=True)
+            self.say(f"ground: {name}: {said}")
 
     def look_whether_stopped(self, name: str, pid: int) -> None:
-        """A program that was stopped does nothing, and has not ended."""
+        """A program that was stopped does nothing, and has not ended. So it is
+        with the aircraft, which its node has started."""
+        self.look_at_process(name, pid, WARNING if name in NODES else CAUTION)
+        if name == "urv_mcs":
+            with contextlib.suppress(OSError, ValueError):
+                children = Path(f"/proc/{pid}/task/{pid}/children")
+                for child in map(int, children.read_text("ascii").split()):
+                    self.look_at_process("plant", child, WARNING)
+
+    def look_at_process(self, name: str, pid: int, level: str) -> None:
+        """Whether it is stopped."""
         try:
             text = Path(f"/proc/{pid}/stat").read_text("utf-8", "replace")
         except OSError:
@@ -390,11 +482,13 @@ class Flight:
         if is_stopped == (name in self.stopped):
             return
         (self.stopped.add if is_stopped else self.stopped.discard)(name)
-        print(f"ground: {name} {'is stopped' if is_stopped else 'runs again'}",
-              flush=True)
+        if is_stopped:
+            self.stood_still[name] = None
+        self.say(f"ground: {name}"
+                 f" {'is stopped' if is_stopped else 'runs again'}")
         self.tell(Report(
-            f"stopped {name}", WARNING if name in NODES else CAUTION,
-            f"{name.upper()} STOPPED", "the program is stopped", is_stopped))
+            f"stopped {name}", level, f"{name.upper()} STOPPED",
+            "the program is stopped", is_stopped))
 
     def tell(self, report: Report) -> None:
         """The page. A station that does not take it keeps nobody waiting."""
@@ -404,17 +498,28 @@ class Flight:
                 os.set_blocking(station.stdin.fileno(), False)
                 os.write(station.stdin.fileno(), report.line().encode())
 
+    def has_losses(self, name: str) -> bool:
+        """Whether an output of that program is lost."""
+        return any(each.startswith(f"{name} ") for each in self.losses)
+
     def judge(self) -> None:
         """Raises what was wrong with a flight that has come to its end."""
         for name in NODES:
             status = self.statuses.get(name, 0)
-            if status not in (0, UNHEARD):
+            if status not in (0, UNHEARD) and not (
+                    status == LOST and self.has_losses(name)):
                 raise faults.Failed(
                     self.last_word_of(name) or f"{name} has failed")
         if self.fallen:
             raise faults.Failed(
                 f"{' and '.join(self.fallen)} ended during the flight: see"
                 f" {faults.quoted(self.shown())}")
+        if self.stood_still:
+            raise faults.Failed(
+                f"{' and '.join(self.stood_still)} stood still during the"
+                " flight")
+        if self.losses:
+            raise faults.Failed("; ".join(self.losses.values()))
         if UNHEARD in self.statuses.values():
             raise faults.Unheard("the link carried nothing: a node never"
                                  " heard the other one")
@@ -437,14 +542,21 @@ class Flight:
                 try:
                     process.wait(max(0.0, late - time.monotonic()))
                 except subprocess.TimeoutExpired:
-                    print(f"ground: {name} did not end and was killed",
-                          flush=True)
+                    self.say(f"ground: {name} did not end and was killed")
                     os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
                 self.statuses[name] = process.returncode
         self.end_groups()
+        for name in self.readers:
+            self.await_end_of_words(name)
+        self.follow_programs()
+        for log in self.logs.values():
+            log.close()
         self.collect_events()
-        print(f"ground: records and logs are in {self.shown()}", flush=True)
+        self.look_at_outputs()
+        self.say(f"ground: records and logs are in {self.shown()}")
+        self.terminal.close()
+        self.look_at_outputs()
 
     def end_groups(self) -> None:
         """Waits for what the programs have started, the aircraft of a node
@@ -473,13 +585,17 @@ class Flight:
                 if event is not None:
                     lines += json.dumps(event) + "\n"
             if bad:
-                print(f"ground: {bad} lines of station.jsonl are none and"
-                      " left out", flush=True)
-            with open(self.folder / "events.jsonl", "w", encoding="utf-8",
-                      opener=whole_files.no_link) as out:
-                out.write(lines)
+                self.say(f"ground: {bad} lines of station.jsonl are none and"
+                         " left out")
+            data = lines.encode()
+            made = outputs.Output.of_file(
+                "events.jsonl", self.folder / "events.jsonl", os.O_TRUNC,
+                room=len(data))
+            made.put(data)
+            made.close()
+            self.logs["events.jsonl"] = made
         except (OSError, ValueError) as error:
-            print(f"ground: no events.jsonl: {error}", flush=True)
+            self.say(f"ground: no events.jsonl: {error}")
 
     def shown(self) -> str:
         try:

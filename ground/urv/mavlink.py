@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
-(GND-40, GND-41, GND-45, GND-56).
+(GND-40, GND-41, GND-45, GND-53, GND-56).
 
 docs/mavlink.md says which item goes where. Nothing comes in this way: what a
 station sends back is not heard.
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from urv import faults, items, laws, packets, station, view
+from urv import faults, items, laws, outputs, packets, station, view
 from urv.packets import FramePacket, LinkState, Pilot
 from urv.repeats import Repeats, left_out
 from urv.runs import Runs
@@ -95,17 +95,22 @@ def mavlink(
     receiver.setblocking(True)
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
     bridge = Bridge(Sender(there))
-    print(f"mavlink: from udp:{here[0]}:{receiver.getsockname()[1]}"
-          f" to udp:{there[0]}:{there[1]}", flush=True)
+    terminal = outputs.Terminal()
+    terminal.say(f"mavlink: from udp:{here[0]}:{receiver.getsockname()[1]}"
+                 f" to udp:{there[0]}:{there[1]}")
     if not web.is_loopback(there[0]):
-        print("mavlink: whoever is on that network can read it", flush=True)
+        terminal.say("mavlink: whoever is on that network can read it")
     try:
         while True:
             bridge.datagram(*receiver.recvfrom(4096))
     except KeyboardInterrupt:
-        print(f"mavlink: {bridge.frames} frames, {bridge.missing} missing,"
-              f" {bridge.bad} bad, {bridge.sender.sent} messages,"
-              f" {bridge.sender.not_sent} not sent", flush=True)
+        terminal.say(
+            f"mavlink: {bridge.frames} frames, {bridge.missing} missing,"
+            f" {bridge.bad} bad, {bridge.sender.sent} messages,"
+            f" {bridge.sender.not_sent} not sent")
+    terminal.close()
+    if terminal.problem() is not None:
+        raise faults.Failed(terminal.problem())
 
 
 class Sender:

@@ -228,10 +228,20 @@ def keep(campaign, cargo_hash, found):
     from urv import monte_carlo_page, monte_carlo_results, whole_files
 
     found.sort(key=lambda flight: flight.seed)
-    with whole_files.replacing(campaign.output / "results.parquet") as path:
-        monte_carlo_results.write(path, campaign, cargo_hash, found)
     page = monte_carlo_page.page(
         campaign, cargo_hash, found,
         lambda seed: command_again(campaign, seed))
-    with whole_files.replacing(campaign.output / "report.html") as path:
-        path.write_text(page, encoding="utf-8")
+    # One that cannot be written costs that one alone (GND-53).
+    lost = []
+    for name, write in (
+            ("results.parquet", lambda path: monte_carlo_results.write(
+                path, campaign, cargo_hash, found)),
+            ("report.html", lambda path: path.write_text(
+                page, encoding="utf-8"))):
+        try:
+            with whole_files.replacing(campaign.output / name) as path:
+                write(path)
+        except faults.Failed as fault:
+            lost.append(str(fault))
+    if lost:
+        raise faults.Failed("; ".join(lost))

@@ -8,7 +8,7 @@ flew it or when.
 
 from typing import NamedTuple
 
-from urv import success
+from urv import faults, success
 
 # What the summary says of the flight and its link.
 PARTS = ("flight_quality", "circuit")

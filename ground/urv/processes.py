@@ -51,6 +51,9 @@ BEGINS = (
     (r"plant does not answer", "plant", WARNING, "PLANT SILENT"),
     (r"\d+ blocks? refused", "refused {}", WARNING, "{} REFUSES BLOCKS"),
     (r"peer lost", "peer {}", CAUTION, "{} HEARS NOTHING"),
+    (r"--\w+: .* left out by", "slow {} {}", CAUTION, "{} {} SLOW"),
+    (r"(--\w+|standard output).* (cannot be written|takes nothing):",
+     "lost {} {}", CAUTION, "{} {} LOST"),
     (r"no real-time priorities", "priorities", CAUTION, "NO PRIORITIES"))
 ENDS = (
     (r"plant in time again", ("plant",)),
@@ -59,13 +62,21 @@ ALONE = re.compile(r"warm reset|processor restart|internal fault")
 """What is printed, and is no alert or has one of its own."""
 
 
+def is_loss(report: Report) -> bool:
+    """Whether it is about an output that is not whole (GND-53)."""
+    return report.active and report.key.startswith(("lost ", "slow "))
+
+
 def reports_of(node: str, said: str) -> list[Report]:
     """The alerts that a line of a node begins or ends."""
     short = node.removeprefix("urv_")
+    # The option of an output, should it be about one.
+    output = re.split(r":| cannot", said)[0].strip("-")
     for pattern, key, level, name in BEGINS:
         if re.match(pattern, said):
-            return [Report(key.format(short), level,
-                           name.format(short.upper()), f"{node}: {said}")]
+            return [Report(key.format(short, output), level,
+                           name.format(short.upper(), output.upper()),
+                           f"{node}: {said}")]
     for pattern, keys in ENDS:
         if re.match(pattern, said):
             return [Report(key.format(short), active=False) for key in keys]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv station: the pilot's and the engineer's page (GND-20, GND-24,
-GND-57, SEC-11)."""
+GND-53, GND-57, SEC-11)."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ import secrets
 import signal
 import socket
 import sys
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 import typer
 
-from urv import faults, packets, whole_files
+from urv import faults, outputs, packets, whole_files
 
 if TYPE_CHECKING:
     from urv.view import Line
@@ -169,31 +170,28 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     keeper = archive.Archive(yamcs) if yamcs else None
     if events:
         whole_files.refuse_link(events)
-    kept = open(events, "a", encoding="utf-8",  # noqa: SIM115
-                opener=whole_files.no_link) if events else None
+    kept = outputs.Output.of_file("--events", events) if events else None
 
     def told(line: Line) -> None:
         if keeper is not None:
             keeper.take(line)
         if kept is not None:
-            keep(line)
+            kept.put(json.dumps(line.shown()).encode() + b"\n")
 
-    def keep(line: Line) -> None:
-        nonlocal kept
-        try:
-            kept.write(json.dumps(line.shown()) + "\n")
-            kept.flush()
-        except OSError as error:
-            # A full disk must not stop who flies. What is left cannot be
-            # written at its end, either.
-            with contextlib.suppress(OSError):
-                kept.close()
-            kept = None
+    def look_at_events() -> None:
+        """A full or slow disk must not stop who flies: it is reported."""
+        nonlocal reported
+        problem = kept.problem() if kept is not None else None
+        if problem is not None and not reported:
+            reported = True
+            faults.note(problem)
             view.alerts.report(
                 "events file", "caution", "EVENTS FILE",
-                f"not written any more: {faults.reason(error)}",
-                line.time_us)
+                f"not written any more: {kept.lost}" if kept.lost else problem,
+                time.time_ns() // 1000)
 
+    reported = False
+    terminal = outputs.Terminal()
     view = View(told)
     receiver = bound(socket.SOCK_DGRAM, *frames, "--frames")
     fetched = None if relay is None else bound(
@@ -249,20 +247,22 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
     host, at = door.getsockname()[:2]
     told_at = f"http://{f'[{host}]' if ':' in host else host}:{at}/"
     if token is None:
-        print(f"station: {told_at}", flush=True)
+        terminal.say(f"station: {told_at}")
     else:
-        print(f"station: {told_at}?token={quote(token, safe='')}", flush=True)
+        terminal.say(f"station: {told_at}?token={quote(token, safe='')}")
         if not web.is_loopback(listen):
-            print(f"station: other machines reach it at {listen}, over plain"
-                  " HTTP: a listener on the network can read the token, take"
-                  " the sticks and fly; a tunnel (SSH, WireGuard) keeps"
-                  " listeners out", flush=True)
+            terminal.say(
+                f"station: other machines reach it at {listen}, over plain"
+                " HTTP: a listener on the network can read the token, take"
+                " the sticks and fly; a tunnel (SSH, WireGuard) keeps"
+                " listeners out")
     if only is None and not web.is_loopback(frames[0]):
-        print(f"station: any machine that reaches udp:{frames[0]} can send"
-              " frames, and the page shows them; --sender ADDRESS takes"
-              " those of one machine", flush=True)
-    print(f"station: frames at udp:{frames[0]}:"
-          f"{receiver.getsockname()[1]}", flush=True)
+        terminal.say(
+            f"station: any machine that reaches udp:{frames[0]} can send"
+            " frames, and the page shows them; --sender ADDRESS takes"
+            " those of one machine")
+    terminal.say(f"station: frames at udp:{frames[0]}:"
+                 f"{receiver.getsockname()[1]}")
     tasks = []
     if keeper is not None:
         tasks.append(asyncio.create_task(keeper.run(view, controls, keeps)))
@@ -281,6 +281,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
             if now - looked >= 1.0:
                 looked = now
                 page.door.look(now)
+                look_at_events()
     finally:
         for task in tasks:
             task.cancel()
@@ -297,3 +298,9 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         incoming.close()
         if kept is not None:
             kept.close()
+            look_at_events()
+        terminal.close()
+        problems = [each.problem() for each in (kept, terminal)
+                    if each is not None and each.problem() is not None]
+        if problems:
+            raise faults.Failed("; ".join(problems))

@@ -9,6 +9,7 @@
 import csv
 import json
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -31,9 +32,12 @@ needs_yamcs = pytest.mark.skipif(
 class Ground:
     """bin/urv ground with ports of its own."""
 
-    def __init__(self, folder, *options):
+    def __init__(self, folder, *options, most_bytes=None, terminal=None):
         self.folder = folder / "flight"
         self.options = options
+        # Of each file that it writes; and its standard output, else the log.
+        self.most_bytes = most_bytes
+        self.terminal = terminal
         self.log = folder / "ground.log"
 
     def __enter__(self):
@@ -44,9 +48,9 @@ class Ground:
                 [ROOT / "bin" / "urv", "ground", "--folder", self.folder,
                  "--ports", str(ports), "--page-port", str(self.page_port),
                  "--yamcs-port", str(self.yamcs_port), *self.options],
-                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
-        until(lambda: "page to fly" in self.said() or self.process.poll()
-              is not None, "a station", 2 * PATIENCE_S)
+                stdin=subprocess.DEVNULL, stdout=self.terminal or log,
+                stderr=log, preexec_fn=self.be_limited)
+        until(self.is_there, "a station", 2 * PATIENCE_S)
         assert self.process.poll() is None, self.said()
         return self
 
@@ -57,6 +61,22 @@ class Ground:
         self.status = self.process.wait(PATIENCE_S)
         assert self.left() == [], self.said()
         assert not [each for each in started if Path(f"/proc/{each}").exists()]
+
+    def be_limited(self):
+        if self.most_bytes is not None:
+            resource.setrlimit(resource.RLIMIT_FSIZE,
+                               (self.most_bytes, self.most_bytes))
+
+    def is_there(self):
+        """Whether its page is, or it has ended."""
+        if self.terminal is None:
+            return ("page to fly" in self.said()
+                    or self.process.poll() is not None)
+        try:
+            self.state()
+        except OSError:
+            return self.process.poll() is not None
+        return True
 
     def said(self):
         return self.log.read_text("utf-8")

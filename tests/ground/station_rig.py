@@ -45,6 +45,8 @@ class Station:
         self.input = subprocess.PIPE if reads else subprocess.DEVNULL
         self.events = folder / "events.jsonl"
         self.log = folder / "station.log"
+        # The exit status, and what standard error has.
+        self.ends = (0, "")
 
     def __enter__(self):
         self.node = FakeNode(self.record, None, **self.more)
@@ -75,7 +77,7 @@ class Station:
         status = self.process.wait(PATIENCE_S)
         self.process.stdout.close()
         self.errors.close()
-        assert (status, self.log.read_text()) == (0, "")
+        assert (status, self.log.read_text()) == self.ends
 
     def get(self, path="/", **headers):
         """Status and body of an answer."""

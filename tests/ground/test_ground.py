@@ -98,6 +98,7 @@ def test_gnd47_a_killed_plant_is_told_at_terminal_and_page(tmp_path):
 
 
 def test_gnd47_a_stopped_plant_and_a_stopped_node_are_told(tmp_path):
+    """GND-54: and a fault, though they run again."""
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
         plant = plant_of(ground)
@@ -114,7 +115,55 @@ def test_gnd47_a_stopped_plant_and_a_stopped_node_are_told(tmp_path):
         for said in ("plant does not answer", "plant in time again",
                      "urv_mcs is stopped", "urv_mcs runs again"):
             assert said in ground.said()
-    assert ground.status == 0, ground.said()
+        for name in ("PLANT STOPPED", "URV_MCS STOPPED"):
+            shows_alert(ground, name, active=False)
+    assert ground.status == 1, ground.said()
+    assert ground.said().splitlines()[-1] == (
+        "urv: plant and urv_mcs stood still during the flight")
+
+
+def test_gnd54_a_stopped_ground_node_is_told_and_a_fault(tmp_path):
+    with Ground(tmp_path, "--no-yamcs") as ground:
+        ground.wait(lambda state: state.get("link") == "heard", "the link")
+        os.kill(ground.named("urv_gsc"), signal.SIGSTOP)
+        until(lambda: "ground: urv_gsc is stopped" in ground.said(),
+              "a word of it")
+        shows_alert(ground, "URV_GSC STOPPED")
+    assert ground.status == 1, ground.said()
+
+
+def test_gnd53_a_full_disk_ends_no_flight(tmp_path):
+    """Of files at least: each may have so many bytes. The flight goes on, the
+    page and the terminal report each output, and the exit status does. The
+    reports do not go through the logs, which are full as well (D-56)."""
+    limit = 40_000
+    with Ground(tmp_path, "--no-yamcs", most_bytes=limit) as ground:
+        state = shows_alert(ground, "MCS RECORD LOST")
+        shows_alert(ground, "GSC RECORD LOST")
+        ground.wait(lambda now: now["seq"] > state["seq"] + 100
+                    and now["link"] == "heard", "more frames")
+        assert ground.process.poll() is None
+    assert ground.status == 1
+    for node in ("urv_mcs", "urv_gsc"):
+        assert re.search(f"ground: {node}: --record: .* cannot be written:"
+                         " File too large", ground.said())
+    for name in ("aircraft", "ground"):
+        assert (ground.folder / f"{name}.csv").stat().st_size == limit
+        summary = json.loads((ground.folder / f"{name}.json").read_text())
+        assert summary["lost_outputs"] == ["--record"]
+        assert summary["frames"] > state["seq"]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+def test_gnd53_a_terminal_that_is_full_ends_no_flight(tmp_path):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        ground = Ground(tmp_path, "--no-yamcs", terminal=full)
+        with ground:
+            ground.wait(lambda state: state.get("seq", 0) > 100, "frames")
+            shows_alert(ground, "OUTPUT LOST")
+    assert ground.status == 1
+    assert ground.said() == (
+        "urv: standard output cannot be written: No space left on device\n")
 
 
 def test_gnd47_a_stopped_station_is_told_and_ends(tmp_path):
@@ -123,7 +172,8 @@ def test_gnd47_a_stopped_station_is_told_and_ends(tmp_path):
         os.kill(ground.named("station"), signal.SIGSTOP)
         until(lambda: "ground: station is stopped" in ground.said(),
               "a word of it")
-    assert ground.status == 0, ground.said()
+    assert ground.status == 1, ground.said()
+    assert "station stood still during the flight" in ground.said()
 
 
 def test_gnd47_nodes_with_two_keys_end_with_a_status_of_their_own(

@@ -494,3 +494,17 @@ def test_a_scheduler_that_is_not_there_is_said(urv):
     assert result.returncode == 1
     assert result.stderr.startswith(
         "urv: no scheduler at \"tcp://127.0.0.1:1\"")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+def test_gnd53_a_table_that_is_lost_costs_no_page(flown, tmp_path):
+    """The link's target is a device, which is written in place."""
+    campaign = SimpleNamespace(**{**vars(SHORT), "output": tmp_path,
+                                  "first": 1, "count": 8,
+                                  "scheduler": None, "workers": None})
+    found = [monte_carlo_results.flight("level", asked, flown[asked["seed"]])
+             for asked in jobs(8)]
+    (tmp_path / "results.parquet").symlink_to("/dev/full")
+    with pytest.raises(faults.Failed, match="results.parquet.*No space left"):
+        monte_carlo.keep(campaign, "hash", found)
+    assert "</html>" in (tmp_path / "report.html").read_text("utf-8")

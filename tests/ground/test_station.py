@@ -874,10 +874,16 @@ def test_gnd24_connections_that_have_ended_take_no_place(station):
         assert station.state()["seq"] is not None
 
 
+FULL_EVENTS = (
+    1, "urv: --events cannot be written: No space left on device\n" * 2)
+"""Once when it is lost, and why the station ends with a fault."""
+
+
 def test_gnd24_a_full_disk_under_the_events_stops_nobody(record, tmp_path):
     with Station(record, tmp_path, "--events", "/dev/full") as station:
-        state = station.wait(of_the_test, "an alert")
-        assert "EVENTS FILE" in {alert["name"] for alert in state["alerts"]}
+        station.ends = FULL_EVENTS
+        station.wait(lambda state: "EVENTS FILE" in {
+            alert["name"] for alert in state["alerts"]}, "an alert")
         before = station.state()["seq"]
         station.wait(lambda state: state["seq"] > before + 25, "frames go on")
 

@@ -3,6 +3,7 @@
 lock-step with its frames; and what becomes of the node when it is late or
 dead."""
 
+import json
 import os
 import signal
 import sys
@@ -236,6 +237,41 @@ def test_rtp9_sensors_of_a_plant_that_does_not_answer_are_old(start, write):
     assert "JSBSim's process does not answer" in said
     assert_old_after(
         mcs.outputs, mcs.outputs.events["plant_late"]["first_frame"] + 3)
+
+
+def times_still(run):
+    """So far; the summary is written again each second."""
+    try:
+        text = (run.outputs.folder / "summary.json").read_text("utf-8")
+        return json.loads(text)["plant"]["stood_still"]
+    except (OSError, ValueError):
+        return 0
+
+
+def test_rtp11_a_plant_that_stood_still_is_a_fault_though_it_comes_back(
+        start, write):
+    """Also without bin/urv ground: the terminal, and the exit status."""
+    up, down = free_ports(2)
+    mcs = start("mcs", udp(up, down), "--phase", 3, *JSBSIM, quiet=False)
+    wait_for_line(mcs, "listening at")
+    gsc = start("gsc", udp(down, up), "--phase", 0)
+    wait_for_line(mcs, "peer heard at")
+    plant = plant_of(mcs)
+    os.kill(plant, signal.SIGSTOP)
+    wait_for_line(mcs, "plant does not answer at ")
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while not times_still(mcs):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    os.kill(plant, signal.SIGCONT)
+    wait_for_line(mcs, "plant in time again at ")
+    gsc.stop()
+    mcs.send(signal.SIGTERM)
+    _, said = mcs.program.communicate(timeout=TIME_LIMIT_S)
+    assert mcs.program.returncode == 1
+    assert said.splitlines()[-1] in (
+        "urv_mcs: --plant jsbsim: JSBSim's process stood still",
+        "urv_mcs: --plant jsbsim: JSBSim's process does not answer")
 
 
 def test_gnd6_no_plant_outlives_its_partition(start):

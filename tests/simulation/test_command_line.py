@@ -4,6 +4,7 @@ interrupted, or with nowhere left to write."""
 
 import json
 import os
+import pathlib
 import pty
 import re
 import resource
@@ -330,6 +331,31 @@ def test_sim8_a_limit_of_the_file_s_size_ends_no_flight(tmp_path):
 def test_sim8_a_summary_without_a_loss_is_as_it_was(urv_sim, tmp_path):
     urv_sim("fly", "--seconds", "1", "--summary", "s")
     assert "lost_outputs" not in json.loads((tmp_path / "s").read_text())
+
+
+@needs_jsbsim
+def test_sim9_a_stopped_plant_is_reported_while_the_flight_waits(tmp_path):
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--plant", "jsbsim", "--pace", "realtime",
+             "--seconds", "1000", "--record", "r", "--quiet"],
+            cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
+        limit = time.monotonic() + TIME_LIMIT_S
+        while not ((tmp_path / "r").exists()
+                   and (tmp_path / "r").read_text().count("\n") > 2):
+            assert time.monotonic() < limit
+            time.sleep(0.05)
+        plant, = map(int, (pathlib.Path(
+            f"/proc/{process.pid}/task/{process.pid}/children")
+            .read_text("ascii").split()))
+        os.kill(plant, signal.SIGSTOP)
+        assert process.stderr.readline() == (
+            "urv_sim: --plant jsbsim: JSBSim's process does not answer: the"
+            " flight waits\n")
+        os.kill(plant, signal.SIGCONT)
+        assert process.stderr.readline() == (
+            "urv_sim: --plant jsbsim: JSBSim's process answers again\n")
+        process.send_signal(signal.SIGINT)
+        assert process.wait(TIME_LIMIT_S) == 130
 
 
 def test_who_reads_an_output_ends_early(tmp_path):
