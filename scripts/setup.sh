@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Installs what one target of the Makefile lacks, and nothing else (EVI-11).
+# Nothing is fetched whose hash is not in this repository, but Debian's packages,
+# which are signed, and Maven's own plug-ins (SEC-17).
 #
 #   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
 #                    fuzz|trace|mutate|real_time|timing|coverage|independence|
@@ -209,6 +211,18 @@ esac
 if [ -n "$debian" ]; then
    # shellcheck disable=SC2086 # a list of names
    install_packages $packages
+
+   # Root installs packages of Debian, and nothing else: what follows fetches
+   # from PyPI and Maven, and is the work of whoever owns this tree.
+   # Not where root has begun it, or the owner has no name here.
+   owner=$(stat -c %U .)
+   if [ "$(id -u)" -eq 0 ] && [ "$owner" != root ] &&
+      [ "$owner" != UNKNOWN ] &&
+      { [ ! -e .venv ] || [ "$(stat -c %U .venv)" = "$owner" ]; }
+   then
+      rm -f "$log"
+      exec runuser -u "$owner" -- scripts/setup.sh "$target"
+   fi
    python=/usr/bin/python3
 else
    require_commands gprbuild gcc python3
@@ -237,7 +251,8 @@ for list in $requirements; do
            "of $list"
       if ! quietly "installing into .venv" \
          .venv/bin/python -m pip install --quiet --retries 1 \
-         --disable-pip-version-check --no-deps -r "$list"
+         --disable-pip-version-check --no-deps --require-hashes \
+         --only-binary :all: -r "$list"
       then
          failed pip "the packages of $list"
       fi
@@ -261,9 +276,20 @@ case $target in
       then
          echo "$target: getting Yamcs with Maven"
          rm -rf "$jars"
-         if ! quietly "getting Yamcs" mvn -B -q -f ground/yamcs/pom.xml \
+         # Its strict checksums are the server's own; SHA256SUMS has ours.
+         if ! quietly "getting Yamcs" mvn -B -q --strict-checksums \
+            -f ground/yamcs/pom.xml \
             dependency:copy-dependencies -DoutputDirectory="$PWD/$jars/lib"
          then
+            failed Maven "Yamcs: ground/yamcs/pom.xml"
+         fi
+         if ! (cd "$jars/lib" && sha256sum --check --strict --quiet \
+                 ../../../ground/yamcs/SHA256SUMS) >"$log" 2>&1 ||
+            [ "$(find "$jars/lib" -name '*.jar' | wc -l)" -ne \
+              "$(wc -l <ground/yamcs/SHA256SUMS)" ]
+         then
+            rm -rf "$jars"
+            echo "the files are not those of ground/yamcs/SHA256SUMS" >>"$log"
             failed Maven "Yamcs: ground/yamcs/pom.xml"
          fi
          cp ground/yamcs/pom.xml "$jars/pom.xml"

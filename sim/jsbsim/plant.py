@@ -194,6 +194,8 @@ def load_jsbsim(step_s):
             del sys.modules["numpy"]
     for line in (here / "requirements.txt").read_text().splitlines():
         name, _, wanted = line.partition("==")
+        # Hashes may follow the version.
+        wanted = wanted.partition(" ")[0]
         if name == "jsbsim" and jsbsim.__version__ != wanted:
             raise Refused(
                 f"jsbsim is {jsbsim.__version__}, must be {wanted};"
