@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
-(GND-40, GND-41, GND-45, GND-53, GND-56).
+(GND-40, GND-41, GND-45, GND-53, GND-56, GND-57).
 
 docs/mavlink.md says which item goes where. Nothing comes in this way: what a
 station sends back is not heard.
@@ -171,8 +171,11 @@ class Bridge:
             self._flight = Flight(self._flight.dialect, self._starts,
                                   self._flight.flying)
         self.frames += 1
-        for message in self._flight.messages(frame, self._runs.age):
-            self._link.send(message)
+        try:
+            for message in self._flight.messages(frame, self._runs.age):
+                self._link.send(message)
+        except Exception:  # noqa: BLE001 - one bad frame costs itself
+            self.bad += 1
 
 
 @dataclass

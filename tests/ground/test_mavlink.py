@@ -561,6 +561,23 @@ def test_gnd56_a_bridge_that_stood_still_sends_nothing_old_as_fresh(
     assert texts == ["link heard", "frames 3.0 s late", "frames in time"]
 
 
+def test_gnd57_a_frame_that_no_message_can_carry_costs_itself(
+        rows, bridge, sent):
+    """Words and counts of all bits, such as no converter gives."""
+    words = (2**16 - 1,) * len(packets.COLUMNS)
+    log = (LogRow(*(2**32 - 1,) * 3, 2**16 - 1),) * packets.ROWS_PER_LOG
+    for sequence in range(0, 200, 2):
+        bridge.datagram(frame_of(
+            rows[0], sequence, words=words, logs=(log, log),
+            counts=(2**32 - 1,) * len(packets.LINK_COUNTS)).encode())
+        sent.take()
+        bridge.datagram(frame_of(rows[0], sequence + 1).encode())
+        assert [message.time_boot_ms for message in sent.take("ATTITUDE")
+                ] in ([], [20 * (sequence + 1)])
+    bridge.datagram(frame_of(rows[0], 225).encode())
+    assert sent.take("ATTITUDE")
+
+
 def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):
     def texts(sequence, *words):
         log = (*NO_LOG[:-1], laws_row(*words))
