@@ -145,3 +145,17 @@ def test_sec18_the_page_lists_each_debian_package():
               for word in re.split(r", | ", row[0])}
     assert {word for word in wanted
             if re.sub(r"(22)?-dev$", "", word) not in listed} == set()
+
+
+def test_sec18_the_page_of_security_names_tests_that_there_are():
+    """A statement of a table names its test."""
+    page = (ROOT / "docs" / "security.md").read_text("utf-8")
+    part = page.partition("\n## Files\n")[2].partition("\n## ")[0]
+    rows = [cells(line) for line in part.splitlines()
+            if line.startswith("| ") and "statement" not in line]
+    assert len(rows) >= 7
+    there = {path.stem for path in (ROOT / "tests").rglob("test_*.py")}
+    for statement, tests in rows:
+        assert re.search(r"SEC-\d+", statement), statement
+        named = re.findall(r"`(\w+)`", tests)
+        assert named and set(named) <= there, statement
