@@ -165,7 +165,12 @@ class Pack:
 
     def add(self, values, kind):
         """Where they are: begin and number, with their type."""
-        data = numpy.ascontiguousarray(values, dtype=f"<{kind}").tobytes()
+        kind_of = numpy.dtype(f"<{kind}")
+        if kind_of.kind in "iu":
+            # A record may have an age of months, which has no room.
+            room = numpy.iinfo(kind_of)
+            values = numpy.clip(values, room.min, room.max)
+        data = numpy.ascontiguousarray(values, dtype=kind_of).tobytes()
         # A typed array begins at a multiple of its numbers' size.
         data += bytes(-len(data) % 8)
         place = {"at": self.length, "many": len(values), "type": kind}

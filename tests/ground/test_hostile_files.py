@@ -266,6 +266,14 @@ def test_sec14_a_record_with_an_exceedance_every_second_row_has_a_report(
     assert most < MOST_MB
 
 
+def test_sec14_an_age_of_months_is_drawn_without_a_word(tmp_path):
+    """It does not fit the page's numbers."""
+    (tmp_path / "a.csv").write_bytes(csv(
+        "frame,time_ms,gsc.downlink.error,gsc.downlink.altitude",
+        "0,20,0,65535", "1,8501629754,1,4095"))
+    assert used(tmp_path, "report", "a.csv", "-o", "out.html")[:2] == (0, "")
+
+
 @pytest.mark.parametrize("arguments", [
     ("convert", "pipe.csv", "out.mcap"), ("convert", "pipe.mcap", "out.csv"),
     ("convert", "pipe.parquet", "out.csv"),
