@@ -24,7 +24,7 @@ help:
 	@echo "  make campaign   spoil the link in every way, see it recover;"
 	@echo "                  CAMPAIGN=tiny|short|full FORMAT=1|2 JOBS=N"
 	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
-	@echo "  make fuzz       fuzz a telemetry board, SECONDS=60"
+	@echo "  make fuzz       fuzz a telemetry board, or FUZZ=files, SECONDS=60"
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
 	@echo "  make attack     2,000 sealed flights with someone in the middle"
@@ -112,9 +112,11 @@ planted:
 
 SECONDS := 60
 
+# FUZZ=files: key, fault, conditions and orders files.
+FUZZ := board
 fuzz:
 	@scripts/setup.sh fuzz
-	@scripts/fuzz.sh $(SECONDS)
+	@FUZZ=$(FUZZ) scripts/fuzz.sh $(SECONDS)
 
 real_time:
 	@scripts/setup.sh real_time

@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 
-# Fuzzes a telemetry board for some seconds, or until it has tried so many
-# inputs.
+# Fuzzes a telemetry board, or the readers of key, fault, conditions and orders
+# files (SEC-14), for some seconds or until it has tried a number of inputs.
 #
 #   scripts/fuzz.sh SECONDS [INPUTS]
+#   FUZZ=files scripts/fuzz.sh SECONDS [INPUTS]
 #
-# Inputs that were found go to obj/afl. Exit status 1 if one of them makes
-# the board violate a contract or raise an exception, or hang.
+# Inputs that were found go to obj/afl. Exit status 1 if one of them violates a
+# contract, raises an exception that is no refusal, or hangs.
 
 set -eu
 cd "$(dirname "$0")/.."
@@ -16,7 +17,14 @@ seconds=${1:?usage: scripts/fuzz.sh SECONDS [INPUTS]}
 inputs=${2:-}
 found=obj/afl/default
 
-gprbuild -q -p -P fuzz/urv_fuzz.gpr -XURV_Fuzz=fuzz
+case ${FUZZ:-board} in
+   board) program=urv_fuzz corpus=fuzz/corpus ;;
+   files) program=urv_file_fuzz corpus=fuzz/files ;;
+   *)     echo "fuzz: FUZZ is board or files, not $FUZZ" >&2
+          exit 2 ;;
+esac
+
+gprbuild -q -p -P "fuzz/$program.gpr" -XURV_Fuzz=fuzz
 rm -rf obj/afl
 # A busy machine may let an input wait for seconds: that is no hang.
 # The machine's core pattern and frequency governor are not ours to change.
@@ -24,8 +32,8 @@ AFL_NO_UI=1 AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 \
    AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 \
    AFL_HANG_TMOUT=20000 \
    afl-fuzz -V "$seconds" ${inputs:+-E "$inputs"} -t 5000 \
-   -i fuzz/corpus -o obj/afl \
-   -- bin/fuzz/urv_fuzz >obj/afl.log 2>&1 || { cat obj/afl.log; exit 1; }
+   -i "$corpus" -o obj/afl \
+   -- "bin/fuzz/$program" >obj/afl.log 2>&1 || { cat obj/afl.log; exit 1; }
 
 figure ()
 {
