@@ -75,8 +75,8 @@ PLANTED = {
         "tests/unit/headers_tests.adb", '"D-6 ', '"',
         "names no requirement"),
     "a test in Ada of no requirement": (
-        "tests/unit/headers_tests.adb", '"D-6 ', '"D-66 ',
-        "names D-66, which is none"),
+        "tests/unit/headers_tests.adb", '"D-6 ', '"D-666 ',
+        "names D-666, which is none"),
     "a test whose name is not in the text": (
         "tests/unit/headers_tests.adb", '(Suite, "', '(Suite, Prefix & "',
         "names no requirement"),
@@ -87,8 +87,8 @@ PLANTED = {
         "tests/simulation/test_wire.py", "(LNK-1, LNK-2, LNK-3)", "",
         '"test_lnk_nothing_is_sent_twice_scrapped_or_reset" names no'),
     "a test in Python of no requirement": (
-        "tests/simulation/test_wire.py", "def test_d5_", "def test_d55_",
-        "names D-55, which is none"),
+        "tests/simulation/test_wire.py", "def test_d5_", "def test_d555_",
+        "names D-555, which is none"),
 }
 
 
