@@ -188,9 +188,9 @@ SEEN = {
     "cut": {"gsc.telin_no_block": 25, "mcs.telin_no_block": 25},
     # 270 bits a block, 100 blocks and a quarter of them once more.
     "ber": {"mcs.link_block_bad": pytest.approx(28, abs=12)},
+    "replay": {},
     "flip": {"gsc.link_block_bad": 1},
     "drop": {"gsc.link_block_bad": 1},
-    "replay": {},
     "dup": {"mcs.link_block_bad": 1},
     "insert": {"gsc.link_block_bad": 1},
     "stall": {"gsc.link_block_not_taken": 1},
