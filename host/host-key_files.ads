@@ -5,8 +5,9 @@
 --  NUMBER is 0 to 255, DIGITS are 32 hexadecimal digits.
 --
 --  A file that another user owns or may read is refused, and so is one that
---  is no file: a pipe or a device is not waited for. What was read is erased,
---  complaints repeat nothing of it, and the process leaves no core dump.
+--  is no file: a pipe or a device is not waited for. The text of the file
+--  is erased, complaints repeat nothing of it, and the process leaves no core
+--  dump.
 
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Handshakes;  use URV.Handshakes;

@@ -22,7 +22,7 @@ def run():
     except ModuleNotFoundError as fault:
         if (fault.name or "urv").split(".")[0] == "urv":
             raise
-        # What every command needs.
+        # Every command needs this package.
         print(f"urv: the package {fault.name} is missing: scripts/setup.sh fly"
               " installs it", file=sys.stderr)
         return 1

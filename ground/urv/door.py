@@ -155,7 +155,7 @@ class Token:
         self.session = hashlib.scrypt(
             self._token, salt=b"urv: a page of the station",
             n=2**14, r=8, p=1).hex()
-        # Of an address: tries that it has left, and when that was so.
+        # For each address: the tries it had left, and at which time.
         self._tries: dict[str, tuple[float, float]] = {}
 
     def is_session(self, word: str) -> bool:

@@ -188,8 +188,8 @@ class Flight:
         self.stood_still: dict[str, None] = {}
         self.losses: dict[str, str] = {}
         self.terminal = outputs.Terminal()
-        # Of each program: its log, the thread that reads what it says, and
-        # the last line of that.
+        # For each program: its log, the thread that reads its output, and the
+        # last line of it.
         self.logs: dict[str, outputs.Output] = {}
         self.readers: dict[str, threading.Thread] = {}
         self.last_words: dict[str, str] = {}
