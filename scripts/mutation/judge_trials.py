@@ -67,6 +67,8 @@ TESTS = {
     "scripts/mutation/*": ["mutants"],
     "scripts/proof_canaries.py": ["canaries", "proof_record"],
     "scripts/proof_stamp.py": ["proof_record", "canaries"],
+    "scripts/attack.py": ["seal"],
+    "scripts/hashes.py": ["supply_chain"],
     "scripts/seal_tags.py": ["seal"],
     "scripts/safety/*": ["safety_monitor", "lost_console", "safety_mixes"],
     "scripts/test_lines.py": ["run_tests"],
