@@ -95,9 +95,29 @@ procedure Partitions.Run is
    --  Writes a row for each frame until the partition is switched off.
    procedure Take_Rows (Last_Frame : Number);
 
+   --  The node's counts at one instant: it goes on while outputs are
+   --  written, and all that is said of a run is to agree.
+   type Totals is record
+      Log      : URV.Errors.Error_Log;
+      Link     : Telemetry.Boards.Statistics;
+      Peer     : Peer_State;
+      Refused  : URVOS.Count;
+      Overruns : URVOS.Count;
+   end record;
+
+   function Counted return Totals is
+     ((Log      => This_Node.Log,
+       Link     => This_Node.Link_Tally,
+       Peer     => This_Node.Peer,
+       Refused  => This_Node.Refused,
+       Overruns => This_Node.Overruns));
+
+   --  When they were last written.
+   Total : Totals;
+
    --  While the run goes on, without what the tasks took: to sum that up
    --  takes the node's time.
-   procedure Write_Summary (Log : URV.Errors.Error_Log; Is_Over : Boolean);
+   procedure Write_Summary (Is_Over : Boolean);
 
    --  The summary and the events, of one moment: the node flies on. Before it
    --  is over, what cannot be written again is left out.
@@ -387,8 +407,8 @@ procedure Partitions.Run is
       Reports.Put_Log (To, Result, Log);
    end Put_Results;
 
-   procedure Write_Summary (Log : URV.Errors.Error_Log; Is_Over : Boolean) is
-      Tally  : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
+   procedure Write_Summary (Is_Over : Boolean) is
+      Tally  : Telemetry.Boards.Statistics renames Total.Link;
       Result : Reports.Report;
       To     : Writer renames Page;
       Lost   : Ada.Strings.Unbounded.Unbounded_String;
@@ -400,7 +420,7 @@ procedure Partitions.Run is
       Reports.Put_Field (Result, To, "seconds", In_Hundredths (Frames), 2);
       Reports.Put_Field (Result, To, "frames", Frames);
       Reports.Put_Field
-        (Result, To, "overruns", Number (This_Node.Overruns));
+        (Result, To, "overruns", Number (Total.Overruns));
       Reports.Put_Field
         (Result, To, "switched_on_us",
          Number (Clocks.Machine_Time (Clocks.Switched_On_At)));
@@ -416,7 +436,7 @@ procedure Partitions.Run is
       end loop;
       Reports.Put_Names (Result, To, "lost_outputs", Lost);
       Reports.Begin_Group (Result, To, "link");
-      Reports.Put_Field (Result, To, "state", Name (This_Node.Peer));
+      Reports.Put_Field (Result, To, "state", Name (Total.Peer));
       Reports.Put_Field (Result, To, Sent & "_sent", Number (Tally.Sent));
       Reports.Put_Field
         (Result, To, Sent & "_scrapped", Number (Tally.Scrapped));
@@ -425,7 +445,7 @@ procedure Partitions.Run is
       Reports.Put_Field
         (Result, To, Received & "_bad", Number (Tally.Bad));
       Reports.Put_Field
-        (Result, To, "blocks_refused", Number (This_Node.Refused));
+        (Result, To, "blocks_refused", Number (Total.Refused));
       Reports.Put_Field (Result, To, "resets", Number (Tally.Resets));
       Reports.Put_Field
         (Result, To, "board_restarts", Number (This_Node.Board_Starts));
@@ -446,26 +466,26 @@ procedure Partitions.Run is
          Number (Boolean'Pos (Permission.Is_Granted)));
       Put_Counts (Result, To);
       if Is_Over then
-         Put_Results (Result, To, Log);
+         Put_Results (Result, To, Total.Log);
       end if;
       Reports.End_Report (Result, To);
    end Write_Summary;
 
    procedure Write_Counts (Is_Over : Boolean) is
       use type Peer_State;
-      Log : constant URV.Errors.Error_Log := This_Node.Log;
 
       function Is_Written (Output : Kept) return Boolean is
         (Is_Open (Output) and then (Is_Over or else Can_Restart (Output)));
 
    begin
-      Carried_Nothing := This_Node.Peer = Never_Heard;
+      Total := Counted;
+      Carried_Nothing := Total.Peer = Never_Heard;
       if Is_Over then
          Occurrences.Finish;
       end if;
       if Is_Written (Events_Option) then
          Clear (Page);
-         Host.Event_Log.Write (Page, Host.Names.Name (This), Log, 0);
+         Host.Event_Log.Write (Page, Host.Names.Name (This), Total.Log, 0);
          Put_Events (Page);
          Put_Version (Events_Option, Text (Page));
       end if;
@@ -476,7 +496,7 @@ procedure Partitions.Run is
       end if;
       if Is_Written (Summary_Option) then
          Clear (Page);
-         Write_Summary (Log, Is_Over);
+         Write_Summary (Is_Over);
          Put_Version (Summary_Option, Text (Page));
       end if;
    end Write_Counts;
@@ -484,7 +504,7 @@ procedure Partitions.Run is
    procedure Print_Summary is
       use Host.Text_Numbers;
 
-      Tally : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
+      Tally : Telemetry.Boards.Statistics renames Total.Link;
       Times : constant Statistics := Round_Trips.Measured;
    begin
       Clear (Page);
@@ -492,16 +512,16 @@ procedure Partitions.Run is
         (Page,
          "run       " & Seconds (Frames) & " s, "
          & Image (Long_Long_Integer (Frames)) & " frames, "
-         & Image (Long_Long_Integer (This_Node.Overruns)) & " overruns");
+         & Image (Long_Long_Integer (Total.Overruns)) & " overruns");
       Put_Line
         (Page,
-         "link      peer " & Name (This_Node.Peer) & ", "
+         "link      peer " & Name (Total.Peer) & ", "
          & Number_Of (Tally.Sent, Sent) & " sent, "
          & Image (Long_Long_Integer (Tally.Scrapped)) & " scrapped, "
          & Number_Of (Tally.Received, Received) & " received, "
          & Image (Long_Long_Integer (Tally.Bad)) & " bad, "
          & Number_Of (Tally.Resets, "reset") & ", "
-         & Image (Long_Long_Integer (This_Node.Refused)) & " refused"
+         & Image (Long_Long_Integer (Total.Refused)) & " refused"
          & (if Times.Number = 0 then ""
             else ", round trip " & Round_Trips.Image (Times.Median)
                  & " ms"));
