@@ -28,7 +28,7 @@ def some_frame(version=2):
                 for row in range(packets.ROWS_PER_LOG))
     empty = tuple(LogRow() for _ in range(packets.ROWS_PER_LOG))
     return FramePacket(
-        run=0x01020304, sequence=0x05060708, time_us=0x090A0B0C0D0E0F10,
+        run=0x01020304, sequence=0x05060708, time_us=0x020A0B0C0D0E0F10,
         downlink_age=packets.NEVER, console_state=ConsoleState.HELD,
         link_state=LinkState.LOST, console_sequence=0x11121314,
         counts=tuple(range(0x20000000, 0x20000000 + 10)),
@@ -38,14 +38,14 @@ def some_frame(version=2):
 
 def some_console():
     return ConsolePacket(
-        run=0x01020304, sequence=0x05060708, time_us=0x090A0B0C0D0E0F10,
+        run=0x01020304, sequence=0x05060708, time_us=0x020A0B0C0D0E0F10,
         words=tuple(range(0x700, 0x700 + 13)),
         flags=ConsoleFlags.PILOT_FLIES)
 
 
 def some_order():
     return OrderPacket(
-        run=0x01020304, sequence=0x05060708, time_us=0x090A0B0C0D0E0F10,
+        run=0x01020304, sequence=0x05060708, time_us=0x020A0B0C0D0E0F10,
         serial=0x111, table=0x222, orbit=0x333, end=0x444)
 
 

@@ -29,7 +29,7 @@ def test_gnd33_readme_shows_three_pictures_that_are_there():
 
 
 def test_gnd33_without_chromium_it_says_so(monkeypatch, tmp_path):
-    monkeypatch.setattr(shutil, "which", lambda _name: None)
+    monkeypatch.setattr(shutil, "which", lambda _name, path=None: None)
     monkeypatch.delenv("URV_CHROMIUM", raising=False)
     with pytest.raises(faults.Refused, match="no Chromium"):
         pictures.pictures(Path(tmp_path / "made"))
