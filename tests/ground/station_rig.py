@@ -114,6 +114,13 @@ class Station:
         return [json.loads(line)
                 for line in self.events.read_text("utf-8").splitlines()]
 
+    def logged(self, text, number=1, kind="text"):
+        """The lines that have that text, once there are so many: a thread
+        of the station writes them."""
+        return until(lambda: (found := [
+            line for line in self.lines() if text in line[kind]])[
+            number - 1:] and found, text)
+
 
 CLOCK_S = 1e6
 """A page's clock shows another time than the station's."""

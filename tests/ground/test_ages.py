@@ -306,8 +306,7 @@ def test_gnd56_frames_that_waited_at_a_stopped_station_are_late(station):
     station.process.send_signal(signal.SIGSTOP)
     time.sleep(3.0)
     station.process.send_signal(signal.SIGCONT)
-    until(lambda: [line for line in station.lines()
-                   if "frames came up to" in line["text"]], "a line")
+    station.logged("frames came up to")
     station.wait(lambda state: state["age_ms"] < 200, "new frames")
 
 

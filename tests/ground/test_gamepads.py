@@ -69,8 +69,7 @@ class Pilot:
         self.page.locator("#source.caution", has_text=text).wait_for()
 
     def told(self, text):
-        until(lambda: any(text in line["text"]
-                          for line in self.station.lines()), text)
+        self.station.logged(text)
 
 
 @pytest.fixture
@@ -208,8 +207,7 @@ def test_gnd52_a_gamepad_without_mapping_is_used_when_mapped(pilot, pages):
     again.add_init_script(PADS + MAKE_YOKE)
     again.goto(pilot.station.url)
     again.wait_for_selector("body[data-down=fresh]")
-    until(lambda: sum(f"flies by gamepad: {YOKE}" in line["text"]
-                      for line in pilot.station.lines()) == 2, "used at once")
+    pilot.station.logged(f"flies by gamepad: {YOKE}", 2)
 
 
 def test_gnd52_a_mapping_that_is_spoiled_is_none(pilot):

@@ -167,8 +167,7 @@ def test_gnd25_a_battery_sag_is_coloured_and_listed(station, pages):
     page.locator("#alert_list li.warning.unseen",
                  has_text="WARNING BATTERY").wait_for()
     page.locator(".meter.warning #battery_volts").wait_for()
-    frame = [line["frame"] for line in station.lines()
-             if "BATTERY" in line["text"]][0]
+    frame = station.logged("BATTERY")[0]["frame"]
     assert frame - before <= SECOND_FRAMES
     assert "\u25b2" in page.locator("#battery_volts").inner_text()
     colour = page.locator("#battery_volts").evaluate(
@@ -202,8 +201,7 @@ def test_gnd25_a_cut_link_is_told_large_and_its_digits_go(station, pages):
     page.locator("#alert_list li.warning", has_text="LINK LOST").wait_for()
     first = [packet.sequence for packet in station.node.history
              if packet.downlink_age == 1][-1]
-    told = [line["frame"] for line in station.lines()
-            if "LINK LOST" in line["text"]][0]
+    told = station.logged("LINK LOST")[0]["frame"]
     assert told - first <= SECOND_FRAMES
     until(lambda: number(page.locator("#lost_for").inner_text()) > age,
           "seconds that go on")
@@ -421,9 +419,7 @@ def test_gnd22_however_a_page_goes_the_others_are_told(station, pages):
         first = len(station.node.heard)
         until(lambda first=first: len(station.node.heard) > first, "packets")
         page.evaluate(script)
-        until(lambda number=number: sum(
-            "HIDDEN" in line["text"] for line in station.lines())
-            == number + 1, "a caution")
+        station.logged("HIDDEN", number + 1)
         alerts_of(other, "HIDDEN").wait_for()
         page.keyboard.press("x")
         station.wait(lambda state: state["holder"] is None, "free sticks")
@@ -457,8 +453,7 @@ def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
     # A key that is still held counts, one that was released does not.
     page.keyboard.up("ArrowRight")
     until(lambda: station.node.heard[-1][1].words[0] == 2048, "the middle")
-    until(lambda: any("flies again after" in line["text"]
-                      for line in station.lines()), "that it is back")
+    station.logged("flies again after")
 
 
 def test_gnd51_keys_that_waited_in_a_hung_browser_do_not_count(

@@ -147,10 +147,8 @@ def test_gnd21_over_sockets_a_second_console_cannot_take_them(station):
     # The holder says nothing more: the sticks go to who asked.
     second.until(lambda state: state["holder"] == second.number,
                  "the sticks after five seconds")
-    texts = [line["text"] for line in station.lines()]
-    assert any("asks console" in text for text in texts)
-    assert any(f"console {second.number} has the sticks" in text
-               for text in texts)
+    station.logged("asks console")
+    station.logged(f"console {second.number} has the sticks")
 
 
 def test_gnd21_the_sticks_of_a_closed_page_are_free(station):
@@ -219,8 +217,7 @@ def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
         each["name"] for each in other.next("alerts")["alerts"]}, "the alert")
     first.sticks()
     station.wait(lambda state: not alert("PAGE SILENT")(state), "its end")
-    until(lambda: any(f"console {first.number} flies again after" in
-                      line["text"] for line in station.lines()), "a line")
+    station.logged(f"console {first.number} flies again after")
     first.close()
     state = station.wait(alert("PAGE CLOSED"), "a caution")
     assert state["holder"] is None
@@ -382,7 +379,7 @@ def test_gnd26_errors_of_both_nodes_are_logged_once(station):
     state = station.wait(of_the_test, "an alert")
     assert of_the_test(state)[0]["name"] == "PROCESSOR RESTART MCS"
     time.sleep(0.5)
-    told = [line for line in station.lines() if line["kind"] == "error"]
+    told = station.logged("error", kind="kind")
     assert [line["text"] for line in told] == [
         "mcs processor_restart: 1 times, last in its frame 77"]
 
@@ -416,8 +413,7 @@ def test_gnd47_reports_about_other_programs_are_alerts(record, tmp_path):
             "its end")
         # Without who reports it goes on.
         station.wait(lambda now: now["seq"] > state["seq"] + 10, "frames")
-        assert len([line for line in station.lines()
-                    if line["kind"] == "process"]) >= 3
+        station.logged("process", 3, kind="kind")
 
 
 ROLL_RATE = 1 << laws.SENSORS.index("roll_rate") - 16
@@ -449,9 +445,8 @@ def test_gnd7_what_the_laws_tell_is_an_alert(station):
     station.node.laws = ()
     station.wait(lambda state: state["laws"] is None, "nothing told")
     until(lambda: not active(), "no alert")
-    told = [line["text"] for line in station.lines()
-            if line["text"].startswith("the laws")]
-    assert told[0] == "the laws: wings level/altitude/airspeed"
+    assert station.logged("the laws")[0]["text"] == (
+        "the laws: wings level/altitude/airspeed")
 
 
 def test_gnd7_what_the_laws_say_of_a_start_is_no_news(station):
@@ -476,8 +471,7 @@ def test_gnd26_a_refused_block_is_an_alert(station):
 def test_gnd27_a_mark_is_an_event_in_one_line(station):
     console = station.console()
     console.say({"t": "mark", "text": "gear\u001b[31m \n<b>up</b>\u202e"})
-    line = until(lambda: [line for line in station.lines()
-                          if line["kind"] == "mark"], "the mark")[0]
+    line = station.logged("mark", kind="kind")[0]
     assert line["text"] == "gear [31m <b>up</b>"
     assert line["frame"] is not None and line["time_us"] > 0
     console.say({"t": "mark", "text": "x" * 201})
@@ -773,8 +767,7 @@ def test_gnd24_a_page_that_talks_nonsense_is_dropped(station):
             console.socket.send("nonsense")
             time.sleep(0.002)
             console.next("state")
-    until(lambda: any("dropped: messages" in line["text"]
-                      for line in station.lines()), "a word of it")
+    station.logged("dropped: messages")
     station.console().close()
 
 
@@ -784,8 +777,7 @@ def test_gnd24_a_page_that_floods_is_dropped(station):
         for _ in range(100_000):
             console.sticks()
         console.next("hello")
-    until(lambda: any("dropped: too many" in line["text"]
-                      for line in station.lines()), "a word of it")
+    station.logged("dropped: too many")
 
 
 def test_gnd24_one_too_large_message_ends_its_page(station):

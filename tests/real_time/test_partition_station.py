@@ -176,8 +176,13 @@ def test_gnd7_the_second_version_has_what_the_laws_tell(
         mcs=options,
         gsc=("--packets", "2", "--publish", frames.place))
     linked = Laws("direct", "direct", "direct", "linked", (), 0, ())
-    came = frames.show_within(500, lambda packet: Laws.of(packet) in (
-        linked, replace(linked, failed=may_have_failed)))
+
+    def shows(packet):
+        laws = Laws.of(packet)
+        return laws is not None and replace(laws, age=0) in (
+            linked, replace(linked, failed=may_have_failed))
+
+    came = frames.show_within(500, shows)
     told = frames.all[-1]
     mcs, gsc = mcs.stop(), gsc.stop()
     frames.finish()
