@@ -22,6 +22,7 @@ import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -337,6 +338,9 @@ def chosen(arguments):
 
 
 def main():
+    # A shell that starts this in the background makes it ignore interrupts,
+    # and so would each program that a test interrupts.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     RESULTS.mkdir(parents=True, exist_ok=True)
     counts, times = {}, {}
     parts = chosen(sys.argv[1:])

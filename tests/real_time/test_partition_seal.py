@@ -153,6 +153,48 @@ def test_sec5_a_process_with_a_key_leaves_no_core_dump(start_both, key):
         run.end()
 
 
+def test_sec5_a_node_that_flies_has_its_key_once(start_both, tmp_path):
+    """In its seal. The stack of a task has copies until it uses that place
+    again: some look finds none."""
+    digits = bytes(range(0xA0, 0xB0))
+    path = tmp_path / "link.key"
+    path.write_text(f"key 1 {digits.hex()}\n", "ascii")
+    path.chmod(0o600)
+    runs = start_both(mcs=(*sealed(path), "--seconds", 60),
+                      gsc=(*sealed(path), "--seconds", 60))
+    time.sleep(1.0)
+    for run in runs:
+        until = time.monotonic() + TIME_LIMIT_S
+        counts = set()
+        while 1 not in counts and time.monotonic() < until:
+            run.send(signal.SIGSTOP)
+            try:
+                counts.add(copies_of(digits, run.program.pid))
+            except PermissionError:
+                pytest.skip("the memory of who has a key is closed, but to"
+                            " root")
+            finally:
+                run.send(signal.SIGCONT)
+            time.sleep(0.01)
+        assert 1 in counts, counts
+    for run in runs:
+        run.stop()
+
+
+def copies_of(what, process):
+    """How many times the memory of a process has these bytes."""
+    found = 0
+    with open(f"/proc/{process}/mem", "rb", buffering=0) as memory:
+        for line in Path(f"/proc/{process}/maps").read_text().splitlines():
+            place, rights = line.split()[:2]
+            if not rights.startswith("rw"):
+                continue
+            first, end = (int(part, 16) for part in place.split("-"))
+            memory.seek(first)
+            found += memory.read(end - first).count(what)
+    return found
+
+
 def cores_of(process):
     """The most bytes that a core dump may have, as text."""
     for line in (process / "limits").read_text("utf-8").splitlines():
