@@ -24,7 +24,8 @@ help:
 	@echo "  make campaign   spoil the link in every way, see it recover;"
 	@echo "                  CAMPAIGN=tiny|short|full FORMAT=1|2 JOBS=N"
 	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
-	@echo "  make fuzz       fuzz a telemetry board, or FUZZ=files, SECONDS=60"
+	@echo "  make fuzz       fuzz a telemetry board, or FUZZ=files or readers,"
+	@echo "                  SECONDS=60"
 	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
 	@echo "  make planted    plant mistakes in what judges, see who notices"
 	@echo "  make attack     2,000 sealed flights with someone in the middle"
@@ -112,10 +113,11 @@ planted:
 
 SECONDS := 60
 
-# FUZZ=files: key, fault, conditions and orders files.
+# FUZZ=files: key, fault, conditions and orders files. FUZZ=readers: all that
+# bin/urv reads.
 FUZZ := board
 fuzz:
-	@scripts/setup.sh fuzz
+	@scripts/setup.sh $(if $(filter readers,$(FUZZ)),test,fuzz)
 	@FUZZ=$(FUZZ) scripts/fuzz.sh $(SECONDS)
 
 real_time:

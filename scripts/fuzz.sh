@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Fuzzes a telemetry board, or the readers of key, fault, conditions and orders
-# files (SEC-14), for some seconds or until it has tried a number of inputs.
+# files (SEC-14), for some seconds or until it has tried a number of inputs; or
+# the readers of bin/urv.
 #
 #   scripts/fuzz.sh SECONDS [INPUTS]
 #   FUZZ=files scripts/fuzz.sh SECONDS [INPUTS]
+#   FUZZ=readers scripts/fuzz.sh SECONDS
 #
-# Inputs that were found go to obj/afl. Exit status 1 if one of them violates a
-# contract, raises an exception that is no refusal, or hangs.
+# Inputs that were found go to obj/afl; those of the readers are printed. Exit
+# status 1 if one of them violates a contract, raises an exception that is no
+# refusal, or hangs.
 
 set -eu
 cd "$(dirname "$0")/.."
@@ -20,7 +23,10 @@ found=obj/afl/default
 case ${FUZZ:-board} in
    board) program=urv_fuzz corpus=fuzz/corpus ;;
    files) program=urv_file_fuzz corpus=fuzz/files ;;
-   *)     echo "fuzz: FUZZ is board or files, not $FUZZ" >&2
+   readers)
+          URV_FUZZ_SECONDS=$seconds exec .venv/bin/python -B -m pytest -q -s \
+             -p no:cacheprovider --tb=short tests/ground/test_fuzz_readers.py ;;
+   *)     echo "fuzz: FUZZ is board, files or readers, not $FUZZ" >&2
           exit 2 ;;
 esac
 

@@ -99,7 +99,8 @@ def of_folder(folder):
                              " yours alone")
     try:
         context = ssl.create_default_context(cafile=paths[0])
-        context.load_cert_chain(*paths[1:])
+        # A key with a password would ask for it at the terminal.
+        context.load_cert_chain(*paths[1:], password="")
     except (OSError, ValueError) as fault:
         raise faults.Refused(
             f"--certificates {faults.quoted(folder)}: {fault}") from fault

@@ -32,8 +32,8 @@ SAME_EXCEEDANCE_S = 0.5
 """What is out of limits again so soon has not been within them."""
 
 MOST_EVENTS = 10_000
-LONGEST_WORD = 100
-"""Characters of an event's node or kind."""
+LONGEST_WORD = 250
+"""Characters of an event's node or kind; a mark may have 200 of its own."""
 
 CLOSE_S = 2.0
 """What happened so close to something happened around it."""

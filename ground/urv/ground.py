@@ -26,7 +26,7 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, outputs, packets, processes, programs
+from urv import faults, input_files, outputs, packets, processes, programs
 from urv.alerts import CAUTION, WARNING
 from urv.processes import Report
 
@@ -48,6 +48,10 @@ STARTS_S = 30.0
 LATER_BY = 5
 """Yamcs is so much nicer than who flies."""
 LONGEST_LINE = 4_096
+LAST_FRAME = 500_000_000
+"""Of an event: 115 days, as bin/urv report takes them."""
+LONGEST_KIND = 250
+"""Characters of an event's kind, as bin/urv report takes them."""
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
@@ -148,20 +152,26 @@ def ground(
     flight.judge()
 
 
-def as_event(line: dict) -> dict | None:
+def event_in(text: str) -> dict | None:
     """A line of the station's log as bin/urv_sim writes an event; None when it
     is no mark and no alert, or of no frame. What was typed loses what a page
-    could take for markup."""
-    if line["kind"] not in ("mark", "alert") or line["frame"] is None:
+    could take for markup. Raises ValueError when it is no such line."""
+    match input_files.parsed(text):
+        case {"kind": str(kind), "text": str(said), "frame": None | int()
+              as frame, "level": "info" | "caution" | "warning" as level}:
+            said.encode("utf-8")
+        case _:
+            raise ValueError("no line of the log")
+    if kind not in ("mark", "alert") or frame is None:
         return None
-    at = line["frame"] * packets.FRAME_US // 1000
-    text = line["text"].translate(str.maketrans("<>&", "\u2039\u203a+"))
-    if line["kind"] == "alert":
-        text = f"{line['level']} {text.partition(':')[0]}"
-    else:
-        text = f"mark: {text}"
-    return {"node": "station", "kind": text, "count": 1,
-            "first_frame": line["frame"], "last_frame": line["frame"],
+    if not 0 <= frame <= LAST_FRAME:
+        raise ValueError("no frame")
+    at = frame * packets.FRAME_US // 1000
+    said = said.translate(str.maketrans("<>&", "\u2039\u203a+"))
+    said = (f"mark: {said}" if kind == "mark"
+            else f"{level} {said.partition(':')[0]}")
+    return {"node": "station", "kind": said[:LONGEST_KIND], "count": 1,
+            "first_frame": int(frame), "last_frame": int(frame),
             "first_ms": at, "last_ms": at, "last_detail": 0}
 
 
@@ -577,8 +587,8 @@ class Flight:
             bad = 0
             for line in told.splitlines():
                 try:
-                    event = as_event(json.loads(line))
-                except (ValueError, TypeError, KeyError, AttributeError):
+                    event = event_in(line)
+                except ValueError:
                     # One bad row costs one row (GND-57).
                     bad += 1
                     continue

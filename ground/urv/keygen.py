@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv keygen: a key of the sealed link in a file of its own (SEC-5).
+"""bin/urv keygen: a key of the sealed link in a file of its own (SEC-5,
+SEC-14).
 
 The key is drawn from the operating system's source of random numbers. The
 file is its owner's alone from the first moment; an old one is not touched
@@ -14,11 +15,16 @@ from typing import Annotated
 
 import typer
 
-from urv import faults
+from urv import faults, input_files, whole_files
 
 KEY_BYTES = 16
 MODE = 0o600
-_LINE = re.compile(r"key\s+(\d{1,3})\s+[0-9a-fA-F]{32}\s*(#.*)?")
+LONGEST = 4095
+"""Bytes of a file of keys, as the nodes take it."""
+LONGEST_REMARK = 1000
+"""Characters of what stands after a key, when it is kept."""
+_LINE = re.compile(
+    r"key[ \t]+([0-9]{1,3})[ \t]+([0-9a-fA-F]{32})[ \t]*(#[^\r]*)?")
 
 
 def keygen(
@@ -46,50 +52,51 @@ def keygen(
              " aircraft.",
              f"key {number} {os.urandom(KEY_BYTES).hex()}",
              *(line for _, line in old[:1])]
+    text = "\n".join(lines) + "\n"
     if add:
-        made = file.with_name(f".{file.name}.new")
-        _write(made, lines)
-        os.replace(made, file)
+        with whole_files.replacing(file, MODE) as path:
+            write(os.open(path, os.O_WRONLY), text)
     else:
-        _write(file, lines)
+        make(file, text)
     print(f"{file}: key {number}"
           + (f", and key {old[0][0]} as before" if old else ""))
 
 
 def _old_keys(file: Path) -> list[tuple[int, str]]:
     """The number and the line of each key in a file."""
-    try:
-        if stat.S_IMODE(file.stat().st_mode) != MODE:
+    with input_files.opened(file) as read:
+        if stat.S_IMODE(os.fstat(read.fileno()).st_mode) != MODE:
             raise faults.Refused(
                 f"{faults.quoted(file)} has not the mode 0600")
-        lines = file.read_text("ascii").splitlines()
-    except (OSError, UnicodeDecodeError) as fault:
-        said = (faults.reason(fault) if isinstance(fault, OSError)
-                else "it is not text")
-        raise faults.Refused(
-            f"{faults.quoted(file)} cannot be read: {said}") from None
+        data = read.read(LONGEST + 1)
+    if len(data) > LONGEST or not data.isascii():
+        raise faults.Refused(f"{faults.quoted(file)} is no file of keys")
     found = []
-    for place, line in enumerate(lines, 1):
-        line = line.strip()
+    for place, line in enumerate(data.decode("ascii").split("\n"), 1):
+        line = line.removesuffix("\r").strip(" \t")
         if line and not line.startswith("#"):
             key = _LINE.fullmatch(line)
-            if not key:
-                raise faults.Refused(f"{file}:{place}: this is no key")
-            found.append((int(key[1]), line))
+            if not key or int(key[1]) > 255:
+                raise faults.Refused(
+                    f"{faults.quoted(file)[1:-1]}:{place}: this is no key")
+            found.append((int(key[1]), " ".join(
+                ("key", key[1], key[2],
+                 (key[3] or "")[:LONGEST_REMARK])).rstrip()))
     if not found:
         raise faults.Refused(f"{faults.quoted(file)} has no key")
     return found
 
 
-def _write(file: Path, lines: list[str]):
-    """A new file, which nobody else can read at any time."""
+def make(file: Path, text: str):
+    """A new file, which nobody else can read at any time. What cannot be
+    written whole is not there."""
     try:
         made = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, MODE)
-        with os.fdopen(made, "w", encoding="ascii") as out:
-            os.fchmod(made, MODE)
-            out.write("\n".join(lines) + "\n")
-            out.flush()
-            os.fsync(made)
+        try:
+            write(made, text)
+        except OSError:
+            os.unlink(file)
+            raise
     except FileExistsError:
         raise faults.Refused(
             f"{faults.quoted(file)} is there already; it is not replaced"
@@ -98,3 +105,12 @@ def _write(file: Path, lines: list[str]):
         raise faults.Failed(
             f"{faults.quoted(file)} cannot be written:"
             f" {faults.reason(fault)}") from fault
+
+
+def write(made: int, text: str):
+    """To a descriptor, which it closes, and to the disk."""
+    with os.fdopen(made, "w", encoding="ascii") as out:
+        os.fchmod(made, MODE)
+        out.write(text)
+        out.flush()
+        os.fsync(made)

@@ -10,6 +10,7 @@ import re
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
+from urv import input_files
 from urv.alerts import CAUTION, WARNING
 
 if TYPE_CHECKING:
@@ -33,14 +34,15 @@ class Report:
     @classmethod
     def of(cls, line: str) -> Report:
         """Raises ValueError when it is none."""
-        said = json.loads(line)
+        said = input_files.parsed(line)
         if not isinstance(said, dict) or set(said) != set(
                 cls.__dataclass_fields__):
             raise ValueError("not a report's fields")
         made = cls(**said)
-        if made.level not in (CAUTION, WARNING) or not all(
-                isinstance(each, str)
-                for each in (made.key, made.name, made.text)):
+        if (made.level not in (CAUTION, WARNING)
+                or not isinstance(made.active, bool) or not all(
+                    isinstance(each, str)
+                    for each in (made.key, made.name, made.text))):
             raise ValueError("not a report's values")
         return made
 
@@ -99,5 +101,5 @@ async def take(stream: Any, view: View) -> None:
             line = await reader.readline()
             if line:
                 view.report(Report.of(line.decode("utf-8", "replace")))
-        except (ValueError, TypeError) as error:
+        except ValueError as error:
             view.note(CAUTION, "process", f"no report: {error}")

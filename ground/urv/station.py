@@ -8,6 +8,7 @@ import asyncio
 import contextlib
 import ipaddress
 import json
+import re
 import secrets
 import signal
 import socket
@@ -106,11 +107,19 @@ def address(option: str, given: str, wanted: str = "udp"
     """The host and port of udp:HOST:PORT."""
     kind, _, rest = given.partition(":")
     host, _, port = rest.rpartition(":")
-    if kind != wanted or not host or not port.isdecimal() or (
-            not 0 <= int(port) <= 65535):
+    if kind != wanted or not is_name(host) or not re.fullmatch(
+            "[0-9]{1,5}", port) or int(port) > 65535:
         raise faults.Refused(
             f"{option} {faults.quoted(given)}: not {wanted}:HOST:PORT")
     return host.strip("[]"), int(port)
+
+
+def is_name(host: str) -> bool:
+    """Whether the operating system can look it up."""
+    try:
+        return bool(host.strip("[]").encode("idna"))
+    except UnicodeError:
+        return False
 
 
 def ip_address(option: str, given: str) -> str:

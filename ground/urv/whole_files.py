@@ -30,9 +30,10 @@ IS_LINK = "is a symbolic link; an output must be a file"
 
 
 @contextmanager
-def replacing(target):
+def replacing(target, mode=0o666):
     """The path to write to. Raises faults.Failed when the file cannot be
-    written. Devices and pipes are written in place."""
+    written. Devices and pipes are written in place. The new file has the mode
+    from the first moment, less what the process's umask takes away."""
     refuse_link(target)
     named, target = target, Path(target)
     try:
@@ -40,9 +41,9 @@ def replacing(target):
             yield target
             return
         _remove_abandoned(target)
-        file = _nameless(target.parent)
+        file = _nameless(target.parent, mode)
         if file is None:
-            with _named(target) as path:
+            with _named(target, mode) as path:
                 yield path
         else:
             with _closing(file):
@@ -97,10 +98,10 @@ def _remove_abandoned(target):
                 path.unlink()
 
 
-def _nameless(folder):
+def _nameless(folder, mode):
     """A file without a name in that folder; nothing where there are none."""
     try:
-        return os.open(folder, os.O_TMPFILE | os.O_RDWR, 0o666)
+        return os.open(folder, os.O_TMPFILE | os.O_RDWR, mode)
     except (AttributeError, OSError):
         return None
 
@@ -124,10 +125,10 @@ def _give_name(file, target):
 
 
 @contextmanager
-def _named(target):
+def _named(target, mode):
     part = _part(target, os.getpid())
     file = os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW,
-                   0o666)
+                   mode)
     try:
         with _closing(file):
             yield Path(f"/proc/self/fd/{file}")

@@ -13,7 +13,7 @@ import pytest
 
 from station_rig import Station, until
 from test_node_starts import Clock, frame_of
-from urv import ground, packets, station as station_command, view
+from urv import flights, ground, packets, station as station_command, view
 from urv.packets import FRAME_S, FramePacket
 from urv.runs import ALIVE_S, SILENT_S
 
@@ -278,17 +278,21 @@ def test_gnd57_a_bad_line_of_the_station_s_log_costs_itself(tmp_path, capsys):
     flight = ground.Flight(tmp_path, 1, 2, 3)
     good = {"number": 1, "time_us": 1, "frame": 50, "level": "info",
             "kind": "mark", "text": "gear"}
-    (tmp_path / "ground.jsonl").write_text('{"node": "gsc"}\n')
+    (tmp_path / "ground.jsonl").write_text(
+        '{"node":"gsc","kind":"a","count":1,"first_ms":0,"last_ms":0}\n')
     (tmp_path / "station.jsonl").write_text("\n".join((
         json.dumps(good), "{", "7", "{}", json.dumps(good | {"frame": "x"}),
         json.dumps(good | {"text": None}), json.dumps(good | {"frame": None}),
-        json.dumps(good | {"kind": "state"}), json.dumps(good))) + "\n")
+        json.dumps(good | {"kind": "state"}), "[" * 9_000,
+        json.dumps(good | {"frame": 2 ** 32 - 1}),
+        json.dumps(good | {"text": "a" * 200}), json.dumps(good))) + "\n")
     flight.collect_events()
     lines = (tmp_path / "events.jsonl").read_text().splitlines()
     assert [json.loads(line).get("kind") for line in lines] == [
-        None, "mark: gear", "mark: gear"]
+        "a", "mark: gear", f"mark: {'a' * 200}", "mark: gear"]
+    assert len(flights.read_events(tmp_path / "events.jsonl")) == 4
     assert capsys.readouterr().out == (
-        "ground: 5 lines of station.jsonl are none and left out\n")
+        "ground: 7 lines of station.jsonl are none and left out\n")
 
 
 # In a station

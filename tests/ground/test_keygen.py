@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """SEC-5: bin/urv keygen makes files of keys that the nodes take."""
 
+import os
 import re
 import stat
 
@@ -71,3 +72,37 @@ def test_sec5_no_key_is_lost_or_made_readable(urv, tmp_path):
     found = fly(tmp_path, "link.key")
     assert found.returncode == 2
     assert "link.key:1: has mode 0640; keys must have 0600" in found.stderr
+
+
+def test_sec14_no_file_of_keys_is_a_pipe_long_or_without_sense(
+        urv, tmp_path):
+    """What the nodes refuse is refused here, too."""
+    key = f"key 1 {'0a' * 16}\n".encode()
+    os.mkfifo(tmp_path / "pipe.key", 0o600)
+    for name, data, said in (
+            ("pipe.key", None, "is no regular file"),
+            ("long.key", b"#" * 4095 + b"\n" + key, "is no file of keys"),
+            ("big.key", key.replace(b"1", b"256", 1), "big.key:1: this is no"),
+            ("cr.key", b"# a\r" + key, "has no key"),
+            ("vt.key", key.replace(b" ", b"\v"), "vt.key:1: this is no key")):
+        path = tmp_path / name
+        if data is not None:
+            path.write_bytes(data)
+            path.chmod(0o600)
+        found = urv("keygen", "--add", name)
+        assert (found.returncode, found.stderr.count("\n")) == (2, 1), name
+        assert said in found.stderr
+        if data is not None:
+            assert path.read_bytes() == data
+
+
+def test_sec15_an_added_key_follows_no_link(urv, tmp_path):
+    urv("keygen", "link.key")
+    before = (tmp_path / "link.key").read_bytes()
+    (tmp_path / "other.key").symlink_to("link.key")
+    assert urv("keygen", "--add", "other.key").returncode == 2
+    assert (tmp_path / "link.key").read_bytes() == before
+    # The name that it had for a moment.
+    (tmp_path / ".link.key.new").symlink_to("precious")
+    assert urv("keygen", "--add", "link.key").returncode == 0
+    assert not (tmp_path / "precious").exists()
