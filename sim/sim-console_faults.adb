@@ -52,6 +52,11 @@ package body Sim.Console_Faults is
       end if;
    end Begin_Scan;
 
+   procedure Keep (Which : Channel; Item : Word) is
+   begin
+      Current (Which) := Item;
+   end Keep;
+
    function Brings_Scan return Boolean is (Present.Input /= Held);
 
    function Is_Live return Boolean is (not Is_Out);

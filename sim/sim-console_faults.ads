@@ -6,6 +6,7 @@
 
 with Sim.Faults;
 with URV.Buffers; use URV.Buffers;
+with URVOS;       use URVOS;
 
 private package Sim.Console_Faults is
 
@@ -16,6 +17,11 @@ private package Sim.Console_Faults is
 
    --  The ground's controller has begun a scan; the console has these words.
    procedure Begin_Scan (Time : Microseconds; Console : Channel_Words);
+
+   --  A channel of the present scan has been converted, while the console is
+   --  there: its word is held if this is the last scan before the console
+   --  falls silent.
+   procedure Keep (Which : Channel; Item : Word);
 
    --  Of the present scan: whether the converter brings one, whether it has
    --  the console's own words, and else those it has.

@@ -194,6 +194,10 @@ package body Sim.Controllers is
       if Wanted then
          Controllers (Which).Held :=
            Inputs (Which) (URV.Buffers.Channel (Channel));
+         if Which = Ground then
+            Console_Faults.Keep
+              (URV.Buffers.Channel (Channel), Controllers (Ground).Held);
+         end if;
          Schedule (Converted (Which), Time + Conversion_Time);
       end if;
    end Serve_Converter;

@@ -179,13 +179,15 @@ class Disturbances:
         not test the memories."""
         on_by = 0 if node == "gsc" else LARGEST_LAG_US
         spans, dead = [[0, on_by]], []
-        harmed = ENDLESS
         armed = tested_until = 0
+        # A start that was broken off is made again, with its test.
+        tests_until = on_by + START_US
+        harmed = min((at for at, kind, _ in events
+                      if kind in ("rom", "ram")), default=ENDLESS)
         for at, kind, first in events:
             if kind in ("rom", "ram"):
-                harmed = min(harmed, at)
-                if at <= on_by:
-                    spans[0][1] = ENDLESS
+                if at <= tests_until:
+                    spans[-1][1] = ENDLESS
                 continue
             if kind == "reset" and first == "telemetry":
                 continue
@@ -194,6 +196,9 @@ class Disturbances:
                 armed = 0
             fails = (kind == "reset" and first in ("cold", "warm")
                      and at >= harmed)
+            if kind == "reset" and (first != "processor"
+                                    or at <= tests_until):
+                tests_until = max(tests_until, at + (armed + 1) * START_US)
             if kind == "bus_error":
                 # At the next read of the ROM: when the next start tests
                 # itself, or the task does, so long after a start at most.
@@ -213,7 +218,9 @@ class Disturbances:
                 elif at > on_by and not is_dead:
                     dead.append([at, ENDLESS])
             else:
-                end = at + (armed + 1) * START_US
+                end = at + START_US + armed * (ROM_READ_US + START_US)
+                if at <= tests_until and harmed <= at:
+                    end = ENDLESS
                 spans[-1][1] = (end if spans[-1][1] >= ENDLESS
                                 else max(spans[-1][1], end))
                 if dead:

@@ -204,12 +204,6 @@ BUFFERS = (("console", "console", COMMANDS),
            ("gsc_downlink", "gsc.downlink", (*SENSORS, "error")))
 
 
-def safe_words_from(lost):
-    """When the safe words of a lost console may go up first. One that has
-    never come has been silent for ever."""
-    return lost + CONSOLE_SAFE_US if lost >= 2 * FRAME_US else 0
-
-
 def ms(time):
     return f"{time / 1000:.3f}".rstrip("0").rstrip(".")
 
@@ -551,16 +545,49 @@ class Flight(Checker):
         for first, last in self.faults.consoles:
             if first <= time < last + reach:
                 if words[:-1] == SAFE_COMMANDS:
-                    return time >= safe_words_from(first)
+                    return time >= self.safe_words_from(first)
                 if time < first + CONSOLE_LOST_US + reach:
+                    scanned = self.last_scan_before(first)
                     return self.console.earliest_scan(
-                        words[:-1], first - FRAME_US, first,
-                        self.scan("gsc", first - FRAME_US, first)) is not None
+                        words[:-1], scanned, first,
+                        self.scan("gsc", scanned, first)) is not None
         return False
+
+    def safe_words_from(self, lost):
+        """When the safe words of a lost console may go up first. One that has
+        never come has been silent for ever."""
+        return (lost + CONSOLE_SAFE_US
+                if self.last_scan_before(lost) >= FRAME_US else 0)
+
+    def last_scan_before(self, time):
+        """From when on the ground's last scan of a live console may be: none
+        is while the node is down, and none need be in less than a frame
+        between two silences."""
+        before = None
+        while time != before:
+            before = time
+            for first, last in (*self.faults.consoles,
+                                *self.faults.down["gsc"]):
+                if first < time <= last + FRAME_US:
+                    time = first
+        return time - FRAME_US
+
+    def held_scan(self, orders, first, time):
+        """The last scan before a console was lost, if what went up in these
+        times may be that scan's words still."""
+        for began, _ in self.faults.consoles:
+            if began <= time and first < began + CONSOLE_LOST_US:
+                scanned = self.last_scan_before(began)
+                found = self.orders.earliest_scan(
+                    orders, scanned, began,
+                    self.scan("gsc", scanned, began))
+                if found is not None:
+                    return found
+        return None
 
     def has_safe_words(self, first, time):
         """Safe words may have gone up for a lost console in these times."""
-        return any(safe_words_from(began) <= time and first <= last
+        return any(self.safe_words_from(began) <= time and first <= last
                    for began, last in self.faults.consoles)
 
     def check_lost_console(self, wrong):
@@ -667,7 +694,9 @@ class Flight(Checker):
             found = None if orders is None else self.orders.earliest_scan(
                 orders, max(first, floor), time,
                 self.scan("gsc", first, time))
-            if found is not None:
+            if found is None and orders is not None:
+                found = self.held_scan(orders, first, time)
+            if found is not None and found >= floor:
                 floor = found
                 continue
             if (words == SAFE_ROW

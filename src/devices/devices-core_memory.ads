@@ -96,6 +96,20 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
    --  What a cold start leaves (INI-6).
    Cleared : constant Memory := (others => <>);
 
+   --  What a warm start leaves: the words are of before it, and marked so in
+   --  their error/status words (SAF-5).
+   function Marked_Old (Item : Memory) return Memory is
+     ((Item with delta
+         Uplink   =>
+           (Item.Uplink with delta
+              Uplink_Words'Last =>
+                Item.Uplink (Uplink_Words'Last) or Stale_Data),
+         Downlink =>
+           (Item.Downlink with delta
+              Downlink_Words'Last =>
+                Item.Downlink (Downlink_Words'Last) or Stale_Data)))
+   with Global => null;
+
    --  A count of one word after one more.
    function Incremented (Value : Word) return Word is
      (if Value = Word'Last then Value else Value + 1)

@@ -9,6 +9,11 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
          Present := Cleared;
       end Clear;
 
+      procedure Mark_Old is
+      begin
+         Present := Marked_Old (Present);
+      end Mark_Old;
+
       procedure Write_Codes
         (Uplink_Codes   : Uplink_Words;
          Downlink_Codes : Downlink_Words;

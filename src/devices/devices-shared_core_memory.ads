@@ -13,6 +13,8 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Clear;
 
+      procedure Mark_Old;
+
       procedure Write_Codes
         (Uplink_Codes   : Uplink_Words;
          Downlink_Codes : Downlink_Words;

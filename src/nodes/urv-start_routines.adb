@@ -51,6 +51,7 @@ package body URV.Start_Routines with SPARK_Mode is
 
    procedure Warm_Start is
    begin
+      CORE_Memory.Mark_Old;
       Prepare_Boards;
       Restart_Variables;
    end Warm_Start;

@@ -48,6 +48,20 @@ def test_saf9_frm5_a_late_scan_is_not_shown_as_the_next_frame_s():
     assert run.run_shard("mix/13020/13021")["failures"] == []
 
 
+# Memory that is harmed while a start tests it; bus errors before a start that
+# does not test; starts that are broken off.
+@pytest.mark.parametrize("number", (711, 953, 4433, 4282, 14959, 15332))
+def test_saf9_a_start_that_takes_its_time_is_known(number):
+    assert run.run_shard(f"mix/{number}/{number + 1}")["failures"] == []
+
+
+# The console changes within the last scan before it is lost, or is lost while
+# the ground's node is down: its last scan is the one before.
+@pytest.mark.parametrize("number", (6991, 8454, 3692, 12649, 16184, 17223))
+def test_saf9_a_console_is_held_at_its_last_scan(number):
+    assert run.run_shard(f"mix/{number}/{number + 1}")["failures"] == []
+
+
 @pytest.mark.parametrize("size, fewest", [("tiny", 500), ("full", 20_000)])
 def test_there_are_as_many_mixes_as_promised(size, fewest):
     shards = [name.split("/")[1:] for name in cases.plan(size)

@@ -321,6 +321,11 @@ package body Starts_Tests is
          if Condition = Starts.Cold_Start then
             CORE := Cleared;
             Before := 0;
+         else
+            CORE.Uplink (Uplink_Words'Last) :=
+              CORE.Uplink (Uplink_Words'Last) or Stale_Data;
+            CORE.Downlink (Downlink_Words'Last) :=
+              CORE.Downlink (Downlink_Words'Last) or Stale_Data;
          end if;
          for Item in Item_Number loop
             if Item in CORE.Uplink'Range then
