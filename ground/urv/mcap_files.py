@@ -370,8 +370,8 @@ def opened(path, forgiving=False):
     with stream:
         try:
             yield Record(path, stream, forgiving)
-        except (McapError, EOFError, ValueError, KeyError, struct.error,
-                zstandard.ZstdError) as fault:
+        except (McapError, EOFError, ValueError, KeyError, OverflowError,
+                struct.error, zstandard.ZstdError) as fault:
             raise faults.Refused(
                 f"{faults.quoted(path)}: no MCAP file, or one that is"
                 " damaged") from fault

@@ -18,6 +18,7 @@ import resource
 import signal
 import struct
 import time
+import traceback
 import warnings
 
 import lz4.frame
@@ -28,7 +29,7 @@ import pytest
 import typer
 import zstandard
 from conftest import ROOT
-from hypothesis import HealthCheck, configuration, given, settings
+from hypothesis import HealthCheck, Phase, configuration, given, settings
 from hypothesis import strategies as some
 from mcap.data_stream import RecordBuilder
 from mcap.records import Channel, Chunk, Header, Message, Metadata
@@ -42,6 +43,9 @@ from urv.door import Token, address_of
 
 SECONDS = float(os.environ.get("URV_FUZZ_SECONDS", "0"))
 """Of all tests here together, when there are more inputs than usual."""
+
+PHASES = (Phase.generate,) if SECONDS else tuple(Phase)
+"""To look for a smaller input takes minutes."""
 
 LONGEST_WORD = 400
 """Characters of a refusal."""
@@ -62,7 +66,7 @@ def tried(name, examples, check, *inputs):
     count = 0
 
     @settings(max_examples=examples, deadline=None, database=None,
-              derandomize=not SECONDS,
+              derandomize=not SECONDS, phases=PHASES,
               suppress_health_check=list(HealthCheck))
     @given(some.tuples(*inputs))
     def try_one(made):
@@ -72,7 +76,13 @@ def tried(name, examples, check, *inputs):
             # A warning would be a second line.
             warnings.simplefilter("error")
             warnings.simplefilter("ignore", ResourceWarning)
-            check(*made)
+            try:
+                check(*made)
+            except Exception:
+                if SECONDS:
+                    print(f"fuzz: {name}: {made!r}\n{traceback.format_exc()}",
+                          flush=True)
+                raise
 
     tests = sum(each.startswith("test_") for each in globals())
     ends = time.monotonic() + SECONDS / tests

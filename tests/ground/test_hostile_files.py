@@ -130,6 +130,8 @@ HOSTILE = {
     "length.mcap": lambda: mcap() + bytes([CHUNK]) + struct.pack(
         "<Q", 2 ** 62),
     "length_within.mcap": lambda: mcap() + chunk("", b"abc", 3, 2 ** 32 - 1),
+    "beyond_any_length.mcap": lambda: mcap() + chunk(
+        "", bytes(1) + struct.pack("<Q", 2 ** 63), 9),
     "huge_length_within.mcap": lambda: mcap() + chunk("", b"", 0, 2 ** 63),
     "wide.mcap": lambda: mcap(
         ",".join(["frame", "time_ms", *many(450_000)]),
