@@ -26,7 +26,8 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, input_files, outputs, packets, processes, programs
+from urv import (faults, input_files, outputs, packets, processes, programs,
+                 whole_files)
 from urv.alerts import CAUTION, WARNING
 from urv.processes import Report
 
@@ -262,9 +263,11 @@ class Flight:
         """Whether it could be, on a disk that may be full."""
         try:
             self.configure_yamcs()
-        except OSError as error:
+        except (OSError, faults.Refused, faults.Failed) as error:
+            reason = (faults.reason(error) if isinstance(error, OSError)
+                      else str(error))
             self.lose("yamcs", "yamcs is not started: its files cannot be"
-                      f" written: {faults.reason(error)}")
+                      f" written: {reason}")
             return False
         # A small machine has other things to do than to compile well.
         self.run("yamcs", programs.found("java"), "-Xmx512m",
@@ -279,15 +282,18 @@ class Flight:
         for name in ("mdb", "displays", "etc"):
             (self.folder / name).mkdir(exist_ok=True)
         from urv import display, xtce
-        (self.folder / "mdb" / "urv.xml").write_text(
-            xtce.mission_database(), encoding="utf-8")
-        (self.folder / "displays" / DISPLAY).write_text(
-            display.flight(), encoding="utf-8")
+        self.write("mdb/urv.xml", xtce.mission_database())
+        self.write(f"displays/{DISPLAY}", display.flight())
         for source in (YAMCS / "etc").glob("*.yaml"):
             text = source.read_text("utf-8")
             text = text.replace("port: 8092", f"port: {self.yamcs_port}")
             text = text.replace("port: 6005", f"port: {self.relay}")
-            (self.folder / "etc" / source.name).write_text(text, "utf-8")
+            self.write(f"etc/{source.name}", text)
+
+    def write(self, name: str, text: str) -> None:
+        """A file of the folder, which follows no link."""
+        with whole_files.replacing(self.folder / name) as path:
+            path.write_text(text, encoding="utf-8")
 
     def run(self, name: str, *command, tells: bool = False,
             later: int = 0, hears: bool = False) -> None:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import typer
 
-from urv import faults, programs
+from urv import faults, programs, whole_files
 
 ROOT = Path(__file__).resolve().parents[2]
 SIZE = {"width": 1280, "height": 800}
@@ -63,6 +63,12 @@ def _page(browser, size: dict[str, int], scheme: str):
     return page
 
 
+def _keep(page, file: Path) -> None:
+    """What the page looks like, in a file."""
+    with whole_files.replacing(file) as path:
+        path.write_bytes(page.screenshot())
+
+
 def _fly(browser, work: Path, folder: Path) -> None:
     """Pictures of the page and of Yamcs while it flies."""
     log = work / "ground.log"
@@ -94,10 +100,10 @@ def _fly(browser, work: Path, folder: Path) -> None:
         page.keyboard.down("ArrowRight")
         page.locator("#laws", has_text="bank alt spd").wait_for()
         page.wait_for_timeout(TURNS_MS)
-        page.screenshot(path=folder / "console.png")
+        _keep(page, folder / "console.png")
         # What is not connected yet is violet there.
         time.sleep(5)
-        yamcs.screenshot(path=folder / "yamcs.png")
+        _keep(yamcs, folder / "yamcs.png")
     finally:
         flight.send_signal(signal.SIGINT)
         flight.wait()
@@ -120,7 +126,7 @@ def _report(browser, work: Path, folder: Path) -> None:
     page.goto(report.as_uri())
     page.wait_for_load_state("networkidle")
     page.wait_for_timeout(2000)
-    page.screenshot(path=folder / "report.png")
+    _keep(page, folder / "report.png")
 
 
 def _wait_for(log: Path, process: subprocess.Popen, mark: str) -> str:

@@ -4,9 +4,11 @@
 import json
 import os
 import re
+import resource
 import stat
 import struct
 import subprocess
+from types import SimpleNamespace
 
 import lz4.frame
 import numpy
@@ -18,7 +20,7 @@ from conftest import URV
 from mcap.data_stream import RecordBuilder
 from mcap.records import Channel, Header, Metadata
 
-from urv import mcap_files, records, whole_files
+from urv import faults, ground, mcap_files, pictures, records, whole_files
 
 # A file of 5 MB took 4 GB. A program with all its libraries takes 100.
 MOST_MB = 400
@@ -314,6 +316,67 @@ def test_d66_an_output_that_is_a_link_is_refused(tmp_path, arguments, is_there):
         " file\n")
     assert link.is_symlink() and target.exists() == is_there
     assert not is_there or target.read_text("utf-8") == "precious"
+
+
+@pytest.mark.parametrize("arguments", [
+    *OUTPUTS, ("keygen", "--add", "link")], ids=lambda words: words[0])
+def test_gnd15_an_output_for_which_there_is_no_room_is_as_before(
+        tmp_path, arguments):
+    """A full disk looks to a program as a limit of a file's size does."""
+    most = 40
+    (tmp_path / "a.csv").write_bytes(csv("frame,time_ms", *(
+        f"{row},{20 * row}" for row in range(5_000))))
+    name = "link.csv" if arguments[0] == "convert" else "link"
+    before = f"key 1 {'0a' * 16}\n".encode()
+    (tmp_path / name).write_bytes(before)
+    (tmp_path / name).chmod(0o600)
+    ended = subprocess.run(
+        [URV, *(name if word == "link" else word for word in arguments)],
+        cwd=tmp_path, capture_output=True, text=True, check=False,
+        stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S,
+        preexec_fn=lambda: resource.setrlimit(
+            resource.RLIMIT_FSIZE, (most, most)))
+    assert (ended.returncode, ended.stderr.count("\n")) == (1, 1)
+    assert ended.stderr.endswith(": File too large\n")
+    assert (tmp_path / name).read_bytes() == before
+    assert {each.name for each in tmp_path.iterdir()} == {"a.csv", name}
+
+
+def test_sec15_a_new_key_for_which_there_is_no_room_is_not_there(tmp_path):
+    ended = subprocess.run(
+        [URV, "keygen", "new.key"], cwd=tmp_path, capture_output=True,
+        text=True, check=False, stdin=subprocess.DEVNULL,
+        timeout=TIME_LIMIT_S, preexec_fn=lambda: resource.setrlimit(
+            resource.RLIMIT_FSIZE, (9, 9)))
+    assert ended.returncode == 1 and ended.stderr.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+YAMCS_FILES = ("mdb/urv.xml", "displays/flight.opi", "etc/yamcs.urv.yaml")
+
+
+@pytest.mark.parametrize("name", YAMCS_FILES)
+def test_d66_what_configures_yamcs_follows_no_link(tmp_path, name, capsys):
+    flight = ground.Flight(tmp_path, 1, 2, 3)
+    flight.configure_yamcs()
+    text = (tmp_path / name).read_bytes()
+    assert text
+    (tmp_path / name).unlink()
+    (tmp_path / name).symlink_to(tmp_path / "precious")
+    assert not flight.start_yamcs()
+    flight.terminal.close()
+    assert not (tmp_path / "precious").exists()
+    assert "is a symbolic link" in flight.losses["yamcs"]
+
+
+def test_d66_a_picture_follows_no_link(tmp_path):
+    page = SimpleNamespace(screenshot=lambda: b"picture")
+    pictures._keep(page, tmp_path / "page.png")
+    assert (tmp_path / "page.png").read_bytes() == b"picture"
+    (tmp_path / "link.png").symlink_to("precious")
+    with pytest.raises(faults.Refused, match="symbolic link"):
+        pictures._keep(page, tmp_path / "link.png")
+    assert not (tmp_path / "precious").exists()
 
 
 def test_sec15_standard_output_may_be_an_output(tmp_path):
