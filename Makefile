@@ -113,8 +113,8 @@ planted:
 
 SECONDS := 60
 
-# FUZZ=files: key, fault, conditions and orders files. FUZZ=readers: all that
-# bin/urv reads.
+# FUZZ=files: key, fault, conditions, orders, sticks and sensors files.
+# FUZZ=readers: all that bin/urv reads.
 FUZZ := board
 fuzz:
 	@scripts/setup.sh $(if $(filter readers,$(FUZZ)),test,fuzz)
@@ -171,7 +171,7 @@ CERTIFICATES :=
 campaign:
 	@scripts/setup.sh campaign
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python scripts/campaign/run.py $(CAMPAIGN) \
+	@.venv/bin/python -I -B scripts/campaign/run.py $(CAMPAIGN) \
 	   --format $(FORMAT) $(if $(ONLY),--only $(ONLY)) \
 	   $(if $(JOBS),--jobs $(JOBS)) \
 	   $(if $(SCHEDULER),--scheduler $(SCHEDULER)) \

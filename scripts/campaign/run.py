@@ -17,18 +17,26 @@ program and scripts are the same. Exit status: 0 when every check of every
 shard held.
 """
 
-import argparse
-import csv
-import json
-import math
 import os
-import signal
-import subprocess
 import sys
-import tempfile
-import time
-from pathlib import Path
-from types import SimpleNamespace
+
+if __name__ == "__main__" and not sys.flags.isolated:
+    # The processes that this one starts look for no module in the current
+    # folder, either (SEC-10).
+    os.execve(sys.executable, [sys.executable, "-I", "-B", *sys.argv], {
+        name: value for name, value in os.environ.items()
+        if not name.startswith("PYTHON")})
+
+import argparse  # noqa: E402
+import csv  # noqa: E402
+import json  # noqa: E402
+import math  # noqa: E402
+import signal  # noqa: E402
+import subprocess  # noqa: E402
+import tempfile  # noqa: E402
+import time  # noqa: E402
+from pathlib import Path  # noqa: E402
+from types import SimpleNamespace  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -315,13 +323,17 @@ def report(results, size, seconds, message_format=1):
         f"{total:.{1 if name == 'by theory' else 0}f}"
         for name, total in zip(columns, sums, strict=True)])
 
+    from urv import whole_files
+
     RESULTS.mkdir(exist_ok=True)
-    with (RESULTS / "results.csv").open("w", newline="") as out:
+    with whole_files.replacing(RESULTS / "results.csv") as path, path.open(
+            "w", newline="", encoding="utf-8") as out:
         csv.writer(out).writerows(table)
-    (RESULTS / "summary.json").write_text(json.dumps(
-        {"size": size, "format": message_format,
-         "wall_seconds": round(seconds), "groups": groups,
-         "failures": failures}, indent=1) + "\n")
+    with whole_files.replacing(RESULTS / "summary.json") as path:
+        path.write_text(json.dumps(
+            {"size": size, "format": message_format,
+             "wall_seconds": round(seconds), "groups": groups,
+             "failures": failures}, indent=1) + "\n", encoding="utf-8")
 
     widths = [max(len(str(row[n])) for row in table)
               for n in range(len(table[0]))]
@@ -357,7 +369,10 @@ def flown_before(program, message_format):
 
 def keep(result, program, message_format):
     """A line begins anew, wherever the last one was broken off."""
-    with (RESULTS / SHARDS).open("a", encoding="utf-8") as shards:
+    from urv import whole_files
+
+    with open(RESULTS / SHARDS, "a", encoding="utf-8",
+              opener=whole_files.no_link) as shards:
         shards.write("\n" + json.dumps(
             result | {"program": program, "format": message_format}))
 
@@ -453,8 +468,16 @@ def main():
                                    given.insecure)
     except faults.Refused as fault:
         parser.error(str(fault))
-    return run_campaign(given.size, given.jobs, given.scheduler, given.format,
-                        only, security)
+    try:
+        return run_campaign(given.size, given.jobs, given.scheduler,
+                            given.format, only, security)
+    except (faults.Refused, faults.Failed) as fault:
+        print(f"{given.size}: {fault}", file=sys.stderr)
+        return fault.status
+    except OSError as fault:
+        print(f"{given.size}: {fault.filename or RESULTS / SHARDS}:"
+              f" {faults.reason(fault)}", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

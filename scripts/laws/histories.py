@@ -14,19 +14,28 @@ Exit status: 0 when every hold is held; 1 otherwise, a line for each.
 --again flies one here, keeps its files and prints what is not held.
 """
 
-import argparse
-import json
 import os
-import subprocess
 import sys
-from pathlib import Path
-from types import SimpleNamespace
+
+if __name__ == "__main__" and not sys.flags.isolated:
+    # The processes that this one starts look for no module in the current
+    # folder, either (SEC-10).
+    os.execve(sys.executable, [sys.executable, "-I", "-B", *sys.argv], {
+        name: value for name, value in os.environ.items()
+        if not name.startswith("PYTHON")})
+
+import argparse  # noqa: E402
+import json  # noqa: E402
+import subprocess  # noqa: E402
+from pathlib import Path  # noqa: E402
+from types import SimpleNamespace  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "ground"), str(ROOT / "scripts" / "safety")]
 
 import holds  # noqa: E402
-from urv import cargo, histories, monte_carlo, progress, workers  # noqa: E402
+from urv import (  # noqa: E402
+    cargo, faults, histories, monte_carlo, progress, whole_files, workers)
 
 RESULTS = ROOT / "flight" / "histories.jsonl"
 
@@ -58,7 +67,8 @@ def search(given):
     jobs = (monte_carlo.history_job(seed) for seed in seeds
             if seed not in found)
     try:
-        with given.results.open("a", encoding="utf-8") as kept, \
+        with open(given.results, "a", encoding="utf-8",
+                  opener=whole_files.no_link) as kept, \
                 progress.bar("flying") as told:
             for job, answer in workers.done(sent, jobs, None, given.jobs):
                 result = {"seed": job["seed"], "program": sent.hash,
@@ -104,7 +114,8 @@ def fly_again(given):
     folder = given.folder or ROOT / "flight" / f"history-{given.again}"
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in job["files"].items():
-        (folder / name).write_text(text, encoding="utf-8")
+        with whole_files.replacing(folder / name) as path:
+            path.write_text(text, encoding="utf-8")
     command = [str(ROOT / "bin" / "urv_sim"), "fly", *job["options"],
                "--quiet", "--record", "record.csv"]
     subprocess.run(command, cwd=folder, check=True,
@@ -135,7 +146,15 @@ def main():
     parser.add_argument("--folder", type=Path, metavar="FOLDER",
                         help="for the files of --again")
     given = parser.parse_args()
-    return fly_again(given) if given.again is not None else search(given)
+    try:
+        return fly_again(given) if given.again is not None else search(given)
+    except (faults.Refused, faults.Failed) as fault:
+        print(f"histories: {fault}", file=sys.stderr)
+        return fault.status
+    except OSError as fault:
+        print(f"histories: {fault.filename or given.results}:"
+              f" {faults.reason(fault)}", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

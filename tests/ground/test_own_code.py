@@ -3,6 +3,7 @@
 its packages, never code of the current folder."""
 
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -133,6 +134,37 @@ def test_sec10_a_flight_runs_no_code_of_the_current_folder(run, hostile):
     assert marks(hostile) == []
     # 3 where a slow machine has ended it before the link was there.
     assert status in (0, 3), said + errors
+
+
+def test_sec10_workers_of_a_search_run_no_code_of_the_current_folder(
+        hostile, tmp_path):
+    """Those of bin/urv do so as it does itself."""
+    ended = subprocess.run(
+        [sys.executable, ROOT / "scripts/laws/histories.py", "--flights", "1",
+         "--jobs", "1", "--results", tmp_path / "results.jsonl"],
+        cwd=hostile, capture_output=True, text=True, check=False,
+        stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
+    assert marks(hostile) == []
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert len((tmp_path / "results.jsonl").read_text().splitlines()) == 1
+
+
+def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
+        hostile, tmp_path):
+    """Of a copy, whose results are its own."""
+    copy = tmp_path / "copy"
+    for name in ("scripts/campaign", "scripts/safety", "ground/urv"):
+        shutil.copytree(ROOT / name, copy / name)
+    (copy / "bin").mkdir()
+    for name in ("scripts/flight_numbers.py", "bin/urv_sim"):
+        shutil.copy(ROOT / name, copy / name)
+    ended = subprocess.run(
+        [sys.executable, copy / "scripts/campaign/run.py", "tiny", "--only",
+         "many", "--jobs", "1"], cwd=hostile, capture_output=True, text=True,
+        check=False, stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
+    assert marks(hostile) == []
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert (copy / "campaign" / "results.csv").exists()
 
 
 def test_sec10_every_command_is_tried():
