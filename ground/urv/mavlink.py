@@ -320,7 +320,8 @@ class Flight:
                   for node in packets.NODES}
         return mav.MAVLink_sys_status_message(
             air | power, air | power, healthy, 0,
-            round(volts * 1000) if frame.is_fresh else UNKNOWN_16, -1, -1,
+            min(round(volts * 1000), UNKNOWN_16 - 1)
+            if frame.is_fresh else UNKNOWN_16, -1, -1,
             dropped, in_16(frame.link["downlink_bad"]),
             in_16(errors["mcs"]), in_16(errors["gsc"]),
             in_16(frame.link["resets"]), in_16(frame.link["overruns"]))
