@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Gives the readers of key, fault, conditions and orders files what comes on
---  standard input (SEC-14). Every contract is executed. A refusal is the right
---  answer to a bad file; any other exception aborts.
+--  Gives the readers of key, fault, conditions, orders, sticks and sensors
+--  files what comes on standard input (SEC-14). Every contract is executed. A
+--  refusal is the right answer to a bad file; any other exception aborts.
 --
---  The first byte chooses the kind of file: K, F, C or O.
+--  The first byte chooses the kind of file: K, F, C, O, S or N.
 
 with Ada.Exceptions;
 with Ada.Text_IO;
@@ -14,9 +14,10 @@ with Interfaces.C;
 with Host;
 with Host.Ground_Orders;
 with Host.Key_Files;
+with Host.Sensor_Scripts;
+with Host.Stick_Scripts;
 with Sim.Conditions;
 with Sim.Faults;
-with URV.Sessions;
 
 procedure URV_File_Fuzz is
 
@@ -43,11 +44,9 @@ procedure URV_File_Fuzz is
       case Kind is
          when 'K' =>
             declare
-               Keys : constant URV.Sessions.Key_List :=
-                 Host.Key_Files.Keys_From (Name);
-               pragma Unreferenced (Keys);
+               Keys : Host.Key_Files.Key_Ring;
             begin
-               null;
+               Host.Key_Files.Load (Keys, Name);
             end;
          when 'F' =>
             declare
@@ -66,6 +65,18 @@ procedure URV_File_Fuzz is
                Loaded : Host.Ground_Orders.Script;
             begin
                Host.Ground_Orders.Load (Loaded, Name);
+            end;
+         when 'S' =>
+            declare
+               Loaded : Host.Stick_Scripts.Script;
+            begin
+               Host.Stick_Scripts.Load (Loaded, Name);
+            end;
+         when 'N' =>
+            declare
+               Loaded : Host.Sensor_Scripts.Script;
+            begin
+               Host.Sensor_Scripts.Load (Loaded, Name);
             end;
          when others => null;
       end case;

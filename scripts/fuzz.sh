@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 
-# Fuzzes a telemetry board, or the readers of key, fault, conditions and orders
-# files (SEC-14), for some seconds or until it has tried a number of inputs; or
-# the readers of bin/urv.
+# Fuzzes a telemetry board, or the readers of key, fault, conditions, orders,
+# sticks and sensors files (SEC-14), for some seconds or until it has tried a
+# number of inputs; or the readers of bin/urv.
 #
 #   scripts/fuzz.sh SECONDS [INPUTS]
 #   FUZZ=files scripts/fuzz.sh SECONDS [INPUTS]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""LNK-1, LNK-9: every input of the fuzzing corpus is replayed with contracts
-executed, and AFL++ looks for more for a short while (docs/evidence/exploration.md).
-For longer: `make fuzz`."""
+"""LNK-1, LNK-9, SEC-14: every input of the fuzzing corpora is replayed with
+contracts executed, and AFL++ looks for more for a short while
+(docs/evidence/exploration.md). For longer: `make fuzz`."""
 
 import shutil
 import subprocess
@@ -10,33 +10,39 @@ import pytest
 
 from conftest import ROOT
 
-CORPUS = sorted((ROOT / "fuzz" / "corpus").iterdir())
-PROGRAM = ROOT / "bin" / "replay" / "urv_fuzz"
+CORPORA = {"urv_fuzz": "corpus", "urv_file_fuzz": "files"}
+"""Of each program, a folder in fuzz."""
+INPUTS = [(program, file) for program, folder in CORPORA.items()
+          for file in sorted((ROOT / "fuzz" / folder).iterdir())]
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _program_is_built():
-    subprocess.run(
-        ["gprbuild", "-q", "-p", "-P", ROOT / "fuzz" / "urv_fuzz.gpr",
-         "-XURV_Fuzz=replay"],
-        check=True,
-    )
+def _programs_are_built():
+    for program in CORPORA:
+        subprocess.run(
+            ["gprbuild", "-q", "-p", "-P", ROOT / "fuzz" / f"{program}.gpr",
+             "-XURV_Fuzz=replay"],
+            check=True,
+        )
 
 
-def replay(data):
+def replay(program, data, folder):
     return subprocess.run(
-        [PROGRAM], input=data, capture_output=True, timeout=60, check=False
+        [ROOT / "bin" / "replay" / program], input=data, capture_output=True,
+        cwd=folder, timeout=60, check=False
     )
 
 
-def test_there_is_a_corpus():
-    assert CORPUS
+def test_there_are_corpora():
+    assert {program for program, _ in INPUTS} == set(CORPORA)
 
 
-@pytest.mark.parametrize("file", CORPUS, ids=lambda file: file.name)
-def test_no_contract_is_violated(file):
-    result = replay(file.read_bytes())
+@pytest.mark.parametrize("program, file", INPUTS,
+                         ids=lambda part: getattr(part, "name", part))
+def test_no_contract_is_violated(program, file, tmp_path):
+    result = replay(program, file.read_bytes(), tmp_path)
     assert result.returncode == 0, result.stderr.decode()
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.skipif(not shutil.which("afl-fuzz"), reason="no afl-fuzz here")
