@@ -561,9 +561,20 @@ def test_gnd56_a_bridge_that_stood_still_sends_nothing_old_as_fresh(
     assert texts == ["link heard", "frames 3.0 s late", "frames in time"]
 
 
-def test_gnd57_a_frame_that_no_message_can_carry_costs_itself(
-        rows, bridge, sent):
-    """Words and counts of all bits, such as no converter gives."""
+def test_gnd57_a_fault_of_the_bridge_costs_one_frame(
+        rows, bridge, sent, monkeypatch):
+    bridge.datagram(frame_of(rows[0], 0).encode())
+    with monkeypatch.context() as broken:
+        broken.setattr(mavlink.Flight, "texts", lambda *_: 1 // 0)
+        bridge.datagram(frame_of(rows[0], 1).encode())
+    assert bridge.bad == 1
+    sent.take()
+    bridge.datagram(frame_of(rows[0], 2).encode())
+    assert sent.take("ATTITUDE") and bridge.bad == 1
+
+
+def test_gnd57_words_and_counts_of_all_bits_are_carried(rows, bridge, sent):
+    """Such as no converter gives."""
     words = (2**16 - 1,) * len(packets.COLUMNS)
     log = (LogRow(*(2**32 - 1,) * 3, 2**16 - 1),) * packets.ROWS_PER_LOG
     for sequence in range(0, 200, 2):
@@ -575,7 +586,7 @@ def test_gnd57_a_frame_that_no_message_can_carry_costs_itself(
         assert [message.time_boot_ms for message in sent.take("ATTITUDE")
                 ] in ([], [20 * (sequence + 1)])
     bridge.datagram(frame_of(rows[0], 225).encode())
-    assert sent.take("ATTITUDE")
+    assert sent.take("ATTITUDE") and bridge.bad == 0
 
 
 def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):
