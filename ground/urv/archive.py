@@ -2,8 +2,9 @@
 """The station's log in the archive of a Yamcs, as its events (GND-30).
 
 Yamcs is another program: it may be slow, die or come later. Nobody waits for
-it here, and its absence is told. An event that it does not take costs that
-event and no other (GND-57).
+it here. Its absence is an alert, and so is an archive that takes no frames
+(GND-60). An event that it does not take costs that event and no other
+(GND-57).
 
 Yamcs is also told how far the clock of the ground's node is from this
 machine's, so that it knows how old a frame is (GND-56).
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
@@ -42,8 +44,43 @@ LONGEST_ANSWER = 1_048_576
 """Bytes; Yamcs's have some hundred."""
 STARTS_S = 30.0
 """Yamcs may take so long to start before its absence is an alert."""
+STALLS_S = 15.0
+"""Its archive is an alert when it takes nothing for so long while frames come.
+Its link looks for the station each 10 s."""
+FRESH_S = 1.0
+"""Frames come when the last one is no older."""
 NO_ANSWER = (aiohttp.ClientError, TimeoutError, ValueError)
 """There is none, or it is none that is of use."""
+
+
+@dataclass(frozen=True)
+class Link:
+    """The link by which Yamcs fetches frames."""
+
+    count: int
+    """Frames that it has taken since it started."""
+    is_disabled: bool = False
+
+
+class Taken:
+    """Whether Yamcs takes the frames that come."""
+
+    def __init__(self) -> None:
+        self._count = -1
+        self._since = 0.0
+
+    def wrong(self, link: Link, age_s: float | None, now: float) -> str:
+        """Why it takes none, or nothing. The age is that of the last frame,
+        None before the first; now is a time of any clock, in s."""
+        comes = age_s is not None and age_s <= FRESH_S
+        if link.count != self._count or not comes:
+            self._count, self._since = link.count, now
+        if link.is_disabled:
+            return "its link is disabled"
+        waited = now - self._since
+        if waited >= STALLS_S:
+            return f"its count has not risen for {waited:.0f} s"
+        return ""
 
 
 class Archive:
@@ -55,6 +92,7 @@ class Archive:
         self._dropped = 0
         self._refusals = 0
         self._clock_us: int | None = None
+        self._taken = Taken()
 
     def take(self, line: Line) -> None:
         """A line that Yamcs shall have, when it can."""
@@ -74,7 +112,7 @@ class Archive:
                 try:
                     if not await self._is_running(session):
                         raise ValueError("it starts, or has failed")
-                    count = await self._count(session)
+                    link = await self._link(session)
                     await self._tell_clock(session, view)
                     while self._lines:
                         await self._hand_over(session)
@@ -90,13 +128,23 @@ class Archive:
                     if not there and view.alerts.active("archive"):
                         view.note("info", "archive", "Yamcs answers again")
                     there = True
-                    text = f"{count} frames"
+                    text = f"{link.count} frames"
                     for lost, what in ((self._dropped, "events"),
                                        (relay.lost if relay else 0,
                                         "frames")):
                         if lost:
                             text += f", {lost} {what} lost"
-                    controls.archive = {"text": text, "lost": False}
+                    wrong = self._taken.wrong(link, view.age_s(view.now()),
+                                              loop.time())
+                    if wrong:
+                        text += f", {wrong}"
+                        view.alerts.report(
+                            "archive frames", "caution", "ARCHIVE STOPPED",
+                            f"Yamcs takes no frames: {wrong}",
+                            int(datetime.now(UTC).timestamp() * 1e6))
+                    else:
+                        view.alerts.away("archive frames", view.now(), 0.0)
+                    controls.archive = {"text": text, "lost": bool(wrong)}
                     view.alerts.away("archive", view.now(), 0.0)
                 await asyncio.sleep(LOOKS_S)
 
@@ -114,9 +162,9 @@ class Archive:
             return False
         return said.get("state") == "RUNNING"
 
-    async def _count(self, session: aiohttp.ClientSession) -> int:
-        """Frames that Yamcs has taken since it started."""
-        return count_in(await self._get(session, f"links/{INSTANCE}/{LINK}"))
+    async def _link(self, session: aiohttp.ClientSession) -> Link:
+        said = await self._get(session, f"links/{INSTANCE}/{LINK}")
+        return Link(count_in(said), said.get("disabled") is True)
 
     async def _get(self, session: aiohttp.ClientSession, what: str) -> dict:
         async with session.get(f"{self._url}/api/{what}") as answer:

@@ -14,7 +14,8 @@ import pytest
 from aiohttp import web
 from test_node_starts import frame_of
 from urv import packets
-from urv.archive import INSTANCE, LINK, Archive
+from urv.archive import (
+    FRESH_S, INSTANCE, LINK, STALLS_S, Archive, Link, Taken)
 from urv.relay import Relay
 from urv.view import View
 
@@ -29,6 +30,7 @@ class Yamcs:
         self.asked = 0
         self.events = []
         self.clocks = []
+        self.link = {"dataInCount": "7"}
 
     async def answer(self, _):
         self.asked += 1
@@ -37,7 +39,7 @@ class Yamcs:
         return web.json_response({"name": INSTANCE, "state": self.state})
 
     async def count(self, _):
-        return web.json_response({"dataInCount": "7"})
+        return web.json_response(self.link)
 
     async def take(self, request):
         event = await request.json()
@@ -183,6 +185,32 @@ def test_gnd57_an_event_that_yamcs_does_not_take_costs_itself():
     in_time(work())
 
 
+def test_gnd60_a_disabled_link_of_yamcs_is_an_alert():
+    def alerts(view):
+        return {alert["name"]: alert for alert in view.alerts.shown()}
+
+    async def work():
+        async with relaying() as (yamcs, archive, relay, _):
+            yamcs.state = "RUNNING"
+            yamcs.link["disabled"] = True
+            controls = SimpleNamespace(archive={"text": ""})
+            view = View(archive.take)
+            running = asyncio.create_task(
+                archive.run(view, controls, relay))
+            while "ARCHIVE STOPPED" not in alerts(view):
+                await asyncio.sleep(0.1)
+            alert = alerts(view)["ARCHIVE STOPPED"]
+            assert alert["level"] == "caution"
+            assert controls.archive == {
+                "text": "7 frames, its link is disabled", "lost": True}
+            yamcs.link["disabled"] = False
+            while controls.archive["lost"]:
+                await asyncio.sleep(0.1)
+            assert not alerts(view)["ARCHIVE STOPPED"]["active"]
+            running.cancel()
+    in_time(work())
+
+
 def test_gnd56_yamcs_is_told_the_clock_of_the_frames_once():
     async def work():
         async with relaying() as (yamcs, archive, relay, _):
@@ -203,3 +231,19 @@ def test_gnd56_yamcs_is_told_the_clock_of_the_frames_once():
             assert ahead_s == pytest.approx(-3600.0, abs=1.0)
             running.cancel()
     in_time(work())
+
+
+def test_gnd60_an_archive_that_takes_no_frames_while_they_come_is_told():
+    taken, fresh = Taken(), 0.5 * FRESH_S
+    assert taken.wrong(Link(7), fresh, 100.0) == ""
+    assert taken.wrong(Link(7), fresh, 99.9 + STALLS_S) == ""
+    assert taken.wrong(Link(7), fresh, 100.0 + STALLS_S) == (
+        "its count has not risen for 15 s")
+    assert taken.wrong(Link(8), fresh, 101.0 + STALLS_S) == ""
+    # Without frames nothing can be taken; another Yamcs counts from nothing.
+    for age in (None, 2 * FRESH_S):
+        assert taken.wrong(Link(8), age, 200.0) == ""
+    assert taken.wrong(Link(8), fresh, 199.9 + STALLS_S) == ""
+    assert taken.wrong(Link(0), fresh, 200.1 + STALLS_S) == ""
+    assert taken.wrong(Link(0, True), fresh, 200.2 + STALLS_S) == (
+        "its link is disabled")
