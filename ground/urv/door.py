@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who comes in at the station's page, and for how long (GND-24, SEC-11).
 
+A request by another name than this machine's, or of a foreign page, is refused,
+here and at Yamcs's pages (GND-23, SEC-13).
+
 A connection waits until its first request has been authenticated: with the
 token where one is demanded, else by Host and Origin. Waiting connections have
 few places, each address a part of them, and little time. So strangers hold no
@@ -13,8 +16,10 @@ import asyncio
 import hashlib
 import hmac
 import ipaddress
+import socket
 from collections import Counter
 from typing import Any
+from urllib.parse import urlsplit
 
 from aiohttp import web
 
@@ -50,6 +55,43 @@ def address_of(host: str | None) -> str:
             return str(address.ipv4_mapped)
         return str(ipaddress.ip_network((address, 64), strict=False))
     return str(address)
+
+
+def is_own_host(host: str | None) -> bool:
+    """Whether Host names this machine in a way that no foreign name server
+    can: by address, as localhost, or by the machine's own name."""
+    if not host:
+        return False
+    try:
+        name = urlsplit(f"//{host}").hostname
+    except ValueError:
+        return False
+    if name is None:
+        return False
+    if name in ("localhost", socket.gethostname().lower()):
+        return True
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def refusal(request: web.BaseRequest) -> str | None:
+    """Why a request does not come from this machine's own page or a program,
+    or None. A foreign page may open the page, in a window of its own."""
+    host = request.headers.get("Host")
+    if not is_own_host(host):
+        return "Host is not this machine's"
+    origin = request.headers.get("Origin")
+    if origin is not None and origin != f"http://{host}":
+        return "foreign Origin"
+    site = request.headers.get("Sec-Fetch-Site", "none")
+    opened = (request.headers.get("Sec-Fetch-Mode") == "navigate"
+              and request.headers.get("Sec-Fetch-Dest") == "document")
+    if site not in ("same-origin", "none") and not opened:
+        return "asked for by a foreign page"
+    return None
 
 
 class Visitor(web.RequestHandler):

@@ -15,7 +15,9 @@ import json
 import os
 import queue
 import re
+import secrets
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -35,6 +37,7 @@ ROOT = Path(__file__).resolve().parents[2]
 YAMCS = ROOT / "ground" / "yamcs"
 JARS = ROOT / "obj" / "yamcs" / "lib"
 DISPLAY = "flight.opi"
+HERE = "127.0.0.1"
 
 LOOKS_S = 0.1
 UNHEARD = 3
@@ -187,6 +190,15 @@ class Flight:
         (self.gsc_link, self.mcs_link, self.frames, self.console,
          self.relay) = range(ports, ports + 5)
         self.page_port, self.yamcs_port = page_port, yamcs_port
+        # Yamcs itself, where no web page finds it. The port stays bound here:
+        # no other program gets it before Yamcs listens there.
+        self.yamcs_place = socket.socket()
+        self.yamcs_place.setsockopt(socket.SOL_SOCKET,
+                                    socket.SO_REUSEADDR, 1)
+        self.yamcs_place.bind((HERE, 0))
+        self.yamcs_path = f"/{secrets.token_hex(16)}"
+        self.yamcs = (f"http://{HERE}:{self.yamcs_place.getsockname()[1]}"
+                      f"{self.yamcs_path}")
         self.running: dict[str, subprocess.Popen] = {}
         self.groups: list[int] = []
         self.given: dict[str, object] = {}
@@ -210,19 +222,20 @@ class Flight:
 
     def start(self, pilot: str, yamcs: bool, mavlink: str | None,
               seconds: float | None) -> None:
-        here = "127.0.0.1"
-        archive = f"http://{here}:{self.yamcs_port}"
+        here = HERE
         station = [*programs.URV, "station",
                    "--port", self.page_port,
                    "--frames", f"udp:{here}:{self.frames}",
                    "--console", f"udp:{here}:{self.console}",
                    "--events", self.folder / "station.jsonl", "--reports"]
         if yamcs:
-            station += ["--relay", f"tcp:{here}:{self.relay}",
-                        "--yamcs", archive]
+            station += ["--relay", f"tcp:{here}:{self.relay}"]
         # Who takes the frames is there before the first one.
-        self.run("station", *station, tells=True, hears=True)
+        self.run("station", *station, tells=True, hears=True,
+                 yamcs=self.yamcs if yamcs else None)
         self.await_station()
+        if yamcs:
+            self.start_gate()
         publish = ["--packets", packets.WHOLE,
                    "--publish", f"udp:{here}:{self.frames}"]
         if mavlink is not None:
@@ -243,8 +256,7 @@ class Flight:
         self.say(f"ground: page to fly and watch by: http://{here}:"
               f"{self.page_port}/")
         if yamcs and self.start_yamcs():
-            threading.Thread(target=self.await_yamcs, args=(archive,),
-                             daemon=True).start()
+            threading.Thread(target=self.await_yamcs, daemon=True).start()
 
     def passed_on(self, node: str) -> list:
         """What of the options given is for this node. True is a switch's
@@ -284,9 +296,12 @@ class Flight:
         from urv import display, xtce
         self.write("mdb/urv.xml", xtce.mission_database())
         self.write(f"displays/{DISPLAY}", display.flight())
+        port = self.yamcs_place.getsockname()[1]
         for source in (YAMCS / "etc").glob("*.yaml"):
             text = source.read_text("utf-8")
-            text = text.replace("port: 8092", f"port: {self.yamcs_port}")
+            text = text.replace("port: 8092", f"port: {port}")
+            text = text.replace("contextPath: /yamcs",
+                                f"contextPath: {self.yamcs_path}")
             text = text.replace("port: 6005", f"port: {self.relay}")
             self.write(f"etc/{source.name}", text)
 
@@ -295,9 +310,18 @@ class Flight:
         with whole_files.replacing(self.folder / name) as path:
             path.write_text(text, encoding="utf-8")
 
+    def start_gate(self) -> None:
+        """Yamcs's pages, at the port that people know."""
+        self.run("yamcs_gate", *programs.URV, "yamcs-gate",
+                 "--port", self.yamcs_port, tells=True, later=LATER_BY,
+                 yamcs=self.yamcs)
+        self.await_line("yamcs_gate", "pages at")
+
     def run(self, name: str, *command, tells: bool = False,
-            later: int = 0, hears: bool = False) -> None:
-        """Starts a program that ends with this one, whatever ends it."""
+            later: int = 0, hears: bool = False,
+            yamcs: str | None = None) -> None:
+        """Starts a program that ends with this one, whatever ends it. It gets
+        Yamcs's URL in its environment."""
         parent = os.getpid()
         library = ctypes.CDLL(None)
 
@@ -315,7 +339,8 @@ class Flight:
             # A Ctrl-C at the terminal is for this program alone: it ends the
             # others in their order.
             start_new_session=True, preexec_fn=become, text=True,
-            env=os.environ | {"URV_PYTHON": sys.executable})
+            env=os.environ | {"URV_PYTHON": sys.executable,
+                              "URV_YAMCS": yamcs or ""})
         os.close(log)
         self.read(name, said)
         self.groups.append(self.running[name].pid)
@@ -399,19 +424,19 @@ class Flight:
         if name in self.readers:
             self.readers[name].join(1.0)
 
-    def await_yamcs(self, archive: str) -> None:
+    def await_yamcs(self) -> None:
         """Says when its pages are there."""
         while "yamcs" in self.running:
             try:
-                with urllib.request.urlopen(f"{archive}/api/links/urv",
+                with urllib.request.urlopen(f"{self.yamcs}/api/links/urv",
                                             timeout=2.0):
                     break
             except (urllib.error.URLError, OSError):
                 time.sleep(0.3)
         else:
             return
-        self.say(f"ground: Yamcs: {archive}/telemetry/displays/files/{DISPLAY}"
-              "?c=urv__realtime")
+        self.say(f"ground: Yamcs: http://{HERE}:{self.yamcs_port}"
+                 f"/telemetry/displays/files/{DISPLAY}?c=urv__realtime")
         self.say(f"ground: live after {time.monotonic() - self.began:.0f} s;"
               " Ctrl-C ends it")
 
@@ -546,7 +571,8 @@ class Flight:
         # A second Ctrl-C must not leave half of them.
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, signal.SIG_IGN)
-        for names in (NODES, ("station", "mavlink"), ("yamcs",)):
+        for names in (NODES, ("station", "mavlink"),
+                      ("yamcs", "yamcs_gate")):
             group = {name: self.running.pop(name)
                      for name in names if name in self.running}
             for process in group.values():

@@ -18,7 +18,7 @@ from pathlib import Path
 import typer
 
 from urv import (convert, faults, ground, keygen, mavlink, monte_carlo,
-                 pictures, report, station, xtce)
+                 pictures, report, station, xtce, yamcs_gate)
 
 # What typer makes of an interrupt, too.
 INTERRUPTED = 130
@@ -66,6 +66,7 @@ app.command()(ground.ground)
 app.command()(keygen.keygen)
 app.command()(pictures.pictures)
 app.command("monte-carlo")(monte_carlo.monte_carlo)
+app.command("yamcs-gate")(yamcs_gate.yamcs_gate)
 
 
 def interrupt(_signal, _frame):

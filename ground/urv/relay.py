@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Good frame packets, over TCP to the one who keeps them (GND-30).
+"""Good frame packets, over TCP to the one who keeps them (GND-30, SEC-13).
 
 Yamcs connects here. Its own link over UDP hears whoever sends to any address
 of the machine, and loses what it is too slow for.
+
+Yamcs sends nothing. A client that does is another one, a browser for example,
+and gets nothing.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections import deque
 from typing import TYPE_CHECKING
 
@@ -17,6 +21,8 @@ if TYPE_CHECKING:
 WAITING = 15_000
 """Frames kept for a client that is slow or not there yet: five minutes."""
 STUCK_S = 20.0
+SPEAKS_S = 0.2
+"""A browser sends its request within this time after it has connected."""
 
 
 async def at_once() -> None:
@@ -50,11 +56,12 @@ class Relay:
             writer.transport.abort()
             return
         self._taken = True
-        gone = asyncio.create_task(self._until_gone(reader))
+        gone = asyncio.create_task(self._until_no_yamcs(reader))
         ready = asyncio.ensure_future(self._ready())
         try:
             await asyncio.wait({ready, gone},
                                return_when=asyncio.FIRST_COMPLETED)
+            await asyncio.wait({gone}, timeout=SPEAKS_S)
             while not gone.done():
                 while self._frames and not gone.done():
                     writer.write(self._frames[0])
@@ -75,9 +82,7 @@ class Relay:
             writer.transport.abort()
 
     @staticmethod
-    async def _until_gone(reader: asyncio.StreamReader) -> None:
-        try:
-            while await reader.read(4096):
-                pass
-        except ConnectionError:
-            pass
+    async def _until_no_yamcs(reader: asyncio.StreamReader) -> None:
+        """Until the client has gone, or has sent something."""
+        with contextlib.suppress(ConnectionError):
+            await reader.read(1)

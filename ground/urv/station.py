@@ -60,7 +60,7 @@ def station(
         None, metavar="FILE",
         help="Marks, alerts, errors and hand-overs as JSON lines."),
     yamcs: str | None = typer.Option(
-        None, metavar="URL",
+        None, envvar="URV_YAMCS", show_envvar=True, metavar="URL",
         help="A Yamcs that gets the same as its events."),
     seconds: float | None = typer.Option(
         None, min=0.0, help="Ends the station after so long."),

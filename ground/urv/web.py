@@ -12,13 +12,11 @@ import asyncio
 import ipaddress
 import json
 import logging
-import socket
 import time
 import unicodedata
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
 
 from aiohttp import WSMsgType, web
 from aiohttp.http_exceptions import HttpProcessingError
@@ -26,7 +24,7 @@ from aiohttp.http_exceptions import HttpProcessingError
 from urv import items, packets
 from urv.arrivals import Arrivals
 from urv.controls import GAMEPAD, Controls
-from urv.door import Door, Token, address_of
+from urv.door import Door, Token, address_of, refusal
 
 PAGE = Path(__file__).resolve().parent / "page"
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript",
@@ -76,26 +74,6 @@ def is_worth_telling(record: logging.LogRecord) -> bool:
 
 LOG = logging.getLogger("urv.web")
 LOG.addFilter(is_worth_telling)
-
-
-def is_own_host(host: str | None) -> bool:
-    """Whether Host names this machine in a way that no foreign name server
-    can: by address, as localhost, or by the machine's own name."""
-    if not host:
-        return False
-    try:
-        name = urlsplit(f"//{host}").hostname
-    except ValueError:
-        return False
-    if name is None:
-        return False
-    if name in ("localhost", socket.gethostname().lower()):
-        return True
-    try:
-        ipaddress.ip_address(name)
-    except ValueError:
-        return False
-    return True
 
 
 def is_loopback(address: str) -> bool:
@@ -163,7 +141,7 @@ class Station:
     @web.middleware
     async def _guard(self, request: web.Request,
                      handler: Handler) -> web.StreamResponse:
-        refused = self._refused(request)
+        refused = refusal(request)
         if refused is not None:
             self.controls.refused += 1
             answer: web.StreamResponse = web.Response(
@@ -182,20 +160,6 @@ class Station:
             answer.headers.update(HEADERS)
             answer.force_close()
         return answer
-
-    def _refused(self, request: web.Request) -> str | None:
-        host = request.headers.get("Host")
-        if not is_own_host(host):
-            return "Host is not this machine's"
-        origin = request.headers.get("Origin")
-        if origin is not None and origin != f"http://{host}":
-            return "foreign Origin"
-        site = request.headers.get("Sec-Fetch-Site", "none")
-        opened = (request.headers.get("Sec-Fetch-Mode") == "navigate"
-                  and request.headers.get("Sec-Fetch-Dest") == "document")
-        if site not in ("same-origin", "none") and not opened:
-            return "asked for by a foreign page"
-        return None
 
     def _stranger(self, request: web.Request) -> web.Response | None:
         """The answer to a request without the token, or None. The token in

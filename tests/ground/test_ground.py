@@ -391,7 +391,7 @@ def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
     folder = tmp_path / "flight"
     folder.mkdir()
     flight = module.Flight(folder, free_ports(5)[0], *free_ports(2))
-    url = f"http://127.0.0.1:{flight.yamcs_port}"
+    url = flight.yamcs
 
     def shown(name, kind):
         """What Yamcs shows."""
@@ -416,7 +416,7 @@ def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
                    "--port", flight.page_port,
                    "--frames", f"udp:127.0.0.1:{flight.frames}",
                    "--relay", f"tcp:127.0.0.1:{flight.relay}",
-                   "--yamcs", url, tells=True)
+                   tells=True, yamcs=url)
         flight.await_station()
         flight.start_yamcs()
         with FakeNode(standard / "record.csv",

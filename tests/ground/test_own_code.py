@@ -125,6 +125,17 @@ def test_sec10_mavlink_runs_no_code_of_the_current_folder(start, hostile):
     assert line.startswith("mavlink: from "), errors
 
 
+def test_sec10_yamcs_gate_runs_no_code_of_the_current_folder(start, hostile):
+    process = start("yamcs-gate", "--port", 0, "--yamcs",
+                    "http://127.0.0.1:1/yamcs")
+    line = process.stdout.readline()
+    process.send_signal(signal.SIGTERM)
+    _, errors = process.communicate(timeout=TIME_LIMIT_S)
+    assert marks(hostile) == []
+    assert line.startswith("yamcs-gate: pages at "), errors
+    assert process.returncode == 0
+
+
 def test_sec10_a_flight_runs_no_code_of_the_current_folder(run, hostile):
     ports = free_ports(7)[0]
     status, said, errors = run(
@@ -168,7 +179,8 @@ def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
 
 
 def test_sec10_every_command_is_tried():
-    tried = {name.split()[0] for name in QUICK} | {"mavlink", "ground"}
+    tried = {name.split()[0] for name in QUICK} | {
+        "mavlink", "ground", "yamcs-gate"}
     commands = {command.name or command.callback.__name__
                 for command in urv.main.app.registered_commands}
     assert commands <= tried

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """GND-30: frames and events go to a Yamcs when it can keep them. GND-57: an
 event that it does not take costs that event alone. GND-56: it is told what the
-clock of the frames shows."""
+clock of the frames shows. GND-60: an archive that stops is an alert. SEC-13: a
+browser gets no frames."""
 
 import asyncio
 import time
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from datetime import datetime
 from types import SimpleNamespace
 
@@ -130,6 +131,22 @@ def test_gnd30_a_yamcs_that_goes_while_it_starts_takes_no_frame_with_it():
             data += await reader.readexactly(6 - len(data))
             assert data == b"onetwo"
             assert relay.lost == 0
+            writer.close()
+    in_time(work())
+
+
+def test_sec13_a_client_that_sends_a_request_gets_no_frame():
+    async def work():
+        async with relaying() as (yamcs, _, relay, place):
+            yamcs.state = "RUNNING"
+            reader, writer = await asyncio.open_connection(*place)
+            writer.write(b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+            with suppress(ConnectionError):
+                assert await reader.read() == b""
+            writer.close()
+            # Its place is free for Yamcs.
+            reader, writer = await asyncio.open_connection(*place)
+            assert await reader.readexactly(6) == b"onetwo"
             writer.close()
     in_time(work())
 

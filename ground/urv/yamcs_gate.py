@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""bin/urv yamcs-gate: Yamcs's pages for this machine alone (SEC-13)."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+
+import typer
+
+from urv import faults, outputs
+from urv.station import bound, until_ended
+
+HERE = "127.0.0.1"
+
+
+def yamcs_gate(
+    yamcs: str = typer.Option(
+        ..., envvar="URV_YAMCS", show_envvar=True, metavar="URL",
+        help="Of a Yamcs, with the path that its contextPath says."),
+    port: int = typer.Option(
+        8092, min=0, max=65535,
+        help="Of the pages, at this machine's loopback; 0 takes a free one."),
+):
+    """Serve the pages of a Yamcs to this machine."""
+    check(yamcs)
+    asyncio.run(until_ended(serve(yamcs, port)))
+
+
+def check(yamcs: str) -> None:
+    """Raises faults.Refused for what is no URL of a Yamcs."""
+    if not yamcs.startswith("http://"):
+        raise faults.Refused(f"--yamcs {faults.quoted(yamcs)}: not"
+                             " http://HOST:PORT or http://HOST:PORT/PATH")
+
+
+async def serve(yamcs: str, port: int) -> None:
+    """The pages, until it is ended."""
+    from aiohttp import web
+
+    from urv import gate
+
+    door = bound(socket.SOCK_STREAM, HERE, port, "--port")
+    runner = web.AppRunner(
+        gate.Gate(yamcs).application, access_log=None, logger=gate.LOG,
+        keepalive_timeout=15.0, handler_cancellation=True,
+        shutdown_timeout=1.0)
+    await runner.setup()
+    try:
+        await web.SockSite(runner, door).start()
+        outputs.Terminal().say(
+            f"yamcs-gate: pages at http://{HERE}:{door.getsockname()[1]}/")
+        await asyncio.Event().wait()
+    finally:
+        await runner.cleanup()
