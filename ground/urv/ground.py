@@ -190,8 +190,8 @@ class Flight:
         (self.gsc_link, self.mcs_link, self.frames, self.console,
          self.relay) = range(ports, ports + 5)
         self.page_port, self.yamcs_port = page_port, yamcs_port
-        # Yamcs itself, where no web page finds it. The port stays bound here:
-        # no other program gets it before Yamcs listens there.
+        # Yamcs itself, where no web page finds it (SEC-13). The port stays
+        # bound here: no other program gets it before Yamcs listens there.
         self.yamcs_place = socket.socket()
         self.yamcs_place.setsockopt(socket.SOL_SOCKET,
                                     socket.SO_REUSEADDR, 1)
@@ -306,7 +306,7 @@ class Flight:
             self.write(f"etc/{source.name}", text)
 
     def write(self, name: str, text: str) -> None:
-        """A file of the folder, which follows no link."""
+        """A file of the folder, which follows no link (SEC-15)."""
         with whole_files.replacing(self.folder / name) as path:
             path.write_text(text, encoding="utf-8")
 
