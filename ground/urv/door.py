@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who comes in at the station's page, and for how long (GND-24, SEC-11).
 
-A request by another name than this machine's, or of a foreign page, is refused,
-here and at Yamcs's pages (GND-23, SEC-13).
+A request by another name than this machine's, or of a foreign page, is
+refused, here and at Yamcs's pages (GND-23, SEC-13).
 
 A connection waits until its first request has been authenticated: with the
 token where one is demanded, else by Host and Origin. Waiting connections have

@@ -2,17 +2,16 @@
 """Yamcs's pages, for the browsers and programs of this machine (SEC-13).
 
 Yamcs answers every request that reaches its port, also those that a foreign
-page sends, or a page whose name leads to this machine. It listens at a path
-that nobody can guess, therefore, and the Gate at the port that people know. The
-Gate refuses requests by another name and of foreign pages, and requests that do
-more than read. It passes the rest on, WebSockets included.
+page sends, or a page whose name leads to this machine. Therefore it listens
+below a path that nobody can guess, and the Gate at the port that people know.
+The Gate refuses requests by another name and of foreign pages, and requests
+that do more than read. It passes the rest on, WebSockets included.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
 import re
 from collections.abc import AsyncIterator
 
@@ -50,8 +49,6 @@ HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "SAMEORIGIN",
 }
-
-LOG = logging.getLogger("urv.gate")
 
 Socket = aiohttp.ClientWebSocketResponse | web.WebSocketResponse
 

@@ -233,9 +233,11 @@ class Flight:
         # Who takes the frames is there before the first one.
         self.run("station", *station, tells=True, hears=True,
                  yamcs=self.yamcs if yamcs else None)
-        self.await_station()
         if yamcs:
             self.start_gate()
+        self.await_station()
+        if yamcs:
+            self.await_line("yamcs_gate", "pages at")
         publish = ["--packets", packets.WHOLE,
                    "--publish", f"udp:{here}:{self.frames}"]
         if mavlink is not None:
@@ -315,7 +317,6 @@ class Flight:
         self.run("yamcs_gate", *programs.URV, "yamcs-gate",
                  "--port", self.yamcs_port, tells=True, later=LATER_BY,
                  yamcs=self.yamcs)
-        self.await_line("yamcs_gate", "pages at")
 
     def run(self, name: str, *command, tells: bool = False,
             later: int = 0, hears: bool = False,

@@ -36,18 +36,18 @@ def check(yamcs: str) -> None:
 
 async def serve(yamcs: str, port: int) -> None:
     """The pages, until it is ended."""
-    from aiohttp import web
+    from aiohttp import web as http
 
-    from urv import gate
+    from urv import gate, web
 
     door = bound(socket.SOCK_STREAM, HERE, port, "--port")
-    runner = web.AppRunner(
-        gate.Gate(yamcs).application, access_log=None, logger=gate.LOG,
+    runner = http.AppRunner(
+        gate.Gate(yamcs).application, access_log=None, logger=web.LOG,
         keepalive_timeout=15.0, handler_cancellation=True,
         shutdown_timeout=1.0)
     await runner.setup()
     try:
-        await web.SockSite(runner, door).start()
+        await http.SockSite(runner, door).start()
         outputs.Terminal().say(
             f"yamcs-gate: pages at http://{HERE}:{door.getsockname()[1]}/")
         await asyncio.Event().wait()

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SEC-13: no web page controls Yamcs. The Gate before it refuses foreign pages,
-other names of this machine and requests that change something; Yamcs itself is
-at a path that no page knows, and its guest may only do what the station does."""
+"""SEC-13: no web page controls Yamcs. The Gate before it refuses foreign
+pages, other names of this machine and requests that change something. Yamcs
+itself is below a path that no page knows, and its guest may only do what the
+station does."""
 
 import asyncio
 import contextlib
