@@ -80,7 +80,7 @@ def test_quality_is_as_documented(flight, name):
 
 def test_quality_is_that_of_the_page():
     page = (ROOT / "docs" / "aircraft.md").read_text(encoding="utf-8")
-    table = page.partition("## What to expect")[2].partition("\n\nIt is")[0]
+    table = page.partition("## Expected figures")[2].partition("\n\nIt is")[0]
     numbers = [float(each) for each in re.findall(r"\b\d+(?:\.\d+)?", table)]
     assert numbers == [*DOCUMENTED.values()]
 
