@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv pictures: README's three pictures (GND-33).
+"""bin/urv pictures: the three pictures of README and docs (GND-33).
 
 A flight in real time with Yamcs, looked at in Chromium: the page and the
 display in Yamcs. Then the report of the standard flight.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pictures of README (GND-33)."""
+"""The pictures of README and docs/index.md (GND-33)."""
 
 import re
 import shutil
@@ -13,12 +13,13 @@ from urv import faults, pictures
 
 
 def shown():
-    """The pictures that README names."""
-    return re.findall(r"\]\((docs/pictures/\w+\.png)\)",
-                      (ROOT / "README.md").read_text("utf-8"))
+    """The pictures that the pages name."""
+    return [f"docs/{name}" for page in ("README.md", "docs/index.md")
+            for name in re.findall(r"\]\((?:docs/)?(pictures/\w+\.png)\)",
+                                   (ROOT / page).read_text("utf-8"))]
 
 
-def test_gnd33_readme_shows_three_pictures_that_are_there():
+def test_gnd33_the_pages_show_three_pictures_that_are_there():
     assert sorted(shown()) == [f"docs/pictures/{name}.png" for name in (
         "console", "report", "yamcs")]
     for name in shown():
