@@ -862,7 +862,8 @@ package body Starts_Tests is
         (Suite, "INI-1 INI-6 CORE and log count each warm start",
          Counted'Access);
       Add
-        (Suite, "INI-3 INI-6 SAF-5 servos, CORE and log stay but at a cold start",
+        (Suite,
+         "INI-3 INI-6 SAF-5 servos, CORE and log stay but at a cold start",
          Boards_Of_Aircraft'Access);
       Add
         (Suite, "INI-8 each start clears the aircraft's flags, a cold one "
