@@ -279,10 +279,11 @@ def judge(rows, faults):
         calm_s = (row.time - since) / 1000
         for hold, target in targets(row, sticks, engaged):
             error = row.measured[hold] - target
-            if hold not in far:
-                far[hold] = (abs(error) / FLY_BACK_FT_S
-                             if hold == "altitude" else 0.0)
-            if calm_s < SETTLE_S + far[hold]:
+            # A dive goes on for a while after its altitude is to be held.
+            if hold == "altitude" and calm_s <= PULL_UP_S:
+                far[hold] = max(far.get(hold, 0.0),
+                                abs(error) / FLY_BACK_FT_S)
+            if calm_s < SETTLE_S + far.get(hold, 0.0):
                 continue
             window = windows.setdefault(hold, Window())
             window.add(error, exception(hold, error, row, faults))
