@@ -11,6 +11,7 @@ with GNAT.OS_Lib;
 with Bench_Boxes_28;
 with Bench_Boxes_66;
 with Bench_Boxes_1024;
+with Bench_Scheduler;
 with Bench_Semaphores;
 with Bench_Switch;
 with Bench_Times;
@@ -63,6 +64,7 @@ begin
    Time_66;
    Time_1024;
    Time_P_V;
+   Bench_Scheduler.Measure;
    Time_Sum;
    Time_Code;
    Time_Switch;

@@ -4,22 +4,6 @@ with Telemetry.Turns; use Telemetry.Turns;
 
 package body Theorems.Results with SPARK_Mode is
 
-   procedure Of_Move
-     (Row      : Arrangement;
-      From, To : Arrangements.Place;
-      Same     : out Boolean)
-   is
-      One, Other : Arrangement := Row;
-   begin
-      Move (One, From, To);
-      Move (Other, From, To);
-      Same :=
-        (for all Which in TCB_Number =>
-           Place_Of (One, Which) = Place_Of (Other, Which))
-        and then (for all Where in Arrangements.Place =>
-             TCB_At (One, Where) = TCB_At (Other, Where));
-   end Of_Move;
-
    procedure Of_Add
      (Log       : Error_Log;
       Which     : Kind;

@@ -6,8 +6,9 @@
 --  open would not prove these.
 --
 --  Of functions the same need not be said: a postcondition that is an
---  expression, or an equation for each part of the result, shows it. Of the
---  scheduler Theorems.Scheduler_Results says it.
+--  expression, or an equation for each part of the result, shows it. So does
+--  the postcondition of a procedure that is an equation for what it changes
+--  (URVOS.Schedulers.Calls).
 
 with Telemetry;
 with Telemetry.Boards;
@@ -15,7 +16,6 @@ with Telemetry.Headers;
 with Telemetry.Memory;
 with Telemetry.Receivers;
 with URVOS;
-with URVOS.Arrangements;
 with URVOS.Error_Logs;
 with URVOS.Frames;
 with URVOS.ROM_Checks;
@@ -36,7 +36,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use Telemetry.Memory;
    use Telemetry.Receivers;
    use URVOS;
-   use URVOS.Arrangements;
    use URVOS.Frames;
    use URVOS.Semaphores;
    use URVOS.Start_Orders;
@@ -47,15 +46,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use URV.Mailboxes.For_Stick_Words.Boxes;
 
    --  The kernel
-
-   procedure Of_Move
-     (Row      : Arrangement;
-      From, To : Arrangements.Place;
-      Same     : out Boolean)
-   with
-     Global => null,
-     Pre    => Is_Sound (Row),
-     Post   => Same;
 
    type Kind is (This, That);
 

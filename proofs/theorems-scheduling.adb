@@ -1,20 +1,33 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
-
 package body Theorems.Scheduling with SPARK_Mode is
 
-   --  What holds from a first state to a middle one, and from there to a
-   --  last one, holds from the first to the last.
+   --  A choice leaves all but the chosen task as they were.
+   procedure Prove_Choice (S : Scheduler)
+   with
+     Global => null,
+     Post   =>
+       (for all Which in TCB_Number =>
+          TCB (After_Dispatch (S), Which).Release = TCB (S, Which).Release
+          and then TCB (After_Dispatch (S), Which).Ready_At =
+                     TCB (S, Which).Ready_At
+          and then TCB (After_Dispatch (S), Which).Priority =
+                     TCB (S, Which).Priority
+          and then Queue_Of (After_Dispatch (S), Which) =
+            (if Is_Idle (S) and then Which = Head_Of (S, Ready)
+             then Running
+             else Queue_Of (S, Which)));
+
+   --  From a first state to a middle one, and from there to a last one: from
+   --  the first to the last.
 
    procedure Prove_Kept (First, Middle, Last : Scheduler)
    with
      Global => null,
-     Pre    => All_Are_Kept (First, Middle)
-       and then All_Are_Kept (Middle, Last),
-     Post   => All_Are_Kept (First, Last);
+     Pre    => Are_Kept (First, Middle) and then Are_Kept (Middle, Last),
+     Post   => Are_Kept (First, Last);
 
-   procedure Prove_Nobody_Is_Woken_Early (First, Middle, Last : Scheduler)
+   procedure Prove_Not_Early (First, Middle, Last : Scheduler)
    with
      Global => null,
      Pre    =>
@@ -24,111 +37,150 @@ package body Theorems.Scheduling with SPARK_Mode is
        and then Nobody_Is_Woken_Early (Middle, Last),
      Post   => Nobody_Is_Woken_Early (First, Last);
 
+   procedure Prove_Choice (S : Scheduler) is null;
+
    procedure Prove_Kept (First, Middle, Last : Scheduler) is null;
 
-   procedure Prove_Nobody_Is_Woken_Early
-     (First, Middle, Last : Scheduler) is null;
+   procedure Prove_Not_Early (First, Middle, Last : Scheduler) is null;
 
-   --  Who sleeps is not due.
-   procedure Prove_None_Is_Due (S : Scheduler)
-   with
-     Global => null,
-     Pre    => Is_Sound (S),
-     Post   =>
-       (for all Which in TCB_Number =>
-          (if Queue_Of (S, Which) = Timer
-           then Release_Of (S, Which) > Clock (S)));
-
-   procedure Prove_None_Is_Due (S : Scheduler) is null;
-
-   procedure Step (S : in out Scheduler; Call : Scheduler_Call) is
-      Before : constant Scheduler := S;
+   procedure One_Call (S : Scheduler; Call : Scheduler_Call) is
+      Next : constant Scheduler := After (S, Call);
    begin
       if not Is_Allowed (S, Call) then
          return;
       end if;
-
       case Call.Kind is
          when Loads =>
-            Load (S, Call.Header);
+            pragma Assert (Are_Kept (S, Next, Head_Of (S, Free)));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
             pragma Assert
-              (Others_Are_Kept (Before, S, Except => Next_Free_TCB (Before)));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
-
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
          when Dispatches =>
-            Dispatch (S);
-            pragma Assert (All_Are_Kept (Before, S));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
-
-         when Wakes =>
-            Wake (S, Call.Now);
-            pragma Assert (All_Are_Kept (Before, S));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
-
-         when Exits =>
-            Exit_Call (S);
-            pragma Assert (All_Are_Kept (Before, S));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
-
-         when Sleeps =>
-            Sleep (S, Call.Until_Tick);
-            pragma Assert (All_Are_Kept (Before, S));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
-
-         when Terminates =>
-            Terminate_Caller (S);
+            Prove_Choice (S);
+            pragma Assert (Are_Kept (S, Next));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
             pragma Assert
-              (Others_Are_Kept (Before, S, Except => Running_TCB (Before)));
-            pragma Assert (Nobody_Is_Woken_Early (Before, S));
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
+         when Wakes =>
+            pragma Assert (Are_Kept (S, Next));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
+         when Exits =>
+            pragma Assert (Are_Kept (S, Next));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
+         when Sleeps =>
+            pragma Assert (Are_Kept (S, Next));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
+         when Terminates =>
+            pragma Assert (Are_Kept (S, Next, Running_TCB (S)));
+            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert
+              (if Sleepers_Wait_For_Release (S)
+               then Sleepers_Wait_For_Release (Next));
       end case;
-   end Step;
+   end One_Call;
 
-   procedure Dispatch_Chooses_The_Best (S : in out Scheduler) is
+   procedure Any_Calls (S : Scheduler; Calls : Call_Sequence) is
    begin
-      Dispatch (S);
+      for Number in Calls'Range loop
+         One_Call (After_All (S, Calls, Number - 1), Calls (Number));
+         if (for all J in 1 .. Number =>
+               Calls (J).Kind not in Loads | Terminates)
+         then
+            Prove_Kept
+              (S, After_All (S, Calls, Number - 1),
+               After_All (S, Calls, Number));
+         end if;
+         Prove_Not_Early
+           (S, After_All (S, Calls, Number - 1), After_All (S, Calls, Number));
+         pragma Loop_Invariant
+           (Clock (After_All (S, Calls, Number)) >= Clock (S));
+         pragma Loop_Invariant
+           (if (for all J in 1 .. Number =>
+                  Calls (J).Kind not in Loads | Terminates)
+            then Are_Kept (S, After_All (S, Calls, Number)));
+         pragma Loop_Invariant
+           (Nobody_Is_Woken_Early (S, After_All (S, Calls, Number)));
+         pragma Loop_Invariant
+           (if Sleepers_Wait_For_Release (S)
+            then Sleepers_Wait_For_Release (After_All (S, Calls, Number)));
+      end loop;
+   end Any_Calls;
+
+   procedure Start_Loads_The_Tree (Tree : Task_Tree; Now : Clock_Tick) is
+      S : constant Scheduler := Loaded_Tree (Tree, Now);
+   begin
+      pragma Assert (Sleepers_Wait_For_Release (S));
+      Prove_Choice (S);
+   end Start_Loads_The_Tree;
+
+   procedure Dispatch_Chooses_The_Best (S : Scheduler) is
+   begin
+      Prove_Choice (S);
    end Dispatch_Chooses_The_Best;
 
-   procedure Exit_Chooses_The_Best (S : in out Scheduler) is
-      Before : constant Scheduler := S;
-      Caller : constant TCB_Number := Running_TCB (S);
+   procedure Exit_Chooses_The_Best (S : Scheduler) is
    begin
-      Exit_Call (S);
-      if Has_Higher_Ready (Before) then
-         pragma Assert
-           (Priority_Of (S, Running_TCB (S)) > Priority_Of (S, Caller));
+      if Has_Higher_Ready (S) then
          pragma Assert
            (for all Which in TCB_Number =>
-              (if Queue_Of (S, Which) = Ready and then Which /= Caller
-               then Queue_Of (Before, Which) = Ready));
-      else
-         pragma Assert (S = Before);
-         pragma Assert (Best_Runs (Before));
+              (if Queue_Of (After_Exit (S), Which) = Ready
+                 and then Which /= Running_TCB (S)
+               then Queue_Of (S, Which) = Ready));
       end if;
    end Exit_Chooses_The_Best;
 
-   procedure Run (S : in out Scheduler; Calls : Call_Sequence) is
-      Before : constant Scheduler := S;
-      Last   : Scheduler;
+   procedure First_Come_First_Served (S : Scheduler; Call : Scheduler_Call) is
+      Next : constant Scheduler := After (S, Call);
+      Head : constant TCB_Count := Head_Of (S, Free);
    begin
-      for I in Calls'Range loop
-         pragma Loop_Invariant (Is_Sound (S));
-         pragma Loop_Invariant (Clock (S) >= Clock (Before));
-         pragma Loop_Invariant
-           (if (for all J in Calls'First .. I - 1 =>
-                  Calls (J).Kind not in Loads | Terminates)
-            then All_Are_Kept (Before, S));
-         pragma Loop_Invariant (Nobody_Is_Woken_Early (Before, S));
+      case Call.Kind is
+         when Loads =>
+            pragma Assert (Order_Is_Kept (S, Next, Head));
+            if Call.Header.Start_Time <= Clock (S) then
+               pragma Assert (Is_Behind_Equals (Next, Head));
+            end if;
+         when Dispatches =>
+            Prove_Choice (S);
+            pragma Assert (Order_Is_Kept (S, Next));
+         when Wakes =>
+            pragma Assert (Order_Is_Kept (S, Next));
+         when Exits =>
+            if Has_Higher_Ready (S) then
+               pragma Assert
+                 (for all Which in TCB_Number =>
+                    (if Which /= Running_TCB (S)
+                     then TCB (Next, Which).Priority =
+                            TCB (S, Which).Priority
+                       and then TCB (Next, Which).Ready_At =
+                                  TCB (S, Which).Ready_At));
+               pragma Assert
+                 (for all A in TCB_Number =>
+                    (for all B in TCB_Number =>
+                       (if A /= Running_TCB (S) and then B /= Running_TCB (S)
+                        then Came_First (Next, A, B) =
+                               Came_First (S, A, B))));
+               pragma Assert (Order_Is_Kept (S, Next, Running_TCB (S)));
+               pragma Assert (Is_Behind_Equals (Next, Running_TCB (S)));
+            end if;
+         when Sleeps =>
+            pragma Assert (Order_Is_Kept (S, Next, Running_TCB (S)));
+         when Terminates =>
+            pragma Assert (Order_Is_Kept (S, Next, Running_TCB (S)));
+            pragma Assert (Is_Behind_Equals (Next, Running_TCB (S)));
+      end case;
+   end First_Come_First_Served;
 
-         Last := S;
-         Step (S, Calls (I));
-         if (for all J in Calls'First .. I =>
-               Calls (J).Kind not in Loads | Terminates)
-         then
-            Prove_Kept (Before, Last, S);
-         end if;
-         Prove_Nobody_Is_Woken_Early (Before, Last, S);
-      end loop;
-      Prove_None_Is_Due (S);
-   end Run;
+   procedure Sleepers_Wake_In_Order (S : Scheduler; Now : Clock_Tick) is null;
 
 end Theorems.Scheduling;

@@ -1,141 +1,264 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the scheduler does over any sequence of calls, with any tasks
---  (report, sections 3.2 and 3.3; KRN-1 to KRN-4).
+--  The scheduler over any sequence of calls, with any tasks (report, sections
+--  3.2 and 3.3; KRN-1 to KRN-4).
 --
---  A TCB is in exactly one queue at any time: Queue_Of has one answer.
+--  A TCB is in exactly one queue at any time: Queue_Of has one answer. What a
+--  call gives follows from the scheduler and its parameters alone: each is a
+--  function.
 
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Schedulers;   use URVOS.Schedulers;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Schedulers; use URVOS.Schedulers;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
 
    type Call_Kind is (Loads, Dispatches, Wakes, Exits, Sleeps, Terminates);
 
-   --  A call of the scheduler, with what it is given.
+   --  A call of the scheduler with its parameters.
    type Scheduler_Call is record
       Kind       : Call_Kind;
-      Header     : Task_Header;  --  that is loaded
+      Header     : Task_Header;  --  of the task to load
       Now        : Clock_Tick;   --  at which the scheduler wakes
-      Until_Tick : Tick;         --  that the caller sleeps
+      Until_Tick : Tick;         --  the caller sleeps until it
    end record;
 
    type Call_Sequence is array (Positive range <>) of Scheduler_Call;
 
-   --  What its precondition asks for. Calls that are not allowed are never
-   --  made; in a sequence they do nothing.
-   function Is_Allowed
-     (S    : Scheduler;
-      Call : Scheduler_Call) return Boolean
+   --  The precondition of a call. Calls that are not allowed are never made;
+   --  in a sequence they do nothing.
+   function Is_Allowed (S : Scheduler; Call : Scheduler_Call) return Boolean
    is
      (case Call.Kind is
-         when Loads                       => Has_Free_TCB (S),
-         when Dispatches                  => True,
-         when Wakes                       => Call.Now >= Clock (S),
+         when Loads      =>
+            Call.Header.Id /= No_Task and then Has_Free_TCB (S),
+         when Dispatches => True,
+         when Wakes      => Call.Now >= Clock (S),
          when Exits | Sleeps | Terminates => not Is_Idle (S))
    with Global => null;
 
+   function After (S : Scheduler; Call : Scheduler_Call) return Scheduler is
+     (if not Is_Allowed (S, Call) then S
+      else
+        (case Call.Kind is
+            when Loads      => After_Load (S, Call.Header),
+            when Dispatches => After_Dispatch (S),
+            when Wakes      => After_Wake (S, Call.Now),
+            when Exits      => After_Exit (S),
+            when Sleeps     => After_Sleep (S, Call.Until_Tick),
+            when Terminates => After_Terminate (S)))
+   with Global => null;
+
+   --  No task is lost or doubled
+
    --  The tasks are the same as before, each in its own TCB, but for one TCB.
-   function Others_Are_Kept
+   function Are_Kept
      (Before, After : Scheduler;
-      Except        : TCB_Number) return Boolean
+      Except        : TCB_Count := No_TCB) return Boolean
    is
      (for all Which in TCB_Number =>
         (if Which /= Except
          then (Queue_Of (After, Which) = Free) =
                 (Queue_Of (Before, Which) = Free)
-           and then Id_Of (After, Which) = Id_Of (Before, Which)
-           and then Priority_Of (After, Which) = Priority_Of (Before, Which)))
+           and then TCB (After, Which).Id = TCB (Before, Which).Id
+           and then TCB (After, Which).Priority =
+                      TCB (Before, Which).Priority))
    with Global => null;
 
-   --  The tasks are the same as before, each in its own TCB.
-   function All_Are_Kept (Before, After : Scheduler) return Boolean is
-     (for all Which in TCB_Number =>
-        (Queue_Of (After, Which) = Free) = (Queue_Of (Before, Which) = Free)
-        and then Id_Of (After, Which) = Id_Of (Before, Which)
-        and then Priority_Of (After, Which) = Priority_Of (Before, Which))
-   with Global => null;
-
-   --  Who slept sleeps on if its tick has not come.
+   --  A sleeping task sleeps on if its tick has not come.
    function Nobody_Is_Woken_Early (Before, After : Scheduler) return Boolean is
      (for all Which in TCB_Number =>
         (if Queue_Of (Before, Which) = Timer
-           and then Clock (After) < Release_Of (Before, Which)
+           and then Clock (After) < TCB (Before, Which).Ready_At
          then Queue_Of (After, Which) = Timer
-           and then Release_Of (After, Which) = Release_Of (Before, Which)))
+           and then TCB (After, Which).Ready_At =
+                      TCB (Before, Which).Ready_At))
    with Global => null;
 
-   --  One call. No task is lost or duplicated: only LOAD takes a TCB, the
-   --  first of the free ones, only TERMINATE gives one back, the caller's,
-   --  and every other task stays in its own. Nobody is woken early.
-   procedure Step (S : in out Scheduler; Call : Scheduler_Call)
+   --  A task sleeps until its release: nobody is woken late. By Queue_Of it is
+   --  in the timer queue while Ready_At has not come, and not longer.
+   function Sleepers_Wait_For_Release (S : Scheduler) return Boolean is
+     (for all Which in TCB_Number =>
+        (if Queue_Of (S, Which) = Timer
+         then TCB (S, Which).Release = TCB (S, Which).Ready_At
+           and then TCB (S, Which).Release > Clock (S)))
+   with Global => null;
+
+   --  One call. Only LOAD takes a TCB, the first of the free ones; only
+   --  TERMINATE gives one back, the caller's; every other task stays in its
+   --  own. Nobody is woken early or late.
+   procedure One_Call (S : Scheduler; Call : Scheduler_Call)
    with
      Global => null,
-     Pre    => Is_Sound (S),
      Post   =>
-       Is_Sound (S)
-       and then Clock (S) >= Clock (S'Old)
-       and then Nobody_Is_Woken_Early (S'Old, S)
+       Clock (After (S, Call)) >= Clock (S)
+       and then Nobody_Is_Woken_Early (S, After (S, Call))
        and then
-         (if Is_Allowed (S'Old, Call) and then Call.Kind = Loads
-          then Others_Are_Kept (S'Old, S, Except => Next_Free_TCB (S'Old))
-            and then Queue_Of (S, Next_Free_TCB (S'Old)) /= Free
-            and then Id_Of (S, Next_Free_TCB (S'Old)) = Call.Header.Id
-          elsif Is_Allowed (S'Old, Call) and then Call.Kind = Terminates
-          then Others_Are_Kept (S'Old, S, Except => Running_TCB (S'Old))
-            and then Queue_Of (S, Running_TCB (S'Old)) = Free
-          else All_Are_Kept (S'Old, S));
+         (if Sleepers_Wait_For_Release (S)
+          then Sleepers_Wait_For_Release (After (S, Call)))
+       and then
+         (if Is_Allowed (S, Call) and then Call.Kind = Loads
+          then Are_Kept (S, After (S, Call), Except => Head_Of (S, Free))
+            and then Queue_Of (After (S, Call), Head_Of (S, Free)) /= Free
+            and then TCB (After (S, Call), Head_Of (S, Free)).Id =
+                       Call.Header.Id
+          elsif Is_Allowed (S, Call) and then Call.Kind = Terminates
+          then Are_Kept (S, After (S, Call), Except => Running_TCB (S))
+            and then Queue_Of (After (S, Call), Running_TCB (S)) = Free
+          else Are_Kept (S, After (S, Call)));
 
-   --  No ready task has a higher priority than the one that runs.
+   --  The first Number calls of a sequence.
+   function After_All
+     (S      : Scheduler;
+      Calls  : Call_Sequence;
+      Number : Natural) return Scheduler
+   is
+     (if Number = 0 then S
+      else After (After_All (S, Calls, Number - 1), Calls (Number)))
+   with
+     Global             => null,
+     Pre                =>
+       Calls'First = 1 and then Number <= Calls'Length,
+     Subprogram_Variant => (Decreases => Number);
+
+   --  Any sequence of calls. Without LOAD and TERMINATE the tasks remain the
+   --  same. A sleeper is in the timer queue until its release, and not longer.
+   procedure Any_Calls (S : Scheduler; Calls : Call_Sequence)
+   with
+     Global => null,
+     Pre    => Calls'First = 1,
+     Post   =>
+       Clock (After_All (S, Calls, Calls'Length)) >= Clock (S)
+       and then
+         (if (for all Call of Calls => Call.Kind not in Loads | Terminates)
+          then Are_Kept (S, After_All (S, Calls, Calls'Length)))
+       and then
+         Nobody_Is_Woken_Early (S, After_All (S, Calls, Calls'Length))
+       and then
+         (if Sleepers_Wait_For_Release (S)
+          then Sleepers_Wait_For_Release
+                 (After_All (S, Calls, Calls'Length)));
+
+   --  A start: each header has its TCB, with a task that is due or sleeps.
+   procedure Start_Loads_The_Tree (Tree : Task_Tree; Now : Clock_Tick)
+   with
+     Global => null,
+     Post   =>
+       Are_Kept
+         (Loaded_Tree (Tree, Now), After_Dispatch (Loaded_Tree (Tree, Now)))
+       and then
+         Sleepers_Wait_For_Release (After_Dispatch (Loaded_Tree (Tree, Now)))
+       and then
+         (for all Which in TCB_Number =>
+            (if Is_In_Tree (Tree, Which)
+             then TCB (Loaded_Tree (Tree, Now), Which).Id = Tree (Which).Id
+               and then TCB (Loaded_Tree (Tree, Now), Which).Priority =
+                          Tree (Which).Initial_Priority
+               and then TCB (Loaded_Tree (Tree, Now), Which).Release =
+                          Tree (Which).Start_Time
+               and then TCB (Loaded_Tree (Tree, Now), Which).First_Run
+               and then Queue_Of (Loaded_Tree (Tree, Now), Which) =
+                 (if Tree (Which).Start_Time <= Now then Ready else Timer)
+             else Queue_Of (Loaded_Tree (Tree, Now), Which) = Free));
+
+   --  The best ready task runs
+
+   --  No ready task has a higher priority than the running one.
    function Best_Runs (S : Scheduler) return Boolean is
      (for all Which in TCB_Number =>
         (if Queue_Of (S, Which) = Ready
-         then Priority_Of (S, Which) <= Priority_Of (S, Running_TCB (S))))
+         then TCB (S, Which).Priority <= TCB (S, Running_TCB (S)).Priority))
    with
      Global => null,
-     Pre    => Is_Sound (S) and then not Is_Idle (S);
+     Pre    => not Is_Idle (S);
 
-   --  An idle processor is given to a task of the highest priority, and
-   --  stays idle only if no task is ready.
-   procedure Dispatch_Chooses_The_Best (S : in out Scheduler)
+   --  An idle processor is given to the head of the ready queue: a task of
+   --  the highest priority. It stays idle only if no task is ready.
+   procedure Dispatch_Chooses_The_Best (S : Scheduler)
    with
      Global => null,
-     Pre    => Is_Sound (S) and then Is_Idle (S),
+     Pre    => Is_Idle (S),
      Post   =>
-       Is_Sound (S)
-       and then
-         (if Is_Idle (S)
-          then (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready)
-          else Best_Runs (S));
+       (if Is_Idle (After_Dispatch (S))
+        then (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready)
+        else Best_Runs (After_Dispatch (S))
+          and then Running_TCB (After_Dispatch (S)) = Head_Of (S, Ready));
 
-   --  So it is after EXIT, whether another task runs then or the caller.
-   procedure Exit_Chooses_The_Best (S : in out Scheduler)
+   --  After EXIT too, whether another task runs then or the caller.
+   procedure Exit_Chooses_The_Best (S : Scheduler)
    with
      Global => null,
-     Pre    => Is_Sound (S) and then not Is_Idle (S),
+     Pre    => not Is_Idle (S),
      Post   =>
-       Is_Sound (S)
-       and then not Is_Idle (S)
-       and then Best_Runs (S);
+       not Is_Idle (After_Exit (S)) and then Best_Runs (After_Exit (S));
 
-   --  Any sequence of calls. Without LOAD and TERMINATE the tasks remain the
-   --  same. A sleeper is in the timer queue until its tick, and not longer.
-   procedure Run (S : in out Scheduler; Calls : Call_Sequence)
+   --  First come, first served among equals
+
+   --  A TCB is behind all of its queue that have its priority.
+   function Is_Behind_Equals
+     (S : Scheduler; Which : TCB_Number) return Boolean
+   is
+     (for all Other in TCB_Number =>
+        (if Other /= Which and then Queue_Of (S, Other) = Queue_Of (S, Which)
+         then Is_Ahead (S, Other, Which) =
+                (TCB (S, Other).Priority >= TCB (S, Which).Priority)))
+   with Global => null;
+
+   --  TCBs that share a queue, but for the running one, keep their order.
+   function Order_Is_Kept
+     (Before, After : Scheduler;
+      Except        : TCB_Count := No_TCB) return Boolean
+   is
+     (for all A in TCB_Number =>
+        (for all B in TCB_Number =>
+           (if A /= Except and then B /= Except
+              and then Queue_Of (After, A) = Queue_Of (After, B)
+              and then Queue_Of (After, A) /= Running
+            then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
+   with Global => null;
+
+   --  A task that becomes ready, or a TCB that becomes free, goes behind its
+   --  equals; all others keep their order.
+   procedure First_Come_First_Served (S : Scheduler; Call : Scheduler_Call)
    with
      Global => null,
-     Pre    => Is_Sound (S),
+     Pre    => Is_Allowed (S, Call),
      Post   =>
-       Is_Sound (S)
-       and then Clock (S) >= Clock (S'Old)
-       and then
-         (if (for all Call of Calls => Call.Kind not in Loads | Terminates)
-          then All_Are_Kept (S'Old, S))
-       and then Nobody_Is_Woken_Early (S'Old, S)
-       and then
-         (for all Which in TCB_Number =>
-            (if Queue_Of (S, Which) = Timer
-             then Release_Of (S, Which) > Clock (S)));
+       (case Call.Kind is
+           when Dispatches | Wakes =>
+              Order_Is_Kept (S, After (S, Call)),
+           when Loads =>
+              Order_Is_Kept (S, After (S, Call), Head_Of (S, Free))
+              and then
+                (if Call.Header.Start_Time <= Clock (S)
+                 then Is_Behind_Equals
+                        (After (S, Call), Head_Of (S, Free))),
+           when Exits =>
+              After_Exit (S) = S
+              or else
+                (Order_Is_Kept (S, After (S, Call), Running_TCB (S))
+                 and then Is_Behind_Equals (After (S, Call), Running_TCB (S))),
+           when Sleeps =>
+              Order_Is_Kept (S, After (S, Call), Running_TCB (S)),
+           when Terminates =>
+              Order_Is_Kept (S, After (S, Call), Running_TCB (S))
+              and then Is_Behind_Equals (After (S, Call), Running_TCB (S)));
+
+   --  Sleeping tasks are woken in the order of their ticks, behind those of
+   --  their priority that were ready before.
+   procedure Sleepers_Wake_In_Order (S : Scheduler; Now : Clock_Tick)
+   with
+     Global => null,
+     Pre    => Now >= Clock (S),
+     Post   =>
+       (for all A in TCB_Number =>
+          (for all B in TCB_Number =>
+             (if Queue_Of (After_Wake (S, Now), A) = Ready
+                and then Queue_Of (S, B) = Timer
+                and then TCB (S, A).Priority = TCB (S, B).Priority
+                and then
+                  (Queue_Of (S, A) = Ready
+                   or else TCB (S, A).Ready_At < TCB (S, B).Ready_At)
+              then Is_Ahead (After_Wake (S, Now), A, B))));
 
 end Theorems.Scheduling;

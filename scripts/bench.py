@@ -38,15 +38,8 @@ FLIGHT_S = 500
 JSBSIM_S = 180
 RUNS = 15
 
-TASKS = (2, 10, 16, 100, 500)
-"""How many tasks the scheduler has; the flight software's has up to 16."""
-
-KERNEL = ("urvos.ads", "urvos-frames.ads", "scheduling/urvos-arrangements",
-          "scheduling/urvos-schedulers", "scheduling/urvos-schedulers-calls",
-          "scheduling/urvos-schedulers-changes",
-          "scheduling/urvos-schedulers-lemmas",
-          "scheduling/urvos-schedulers-places",
-          "scheduling/urvos-task_trees")
+TASKS = (2, 10, 16)
+"""How many tasks the scheduler has, up to as many as it has TCBs."""
 
 PEERS = {
     "mailbox 28": ("c_mutex 28", "c_atomics 28", "posix_mq 28", "pipe 28"),
@@ -56,9 +49,6 @@ PEERS = {
                      "pipe 1024"),
     "semaphore 1": ("c_lock 1",),
     **{f"decision {tasks}": (f"c_heap {tasks}", f"cpp_queue {tasks}")
-       for tasks in TASKS},
-    **{f"scattered {tasks}": (f"c_heap_scattered {tasks}",
-                              f"cpp_queue_scattered {tasks}")
        for tasks in TASKS},
     **{f"exit {tasks}": () for tasks in TASKS},
     "switch 2": ("c_switch 2",),
@@ -78,11 +68,8 @@ NAMES = {
     "c_lock": "C: a pthread mutex, locked and unlocked",
     "decision": "scheduler: SLEEP, wake and choice, {} tasks",
     "exit": "scheduler: SLEEP, choice, wake and EXIT, {} tasks",
-    "scattered": "the same, of {} tasks that sleep for times by lot",
     "c_heap": "C: two binary heaps",
-    "c_heap_scattered": "C: two binary heaps",
     "cpp_queue": "C++: two `std::priority_queue`",
-    "cpp_queue_scattered": "C++: two `std::priority_queue`",
     "switch": "a switch between two Ravenscar tasks",
     "c_switch": "C: between two threads, by a condition variable",
     "checksum": "checksum of {} bytes",
@@ -179,28 +166,6 @@ def build_before(commit, folder):
     return folder / "bin" / "urv_sim"
 
 
-def build_scheduler(tasks, folder):
-    """The same scheduler for so many tasks."""
-    sources = folder / "sources"
-    sources.mkdir(parents=True)
-    for name in KERNEL:
-        for path in (ROOT / "src" / "kernel").glob(
-                name if name.endswith(".ads") else f"{name}.ad?"):
-            shutil.copy(path, sources)
-    for name, text, instead in (
-            ("urvos-arrangements.ads", "Number_Of_TCBs : constant := 16;",
-             f"Number_Of_TCBs : constant := {tasks};"),
-            ("urvos-task_trees.ads", "type Task_Id is range 0 .. 255;",
-             "type Task_Id is range 0 .. 65_535;")):
-        path = sources / name
-        whole = path.read_text("utf-8")
-        if text not in whole:
-            raise ValueError(f"{name} has no more: {text}")
-        path.write_text(whole.replace(text, instead), "utf-8")
-    built("bench/tasks/urv_bench_tasks.gpr", KERNEL=sources, PLACE=folder)
-    return folder / "urv_bench_tasks"
-
-
 def build_calls(folder):
     """Every program of calls, where anybody can run it."""
     built("bench/urv_bench.gpr", mode="flight")
@@ -214,8 +179,7 @@ def build_calls(folder):
                         ROOT / "bench" / name, "-lpthread", "-lrt"],
                        check=True)
         found.append(program)
-    return found + [build_scheduler(tasks, folder / f"tasks-{tasks}")
-                    for tasks in TASKS]
+    return found
 
 
 def latencies(folder):
@@ -378,12 +342,7 @@ def renew(text, found, commit):
               for what, text in SPEEDS.items() if what in found]
     plots.draw(PICTURE, *[
         [(name, found[what]["median"], own) for name, what, own in rows]
-        for rows in (messages, speeds)],
-        TASKS, [(name, [found[f"{kind} {tasks}"]["median"]
-                        for tasks in TASKS])
-                for name, kind in (("URV", "decision"),
-                                   ("two binary heaps", "c_heap"),
-                                   ("std::priority_queue", "cpp_queue"))])
+        for rows in (messages, speeds)])
     head = PAGE.read_text("utf-8").partition("| what |")[0]
     PAGE.write_text(head + text, encoding="utf-8")
 

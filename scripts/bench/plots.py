@@ -22,18 +22,9 @@ def bars(axes, title, rows):
     axes.margins(x=0.25)
 
 
-def lines(axes, title, places, rows):
-    for name, values in rows:
-        axes.loglog(places, values, marker="o", label=name)
-    axes.set_title(title, fontsize=10)
-    axes.legend(fontsize=8)
-
-
-def draw(path, messages, speeds, tasks, decisions):
-    figure, (left, middle, right) = pyplot.subplots(
-        1, 3, figsize=(16, 4), layout="constrained")
+def draw(path, messages, speeds):
+    figure, (left, right) = pyplot.subplots(
+        1, 2, figsize=(11, 4), layout="constrained")
     bars(left, "SEND and RECV of 66 bytes, ns", messages)
-    bars(middle, "flights, times real time", speeds)
-    lines(right, "a decision of the scheduler, ns, by tasks", tasks,
-          decisions)
+    bars(right, "flights, times real time", speeds)
     figure.savefig(path, metadata={"Date": None, "Creator": None})

@@ -29,6 +29,7 @@ with PWM_Tests;
 with Real_Time_Nodes_Tests;
 with Receive_Calls_Tests;
 with Receivers_Tests;
+with Scheduler_Histories_Tests;
 with Schedulers_Tests;
 with Seal_Tests;
 with Self_Test_Tests;
@@ -61,6 +62,7 @@ package body All_Tests is
       Waiting_Tasks_Tests.Add_To (Result);
       Error_Log_Tests.Add_To (Result);
       Schedulers_Tests.Add_To (Result);
+      Scheduler_Histories_Tests.Add_To (Result);
       Executives_Tests.Add_To (Result);
       Clocked_Executives_Tests.Add_To (Result);
       Task_Lists_Tests.Add_To (Result);

@@ -1,14 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;             use Checks;
+with Checks;           use Checks;
 with Expect_Value;
-with Expectations;       use Expectations;
-with Interfaces;         use Interfaces;
-with Naive_Schedulers;
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Schedulers;   use URVOS.Schedulers;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with Expectations;     use Expectations;
+with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Schedulers; use URVOS.Schedulers;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
 
@@ -35,7 +32,6 @@ package body Schedulers_Tests is
    procedure Late_Start;
    procedure Late_At_The_Start;
    procedure Run_Into_Next_Release;
-   procedure Random_Calls;
 
    procedure Expect is new Expect_Value (Queue_Name);
    procedure Expect is new Expect_Value (Task_Id);
@@ -60,7 +56,7 @@ package body Schedulers_Tests is
      (When_It_Was : String; S : Scheduler; Id : Task_Id) is
    begin
       Expect (When_It_Was & ": nobody runs", Is_Idle (S), False);
-      Expect (When_It_Was & ": runs", Id_Of (S, Running_TCB (S)), Id);
+      Expect (When_It_Was & ": runs", TCB (S, Running_TCB (S)).Id, Id);
    end Expect_Running;
 
    function Tree_Of (First : Headers) return Task_Tree is
@@ -101,11 +97,11 @@ package body Schedulers_Tests is
            ("queue of TCB" & Which'Image, Queue_Of (S, Which),
             Queues (Which));
       end loop;
-      Expect ("first task", Id_Of (S, 1), 7);
-      Expect ("second task", Id_Of (S, 2), 5);
-      Expect ("third task", Id_Of (S, 3), 9);
-      Expect_Number ("its priority", Integer (Priority_Of (S, 2)), 9);
-      Expect ("its start time", Release_Of (S, 2), 101);
+      Expect ("first task", TCB (S, 1).Id, 7);
+      Expect ("second task", TCB (S, 2).Id, 5);
+      Expect ("third task", TCB (S, 3).Id, 9);
+      Expect_Number ("its priority", Integer (TCB (S, 2).Priority), 9);
+      Expect ("its start time", TCB (S, 2).Release, 101);
    end Headers_To_TCBs;
 
    procedure Empty is
@@ -174,30 +170,23 @@ package body Schedulers_Tests is
    end Same_Order_As_Headers;
 
    procedure Sleepers_In_Order_Of_Headers is
-      S : constant Scheduler :=
+      S : Scheduler :=
         Started
-          (((Id => 4, Start_Time => 9, Initial_Priority => 1),
-            (Id => 3, Start_Time => 8, Initial_Priority => 2),
-            (Id => 2, Start_Time => 9, Initial_Priority => 3),
-            (Id => 1, Start_Time => 8, Initial_Priority => 1)),
+          (((Id => 4, Start_Time => 9, others => <>),
+            (Id => 3, Start_Time => 8, others => <>),
+            (Id => 2, Start_Time => 9, others => <>),
+            (Id => 1, Start_Time => 8, others => <>)),
            Now => 7);
-
-      --  The timer queue, from its head.
-      Queue : constant array (TCB_Number range <>) of TCB_Number :=
-        (2, 4, 1, 3);
    begin
       Expect ("idle", Is_Idle (S), True);
-      for First in Queue'Range loop
-         for Other in Queue'Range loop
-            Expect
-              (Queue (First)'Image & " is ahead of" & Queue (Other)'Image,
-               Is_Ahead (S, Queue (First), Queue (Other)), First < Other);
-         end loop;
-      end loop;
-      for Which in Queue'Length + 1 .. TCB_Number'Last - 1 loop
-         Expect
-           (Which'Image & " is ahead of the next",
-            Is_Ahead (S, Which, Which + 1), True);
+      Wake (S, 9);
+      for Id of Headers'
+        ((Id => 3, others => <>), (Id => 1, others => <>),
+         (Id => 4, others => <>), (Id => 2, others => <>))
+      loop
+         Dispatch (S);
+         Expect_Running ("in turn", S, Id.Id);
+         Terminate_Caller (S);
       end loop;
    end Sleepers_In_Order_Of_Headers;
 
@@ -208,15 +197,15 @@ package body Schedulers_Tests is
             (Id => 2, Start_Time => 3, Initial_Priority => 2)),
            Now => 0);
    begin
-      Expect ("at the start", Is_First_Run (S, 1), True);
+      Expect ("at the start", TCB (S, 1).First_Run, True);
       Wake (S, 3);
       Exit_Call (S);
-      Expect ("after EXIT", Is_First_Run (S, 1), True);
+      Expect ("after EXIT", TCB (S, 1).First_Run, True);
       Sleep_And_Dispatch (S, 13);
-      Expect ("slept", Is_First_Run (S, 2), False);
-      Expect ("again", Is_First_Run (S, 1), True);
+      Expect ("slept", TCB (S, 2).First_Run, False);
+      Expect ("again", TCB (S, 1).First_Run, True);
       Sleep_And_Dispatch (S, 20);
-      Expect ("slept too", Is_First_Run (S, 1), False);
+      Expect ("slept too", TCB (S, 1).First_Run, False);
    end First_Run;
 
    procedure Exit_With_Nothing_Higher is
@@ -351,7 +340,7 @@ package body Schedulers_Tests is
          begin
             Sleep (S, Until_Tick);
             Expect ("asleep", Queue_Of (S, 1), Timer);
-            Expect ("until", Release_Of (S, 1), 21);
+            Expect ("until", TCB (S, 1).Release, 21);
             Wake (S, 20);
             Expect ("the same tick again", Queue_Of (S, 1), Timer);
             Wake (S, 21);
@@ -399,17 +388,17 @@ package body Schedulers_Tests is
    procedure TCBs_Are_Used_In_Turn is
       S : Scheduler :=
         Started ((1 => (Id => 200, Initial_Priority => 1, others => <>)), 0);
-      TCB : TCB_Number := 2;
+      Next : TCB_Number := 2;
    begin
       Sleep (S, Tick'Last);
       for Which in 1 .. 100 loop
-         Expect ("next TCB", Next_Free_TCB (S), TCB);
+         Expect ("next TCB", Head_Of (S, Free), Next);
          Load (S, (Id => Task_Id (Which), others => <>));
          Dispatch (S);
          Expect_Running ("loaded in flight", S, Task_Id (Which));
-         Expect ("in the TCB", Running_TCB (S), TCB);
+         Expect ("in the TCB", Running_TCB (S), Next);
          Terminate_Caller (S);
-         TCB := (if TCB = TCB_Number'Last then 2 else TCB + 1);
+         Next := (if Next = TCB_Number'Last then 2 else Next + 1);
       end loop;
       Expect ("who slept", Queue_Of (S, 1), Timer);
    end TCBs_Are_Used_In_Turn;
@@ -466,7 +455,7 @@ package body Schedulers_Tests is
             for Which in First'Range loop
                Expect
                  (When_It_Was & ":" & Which'Image & " has not run",
-                  Is_New_Release (S, Which), Now < 4 or else Which /= 2);
+                  TCB (S, Which).New_Release, Now < 4 or else Which /= 2);
             end loop;
          end;
       end loop;
@@ -490,105 +479,6 @@ package body Schedulers_Tests is
          end;
       end loop;
    end Run_Into_Next_Release;
-
-   procedure Random_Calls is
-      package Naive renames Naive_Schedulers;
-
-      --  A fixed row of numbers, as good as random.
-      Random : Unsigned_32 := 1;
-
-      function Below (Limit : Positive) return Natural;
-
-      function Any_Header (Now : Clock_Tick) return Task_Header;
-
-      function Below (Limit : Positive) return Natural is
-      begin
-         Random := Random * 1_664_525 + 1_013_904_223;
-         return Natural (Random / 2 ** 16) mod Limit;
-      end Below;
-
-      --  Drawn one after another: an aggregate may draw in any order.
-      function Any_Header (Now : Clock_Tick) return Task_Header is
-         Id     : constant Task_Id  := Task_Id (1 + Below (255));
-         Start  : constant Tick     := Now + Tick (Below (16)) - 5;
-         Urgent : constant Priority := Priority (Below (4));
-      begin
-         return (Id, Start, Urgent);
-      end Any_Header;
-
-      S     : Scheduler;
-      Model : Naive.Naive_Scheduler;
-      Tree  : Task_Tree;
-      Now   : Clock_Tick;
-      Until_Tick : Tick;
-
-      --  How often each call was made.
-      Sleeps, Exits, Ends, Loads, Changes : Natural := 0;
-   begin
-      for Flight in 1 .. 80 loop
-         Now := Tick (5 + Below (1_000));
-         Tree := Empty_Tree;
-         for Which in TCB_Number'First ..
-           TCB_Number (1 + Below (Number_Of_TCBs))
-         loop
-            Tree (Which) := Any_Header (Now);
-         end loop;
-         if Below (2) = 0 then
-            Tree (TCB_Number (1 + Below (Number_Of_TCBs))) := Null_Header;
-         end if;
-         Start (S, Tree, Now);
-         Naive.Start (Model, Tree, Now);
-         for Step in 1 .. 100 loop
-            Naive.Expect_Same
-              ("flight" & Flight'Image & " step" & Step'Image, S, Model);
-            case Below (16) is
-               when 0 .. 3 =>
-                  Now := Now + Tick (Below (7));
-                  Wake (S, Now);
-                  Naive.Wake (Model, Now);
-               when 4 =>
-                  if Has_Free_TCB (S) then
-                     Loads := Loads + 1;
-                     Tree (1) := Any_Header (Now);
-                     Load (S, Tree (1));
-                     Naive.Load (Model, Tree (1));
-                  end if;
-               when 5 =>
-                  if not Is_Idle (S) then
-                     Ends := Ends + 1;
-                     Terminate_Caller (S);
-                     Naive.Terminate_Caller (Model);
-                  end if;
-               when 6 .. 8 =>
-                  if not Is_Idle (S) then
-                     Exits := Exits + 1;
-                     if Has_Higher_Ready (S) then
-                        Changes := Changes + 1;
-                     end if;
-                     Exit_Call (S);
-                     Naive.Exit_Call (Model);
-                  end if;
-               when 9 .. 11 =>
-                  if not Is_Idle (S) then
-                     Sleeps := Sleeps + 1;
-                     Until_Tick := Now + Tick (Below (16)) - 5;
-                     Sleep (S, Until_Tick);
-                     Naive.Sleep (Model, Until_Tick);
-                  end if;
-               when others =>
-                  Dispatch (S);
-                  Naive.Dispatch (Model);
-            end case;
-         end loop;
-      end loop;
-
-      --  All of them were tried.
-      Expect ("enough SLEEPs", Sleeps > 100, True);
-      Expect ("enough EXITs", Exits > 100, True);
-      Expect ("enough EXITs to another", Changes > 20, True);
-      Expect ("enough TERMINATEs", Ends > 50, True);
-      Expect ("enough tasks loaded in flight", Loads > 50, True);
-   end Random_Calls;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
@@ -651,9 +541,6 @@ package body Schedulers_Tests is
       Add
         (Suite, "FRM-4 a task that runs at its next release is counted",
          Run_Into_Next_Release'Access);
-      Add
-        (Suite, "KRN-1 KRN-2 KRN-3 KRN-4 FRM-4 8000 calls do what a naive "
-         & "scheduler does", Random_Calls'Access);
    end Add_To;
 
 end Schedulers_Tests;

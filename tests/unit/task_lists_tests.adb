@@ -1,14 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;             use Checks;
+with Checks;           use Checks;
 with Expect_Value;
-with Expectations;       use Expectations;
+with Expectations;     use Expectations;
 with GSC;
 with MCS;
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Task_Lists;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package body Task_Lists_Tests is
 

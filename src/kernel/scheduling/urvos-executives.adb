@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Schedulers;   use URVOS.Schedulers;
-
+with URVOS.Schedulers;       use URVOS.Schedulers;
 with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
 
 package body URVOS.Executives
@@ -11,11 +9,7 @@ package body URVOS.Executives
     Refined_State => (Task_Management => (Tasks, Late))
 is
 
-   subtype Sound_Scheduler is Scheduler
-   with Predicate => Is_Sound (Sound_Scheduler);
-
-   Tasks : Sound_Scheduler := Empty_Scheduler (0);
-
+   Tasks : Scheduler;
    Late  : Count := 0;
 
    --  Between two ticks each task sleeps once at the most, and gives way to
@@ -41,7 +35,7 @@ is
    begin
       Dispatch (Tasks);
       if not Is_Idle (Tasks) then
-         Note_Overrun (Before, Id_Of (Tasks, Running_TCB (Tasks)));
+         Note_Overrun (Before, TCB (Tasks, Running_TCB (Tasks)).Id);
       end if;
    end Choose;
 
@@ -86,8 +80,8 @@ is
       end if;
 
       Caller := Running_TCB (Tasks);
-      Id := Id_Of (Tasks, Caller);
-      Step (Id, Is_First_Run (Tasks, Caller), Now, Call);
+      Id := TCB (Tasks, Caller).Id;
+      Step (Id, TCB (Tasks, Caller).First_Run, Now, Call);
       Read_Clock (Now);
       if Now > Clock (Tasks) then
          Wake (Tasks, Now);
@@ -96,7 +90,7 @@ is
       case Call.Name is
          when Kernel_Calls.Exit_Call =>
             Schedulers.Calls.Exit_Call (Tasks);
-            Note_Overrun (Before, Id_Of (Tasks, Running_TCB (Tasks)));
+            Note_Overrun (Before, TCB (Tasks, Running_TCB (Tasks)).Id);
             Runs_On := Running_TCB (Tasks) = Caller;
 
          when Sleep_Call =>

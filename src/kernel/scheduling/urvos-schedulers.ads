@@ -2,60 +2,51 @@
 
 --  Which task runs (report, sections 3.2 and 3.3; KRN-1 to KRN-4, FRM-4).
 --
---  One scheduler is the task management of one processor: task control
---  blocks (TCBs) in a free, a ready and a timer queue, and the task that
---  runs. It works for any task tree. There is no preemption: the running
---  task gives the processor away by EXIT, SLEEP or TERMINATE.
+--  A scheduler is the task management of one processor: task control blocks
+--  (TCBs), the clock, and the running task. It works for any task tree. There
+--  is no preemption: the running task gives the processor away by EXIT,
+--  SLEEP or TERMINATE.
 --
---  The ready queue is ordered by priority, first come first served among
---  equals; the timer queue by the tick that a task sleeps until.
+--  The queues are not kept in order. Each TCB has the tick at which its task
+--  is ready, and its turn among tasks with the same tick; each choice looks
+--  at all TCBs. The clock alone wakes a sleeping task: its tick has come.
 --
---  What a scheduler is stands here; URVOS.Schedulers.Calls has what changes
---  it, URVOS.Schedulers.Changes the words for how.
+--  Each call is here a function from one scheduler to the next: the model. It
+--  is for contracts and theorems. The procedures of URVOS.Schedulers.Calls do
+--  the same in place.
 
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package URVOS.Schedulers with Pure, SPARK_Mode is
 
+   type Task_Control_Block is record
+      Release     : Tick     := 0;        --  the next, or the last
+      Ready_At    : Tick     := 0;        --  later than now: it sleeps
+      Id          : Task_Id  := No_Task;  --  No_Task: the TCB is free
+      Priority    : Task_Trees.Priority := 0;
+      New_Release : Boolean  := False;    --  not run since its release
+      First_Run   : Boolean  := False;    --  its initialisation is due
+   end record
+   with
+     Predicate =>
+       Task_Control_Block.Id /= No_Task
+       or else
+         (Task_Control_Block.Priority = 0
+          and then Task_Control_Block.Ready_At = 0);
+
+   Free_TCB : constant Task_Control_Block := (others => <>);
+
+   --  At first all TCBs are free, and the clock is 0.
    type Scheduler is private;
 
-   type Queue_Name is (Running, Ready, Timer, Free);
+   --  The state of a scheduler
 
-   --  What a scheduler is made of
-
-   --  The queue that a TCB is in. Running is a queue of one at most.
-   function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name
+   function TCB
+     (S : Scheduler; Which : TCB_Number) return Task_Control_Block
    with Global => null;
 
-   --  Of two TCBs in the same queue: the first will leave it first. Who is
-   --  ready is ahead of who sleeps, and both of who is free.
-   function Is_Ahead
-     (S            : Scheduler;
-      First, Other : TCB_Number) return Boolean
-   with Global => null;
-
-   function Id_Of (S : Scheduler; Which : TCB_Number) return Task_Id
-   with Global => null;
-
-   function Priority_Of (S : Scheduler; Which : TCB_Number) return Priority
-   with Global => null;
-
-   --  The tick at which a task is released, or was last.
-   function Release_Of (S : Scheduler; Which : TCB_Number) return Tick
-   with Global => null;
-
-   --  The task has not run since it was released.
-   function Is_New_Release
-     (S : Scheduler; Which : TCB_Number) return Boolean
-   with Global => null;
-
-   --  The task has not run since it was loaded: its initialisation is due.
-   function Is_First_Run (S : Scheduler; Which : TCB_Number) return Boolean
-   with Global => null;
-
-   --  The time that the scheduler was last told.
+   --  The time that the scheduler was given last.
    function Clock (S : Scheduler) return Clock_Tick
    with Global => null;
 
@@ -63,207 +54,296 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
    function Overruns (S : Scheduler) return Count
    with Global => null;
 
-   --  No task runs.
-   function Is_Idle (S : Scheduler) return Boolean
+   --  The TCB of the running task, or No_TCB.
+   function Running_TCB (S : Scheduler) return TCB_Count
+   with
+     Global => null,
+     Post   =>
+       (if Running_TCB'Result /= No_TCB
+        then TCB (S, Running_TCB'Result).Id /= No_Task);
+
+   function Is_Idle (S : Scheduler) return Boolean is
+     (Running_TCB (S) = No_TCB)
    with Global => null;
 
-   --  What holds at all times
+   type Queue_Name is (Running, Ready, Timer, Free);
 
-   --  The queues are in order, and who sleeps is not due.
-   function Is_Sound (S : Scheduler) return Boolean
+   --  The queue of a TCB. Running is a queue of one at most.
+   function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name is
+     (if Which = Running_TCB (S) then Running
+      elsif TCB (S, Which).Id = No_Task then Free
+      elsif TCB (S, Which).Ready_At <= Clock (S) then Ready
+      else Timer)
    with Global => null;
 
-   --  The processor is not idle while a task is ready.
-   function Is_Settled (S : Scheduler) return Boolean is
-     (if Is_Idle (S)
-      then (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready))
+   --  Of two TCBs that were queued at the same tick, the first came first.
+   function Came_First
+     (S : Scheduler; First, Other : TCB_Number) return Boolean
+   with Global => null;
+
+   --  Of two ready tasks, or two free TCBs, the first is chosen before the
+   --  other: it has a higher priority, or came earlier.
+   function Is_Ahead (S : Scheduler; First, Other : TCB_Number) return Boolean
+   is
+     (if TCB (S, First).Priority /= TCB (S, Other).Priority
+      then TCB (S, First).Priority > TCB (S, Other).Priority
+      elsif TCB (S, First).Ready_At /= TCB (S, Other).Ready_At
+      then TCB (S, First).Ready_At < TCB (S, Other).Ready_At
+      else Came_First (S, First, Other))
+   with Global => null;
+
+   --  Among the TCBs up to Last, none is in the queue, or Head is and is
+   --  ahead of all others that are.
+   function Is_Head
+     (S     : Scheduler;
+      Queue : Queue_Name;
+      Head  : TCB_Count;
+      Last  : TCB_Number := TCB_Number'Last) return Boolean
+   is
+     ((if Head /= No_TCB
+       then Head <= Last and then Queue_Of (S, Head) = Queue)
+      and then
+        (for all Other in 1 .. Last =>
+           (if Queue_Of (S, Other) = Queue and then Other /= Head
+            then Head /= No_TCB and then Is_Ahead (S, Head, Other))))
    with Ghost, Global => null;
 
+   --  The TCB to be chosen of the ready or the free queue, or No_TCB.
+   function Head_Of (S : Scheduler; Queue : Queue_Name) return TCB_Count
+   with
+     Global => null,
+     Post   => Is_Head (S, Queue, Head_Of'Result);
+
    function Has_Free_TCB (S : Scheduler) return Boolean is
-     (for some Which in TCB_Number => Queue_Of (S, Which) = Free)
+     (Head_Of (S, Free) /= No_TCB)
    with Global => null;
-
-   --  The TCB that the next task to be loaded is given: the first of the
-   --  free queue.
-   function Next_Free_TCB (S : Scheduler) return TCB_Number
-   with
-     Global => null,
-     Pre    => Is_Sound (S) and then Has_Free_TCB (S),
-     Post   =>
-       Queue_Of (S, Next_Free_TCB'Result) = Free
-       and then
-         (for all Other in TCB_Number =>
-            (if Other /= Next_Free_TCB'Result
-               and then Queue_Of (S, Other) = Free
-             then Is_Ahead (S, Next_Free_TCB'Result, Other)));
-
-   --  The TCB of the running task.
-   function Running_TCB (S : Scheduler) return TCB_Number
-   with
-     Global => null,
-     Pre    => Is_Sound (S) and then not Is_Idle (S),
-     Post   =>
-       (for all Which in TCB_Number =>
-          (Queue_Of (S, Which) = Running)
-          = (Which = Running_TCB'Result));
 
    --  A ready task has a higher priority than the running one.
    function Has_Higher_Ready (S : Scheduler) return Boolean is
-     (for some Which in TCB_Number =>
-        Queue_Of (S, Which) = Ready
-        and then Priority_Of (S, Which) > Priority_Of (S, Running_TCB (S)))
+     (declare
+         Best : constant TCB_Count := Head_Of (S, Ready);
+      begin
+         Best /= No_TCB
+         and then TCB (S, Best).Priority > TCB (S, Running_TCB (S)).Priority)
    with
      Global => null,
-     Pre    => Is_Sound (S) and then not Is_Idle (S);
+     Pre    => not Is_Idle (S);
 
-   --  All TCBs free.
-   function Empty_Scheduler (Now : Clock_Tick) return Scheduler
+   --  The running task still runs although its next release, a major frame
+   --  after the last one, has come.
+   function Has_Overrun (S : Scheduler) return Boolean is
+     (Clock (S) >= Ticks_Per_Major_Frame
+      and then TCB (S, Running_TCB (S)).Release <=
+                 Clock (S) - Ticks_Per_Major_Frame)
    with
      Global => null,
-     Post   =>
-       Is_Sound (Empty_Scheduler'Result)
-       and then Is_Idle (Empty_Scheduler'Result)
-       and then Clock (Empty_Scheduler'Result) = Now
-       and then Overruns (Empty_Scheduler'Result) = 0
-       and then
-         (for all Which in TCB_Number =>
-            Queue_Of (Empty_Scheduler'Result, Which) = Free)
-       and then
-         (for all A in TCB_Number =>
-            (for all B in TCB_Number =>
-               Is_Ahead (Empty_Scheduler'Result, A, B) = (A < B)));
+     Pre    => not Is_Idle (S);
+
+   --  Starting
+
+   --  The scheduler with the tasks of a tree: one TCB for each header, in
+   --  their order. No task runs yet.
+   function Loaded_Tree (Tree : Task_Tree; Now : Clock_Tick) return Scheduler
+   with Global => null;
+
+   --  The first free TCB is given to the task of a header.
+   function After_Load
+     (S : Scheduler; Header : Task_Header) return Scheduler
+   with
+     Ghost,
+     Global => null,
+     Pre    => Header.Id /= No_Task and then Has_Free_TCB (S);
+
+   --  An idle processor is given to the best ready task, if there is one. A
+   --  task that gets it after the tick of its release has overrun.
+   function After_Dispatch (S : Scheduler) return Scheduler
+   with Ghost, Global => null;
+
+   --  The clock
+
+   --  The time is Now: sleeping tasks whose tick has come are ready.
+   function After_Wake (S : Scheduler; Now : Clock_Tick) return Scheduler
+   with
+     Ghost,
+     Global => null,
+     Pre    => Now >= Clock (S);
+
+   --  The calls of the running task
+
+   --  EXIT: the caller gives the processor to the best ready task, if that
+   --  has a higher priority. Otherwise the caller runs on.
+   function After_Exit (S : Scheduler) return Scheduler
+   with
+     Ghost,
+     Global => null,
+     Pre    => not Is_Idle (S);
+
+   --  SLEEP until a tick, or until the next one if that tick has passed. The
+   --  processor is idle: see Dispatch.
+   function After_Sleep (S : Scheduler; Until_Tick : Tick) return Scheduler
+   with
+     Ghost,
+     Global => null,
+     Pre    => not Is_Idle (S);
+
+   --  TERMINATE, or the end of a task's statements: the caller's TCB is
+   --  free, the last to be used again. The processor is idle.
+   function After_Terminate (S : Scheduler) return Scheduler
+   with
+     Ghost,
+     Global => null,
+     Pre    => not Is_Idle (S);
 
 private
 
-   subtype TCB_Count is Integer range 0 .. Number_Of_TCBs;
+   --  A place in the order in which TCBs were queued. No two have the same.
+   type Turn is range 1 .. Number_Of_TCBs with Size => 8;
 
-   type Task_Control_Block is record
-      Id          : Task_Id  := No_Task;
-      Priority    : Task_Trees.Priority := 0;
-      Release     : Tick     := 0;
-      New_Release : Boolean  := False;
-      First_Run   : Boolean  := False;
-   end record;
+   type Turn_Table is array (TCB_Number) of Turn
+   with
+     Predicate =>
+       (for all A in TCB_Number =>
+          (for all B in TCB_Number =>
+             (if A /= B then Turn_Table (A) /= Turn_Table (B))));
 
    type TCB_Table is array (TCB_Number) of Task_Control_Block;
 
-   --  The row of TCBs holds the running task, if any, then the ready queue,
-   --  then the timer queue, then the free TCBs.
    type Scheduler is record
-      Row       : Arrangement := Initial_Arrangement;
-      Busy      : Boolean     := False;
-      Ready     : TCB_Count   := 0;
-      Sleeping  : TCB_Count   := 0;
-      Blocks    : TCB_Table   := (others => <>);
-      Now       : Clock_Tick  := 0;
-      Late      : Count       := 0;
-   end record;
-
-   --  Where the queues end in the row.
-
-   function Running_Last (S : Scheduler) return Integer is
-     (if S.Busy then 1 else 0);
-
-   function Ready_Last (S : Scheduler) return Integer is
-     (Running_Last (S) + S.Ready);
-
-   function Timer_Last (S : Scheduler) return Integer is
-     (Ready_Last (S) + S.Sleeping);
-
-   function Place_Number (S : Scheduler; Which : TCB_Number) return Integer is
-     (Integer (Place_Of (S.Row, Which)));
-
-   function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name is
-     (declare
-         Where : constant Integer := Place_Number (S, Which);
-      begin
-         (if Where <= Running_Last (S) then Running
-          elsif Where <= Ready_Last (S) then Ready
-          elsif Where <= Timer_Last (S) then Timer
-          else Free));
-
-   function Is_Ahead
-     (S            : Scheduler;
-      First, Other : TCB_Number) return Boolean
-   is
-     (Place_Of (S.Row, First) < Place_Of (S.Row, Other));
-
-   function Id_Of (S : Scheduler; Which : TCB_Number) return Task_Id is
-     (S.Blocks (Which).Id);
-
-   function Priority_Of
-     (S : Scheduler; Which : TCB_Number) return Priority
-   is
-     (S.Blocks (Which).Priority);
-
-   function Release_Of (S : Scheduler; Which : TCB_Number) return Tick is
-     (S.Blocks (Which).Release);
-
-   function Is_New_Release
-     (S : Scheduler; Which : TCB_Number) return Boolean
-   is
-     (S.Blocks (Which).New_Release);
-
-   function Is_First_Run
-     (S : Scheduler; Which : TCB_Number) return Boolean
-   is
-     (S.Blocks (Which).First_Run);
-
-   function Clock (S : Scheduler) return Clock_Tick is (S.Now);
-
-   function Overruns (S : Scheduler) return Count is (S.Late);
-
-   function Is_Idle (S : Scheduler) return Boolean is (not S.Busy);
-
-   function Next_Free_TCB (S : Scheduler) return TCB_Number is
-     (TCB_At (S.Row, Place (Timer_Last (S) + 1)));
-
-   --  The ready queue is in the order of priorities.
-   function Ready_In_Order (S : Scheduler) return Boolean is
-     (for all A in TCB_Number =>
-        (for all B in TCB_Number =>
-           (if Queue_Of (S, A) = Ready and then Queue_Of (S, B) = Ready
-              and then Is_Ahead (S, A, B)
-            then Priority_Of (S, A) >= Priority_Of (S, B))));
-
-   --  The timer queue is in the order of ticks, all of them to come.
-   function Timer_In_Order (S : Scheduler) return Boolean is
-     (for all A in TCB_Number =>
-        (for all B in TCB_Number =>
-           (if Queue_Of (S, A) = Timer and then Queue_Of (S, B) = Timer
-              and then Is_Ahead (S, A, B)
-            then Release_Of (S, A) <= Release_Of (S, B))));
-
-   function Sleepers_Are_Not_Due (S : Scheduler) return Boolean is
-     (for all Which in TCB_Number =>
-        (if Queue_Of (S, Which) = Timer
-         then Release_Of (S, Which) > Clock (S)));
-
-   function Queues_Fit (S : Scheduler) return Boolean is
-     (Is_Sound (S.Row) and then Timer_Last (S) <= Number_Of_TCBs);
-
-   function Is_Sound (S : Scheduler) return Boolean is
-     (Queues_Fit (S)
-      and then Ready_In_Order (S)
-      and then Timer_In_Order (S)
-      and then Sleepers_Are_Not_Due (S));
-
-   function Running_TCB (S : Scheduler) return TCB_Number is
-     (TCB_At (S.Row, 1));
-
-   function Empty_Scheduler (Now : Clock_Tick) return Scheduler is
-     ((Now => Now, others => <>));
-
-   --  The head of the timer queue, if there is one, is due.
-   function Sleeper_Is_Due
-     (S   : Scheduler;
-      Now : Clock_Tick) return Boolean
-   is
-     (S.Sleeping > 0
-      and then
-        Release_Of (S, TCB_At (S.Row, Place (Ready_Last (S) + 1))) <= Now)
+      TCBs     : TCB_Table  := (others => Free_TCB);
+      Turns    : Turn_Table := (for Which in TCB_Number => Turn (Which));
+      Running  : TCB_Count  := No_TCB;
+      Clock    : Clock_Tick := 0;
+      Overruns : Count      := 0;
+   end record
    with
-     Global => null,
-     Pre    => Queues_Fit (S);
+     Predicate =>
+       Scheduler.Running = No_TCB
+       or else Scheduler.TCBs (Scheduler.Running).Id /= No_Task;
+
+   function TCB
+     (S : Scheduler; Which : TCB_Number) return Task_Control_Block
+   is (S.TCBs (Which));
+
+   function Clock (S : Scheduler) return Clock_Tick is (S.Clock);
+
+   function Overruns (S : Scheduler) return Count is (S.Overruns);
+
+   function Running_TCB (S : Scheduler) return TCB_Count is (S.Running);
+
+   function Came_First
+     (S : Scheduler; First, Other : TCB_Number) return Boolean
+   is (S.Turns (First) < S.Turns (Other));
+
+   --  One TCB goes to the back; those that were behind it move up.
+   function With_Last
+     (Turns : Turn_Table; Which : TCB_Number) return Turn_Table
+   is
+     (for Each in TCB_Number =>
+        (if Turns (Each) > Turns (Which) then Turns (Each) - 1
+         elsif Each /= Which then Turns (Each)
+         else Turn'Last));
+
+   --  A TCB has a new value and goes to the back. Running is the TCB of the
+   --  running task after it.
+   function Queued
+     (S       : Scheduler;
+      Which   : TCB_Number;
+      Value   : Task_Control_Block;
+      Running : TCB_Count := No_TCB) return Scheduler
+   is
+     ((S with delta
+         TCBs    => (S.TCBs with delta Which => Value),
+         Turns   => With_Last (S.Turns, Which),
+         Running => Running))
+   with
+     Ghost,
+     Pre =>
+       Running = No_TCB
+       or else (Running /= Which and then S.TCBs (Running).Id /= No_Task);
+
+   --  A task that starts to run now has overrun: its release has passed.
+   function Is_Late (S : Scheduler; Which : TCB_Number) return Boolean is
+     (S.TCBs (Which).New_Release and then S.TCBs (Which).Release < S.Clock);
+
+   --  The task of a TCB runs.
+   function Switched_To (S : Scheduler; Which : TCB_Number) return Scheduler is
+     ((S with delta
+         TCBs     => (S.TCBs with delta
+                        Which =>
+                          (S.TCBs (Which) with delta New_Release => False)),
+         Running  => Which,
+         Overruns => (if Is_Late (S, Which) then Incremented (S.Overruns)
+                      else S.Overruns)))
+   with
+     Ghost,
+     Pre => S.TCBs (Which).Id /= No_Task;
+
+   --  The TCB of a task that is loaded now.
+   function Loaded
+     (Header : Task_Header; Now : Clock_Tick) return Task_Control_Block
+   is
+     ((Release     => Header.Start_Time,
+       Ready_At    => Tick'Max (Header.Start_Time, Now),
+       Id          => Header.Id,
+       Priority    => Header.Initial_Priority,
+       New_Release => True,
+       First_Run   => True))
+   with
+     Pre => Header.Id /= No_Task;
+
+   --  The TCB of a task that sleeps.
+   function Slept
+     (Item       : Task_Control_Block;
+      Until_Tick : Tick;
+      Now        : Clock_Tick) return Task_Control_Block
+   is
+     ((Item with delta
+         Release | Ready_At => Tick'Max (Until_Tick, Now + 1),
+         New_Release        => True,
+         First_Run          => False))
+   with
+     Pre => Item.Id /= No_Task;
+
+   function Loaded_Tree (Tree : Task_Tree; Now : Clock_Tick) return Scheduler
+   is
+     ((TCBs   =>
+         (for Which in TCB_Number =>
+            (if Is_In_Tree (Tree, Which) then Loaded (Tree (Which), Now)
+             else Free_TCB)),
+       Clock  => Now,
+       others => <>));
+
+   function After_Load
+     (S : Scheduler; Header : Task_Header) return Scheduler
+   is
+     (Queued
+        (S, Head_Of (S, Free), Loaded (Header, S.Clock),
+         Running => S.Running));
+
+   function After_Dispatch (S : Scheduler) return Scheduler is
+     (if Is_Idle (S) and then Head_Of (S, Ready) /= No_TCB
+      then Switched_To (S, Head_Of (S, Ready))
+      else S);
+
+   function After_Wake (S : Scheduler; Now : Clock_Tick) return Scheduler is
+     ((S with delta Clock => Now));
+
+   function After_Exit (S : Scheduler) return Scheduler is
+     (if Has_Higher_Ready (S)
+      then Switched_To
+        (Queued
+           (S, S.Running, (S.TCBs (S.Running) with delta Ready_At => S.Clock)),
+         Head_Of (S, Ready))
+      else S);
+
+   function After_Sleep (S : Scheduler; Until_Tick : Tick) return Scheduler is
+     ((Queued
+         (S, S.Running, Slept (S.TCBs (S.Running), Until_Tick, S.Clock))
+       with delta
+         Overruns => (if Has_Overrun (S) then Incremented (S.Overruns)
+                      else S.Overruns)));
+
+   function After_Terminate (S : Scheduler) return Scheduler is
+     (Queued (S, S.Running, Free_TCB));
 
 end URVOS.Schedulers;

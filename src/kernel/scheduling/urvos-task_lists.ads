@@ -9,9 +9,8 @@
 --  compile; one of more tasks than there are task control blocks does not
 --  prove.
 
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URVOS.Frames;     use URVOS.Frames;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 generic
    type Task_Name is (<>);

@@ -11,10 +11,18 @@
 --  identification number stands for it: the application runs the task of
 --  that number when it is told to (D-40).
 
-with URVOS.Arrangements; use URVOS.Arrangements;
-with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Frames; use URVOS.Frames;
 
 package URVOS.Task_Trees with Pure, SPARK_Mode is
+
+   Number_Of_TCBs : constant := 16;
+
+   --  A task control block, or none.
+   type TCB_Count is range 0 .. Number_Of_TCBs;
+
+   No_TCB : constant TCB_Count := 0;
+
+   subtype TCB_Number is TCB_Count range 1 .. Number_Of_TCBs;
 
    --  A task's number; 0 is no task.
    type Task_Id is range 0 .. 255;
