@@ -36,6 +36,9 @@ package body Host.Names is
    function Name (Item : Status_Item) return String is
      (To_Lower (Item'Image));
 
+   function Label (State : Link_State) return String is
+     (To_Lower (State'Image));
+
    function Name (Which : Node) return String is
      (case Which is
          when Ground   => "gsc",

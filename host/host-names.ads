@@ -5,6 +5,8 @@
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Errors;          use URV.Errors;
+with URV.Laws;            use URV.Laws;
+with URV.Link_Loss;       use URV.Link_Loss;
 
 package Host.Names is
 
@@ -36,6 +38,28 @@ package Host.Names is
          when Switch_1 .. Switch_4 | Switch_7 => "laws",
          when Switch_5 | Switch_6             => "",
          when Switch_8                        => "flaps");
+
+   --  What the control laws do, for people (EXT-3, EXT-5).
+   function Label (Mode : Lateral_Mode) return String is
+     (case Mode is
+         when Direct        => "direct",
+         when Damping       => "damping",
+         when Bank_By_Stick => "bank by stick",
+         when Wings_Level   => "wings level",
+         when Orbit         => "orbit");
+   function Label (Mode : Vertical_Mode) return String is
+     (case Mode is
+         when Direct         => "direct",
+         when Damping        => "damping",
+         when Pitch_By_Stick => "pitch by stick",
+         when Hold_Altitude  => "altitude",
+         when Glide          => "glide");
+   function Label (Mode : Power_Mode) return String is
+     (case Mode is
+         when Direct        => "direct",
+         when Hold_Airspeed => "airspeed",
+         when Idle          => "idle");
+   function Label (State : Link_State) return String;
 
    --  Of the words of the laws' row (URV.Law_Status); empty for the one that
    --  is none.

@@ -4,12 +4,6 @@ package body Partitions.Frame_Packets is
 
    Magic : constant := 16#5552_5646#;
 
-   --  The rows of each log that the first version has.
-   subtype Told_Row is Log_Row_Number range 1 .. 32;
-
-   --  Those that the second has besides.
-   subtype Added_Row is Log_Row_Number range 33 .. 40;
-
    function To_Packet
      (Item : Frame; Version : Version_Number) return Packet
    is
@@ -50,8 +44,8 @@ package body Partitions.Frame_Packets is
       for Word of Item.Words loop
          Put (Word, 2);
       end loop;
-      Put (Item.Log, Told_Row'First, Told_Row'Last);
-      Put (Item.Aircraft_Log, Told_Row'First, Told_Row'Last);
+      Put (Item.Log, First_Row'First, First_Row'Last);
+      Put (Item.Aircraft_Log, First_Row'First, First_Row'Last);
       for Word of Item.Status loop
          Put (Number (Word), 2);
       end loop;

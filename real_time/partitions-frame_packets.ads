@@ -4,30 +4,20 @@
 --  datagram (GND-2, GND-7). docs/station-packets.md has its layout.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Host.Frame_Layout;   use Host.Frame_Layout;
 with Partitions.Octets;   use Partitions.Octets;
 
 package Partitions.Frame_Packets is
 
-   --  The second has what the first has, and then the other rows of the logs.
-   type Version_Number is range 1 .. 2;
-
-   function Length (Version : Version_Number) return Positive is
-     (if Version = 1 then 1_108 else 1_332);
-
    --  Of either version.
-   subtype Packet is Octet_Array (1 .. 1_332);
+   subtype Packet is Octet_Array (1 .. Longest);
 
    --  The age of a downlink that has not come yet.
    Never : constant := 16#FFFF_FFFF#;
 
-   type Link_Count is
-     (Uplink_Sent, Uplink_Scrapped, Downlink_Received, Downlink_Bad, Resets,
-      Bytes_Discarded, Overruns, Publish_Not_Sent, Console_Packets,
-      Console_Bad);
    type Link_Counts is array (Link_Count) of Number;
 
    --  The console's words, the uplink's and the downlink's, as in the record.
-   Word_Count : constant := 13 + 14 + 28;
    type Word_List is array (1 .. Word_Count) of Number;
 
    type Frame is record

@@ -2,9 +2,9 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Host.Frame_Layout;
 with Partitions.Console;
 with Partitions.Console_Port;
-with Partitions.Frame_Packets;
 with Partitions.Orders;
 with Partitions.Publisher;
 with Partitions.Reports; use Partitions.Reports;
@@ -26,7 +26,7 @@ package body Partitions.Ground_Station is
       if Is_Given (Chosen, Orders_Option) then
          Orders.Load (Value (Chosen, Orders_Option));
       end if;
-      Publisher.Choose (Frame_Packets.Version_Number (Chosen.Packets));
+      Publisher.Choose (Host.Frame_Layout.Version_Number (Chosen.Packets));
       for Place of Chosen.Publish loop
          exit when Place = Null_Unbounded_String;
          Publisher.Open (To_String (Place));

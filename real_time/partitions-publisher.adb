@@ -9,6 +9,7 @@ with GSC;
 with Partitions.Clocks;
 with Partitions.Console;
 with Partitions.Console_Port;
+with Partitions.Frame_Packets; use Partitions.Frame_Packets;
 with Partitions.Links;
 with Partitions.Octets;
 with Partitions.Peer_Watch;    use Partitions.Peer_Watch;
@@ -206,7 +207,7 @@ package body Partitions.Publisher is
    procedure Send_All (Item : Packet);
 
    procedure Send_All (Item : Packet) is
-      Length : constant Positive := Frame_Packets.Length (Told);
+      Length : constant Positive := Host.Frame_Layout.Length (Told);
       Sent   : Byte_Total;
    begin
       for Place of Places (1 .. Number_Of_Places) loop

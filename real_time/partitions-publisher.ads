@@ -4,10 +4,10 @@
 --  GND-2). The node makes the packet; a task of its own sends it and waits
 --  for nobody.
 
+with Host.Frame_Layout; use Host.Frame_Layout;
 with Host.Options;
-with Partitions.Frame_Packets; use Partitions.Frame_Packets;
-with Partitions.Rows;          use Partitions.Rows;
-with URVOS;                    use URVOS;
+with Partitions.Rows;   use Partitions.Rows;
+with URVOS;             use URVOS;
 
 package Partitions.Publisher is
 

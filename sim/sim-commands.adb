@@ -10,7 +10,7 @@ with Sim.Faults;
 
 package body Sim.Commands is
 
-   With_Help : constant String := "fly, items, numbers";
+   With_Help : constant String := "fly, items, numbers, tables";
    All_Names : constant String := With_Help & ", help, --version";
 
    --  The command of that name, or Help for one that is not among them.
@@ -18,6 +18,7 @@ package body Sim.Commands is
      (if Name = "fly" then Fly
       elsif Name = "items" then Items
       elsif Name = "numbers" then Numbers
+      elsif Name = "tables" then Tables
       elsif Name = "--version" then Version
       else Help);
 
@@ -53,14 +54,16 @@ package body Sim.Commands is
                Result.Order := Help;
                Result.About := Fly;
             end if;
-         when Items | Numbers | Version =>
+         when Items | Numbers | Tables | Version =>
             Expect_No_More (Than => 1);
          when Help =>
             if Argument (1) not in "help" | "--help" | "-h" then
                Refuse_Command (Argument (1), All_Names);
             elsif Argument_Count > 1 then
                Expect_No_More (Than => 2);
-               if Command_Of (Argument (2)) not in Fly | Items | Numbers then
+               if Command_Of (Argument (2))
+                 not in Fly | Items | Numbers | Tables
+               then
                   Refuse_Command (Argument (2), With_Help);
                end if;
                Result.About := Command_Of (Argument (2));
@@ -79,6 +82,7 @@ package body Sim.Commands is
       procedure Put_Fly;
       procedure Put_Items;
       procedure Put_Numbers;
+      procedure Put_Tables;
 
       procedure Put (Line : String) is
       begin
@@ -93,8 +97,10 @@ package body Sim.Commands is
          Put ("  urv_sim fly [options]   a flight, from files and to files");
          Put ("  urv_sim items           the table of items, as CSV");
          Put ("  urv_sim numbers         times and lengths, as JSON");
+         Put ("  urv_sim tables          names and lengths for the ground,");
+         Put ("                          as JSON");
          Put ("  urv_sim help [COMMAND]  this text, or its part about fly,");
-         Put ("                          items or numbers");
+         Put ("                          items, numbers or tables");
          Put ("  urv_sim --version       the program's version");
          Put ("");
       end Put_Commands;
@@ -143,6 +149,13 @@ package body Sim.Commands is
          Put ("about a flight would else have to repeat");
       end Put_Numbers;
 
+      procedure Put_Tables is
+      begin
+         Put ("tables prints the lists that the ground shares with the");
+         Put ("flight software: kinds of errors, words of the status, modes");
+         Put ("of the laws, surfaces, and the layout of the frame packet");
+      end Put_Tables;
+
    begin
       case About is
          when Help | Version =>
@@ -153,6 +166,8 @@ package body Sim.Commands is
             Put ("");
             Put_Numbers;
             Put ("");
+            Put_Tables;
+            Put ("");
             Put ("docs/urv_sim.md has it all, with examples");
          when Fly =>
             Put_Fly;
@@ -160,6 +175,8 @@ package body Sim.Commands is
             Put_Items;
          when Numbers =>
             Put_Numbers;
+         when Tables =>
+            Put_Tables;
       end case;
    end Print_Usage;
 

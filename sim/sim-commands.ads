@@ -8,7 +8,7 @@ with Host.Text_Output;
 
 package Sim.Commands is
 
-   type Command is (Help, Items, Numbers, Version, Fly);
+   type Command is (Help, Items, Numbers, Tables, Version, Fly);
 
    type Call is record
       Order  : Command := Help;

@@ -25,6 +25,7 @@ with Sim.Numbers;
 with Sim.One_Thread;
 pragma Unreferenced (Sim.One_Thread);
 with Sim.Signals;
+with Sim.Tables;
 
 procedure Urv_Sim is
 
@@ -83,6 +84,9 @@ begin
          when Commands.Numbers =>
             Text_Output.Attach_Screen (Screen);
             Numbers.Print (Screen);
+         when Commands.Tables =>
+            Text_Output.Attach_Screen (Screen);
+            Tables.Print (Screen);
          when Commands.Version =>
             Text_Output.Attach_Screen (Screen);
             Text_Output.Put_Line (Screen, "urv_sim " & Host.Version);

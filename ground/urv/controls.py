@@ -19,6 +19,7 @@ from urv.alerts import CLEAR_S
 from urv.answers import first_sequence
 from urv.orders import Orders, Setting
 from urv.sticks import OLD_S, Sticks
+from urv.tables import TABLES
 from urv.view import CAUTION, INFO, View
 
 PERIOD_S = packets.FRAME_S
@@ -196,6 +197,9 @@ class Controls:
             "columns": packets.COLUMNS, "commands": packets.COMMANDS,
             "items": {column: about(items.COLUMNS[column])
                       for column in packets.COLUMNS},
+            "tables": {"frame_ms": packets.FRAME_US / 1000,
+                       "middle": TABLES["neutral_word"],
+                       "largest": items.LARGEST_WORD},
             "switches": [{"use": item.use, "works": item.works}
                          for item in items.SWITCHES],
             "protocol": PROTOCOL, "can_fly": self._send is not None})

@@ -15,9 +15,11 @@ import csv
 from dataclasses import dataclass
 from pathlib import Path
 
+from urv.tables import TABLES
+
 TABLE = Path(__file__).with_name("items.csv")
 
-LARGEST_WORD = 4095
+LARGEST_WORD = TABLES["largest_word"]
 """Of a converter."""
 
 STALE = 1

@@ -14,11 +14,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from urv import items, packets
+from urv.tables import TABLES
 
-LATERAL = ("direct", "damping", "bank by stick", "wings level", "orbit")
-VERTICAL = ("direct", "damping", "pitch by stick", "altitude", "glide")
-POWER = ("direct", "airspeed", "idle")
-LINK = ("waiting", "linked", "holding", "orbiting", "terminated")
+LATERAL, VERTICAL, POWER, LINK = (
+    tuple(TABLES[name]) for name in ("lateral", "vertical", "power", "link"))
+"""What flies, and the state of the link."""
 ALONE = LINK[2:]
 """The link is lost, and the aircraft flies by itself."""
 
@@ -35,16 +35,13 @@ DOES = {"holding": "wings level, altitude and airspeed held",
 
 SENSORS = tuple(
     item.name for item in items.of_buffer("downlink") if item.name != "error")
-SURFACES = (
-    "left_aileron", "right_aileron", "left_elevator", "right_elevator",
-    "left_rudder", "right_rudder", "left_flap_1", "right_flap_1",
-    "left_flap_2", "right_flap_2")
+SURFACES = tuple(TABLES["surfaces"])
 """In the order of their bits, which is that of their servos."""
 FAILING = (*SURFACES, "throttle")
 """What the aircraft sees fail: the next bit is the engine's."""
 
 WORD_BITS = 16
-AGE_FRAMES = 16
+AGE_FRAMES = TABLES["age_frames"]
 """The unit of a node's age."""
 NIBBLE_BITS = 4
 

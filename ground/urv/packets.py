@@ -14,8 +14,9 @@ from enum import IntEnum, IntFlag
 from operator import add
 
 from urv import items
+from urv.tables import TABLES
 
-FRAME_US = 20_000
+FRAME_US = TABLES["frame_us"]
 """A major frame of the nodes."""
 FRAME_S = FRAME_US / 1e6
 
@@ -35,37 +36,16 @@ COLUMNS = tuple(
 
 COMMANDS = tuple(item.name for item in items.of_group("console"))
 
-LINK_COUNTS = (
-    "uplink_sent", "uplink_scrapped", "downlink_received", "downlink_bad",
-    "resets", "bytes_discarded", "overruns", "publish_not_sent",
-    "console_packets", "console_bad")
-
-STATUS = (
-    "start_condition", "cold_starts", "warm_resets", "processor_restarts",
-    "self_test_result", "rom_passes", "rom_failures", "error_total_high",
-    "error_total_low", "last_error", "last_error_frame_high",
-    "last_error_frame_low")
-
+LINK_COUNTS = tuple(TABLES["link_counts"])
+STATUS = tuple(TABLES["status"])
 NODES = ("gsc", "mcs")
-KINDS = (
-    "ad_no_scan", "ad_unexpected_interrupt", "scan_not_consumed",
-    "image_not_consumed", "telin_no_block", "input_not_consumed",
-    "no_input", "input_out_of_range", "no_image", "uplink_not_consumed",
-    "downlink_not_consumed", "output_not_consumed", "no_output",
-    "telout_overwrote_block", "commands_not_consumed", "no_commands",
-    "core_no_uplink", "core_no_downlink", "link_block_bad",
-    "link_block_not_taken", "link_block_scrapped", "link_block_cleared",
-    "link_reset", "task_overrun", "semaphore_not_claimed",
-    "semaphore_not_owned", "warm_reset", "processor_restart",
-    "self_test_failed", "rom_check_failed", "link_loss_state",
-    "sensor_not_valid", "block_refused", "surface_failed", "unknown_code",
-    "configuration_refused")
+KINDS = tuple(TABLES["error_kinds"])
 """The kinds of errors, in the order of their rows."""
 
-ROWS_PER_LOG = 40
-FIRST_ROWS = 32
+ROWS_PER_LOG = TABLES["log_rows"]
+FIRST_ROWS = TABLES["log_rows_of_version_1"]
 """Those of a log that version 1 has, too; the others come last."""
-LAWS_ROW = 40
+LAWS_ROW = TABLES["laws_row"]
 """Of the aircraft's log: what its control laws do."""
 
 _FRAME_MAGIC = int.from_bytes(b"URVF")
@@ -84,6 +64,10 @@ FRAME_LENGTH = (
     MORE_AT + len(NODES) * (ROWS_PER_LOG - FIRST_ROWS) * ROW_LENGTH)
 LENGTHS = {VERSION: MORE_AT, WHOLE: FRAME_LENGTH}
 """Of a frame packet of each version."""
+if LENGTHS != {VERSION: TABLES["length_of_version_1"],
+               WHOLE: TABLES["length_of_version_2"]}:
+    raise AssertionError(f"packets have {LENGTHS} bytes here, others in the"
+                         " nodes")
 
 
 def row_at(node: str, row: int) -> int:

@@ -151,6 +151,7 @@ def test_one_more_sensor_word():
     change = Change("sensor")
     change.expect_cost()
     change.expect_built_and_tested()
+    expect_partitions_flown(change)
     rows, _ = change.fly_aircraft()
     # 15 degrees, less a little for the height, of 0.05 each from 0800h.
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
@@ -161,6 +162,68 @@ def test_one_more_sensor_word():
     rows, _ = change.fly_aircraft("--format", "2", "--key", "key",
                                   at_start=SEALED_START)
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
+
+
+# Flies both partitions until a frame packet is fresh, with the station's code
+# of the copy, and prints what the packet has.
+PARTITIONS = """
+import json, socket, subprocess, sys
+sys.path.insert(0, "ground")
+from urv.packets import FramePacket, LENGTHS
+heard = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+heard.bind(("127.0.0.1", 0))
+heard.settimeout(60)
+ports = []
+for _ in range(2):
+    free = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    free.bind(("127.0.0.1", 0))
+    ports.append((free, free.getsockname()[1]))
+for free, _ in ports:
+    free.close()
+(_, up), (_, down) = ports
+nodes = [subprocess.Popen([f"bin/urv_{node}", "--quiet", "--link", link, *more])
+         for node, link, more in (
+             ("mcs", f"udp:127.0.0.1:{up}:127.0.0.1:{down}",
+              ("--sensors", "sensors.csv")),
+             ("gsc", f"udp:127.0.0.1:{down}:127.0.0.1:{up}",
+              ("--packets", "2", "--publish",
+               f"udp:127.0.0.1:{heard.getsockname()[1]}")))]
+try:
+    while True:
+        data = heard.recv(4096)
+        packet = FramePacket.decode(data)
+        sensor = packet.columns["gsc.downlink.outside_temperature"]
+        if packet.is_fresh and sensor == 2300:
+            break
+finally:
+    for node in nodes:
+        node.terminate()
+        node.wait()
+print(json.dumps({
+    "length": len(data), "words": len(packet.words),
+    "error": packet.columns["gsc.downlink.error"],
+    "received": packet.link["downlink_received"],
+    "sequence": packet.sequence, "status": packet.core_status}))
+"""
+
+
+def expect_partitions_flown(change):
+    """The packet of both partitions has the word, fresh, and the right counts,
+    for the station takes names and lengths from the flight software."""
+    for command in ("items", "tables"):
+        printed = change.run("bin/urv_sim", command)
+        name = {"items": "items.csv", "tables": "tables.json"}[command]
+        (change.copy / "ground" / "urv" / name).write_text(
+            printed.stdout, encoding="utf-8")
+    (change.copy / "sensors.csv").write_text(
+        "time_ms,outside_temperature\n0,2300\n", encoding="utf-8")
+    flown = change.run(sys.executable, "-B", "-c", PARTITIONS)
+    assert flown.returncode == 0, flown.stderr
+    packet = json.loads(flown.stdout)
+    assert packet["length"] == 1_332 + 2 and packet["words"] == 13 + 14 + 29
+    assert packet["error"] == 0
+    assert 0 < packet["received"] <= packet["sequence"]
+    assert packet["status"]["cold_starts"] == 1
 
 
 def test_words_are_read_by_rule():

@@ -169,29 +169,6 @@ def test_gnd1_link_counts_stand_in_the_page_s_order():
         packets.LINK_COUNTS)
 
 
-def test_gnd1_kinds_and_status_are_those_of_the_sources():
-    errors = (ROOT / "src/formats/urv-errors.ads").read_text(
-        encoding="utf-8")
-    core = (ROOT / "src/devices/devices-core_memory.ads").read_text(
-        encoding="utf-8")
-
-    def literals(text, name):
-        body = re.search(rf"type {name} is\s*\((.*?)\);",
-                         re.sub(r"--.*", "", text), re.S)[1]
-        return tuple(word.lower() for word in re.findall(r"\w+", body))
-
-    assert literals(errors, "Error_Kind") == packets.KINDS
-    assert len(packets.KINDS) < packets.LAWS_ROW
-    assert literals(core, "Status_Item") == packets.STATUS
-    sender = (ROOT / "real_time/partitions-frame_packets.adb").read_text(
-        encoding="utf-8")
-    rows = re.findall(
-        r"_Row is Log_Row_Number range (\d+) \.\. (\d+)", sender)
-    assert rows == [("1", str(packets.FIRST_ROWS)),
-                    (str(packets.FIRST_ROWS + 1), str(packets.ROWS_PER_LOG))]
-    assert f"type Log_Row_Number is range 1 .. {packets.ROWS_PER_LOG};" in core
-
-
 def test_gnd1_words_have_the_names_of_the_record():
     names = {"uplink": [], "downlink": []}
     for line in (ROOT / "docs/items.md").read_text(

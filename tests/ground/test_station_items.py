@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from conftest import ROOT, SIMULATION
 
-from urv import items, packets
+from urv import items, packets, tables
 
 
 def test_gnd11_the_table_is_what_the_simulation_prints():
@@ -16,6 +16,13 @@ def test_gnd11_the_table_is_what_the_simulation_prints():
         [SIMULATION, "items"], capture_output=True, check=True).stdout
     assert items.TABLE.read_bytes() == printed, (
         "bin/urv_sim items > ground/urv/items.csv renews it")
+
+
+def test_gnd11_the_lists_are_what_the_simulation_prints():
+    printed = subprocess.run(
+        [SIMULATION, "tables"], capture_output=True, check=True).stdout
+    assert tables.TABLE.read_bytes() == printed, (
+        "bin/urv_sim tables > ground/urv/tables.json renews it")
 
 
 def test_gnd11_the_frame_is_that_of_the_nodes():

@@ -7,6 +7,7 @@ import { byId, clamp, fixed, html, put, say, signed, svg } from "./draw.js";
 import { Gamepads, isMapped } from "./gamepads.js";
 import { PadPanel } from "./padpanel.js";
 import { store, stored } from "./stored.js";
+import { isOn, tables } from "./tables.js";
 
 const PERIOD = 20;
 const KEY_RATE = 2.5;
@@ -40,7 +41,8 @@ const BUTTONS = [
   ["start (9), back (8)", "take, release the sticks"],
 ];
 
-const centred = (part) => clamp(Math.round(2048 + part * 2048), 0, 4095);
+const centred = (part) => clamp(
+  Math.round(tables.middle * (1 + part)), 0, tables.largest);
 
 function pad(name, across, along) {
   const ring = svg("circle", { class: "ring", r: 7 });
@@ -248,12 +250,12 @@ export class Hands {
     this.asked = mine && state.asker !== null;
     if (mine && !this.holding) {
       // From where the sticks are: taking them moves nothing.
-      const part = (name) => (words[`console.${name}`] - 2048) / 2048;
+      const part = (name) => words[`console.${name}`] / tables.middle - 1;
       Object.assign(this.stick, { roll: 0, pitch: 0, yaw: 0,
-        throttle: (words["console.throttle"] ?? 0) / 4095,
+        throttle: (words["console.throttle"] ?? 0) / tables.largest,
         brake: Math.max(0, part("brake") || 0) });
       this.stick.switches = this.stick.switches.map((_, number) =>
-        words[`console.switch${number + 1}`] >= 0x800);
+        isOn(words[`console.switch${number + 1}`]));
       this.blocked = "";
       this.pad_used = false;
       this.letGo();
@@ -340,9 +342,9 @@ export class Hands {
   words() {
     const stick = this.stick;
     return [centred(stick.roll), centred(stick.pitch), centred(stick.yaw),
-      Math.round(stick.throttle * 4095),
-      Math.round(2048 + stick.brake * 2047),
-      ...stick.switches.map((on) => (on ? 4095 : 0))];
+      Math.round(stick.throttle * tables.largest),
+      centred(stick.brake),
+      ...stick.switches.map((on) => (on ? tables.largest : 0))];
   }
 
   draw(value, words, silent, laws) {
@@ -374,7 +376,7 @@ export class Hands {
       `translate(0 ${PAD - stick.brake * 2 * PAD})`);
     byId("sticks").classList.toggle("mine", this.holding);
     this.switches.forEach(({ button, state, note }, number) => {
-      const up = words[`gsc.uplink.switch${number + 1}`] >= 0x800;
+      const up = isOn(words[`gsc.uplink.switch${number + 1}`]);
       const picked = this.holding ? stick.switches[number] : up;
       button.classList.toggle("on", picked);
       button.disabled = !this.holding;

@@ -10,8 +10,9 @@ import { Orders } from "./orders.js";
 import { showAlerts, showLines } from "./panels.js";
 import { store, stored } from "./stored.js";
 import { Systems } from "./systems.js";
+import { learn, tables } from "./tables.js";
 
-const OLD = 40;
+const OLD_FRAMES = 2;
 const LOST = 500;
 // States come every 40 ms; one is late only after that.
 const BETWEEN = 60;
@@ -20,7 +21,6 @@ const SECOND = 1000;
 // Less is no news: each busy machine leaves out one now and then.
 const SLOW = 3;
 const BARS = 5;
-const FRAMES_A_SECOND = 50;
 // Of the messages between page and station.
 const PROTOCOL = 2;
 // More than this waits in the browser when the network does not take it.
@@ -93,6 +93,7 @@ function connect() {
         draw_soon();
         return;
       }
+      learn(hello);
       flight.learn(hello.items);
       systems.learn(hello.items);
       hands.learn(hello.switches);
@@ -127,14 +128,14 @@ function draw_soon() {
 }
 
 const aged = (age) =>
-  age === null ? "never" : age >= LOST ? "lost" : age >= OLD ? "old"
-    : "fresh";
+  age === null ? "never" : age >= LOST ? "lost"
+    : age >= OLD_FRAMES * tables.frame_ms ? "old" : "fresh";
 
 function draw() {
   const now = performance.now();
   const late = Math.max(0, now - came + waited - BETWEEN);
   const frame = state === null || state.age_ms === null ? null
-    : Math.max(0, state.age_ms - 20) + late;
+    : Math.max(0, state.age_ms - tables.frame_ms) + late;
   const down = state === null || state.down_ms === null ? null
     : state.down_ms + late;
   const body = document.body;
@@ -206,11 +207,12 @@ const bars = Array.from({ length: BARS }, (_, at) => {
 });
 
 function show_status(value, lost, silent) {
-  const fresh = silent ? 0 : Math.min(state.fresh, FRAMES_A_SECOND);
+  const a_second = SECOND / tables.frame_ms;
+  const fresh = silent ? 0 : Math.min(state.fresh, a_second);
   bars.forEach((bar, at) => put(bar, "class",
-    fresh > FRAMES_A_SECOND * at / BARS ? "on" : ""));
+    fresh > a_second * at / BARS ? "on" : ""));
   say(byId("fresh"), silent ? "--/--" : `${String(fresh).padStart(2, "\u2007")}/`
-    + `${FRAMES_A_SECOND}`);
+    + `${a_second}`);
   for (const shown of document.querySelectorAll("output[data-column]")) {
     const column = shown.dataset.column;
     const item = hello.items[column];
@@ -224,7 +226,7 @@ function show_status(value, lost, silent) {
   say(byId("bad"), String(state.counts.downlink_bad));
   say(byId("scrapped"), String(state.counts.uplink_scrapped));
   say(byId("resets"), String(state.counts.resets));
-  const seconds = Math.floor(state.seq / FRAMES_A_SECOND);
+  const seconds = Math.floor(state.seq / a_second);
   const two = (number) => String(number).padStart(2, "0");
   say(byId("clock"), `${two(Math.floor(seconds / 3600))}:`
     + `${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`);

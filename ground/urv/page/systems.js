@@ -3,6 +3,7 @@
 
 import { bands, byId, clamp, cross, fixed, html, level, put, say, svg }
   from "./draw.js";
+import { isOn, tables } from "./tables.js";
 
 const METERS = [
   ["engine", "rpm", 0, 8190],
@@ -74,7 +75,6 @@ const SURFACES = [
   ["right\nflap 1", "right_flap_1", "switch8"],
   ["right\nflap 2", "right_flap_2", "switch8"],
 ];
-const ON = 0x800;
 const HALF = 44;
 
 class Surface {
@@ -111,8 +111,8 @@ class Surface {
     const { at_0, at_4095 } = this.item;
     const word = words[this.stick];
     const servo = this.stick.endsWith("switch8")
-      ? (word >= ON ? 0xfff : 0x800) : word;
-    return at_0 + (at_4095 - at_0) * servo / 4095;
+      ? (isOn(word) ? tables.largest : tables.middle) : word;
+    return at_0 + (at_4095 - at_0) * servo / tables.largest;
   }
 
   at(degrees) {

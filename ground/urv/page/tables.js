@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers of the flight software, as the station's hello has them. Until then
+// nothing of them is shown.
+
+export const tables = { frame_ms: NaN, middle: NaN, largest: NaN };
+
+export function learn(hello) {
+  Object.assign(tables, hello.tables);
+}
+
+export const isOn = (word) => word >= tables.middle;

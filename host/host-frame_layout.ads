@@ -1,0 +1,53 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The frame packet's lists and lengths (GND-2, GND-7): what GSC CORE has at
+--  the end of a major frame, in one datagram. docs/station-packets.md has its
+--  layout. `urv_sim tables` prints these lists for the station (GND-11).
+
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+
+package Host.Frame_Layout is
+
+   --  The second has what the first has, and then the other rows of the logs.
+   type Version_Number is range 1 .. 2;
+
+   --  The rows of each log that both versions have, and those of the second.
+   Rows_Of_First : constant := 32;
+   subtype First_Row is Log_Row_Number range 1 .. Rows_Of_First;
+   subtype Added_Row is
+     Log_Row_Number range Rows_Of_First + 1 .. Log_Row_Number'Last;
+
+   type Link_Count is
+     (Uplink_Sent, Uplink_Scrapped, Downlink_Received, Downlink_Bad, Resets,
+      Bytes_Discarded, Overruns, Publish_Not_Sent, Console_Packets,
+      Console_Bad);
+
+   --  The console's words, the uplink's and the downlink's, as in the record.
+   Word_Count : constant :=
+     (Command_Item'Pos (Command_Item'Last) + 1)
+     + (Uplink_Item'Pos (Uplink_Item'Last) + 1)
+     + (Downlink_Item'Pos (Downlink_Item'Last) + 1);
+
+   --  Lengths in bytes. The head is magic, version, length, run, sequence,
+   --  time, age of the downlink, states of console and link, and the console's
+   --  sequence; both nodes' logs have so many rows; the pilot is last.
+   Head_Length : constant := 4 + 2 + 2 + 4 + 4 + 8 + 4 + 2 + 2 + 4;
+   Row_Length  : constant := 2 * (Log_Field'Pos (Log_Field'Last) + 1);
+
+   First_Length : constant :=
+     Head_Length
+     + 4 * (Link_Count'Pos (Link_Count'Last) + 1)
+     + 2 * Word_Count
+     + 2 * Rows_Of_First * Row_Length
+     + 2 * (Status_Item'Pos (Status_Item'Last) + 1)
+     + 2;
+
+   Longest : constant :=
+     First_Length
+     + 2 * (Log_Row_Number'Pos (Log_Row_Number'Last) - Rows_Of_First)
+       * Row_Length;
+
+   function Length (Version : Version_Number) return Positive is
+     (if Version = 1 then First_Length else Longest);
+
+end Host.Frame_Layout;
