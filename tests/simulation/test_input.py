@@ -63,12 +63,15 @@ OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--record", "--summary", "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
-    ([], "no command; there are fly, items, numbers, help, --version"),
+    ([], "no command; there are fly, items, numbers, tables, help, --version"),
     (["hover"],
-     'unknown command "hover"; there are fly, items, numbers, help, --version'),
+     'unknown command "hover"; there are fly, items, numbers, tables, help,'
+     " --version"),
     (["--Version"],
-     'unknown command "--Version"; there are fly, items, numbers, help, --version'),
-    (["help", "me"], 'unknown command "me"; there are fly, items, numbers'),
+     'unknown command "--Version"; there are fly, items, numbers, tables,'
+     " help, --version"),
+    (["help", "me"],
+     'unknown command "me"; there are fly, items, numbers, tables'),
     (["help", "fly", "me"], 'unexpected argument "me"'),
     (["items", "roll"], 'unexpected argument "roll"'),
     (["--version", "2"], 'unexpected argument "2"'),
