@@ -255,12 +255,15 @@ def test_saf10_gnd4_gnd22_in_flight_it_is_a_lost_link(flights, request, way):
     assert {frame.console_state for frame in lost} == {HELD}
     assert all(frame.columns["gsc.uplink.error"] & STALE
                for frame in lost[2:])
-    # The aircraft flies alone: no idle, no brake, the laws on.
+    # The aircraft flies alone, and has no safe words: the laws are on.
     rows = flight.rows("mcs")
     alone = [row for row in rows if row["laws.link"] in ("2", "3")]
     assert alone
     assert all(int(row["mcs.uplink.error"]) & STALE for row in alone)
-    assert not [row for row in alone if row["pwm.brake"] == "4095"]
+    # The page took the sticks where they were: its brake is the pilot's.
+    linked = [row for row in rows if row["laws.link"] == "1"][-1]
+    assert {(row["mcs.uplink.roll"], row["pwm.brake"]) for row in alone} == {
+        (linked["mcs.uplink.roll"], linked["pwm.brake"])}
     # It is reported: terminal, summary, page and its log.
     assert re.search("console held at .*: no packet for 0.5 s",
                      flight.said("gsc"))
