@@ -309,6 +309,11 @@ LONG = some.one_of(some.integers(0, 99), some.sampled_from(
     [2 ** 24, 2 ** 32 - 1, 2 ** 63, 2 ** 64 - 1]))
 
 
+def whole(text):
+    """As UTF-8 can have it."""
+    return text.encode("utf-8", "replace").decode("utf-8")
+
+
 @some.composite
 def any_mcap(draw):
     """Parts in any order, in chunks of any kind, whose lengths may lie."""
@@ -330,7 +335,7 @@ def any_mcap(draw):
         draw(some.sampled_from([mcap_files.MARK, ""])),
         draw(some.fixed_dictionaries({}, optional={
             "version": some.sampled_from([mcap_files.VERSION, ""]),
-            "columns": COLUMNS, "decimals": PLACES})))))
+            "columns": COLUMNS.map(whole), "decimals": PLACES.map(whole)})))))
     return head + (built(Chunk(packing, packed, 0, 0, 0, size))
                    if draw(some.booleans()) else inner)
 
