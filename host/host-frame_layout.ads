@@ -30,7 +30,7 @@ package Host.Frame_Layout is
 
    --  Lengths in bytes. The head is magic, version, length, run, sequence,
    --  time, age of the downlink, states of console and link, and the console's
-   --  sequence; both nodes' logs have so many rows; the pilot is last.
+   --  sequence. The logs of both nodes follow, then status and pilot.
    Head_Length : constant := 4 + 2 + 2 + 4 + 4 + 8 + 4 + 2 + 2 + 4;
    Row_Length  : constant := 2 * (Log_Field'Pos (Log_Field'Last) + 1);
 

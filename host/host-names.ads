@@ -39,7 +39,7 @@ package Host.Names is
          when Switch_5 | Switch_6             => "",
          when Switch_8                        => "flaps");
 
-   --  What the control laws do, for people (EXT-3, EXT-5).
+   --  The modes of the control laws and the link, for people (EXT-3, EXT-5).
    function Label (Mode : Lateral_Mode) return String is
      (case Mode is
          when Direct        => "direct",

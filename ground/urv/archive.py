@@ -45,7 +45,7 @@ LONGEST_ANSWER = 1_048_576
 STARTS_S = 30.0
 """Yamcs may take so long to start before its absence is an alert."""
 STALLS_S = 15.0
-"""Its archive is an alert when it takes nothing for so long while frames come.
+"""Frames come and the archive has taken none for this time: it is an alert.
 Its link looks for the station each 10 s."""
 FRESH_S = 1.0
 """Frames come when the last one is no older."""

@@ -115,8 +115,8 @@ class Station:
                 for line in self.events.read_text("utf-8").splitlines()]
 
     def logged(self, text, number=1, kind="text"):
-        """The lines that have that text, once there are so many: a thread
-        of the station writes them."""
+        """Waits for that number of lines with the text, and returns them: a
+        thread of the station writes the log."""
         return until(lambda: (found := [
             line for line in self.lines() if text in line[kind]])[
             number - 1:] and found, text)
