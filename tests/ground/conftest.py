@@ -37,6 +37,23 @@ def run(folder, program, *arguments, **more):
         **{"capture_output": True, "text": True, **more})
 
 
+# A new process is counted as large as the one that starts it was, so a small
+# one starts the command and says what the command needed.
+MEASURE = """
+import resource, subprocess, sys
+status = subprocess.call(sys.argv[1:], stdout=subprocess.DEVNULL)
+print(status, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+"""
+
+
+def run_measured(folder, *arguments):
+    """The exit status, standard error and largest memory in MB of a command
+    of bin/urv."""
+    result = run(folder, sys.executable, "-c", MEASURE, URV, *arguments)
+    status, most_kb = map(int, result.stdout.split())
+    return status, result.stderr, most_kb / 1024
+
+
 @pytest.fixture
 def urv(tmp_path):
     """Runs bin/urv in the test's folder."""
