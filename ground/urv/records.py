@@ -66,16 +66,21 @@ LARGEST = 2 ** 53
 NUMBER = re.compile(r"-?[0-9]+(?:\.([0-9]+))?")
 
 
+def is_word(name):
+    """Whether a column holds words of 16 bits: an item's, or the laws'."""
+    return name in items.COLUMNS or name.startswith("laws.")
+
+
 class Columns:
     """Names of a record's columns, and how many decimals each has."""
 
     def __init__(self, names, decimals):
         self.names = list(names)
         self.decimals = list(decimals)
-        self.words = numpy.array([name in items.COLUMNS for name in names])
+        words = numpy.array([is_word(name) for name in names])
         self.scales = 10.0 ** numpy.array(self.decimals)
-        self.largest = numpy.where(self.words, LARGEST_WORD, LARGEST)
-        self.smallest = numpy.where(self.words, 0, -LARGEST)
+        self.largest = numpy.where(words, LARGEST_WORD, LARGEST)
+        self.smallest = numpy.where(words, 0, -LARGEST)
         for name, most in (("frame", LARGEST), ("time_ms", LONGEST_TIME_MS)):
             place = self.names.index(name)
             self.smallest[place] = 0
@@ -116,8 +121,7 @@ def read_decimals(texts, names):
         raise ValueError("as many as columns")
     for name, text in zip(names, texts, strict=True):
         if not (text.isascii() and text.isdigit() and len(text) == 1
-                and int(text) <= (0 if name in items.COLUMNS
-                                  else MOST_DECIMALS)):
+                and int(text) <= (0 if is_word(name) else MOST_DECIMALS)):
             raise ValueError(text)
     return [int(text) for text in texts]
 
@@ -307,7 +311,7 @@ class CsvRecord:
                 raise faults.Refused(
                     f"{here} has {fine} decimals, the rows before have"
                     f" {places}")
-            if name in items.COLUMNS and (
+            if is_word(name) and (
                     fine or not 0 <= int(cell) <= LARGEST_WORD):
                 raise faults.Refused(
                     f"{here} is no word, 0 to {LARGEST_WORD}")

@@ -16,7 +16,7 @@ import pyarrow
 import pyarrow.parquet
 import pytest
 import zstandard
-from conftest import URV
+from conftest import URV, run_measured
 from mcap.data_stream import RecordBuilder
 from mcap.records import Channel, Header, Metadata
 
@@ -120,6 +120,7 @@ HOSTILE = {
         "frame,time_ms", "9" * FIVE_MB + ",20"),
     "digits.csv": lambda: csv("frame,time_ms,pwm.brake",
                               f"0,20,{'1' * 5000}"),
+    "laws.csv": lambda: csv("frame,time_ms,laws.told", "0,20,65536"),
     "decimals.csv": lambda: csv("frame,time_ms,truth.x",
                                 f"0,20,0.{'0' * 400}"),
     "time.csv": lambda: csv("frame,time_ms", "0,9007199254740991"),
@@ -145,6 +146,8 @@ HOSTILE = {
         ["frame", "time_ms", "pwm.brake"], [0, 0, 0], [0, 20, 70_000]),
     "nan.mcap": written_mcap(
         ["frame", "time_ms", "truth.x"], [0, 0, 3], [0, 20, numpy.nan]),
+    "laws.mcap": written_mcap(
+        ["frame", "time_ms", "laws.told"], [0, 0, 0], [0, 20, 2 ** 40]),
     "word.parquet": parquet({
         "frame": ONE, "time_ms": ONE,
         "pwm.brake": pyarrow.array([70_000], pyarrow.int64())}),
@@ -170,19 +173,6 @@ HOSTILE = {
 """What a file holds, or a procedure that writes it."""
 
 
-def used(folder, *arguments):
-    """The exit status, standard error and largest memory in MB of a command
-    of bin/urv."""
-    with subprocess.Popen(
-            [URV, *map(str, arguments)], cwd=folder, text=True,
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE) as running:
-        said = running.stderr.read()
-        _, status, usage = os.wait4(running.pid, 0)
-        running.returncode = os.waitstatus_to_exitcode(status)
-    return running.returncode, said, usage.ru_maxrss / 1024
-
-
 @pytest.fixture(scope="module")
 def hostile(tmp_path_factory):
     """The folder of them."""
@@ -201,7 +191,7 @@ def hostile(tmp_path_factory):
 @pytest.mark.parametrize("name", HOSTILE)
 def test_sec14_a_hostile_file_gets_one_line_in_bounded_memory(
         hostile, name, command):
-    status, said, most = used(hostile, *(
+    status, said, most = run_measured(hostile, *(
         word.format(name) for word in command))
     assert (status, len(said.splitlines())) == (2, 1), said
     assert name in said and len(said) < 400
@@ -230,7 +220,7 @@ HOSTILE_EVENT = {"node": "gsc", "kind": "a", "count": 1, "first_ms": 0,
 def test_sec14_hostile_json_gets_one_line(tmp_path, option, text):
     (tmp_path / "a.csv").write_bytes(csv("frame,time_ms", "0,20"))
     (tmp_path / "bad.json").write_text(text, encoding="utf-8")
-    status, said, most = used(tmp_path, "report", "a.csv", option,
+    status, said, most = run_measured(tmp_path, "report", "a.csv", option,
                               "bad.json", "-o", "out.html")
     assert (status, len(said.splitlines())) == (2, 1), said[:1000]
     assert "bad.json" in said and len(said) < 400
@@ -265,7 +255,8 @@ def test_sec14_a_record_with_an_exceedance_every_second_row_has_a_report(
         "frame,time_ms,gsc.downlink.error,gsc.downlink.battery_volts",
         *(f"{row},{row * 1000},0,{4095 * (row & 1)}"
           for row in range(100_000))))
-    status, said, most = used(tmp_path, "report", "a.csv", "-o", "out.html")
+    status, said, most = run_measured(
+        tmp_path, "report", "a.csv", "-o", "out.html")
     assert (status, said) == (0, "")
     assert most < MOST_MB
 
@@ -275,7 +266,8 @@ def test_sec14_an_age_of_months_is_drawn_without_a_word(tmp_path):
     (tmp_path / "a.csv").write_bytes(csv(
         "frame,time_ms,gsc.downlink.error,gsc.downlink.altitude",
         "0,20,0,65535", "1,8501629754,1,4095"))
-    assert used(tmp_path, "report", "a.csv", "-o", "out.html")[:2] == (0, "")
+    assert run_measured(
+        tmp_path, "report", "a.csv", "-o", "out.html")[:2] == (0, "")
 
 
 @pytest.mark.parametrize("arguments", [
@@ -290,7 +282,7 @@ def test_sec14_pipes_and_devices_are_refused_at_once(tmp_path, arguments):
     (tmp_path / "a.csv").write_bytes(csv("frame,time_ms", "0,20"))
     for kind in ("csv", "mcap", "parquet"):
         os.mkfifo(tmp_path / f"pipe.{kind}")
-    status, said, _ = used(tmp_path, *arguments)
+    status, said, _ = run_measured(tmp_path, *arguments)
     assert (status, len(said.splitlines())) == (2, 1)
     assert said.endswith(" is no regular file\n")
 
@@ -309,7 +301,7 @@ def test_d66_an_output_that_is_a_link_is_refused(tmp_path, arguments, is_there):
         target.write_text("precious", encoding="utf-8")
     link = tmp_path / ("link.csv" if arguments[0] == "convert" else "link")
     link.symlink_to("precious")
-    status, said, _ = used(tmp_path, *(
+    status, said, _ = run_measured(tmp_path, *(
         link.name if word == "link" else word for word in arguments))
     assert (status, said) == (
         2, f'urv: "{link.name}" is a symbolic link; an output must be a'
@@ -426,7 +418,8 @@ def test_sec16_no_cell_of_a_csv_is_a_formula(tmp_path):
     parquet({**{name: ONE for name in names[:-1]},
              "truth.x": pyarrow.array([-1.5])},
             {"truth.x": "1"})(tmp_path / "a.parquet")
-    assert used(tmp_path, "convert", "a.parquet", "a.csv")[:2] == (0, "")
+    assert run_measured(
+        tmp_path, "convert", "a.parquet", "a.csv")[:2] == (0, "")
     head, row = (tmp_path / "a.csv").read_text("utf-8").splitlines()
     assert head.split(",") == [
         "frame", "time_ms", *(f"'{name}" for name in FORMULAS), "truth.x"]
@@ -435,7 +428,7 @@ def test_sec16_no_cell_of_a_csv_is_a_formula(tmp_path):
     # The mark is no part of the name.
     for before, after in (("a.csv", "b.mcap"), ("b.mcap", "c.parquet"),
                           ("c.parquet", "d.csv"), ("a.csv", "e.csv")):
-        assert used(tmp_path, "convert", before, after)[:2] == (0, "")
+        assert run_measured(tmp_path, "convert", before, after)[:2] == (0, "")
     assert pyarrow.parquet.read_schema(
         tmp_path / "c.parquet").names[:len(names)] == names
     for name in ("d.csv", "e.csv"):
@@ -446,6 +439,6 @@ def test_sec16_no_cell_of_a_csv_is_a_formula(tmp_path):
 @pytest.mark.parametrize("name", ["a;=1", "a/b", "'a", "''=1", "x" * 201])
 def test_sec16_a_name_that_no_record_has_is_refused(tmp_path, name):
     (tmp_path / "a.csv").write_bytes(csv(f"frame,time_ms,{name}", "0,20,1"))
-    status, said, _ = used(tmp_path, "convert", "a.csv", "b.csv")
+    status, said, _ = run_measured(tmp_path, "convert", "a.csv", "b.csv")
     assert (status, len(said.splitlines())) == (2, 1)
     assert "is no name of a column" in said
