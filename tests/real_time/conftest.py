@@ -245,6 +245,13 @@ class Run:
         return self.end()
 
 
+def wait_for_line(run, what):
+    """It says so, some time."""
+    while what not in (line := run.say_line()):
+        assert line, "it has ended"
+    return line
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _programs_are_built():
     for program in (*PROGRAMS.values(), SIMULATION):

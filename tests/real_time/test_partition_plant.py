@@ -14,7 +14,7 @@ import pytest
 
 from conftest import (
     COMMANDS, ROOT, SENSORS, TIME_LIMIT_S, flies_again, free_ports, in_turn,
-    need, of_the_link, udp,
+    need, of_the_link, udp, wait_for_line,
 )
 
 pytestmark = pytest.mark.skipif(
@@ -42,13 +42,6 @@ def plant_of(run):
         assert time.monotonic() < deadline and run.program.poll() is None
         time.sleep(0.02)
     return found.pop()
-
-
-def wait_for_line(run, what):
-    """It says so, some time."""
-    while what not in (line := run.say_line()):
-        assert line, "it has ended"
-    return line
 
 
 @flies_again
