@@ -14,7 +14,7 @@ flight and in the circuit, with the control laws on. The console is back after
 * nothing fresh but the safe words reaches the aircraft, and those never above
   50 ft, and the link is back at the end,
 * an aircraft slower than 42 kt on the runway stops: engine idle, brake on,
-  3.5 s after the last console packet.
+  3.5 s after the last console packet and 0.5 s after it was faster.
 
 A line for each flight that is not well, and a last one for each way.
 """
@@ -34,7 +34,7 @@ WAYS = {"closed-page": 0, "hidden-page": 0, "unplugged-gamepad": 0,
         "killed-station": 0, "hung-browser": 200}
 
 FLIGHTS = {"standard": 180, "circuit": 235}
-LOST_MS, BACK_MS, GROUND_MS = 600, 1_500, 3_500
+LOST_MS, BACK_MS, GROUND_MS, SLOW_MS = 600, 1_500, 3_500, 500
 AWAY_S = 60
 STEEPEST, LOWEST, LOWER = 45.0, 200.0, 50.0
 ON_GROUND_KT, ON_GROUND_FT, ROLLING_FT = 42.0, 50.0, 5.0
@@ -80,6 +80,19 @@ def is_safe(row):
                for name, word in SAFE.items())
 
 
+def rolling(rows, from_ms):
+    """The rows of an aircraft that is slow, and whose engine or brake is not
+    as it must be."""
+    slow_from = 0
+    for row in rows:
+        now = float(row["time_ms"])
+        if float(row["truth.airspeed_kt"]) >= ON_GROUND_KT:
+            slow_from = now + SLOW_MS
+        if now >= max(from_ms, slow_from) and (
+                row["pwm.throttle"], row["pwm.brake"]) != (IDLE, BRAKED):
+            yield row
+
+
 def problems(rows, silent_ms, back_ms):
     """What must not be, of the rows from the loss on."""
     lost = [row for row in rows if float(row["time_ms"]) < back_ms]
@@ -101,11 +114,7 @@ def problems(rows, silent_ms, back_ms):
         if float(row["truth.altitude_ft"]) > ON_GROUND_FT:
             yield f"the safe words in flight at {row['time_ms']} ms"
             break
-    if on_ground and (hot := [
-            row for row in lost
-            if float(row["time_ms"]) >= silent_ms + GROUND_MS
-            and float(row["truth.airspeed_kt"]) < ON_GROUND_KT
-            and (row["pwm.throttle"], row["pwm.brake"]) != (IDLE, BRAKED)]):
+    if on_ground and (hot := list(rolling(lost, silent_ms + GROUND_MS))):
         yield f"no brake or power on the ground at {hot[0]['time_ms']} ms"
     back = [row for row in rows if float(row["time_ms"]) >= back_ms + BACK_MS]
     if not back or any(row["laws.link"] != link_cuts.LINKED for row in back):
