@@ -443,7 +443,8 @@ def test_saf9_ext6_a_sound_servo_reported_as_failed_is_seen(urv_sim, write,
     for failed ones."""
     write("sticks.csv", "time_ms,roll,switch1\n0,2048,4095\n"
           "2500,3500,4095\n4000,3500,4095\n")
-    result = urv_sim("fly", "--laws", "on", "--sticks", "sticks.csv",
+    result = urv_sim("fly", "--schedule", "fast", "--laws", "on",
+                     "--sticks", "sticks.csv",
                      "--record", "record.csv")
     assert result.returncode == 0, result.stderr
     assert monitor.check(tmp_path / "record.csv",
