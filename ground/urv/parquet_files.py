@@ -10,9 +10,11 @@ where the words are stale; the unit is in the field's metadata.
 
 A file may come from anybody (SEC-14). The size of its end, its columns and its
 rows are looked at before they are read; a page that unpacks to more than there
-is memory for ends as input_files.limit_memory says.
+is memory for ends as input_files.limit_memory says. Some damage ends the
+process that runs Arrow, so a process of its own reads the file.
 """
 
+import multiprocessing
 import os
 from contextlib import contextmanager
 
@@ -101,10 +103,8 @@ class Writer:
             self.file.close()
 
 
-class Record:
-    """A record in a Parquet file that bin/urv has written."""
-
-    cut_short = None
+class ArrowRecord:
+    """A record in a Parquet file that bin/urv has written, read by Arrow."""
 
     def __init__(self, path, file):
         self.path = path
@@ -121,8 +121,6 @@ class Record:
             [one.metadata[DECIMALS].decode() for one in fields], names)
         self.columns = records.Columns(names, decimals)
         self.names, self.decimals = names, decimals
-        self.size = file.metadata.num_rows
-        self.position = 0
         self.kinds = [field(*one).type for one in zip(
             names, decimals, strict=True)]
         self.check_sizes()
@@ -160,7 +158,6 @@ class Record:
                 raise faults.Refused(
                     f"{faults.quoted(self.path)}: {bad[1]}: a number that no"
                     " record has")
-            self.position += len(rows)
             yield rows
 
 
@@ -198,10 +195,7 @@ def check_end(stream):
 
 
 @contextmanager
-def opened(path, forgiving=False):
-    """A record to be read. One that was cut short is refused: without its end
-    nothing of it can be read."""
-    del forgiving
+def opened_by_arrow(path):
     with input_files.opened(path) as stream:
         _told(path, lambda: check_end(stream))
         file = _told(path, lambda: pyarrow.parquet.ParquetFile(
@@ -210,6 +204,68 @@ def opened(path, forgiving=False):
             thrift_container_size_limit=MOST_LISTED))
         with file:
             try:
-                yield Record(path, file)
+                yield ArrowRecord(path, file)
             except (ValueError, KeyError) as fault:
                 raise damaged(path) from fault
+
+
+def read_apart(path, ours, theirs):
+    """In the reading process: send the columns, the blocks and an end, or what
+    is wrong with the file. Arrow prints there why it ends the process."""
+    ours.close()
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    try:
+        with opened_by_arrow(path) as record:
+            theirs.send((record.names, record.decimals,
+                         record.file.metadata.num_rows))
+            for rows in record.blocks():
+                theirs.send(rows)
+            theirs.send(None)
+    except Exception as fault:
+        theirs.send(fault)
+
+
+class Record:
+    """A record in a Parquet file, as the reading process sends it."""
+
+    cut_short = None
+
+    def __init__(self, path, pipe):
+        self.path = path
+        self.pipe = pipe
+        self.names, self.decimals, self.size = self.received()
+        self.columns = records.Columns(self.names, self.decimals)
+        self.position = 0
+
+    def received(self):
+        try:
+            sent = self.pipe.recv()
+        except EOFError as fault:
+            raise damaged(self.path) from fault
+        if isinstance(sent, Exception):
+            raise sent
+        return sent
+
+    def blocks(self):
+        while (rows := self.received()) is not None:
+            self.position += len(rows)
+            yield rows
+
+
+@contextmanager
+def opened(path, forgiving=False):
+    """A record to be read. One that was cut short is refused: without its end
+    nothing of it can be read."""
+    del forgiving
+    context = multiprocessing.get_context("fork")
+    ours, theirs = context.Pipe(duplex=False)
+    reader = context.Process(target=read_apart, args=(path, ours, theirs),
+                             daemon=True)
+    reader.start()
+    theirs.close()
+    try:
+        yield Record(path, ours)
+    finally:
+        # It ends when nobody takes what it sends.
+        ours.close()
+        reader.join()

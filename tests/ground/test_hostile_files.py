@@ -20,7 +20,8 @@ from conftest import URV, run_measured
 from mcap.data_stream import RecordBuilder
 from mcap.records import Channel, Header, Metadata
 
-from urv import faults, ground, mcap_files, pictures, records, whole_files
+from urv import (
+    faults, ground, mcap_files, parquet_files, pictures, records, whole_files)
 
 # A file of 5 MB took 4 GB. A program with all its libraries takes 100.
 MOST_MB = 400
@@ -95,6 +96,17 @@ def parquet(columns, decimals=None, **options):
     return made
 
 
+def ends_arrow(path):
+    """With this byte of its metadata Arrow 26 ends its process by SIGABRT."""
+    out = parquet_files.Writer(path, records.Columns(
+        ["frame", "time_ms", "pwm.brake"], [0, 0, 0]))
+    out.write(numpy.array([[0, 20, 1], [1, 40, 2]], float))
+    out.close(True)
+    data = bytearray(path.read_bytes())
+    data[-1307] = 0
+    path.write_bytes(data)
+
+
 def many(count):
     return [f"c{number:x}" for number in range(count)]
 
@@ -160,6 +172,7 @@ HOSTILE = {
         "frame": ONE, "time_ms": pyarrow.array(["a"])}),
     "decimals.parquet": parquet(
         {"frame": ONE, "time_ms": ONE}, {"time_ms": "x"}),
+    "ends_arrow.parquet": lambda path: ends_arrow(path),
     "wide.parquet": parquet({
         "frame": ONE, "time_ms": ONE, **dict.fromkeys(many(15_000), ONE)}),
     "page.parquet": lambda path: parquet(
