@@ -8,7 +8,7 @@ Each column of the record is one of the file, words as 16 bits. After them
 stands, for each word with a scale, NAME.value in its unit, without a value
 where the words are stale; the unit is in the field's metadata.
 
-A file may come from anybody (SEC-14). The size of its end, its columns and its
+A file may come from anybody (SEC-14, D-65). The size of its end, its columns and its
 rows are looked at before they are read; a page that unpacks to more than there
 is memory for ends as input_files.limit_memory says. Some damage ends the
 process that runs Arrow, so a process of its own reads the file.
