@@ -4,7 +4,7 @@
 
 .PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
         theory bench size trace mutate planted real_time timing trials coverage \
-        independence margins surfaces times clean attack
+        independence margins surfaces clean attack
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -26,11 +26,11 @@ help:
 	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
 	@echo "  make fuzz       fuzz a telemetry board, or FUZZ=files or readers,"
 	@echo "                  SECONDS=60"
-	@echo "  make mutate     change code and judges, see who notices, JOBS=N"
-	@echo "  make planted    plant mistakes in what judges, see who notices"
+	@echo "  make mutate     change the code, report what nothing notices, JOBS=N"
+	@echo "  make planted    plant the defects that the safety monitor finds"
 	@echo "  make attack     2,000 sealed flights with someone in the middle"
 	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
-	@echo "  make independence  other switches, compilers, provers [RENEW]"
+	@echo "  make independence  other switches, compilers [RENEW]"
 	@echo "  make theory     the link under bit errors beside theory [RENEW]"
 	@echo "  make trials     ten minutes of station, garbage, a full disk [RENEW]"
 	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
@@ -38,8 +38,6 @@ help:
 	@echo "  make surfaces   flights with a failed surface, SAMPLE=N [RENEW]"
 	@echo "  make bench      calls and simulation beside what one would take"
 	@echo "                  instead, BEFORE=COMMIT beside then's [RENEW]"
-	@echo "  make times      how long builds, tests and the proof take [RENEW];"
-	@echo "                  an hour, WORKS=\"build test\" for some"
 	@echo "  make size       static data of each node's flight software"
 	@echo "  make trace      requirements with their links, in trace/"
 
@@ -149,12 +147,6 @@ bench:
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@.venv/bin/python scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
 
-# WORKS: build, test, again, nothing.
-WORKS :=
-times:
-	@scripts/setup.sh test
-	@.venv/bin/python scripts/work_times.py $(RENEW) $(WORKS)
-
 size:
 	@scripts/setup.sh size
 	@python3 scripts/node_size.py
@@ -198,14 +190,11 @@ coverage:
 	@scripts/setup.sh coverage
 	@.venv/bin/python scripts/coverage.py run $(RENEW)
 
-# Each prover alone takes longest. PROVERS= leaves that out.
 # CHROOT: a folder for fresh Debians, to fly and test there, too. Needs root.
-PROVERS := yes
 CHROOT  :=
 independence:
 	@scripts/setup.sh independence
 	@.venv/bin/python scripts/independence.py $(RENEW) switches
-	@$(if $(PROVERS),python3 scripts/provers.py $(RENEW))
 	@$(if $(CHROOT),.venv/bin/python scripts/independence.py $(RENEW) \
 	   chroot $(CHROOT))
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Static data of each node's flight software, as built for flight (EVI-10).
+"""Static data of each node's flight software, as built for flight (EVI-17).
 
 Adds up the data sections of every object file a node's top package needs,
 itself included. Ada's run-time library is not counted: a target has its own.

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Plant mistakes in what judges the flight software; see who notices (EVI-10).
+"""Plant the defects that the safety monitor must find (EVI-10).
 
     scripts/planted.py [NAME ...]    those patches whose names begin so
 
-Each tests/planted/*.patch is one mistake, made by hand: a few lines that say
-what is wrong, then for each test that must notice it a line
+Each tests/planted/*.patch is one defect: a few lines that describe it, then a
+line for each test that must notice it
 
     # notices: tests/simulation/test_faults.py::test_lnk9_a_cut_link_recovers
     # notices: MBX-2 an unconsumed message is overwritten and counted once
@@ -19,18 +19,18 @@ Exit status: 0 when all are noticed; 1 otherwise, a line for each reason.
 import ast
 import os
 import re
-import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 from typing import NamedTuple
 
+from tree_copy import CHANGED, git_apply, renew_copy
+
 ROOT = Path(__file__).resolve().parent.parent
 PATCHES = Path("tests", "planted")
 COPY = Path("obj", "planted")
 NOTICES = re.compile(r"^# notices: +(.*\S)\s*$", re.M)
-CHANGED = re.compile(r"^\+\+\+ b/(\S+)", re.M)
 
 # What is built for the tests of a folder; a unit test has no folder.
 UNIT = "tests/unit"
@@ -72,17 +72,6 @@ def folder_of(name):
     return UNIT if is_unit_test(name) else Path(name).parent.as_posix()
 
 
-def git_apply(tree, patch, *options):
-    """What git says against it; nothing when it applies. The tree may lie
-    within another one's repository, which git must not look for."""
-    surroundings = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
-    done = subprocess.run(
-        ["git", "apply", *options, str(patch)], cwd=tree, env=surroundings,
-        capture_output=True, text=True, check=False)
-    return (done.stderr.strip() or "git apply failed") \
-        if done.returncode else ""
-
-
 def test_exists(root, name):
     if is_unit_test(name):
         # Its name may go on in the next line.
@@ -108,50 +97,6 @@ def faults_of(root, planted):
     for name in planted.notices:
         if not test_exists(root, name):
             yield f"{planted.name}: there is no test {name}"
-
-
-def renew_copy(root, copy):
-    """The copy has what the tree has, with its times, so that little is built
-    anew. Likely changes are tried in one, too (EVI-12)."""
-    listed = subprocess.run(
-        ["git", "ls-files", "-z", "--cached", "--others",
-         "--exclude-standard"],
-        cwd=root, capture_output=True, text=True, check=True).stdout
-    names = {name for name in listed.split("\0")
-             if name and (root / name).is_file()}
-    for folder in ("obj", "bin"):
-        (copy / folder).mkdir(parents=True, exist_ok=True)
-    for path in list(copy.rglob("*")):
-        name = path.relative_to(copy)
-        if (name.parts[0] not in ("obj", "bin", ".venv") and path.is_file()
-                and name.as_posix() not in names):
-            path.unlink()
-    for name in sorted(names):
-        source, target = root / name, copy / name
-        if (not target.exists()
-                or target.read_bytes() != source.read_bytes()):
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(source, target)
-    packages = copy / ".venv"
-    if not packages.is_symlink():
-        packages.symlink_to((root / ".venv").resolve())
-
-
-def take_objects(root, copy, names):
-    """What is built of the tree need not be built again in a copy, but for what
-    a change of it touches. Where the configuration pragmas are is written in
-    what was built; a builder that misses them there builds everything anew."""
-    for name in names:
-        built, objects = root / "obj" / name, copy / "obj" / name
-        if built.is_dir() and not objects.exists():
-            objects.mkdir(parents=True)
-            for path in sorted(built.iterdir()):
-                if path.suffix == ".ali":
-                    text = path.read_text(encoding="utf-8")
-                    (objects / path.name).write_text(
-                        text.replace(f"{root}/", f"{copy}/"), encoding="utf-8")
-                elif path.is_file():
-                    shutil.copy(path, objects)
 
 
 def build(copy, folders):

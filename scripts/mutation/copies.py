@@ -15,6 +15,9 @@ COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "ground",
           "scripts", "urv.gpr", "ravenscar.adc",
           "partitions.adc")
 
+# The folders that mutants change.
+CHANGING = ("src", "proofs")
+
 # A mutant may have a condition that is always true. What only helps to debug
 # would cost building time.
 RELAXED = [
@@ -40,14 +43,9 @@ def same(one, other):
 class Copy:
     """Runs commands in it, one at a time."""
 
-    place = "worker"
-    copied = COPIED
-    # The folders that mutants change.
-    changing = ("src", "proofs")
-
     def __init__(self, number):
-        self.root = WORKPLACE / f"{self.place}-{number}"
-        self.original = WORKPLACE / f"{self.place}-{number}-original"
+        self.root = WORKPLACE / f"worker-{number}"
+        self.original = WORKPLACE / f"worker-{number}-original"
         self.changed = None
         self.process = None
 
@@ -81,7 +79,7 @@ class Copy:
 
     def renew(self):
         """Make it what the repository is now."""
-        for name in self.copied:
+        for name in COPIED:
             source, target = ROOT / name, self.root / name
             if source.is_dir():
                 self.synchronise(source, target)
@@ -89,7 +87,7 @@ class Copy:
                 target.parent.mkdir(parents=True, exist_ok=True)
                 if not same(source, target):
                     shutil.copy(source, target)
-        for name in self.changing:
+        for name in CHANGING:
             self.synchronise(ROOT / name, self.original / name)
 
     def edit(self, name, changes):
@@ -116,10 +114,6 @@ class Copy:
             (target / name).parent.mkdir(parents=True, exist_ok=True)
             if not same(source / name, target / name):
                 shutil.copy(source / name, target / name)
-
-    def seen(self, mutant):
-        """A mutant with its change, if that was not made up yet."""
-        return mutant
 
     def put(self, mutant):
         """Undo the last change, make this one."""

@@ -17,6 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import ada_source  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "tests" / "mutation" / "results.jsonl"
+JUDGED = ROOT / "tests" / "mutation" / "equivalent.toml"
 
 # What became of a mutant.
 INVALID = "does not build"
@@ -28,9 +30,7 @@ KILLED = ("tests", "simulation", "proof")
 
 def digest(path):
     """Of a source's code."""
-    code = (ROOT / path).read_text(encoding="utf-8")
-    if not path.endswith(".py"):
-        code = ada_source.code_of(code)
+    code = ada_source.code_of((ROOT / path).read_text(encoding="utf-8"))
     return hashlib.sha256(code.encode()).hexdigest()[:16]
 
 

@@ -155,8 +155,6 @@ class FlightTrial(Copy):
         """What GNATprove finds that does not hold in some units."""
         if not units:
             return set()
-        kept = "proofs/sessions"
-        self.synchronise(self.original / kept, self.root / kept)
         names = [file for unit in units for file in self.main_file(unit)]
         status, output = self.run([*PROVER, "-u", *names], PROOF_LIMIT_S)
         if status is None:
@@ -192,7 +190,7 @@ class FlightTrial(Copy):
         for units in concerned(mutant.path):
             key = tuple(units)
             if key not in self.proved:
-                # Without the change: also warms up the sessions.
+                # Without the change.
                 self.put(None)
                 self.proved[key] = self.failed_checks(units)
                 self.put(mutant)

@@ -21,9 +21,9 @@ from ada_source import (  # noqa: E402
     SUBPROGRAMS, child_of_type, descendants, has_aspect, parsed, sources,
     squeezed, subprogram_name, text_of)
 
-# The flight software, and what judges it.
-FLIGHT = ("src",)
-JUDGES = ("sim", "host", "real_time")
+# The folder that is changed, and those that call it.
+FLIGHT = "src"
+CALLERS = ("sim", "host", "real_time")
 
 # In the order in which they are tried.
 FOLDERS = ("telemetry", "tasks", "nodes", "formats", "devices", "kernel",
@@ -88,7 +88,7 @@ class Code:
     def __init__(self, root):
         self.root = root
         self.trees = {}
-        for path in sorted(sources(root, *FLIGHT, *JUDGES)):
+        for path in sorted(sources(root, FLIGHT, *CALLERS)):
             name = path.relative_to(root).as_posix()
             self.trees[name] = parsed(path.read_bytes())
         self.ghosts = {
@@ -135,11 +135,11 @@ class Code:
             "function_specification", "component_choice_list",
         ) and parent.child_by_field_name("name") in (identifier, None)
 
-    def enumerations(self, folders):
+    def enumerations(self):
         """For each literal of an enumeration type, another one."""
         other = {}
         for path, tree in self.trees.items():
-            if path.split("/")[0] not in folders:
+            if path.split("/")[0] != FLIGHT:
                 continue
             for node in descendants(tree):
                 if node.type == "enumeration_type_definition":
@@ -149,12 +149,12 @@ class Code:
                         other.setdefault(name, following)
         return other
 
-    def mutants(self, folders=FLIGHT):
+    def mutants(self):
         """Every mutant of every package, in the order of the sources."""
-        literals = self.enumerations({*FLIGHT, *folders})
+        literals = self.enumerations()
         found = []
         for path, tree in self.trees.items():
-            if path.split("/")[0] in folders and (
+            if path.split("/")[0] == FLIGHT and (
                 package_of(path) not in REAL_TIME_UNITS
             ):
                 found += Finder(path, tree, self, literals).found

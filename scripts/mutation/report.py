@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the mutants show: the tables of docs/evidence/mutation.md, their check.
+"""What the mutants show: the table of docs/evidence/mutation.md, its check.
 
-  table   writes the tables into docs/evidence/mutation.md
-  check   the same tables must be there; every survivor is judged, and nothing
+  table   writes the table into docs/evidence/mutation.md
+  check   the same table must be there; every survivor is judged, and nothing
           else is
 
-A survivor is judged in tests/mutation, equivalent.toml or judges.toml: by its
-name and change, with the reason why the changed software does the same. Of
-what judges it may have `equivalent = false`: nobody notices it, for a reason.
+A survivor is judged in tests/mutation/equivalent.toml: by its name and change,
+with the reason why the changed software does the same.
 Exit status: 0 all well; 1 not, each reason on a line of its own.
 """
 
@@ -19,11 +18,14 @@ from collections import Counter
 from pathlib import Path
 
 import fates
-from kinds import KINDS
+import mutants
 
-ROOT = fates.ROOT
-DOCUMENT = ROOT / "docs" / "evidence" / "mutation.md"
+DOCUMENT = fates.ROOT / "docs" / "evidence" / "mutation.md"
+BEGIN = "<!-- table -->\n"
 END = "<!-- end of table -->\n"
+
+# The least score.
+GOAL = 95.0
 
 COLUMNS = ("mutants", *fates.KILLED, "survived", "equivalent", "score")
 
@@ -34,11 +36,6 @@ def judged(file):
         return {}
     text = file.read_text(encoding="utf-8")
     return {one["name"]: one for one in tomllib.loads(text).get("mutant", [])}
-
-
-def equivalent_of(judgements):
-    return {name for name, one in judgements.items()
-            if one.get("equivalent", True)}
 
 
 def column_of(result, equivalent):
@@ -80,38 +77,21 @@ def counted(results, equivalent):
     return packages
 
 
-def table(results, equivalent, by_package):
-    """By folder; if wanted each package, too."""
+def table(results, equivalent):
+    """By package and folder."""
     packages = counted(results, equivalent)
     lines = ["| " + " | ".join(("package", *COLUMNS)) + " |",
              "|---|" + "--:|" * len(COLUMNS)]
     for folder in sorted({folder for folder, _ in packages}):
         of_folder = {name: counts for (at, name), counts in
                      sorted(packages.items()) if at == folder}
-        if by_package:
-            lines += [cells(f"`{name}`", counts)
-                      for name, counts in of_folder.items()]
+        lines += [cells(f"`{name}`", counts)
+                  for name, counts in of_folder.items()]
         lines.append(cells(f"**{folder}**",
                            sum(of_folder.values(), Counter())))
     total = sum(packages.values(), Counter())
     lines.append(cells("**all**", total))
     return "\n".join(lines) + "\n", total
-
-
-def list_of(judgements, results):
-    """The judged survivors, each with its reason."""
-    if not judgements:
-        return ""
-    lines = ["", "| survivor | change | same? | why |", "|---|---|---|---|"]
-    for result in sorted(results, key=lambda r: (r["path"], r["line"])):
-        one = judgements.get(result["name"])
-        if one:
-            change = one["change"].replace("|", "\\|")
-            same = "yes" if one.get("equivalent", True) else "no"
-            reason = " ".join(one["reason"].split())
-            lines.append(f"| {one['place']} | `{change}` | {same} |"
-                         f" {reason} |")
-    return "\n".join(lines) + "\n"
 
 
 def problems(results, judgements, total, goal):
@@ -133,30 +113,21 @@ def problems(results, judgements, total, goal):
         yield f"the score is {score(total):.1f}%, less than {goal}%"
 
 
-def current(results, kind):
-    """The results of the mutants that the sources of today have."""
-    names = {mutant.name for mutant in kind.every()}
-    return [r for name, r in results.items() if name in names]
-
-
-def show(kind, command):
-    """Write or check the part of a kind; what is wrong."""
-    results = current(fates.read(kind.results), kind)
-    judgements = judged(kind.judged)
-    flight = kind is KINDS["flight"]
-    text, total = table(results, equivalent_of(judgements), flight)
-    if not flight:
-        text += list_of(judgements, results)
-    begin = f"<!-- {kind.part} -->\n"
-    head, _, rest = DOCUMENT.read_text(encoding="utf-8").partition(begin)
+def show(command):
+    """Write or check the table; return the failures."""
+    today = {mutant.name for mutant in mutants.Code(fates.ROOT).mutants()}
+    results = [result for name, result in fates.read(fates.RESULTS).items()
+               if name in today]
+    judgements = judged(fates.JUDGED)
+    text, total = table(results, set(judgements))
+    head, _, rest = DOCUMENT.read_text(encoding="utf-8").partition(BEGIN)
     there, _, tail = rest.partition(END)
-    found = list(problems(results, judgements, total, kind.goal))
+    found = list(problems(results, judgements, total, GOAL))
     if command == "table":
-        DOCUMENT.write_text(head + begin + text + END + tail,
+        DOCUMENT.write_text(head + BEGIN + text + END + tail,
                             encoding="utf-8")
     elif there != text:
-        found.append(f"docs/evidence/mutation.md: {kind.part}: not what these"
-                     " results give")
+        found.append("docs/evidence/mutation.md: not what these results give")
     for problem in found:
         print(f"mutation: {problem}")
     print(f"mutation: {sum(total.values())} mutants, "
@@ -167,9 +138,7 @@ def show(kind, command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("command", choices=("table", "check"))
-    command = parser.parse_args().command
-    found = [show(kind, command) for kind in KINDS.values()]
-    return 1 if any(found) else 0
+    return 1 if show(parser.parse_args().command) else 0
 
 
 if __name__ == "__main__":

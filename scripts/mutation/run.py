@@ -2,16 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Change the code in small ways; see who notices.
 
-Of the flight software each mutant is built, then given to the unit tests with contracts executed.
-One that passes and has the same object code as the original is the original
+Each mutant of the flight software is built, then given to the unit tests
+with contracts executed. One that passes and has the same object code as the original is the original
 in other words, and is set aside. The others go to the simulation's tests.
 When all mutants have been there, those that are left go to the proof of the
 units that the change can concern: of a body its own, of a specification all
 that depend on it. The first to notice is recorded.
-
-What judges the flight software is changed likewise: the simulation, the
-partitions, the plant, the scripts. A mutant of those goes to the tests that
-look at its file.
 
 Results are appended to a file as they come. A run goes on where the last one
 stopped; a mutant is tried again when the file it changes has changed.
@@ -31,15 +27,17 @@ import time
 import fates
 import mutants
 from fates import PASSED
-from kinds import KINDS
+from flight_trials import FlightTrial
 
 SEED = 1991
+
+# The share of a package that is tried, the least number, the most.
+SAMPLE = (0.15, 4, 10)
 
 
 def try_one(worker, stage, mutant, source):
     """The line of the results about a mutant."""
     begun = time.monotonic()
-    mutant = worker.seen(mutant)
     fate, by = stage(worker, mutant)
     return {
         "name": mutant.name, "path": mutant.path,
@@ -50,7 +48,7 @@ def try_one(worker, stage, mutant, source):
     }
 
 
-def work(worker, stage, tasks, kind, digests, progress):
+def work(worker, stage, tasks, digests, progress):
     while True:
         try:
             group = tasks.get_nowait()
@@ -59,13 +57,13 @@ def work(worker, stage, tasks, kind, digests, progress):
             return
         for mutant in group:
             result = try_one(worker, stage, mutant, digests[mutant.path])
-            with progress.lock, kind.results.open(
+            with progress.lock, fates.RESULTS.open(
                     "a", encoding="utf-8") as file:
                 file.write(json.dumps(result) + "\n")
             progress.step(mutant, result["fate"])
 
 
-def run_stage(kind, stage, wanted, digests, jobs):
+def run_stage(stage, wanted, digests, jobs):
     """Take some mutants through one stage. Exit status."""
     if not wanted:
         return 0
@@ -73,9 +71,9 @@ def run_stage(kind, stage, wanted, digests, jobs):
     for mutant in wanted:
         groups.setdefault(mutant.path, []).append(mutant)
     tasks = queue.Queue()
-    for path in sorted(groups, key=kind.turn):
+    for path in sorted(groups, key=turn):
         tasks.put(groups[path])
-    workers = [kind.trial(n) for n in range(min(jobs, len(groups)))]
+    workers = [FlightTrial(n) for n in range(min(jobs, len(groups)))]
 
     def leave(*_):
         for worker in workers:
@@ -94,7 +92,7 @@ def run_stage(kind, stage, wanted, digests, jobs):
     threads = [
         threading.Thread(
             target=work,
-            args=(worker, stage, tasks, kind, digests, progress),
+            args=(worker, stage, tasks, digests, progress),
         )
         for worker in workers
     ]
@@ -108,9 +106,6 @@ def run_stage(kind, stage, wanted, digests, jobs):
 
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--of", choices=KINDS, action="append",
-                        help="of the flight software, or of what judges it;"
-                        " both unless said")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="", metavar="TEXT",
                         help="only files whose path contains this")
@@ -123,13 +118,18 @@ def read_arguments():
     return parser.parse_args()
 
 
-def mutate(kind, arguments):
-    """Try the mutants of a kind. Exit status."""
-    every = kind.every()
+def turn(path):
+    """Folder by folder of src."""
+    return mutants.FOLDERS.index(path.split("/")[1]), path
+
+
+def main():
+    arguments = read_arguments()
+    every = mutants.Code(fates.ROOT).mutants()
     digests = {path: fates.digest(path)
                for path in {mutant.path for mutant in every}}
-    before = fates.read(kind.results)
-    picked = mutants.chosen(every, SEED, *kind.sample, before)
+    before = fates.read(fates.RESULTS)
+    picked = mutants.chosen(every, SEED, *SAMPLE, before)
     picked = [m for m in picked if arguments.only in m.path]
     if arguments.list:
         for m in picked:
@@ -141,23 +141,15 @@ def mutate(kind, arguments):
         or before[m.name]["fate"] == arguments.again]
     print(f"mutation: {len(every)} mutants, {len(picked)} chosen, "
           f"{len(picked) - len(untested)} tested before")
-    status = run_stage(kind, kind.trial.test, untested, digests,
-                       arguments.jobs)
+    status = run_stage(FlightTrial.test, untested, digests, arguments.jobs)
     if status != 0 or arguments.no_proof:
         return status
-    now = fates.read(kind.results)
+    now = fates.read(fates.RESULTS)
     unproved = [m for m in picked if now[m.name]["fate"] == PASSED]
     if unproved:
         print(f"mutation: {len(unproved)} pass the tests, go to the proof")
-        return run_stage(kind, kind.trial.prove, unproved, digests,
-                         arguments.jobs)
+        return run_stage(FlightTrial.prove, unproved, digests, arguments.jobs)
     return 0
-
-
-def main():
-    arguments = read_arguments()
-    return max(mutate(KINDS[name], arguments)
-               for name in arguments.of or KINDS)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-import planted  # noqa: E402
+import tree_copy  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 COPIES = ROOT / "obj" / "changes"
@@ -60,15 +60,15 @@ class Change:
         self.path = HERE / f"{name}.patch"
         self.text = self.path.read_text(encoding="utf-8")
         self.copy = COPIES / name
-        planted.renew_copy(ROOT, self.copy)
-        planted.take_objects(ROOT, self.copy, OBJECTS)
-        said = planted.git_apply(self.copy, self.path)
+        tree_copy.renew_copy(ROOT, self.copy)
+        tree_copy.take_objects(ROOT, self.copy, OBJECTS)
+        said = tree_copy.git_apply(self.copy, self.path)
         assert said == "", f"{self.path.name} no longer applies: {said}"
 
     def files(self):
         """What it touches, by part."""
         found = {part: [] for part in MOST}
-        for name in planted.CHANGED.findall(self.text):
+        for name in tree_copy.CHANGED.findall(self.text):
             found[part_of(name)].append(name)
         return found
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SIM-3, EVI-10: what sim/jsbsim/plant.py measures and says. Its readings are compared
+"""SIM-3: what sim/jsbsim/plant.py measures and says. Its readings are compared
 with each other and with what a textbook makes of them, and with the true
 state; no bit of the flight software is in between."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-10, LNK-9, SEC-1: whatever may be wrong with a flight of the campaign
+"""LNK-9, SEC-1: whatever may be wrong with a flight of the campaign
 makes it fail, each thing alone. The flights here are written by hand, and
 perfect but for one thing."""
 

@@ -30,7 +30,7 @@ from test_flight import has_jsbsim
 from test_input import ALL_OUTPUTS, OPTIONS
 
 sys.path.insert(0, str(ROOT / "scripts"))
-import planted  # noqa: E402
+import tree_copy  # noqa: E402
 
 OUTPUT_OPTIONS = ALL_OUTPUTS[::2]
 FILE_OF = dict(zip(ALL_OUTPUTS[::2], ALL_OUTPUTS[1::2], strict=True))
@@ -544,7 +544,7 @@ def test_a_node_that_fails_ends_with_status_1(tmp_path):
         where = ROOT / name
         (shutil.copytree if where.is_dir() else shutil.copy2)(
             where, tmp_path / name)
-    planted.take_objects(ROOT, tmp_path, ("host", "host-host", "sim-host"))
+    tree_copy.take_objects(ROOT, tmp_path, ("host", "host-host", "sim-host"))
     nodes = tmp_path / "sim" / "sim-nodes.adb"
     text = nodes.read_text(encoding="utf-8")
     assert text.count(INTERRUPT) == 1

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-3: what the mutation changes, of Ada and of Python, and what it leaves
-alone."""
+"""EVI-3: the mutants of a package, and the report of their results."""
 
 import json
 import sys
@@ -14,12 +13,8 @@ sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
 
 import fates  # noqa: E402
 import flight_trials  # noqa: E402
-import judge_trials  # noqa: E402
-import kinds  # noqa: E402
 import mutants  # noqa: E402
-import python_mutants  # noqa: E402
 import report  # noqa: E402
-from ada_source import sources  # noqa: E402 - mutants finds it
 
 SPEC = """
 package Shop with Pure, SPARK_Mode is
@@ -157,91 +152,12 @@ def test_the_same_are_chosen_again(found):
     assert {m.operator for m in chosen} == {m.operator for m in found}
 
 
-# --- Python, and what judges -----------------------------------------------
-
-PYTHON = """\
-def late(times, limit=3):
-    found = []
-    for time in times:
-        if time > limit and not time == 9:
-            found.append(time - limit)
-    return found
-"""
-
-
-@pytest.fixture
-def python_found():
-    return [(place, python_mutants.mutant_at(place, PYTHON))
-            for place in python_mutants.places("scripts/late.py", PYTHON)]
-
-
-def test_python_is_changed_where_it_says(python_found):
-    changes = {m.change for _, m in python_found}
-    for change in (
-            "def late(times, limit=3): -> def late(times, limit= 4):",
-            "for time in times: -> for time in []:",
-            "if time > limit and not time == 9: -> "
-            "if time > limit or not time == 9:",
-            "if time > limit and not time == 9: -> "
-            "if time >= limit and not time == 9:",
-            "found.append(time - limit) -> found.append(time + limit)"):
-        assert change in changes
-    for place, mutant in python_found:
-        assert (mutant.name, mutant.path) == (place.name, "scripts/late.py")
-        assert mutant.subprogram == "late"
-        assert mutant.applied(PYTHON.encode()) != PYTHON.encode()
-        assert judge_trials.compiled(mutant.applied(PYTHON.encode()))
-
-
-def test_python_s_names_are_unique_and_stay(python_found):
-    names = {place.name for place, _ in python_found}
-    assert len(names) == len(python_found)
-    moved = python_mutants.places("tools/late.py", "# A line.\n" + PYTHON)
-    assert {place.name for place in moved} == names
-
-
-@pytest.mark.parametrize("source, is_code", [
-    (b"a = 1", True), (b"a = = 1", False)])
-def test_what_is_no_python_is_not_tried(source, is_code):
-    assert (judge_trials.compiled(source) is not None) is is_code
-
-
-def test_a_remark_changes_nothing():
-    assert judge_trials.compiled(b"a = 1  # one") == judge_trials.compiled(
-        b"a = 1")
-    assert judge_trials.compiled(b"a = 2") != judge_trials.compiled(b"a = 1")
-
-
 def test_each_folder_of_src_has_its_turn_and_tests():
     folders = {path.name for path in (ROOT / "src").iterdir()}
     assert sorted(mutants.FOLDERS) == sorted(folders)
     for tests in flight_trials.FOLDER_TESTS.values():
         for name in tests:
             assert (ROOT / "tests/simulation" / name).exists()
-
-
-def test_each_judge_has_tests():
-    """Those that its table names are there."""
-    paths = {path.relative_to(ROOT).as_posix()
-             for path in sources(ROOT, *mutants.JUDGES)}
-    paths |= {*judge_trials.judges()}
-    assert {path.split("/")[0] for path in paths} >= {
-        *mutants.JUDGES, "scripts"}
-    for path in paths:
-        tests = judge_trials.tests_for(path)
-        assert tests
-        for test in tests:
-            assert (ROOT / test).exists(), (path, test)
-
-
-def test_every_judge_has_mutants():
-    """Of a file in Ada and of one in Python they are found."""
-    code = mutants.Code(ROOT)
-    assert {mutant.path.split("/")[0]
-            for mutant in code.mutants(mutants.JUDGES)} == {*mutants.JUDGES}
-    name = "scripts/link_cuts.py"
-    assert name in judge_trials.judges()
-    assert python_mutants.places(name, (ROOT / name).read_text("utf-8"))
 
 
 # --- results, and what is said of them --------------------------------------
@@ -251,22 +167,12 @@ def result(name, fate, path="sim/one.adb"):
             "change": f"{name} -> other"}
 
 
-def test_each_kind_has_its_own_files_and_order():
-    flight, judges = kinds.KINDS["flight"], kinds.KINDS["judges"]
-    assert flight.results.name == "results.jsonl"
-    assert judges.results.name == "judges.jsonl"
-    assert judges.judged.parent == judges.results.parent == kinds.FOLDER
-    turns = [kinds.flight_turn(f"src/{folder}/a/b.adb")
-             for folder in mutants.FOLDERS]
-    assert turns == sorted(turns) and len(set(turns)) == len(turns)
-
-
 def test_evi3_a_table_counts_what_builds_by_fate():
     results = [result("a", "tests"), result("b", "tests"),
                result("c", fates.SURVIVED), result("d", fates.PASSED),
                result("e", fates.EQUIVALENT), result("f", fates.SURVIVED),
                result("g", fates.INVALID)]
-    text, total = report.table(results, {"f"}, by_package=True)
+    text, total = report.table(results, {"f"})
     assert total == {"tests": 2, "survived": 2, "equivalent": 2}
     assert report.score(total) == 50.0
     lines = text.splitlines()
@@ -300,7 +206,7 @@ def test_the_last_result_of_a_mutant_counts(tmp_path):
     file.write_text("".join(json.dumps(result("a", fate)) + "\n"
                             for fate in (fates.SURVIVED, "tests")))
     assert fates.read(file)["a"]["fate"] == "tests"
-    assert fates.digest("scripts/bench.py") != fates.digest("urv.gpr")
+    assert fates.digest("src/nodes/mcs.ads") != fates.digest("urv.gpr")
 
 
 def test_progress_tells_how_many_are_done_and_alive(capsys):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-10: what scripts/node_size.py counts, and that its limit is each
-node's."""
+"""EVI-17: the data that scripts/node_size.py counts, and the limit of each
+node."""
 
 import subprocess
 import sys

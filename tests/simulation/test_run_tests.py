@@ -86,7 +86,7 @@ def test_the_quick_parts_leave_out_only_what_is_slow():
     assert left_out == {
         "unit tests, contracts executed", "simulation", "real time",
         "ground station", "likely changes",
-        "proof anew shows the recorded checks"}
+        "proof shows the recorded checks"}
     for name in run_tests.SLOW:
         assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
 

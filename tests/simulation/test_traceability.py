@@ -101,7 +101,7 @@ def copied(tmp_path_factory):
         if (ROOT / name).exists():
             shutil.copytree(
                 ROOT / name, folder / name,
-                ignore=shutil.ignore_patterns("sessions", "__pycache__"))
+                ignore=shutil.ignore_patterns("__pycache__"))
     return folder
 
 
