@@ -1,45 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# What a person does with URV. `make` lists it; docs/development.md explains.
+# Flies, tests and proves URV. `make` lists the targets; docs/development.md
+# explains them. Measurements have a Makefile of their own, in evidence.
 
-.PHONY: help fly ground monte_carlo test check prove explore fuzz campaign \
-        theory bench size trace mutate planted real_time timing trials coverage \
-        independence margins surfaces clean attack
+.PHONY: help fly ground monte_carlo test check prove real_time trace clean
 
 GPRBUILD := gprbuild -q -p -j0
 
 help:
-	@echo "Product: fly it and work on it."
 	@echo "  make fly        fly the standard flight, leave it in flight/"
 	@echo "  make ground     fly in real time: page, Yamcs, all programs; Ctrl-C"
 	@echo "                  ends it, or GROUND_SECONDS=60; the control laws are"
 	@echo "                  on, OPTIONS=\"--laws off\" flies without"
+	@echo "  make monte_carlo  fly in random conditions, FLIGHTS=2000"
 	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
-	@echo "  make clean      remove what was built"
-	@echo "Evidence: measure it. RENEW=--renew writes the result into docs."
-	@echo "  make explore    explore both telemetry boards exhaustively"
-	@echo "  make campaign   spoil the link in every way, see it recover;"
-	@echo "                  CAMPAIGN=tiny|short|full FORMAT=1|2 JOBS=N"
-	@echo "  make monte_carlo  fly in conditions by chance, FLIGHTS=2000"
-	@echo "  make fuzz       fuzz a telemetry board, or FUZZ=files or readers,"
-	@echo "                  SECONDS=60"
-	@echo "  make mutate     change the code, report what nothing notices, JOBS=N"
-	@echo "  make planted    plant the defects that the safety monitor finds"
-	@echo "  make attack     2,000 sealed flights with someone in the middle"
-	@echo "  make coverage   what the tests reach, in coverage/ [RENEW]"
-	@echo "  make independence  other switches, compilers [RENEW]"
-	@echo "  make theory     the link under bit errors beside theory [RENEW]"
-	@echo "  make trials     ten minutes of station, garbage, a full disk [RENEW]"
-	@echo "  make timing     the partitions beside cyclictest, SECONDS=60 [RENEW]"
-	@echo "  make margins    poles and margins of the control laws [RENEW]"
-	@echo "  make surfaces   flights with a failed surface, SAMPLE=N [RENEW]"
-	@echo "  make bench      calls and simulation beside what one would take"
-	@echo "                  instead, BEFORE=COMMIT beside then's [RENEW]"
-	@echo "  make size       static data of each node's flight software"
 	@echo "  make trace      requirements with their links, in trace/"
+	@echo "  make clean      remove the built files"
+	@echo "  make -C evidence  list the measurements"
 
 fly:
 	@scripts/setup.sh fly
@@ -56,7 +36,7 @@ fly:
 	@echo "fly: results are in flight/: report.html to look at;" \
 	   "record.csv, summary.json, events.jsonl"
 
-# Ends with Ctrl-C, or after so long. OPTIONS: more of bin/urv ground's.
+# Ends with Ctrl-C or after GROUND_SECONDS. OPTIONS: more of bin/urv ground's.
 GROUND_SECONDS :=
 OPTIONS        :=
 ground:
@@ -87,116 +67,17 @@ prove:
 	@gnatprove -P examples/thermostat/thermostat.gpr --no-subprojects -j0 \
 	   --checks-as-errors --report=fail
 
-explore:
-	@scripts/setup.sh explore
-	@$(GPRBUILD) -P explore/urv_explore.gpr -XURV_Mode=host
-	@bin/urv_explore
-
-# Goes on where it stopped. One worker, unless JOBS says more.
-MUTATE_JOBS = $(if $(filter command%,$(origin JOBS)),$(JOBS),1)
-mutate:
-	@scripts/setup.sh mutate
-	@.venv/bin/python scripts/mutation/run.py --jobs $(MUTATE_JOBS)
-	@.venv/bin/python scripts/mutation/report.py table
-
-# Someone in the middle of a sealed line (docs/security.md).
-attack:
-	@scripts/setup.sh fly
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python scripts/attack.py $(if $(FLIGHTS),--flights $(FLIGHTS))
-
-planted:
-	@scripts/setup.sh test
-	@.venv/bin/python scripts/planted.py
-
-SECONDS := 60
-
-# FUZZ=files: key, fault, conditions, orders, sticks and sensors files.
-# FUZZ=readers: all that bin/urv reads.
-FUZZ := board
-fuzz:
-	@scripts/setup.sh $(if $(filter readers,$(FUZZ)),test,fuzz)
-	@FUZZ=$(FUZZ) scripts/fuzz.sh $(SECONDS)
-
 real_time:
 	@scripts/setup.sh real_time
 	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
-
-# RENEW=--renew writes the result into the page in docs that shows it.
-RENEW :=
-timing: real_time
-	@scripts/setup.sh timing
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@python3 scripts/timing.py --seconds $(SECONDS) $(RENEW)
-
-margins:
-	@scripts/setup.sh margins
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python scripts/laws/margins.py $(RENEW)
-
-# SAMPLE: so many cases of the grid, drawn by lot.
-SAMPLE :=
-surfaces:
-	@scripts/setup.sh fly
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python scripts/laws/surfaces.py $(RENEW) \
-	   $(if $(SAMPLE),--sample $(SAMPLE))
-
-bench:
-	@scripts/setup.sh bench
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python scripts/bench.py $(if $(BEFORE),--before $(BEFORE)) $(RENEW)
-
-size:
-	@scripts/setup.sh size
-	@python3 scripts/node_size.py
-
-# SCHEDULER: of Dask, whose workers fly instead of processes here, with the
-# CERTIFICATES of a folder.
-# FORMAT: of the messages; 2 is sealed. ONLY=single,soak: of the cases.
-CAMPAIGN := short
-FORMAT   := 1
-ONLY     :=
-JOBS     :=
-SCHEDULER :=
-CERTIFICATES :=
-campaign:
-	@scripts/setup.sh campaign
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@.venv/bin/python -I -B scripts/campaign/run.py $(CAMPAIGN) \
-	   --format $(FORMAT) $(if $(ONLY),--only $(ONLY)) \
-	   $(if $(JOBS),--jobs $(JOBS)) \
-	   $(if $(SCHEDULER),--scheduler $(SCHEDULER)) \
-	   $(if $(CERTIFICATES),--certificates $(CERTIFICATES))
-
-trials:
-	@scripts/setup.sh ground
-	@scripts/setup.sh test
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
-	@$(if $(RENEW),URV_RENEW=1) .venv/bin/python -B -m pytest -v -s \
-	   -p no:cacheprovider tests/trials
-
-theory:
-	@scripts/setup.sh campaign
-	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
-	@python3 scripts/campaign/theory.py $(RENEW)
 
 trace:
 	@scripts/setup.sh trace
 	@.venv/bin/python scripts/trace/run.py export
 
-coverage:
-	@scripts/setup.sh coverage
-	@.venv/bin/python scripts/coverage.py run $(RENEW)
-
-# CHROOT: a folder for fresh Debians, to fly and test there, too. Needs root.
-CHROOT  :=
-independence:
-	@scripts/setup.sh independence
-	@.venv/bin/python scripts/independence.py $(RENEW) switches
-	@$(if $(CHROOT),.venv/bin/python scripts/independence.py $(RENEW) \
-	   chroot $(CHROOT))
-
 clean:
-	@rm -rf obj bin flight bench/results.json campaign trace coverage
+	@rm -rf obj bin flight evidence/bench/results.json campaign trace coverage
+
+# Targets of evidence can be called from here, too.
+.DEFAULT:
+	@$(MAKE) --no-print-directory -C evidence $@

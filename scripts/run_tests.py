@@ -137,8 +137,9 @@ def build(project, mode):
 def every_source():
     """Theorems too, which no program needs, and programs that no test runs."""
     return (1, 0, 0) if all([
-        build("urv.gpr", "flight"), build("bench/urv_bench.gpr", "flight"),
-        build("bench/queue/urv_bench_queue.gpr", "host"),
+        build("urv.gpr", "flight"),
+        build("evidence/bench/urv_bench.gpr", "flight"),
+        build("evidence/bench/queue/urv_bench_queue.gpr", "host"),
         build("sim/urv_sim.gpr", "test")]) else BROKEN
 
 

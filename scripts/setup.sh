@@ -73,17 +73,17 @@ case $target in
    coverage)
           packages="$build $aunit $gcov python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt
-                        scripts/coverage-requirements.txt" ;;
+                        evidence/coverage-requirements.txt" ;;
    independence)
           packages="$build $aunit python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    margins)
           packages="$build python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
-                        scripts/laws/requirements.txt" ;;
+                        evidence/laws/requirements.txt" ;;
    bench) packages="$build gcc g++ python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
-                        scripts/laws/requirements.txt" ;;
+                        evidence/laws/requirements.txt" ;;
    campaign)
           packages="$build openssl python3 python3-venv"
           requirements="ground/report-requirements.txt

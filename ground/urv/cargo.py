@@ -140,7 +140,7 @@ def fly(folder, job):
             return {"fault": result.stderr.strip()[-200:]
                     or f"exit status {result.returncode}"}
         judged = subprocess.run(
-            [sys.executable, str(folder / "scripts/safety/holds.py"),
+            [sys.executable, str(folder / "evidence/safety/holds.py"),
              "record.csv", "--faults", "faults.txt", "--json"],
             cwd=place, capture_output=True, text=True, check=False,
             stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)

@@ -16,7 +16,7 @@ from urv import certificates as secured, faults
 ROOT = Path(__file__).resolve().parents[2]
 
 # What travels to the workers.
-CARGO = ("bin/urv_sim", "scripts/safety/holds.py", "sim/jsbsim")
+CARGO = ("bin/urv_sim", "evidence/safety/holds.py", "sim/jsbsim")
 
 # Flights of sticks drawn by chance, not of the simulated pilot.
 HISTORIES = "histories"

@@ -47,7 +47,7 @@ START_HEADING_DEG = 90.0
 BELLY_FT = 0.8
 HALF_SPAN_FT = 7.0
 
-# How long a step of JSBSim's may be: scripts/aircraft_steps.py shows that it
+# How long a step of JSBSim's may be: evidence/aircraft_steps.py shows that it
 # is short enough.
 LONGEST_STEP_US = 4000
 

@@ -194,7 +194,7 @@ def test_sec12_without_certificates_only_what_is_asked_for(
 
 def campaign(place, *options):
     return subprocess.run(
-        [ROOT / ".venv/bin/python", ROOT / "scripts/campaign/run.py", "short",
+        [ROOT / ".venv/bin/python", ROOT / "evidence/campaign/run.py", "short",
          *options], cwd=place, text=True, capture_output=True, check=False,
         timeout=TIME_LIMIT_S)
 

@@ -144,7 +144,7 @@ def test_gnd10_a_package_with_a_part_missing_gives_one_line(tmp_path):
         " 'yamcs'): scripts/setup.sh ground installs it\n")
 
 
-SCRIPTS = [path for folder in ("scripts", "ground")
+SCRIPTS = [path for folder in ("scripts", "evidence", "ground")
            for path in sorted((ROOT / folder).rglob("*"))
            if path.is_file() and path.suffix in (".py", ".sh")]
 

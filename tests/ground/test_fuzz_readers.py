@@ -5,7 +5,7 @@ and messages that are damaged, and such as are well formed and make no sense.
 A reader gives a result or refuses in one line. Commands run in this process
 with the limit of memory that they have.
 
-Here some hundred inputs a reader, always the same. `make fuzz FUZZ=readers
+Here some hundred inputs a reader, always the same. `make -C evidence fuzz FUZZ=readers
 SECONDS=3600` goes on for that time with others (URV_FUZZ_SECONDS).
 """
 

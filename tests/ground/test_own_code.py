@@ -22,7 +22,7 @@ TRAP = """import os
 with open({marks!r}, "a") as file:
     file.write({mark!r} + ": " + __name__ + "\\n")
 """
-OWN = {path.stem for folder in ("ground/urv", "sim/jsbsim", "scripts/safety")
+OWN = {path.stem for folder in ("ground/urv", "sim/jsbsim", "evidence/safety")
        for path in (ROOT / folder).glob("*.py")}
 PROGRAMS = ("java", "openssl", "chromium", "python", "urv_sim")
 
@@ -151,7 +151,7 @@ def test_sec10_workers_of_a_search_run_no_code_of_the_current_folder(
         hostile, tmp_path):
     """Those of bin/urv do so as it does itself."""
     ended = subprocess.run(
-        [sys.executable, ROOT / "scripts/laws/histories.py", "--flights", "1",
+        [sys.executable, ROOT / "evidence/laws/histories.py", "--flights", "1",
          "--jobs", "1", "--results", tmp_path / "results.jsonl"],
         cwd=hostile, capture_output=True, text=True, check=False,
         stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
@@ -164,13 +164,13 @@ def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
         hostile, tmp_path):
     """Of a copy, whose results are its own."""
     copy = tmp_path / "copy"
-    for name in ("scripts/campaign", "scripts/safety", "ground/urv"):
+    for name in ("evidence/campaign", "evidence/safety", "ground/urv"):
         shutil.copytree(ROOT / name, copy / name)
     (copy / "bin").mkdir()
-    for name in ("scripts/flight_numbers.py", "bin/urv_sim"):
+    for name in ("evidence/flight_numbers.py", "bin/urv_sim"):
         shutil.copy(ROOT / name, copy / name)
     ended = subprocess.run(
-        [sys.executable, copy / "scripts/campaign/run.py", "tiny", "--only",
+        [sys.executable, copy / "evidence/campaign/run.py", "tiny", "--only",
          "many", "--jobs", "1"], cwd=hostile, capture_output=True, text=True,
         check=False, stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
     assert marks(hostile) == []

@@ -36,7 +36,7 @@ FOLDER = Path(os.environ.get("URV_PARTITIONS", ROOT / "bin")).resolve()
 PROGRAMS = {name: FOLDER / f"urv_{name}" for name in ("mcs", "gsc")}
 SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
-sys.path[:0] = [str(ROOT / "scripts" / "safety"), str(ROOT / "tests")]
+sys.path[:0] = [str(ROOT / "evidence" / "safety"), str(ROOT / "tests")]
 
 import monitor  # noqa: E402
 from ports import free_ports  # noqa: E402

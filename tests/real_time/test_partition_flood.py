@@ -11,7 +11,7 @@ import sys
 from conftest import ROOT, TIME_LIMIT_S, flies_again, need
 from test_partition_input import BEFORE, YOUNG, UDPEnd, acted_upon, command
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import floods  # noqa: E402
 
@@ -38,7 +38,7 @@ def test_rtp3_after_a_flood_the_peer_is_heard(start):
 def test_rtp3_the_script_of_floods_flies_beside_each():
     """Three flights: beside nothing, beside a flood, and in one."""
     said = subprocess.run(
-        [sys.executable, ROOT / "scripts" / "floods.py", "1"], text=True,
+        [sys.executable, ROOT / "evidence" / "floods.py", "1"], text=True,
         capture_output=True, check=True, timeout=TIME_LIMIT_S).stdout
     rates = re.findall(r": (\d+) datagrams a second, (\d+) discarded, ticks "
                        r"late \{'min'", said)

@@ -14,7 +14,7 @@ from conftest import (
 )
 from peer import UPLINK, data_message
 
-sys.path.insert(0, str(ROOT / "scripts" / "safety"))
+sys.path.insert(0, str(ROOT / "evidence" / "safety"))
 
 import monitor  # noqa: E402
 

@@ -31,7 +31,7 @@ from typing import NamedTuple
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path[:0] = [str(ROOT / "scripts" / "safety"), str(ROOT / "scripts")]
+sys.path[:0] = [str(ROOT / "evidence" / "safety"), str(ROOT / "evidence")]
 
 import monitor  # noqa: E402
 from flight_numbers import (  # noqa: E402

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 from conftest import FRAME_US, NUMBERS, ROOT, TICK_US
 
-sys.path[:0] = [str(ROOT / "sim" / "jsbsim"), str(ROOT / "scripts")]
+sys.path[:0] = [str(ROOT / "sim" / "jsbsim"), str(ROOT / "evidence")]
 
 import aircraft_steps  # noqa: E402
 import plant  # noqa: E402

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-14: what scripts/bench.py measures, and makes of it."""
+"""EVI-14: what evidence/bench.py measures, and makes of it."""
 
 import json
 import statistics
@@ -10,14 +10,14 @@ from types import SimpleNamespace
 import pytest
 from conftest import NUMBERS, ROOT
 
-sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "scripts" / "bench")]
+sys.path[:0] = [str(ROOT / "evidence"), str(ROOT / "evidence" / "bench")]
 
 import bench  # noqa: E402
 
 
 def test_evi14_each_peer_is_measured_and_has_a_name():
     """What the C and C++ programs print is what is looked for."""
-    texts = "".join((ROOT / "bench" / name).read_text("utf-8")
+    texts = "".join((ROOT / "evidence" / "bench" / name).read_text("utf-8")
                     for name in ("peers.c", "queues.cpp"))
     for what, peers in bench.PEERS.items():
         for name in (what, *peers):
@@ -50,7 +50,7 @@ def by_hand(monkeypatch):
     monkeypatch.setattr(bench, "seconds_of", seconds_of)
     monkeypatch.setattr(bench, "said_by", lambda command: (
         (80.0 if "--bare" in command else 70.0)
-        if "scripts/bench/jsbsim_alone.py" in command
+        if "evidence/bench/jsbsim_alone.py" in command
         else 50.0 if command[0] == bench.SIMULATION else 20.0, 3.0))
     monkeypatch.setattr(bench, "two_at_once", lambda: 900.0)
     return taken
@@ -151,7 +151,7 @@ def test_jsbsim_alone_takes_the_steps_of_the_simulation(monkeypatch, capfd):
 
 
 def test_a_picture_has_ours_in_blue(tmp_path):
-    pytest.importorskip("matplotlib", reason="make bench installs it")
+    pytest.importorskip("matplotlib", reason="make -C evidence bench installs it")
     import plots
     rows = [("URV", 10.0, True), ("another", 20.0, False)]
     figure = plots.pyplot.figure()

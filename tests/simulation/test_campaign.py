@@ -9,7 +9,7 @@ import sys
 import pytest
 from conftest import PROGRAM, ROOT
 
-sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+sys.path.insert(0, str(ROOT / "evidence" / "campaign"))
 
 import cases  # noqa: E402
 import checker  # noqa: E402

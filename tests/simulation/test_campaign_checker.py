@@ -12,7 +12,7 @@ from collections import Counter
 import pytest
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+sys.path.insert(0, str(ROOT / "evidence" / "campaign"))
 
 import cases  # noqa: E402
 import checker  # noqa: E402
@@ -629,10 +629,10 @@ def test_workers_fly_shards_as_they_are_flown_here(tmp_path):
     name = next(name for name in cases.plan("tiny")
                 if not name.startswith("mix"))
     answer = there.do({"name": name, "command": [
-        "scripts/campaign/run.py", "shard", name]})
+        "evidence/campaign/run.py", "shard", name]})
     assert answer == {"cargo": there.hash, "said": run.run_shard(name)}
     wrong = there.do({"name": "x", "command": [
-        "scripts/campaign/run.py", "shard", "x"]})
+        "evidence/campaign/run.py", "shard", "x"]})
     assert "said" not in wrong
     assert wrong["fault"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-4: what scripts/coverage.py says of what gcov counted."""
+"""EVI-4: what evidence/coverage.py says of what gcov counted."""
 
 import json
 import subprocess
@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import coverage  # noqa: E402
 
@@ -267,7 +267,7 @@ def test_the_page_gets_the_table_and_keeps_the_rest(tmp_path, monkeypatch):
     monkeypatch.setattr(coverage, "EXPLAINED", page)
     coverage.renew("new\n")
     before, there, after = page.read_text("utf-8").partition(
-        "<!-- make coverage -->\nnew\n<!-- end -->\n")
+        "<!-- make -C evidence coverage -->\nnew\n<!-- end -->\n")
     assert there
     assert text.startswith(before) and text.endswith(after) and after
 

@@ -41,8 +41,8 @@ CANARIES = {
 
 def build(folder, *options):
     subprocess.run(
-        ["gprbuild", "-q", "-p", "-P", folder / "explore/urv_explore.gpr",
-         "-XURV_Mode=host", *options],
+        ["gprbuild", "-q", "-p", "-P",
+         folder / "evidence/explore/urv_explore.gpr", "-XURV_Mode=host", *options],
         check=True, timeout=TIME_LIMIT_S,
     )
 
@@ -109,7 +109,7 @@ def test_wrong_arguments_are_refused(arguments):
 @pytest.mark.parametrize("name", CANARIES)
 def test_a_planted_bug_is_found(name, tmp_path):
     file, text, instead, says = CANARIES[name]
-    for part in ("src", "explore", "proofs"):
+    for part in ("src", "evidence/explore", "proofs"):
         shutil.copytree(ROOT / part, tmp_path / part)
     (tmp_path / "host").mkdir()
     for part in ("urv.gpr", "ravenscar.adc", "host/host.adc"):

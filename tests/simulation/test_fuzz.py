@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """LNK-1, LNK-9, SEC-14: every input of the fuzzing corpora is replayed with
 contracts executed, and AFL++ looks for more for a short while
-(docs/evidence/exploration.md). For longer: `make fuzz`."""
+(docs/evidence/exploration.md). For longer: `make -C evidence fuzz`."""
 
 import shutil
 import subprocess
@@ -13,15 +13,15 @@ from conftest import ROOT
 CORPORA = {"urv_fuzz": "corpus", "urv_file_fuzz": "files"}
 """Of each program, a folder in fuzz."""
 INPUTS = [(program, file) for program, folder in CORPORA.items()
-          for file in sorted((ROOT / "fuzz" / folder).iterdir())]
+          for file in sorted((ROOT / "evidence" / "fuzz" / folder).iterdir())]
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _programs_are_built():
     for program in CORPORA:
         subprocess.run(
-            ["gprbuild", "-q", "-p", "-P", ROOT / "fuzz" / f"{program}.gpr",
-             "-XURV_Fuzz=replay"],
+            ["gprbuild", "-q", "-p", "-P",
+             ROOT / "evidence" / "fuzz" / f"{program}.gpr", "-XURV_Fuzz=replay"],
             check=True,
         )
 
@@ -49,7 +49,7 @@ def test_no_contract_is_violated(program, file, tmp_path):
 def test_a_short_run_finds_nothing():
     # By the number of inputs: how long that takes is the machine's affair.
     result = subprocess.run(
-        [ROOT / "scripts" / "fuzz.sh", "500", "5000"],
+        [ROOT / "evidence" / "fuzz.sh", "500", "5000"],
         capture_output=True, text=True, timeout=600, check=False,
     )
     assert result.returncode == 0, result.stdout + result.stderr

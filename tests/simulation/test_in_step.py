@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """FRM-6: the aircraft's frames come in step with the ground's from any phase,
 stay so under drift and lost blocks, and then no downlink is left out; the
-bounds of docs/design.md hold. scripts/in_step.py tries every phase and drift."""
+bounds of docs/design.md hold. evidence/in_step.py tries every phase and drift."""
 
 import sys
 
 import pytest
 from conftest import ROOT, fly_in
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import in_step  # noqa: E402
 

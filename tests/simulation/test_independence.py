@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-6: what scripts/independence.py makes of what it sees."""
+"""EVI-6: what evidence/independence.py makes of what it sees."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from conftest import PROGRAM, ROOT
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import independence  # noqa: E402
 

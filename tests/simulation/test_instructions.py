@@ -10,7 +10,7 @@ import pytest
 
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import instructions  # noqa: E402 - found by the line above
 
@@ -19,7 +19,7 @@ import instructions  # noqa: E402 - found by the line above
                     reason="there is no valgrind")
 def test_evi14_a_frame_takes_the_instructions_agreed():
     result = subprocess.run(
-        [sys.executable, ROOT / "scripts" / "instructions.py"],
+        [sys.executable, ROOT / "evidence" / "instructions.py"],
         capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stdout + result.stderr
 

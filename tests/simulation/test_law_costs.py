@@ -9,7 +9,7 @@ import pytest
 
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts" / "laws"))
+sys.path.insert(0, str(ROOT / "evidence" / "laws"))
 
 import costs  # noqa: E402 - found by the line above
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EXT-5: scripts/link_cuts.py, and a sample of the flights that it flies."""
+"""EXT-5: evidence/link_cuts.py, and a sample of the flights that it flies."""
 
 import link_cuts
 import pytest
@@ -13,7 +13,7 @@ WELL = {"second": 17, "bank": 20.0, "low": 990.0, "high": 1010.0, "drift": 9.0,
     not has_jsbsim(), reason="JSBSim is not installed: make fly installs it")
 @pytest.mark.parametrize("second", [1, 17, 46, 77, 113, 149])
 def test_ext5_a_minute_without_link_is_survived(second):
-    """A sample of scripts/link_cuts.py, which flies them all."""
+    """A sample of evidence/link_cuts.py, which flies them all."""
     flown = link_cuts.fly(second, 60)
     assert link_cuts.is_well(flown), flown
 

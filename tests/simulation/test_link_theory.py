@@ -9,7 +9,7 @@ import sys
 import pytest
 from conftest import CHARACTER_US, PROGRAM, ROOT, UPLINK_CHARACTERS
 
-sys.path.insert(0, str(ROOT / "scripts" / "campaign"))
+sys.path.insert(0, str(ROOT / "evidence" / "campaign"))
 
 import run  # noqa: E402
 import theory  # noqa: E402
@@ -62,7 +62,7 @@ def test_theory_is_what_the_page_has():
     """To the last digit, at every rate; the measurement beside it is not
     flown anew."""
     page = (ROOT / "docs" / "evidence" / "link.md").read_text("utf-8")
-    rows = page.partition("<!-- make theory -->")[2].partition("<!--")[0]
+    rows = page.partition("<!-- make -C evidence theory -->")[2].partition("<!--")[0]
     found = {cells[1].strip(): [cell.partition("/")[0].strip()
                                 for cell in cells[2:-1]]
              for cells in (line.split("|") for line in rows.splitlines()

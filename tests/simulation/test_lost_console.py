@@ -187,7 +187,7 @@ def test_saf10_a_landing_without_a_console_ends_with_brakes(fly, write):
 @jsbsim
 @pytest.mark.parametrize("way", console_losses.WAYS)
 def test_saf10_a_sample_of_random_losses_is_survived(way):
-    """scripts/console_losses.py flies 500 of each way."""
+    """evidence/console_losses.py flies 500 of each way."""
     for loss in console_losses.losses(way, 2, seed=2):
         assert console_losses.fly(loss) == "", loss
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts" / "laws"))
+sys.path.insert(0, str(ROOT / "evidence" / "laws"))
 
 import law_gains  # noqa: E402
 
@@ -18,7 +18,7 @@ LEAST = PAGE.partition("\n## Margins\n")[2].partition("\nAt 200 lb")[0]
 
 
 def test_the_page_is_of_these_gains_and_this_aircraft():
-    assert law_gains.mark() in PAGE, "renew it: make margins RENEW=--renew"
+    assert law_gains.mark() in PAGE, "renew it: make -C evidence margins RENEW=--renew"
 
 
 def test_every_loop_has_6_db_and_45_degrees():
@@ -63,7 +63,7 @@ def column(text, head, speed):
 
 def test_the_page_has_what_one_condition_gives_anew(monkeypatch, capsys):
     """The models, the loops, their margins and poles, at 70 kt."""
-    pytest.importorskip("control", reason="make margins installs it")
+    pytest.importorskip("control", reason="make -C evidence margins installs it")
     import margins
     monkeypatch.setattr(margins, "SPEEDS", (70,))
     monkeypatch.setattr(margins, "BALLASTS", (0,))
@@ -83,8 +83,8 @@ def test_the_page_has_what_one_condition_gives_anew(monkeypatch, capsys):
 
 @pytest.fixture
 def laws():
-    """The modules that make margins has the packages of."""
-    pytest.importorskip("control", reason="make margins installs it")
+    """The modules that make -C evidence margins has the packages of."""
+    pytest.importorskip("control", reason="make -C evidence margins installs it")
     import identify
     import loops
     import margins

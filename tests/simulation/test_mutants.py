@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts" / "mutation"))
+sys.path.insert(0, str(ROOT / "evidence" / "mutation"))
 
 import fates  # noqa: E402
 import flight_trials  # noqa: E402

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-10: every defect in tests/planted can be planted, and scripts/planted.py
+"""EVI-10: every defect in evidence/planted can be planted, and evidence/planted.py
 reports each that a named test does not notice."""
 
 import sys
@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import planted  # noqa: E402
 
@@ -57,7 +57,7 @@ def tree(tmp_path, monkeypatch):
                        "tests/conftest.py": "",
                        "pytest.ini": "[pytest]\npythonpath = .\n",
                        "tests/simulation/test_one.py": TEST,
-                       "tests/planted/one.patch": PATCH}.items():
+                       "evidence/planted/one.patch": PATCH}.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text)
     (root / ".venv").mkdir()
@@ -70,7 +70,7 @@ def tree(tmp_path, monkeypatch):
 def judged(root, capsys, *change):
     """How many failures there are with a patch so changed, and what is
     said."""
-    patch = root / "tests/planted/one.patch"
+    patch = root / "evidence/planted/one.patch"
     patch.write_text(PATCH.replace(*change) if change else PATCH)
     failures = planted.judge(
         root, root / "obj" / "copy", planted.patches(root))

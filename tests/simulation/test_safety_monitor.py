@@ -13,7 +13,7 @@ import timelines
 from conftest import COMMANDS, ROOT, SENSORS, SERVOS, script
 from safe_words import SAFE_ROW
 
-MONITOR = ROOT / "scripts" / "safety" / "monitor.py"
+MONITOR = ROOT / "evidence" / "safety" / "monitor.py"
 
 # Three rows of sticks, each its own; switches off in the first and last.
 STICKS = [(0x700 + n, 0x650 - n, 0x555 + n, 0x111 * n, 0x222 + n,

@@ -38,7 +38,7 @@ TOOL = ROOT / "bin" / "urv_seal"
 @pytest.fixture(scope="module")
 def tool():
     subprocess.run(
-        ["gprbuild", "-q", "-p", "-P", ROOT / "seal/urv_seal.gpr",
+        ["gprbuild", "-q", "-p", "-P", ROOT / "evidence/seal/urv_seal.gpr",
          "-XURV_Mode=host"], check=True, timeout=600)
     return TOOL
 
@@ -287,7 +287,7 @@ def test_sec2_tags_are_those_of_a_known_library(tool):
 
 @pytest.mark.parametrize("number", range(1, 22))
 def test_sec4_an_attacked_flight_takes_nothing_late(number, tmp_path):
-    """make attack flies 2,000 of them."""
+    """make -C evidence attack flies 2,000 of them."""
     attack.prepare(tmp_path)
     assert attack.fly(number, 7, tmp_path)[0] == []
 

@@ -9,7 +9,7 @@ import sys
 import pytest
 from conftest import PROGRAM, ROOT, fly_in
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "evidence"))
 
 import in_step  # noqa: E402
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """EXT-6: a sound surface is never reported as failed, however quick or slow its
 servo is, and whatever the sticks do. A sample of the flights of
-scripts/laws/sound_flights.py; the servos of a flight's conditions (SIM-4)."""
+evidence/laws/sound_flights.py; the servos of a flight's conditions (SIM-4)."""
 
 import json
 import statistics
@@ -11,7 +11,7 @@ import pytest
 from conftest import FRAME_MS, ROOT
 from test_flight import has_jsbsim
 
-sys.path.insert(0, str(ROOT / "scripts" / "laws"))
+sys.path.insert(0, str(ROOT / "evidence" / "laws"))
 
 import sound_flights  # noqa: E402
 

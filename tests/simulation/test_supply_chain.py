@@ -11,7 +11,8 @@ from test_set_up import on_debian, set_up
 __all__ = ["set_up"]
 
 LISTS = sorted(path for folder in (ROOT / "sim", ROOT / "ground",
-                                   ROOT / "tests", ROOT / "scripts")
+                                   ROOT / "tests", ROOT / "scripts",
+                                   ROOT / "evidence")
                for path in folder.rglob("*requirements.txt"))
 SUMS = ROOT / "ground" / "yamcs" / "SHA256SUMS"
 SUM = re.compile(r"([0-9a-f]{64})  (\S+\.jar)")

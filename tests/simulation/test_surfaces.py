@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """EXT-6: a surface that fails is named, the others make up for it, and figure
 13 is what the servos get when no law flies. A small sample of the grid of
-scripts/laws/surfaces.py."""
+evidence/laws/surfaces.py."""
 
 import re
 import subprocess
@@ -22,7 +22,8 @@ from conftest import (
 )
 from test_flight import has_jsbsim
 
-sys.path.insert(0, str(ROOT / "scripts" / "laws"))
+sys.path[:0] = [str(ROOT / "evidence" / "laws"),
+                str(ROOT / "scripts" / "laws")]
 
 import allocation  # noqa: E402
 import surfaces  # noqa: E402

@@ -117,7 +117,7 @@ def test_ext8_a_bank_is_reached_without_an_overshoot(tmp_path):
 def test_ext8_random_histories_leave_every_hold_held(tmp_path):
     """A few of the 2,000 of docs/control-laws.md."""
     done = subprocess.run(
-        [sys.executable, "-B", ROOT / "scripts/laws/histories.py",
+        [sys.executable, "-B", ROOT / "evidence/laws/histories.py",
          "--flights", "6", "--seed", "1", "--jobs", "2",
          "--results", tmp_path / "results.jsonl"],
         capture_output=True, text=True, check=False)
@@ -130,7 +130,7 @@ def test_ext8_random_histories_leave_every_hold_held(tmp_path):
 
     # It goes on where it was broken off: nothing is flown again.
     again = subprocess.run(
-        [sys.executable, "-B", ROOT / "scripts/laws/histories.py",
+        [sys.executable, "-B", ROOT / "evidence/laws/histories.py",
          "--flights", "6", "--seed", "1", "--jobs", "1",
          "--results", tmp_path / "results.jsonl"],
         capture_output=True, text=True, check=False)
