@@ -19,8 +19,8 @@ package body Host.Bench is
       Right_Rudder   => Right_Rudder,
       Left_Rudder    => Left_Rudder);
 
-   --  Positions are counted in parts of a converter word. In each tick a
-   --  surface makes such a part of the way to go that it lags by 64 ms.
+   --  Positions are in fractions of a converter word. In each tick a surface
+   --  covers the share of the remaining travel that gives a lag of 64 ms.
    type Position is range 0 .. 4_095 * 2 ** 20;
    Parts : constant := 2 ** 10;
    Lag   : constant := 64_000 / Microseconds_Per_Tick;
@@ -30,8 +30,8 @@ package body Host.Bench is
    Rest   : constant Position := Position (Neutral_Value) * Parts;
    Places : Place_Table       := (others => Rest);
 
-   --  What is wrong with a servo: it does not go where it is told, but to
-   --  its Place; or it moves at a part of its speed, in per cent.
+   --  A failed servo moves to its Place instead of the commanded position, or
+   --  moves at a reduced speed, in per cent.
    Whole : constant := 100;
    type Health is record
       Obeys : Boolean  := True;
@@ -39,7 +39,7 @@ package body Host.Bench is
       Speed : Position := Whole;
    end record;
 
-   --  What the flight's servos are like.
+   --  The traits of this flight's servos.
    Traits : Servo_Traits;
 
    --  In words, from stop to stop.
@@ -56,11 +56,11 @@ package body Host.Bench is
    Next   : Positive    := 1;
    Now    : Step_Number := 0;
 
-   --  When a frame's scan begins.
+   --  The step at which a frame's scan begins.
    Scan_After : Step_Number :=
      Step_Number (Ticks_To_Scan (URVOS.Task_Trees.Report));
 
-   --  The way to go in a tick, at least one part, so that it arrives.
+   --  The movement in one tick: at least one part, so that it arrives.
    function Part_Of (Way, Speed : Position) return Position is
      (Position'Max
         (1,
@@ -72,7 +72,7 @@ package body Host.Bench is
       elsif From > To then From - Part_Of (From - To, Speed)
       else From);
 
-   --  The faults that act from now on.
+   --  Applies the faults that begin now.
    procedure Begin_Faults;
 
    --  The next step at which a fault begins.
@@ -80,7 +80,7 @@ package body Host.Bench is
      (if Next <= Script.Last_Index then Script (Next).Start
       else Step_Number'Last);
 
-   --  That many steps.
+   --  Moves the surfaces for that number of steps.
    procedure Move (Servos : PWM_Buffer; Steps : Step_Number);
 
    procedure Move_Surface

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The bench: the surfaces follow the servos with a lag, every other sensor
---  is held at what it was last set to (SIM-1). Their servos may fail (SIM-5):
---  there is no wind, so that a floating surface hangs at zero.
+--  The bench: the surfaces follow the servos with a lag; every other sensor
+--  keeps its last setting (SIM-1). Servos may fail (SIM-5). There is no wind,
+--  so a floating surface hangs at zero.
 --
---  The lag is computed in whole numbers, so that it is the same everywhere.
---  It is 64 ms, and there is no rate limit; a flight's conditions may give the
---  servos another lag and a dead band (SIM-4).
+--  The lag is computed in whole numbers, so that it is the same on every
+--  machine. It is 64 ms without a rate limit. A flight's conditions may give
+--  the servos another lag and a dead band (SIM-4).
 
 with Host.Surface_Faults;
 
@@ -17,7 +17,7 @@ package Host.Bench is
    One_Per_Cent : constant Share := 1_000;
 
    --  The lag of all servos as a share of the bench's, and their dead band as
-   --  a share of the surface's travel: within it a servo rests.
+   --  a share of the surface's travel: within the dead band a servo rests.
    type Servo_Traits is record
       Lag       : Share range 1 .. Share'Last := 100 * One_Per_Cent;
       Dead_Band : Share                       := 0;
@@ -25,16 +25,16 @@ package Host.Bench is
 
    Usual_Servos : constant Servo_Traits := (others => <>);
 
-   --  The surfaces are where neutral servos hold them, and come to be
-   --  measured there.
+   --  Puts the surfaces where neutral servos hold them, and measures them
+   --  there.
    procedure Start
      (Faults   : Surface_Faults.List := Surface_Faults.None;
       Schedule : Schedule_Name := URVOS.Task_Trees.Report;
       Servos   : Servo_Traits  := Usual_Servos);
 
-   --  The servos' words are held for a major frame. Sensors receives the
-   --  surfaces' positions Ticks_To_Scan after its beginning, when the
-   --  aircraft's next scan begins; its other words are left alone.
+   --  Holds the servos' words for a major frame. Sensors receives the
+   --  surfaces' positions Ticks_To_Scan after the frame's beginning, when the
+   --  aircraft's next scan begins; its other words do not change.
    procedure Step (Servos : PWM_Buffer; Sensors : in out Sensor_Words);
 
 end Host.Bench;

@@ -28,12 +28,12 @@ package body Host.Complaints is
 
    procedure Complain (Line : String) with No_Return;
 
-   --  In one piece, so that lines of two tasks do not mix.
+   --  In one write, so that lines of two tasks do not mix.
    procedure Print_Line (Text : String);
 
    procedure Complain (Line : String) is
    begin
-      --  What comes while the program gives up for one is not told.
+      --  Later complaints, while the program exits, are not reported.
       if First = Null_Unbounded_String then
          First := To_Unbounded_String (Line);
       end if;
@@ -86,7 +86,7 @@ package body Host.Complaints is
         GNAT.OS_Lib.Write
           (GNAT.OS_Lib.Standerr, Line'Address, Line'Length);
 
-      --  There is nowhere left to complain to.
+      --  A failed write to standard error cannot be reported anywhere.
       pragma Unreferenced (Written);
    end Print_Line;
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The error logs of the nodes as JSON lines, one for each node and kind of
---  error that happened (--events; EXT-1). docs/error-log.md explains the
+--  error that occurred (--events; EXT-1). docs/error-log.md explains the
 --  fields.
 
 with Host.Text_Output;
@@ -9,8 +9,8 @@ with URV.Errors; use URV.Errors;
 
 package Host.Event_Log is
 
-   --  Writes a node's log in the order of the kinds. A node counts its own
-   --  frames; Switched_On is when its first one began.
+   --  Writes a node's log in the order of the kinds. Each node counts its own
+   --  frames; Switched_On is the time when its first frame began.
    procedure Write
      (To          : in out Text_Output.Writer;
       Node        : String;

@@ -1,17 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The frame packet's lists and lengths (GND-2, GND-7): what GSC CORE has at
---  the end of a major frame, in one datagram. docs/station-packets.md has its
---  layout. `urv_sim tables` prints these lists for the station (GND-11).
+--  The lists and lengths of the frame packet (GND-2, GND-7): the contents of
+--  GSC CORE at the end of a major frame, in one datagram. Its layout is in
+--  docs/station-packets.md. `urv_sim tables` prints these lists for the
+--  station (GND-11).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 
 package Host.Frame_Layout is
 
-   --  The second has what the first has, and then the other rows of the logs.
+   --  Version 2 is version 1 followed by the other rows of the logs.
    type Version_Number is range 1 .. 2;
 
-   --  The rows of each log that both versions have, and those of the second.
+   --  The rows of each log that both versions have, and those of version 2.
    Rows_Of_First : constant := 32;
    subtype First_Row is Log_Row_Number range 1 .. Rows_Of_First;
    subtype Added_Row is
@@ -22,7 +23,7 @@ package Host.Frame_Layout is
       Bytes_Discarded, Overruns, Publish_Not_Sent, Console_Packets,
       Console_Bad);
 
-   --  The console's words, the uplink's and the downlink's, as in the record.
+   --  The words of console, uplink and downlink, as in the record.
    Word_Count : constant :=
      (Command_Item'Pos (Command_Item'Last) + 1)
      + (Uplink_Item'Pos (Uplink_Item'Last) + 1)

@@ -17,7 +17,7 @@ package body Host.Ground_Orders is
 
    Longest_Time : constant Number := 10_000_000_000 * 1_000;
 
-   --  Times of a configuration, in tenths of a second.
+   --  Times of a configuration are in tenths of a second.
    Milliseconds_A_Tenth : constant := 100;
 
    --  The words of a block after its kind.
@@ -37,7 +37,7 @@ package body Host.Ground_Orders is
    procedure Read_Time
      (From : Reader; Word : String; Value : out Microseconds);
 
-   --  A number from 0 to Most.
+   --  Reads a number from 0 to Most.
    procedure Read_Field
      (From  : Reader;
       What  : String;
@@ -113,14 +113,14 @@ package body Host.Ground_Orders is
          if Value mod Milliseconds_A_Tenth /= 0 then
             Refuse
               (From,
-               What & ": " & Quoted (Word) & " is no multiple of"
+               What & ": " & Quoted (Word) & " is not a multiple of"
                & Integer'Image (Milliseconds_A_Tenth) & " ms");
          end if;
          Value := Value / Milliseconds_A_Tenth;
       end Read_Tenths;
    begin
       if Lines.Word_Count (Line) /= 5 then
-         Refuse (From, "it is written " & Quoted (Form_Of (Configure)));
+         Refuse (From, "the form is " & Quoted (Form_Of (Configure)));
       end if;
       Read_Field
         (From, "TABLE", Lines.Word (Line, 3),
@@ -145,7 +145,7 @@ package body Host.Ground_Orders is
       if Count not in 3 .. 3 + Free_Item'Pos (Free_Item'Last) then
          Refuse
            (From,
-            "it is written " & Quoted (Form_Of (Ground_Orders.Block))
+            "the form is " & Quoted (Form_Of (Ground_Orders.Block))
             & ", with" & Integer'Image (Free_Item'Pos (Free_Item'Last))
             & " words at most");
       end if;

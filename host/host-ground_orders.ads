@@ -1,19 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the ground's console orders besides the sticks, from a file
---  (--orders): blocks that go up in the place of a frame's commands (EXT-2).
+--  Orders of the ground's console besides the sticks, from a file (--orders):
+--  blocks that are sent in place of a frame's commands (EXT-2).
 
 with Ada.Containers.Vectors;
 
 package Host.Ground_Orders is
 
-   --  An order takes the place of a frame's commands. Between two of them
-   --  the aircraft must hear enough not to think that the link is lost.
+   --  An order replaces a frame's commands. Between two orders the aircraft
+   --  must receive enough commands not to declare the link lost.
    Least_Between : constant Microseconds := 100_000;
 
    type Order_Kind is (Configure, Block);
 
-   --  How such an order is written: "TIME_MS configure TABLE ORBIT_MS END_MS".
+   --  The form of such an order: "TIME_MS configure TABLE ORBIT_MS END_MS".
    function Form_Of (Kind : Order_Kind) return String;
 
    type Script is limited private;
@@ -21,7 +21,7 @@ package Host.Ground_Orders is
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : in out Script; File : String);
 
-   --  When the next order is given, Never after the last.
+   --  The time of the next order, Never after the last.
    function Next_Time (From : Script) return Microseconds;
 
    --  Takes the next order.

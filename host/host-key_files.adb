@@ -25,13 +25,14 @@ package body Host.Key_Files is
    function Close (This : int) return int
    with Import, Convention => C, External_Name => "close";
 
-   --  Close on exec, do not wait for a writer, and become nobody's terminal.
+   --  Close on exec, do not wait for a writer, do not become a controlling
+   --  terminal.
    Open_Flags : constant := 8#2_000_000# + 8#4_000# + 8#400#;
 
    function Effective_User return Unsigned_32
    with Import, Convention => C, External_Name => "geteuid";
 
-   --  struct statx: what is wanted of it, and room for all that the system
+   --  struct statx: the requested fields, and room for all that the system
    --  writes.
    Status_Bits : constant := 256 * 8;
    type Rest_Of_Status is array (1 .. 113) of Unsigned_16;
@@ -81,16 +82,16 @@ package body Host.Key_Files is
    --  More than a key file needs.
    Longest : constant := 4_096;
 
-   --  Neither a core dump nor another process sees this one's memory.
+   --  Prevents core dumps, and other processes from reading this memory.
    procedure Keep_To_Oneself;
 
-   --  Four digits, base 8.
+   --  Four octal digits.
    function Octal (Mode : Unsigned_16) return String;
 
-   --  The descriptor of the file, if it is the owner's alone.
+   --  The descriptor of the file, if only its owner can access it.
    function Opened (Name : String) return int;
 
-   --  A line of the file.
+   --  Reads a line of the file.
    procedure Take
      (Name   : String;
       Number : Positive;
@@ -171,7 +172,7 @@ package body Host.Key_Files is
       Is_Valid : Boolean := True;
       Value    : URV.Sip_Hash.Key;
 
-      --  In the order of the file, the low byte of a half comes first.
+      --  The low byte of a half comes first in the file.
       function Swapped (Item : Unsigned_64) return Unsigned_64;
 
       function Swapped (Item : Unsigned_64) return Unsigned_64 is
@@ -192,7 +193,7 @@ package body Host.Key_Files is
       end Refuse_Line;
 
    begin
-      --  What another program shows as a line of its own is one.
+      --  A carriage return within a line would show as a line end elsewhere.
       if (for some Place in Line'First .. Line'Last - 1 =>
             Line (Place) = ASCII.CR)
       then
@@ -254,7 +255,7 @@ package body Host.Key_Files is
       elsif Is_Known (Into, Key_Number (Of_Key)) then
          Refuse_Line ("the second key has the number of the first");
       elsif Value = No_Key then
-         Refuse_Line ("a key of zeros is none");
+         Refuse_Line ("a key of zeros is not allowed");
       elsif Into (URV.Sessions.First).Is_Present then
          Into (Second) := (True, Key_Number (Of_Key), Value);
       else

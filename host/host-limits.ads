@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What of the aircraft's sensors is out of limits (GND-11). The displays and
---  the report of the ground station have them from here, as they have the
---  scales; docs/items.md says why each is where it is.
+--  The limits of the aircraft's sensors (GND-11). The displays and the report
+--  of the ground station take them from here, like the scales; docs/items.md
+--  gives the reason for each.
 --
 --  Beyond a caution's limit the pilot should look, beyond a warning's act.
 
 package Host.Limits is
 
-   --  In the item's unit. What is never reached is no limit.
+   --  In the item's unit. An unreachable value means no limit.
    type Limit_Set is record
       Warning_Low  : Long_Float := Long_Float'First;
       Caution_Low  : Long_Float := Long_Float'First;
@@ -23,7 +23,7 @@ package Host.Limits is
    function At_Least (Caution, Warning : Long_Float) return Limit_Set is
      (Warning_Low => Warning, Caution_Low => Caution, others => <>);
 
-   --  Close to the linkage's stop: nothing is left to steer with.
+   --  Close to the linkage's stop: no travel is left to steer with.
    function Short_Of (Stop : Long_Float) return Limit_Set is
      (Caution_Low => 1.0 - Stop, Caution_High => Stop - 1.0, others => <>);
 
@@ -45,8 +45,8 @@ package Host.Limits is
       --  idling engine turns at 1800.
       RPM => (1_500.0, 2_500.0, 7_000.0, 7_300.0),
 
-      --  The battery alone gives 24.6 V, charged by the alternator's 28 V
-      --  it floats at 27.6.
+      --  The battery alone gives 24.6 V; charged by the alternator's 28 V it
+      --  floats at 27.6 V.
       Battery_Volts    => (23.5, 25.0, 29.0, 31.0),
       Alternator_Volts => (24.5, 27.0, 29.0, 31.0),
 
@@ -57,8 +57,9 @@ package Host.Limits is
       Pitch_Rate     => Within (Caution => 30.0, Warning => 45.0),
       Yaw_Rate       => Within (Caution => 20.0, Warning => 40.0),
 
-      --  Level and without flaps it stalls at 42 kt; above, as below in
-      --  the altitude, the sensor's own range comes to its end.
+      --  In level flight without flaps it stalls at 42 kt. The upper limits,
+      --  and the lower ones of altitude, are near the end of the sensor's
+      --  range.
       Airspeed => (48.0, 55.0, 110.0, 120.0),
       Altitude => (100.0, 200.0, 1_900.0, 2_000.0),
 

@@ -14,7 +14,7 @@ package body Host.Loss_Times is
    function Tenths_Of
      (Option, Value, Its_Range : String; First, Last : Field) return Field;
 
-   --  Tenths as they are written: "0.5".
+   --  Tenths as text: "0.5".
    function Seconds (Tenths : Field) return String is
      (Image (Long_Long_Integer (Tenths / 10))
       & (if Tenths mod 10 = 0 then ""

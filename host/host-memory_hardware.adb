@@ -13,7 +13,7 @@ package body Host.Memory_Hardware is
       RAM    : RAM_Cells := (others => 16#DEAD#);
       Faults : Fault_List;
 
-      --  Any of them but no fault.
+      --  Whether the board has any fault.
       Is_Faulty : Boolean := False;
 
       --  The bits of each word that read as 0.
@@ -23,7 +23,7 @@ package body Host.Memory_Hardware is
       Broken : Boolean := False;
    end record;
 
-   --  Numbers in the place of a program, and their sum.
+   --  Numbers in place of a program, and their sum.
    function New_Image return ROM_Image;
 
    function Mask (Bit : Bit_Number) return Word is
@@ -37,12 +37,12 @@ package body Host.Memory_Hardware is
    is
      (if Value = 0 then Data and not Mask (Bit) else Data or Mask (Bit));
 
-   --  A word is driven onto its cells.
+   --  Drives a word onto its cells.
    procedure Drive (Memory : in out Board_Memory;
                     Where  : RAM_Address;
                     Data   : Word);
 
-   --  What cells in a state make of each other at once.
+   --  Applies the couplings between cells that act at once.
    procedure Settle (Memory : in out Board_Memory);
 
    function New_Image return ROM_Image is
@@ -157,7 +157,7 @@ package body Host.Memory_Hardware is
       end loop;
       Memory.RAM (Where) := After;
 
-      --  What one cell's change does to another, after the write.
+      --  Effects of one cell's change on another, after the write.
       for Item of Memory.Faults loop
          if Item.Kind in Inversion | Idempotent
            and then Item.Source.Where = Where
@@ -198,7 +198,7 @@ package body Host.Memory_Hardware is
    is
       Memory : Board_Memory renames Boards (Board);
    begin
-      --  A start tests every word of it.
+      --  A start tests every word of the RAM.
       if not Memory.Is_Faulty then
          Data := Memory.RAM (Where) and not Memory.Stuck (Where);
          return;

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The memories of the processor boards, behind Devices.Memory_Bus, with
+--  The memories of the processor boards, used by Devices.Memory_Bus, with
 --  faults to plant (SIM-1, TST-1, TST-3).
 --
---  The ROM holds an image made from numbers (D-44), its sum in its last four
---  bytes. The RAM is an array of cells, one a bit. Both are unharmed until a
---  fault is planted.
+--  The ROM holds an image made from numbers (D-44), with its sum in its last
+--  four bytes. The RAM is an array of cells, one per bit. Both are healthy
+--  until a fault is planted.
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS.Memories;     use URVOS.Memories;
@@ -17,20 +17,20 @@ package Host.Memory_Hardware is
 
    type Bit_Number is range 0 .. 15;
 
-   --  Of an image: the bytes as they were programmed.
+   --  The bytes of the image as they were programmed.
    function Programmed (Where : ROM_Address) return Byte;
 
-   --  Some bits of a byte of the ROM change.
+   --  Changes some bits of a byte of the ROM.
    procedure Spoil_ROM
      (Board : Board_Number;
       Where : ROM_Address;
       Flips : Byte);
 
-   --  The whole ROM reads as one value: erased, or not there.
+   --  Makes the whole ROM read as one value: erased, or missing.
    procedure Blank_ROM (Board : Board_Number; Data : Byte);
 
-   --  Nothing answers the next read of the ROM: an exception of the processor
-   --  that reads.
+   --  Nothing answers the next read of the ROM: it raises an exception in the
+   --  processor that reads.
    procedure Fail_Next_Read (Board : Board_Number);
 
    Bus_Error : exception;
@@ -41,8 +41,8 @@ package Host.Memory_Hardware is
       Where : RAM_Address;
       Bits  : Word);
 
-   --  What a fault in the RAM does. Cell is the bit that suffers, Source
-   --  another that makes it.
+   --  The effect of a fault in the RAM. Cell is the bit that suffers; Source
+   --  is another bit, which causes it.
    type Fault_Kind is
      (None,
       Stuck,             --  Cell is always Value
@@ -50,11 +50,11 @@ package Host.Memory_Hardware is
       Inversion,         --  Source becomes Edge: Cell is inverted
       Idempotent,        --  Source becomes Edge: Cell becomes Value
       State_Coupling,    --  while Source is Edge, Cell is Value
-      No_Cells,          --  Cell's word is not reached, it reads as Value
+      No_Cells,          --  Cell's word is not reached, reads give Value
       Other_Cells,       --  Cell's word reaches Source's instead
       Both_Cells);       --  Cell's word reaches Source's too, and reads as
-                         --  the two wired together, with "and" when Value
-                         --  is 0, with "or" when it is 1
+                         --  the wired combination: "and" when Value is
+                         --  0, "or" when it is 1
 
    type Bit_Value is range 0 .. 1;
 
@@ -79,7 +79,7 @@ package Host.Memory_Hardware is
       Planted : Fault;
       Number  : Fault_Number := 1);
 
-   --  All faults of the board are gone. What is in its RAM stays.
+   --  Removes all faults of the board. The contents of its RAM stay.
    procedure Repair (Board : Board_Number);
 
 private

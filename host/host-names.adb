@@ -4,7 +4,7 @@ with Ada.Characters.Handling; use Ada.Characters.Handling;
 
 package body Host.Names is
 
-   --  Files have one short word for the error/status word.
+   --  In files the error/status word has one short name.
    Error_Word : constant String := "error";
 
    function Name (Item : Uplink_Item) return String is

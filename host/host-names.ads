@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the items of the buffers are called in files: the promise of the
---  stick, sensor, record and event formats.
+--  The names of the buffers' items in files: the promise of the stick, sensor,
+--  record and event formats.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Errors;          use URV.Errors;
@@ -18,8 +18,8 @@ package Host.Names is
    function Name (Item : Status_Item) return String;
    function Name (Which : Node) return String;
 
-   --  What a switch does, for people (GND-50). Every page, display and report
-   --  takes the words from here, through bin/urv_sim items.
+   --  The function of a switch, for people (GND-50). Every page, display and
+   --  report takes the text from here, through bin/urv_sim items.
    function Label (Switch : Switch_Item) return String is
      (case Switch is
          when Switch_1 => "rate damping",
@@ -61,8 +61,8 @@ package Host.Names is
          when Idle          => "idle");
    function Label (State : Link_State) return String;
 
-   --  Of the words of the laws' row (URV.Law_Status); empty for the one that
-   --  is none.
+   --  The names of the words in the laws' row (URV.Law_Status); empty for the
+   --  unused one.
    function Law_Word_Name (Which : Log_Field) return String is
      (case Which is
          when Occurrences_High => "modes",

@@ -30,67 +30,66 @@ package body Host.Option_Help is
          when Pilot_Option =>
            (if Whose = URV_Sim
             then "the simulated pilot flies: " & Pilot.Names
-                 & " (nobody); needs --plant jsbsim"
+                 & " (none); needs --plant jsbsim"
             else "the simulated pilot flies while no console does: "
-                 & Pilot.Names (By_Eye => False) & " (nobody)"),
+                 & Pilot.Names (By_Eye => False) & " (none)"),
          when Sensors_Option =>
             "the bench's sensors, CSV (surfaces follow the servos, the rest"
             & " is neutral)",
          when Faults_Option =>
-            "what goes wrong (nothing)",
+            "the script of faults (none)",
          when Conditions_Option =>
             "wind, ballast, servos, errors of sensors (none); the bench has"
             & " servos only",
          when Orders_Option =>
-            "what the ground orders besides the sticks (nothing)",
+            "the ground's orders besides the sticks (none)",
          when Seed_Option =>
-            "of all that happens by chance (1)",
+            "random seed (1)",
          when Phase_Option =>
            (if Whose = URV_Sim
-            then "the aircraft's frame lags, 0 to" & Phase_Ticks'Last'Image
+            then "lag of the aircraft's frame, 0 to" & Phase_Ticks'Last'Image
                  & " (" & Image (Usual_Phase) & ")"
-            else "switches the node on so many times "
+            else "switches the node on TICKS times "
                  & Image
                      (Microseconds_Per_Tick / Microseconds_Per_Millisecond)
                  & " ms after a whole " & Image (Frame_Milliseconds)
                  & " ms of the machine's clock (at once)"),
          when Drift_Option =>
-            "the aircraft's ticks are longer by so many millionths, -200 to"
-            & " 200 (0)",
+            "the aircraft's ticks are longer by PPM millionths, -200 to 200"
+            & " (0)",
          when Lock_Option =>
-            "the aircraft's frames come in step with the ground's",
+            "brings the aircraft's frames in step with the ground's",
          when Line_Delay_Option =>
             (if Whose = URV_Sim
-             then "the line takes so long, one way, and both boards wait for"
-                  & " it, "
-             else "of a line slower than a wire, one way, for both nodes"
-                  & " alike, ")
+             then "one-way delay of the line, which both boards allow for, "
+             else "one-way delay of a line slower than a wire, the same for"
+                  & " both nodes, ")
             & Line_Delay_Range & " (0)",
          when Schedule_Option =>
-            "of the tasks: report or fast (report)",
+            "task schedule: report or fast (report)",
          when Processors_Option =>
             "of a node, 1 or 2 (1)",
          when Laws_Option =>
             "the aircraft's control laws, on or off (on with jsbsim, off with"
             & " the bench)",
          when Orbit_After_Option =>
-            "with the laws: so long after the last uplink comes an orbit, "
+            "with the laws: seconds without uplink before the orbit, "
             & Loss_Times.Orbit_Range & " (5)",
          when Terminate_After_Option =>
-            "the same of the end of the flight, " & Loss_Times.Finish_Range
-            & " (120)",
+            "with the laws: seconds without uplink before the flight is"
+            & " terminated, " & Loss_Times.Finish_Range & " (120)",
          when Format_Option =>
-            "of the messages, 1 or 2, which is sealed (1)",
+            "message format, 1 or 2, which is sealed (1)",
          when Key_Option =>
             "the keys, for format 2",
          when Console_Option =>
             "the sticks from a console's packets; HOST is this machine's"
             & " loopback",
          when Packets_Option =>
-            "version of what is published, 1 or 2, which has the whole log"
-            & " (1)",
+            "version of the published packets, 1 or 2, which has the whole"
+            & " logs (1)",
          when Publish_Option =>
-            "sends there what CORE has each frame; up to"
+            "sends CORE's contents there each frame; up to"
             & Integer'Image (Most_Places) & " times",
          when Record_Option =>
             "a row for each major frame, CSV",
@@ -105,9 +104,9 @@ package body Host.Option_Help is
             "max or realtime (max)",
          when Quiet_Option =>
            (if Whose = URV_Sim then "no progress, no summary"
-            else "no summary, and not a word about the other node"));
+            else "no summary, no lines about the other node"));
 
-   --  The words, in lines that begin at First_Column after the title.
+   --  Prints the words in lines that begin at First_Column after the title.
    procedure Put_Paragraph
      (To : in out Text_Output.Writer; Title : String; Words : String);
 

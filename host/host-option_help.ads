@@ -7,8 +7,8 @@ with Host.Text_Output;
 
 package Host.Option_Help is
 
-   --  A paragraph for each option: its name and its value's, then what it is
-   --  and, in brackets, what is so without it.
+   --  Prints a paragraph for each option: its name and its value's, then its
+   --  meaning and, in brackets, its default.
    procedure Print (To : in out Text_Output.Writer; Whose : Program)
      with Pre => Text_Output.Is_Open (To);
 

@@ -1,8 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the value of an option says. Title is the option's, with its dashes.
---  A value that says nothing is refused, with what would have been one:
---  raises Bad_Input.
+--  Parses the values of options. Title is the option's name, with its dashes.
+--  An invalid value is refused, with the valid choices: raises Bad_Input.
 
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Telemetry;
@@ -16,14 +15,14 @@ package Host.Option_Values is
       Value   : String;
       Longest : Microseconds) return Microseconds;
 
-   --  What the boards leave room for: "0 to 1.392".
+   --  The range that the boards allow: "0 to 1.392".
    function Line_Delay_Range return String;
 
    --  The longest --line-delay, in microseconds: 0 where a frame has no room
-   --  for a slow line at all.
+   --  for a slow line.
    function Longest_Line_Delay return Host.Text_Numbers.Number;
 
-   --  Microseconds, of a value in milliseconds with at most three decimals.
+   --  Microseconds, from a value in milliseconds with at most three decimals.
    function Line_Delay_Of
      (Title : String;
       Value : String) return Telemetry.Line_Delay;
@@ -44,7 +43,7 @@ package Host.Option_Values is
 
    function Number_Of (Title : String; Value : String) return One_Or_Two;
 
-   --  Whether it is the first of two words, not the second.
+   --  Whether the value is the first of two words, not the second.
    function Is_First
      (Title  : String;
       Value  : String;

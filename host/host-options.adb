@@ -19,16 +19,16 @@ package body Host.Options is
    --  Finds the option of that name, or refuses it.
    function Option_Of (Whose : Program; Title : String) return Option;
 
-   --  Takes an option's value over into the choices.
+   --  Stores an option's value in the choices.
    procedure Choose
      (Chosen : in out Choices;
       Which  : Option;
       Value  : String);
 
-   --  Another place to publish at.
+   --  Adds another destination of the published packets.
    procedure Add_Place (Chosen : in out Choices; Place : Unbounded_String);
 
-   --  Refuses options that do not go together, and one that is missing.
+   --  Refuses options that exclude each other, and a missing one.
    procedure Check (Whose : Program; Chosen : Choices);
 
    function Name (Which : Option) return String is

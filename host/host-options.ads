@@ -1,13 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The options of all programs, and what was asked for with them:
---  --option VALUE or --option=VALUE, in any order, each once but --publish.
---  Whatever is wrong with them raises Bad_Input (SIM-1, RTP-2).
---  --phase is the phase between the two nodes' clocks (D-12), --schedule that
---  of the tasks (FRM-5).
+--  The options of all programs, and the user's choices: --option VALUE or
+--  --option=VALUE, in any order, each once except --publish. Any error raises
+--  Bad_Input (SIM-1, RTP-2). --phase is the phase between the two nodes'
+--  clocks (D-12), --schedule that of the tasks (FRM-5).
 --
---  A new option is a literal here with its program, and in the body the name
---  of its value and what becomes of it; Host.Option_Help explains it.
+--  A new option needs a literal here with its program, and in the body the
+--  name of its value and its effect; Host.Option_Help explains it.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -49,20 +48,20 @@ package Host.Options is
    --  As it is written, with its dashes.
    function Name (Which : Option) return String;
 
-   --  What its value is called; "" for an option without a value.
+   --  The name of its value; "" for an option without a value.
    function Value_Name (Which : Option) return String;
 
-   --  What is behind the boards.
+   --  The plant that the boards are connected to.
    type Plant_Kind is (Bench_Plant, JSBSim_Plant);
 
-   --  As fast as possible, or as fast as the clock on the wall.
+   --  As fast as possible, or at the speed of real time.
    type Pace_Kind is (Max, Realtime);
 
-   --  Where the ground's frames are published; empty after the last one.
+   --  The destinations of the ground's frames; empty after the last one.
    Most_Places : constant := 8;
    type Place_List is array (1 .. Most_Places) of Unbounded_String;
 
-   --  The values as they were given; empty when they were not.
+   --  The values as they were given; empty if absent.
    type Value_List is array (Option) of Unbounded_String;
 
    Longest_Time : constant Microseconds :=
@@ -86,26 +85,26 @@ package Host.Options is
       --  Of each node.
       Processors : One_Or_Two := 1;
 
-      --  The aircraft's control laws (EXT-3): unless the user says, with an
-      --  aircraft.
+      --  The aircraft's control laws (EXT-3): by default on with an aircraft,
+      --  off with the bench.
       Laws       : Boolean := False;
 
-      --  What a lost link means when, with the laws (EXT-5).
+      --  The times of the reactions to a lost link, with the laws (EXT-5).
       Loss       : Loss_Times.Pair;
 
       --  Of the messages, which have keys in format 2.
       Format     : URV.Handshakes.Format_Number := 1;
 
-      --  The version of the packets that are published.
+      --  The version of the published packets.
       Packets    : One_Or_Two := 1;
 
       Pace       : Pace_Kind := Max;
 
-      --  The aircraft's frames come in step with the ground's.
+      --  The aircraft's frames follow the ground's.
       Lock       : Boolean := False;
 
-      --  Of the line between the boards, one way, and what they are told of
-      --  it (LNK-11).
+      --  The delay of the line between the boards, one way; the boards are set
+      --  to the same value (LNK-11).
       Line_Delay : Telemetry.Line_Delay := 0;
 
       Quiet      : Boolean := False;
@@ -118,7 +117,7 @@ package Host.Options is
    function Value (Chosen : Choices; Which : Option) return String is
      (To_String (Chosen.Values (Which)));
 
-   --  The options that the program was called with, from that argument on.
+   --  The options in the command line, from that argument on.
    function Parsed (Whose : Program; First : Positive) return Choices;
 
 end Host.Options;

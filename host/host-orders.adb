@@ -5,8 +5,8 @@ package body Host.Orders is
    subtype Blank is Character
      with Static_Predicate => Blank in ' ' | ASCII.HT;
 
-   --  Goes over a word and the blanks before it. There is none when First
-   --  is behind the end.
+   --  Skips a word and the blanks before it. There is none when First is after
+   --  the end.
    procedure Next_Word
      (Order : String;
       First : in out Positive;

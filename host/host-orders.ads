@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Input files of orders, one a line: words between blanks. What stands
---  behind "#" is a comment.
+--  Input files of orders, one a line: words between blanks. "#" begins a
+--  comment.
 
 with Host.Text_Input; use Host.Text_Input;
 
 package Host.Orders is
 
-   --  Reads the file; each line that has more than a comment is given to
+   --  Reads the file and passes each line that has more than a comment to
    --  Read, without the comment.
    generic
       with procedure Read (From : Reader; Order : String);

@@ -11,7 +11,7 @@ package body Host.Outputs is
    Null_Device : constant String := "/dev/null";
 
    --  The operating system: Linux. An output whose name is a symbolic link is
-   --  not opened, also when the link was made a moment ago (SEC-15, D-66).
+   --  not opened, even if the link was made a moment ago (SEC-15, D-66).
 
    To_Write       : constant := 1;
    Creating       : constant := 8#100#;
@@ -26,8 +26,8 @@ package body Host.Outputs is
      (File : File_Descriptor; Length : Long_Long_Integer) return int
    with Import, Convention => C, External_Name => "ftruncate64";
 
-   --  The program's own descriptors have such names. They are links, but
-   --  nobody else's.
+   --  The program's own descriptors have such names. They are links, but only
+   --  the program can change them.
    function Begins (Text, Beginning : String) return Boolean is
      (Text'Length >= Beginning'Length
       and then Text (Text'First .. Text'First + Beginning'Length - 1)
@@ -35,17 +35,17 @@ package body Host.Outputs is
 
    function Is_Own_Descriptor (Name : String) return Boolean;
 
-   --  What was found of an output on the way to opening it.
+   --  The result of trying to open an output.
    type Attempt is record
       File    : File_Descriptor := Invalid_FD;
       Existed : Boolean := False;
    end record;
    type Attempt_List is array (Output_Option) of Attempt;
 
-   --  The file that a name means, symbolic links followed.
+   --  The file that a name denotes, after symbolic links.
    function Place (Name : String) return String;
 
-   --  Do both names mean one file, and not the null device?
+   --  Whether both names denote one file, other than the null device.
    function Same_File (Left, Right : String) return Boolean;
 
    procedure Check_Distinct (Chosen : Choices);
@@ -53,7 +53,7 @@ package body Host.Outputs is
    --  Opens a file as it is, or creates it.
    procedure Try (Name : String; Made : out Attempt);
 
-   --  Takes everything back.
+   --  Undoes all attempts.
    procedure Give_Up (Attempts : Attempt_List; Chosen : Choices);
 
    function Is_Input (Which : Option) return Boolean is
@@ -99,8 +99,7 @@ package body Host.Outputs is
          return;
       end if;
 
-      --  Creates a file that is missing and leaves what a file holds
-      --  untouched.
+      --  Creates a missing file and leaves existing contents untouched.
       Made.Existed := Ada.Directories.Exists (Name);
       Made.File    := File_Descriptor
         (Open
@@ -153,8 +152,8 @@ package body Host.Outputs is
          end if;
       end loop;
 
-      --  All can be written. Only now is old content let go. Devices and
-      --  pipes hold none, and a pipe's reader would see it close.
+      --  All files can be written: only now is old content discarded. Devices
+      --  and pipes hold none, and a pipe's reader would see it close.
       for Output in Output_Option loop
          declare
             Name      : constant String  := Value (Chosen, Output);

@@ -3,8 +3,8 @@
 --  The output files of a program, opened all together or not at all.
 --
 --  They are opened after every input was read and checked. If one of them
---  cannot be written, those that existed keep what they held and none is left
---  that did not exist. One that fails later is lost alone (SIM-8).
+--  cannot be written, existing files keep their contents and no new file
+--  remains. If one fails later, only that one is lost (SIM-8).
 
 with Host.Options; use Host.Options;
 with Host.Text_Output;
@@ -19,26 +19,26 @@ package Host.Outputs is
      (for some Which in Output_Option =>
         Value (Chosen, Which) = Standard_Output);
 
-   --  Writers of outputs that nobody asked for stay closed.
+   --  Writers of outputs that were not requested stay closed.
    type File_Set is array (Output_Option) of Text_Output.Writer;
 
-   --  Refuses two outputs in one file, an output that is an input, one that
-   --  is a symbolic link (SEC-15), and a file that cannot be written or
-   --  created. Folders are not made.
-   --  The null device may stand for any number of files.
+   --  Refuses two outputs in one file, an output that is an input, one that is
+   --  a symbolic link (SEC-15), and a file that cannot be written or created.
+   --  Folders are not made.
+   --  Any number of outputs may go to the null device.
    procedure Open (Files : in out File_Set; Chosen : Choices);
 
-   --  Writes what has been put so far, to all of them but one.
+   --  Writes all buffered output except that of one file.
    procedure Flush (Files : in out File_Set; Except : Output_Option);
 
-   --  Whether somebody read one of them from standard output, and has gone:
-   --  that ends a simulated flight (D-55).
+   --  Whether the reader of an output on standard output has closed it: that
+   --  ends a simulated flight (D-55).
    function Is_Unread (Files : File_Set; Chosen : Choices) return Boolean is
      (for some Which in Output_Option =>
         Value (Chosen, Which) = Standard_Output
         and then Text_Output.Is_Unread (Files (Which)));
 
-   --  Writes what is left, as far as it can be written.
+   --  Writes the buffered output, as far as possible, and closes the files.
    procedure Close (Files : in out File_Set);
 
 end Host.Outputs;

@@ -15,22 +15,22 @@ package body Host.Pilot.Circuits is
    subtype On_The_Ground is Phase with
      Static_Predicate => On_The_Ground in Ready | Take_Off | Roll_Out;
 
-   --  The circuit, in ft from where it begins.
+   --  The circuit, in ft from its beginning.
    Circuit_Height  : constant Long_Float := 400.0;
    First_Turn_East : constant Long_Float := 2_400.0;
    Downwind_North  : constant Long_Float := 2_000.0;
    Base_East       : constant Long_Float := -4_600.0;
-   Lead            : constant Long_Float := 800.0;   --  of a turn
+   Lead            : constant Long_Float := 800.0;   --  ft before a turn
 
-   --  The path of the approach ends here, and would touch the ground.
+   --  The approach path ends here, and would touch the ground.
    Aim_East    : constant Long_Float := 250.0;
    Path_Slope  : constant Long_Float := 0.079;
    Flare_Below : constant Long_Float := 25.0;   --  ft
 
-   --  From here down the sink stays the same.
+   --  Below this height the sink rate stays constant.
    Held_Off    : constant Long_Float := 1.5;
 
-   --  The aircraft as the pilot knows it.
+   --  The pilot's knowledge of the aircraft.
    Circuit_Speed  : constant Long_Float := 65.0;   --  kt
    Base_Speed     : constant Long_Float := 60.0;
    Approach_Speed : constant Long_Float := 56.0;
@@ -41,7 +41,7 @@ package body Host.Pilot.Circuits is
    Touch_Sink     : constant Long_Float := 1.2;    --  ft/s
    Stick_Limit    : constant Long_Float := 95.0;   --  per cent
 
-   --  What the pilot remembers from move to move.
+   --  The pilot's memory from move to move.
    type Memory is record
       Doing         : Phase := Ready;
       Moves         : Natural := 0;     --  in this phase
@@ -54,8 +54,8 @@ package body Host.Pilot.Circuits is
       Throttle_Trim : Long_Float := 0.0;
       Flare_Sink    : Long_Float := 0.0;
       Aligned       : Long_Float := 0.0;   --  0 with the air, 1 the runway
-      Low_Moves     : Natural    := 0;     --  without a break
-      Nose          : Long_Float := 0.0;   --  deg, where it is let down to
+      Low_Moves     : Natural    := 0;     --  consecutive
+      Nose          : Long_Float := 0.0;   --  deg, target of lowering it
    end record;
 
    Mind : Memory;
@@ -83,7 +83,7 @@ package body Host.Pilot.Circuits is
 
    procedure Go_On_To (Next : Phase);
 
-   --  Whether this phase is over.
+   --  Decides whether this phase is over.
    procedure Decide (Now : Reading);
 
    --  The bank that follows a line with a course, or turns towards it.
@@ -95,11 +95,11 @@ package body Host.Pilot.Circuits is
 
    procedure Bank_To (Wanted : Long_Float; Now : Reading);
 
-   --  The nose goes with the air, or, as it is aligned, with the runway.
+   --  The nose points into the air stream or, when aligned, along the runway.
    procedure Fly_Yaw (Now : Reading);
 
-   --  Pitch for a climb rate, throttle for a speed. A climb rate that grows
-   --  wants more lift: so much of the weight.
+   --  Pitch for a climb rate, throttle for a speed. An increasing climb rate
+   --  needs more lift, as a share of the weight.
    procedure Fly_Path
      (Climb, Speed : Long_Float;
       Now          : Reading;
@@ -109,7 +109,7 @@ package body Host.Pilot.Circuits is
 
    procedure Steer (Now : Reading);
 
-   --  What is done in each phase.
+   --  The moves of each phase.
    procedure Roll_Off (Now : Reading);
    procedure Fly_Round (Now : Reading);
    procedure Approach (Now : Reading);
@@ -186,7 +186,7 @@ package body Host.Pilot.Circuits is
                Go_On_To (Roll_Out);
             end if;
          when Roll_Out =>
-            --  A gust has lifted it again.
+            --  A gust has lifted the aircraft again.
             if (Here.Height > 1.2 or else Here.Climb < -1.5)
               and then Mind.Moves < 50
             then
@@ -207,7 +207,7 @@ package body Host.Pilot.Circuits is
       Here  : Picture renames Mind.Picture;
       Angle : constant Long_Float := Nearest (Course);
 
-      --  The wind's part to the right of the course: one of four.
+      --  The wind component to the right of the course, for four courses.
       Wind  : constant Long_Float :=
         (if abs Angle < 45.0 then Here.Wind_East
          elsif abs Angle > 135.0 then -Here.Wind_East
@@ -225,7 +225,7 @@ package body Host.Pilot.Circuits is
    function Bank_Over_Runway (Now : Reading) return Long_Float is
       Here : Picture renames Mind.Picture;
    begin
-      --  North is left of the line; the slip is held by a bank into it.
+      --  North is left of the line; a bank into the slip holds it.
       return
         Bounded
           (0.45 * Here.North + 1.5 * Here.North_Speed
@@ -238,7 +238,7 @@ package body Host.Pilot.Circuits is
         Long_Float'Min (2.0, (70.0 / Long_Float'Max (45.0, Now.Airspeed)));
       Lag    : Long_Float;
 
-      --  In a slip, and on the ground, the wind from aside lifts a wing.
+      --  In a slip, and on the ground, a crosswind lifts a wing.
       Slip   : constant Long_Float :=
         (if Mind.Doing not in On_The_Ground then Mind.Aligned
          elsif Now.Airspeed > 20.0 then 1.0
@@ -289,7 +289,7 @@ package body Host.Pilot.Circuits is
       Lag   : constant Long_Float :=
         Degrees_Per_Radian * (Climb - Mind.Picture.Climb) / Fast;
 
-      --  A gust is felt before it has moved the aircraft.
+      --  The pilot feels a gust before it moves the aircraft.
       Load  : constant Long_Float :=
         Now.Load * Cosine (Now.Bank) * Cosine (Now.Pitch);
       Lead  : constant Long_Float := (if Mind.Doing = Flare then 8.0 else 0.0);
@@ -343,7 +343,7 @@ package body Host.Pilot.Circuits is
       Here   : Picture renames Mind.Picture;
       Fast   : constant Long_Float := Long_Float'Max (12.0, Here.Speed);
 
-      --  Back to the line in some seconds, then along it.
+      --  Returns to the line within some seconds, then follows it.
       Nose   : constant Long_Float :=
         Bounded (Degrees_Per_Radian * 0.25 * Here.North / Fast, 5.0);
       Askew  : constant Long_Float :=
@@ -352,12 +352,12 @@ package body Host.Pilot.Circuits is
       --  A wheel base of 3.3 ft, and 0.1024 degrees a per cent.
       Per_Turn : constant Long_Float := 3.33 / Fast / 0.102_4;
 
-      --  What the wind from aside wants, while it is fast.
+      --  The crosswind correction at speed.
       By_Air   : constant Long_Float :=
         Long_Float'Max
           (0.0, Long_Float'Min (1.0, (Now.Airspeed - 15.0) / 20.0));
    begin
-      --  While the nose comes down the rudders hold what they held.
+      --  While the nose comes down the rudders keep their deflection.
       Mind.Aligned :=
         Long_Float'Max (0.0, Mind.Aligned - 0.5 * Interval);
       Learn (Mind.Yaw_Trim, 0.5 * Bounded (Askew, 5.0), 15.0);
@@ -388,7 +388,7 @@ package body Host.Pilot.Circuits is
       Speed : constant Long_Float :=
         (if Mind.Doing = Base_Leg then Base_Speed else Circuit_Speed);
 
-      --  No climb is worth the speed.
+      --  Speed has priority over climb.
       Fast  : constant Long_Float :=
         Long_Float'Max (2.0, Highest_Climb + Now.Airspeed - (Speed - 6.0));
       Climb : constant Long_Float :=
@@ -445,7 +445,7 @@ package body Host.Pilot.Circuits is
       Sink  : constant Long_Float :=
         Touch_Sink + (Mind.Flare_Sink - Touch_Sink) * Share;
 
-      --  How fast the sink is to become less, in weights.
+      --  The rate at which the sink decreases, in weights.
       Rounding : constant Long_Float :=
         (if Share > 0.0
          then Sink * (Mind.Flare_Sink - Touch_Sink)
@@ -469,8 +469,8 @@ package body Host.Pilot.Circuits is
       Hands.Throttle := 0.0;
       Steer (Now);
 
-      --  The nose comes down by itself, and is then held down; without the
-      --  flaps the wheels carry more.
+      --  The nose comes down by itself and is then held down; without flaps
+      --  the wheels carry more weight.
       Hands.Flaps_Down := False;
       Mind.Nose := Long_Float'Max (-1.0, Mind.Nose - 6.0 * Interval);
       Mind.Stick_Trim :=

@@ -1,20 +1,20 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How the pilot flies a circuit (SIM-7): off the runway, round by the left,
+--  The simulated pilot's circuit (SIM-7): off the runway, round by the left,
 --  and back onto it.
 
 with Host.Pilot.Readings; use Host.Pilot.Readings;
 
 private package Host.Pilot.Circuits is
 
-   --  Long enough against any wind that he would fly in.
+   --  Long enough against any wind in which the pilot would fly.
    Length : constant Microseconds := 300 * Microseconds_Per_Second;
 
-   --  A rested pilot, before an aircraft that stands on the runway.
+   --  Resets the pilot, for an aircraft parked on the runway.
    procedure Start;
 
-   --  To be called once a major frame. What is old teaches nothing, and
-   --  moves nothing.
+   --  To be called once a major frame. With old data the pilot neither moves
+   --  the sticks nor adjusts the trims.
    procedure Move
      (Now     : Reading;
       Is_Old  : Boolean;

@@ -21,7 +21,7 @@ package body Host.Pilot.Flights is
    Low          : constant Long_Float := 1_000.0;
    High         : constant Long_Float := 1_300.0;
 
-   --  A target altitude moves this fast, 720 ft/min.
+   --  A target altitude moves at this rate, 720 ft/min.
    Climb_Per_Second : constant Long_Float := 12.0;
 
    Bank_In_Turns : constant Long_Float := 25.0;
@@ -48,13 +48,13 @@ package body Host.Pilot.Flights is
 
    function Targets_In (Legs : Leg_List; Time : Microseconds) return Targets;
 
-   --  How much of that change there has been after some seconds.
+   --  The part of that change completed after some seconds.
    function Changed (By, Seconds : Long_Float) return Long_Float is
      (Long_Float'Max
         (-Climb_Per_Second * Seconds,
          Long_Float'Min (Climb_Per_Second * Seconds, By)));
 
-   --  Most in the direction of a change, nothing without one.
+   --  Most in the direction of a change, zero without one.
    function Towards (Change, Most : Long_Float) return Long_Float is
      (if Change > 0.0 then Most elsif Change < 0.0 then -Most else 0.0);
 

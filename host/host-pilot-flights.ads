@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The flights that the pilot knows by heart.
+--  The predefined flights of the pilot.
 
 private package Host.Pilot.Flights is
 
-   --  A damped circuit is one with the law that damps the rates on (EXT-3).
+   --  A damped circuit is one with the rate damping law on (EXT-3).
    type Flight is
      (Standard_Flight, Level_Flight, Circuit_Flight, Damped_Circuit_Flight);
 
-   --  The last ones.
+   --  The flights that need a view of the aircraft.
    subtype Flight_By_Eye is Flight
      range Circuit_Flight .. Damped_Circuit_Flight;
 

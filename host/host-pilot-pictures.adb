@@ -10,15 +10,15 @@ package body Host.Pilot.Pictures is
    Feet_Per_Second_Per_Knot : constant Long_Float := 1.687_81;
    Gravity                  : constant Long_Float := 32.174;   --  ft/s2
 
-   --  How much of a difference is believed, a second: of the altimeter for
-   --  height and climb; a look: of heading, place and wind.
+   --  The share of a difference that is accepted: per second from the
+   --  altimeter for height and climb; per look for heading, place and wind.
    Height_Share  : constant Long_Float := 1.4;
    Climb_Share   : constant Long_Float := 1.0;
    Heading_Share : constant Long_Float := 0.10;
    Place_Share   : constant Long_Float := 0.25;
    Wind_Share    : constant Long_Float := 0.04;
 
-   --  Readings that make the zero; then it changes no more.
+   --  Readings that make the zero; then it is fixed.
    Enough : constant := 100;
 
    --  The same angle, from -180 up to 180 degrees.
@@ -76,7 +76,7 @@ package body Host.Pilot.Pictures is
       Known.Turn    := Turn_Rate (Now);
       Known.Heading := Known.Heading + Known.Turn * Interval;
 
-      --  In a slip the aircraft does not go where its nose points.
+      --  In a slip the track differs from the heading.
       Way := Known.Heading + Drift * Now.Beta;
       Known.Speed   :=
         Long_Float'Max (0.0, Now.Airspeed) * Feet_Per_Second_Per_Knot;

@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where the pilot believes that the aircraft is, and how it moves (SIM-7):
---  from the displays and, now and then, a look at it. Between two looks the
---  place is reckoned from speed, heading and wind.
+--  The pilot's estimate of the aircraft's position and motion (SIM-7), from
+--  the displays and an occasional look at it. Between two looks it is dead
+--  reckoning from speed, heading and wind.
 
 with Host.Pilot.Readings; use Host.Pilot.Readings;
 
 private package Host.Pilot.Pictures is
 
    type Picture is record
-      --  What the altimeter shows while the aircraft stands.
+      --  The altimeter's reading at rest on the runway.
       Zero    : Long_Float := 0.0;         --  ft
       Zeroed  : Natural    := 0;           --  readings of it
 
@@ -20,7 +20,7 @@ private package Host.Pilot.Pictures is
       North   : Long_Float := 0.0;         --  ft
       East    : Long_Float := 0.0;         --  ft
 
-      --  Through the air and over the ground, and what is between.
+      --  Through the air and over the ground, and their difference.
       Speed       : Long_Float := 0.0;     --  ft/s
       North_Speed : Long_Float := 0.0;
       East_Speed  : Long_Float := 0.0;
@@ -28,17 +28,17 @@ private package Host.Pilot.Pictures is
       Wind_East   : Long_Float := 0.0;
    end record;
 
-   --  The aircraft stands on the runway.
+   --  The aircraft is at rest on the runway.
    procedure Start (Made : out Picture);
 
-   --  Another fiftieth of a second has gone by. Wheels on the ground do not
-   --  drift with the wind.
+   --  Advances the estimate by a fiftieth of a second. Wheels on the ground do
+   --  not drift with the wind.
    procedure Reckon
      (Known     : in out Picture;
       Now       : Reading;
       On_Wheels : Boolean);
 
-   --  It stands: what the altimeter shows is zero.
+   --  At rest the altimeter's reading is taken as zero.
    procedure Set_Zero (Known : in out Picture; Now : Reading);
 
    procedure Correct

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the pilot reads off the displays, in engineering units.
+--  The pilot's readings of the displays, in engineering units.
 
 private package Host.Pilot.Readings is
 
@@ -15,22 +15,20 @@ private package Host.Pilot.Readings is
 
    function Read (Downlink : Downlink_Buffer) return Reading;
 
-   --  Before the first data the displays show an aircraft that stands
-   --  still. No pilot believes that of an aircraft that was put into the
-   --  air.
+   --  Before the first data the displays show an aircraft at rest. The pilot
+   --  ignores that for an aircraft that begins in the air.
    function Is_Flying (Now : Reading) return Boolean is
      (Now.Airspeed > 20.0);
 
-   --  How fast the heading changes to the right, in deg/s.
+   --  The rate of change of the heading to the right, in deg/s.
    function Turn_Rate (Now : Reading) return Long_Float;
 
-   --  How fast the aircraft climbs in calm air, in ft/s: along the path,
-   --  whose slope is pitch less alpha. The altitude's own changes are too
-   --  coarse to steer by.
+   --  The climb rate in calm air, in ft/s: along the path, whose slope is
+   --  pitch less alpha. The altitude's own changes are too coarse to steer by.
    function Climb_Rate (Now : Reading) return Long_Float;
 
-   --  Good to five digits between -90 and 90 degrees, and taken as at the
-   --  nearer end beyond. The library's functions may differ between
+   --  Accurate to five digits between -90 and 90 degrees; beyond that the
+   --  nearer end is taken. The library's functions may differ between
    --  machines.
    function Sine (Degrees : Long_Float) return Long_Float;
    function Cosine (Degrees : Long_Float) return Long_Float;

@@ -7,19 +7,18 @@ with Host.Scaling;        use Host.Scaling;
 
 package body Host.Pilot is
 
-   --  Of one move, in seconds.
+   --  The time between two moves, in seconds.
    Interval : constant Long_Float :=
      Long_Float (Major_Frame) / Long_Float (Microseconds_Per_Second);
 
    --  Sticks are in per cent of their travel.
    Stick_Limit : constant Long_Float := 60.0;
 
-   --  Where the levers are when nobody touches them.
+   --  The positions of the levers that the pilot does not move.
    Cruise_Throttle : constant Long_Float := 50.0;
    Cruise_Pitch    : constant Long_Float := 2.4;
 
-   --  Bank: so much per degree of heading, at most so steep, rolled in and
-   --  out so fast.
+   --  Bank per degree of heading, its limit, and its rate of change.
    Bank_Per_Heading : constant Long_Float := 1.0;
    Steepest_Bank    : constant Long_Float := 25.0;
    Bank_Slew        : constant Long_Float := 12.0;   --  deg/s
@@ -30,14 +29,14 @@ package body Host.Pilot is
    Roll_Learning  : constant Long_Float := 0.25;    --  a second
    Roll_Trim_Most : constant Long_Float := 10.0;
 
-   --  Rolling in and out of a turn teaches nothing about the trim.
+   --  The trim does not learn while a turn begins or ends.
    Roll_Learning_Range : constant Long_Float := 3.0;   --  deg
 
-   --  Yaw stick: feet follow the sideslip slowly.
+   --  Yaw stick: the pedals follow the sideslip slowly.
    Yaw_Learning   : constant Long_Float := 1.0;
    Yaw_Trim_Most  : constant Long_Float := 20.0;
 
-   --  Pitch attitude wanted: from the altitude by way of a climb rate.
+   --  Target pitch attitude: from the altitude through a climb rate.
    Climb_Per_Altitude  : constant Long_Float := 0.25;   --  a second
    Fastest_Climb       : constant Long_Float := 16.0;   --  ft/s
    Pitch_Per_Climb     : constant Long_Float := 0.50;   --  deg per ft/s
@@ -65,12 +64,11 @@ package body Host.Pilot is
    Throttle_Per_Climb  : constant Long_Float := 3.0;
    Throttle_Per_Flap   : constant Long_Float := 0.9;
 
-   --  Displays that do not change for this many moves are those of a link
-   --  that is down.
+   --  Displays that stay unchanged for this many moves mean a lost link.
    Patience : constant := 10;
 
-   --  What a pilot remembers from move to move. The trims are what the
-   --  sticks need when everything is at its target.
+   --  The pilot's memory from move to move. The trims are the stick positions
+   --  that hold every target.
    type Memory is record
       Flown          : Flight          := Flight'First;
       Wanted         : Targets;
@@ -107,8 +105,7 @@ package body Host.Pilot is
    function Bounded (Value, Most : Long_Float) return Long_Float is
      (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
 
-   --  Adds what a second's error teaches, unless there is nothing to be
-   --  learnt from old data.
+   --  Adds a second's error to a trim, unless the data are old.
    procedure Learn
      (Trim : in out Long_Float; Per_Second, Most : Long_Float);
 
@@ -117,7 +114,7 @@ package body Host.Pilot is
    procedure Fly_Lateral (Now : Reading);
    procedure Fly_Vertical (Now : Reading);
 
-   --  Sticks go where the trims are: the aircraft is stable.
+   --  Moves the sticks to the trims: the aircraft is stable.
    procedure Let_Go;
 
    function On_Console return Console_Words;
@@ -179,7 +176,7 @@ package body Host.Pilot is
 
    procedure Look (Downlink : Downlink_Buffer) is
    begin
-      --  The other bits of the word say nothing about its age (TST-4).
+      --  The word's other bits are independent of its age (TST-4).
       if (Downlink (Error_Status) and Stale_Data) /= 0 then
          Mind.Stale := Mind.Stale + 1;
       else
@@ -219,7 +216,7 @@ package body Host.Pilot is
    end Fly_Lateral;
 
    procedure Fly_Vertical (Now : Reading) is
-      --  How much more lift a turn needs: 1 / cos (bank) - 1.
+      --  The additional lift for a turn: 1 / cos (bank) - 1.
       Extra : constant Long_Float :=
         1.0 / Long_Float'Max (0.5, Cosine (Now.Bank)) - 1.0;
       Below : constant Long_Float := Mind.Wanted.Altitude - Now.Altitude;

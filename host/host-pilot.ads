@@ -2,23 +2,22 @@
 
 --  The simulated pilot at the console (SIM-3).
 --
---  The pilot knows the flight by heart and sees what the ground's CORE
---  memory shows: words that are late, rounded, and sometimes not renewed.
---  There is no compass among them. The heading is reckoned from the rates.
---  In a circuit he stands beside the runway, and sees the aircraft too
---  (SIM-7).
+--  The pilot knows the flight by heart and reads the ground's CORE memory:
+--  words that are late, rounded, and sometimes not updated. There is no
+--  compass among them; the pilot integrates the rates into a heading. In a
+--  circuit the pilot is beside the runway and also sees the aircraft (SIM-7).
 --
 --  Fifty times a second the sticks move: bank by ailerons, sideslip by
---  rudders, pitch by elevators, speed by throttle. The arithmetic is plain,
---  so that the same words always give the same sticks.
+--  rudders, pitch by elevators, speed by throttle. The arithmetic is plain, so
+--  that the same words always give the same sticks.
 
 package Host.Pilot is
 
-   --  What a part of a flight is for. Only a hold asks that everything
-   --  stays at its target.
+   --  The purpose of a part of a flight. Only in a hold must every value stay
+   --  at its target.
    type Leg_Kind is (Hold, Turn, Climb, Flap_Change);
 
-   --  What the pilot wants at present.
+   --  The pilot's present targets.
    type Targets is record
       Kind       : Leg_Kind   := Hold;
       Altitude   : Long_Float := 0.0;     --  ft above the field
@@ -29,15 +28,15 @@ package Host.Pilot is
       Flaps_Down : Boolean    := False;   --  half flaps, by switch 8
    end record;
 
-   --  What one beside the runway sees of the aircraft: from where it stands
-   --  at the beginning, in ft, and where its nose points, in deg.
+   --  The aircraft as seen from beside the runway: its position relative to
+   --  its place at the beginning, in ft, and its heading, in deg.
    type Sight is record
       North, East : Long_Float := 0.0;
       Heading     : Long_Float := 0.0;
    end record;
 
-   --  Of the flights, in a list for people; or of those that the displays
-   --  are enough for.
+   --  The names of the flights, in a list for people; or only of those that
+   --  the displays suffice for.
    function Names (By_Eye : Boolean := True) return String;
 
    function Exists (Name : String) return Boolean;
@@ -45,30 +44,30 @@ package Host.Pilot is
    function Length (Name : String) return Microseconds
      with Pre => Exists (Name);
 
-   --  Whether the flight begins and ends on the runway, and the aircraft has
-   --  to be seen.
+   --  Whether the flight begins and ends on the runway, so that the pilot must
+   --  see the aircraft.
    function Is_By_Eye (Name : String) return Boolean
      with Pre => Exists (Name);
 
-   --  A rested pilot who knows nothing of earlier flights.
+   --  Starts a flight; the pilot keeps nothing from earlier ones.
    procedure Start (Name : String)
      with Pre => Exists (Name);
 
-   --  The aircraft is seen: some times a second.
+   --  Shows the aircraft to the pilot, several times a second.
    procedure See (Now : Sight);
 
-   --  To be called once a major frame. Time is that since the beginning of
-   --  the flight; after its end the last leg goes on.
+   --  To be called once a major frame. Time is that since the beginning of the
+   --  flight; after its end the last leg continues.
    procedure Move
      (Time     : Microseconds;
       Downlink : Downlink_Buffer;
       Console  : out Console_Words);
 
-   --  The same instead of Move while somebody else flies: the pilot keeps
-   --  an eye on the displays, so as to take the sticks without a jerk.
+   --  To be called instead of Move while another source flies: the pilot
+   --  watches the displays, to take the sticks without a jerk.
    procedure Watch (Downlink : Downlink_Buffer);
 
-   --  Of the latest move.
+   --  The targets of the latest move.
    function Present_Targets return Targets;
 
 end Host.Pilot;

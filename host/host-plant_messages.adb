@@ -56,7 +56,7 @@ package body Host.Plant_Messages is
       Last    : in out Stream_Element_Offset;
       Value   : Long_Float);
 
-   --  The next number. Raises Not_Finite with its name.
+   --  Reads the next number. Raises Not_Finite with its name.
    procedure Get
      (Message : Stream_Element_Array;
       Last    : in out Stream_Element_Offset;

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is said between a program here and sim/jsbsim/plant.py, the aircraft
+--  The messages between a program here and sim/jsbsim/plant.py, the aircraft
 --  in JSBSim: an introduction, then for each major frame the servos' commands
---  one way and the aircraft's state the other (SIM-3).
+--  in one direction and the aircraft's state in the other (SIM-3).
 --
---  The other process sees and gives engineering units; the words are
---  converted here. How the bytes are carried is the programs' own affair.
+--  The other process uses engineering units; the words are converted here.
+--  Each program chooses how to carry the bytes.
 
 with Ada.Streams; use Ada.Streams;
 
@@ -13,7 +13,7 @@ with Host.Surface_Faults;
 
 package Host.Plant_Messages is
 
-   --  What the aircraft really does.
+   --  The true state of the aircraft.
    type Flight_State is record
       Altitude : Long_Float := 0.0;      --  ft above the field
       Airspeed : Long_Float := 0.0;      --  kt, calibrated
@@ -22,18 +22,18 @@ package Host.Plant_Messages is
       Heading  : Long_Float := 0.0;      --  deg, 0 up to 360, true
       Climb    : Long_Float := 0.0;      --  ft/s
 
-      --  From where the flight begins, and the wheels on the ground.
+      --  From the beginning of the flight, and the wheels on the ground.
       North    : Long_Float := 0.0;      --  ft
       East     : Long_Float := 0.0;      --  ft
       Wheels   : Long_Float := 0.0;
 
-      --  It has touched the ground with something other than its wheels.
-      --  From then on neither state nor sensors change.
+      --  Other parts than the wheels have touched the ground. From then on
+      --  neither state nor sensors change.
       Crashed  : Boolean := False;
    end record;
 
-   --  What the flight record shows of it, in the units that its names end
-   --  with. North and east are counted from where the flight begins.
+   --  The values in the flight record, in the units that end their names.
+   --  North and east are counted from the flight's beginning.
    type Shown_Item is
      (Altitude_Ft, Airspeed_Kt, Bank_Deg, Pitch_Deg, Heading_Deg,
       Alpha_Deg, Beta_Deg, North_Ft, East_Ft);
@@ -42,24 +42,24 @@ package Host.Plant_Messages is
    --  A step is a tick long.
    subtype Step_Count is Positive range 1 .. Ticks_Per_Major_Frame;
 
-   --  What is wrong with what the sensors measure, in their scales' units.
+   --  Errors of the sensors' measurements, in their scales' units.
    type Sensor_Values is array (Sensor_Item) of Long_Float;
 
    Exact : constant Sensor_Values := (others => 0.0);
 
    --  The names and units of all numbers to be sent and received, and the
-   --  times. What is shown is taken after so many steps. Further lines say
-   --  what else the plant has to know.
+   --  times. The record's values are taken after that number of steps. Further
+   --  lines hold other settings of the plant.
    function Introduction
      (Shown_After : Step_Count;
       Further     : String := "";
       Schedule    : Schedule_Name := URVOS.Task_Trees.Report)
       return Stream_Element_Array;
 
-   --  Further lines: what befalls the servos (SIM-5).
+   --  Further lines: the servos' faults (SIM-5).
    function Fault_Lines (Faults : Surface_Faults.List) return String;
 
-   --  The line that answers an introduction, if nothing is wrong.
+   --  The answer to an introduction without errors.
    Ready : constant String := "ready";
 
    --  A number is a big-endian IEEE double.
@@ -76,16 +76,16 @@ package Host.Plant_Messages is
        (1 .. (Sensor_Item'Pos (Sensor_Item'Last) + 1 + Truth_Count
               + Shown_Item'Pos (Shown_Item'Last) + 1) * Bytes_Per_Number);
 
-   --  What the servos are to hold for a major frame.
+   --  The servos' commands for a major frame.
    function To_Message (Servos : PWM_Buffer) return Command_Message;
 
-   --  The plant has sent a number that is infinite or none. The message names
+   --  The plant has sent an infinite or undefined number. The message names
    --  it.
    Not_Finite : exception;
 
    --  Sensors are those Ticks_To_Scan after the frame's beginning, when the
-   --  aircraft's next scan begins, with their errors; Truth is at the
-   --  frame's beginning. Raises Not_Finite.
+   --  aircraft's next scan begins, with their errors; Truth is at the frame's
+   --  beginning. Raises Not_Finite.
    procedure Read
      (Message : State_Message;
       Sensors : out Sensor_Words;

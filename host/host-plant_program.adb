@@ -13,13 +13,13 @@ package body Host.Plant_Program is
    Interpreter_Path     : constant String := "/.venv/bin/python";
    Script_Path          : constant String := "/sim/jsbsim/plant.py";
 
-   --  The C library computes sines with fused multiply-add where the
-   --  processor has it, and the last bit differs. Without it every processor
-   --  gives the same flight.
+   --  The C library computes sines with fused multiply-add where the processor
+   --  has it, and the last bit differs. Without it every processor gives the
+   --  same flight.
    Library_Variable : constant String := "GLIBC_TUNABLES";
    Library_Setting  : constant String := "glibc.cpu.hwcaps=-FMA,-FMA4";
 
-   --  The directory above that of the running program, links followed.
+   --  The directory above that of the running program, after symbolic links.
    function Project_Directory return String;
 
    function Interpreter (Home : String) return String;

@@ -10,12 +10,11 @@ with Host.Text_Output; use Host.Text_Output;
 
 package body Host.Scaling is
 
-   --  Zeros at the end left out. Four decimals are as fine as a value is to
-   --  be read: the finest word is 0.001.
+   --  Without trailing zeros. Four decimals suffice: the finest word is 0.001.
    function Image (Value : Long_Float; Decimals : Positive := 4)
                    return String;
 
-   --  Nothing for what is no limit.
+   --  Empty for no limit.
    function Image_Or_Empty (Limit : Long_Float) return String;
 
    function Symbol (Of_Unit : Unit) return String is
@@ -99,7 +98,7 @@ package body Host.Scaling is
          & ',' & Image_Or_Empty (Limits.Warning_High));
 
       --  With twelve decimals a value is exact to 1E-8 of its unit, and the
-      --  zero of every scale falls upon a word.
+      --  zero of every scale is exactly a word.
       function Columns
         (By : Scale; Limits : Limit_Set := Without_Limits) return String
       is

@@ -1,13 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What a word means in engineering units: the one table of the simulation,
---  for every sensor, servo channel and stick. There are no signal conditioners
+--  The engineering units of every word: the only table of the simulation, for
+--  every sensor, servo channel and stick. There are no signal conditioners
 --  (D-49).
 --
---  A converter is linear over its 4096 words. Words of surfaces and sticks
---  are centred: 0800h is zero. Positive is, on both sides of the aircraft,
---  what rolls it right, pitches its nose up, turns its nose right or lowers
---  a flap.
+--  A converter is linear over its 4096 words. Words of surfaces and sticks are
+--  centred: 0800h is zero. On both sides of the aircraft, positive rolls it
+--  right, pitches its nose up, turns its nose right or lowers a flap.
 
 with Host.Text_Output;
 
@@ -31,23 +30,23 @@ package Host.Scaling is
    type Servo_Scales  is array (Servo_Item) of Scale;
    type Stick_Scales  is array (Command_Item) of Scale;
 
-   --  Words beyond the converter's range are taken by the same line.
+   --  Words beyond the converter's range are on the same line.
    function To_Unit (Value : Word; By : Scale) return Long_Float is
      (By.At_0 + By.Per_Word * Long_Float (Value));
 
-   --  The nearest word; the first or last one for a value beyond the
-   --  range, the first for what is not a number.
+   --  The nearest word; the first or last one for a value beyond the range,
+   --  the first for not-a-number.
    function To_Word (Value : Long_Float; By : Scale) return Converter_Value;
 
-   --  Every word of the three buffers and of what the control laws tell, one a
+   --  Prints every word of the three buffers and of the control laws, one a
    --  line, as CSV (GND-11):
    --  name,buffer,position,unit,at_0,at_4095, then the four limits of
-   --  Host.Limits, then per_word,zero_word: the value of a word is
-   --  per_word * (word - zero_word). Positions count from 1 as in figures 4
-   --  and 13 of the report. The last two columns, label,works, are of switches
-   --  alone (Host.Names): what it does, and the part that it works. A column
-   --  is empty where an item has none: the scale of error/status, discretes
-   --  and the laws' words, limits of all but sensors.
+   --  Host.Limits, then per_word,zero_word: the value of a word is per_word *
+   --  (word - zero_word). Positions count from 1 as in figures 4 and 13 of the
+   --  report. The last two columns, label,works, are for switches only
+   --  (Host.Names): its function, and the part that it works. A column is
+   --  empty where an item has none: the scale of error/status, discretes and
+   --  the laws' words, limits of all but sensors.
    procedure Print (To : in out Text_Output.Writer)
      with Pre => Text_Output.Is_Open (To);
 
@@ -56,8 +55,8 @@ package Host.Scaling is
                      return Scale is
      ((Measured_In, -2_048.0 * Per_Word, Per_Word));
 
-   --  A servo's command and the position that its sensor reports have the
-   --  same scale, so that their words can be compared.
+   --  A servo's command and its sensor's position have the same scale, so that
+   --  their words can be compared.
    Aileron  : constant Scale := Centred (Degrees, 0.01);
    Elevator : constant Scale := Centred (Degrees, 0.012_5);
    Rudder   : constant Scale := Centred (Degrees, 0.012_5);
@@ -69,13 +68,13 @@ package Host.Scaling is
    --  Idle to full over the whole range: 0800h is half.
    Lever    : constant Scale := (Percent, 0.0, 100.0 / 4_095.0);
 
-   --  Released at 0800h, full at 0fffh. Below 0800h nothing is braked.
+   --  Released at 0800h, full at 0fffh. Below 0800h the brakes are released.
    Pedal    : constant Scale := Centred (Percent, 100.0 / 2_047.0);
 
-   --  A stick's full deflection is 100 per cent, a hair less on one side.
+   --  A stick's full deflection is 100 per cent, slightly less on one side.
    Deflection : constant Scale := Centred (Percent, 100.0 / 2_048.0);
 
-   --  0 is off, 1 is on, on from 0800h upward (D-8): from one half.
+   --  0 is off, 1 is on; the threshold is 0800h (D-8), one half.
    Switch   : constant Scale := (On_Off, 0.0, 1.0 / 4_095.0);
 
    Sensors : constant Sensor_Scales :=
@@ -105,7 +104,7 @@ package Host.Scaling is
       Airspeed                  => (Knots, 0.0, 0.031_25),
       Altitude                  => (Feet, 0.0, 0.5),
 
-      --  At the aircraft's receiver. The range ends where it goes deaf.
+      --  At the aircraft's receiver. The range ends where reception fails.
       Uplink_Signal_Strength    => (Decibel_Milliwatts, -120.0, 0.025));
 
    Servos : constant Servo_Scales :=

@@ -12,19 +12,18 @@ package body Host.Scripts is
    Longest_Time : constant := 10_000_000_000;
    Largest_Word : constant Number := Number (Converter_Value'Last);
 
-   --  What a column of the file holds.
+   --  The contents of a column of the file.
    type Column_Kind is (Time, A_Word, Nothing);
    type Column is record
       Kind  : Column_Kind := Nothing;
       Which : Item        := Item'First;
    end record;
 
-   --  Each column at most once: time, every item and the one without
-   --  effect.
+   --  Each column at most once: time, every item and the one without effect.
    Most_Columns : constant Positive := Neutral'Length + 2;
    type Column_List is array (1 .. Most_Columns) of Column;
 
-   --  Hands out the fields of a line one by one.
+   --  Returns the fields of a line one by one.
    type Field_Cursor is record
       Next : Positive;
       More : Boolean;
@@ -36,7 +35,7 @@ package body Host.Scripts is
       First  : out Positive;
       Last   : out Natural);
 
-   --  The names from that one on, a comma before each.
+   --  The names from that one on, each after a comma.
    function Names_From (Which : Item) return String;
 
    --  Sets the kind of a column from its name in the header.
@@ -225,7 +224,7 @@ package body Host.Scripts is
       Used : Natural := Rows_A_Block;
       Rows : Long_Long_Integer := 0;
 
-      --  Where the blank lines began that only the end may follow.
+      --  The first of the blank lines, which only the end may follow.
       Blank : Natural := 0;
    begin
       Text_Input.Open (From, File);

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A script of words over time: what the pilot's sticks or the aircraft's
---  sensors do in a flight. It is read from a CSV file as a whole and
---  checked before the flight begins.
+--  A script of words over time: the pilot's sticks or the aircraft's sensors
+--  in a flight. The whole CSV file is read and checked before the flight
+--  begins.
 --
---  The header names the columns, in any order; "time_ms" must be there.
---  The word of an absent column is neutral. A row holds from its time
---  until the next row; before the first row all is neutral.
+--  The header names the columns, in any order; "time_ms" is required. The word
+--  of an absent column is neutral. A row holds from its time until the next
+--  row; before the first row all is neutral.
 
 generic
    type Item is (<>);
@@ -14,7 +14,7 @@ generic
    Neutral : Words;
    with function Name (Which : Item) return String;
 
-   --  A column that may be there but says nothing to the script.
+   --  An allowed column that has no effect on the script.
    Column_Without_Effect : String := "";
 package Host.Scripts is
 
@@ -23,11 +23,11 @@ package Host.Scripts is
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : in out Script; File : String);
 
-   --  The file has a column for the item.
+   --  Whether the file has a column for the item.
    function Is_Given (From : Script; Which : Item) return Boolean;
 
-   --  When the last row has held for a frame, rounded up to whole frames.
-   --  0 when nothing was loaded.
+   --  The end of the last row's first frame, rounded up to whole frames. 0
+   --  when nothing was loaded.
    function Length (From : Script) return Microseconds;
 
    --  When the next row begins to hold, Never after the last.
@@ -44,8 +44,8 @@ private
       Value : Words;
    end record;
 
-   --  Rows are kept in blocks chained together, so that a long file is
-   --  never copied while it grows.
+   --  Rows are kept in a list of blocks, so that a long file is never copied
+   --  while it grows.
    Rows_A_Block : constant := 1_024;
    type Row_Index is range 1 .. Rows_A_Block;
    type Row_Array is array (Row_Index) of Timed_Words;
@@ -62,7 +62,7 @@ private
    type Script is limited record
       Given : Item_Set := (others => False);
 
-      --  The next row to take and how many rows there are from it on.
+      --  The next row to take and the number of rows left.
       Present : Block_Access;
       Index   : Row_Index         := Row_Index'First;
       Left    : Long_Long_Integer := 0;

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the aircraft's sensors measure, from a file (--sensors).
+--  The measurements of the aircraft's sensors, from a file (--sensors).
 --
---  The promised format allows every name of the downlink, "error" among
---  them. No sensor gives that word, the aircraft itself does: its column
---  is checked and has no effect.
+--  The promised format allows every name of the downlink, "error" among them.
+--  That word comes from the aircraft itself, not from a sensor: its column is
+--  checked and has no effect.
 
 with Host.Names;
 with Host.Scripts;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the pilot's sticks and switches do, from a file (--sticks).
+--  The pilot's sticks and switches, from a file (--sticks).
 
 with Host.Names;
 with Host.Scripts;

@@ -1,26 +1,26 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What befalls the servos of an aircraft in a flight (SIM-5).
+--  The faults of an aircraft's servos in a flight (SIM-5).
 --
---  A plant counts its steps, each a tick long, from the first that it makes
---  with the servos' commands. A fault acts from its step on. A later one of
---  the same servo takes the place of the one before.
+--  A plant counts its steps, each a tick long, from the first with the servos'
+--  commands. A fault acts from its step on. A later fault of the same servo
+--  replaces the earlier one.
 
 with Ada.Containers.Vectors;
 
 package Host.Surface_Faults is
 
    type Fault_Kind is
-     (Stuck_Here,    --  stays where it is
-      Stuck_At,      --  runs to a place, as if commanded, and stays there
+     (Stuck_Here,    --  stays at its present position
+      Stuck_At,      --  runs to a position, as if commanded, and stays
       Floating,      --  its linkage is broken
-      Slow);         --  moves at a part of its speed
+      Slow);         --  moves at a fraction of its speed
 
    type Percentage is range 1 .. 99;
 
    type Step_Number is new Long_Long_Integer range 0 .. 2 ** 62;
 
-   --  Place is of Stuck_At, Speed of Slow.
+   --  Place is for Stuck_At, Speed for Slow.
    type Fault is record
       Servo : Servo_Item;
       Start : Step_Number;

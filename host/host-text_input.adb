@@ -15,7 +15,7 @@ package body Host.Text_Input is
    function Open (Name : char_array; Flags : int) return int
    with Import, Convention => C_Variadic_2, External_Name => "open";
 
-   --  Of GNAT's run-time library; 0 when it is none.
+   --  From GNAT's run-time library; 0 when it is not a regular file.
    function Is_Regular_File (File : int) return int
    with Import, Convention => C,
         External_Name => "__gnat_is_regular_file_fd";
@@ -24,8 +24,7 @@ package body Host.Text_Input is
      Character'Val (16#EF#) & Character'Val (16#BB#)
      & Character'Val (16#BF#);
 
-   --  Makes sure that Block holds something to take, unless the file has
-   --  ended.
+   --  Fills Block unless it holds data or the file has ended.
    procedure Fill (From : in out Reader);
 
    procedure Fill (From : in out Reader) is
@@ -57,7 +56,7 @@ package body Host.Text_Input is
       elsif Is_Regular_File (int (From.File)) = 0
         and then not Is_Directory (File)
       then
-         Refuse (From, "is no regular file");
+         Refuse (From, "is not a regular file");
       end if;
 
       Fill (From);
@@ -65,8 +64,8 @@ package body Host.Text_Input is
          Refuse (From, "the file is empty");
       end if;
 
-      --  The first block of a file is not shorter than the mark unless
-      --  the file is.
+      --  The first block of a file is shorter than the mark only if the file
+      --  is.
       if From.Last >= Byte_Order_Mark'Length
         and then From.Block (1 .. Byte_Order_Mark'Length) = Byte_Order_Mark
       then

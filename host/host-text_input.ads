@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Reads an input file line by line and knows where it is, so that every
---  refusal says file and line. Lines may end in LF or CR LF, the last one
---  in nothing at all. A byte order mark at the beginning is skipped.
+--  Reads an input file line by line and counts the lines, so that every
+--  refusal names file and line. Lines may end in LF or CR LF; the last one
+--  needs no end. A byte order mark at the beginning is skipped.
 
 private with Ada.Finalization;
 private with Ada.Strings.Unbounded;
@@ -10,17 +10,17 @@ private with GNAT.OS_Lib;
 
 package Host.Text_Input is
 
-   --  No line that makes sense comes near this length.
+   --  No sensible line comes near this length.
    Longest_Line : constant := 4_096;
 
    type Reader is limited private;
 
-   --  Refuses at line 1 a file that is missing, cannot be read, is a
-   --  directory, a pipe or a device, or is empty (SEC-14). Never blocks.
+   --  Refuses at line 1 a file that is missing, unreadable, empty, a
+   --  directory, a pipe or a device (SEC-14). Never blocks.
    procedure Open (From : in out Reader; File : String);
 
-   --  Takes the next line. At the end of the file nothing is found, and
-   --  the line number is that of the line after the last.
+   --  Takes the next line. At the end of the file nothing is found, and the
+   --  line number is that after the last line.
    procedure Next_Line (From : in out Reader; Found : out Boolean);
 
    function Line_Number (From : Reader) return Positive;
@@ -35,7 +35,7 @@ package Host.Text_Input is
    procedure Refuse (From : Reader; Line : Positive; What : String)
      with No_Return;
 
-   --  The file is closed at the latest when the reader ceases to exist.
+   --  The file is closed at the latest when the reader is finalized.
    procedure Close (From : in out Reader);
 
    --  Without the blanks and tabulators at both ends.

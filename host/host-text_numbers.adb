@@ -4,7 +4,7 @@ package body Host.Text_Numbers is
 
    use type Number;
 
-   --  Reads digits of the base on top of Value. Text must not be empty.
+   --  Appends digits of the base to Value. Text must not be empty.
    procedure Read_Digits
      (Text     : String;
       Base     : Number;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Numbers as people write them in options and input files. Nothing is
---  guessed: no sign, no blanks, no digit separators, no overflow.
+--  Numbers in options and input files. The syntax is strict: no sign, no
+--  blanks, no digit separators, no overflow.
 
 with Interfaces;
 
@@ -27,21 +27,21 @@ package Host.Text_Numbers is
       Value    : out Number;
       Is_Valid : out Boolean);
 
-   --  Whole or with at most so many decimals; the value counts units of
-   --  the last of them. "0.5" with three decimals is 500.
+   --  A whole number or one with at most that number of decimals; the value
+   --  counts units of the last decimal. "0.5" with three decimals is 500.
    procedure Read_Decimal
      (Text     : String;
       Decimals : Natural;
       Value    : out Number;
       Is_Valid : out Boolean);
 
-   --  How the value is written, without a leading blank.
+   --  The value as text, without a leading blank.
    function Image (Value : Long_Long_Integer) return String;
 
-   --  A number of thousandths, with no more decimals than it takes: "1.392".
+   --  A number of thousandths, with no superfluous decimals: "1.392".
    function Thousandths_Image (Value : Number) return String;
 
-   --  In hexadecimal digits, without a mark.
+   --  In hexadecimal digits, without a prefix.
    function Hexadecimal_Image (Value : Number) return String;
 
 end Host.Text_Numbers;

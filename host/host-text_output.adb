@@ -20,13 +20,13 @@ package body Host.Text_Output is
       Length : Long_Long_Integer) return Integer
      with Import, Convention => C, External_Name => "ftruncate64";
 
-   --  What a system that gives no reason means.
+   --  The assumed error when the system gives no reason.
    Input_Output_Error : constant := 5;
 
    --  Of this program.
    Has_Lost : Boolean := False with Atomic;
 
-   --  The last call of the system has failed: the output is closed.
+   --  Closes the output after a failed system call.
    procedure Lose (To : in out Writer);
 
    function Any_Lost return Boolean is (Has_Lost);
@@ -169,7 +169,7 @@ package body Host.Text_Output is
       Rest        : Text_Numbers.Number := Value;
       Pair        : Two_Digits;
    begin
-      --  Two digits at a time, for a division costs more than a look-up.
+      --  Two digits at a time, because a division costs more than a look-up.
       while Rest >= 10 loop
          Pair := Two_Digits (Rest mod 100);
          Rest := Rest / 100;
@@ -212,7 +212,7 @@ package body Host.Text_Output is
       Rounded : Text_Numbers.Number;
       Unit    : Text_Numbers.Number := Units;
    begin
-      --  Written so that what is not a number is not inside either.
+      --  Written so that not-a-number fails the test.
       if not (abs Value <= Largest) then
          Put (To, "nan");
          return;
@@ -251,9 +251,8 @@ package body Host.Text_Output is
       To.State := Closed;
    end Close;
 
-   --  A pipe that nobody reads, and a file that has reached the user's limit,
-   --  fail as any other output does. By default they end the program without
-   --  a word.
+   --  A pipe without a reader, and a file at the user's size limit, then fail
+   --  like any other output. By default they end the program silently.
    procedure Ignore_Signals;
 
    procedure Ignore_Signals is

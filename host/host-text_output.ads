@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Writes an output file in large blocks. The flight record and the wire
---  log of a fast simulation are most of what it has to do, so numbers are
---  formatted by hand.
+--  Writes an output file in large blocks. The flight record and the wire log
+--  take most of the time of a fast simulation, so this package formats numbers
+--  itself.
 --
---  A writer is open only if its output was asked for. Host.Outputs opens
---  all of a flight.
+--  A writer is open only if its output was requested. Host.Outputs opens all
+--  those of a flight.
 --
---  An output that cannot be written never ends the program (SIM-8): the
---  writer reports it in a line on standard error, closes the file, and drops
---  what comes after. The writer stays open, and is lost.
+--  An output that cannot be written never ends the program (SIM-8): the writer
+--  reports it in a line on standard error, closes the file, and drops later
+--  output. The writer stays open, and is lost.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
@@ -20,17 +20,17 @@ package Host.Text_Output is
 
    type Writer is limited private;
 
-   --  How often what has been written so far goes to the files, so that a
-   --  program that is killed loses no more of it (SIM-1, GND-4).
+   --  The interval at which buffered output goes to the files. A killed
+   --  program loses no more than this (SIM-1, GND-4).
    Flush_Interval : constant := Microseconds_Per_Second;
 
    Most_Decimals : constant := 6;
 
    function Is_Open (To : Writer) return Boolean with Inline;
 
-   --  Takes over a file that is open for writing. The title says in a
-   --  complaint which output it is. Is_Rewritten: the file is a regular one
-   --  and holds nothing else, so that Restart may be called.
+   --  Takes over a file that is open for writing. Complaints name the output
+   --  by its title. Is_Rewritten: it is a regular file that holds nothing
+   --  else, so that Restart may be called.
    procedure Attach
      (To           : in out Writer;
       File         : GNAT.OS_Lib.File_Descriptor;
@@ -38,28 +38,27 @@ package Host.Text_Output is
       Is_Rewritten : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Keeps what is put, up to Block_Length characters, until Clear; for a
-   --  task that may not wait for a disk.
+   --  Keeps output, up to Block_Length characters, until Clear; for a task
+   --  that must not wait for a disk.
    procedure Attach_Memory (To : in out Writer)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  What a writer to memory has been given since Clear.
+   --  The text of a memory writer since Clear.
    function Text (To : Writer) return String
      with Pre => Is_Open (To);
    procedure Clear (To : in out Writer)
      with Pre => Is_Open (To);
 
-   --  Another descriptor of the program's standard output or standard
-   --  error, so that closing it leaves the program's.
+   --  Another descriptor of the program's standard output or standard error:
+   --  closing it leaves the program's own open.
    function Screen (Is_Error : Boolean := False)
                     return GNAT.OS_Lib.File_Descriptor;
 
    procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Whether the file could not be written, why, in the system's words, and
-   --  whether because it is a pipe that nobody reads any more. A writer that
-   --  was closed keeps it.
+   --  Whether the output failed, the system's reason, and whether it was a
+   --  pipe without a reader. A closed writer keeps this information.
    function Is_Lost (To : Writer) return Boolean with Inline;
    function Loss (To : Writer) return String
      with Pre => Is_Lost (To);
@@ -77,36 +76,36 @@ package Host.Text_Output is
    procedure New_Line (To : in out Writer)
      with Inline, Pre => Is_Open (To);
 
-   --  The text, then the end of the line.
+   --  Puts the text and the end of the line.
    procedure Put_Line (To : in out Writer; Text : String)
      with Pre => Is_Open (To);
 
-   --  A number with so many decimals, rounded; "nan" for what is none.
+   --  A rounded number with that number of decimals; "nan" for not-a-number.
    procedure Put
      (To       : in out Writer;
       Value    : Long_Float;
       Decimals : Positive)
      with Pre => Is_Open (To) and then Decimals <= Most_Decimals;
 
-   --  Writes what is left; the file stays open. Ends early when the file
-   --  cannot be written.
+   --  Writes the buffered output; the file stays open. Ends early when the
+   --  file cannot be written.
    procedure Flush (To : in out Writer)
      with Pre => Is_Open (To);
 
-   --  Whether the file can be written again from its beginning.
+   --  Whether the file can be rewritten from its beginning.
    function Can_Restart (To : Writer) return Boolean
      with Pre => Is_Open (To);
 
-   --  What comes next takes the place of all that was written before.
+   --  The next output replaces all earlier output.
    procedure Restart (To : in out Writer)
      with Pre => Is_Open (To) and then Can_Restart (To);
 
-   --  Writes what is left of a version; where the one before was longer,
-   --  blanks take its place.
+   --  Writes the rest of a version and fills with blanks up to the length of a
+   --  longer previous version.
    procedure End_Version (To : in out Writer)
      with Pre => Is_Open (To);
 
-   --  Writes what is left and closes the file.
+   --  Writes the buffered output and closes the file.
    procedure Close (To : in out Writer)
      with Post => not Is_Open (To);
 
@@ -121,13 +120,13 @@ private
       File  : GNAT.OS_Lib.File_Descriptor := GNAT.OS_Lib.Invalid_FD;
       Title : Unbounded_String;
 
-      --  Of a lost one: the system's error.
+      --  The system's error of a lost output.
       Error : Integer := 0;
 
       Block : String (1 .. Block_Length);
       Last  : Natural range 0 .. Block_Length := 0;
 
-      --  How long the file's present version is, and the longest before.
+      --  The length of the file's present version, and the longest before.
       Is_Rewritten : Boolean           := False;
       Length       : Long_Long_Integer := 0;
       Longest      : Long_Long_Integer := 0;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The columns truth.* of a flight record: what the aircraft in JSBSim really
---  does, in engineering units.
+--  The columns truth.* of a flight record: the true state of the aircraft in
+--  JSBSim, in engineering units.
 
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;    use Host.Text_Output;

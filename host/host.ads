@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the programs on a host share, whatever moves their time: the
---  simulation, the real-time partitions and the tests. Text in and out,
---  scripts, scales, the bench and the memories behind the boards.
+--  The common base of all programs on a host: the simulation, the real-time
+--  partitions and the tests. Text in and out, scripts, scales, the bench and
+--  the memories of the boards.
 
 with Interfaces;
 
@@ -17,10 +17,11 @@ package Host is
    --  Of the program, as in alire.toml.
    Version : constant String := "0.1.0-dev";
 
-   --  Since the ground node was switched on; in real time, since the node was.
+   --  Since the ground node was switched on; in real time, since this node
+   --  was.
    type Microseconds is range 0 .. 2 ** 62 - 1;
 
-   --  When nothing more happens.
+   --  No further event.
    Never : constant Microseconds := Microseconds'Last;
 
    Microseconds_Per_Millisecond : constant := 1_000;
@@ -37,25 +38,25 @@ package Host is
    function Whole_Frames (Time : Microseconds) return Microseconds is
      ((Time + Major_Frame - 1) / Major_Frame * Major_Frame);
 
-   --  How many ticks the aircraft's frame may lag behind (D-12).
+   --  The lag of the aircraft's frame, in ticks (D-12).
    subtype Phase_Ticks is Natural range 0 .. Ticks_Per_Major_Frame - 1;
 
-   --  As a rule it lags by 6 ms, however long a tick is (EVI-12). At about
-   --  3 ms its block would just miss its turn on the link.
+   --  By default it lags by 6 ms, whatever the length of a tick (EVI-12). At
+   --  about 3 ms its block would just miss its turn on the link.
    Usual_Phase : constant Phase_Ticks := 6_000 / Microseconds_Per_Tick;
 
-   --  By how many millionths the aircraft's ticks may be longer than the
-   --  ground's (FRM-6).
+   --  The difference in length between the aircraft's and the ground's ticks,
+   --  in millionths (FRM-6).
    type Drift_Number is range -200 .. 200;
 
-   --  Where chance begins.
+   --  The seed of the random numbers.
    type Seed_Number is new Interfaces.Unsigned_64;
 
    subtype Schedule_Name is URVOS.Task_Trees.Schedule_Name;
 
-   --  In these ticks of the aircraft's frame its scans begin and the servos
-   --  get new commands; from these it is so many until the next scan (FRM-2,
-   --  FRM-5).
+   --  The ticks of the aircraft's frame at which its scans begin and the
+   --  servos get new commands, and the number of ticks from these until the
+   --  next scan (FRM-2, FRM-5).
 
    function Scan_Tick (Schedule : Schedule_Name) return Phase_Ticks is
      (case Schedule is
@@ -77,14 +78,13 @@ package Host is
    --  Their flight software is GSC and MCS.
    type Node is (Ground, Aircraft);
 
-   --  What the pilot's console gives the ground's A/D board.
+   --  The words from the pilot's console to the ground's A/D board.
    type Console_Words is array (Command_Item) of Word;
 
-   --  What the aircraft's sensors give the aircraft's A/D board.
+   --  The words from the aircraft's sensors to its A/D board.
    type Sensor_Words is array (Sensor_Item) of Word;
 
-   --  Cumulative counts of the serial link, in the order of the flight
-   --  record.
+   --  Cumulative counts of the serial link, in the order of the flight record.
    type Link_Item is
      (Uplink_Sent, Uplink_Received, Uplink_Bad, Uplink_Scrapped,
       Downlink_Sent, Downlink_Received, Downlink_Bad, Downlink_Scrapped,
@@ -97,8 +97,8 @@ package Host is
 
    Neutral_Sensors : constant Sensor_Words := (others => Neutral_Value);
 
-   --  A bad command line or a bad input file, with a message that says
-   --  where and what. The program ends with exit status 2.
+   --  A bad command line or a bad input file; the message names the place and
+   --  the error. The program ends with exit status 2.
    Bad_Input : exception;
 
 end Host;

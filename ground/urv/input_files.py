@@ -43,7 +43,7 @@ def opened(path):
         os.close(number)
         raise faults.Refused(
             f"{faults.quoted(path)} is a folder" if stat.S_ISDIR(mode)
-            else f"{faults.quoted(path)} is no regular file")
+            else f"{faults.quoted(path)} is not a regular file")
     return open(number, "rb")
 
 

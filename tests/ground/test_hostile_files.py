@@ -297,7 +297,7 @@ def test_sec14_pipes_and_devices_are_refused_at_once(tmp_path, arguments):
         os.mkfifo(tmp_path / f"pipe.{kind}")
     status, said, _ = run_measured(tmp_path, *arguments)
     assert (status, len(said.splitlines())) == (2, 1)
-    assert said.endswith(" is no regular file\n")
+    assert said.endswith(" is not a regular file\n")
 
 
 # Each command that writes a file that the user names.

@@ -80,7 +80,7 @@ def test_sec14_no_file_of_keys_is_a_pipe_long_or_without_sense(
     key = f"key 1 {'0a' * 16}\n".encode()
     os.mkfifo(tmp_path / "pipe.key", 0o600)
     for name, data, said in (
-            ("pipe.key", None, "is no regular file"),
+            ("pipe.key", None, "is not a regular file"),
             ("long.key", b"#" * 4095 + b"\n" + key, "is no file of keys"),
             ("big.key", key.replace(b"1", b"256", 1), "big.key:1: this is no"),
             ("cr.key", b"# a\r" + key, "has no key"),

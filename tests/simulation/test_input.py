@@ -440,7 +440,7 @@ def test_sec14_an_input_is_a_regular_file(refused, tmp_path, option, kind):
         name = "pipe"
         os.mkfifo(tmp_path / name)
     said = refused("fly", option, name, *ALL_OUTPUTS)
-    assert said == f"{name}:1: is no regular file"
+    assert said == f"{name}:1: is not a regular file"
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write any file")

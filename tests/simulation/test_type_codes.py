@@ -119,14 +119,14 @@ BAD = [
     ("1000 hover", 'unknown order "hover"; there are configure, block'),
     ("1000", 'unknown order ""; there are configure, block'),
     ("1000 configure 1 2000",
-     'it is written "TIME_MS configure TABLE ORBIT_MS END_MS"'),
+     'the form is "TIME_MS configure TABLE ORBIT_MS END_MS"'),
     ("1000 configure -1 2000 9000",
      'TABLE: "-1" is not a whole number from 0 to 4095'),
     ("1000 configure 1 2050 9000",
-     'ORBIT_MS: "2050" is no multiple of 100 ms'),
+     'ORBIT_MS: "2050" is not a multiple of 100 ms'),
     ("1000 configure 1 2000 409600",
      'END_MS: "409600" is not a whole number from 0 to 409500'),
-    ("1000 block", 'it is written "TIME_MS block KIND [WORD ...]", with 12'
+    ("1000 block", 'the form is "TIME_MS block KIND [WORD ...]", with 12'
      " words at most"),
     ("1000 block 1000", 'KIND: "1000" is not hexadecimal from 0 to fff'),
     ("1000 block 500 4096",
