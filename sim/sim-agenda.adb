@@ -2,8 +2,8 @@
 
 package body Sim.Agenda is
 
-   --  The time and, so that one comparison finds the first of several at
-   --  the same instant, the place of the event in the order of events.
+   --  The time and the event's place in the order of events, so that one
+   --  comparison finds the first of several at the same instant.
    type Entry_Time is mod 2 ** 64;
    Never  : constant Entry_Time := Entry_Time'Last;
    Places : constant := 16;
@@ -12,7 +12,7 @@ package body Sim.Agenda is
 
    Entries : array (Event) of Entry_Time := (others => Never);
 
-   --  What hardly ever happens is looked at only when it changes.
+   --  A rare event is looked at only when it changes.
    Is_Rare    : constant array (Event) of Boolean :=
      (Arrival_Up | Arrival_Down | Extra_Up | Extra_Down | Hardware_Fault
         | GSC_Started | MCS_Started => True,

@@ -1,24 +1,24 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What can happen in the simulation, and when each happens next.
+--  The events of the simulation, each with its next time.
 
 package Sim.Agenda is
 
    --  Of events at the same instant the first named happens first.
    type Event is
-     (Arrival_Up, Arrival_Down,           --  one sent comes, by a slow line
-      Extra_Up, Extra_Down,               --  one more comes than was sent
+     (Arrival_Up, Arrival_Down,           --  a delayed character arrives
+      Extra_Up, Extra_Down,               --  an additional character arrives
       Character_Up, Character_Down,       --  a character has been sent
-      Hardware_Fault,                     --  a node's hardware suffers
+      Hardware_Fault,                     --  a fault hits a node's hardware
       GSC_Converted, MCS_Converted,       --  an A/D conversion is done
-      GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's patience
+      GSC_Time_Out, MCS_Time_Out,         --  a telemetry board's time-out ends
       GSC_Clock, MCS_Clock,               --  a minor frame begins
-      GSC_Started, MCS_Started);          --  a controller starts again
+      GSC_Started, MCS_Started);          --  a controller's start is over
 
-   --  Nothing happens.
+   --  Removes all events.
    procedure Clear;
 
-   --  Enters when an event happens next.
+   --  Sets the next time of an event.
    procedure Schedule (What : Event; Time : Microseconds) with Inline;
 
    procedure Cancel (What : Event) with Inline;
@@ -29,7 +29,7 @@ package Sim.Agenda is
    procedure Find_First (What : out Event; Time : out Microseconds)
    with Inline;
 
-   --  When the first of the others happens.
+   --  The time of the first other event.
    function First_Besides (What : Event) return Microseconds with Inline;
 
 end Sim.Agenda;

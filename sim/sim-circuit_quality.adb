@@ -6,15 +6,15 @@ package body Sim.Circuit_Quality is
 
    Second : constant Long_Float := Long_Float (Microseconds_Per_Second);
 
-   --  It has flown when it was so high; it stands when it was no faster for
-   --  a frame.
+   --  Above this height the aircraft has flown; it is at rest when no faster
+   --  than this for a frame.
    Flown_Above   : constant Long_Float := 50.0;   --  ft
    Slower_Than   : constant Long_Float := 0.3;    --  ft/s
    Frame_Seconds : constant Long_Float :=
      Long_Float (Major_Frame) / Second;
 
-   --  Sink is the hardest of all touchdowns; a bounce makes another one. The
-   --  place is that of the first.
+   --  Sink is the hardest of all touchdowns; each bounce adds one. The place
+   --  is that of the first.
    type Observations is record
       Last          : Flight_State;
       Has_Lifted    : Boolean      := False;

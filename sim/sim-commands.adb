@@ -13,7 +13,7 @@ package body Sim.Commands is
    With_Help : constant String := "fly, items, numbers, tables";
    All_Names : constant String := With_Help & ", help, --version";
 
-   --  The command of that name, or Help for one that is not among them.
+   --  The command of that name, or Help if there is none.
    function Command_Of (Name : String) return Command is
      (if Name = "fly" then Fly
       elsif Name = "items" then Items
@@ -24,7 +24,7 @@ package body Sim.Commands is
 
    procedure Refuse_Command (Name : String; Names : String) with No_Return;
 
-   --  Refuses arguments after so many.
+   --  Refuses arguments after this number.
    procedure Expect_No_More (Than : Positive);
 
    procedure Refuse_Command (Name : String; Names : String) is
@@ -129,24 +129,24 @@ package body Sim.Commands is
          Put ("");
          Put ("exit status: 0 flown, 1 an output cannot be written or an");
          Put ("internal fault, 2 bad command line or bad input file");
-         Put ("(FILE:LINE: what is wrong), 130 interrupted");
+         Put ("(FILE:LINE: error), 130 interrupted");
       end Put_Fly;
 
       procedure Put_Items is
       begin
          Put ("items prints a line for each word of the uplink, the");
          Put ("downlink, the PWM board and the laws' row: name, buffer,");
-         Put ("position, unit, what words 0 and 4095 stand for, the limits");
-         Put ("of warnings and cautions, what a word is worth, and the word");
-         Put ("that stands for zero");
+         Put ("position, unit, the values of words 0 and 4095, the limits");
+         Put ("of warnings and cautions, the value of one word step, and the");
+         Put ("word for zero");
       end Put_Items;
 
       procedure Put_Numbers is
       begin
-         Put ("numbers prints how long a tick, a frame, a conversion and a");
-         Put ("character on the link are in us, how many words the buffers");
-         Put ("have, and how many characters the messages: what a script");
-         Put ("about a flight would else have to repeat");
+         Put ("numbers prints the constants that scripts about a flight");
+         Put ("need: the lengths of a tick, a frame, a conversion and a");
+         Put ("character on the link in us, the numbers of words in the");
+         Put ("buffers and of characters in the messages");
       end Put_Numbers;
 
       procedure Put_Tables is
@@ -168,7 +168,7 @@ package body Sim.Commands is
             Put ("");
             Put_Tables;
             Put ("");
-            Put ("docs/urv_sim.md has it all, with examples");
+            Put ("docs/urv_sim.md has details and examples");
          when Fly =>
             Put_Fly;
          when Items =>

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The command line of urv_sim: what was asked for, and the text that
---  explains it. Whatever is wrong with it raises Bad_Input (SIM-1).
+--  The command line of urv_sim: the user's choices, and the help text. Any
+--  error in it raises Bad_Input (SIM-1).
 
 with Host.Options;
 with Host.Text_Output;
@@ -13,13 +13,13 @@ package Sim.Commands is
    type Call is record
       Order  : Command := Help;
 
-      --  What help is about: Help for all commands.
+      --  The subject of help: Help for all commands.
       About  : Command := Help;
 
       Chosen : Host.Options.Choices;
    end record;
 
-   --  What the program was called with.
+   --  The parsed command line.
    function Parsed return Call;
 
    procedure Print_Usage

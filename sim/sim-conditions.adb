@@ -13,7 +13,7 @@ package body Sim.Conditions is
 
    Line_Feed : constant Character := ASCII.LF;
 
-   --  What has been said in the file, to find what is said twice.
+   --  The sensors named in the file so far, to find a repetition.
    type Sensor_Set is array (Sensor_Item) of Boolean;
    type Kind_Set is array (Condition_Kind) of Boolean;
    type Mentioned is record
@@ -37,7 +37,7 @@ package body Sim.Conditions is
          when In_The_Air    => "air",
          when On_The_Runway => "runway");
 
-   --  What follows the name.
+   --  The parameters after the name.
    function Parameters (Kind : Condition_Kind) return String is
      (case Kind is
          when Start      => " air|runway",
@@ -67,7 +67,7 @@ package body Sim.Conditions is
       & (if Item = Sensor_Item'Last then ""
          else ", " & Sensors_From (Sensor_Item'Succ (Item))));
 
-   --  A number from Least to Most, with a sign before it or not.
+   --  Reads a number from Least to Most, with or without a sign.
    procedure Read_Number
      (From        : Reader;
       What        : String;
@@ -84,7 +84,7 @@ package body Sim.Conditions is
    procedure Read_Start
      (From : Reader; Word : String; Loaded : in out Script);
 
-   --  A bias or a noise of a sensor.
+   --  Reads a bias or a noise of a sensor.
    procedure Read_Error
      (From        : Reader;
       Kind        : Condition_Kind;
@@ -236,7 +236,7 @@ package body Sim.Conditions is
       end if;
       if Count - 1 /= Parameter_Count (Kind) then
          Refuse
-           (From, "a condition of this kind is written " & Form_Of (Kind));
+           (From, "the form of this condition is " & Form_Of (Kind));
       end if;
 
       case Kind is

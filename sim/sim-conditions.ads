@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The conditions of a flight (--conditions): where it begins, wind,
---  turbulence, ballast, what the servos are like, and what is wrong with the
---  sensors (SIM-4). The bench has servos, all others need JSBSim.
+--  The conditions of a flight (--conditions): start, wind, turbulence,
+--  ballast, traits of the servos, and errors of the sensors (SIM-4). The bench
+--  has servos only; all others need JSBSim.
 --
---  The plant's process is told of all but the sensors. The errors
---  of sensors are added here, before what they measure becomes words.
+--  The plant's process receives all but the sensors' errors. They are added
+--  here, before the measurements become words.
 
 with Ada.Strings.Unbounded;
 
@@ -20,7 +20,7 @@ package Sim.Conditions is
    type Condition_Kind is
      (Start, Wind, Turbulence, Ballast, Servos, Bias, Noisiness);
 
-   --  How such a condition is written: "wind FROM_DEG KT".
+   --  The form of such a condition: "wind FROM_DEG KT".
    function Form_Of (Kind : Condition_Kind) return String;
 
    type Script is limited private;
@@ -30,18 +30,18 @@ package Sim.Conditions is
    procedure Load
      (Loaded : in out Script; File : String; Has_Aircraft : Boolean);
 
-   --  Where the file says that the flight begins; else as Otherwise says.
+   --  The place where the flight begins, from the file, or Otherwise.
    function Place
      (Given : Script; Otherwise : Start_Place) return Start_Place;
 
-   --  What the plant is told: lines for its introduction. Without a file
-   --  and with a start in the air there is none.
+   --  The lines for the plant's introduction; none without a file and with a
+   --  start in the air.
    function Introduction
      (Given : Script;
       Seed  : Seed_Number;
       From  : Start_Place) return String;
 
-   --  The same of the servos for the bench.
+   --  The traits of the servos for the bench.
    function Bench_Servos (Given : Script) return Host.Bench.Servo_Traits;
 
    --  The errors of the sensors' next measurement.

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A pilot's console whose packets do not come (SAF-10, SIM-7), as the
---  ground's converter sees it: for 0.5 s the words of its last scan before,
---  then no scan, or on the ground the safe words.
+--  A pilot's console whose packets are lost (SAF-10, SIM-7), as seen by the
+--  ground's converter: for 0.5 s the words of its last scan, then no scan, or
+--  on the ground the safe words.
 
 with Sim.Faults;
 with URV.Buffers; use URV.Buffers;
@@ -12,19 +12,19 @@ private package Sim.Console_Faults is
 
    procedure Prepare (Script : Faults.Script);
 
-   --  The flight has such a fault.
+   --  Whether the flight has such a fault.
    function Are_There return Boolean with Inline;
 
    --  The ground's controller has begun a scan; the console has these words.
    procedure Begin_Scan (Time : Microseconds; Console : Channel_Words);
 
-   --  A channel of the present scan has been converted, while the console is
-   --  there: its word is held if this is the last scan before the console
+   --  A channel of the present scan has been converted while the console is
+   --  connected: its word is kept if this is the last scan before the console
    --  falls silent.
    procedure Keep (Which : Channel; Item : Word);
 
-   --  Of the present scan: whether the converter brings one, whether it has
-   --  the console's own words, and else those it has.
+   --  The present scan: whether the converter completes one, whether it has
+   --  the console's own words, and the words otherwise.
 
    function Brings_Scan return Boolean with Inline;
    function Is_Live return Boolean with Inline;

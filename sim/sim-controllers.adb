@@ -21,21 +21,21 @@ package body Sim.Controllers is
    type Controller is record
       Is_On       : Boolean         := False;
 
-      --  How often the clock ticks until it ticks next, and what it shows.
+      --  The number of the clock's next tick, and the minor frame it shows.
       Ticks       : Microseconds    := 0;
       Clock       : Frame_Clock;
 
       --  It is down until the time of its start is over.
       Is_Starting : Boolean         := False;
 
-      --  It stands still until its next start.
+      --  It is halted until its next start.
       Is_Halted   : Boolean         := False;
       Condition   : Start_Condition := Cold_Start;
 
       --  The value held by the A/D board while it converts.
       Held        : Word := 0;
 
-      --  When the A/D board stands still.
+      --  The stalls of the A/D board.
       Stalls      : Windows.List;
    end record;
 
@@ -44,12 +44,12 @@ package body Sim.Controllers is
    --  Of the aircraft.
    Number_Of_Processors : Processor_Count := 1;
 
-   --  When the clocks tick first, and by how many millionths their ticks are
-   --  longer.
+   --  The first tick of each clock, and the additional length of its ticks in
+   --  millionths.
    First_Tick : array (Node) of Microseconds := (others => 0);
    Longer     : array (Node) of Drift_Number := (others => 0);
 
-   --  When the clock ticks for the so manieth time, from 0 on.
+   --  The time of the clock's tick with this number, from 0 on.
    function Time_Of_Tick
      (Which : Node; Ticks : Microseconds) return Microseconds
    is
@@ -57,14 +57,14 @@ package body Sim.Controllers is
       + Ticks * (Tick_Time / 1_000) * Microseconds'Base (Longer (Which))
         / 1_000);
 
-   --  What each converter's channels see.
+   --  The words on each converter's channels.
    Inputs : array (Node) of Channel_Words :=
      (others => (others => Neutral_Value));
 
    --  Phases one to three of a start, at its end.
    procedure Start (Which : Node; Time : Microseconds);
 
-   --  It takes interrupts.
+   --  Whether it takes interrupts.
    function Is_Up (Item : Controller) return Boolean;
 
    --  An exception that the node's program has not handled (KRN-6).
@@ -73,12 +73,12 @@ package body Sim.Controllers is
       Time   : Microseconds;
       Raised : Boolean);
 
-   --  Begins the conversion that the controller has asked for, if any. The
-   --  board holds the channel's value from now on.
+   --  Begins the conversion that the controller has requested, if any. From
+   --  now on the board holds the channel's value.
    procedure Serve_Converter (Which : Node; Time : Microseconds)
    with Inline_Always;
 
-   --  End_Conversion, apart for each node.
+   --  End_Conversion, one instance for each node.
    procedure Convert
      (Which      : Node;
       Time       : in out Microseconds;
@@ -147,7 +147,7 @@ package body Sim.Controllers is
       Inputs (Which) (Where) := Value;
    end Set_Input;
 
-   --  It takes interrupts.
+   --  Whether it takes interrupts.
    function Is_Up (Item : Controller) return Boolean is
      (not Item.Is_Starting and then not Item.Is_Halted);
 
@@ -217,7 +217,7 @@ package body Sim.Controllers is
             Skip (Item.Stalls);
          end loop;
 
-         --  A board that stands still converts anew when it goes on.
+         --  A stalled board converts again when the stall ends.
          if Next (Item.Stalls).First <= Time then
             Schedule
               (Converted (Which), Next (Item.Stalls).Stop + Conversion_Time);
@@ -230,7 +230,7 @@ package body Sim.Controllers is
          Serve_Converter (Which, Time);
          Answer_Exception (Which, Time, Raised);
 
-         --  Behind a scan, or where none is expected.
+         --  After a scan, or outside of one.
          if not Is_Due (Converted (Which)) and then Is_Up (Item) then
             Look_Again (Which, Raised);
             Serve_Converter (Which, Time);
@@ -307,8 +307,8 @@ package body Sim.Controllers is
       Nodes.Start
         (Which, Item.Condition, Item.Clock.Now, Number_Of_Processors, Raised);
 
-      --  It has prepared its A/D board anew: no conversion is under way but
-      --  the one it may have asked for.
+      --  The start has reset the A/D board: the only conversion under way is
+      --  one that it may have requested.
       Cancel (Converted (Which));
       Serve_Converter (Which, Time);
       if not Raised then

@@ -28,23 +28,23 @@ package body Sim.Engine is
    Converted : constant array (Node) of Event :=
      (Ground => GSC_Converted, Aircraft => MCS_Converted);
 
-   --  What a telemetry board's hardware knows.
+   --  The state of a telemetry board's hardware.
    type Hardware is record
-      --  Up to where its timer has been told.
+      --  The time up to which its timer has counted.
       Timer   : Microseconds := 0;
 
-      --  When its processor stands still.
+      --  The stalls of its processor.
       Stalls  : Windows.List;
 
-      --  Its DUART has lost characters that nobody read, and will say so
-      --  with the next one.
+      --  Its DUART has lost unread characters, and will report that with the
+      --  next one.
       Overrun : Boolean := False;
 
-      --  What the other board will have heard when the character on the
-      --  line has been sent.
+      --  The other board receives this when the character on the line has been
+      --  sent.
       On_Line : Delivery;
 
-      --  What it hears besides, when Extra is due.
+      --  Additional arrivals at the time of Extra.
       Added   : Arrival_List;
    end record;
 
@@ -52,11 +52,11 @@ package body Sim.Engine is
 
    Link_Line : Line;
 
-   --  How long a character takes to the other board after its last bit has
-   --  left: on a wire no time (LNK-11).
+   --  The delay of the line from a character's last bit to the other board:
+   --  zero on a wire (LNK-11).
    Line_Time : Microseconds := 0;
 
-   --  A telemetry board starts anew.
+   --  Restarts a telemetry board.
    procedure Start_Anew
      (Which : Node;
       Time  : Microseconds;
@@ -67,26 +67,26 @@ package body Sim.Engine is
      (Time : Microseconds;
       Wire : in out Text_Output.Writer);
 
-   --  No stall has begun that Ask_Stalled has not seen the end of.
+   --  Whether Ask_Stalled has seen the end of every stall so far.
    function Runs (Which : Node; Time : Microseconds) return Boolean;
 
-   --  The board's processor stands still. Its timer is set on by every
-   --  stall that is over.
+   --  Whether the board's processor is stalled. Every completed stall moves
+   --  its timer forward.
    procedure Ask_Stalled
      (Which   : Node;
       Time    : Microseconds;
       Stalled : out Boolean)
    with No_Inline;
 
-   --  The character times since the board's timer was last asked.
+   --  The character times since the last query of the board's timer.
    procedure Ask_Timer
      (Which   : Node;
       Time    : Microseconds;
       Elapsed : out Character_Times)
    with Inline_Always;
 
-   --  What happens to most characters is done apart for each node: what is
-   --  known of it need not be looked up (EVI-14).
+   --  The frequent operations on characters have one instance for each node,
+   --  which needs no look-up of the node's constants (EVI-14).
 
    --  A character reaches the board.
    procedure Hear
@@ -96,32 +96,32 @@ package body Sim.Engine is
       May_Speak : out Boolean)
    with Inline_Always;
 
-   --  Gives the telemetry board its turn, if its transmitter is empty.
+   --  Lets the telemetry board transmit, if its transmitter is empty.
    procedure Serve
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer)
    with Inline_Always;
 
-   --  The same, where it is seldom done.
+   --  The same, for the rare calls.
    procedure Serve_Telemetry
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer)
    with No_Inline;
 
-   --  The node's character has been sent: the other board hears it, then
-   --  either may speak.
+   --  The node's character has been sent: the other board receives it, then
+   --  either may transmit.
    procedure End_Character
      (Sender : Node;
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    with Inline_Always;
 
-   --  The other board hears what the line has put before the character.
+   --  The other board receives the characters inserted before this one.
    procedure Insert (Sender : Node; Time : Microseconds) with No_Inline;
 
-   --  By a slow line a character comes to the other board later.
+   --  On a slow line a character reaches the other board later.
    procedure Delay_Arrival
      (Sender : Node;
       Time   : Microseconds;
@@ -131,21 +131,21 @@ package body Sim.Engine is
    procedure Delay_Character (Sender : Node; Time : Microseconds)
    with No_Inline;
 
-   --  It has come.
+   --  The delayed character arrives.
    procedure Hear_Late
      (Sender : Node;
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer);
 
-   --  The other board hears what the line has added to the node's
-   --  characters.
+   --  The other board receives the characters that the line has added to the
+   --  node's.
    procedure Hear_Extra
      (Sender : Node;
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer);
 
-   --  The controller has run: what it gave the telemetry board may be sent. A
-   --  board that waits for the other one says nothing meanwhile.
+   --  The controller has run: the telemetry board may send its new data. A
+   --  board that waits for the other one does not transmit.
    procedure Serve_Behind_Tasks
      (Which : Node;
       Time  : Microseconds;
@@ -192,7 +192,7 @@ package body Sim.Engine is
 
       case Faults.Hardware_Fault'(Item.Kind) is
          when Faults.Reset =>
-            --  Before it is switched on there is nothing to start anew.
+            --  A node that was never switched on cannot restart.
             if Controllers.Is_On (Item.Where) then
                case Item.How is
                   when Faults.Cold =>
@@ -324,8 +324,8 @@ package body Sim.Engine is
          Transmit
            (Link_Line, Way_From (Which), Time, Data, Board.On_Line);
 
-         --  An inserted character comes at once, or behind the doubled one
-         --  that is still to come before the character now sent.
+         --  An inserted character arrives at once, or after a doubled one that
+         --  must still arrive before the character now sent.
          if Board.On_Line.Before.Length > 0 then
             Insert (Which, Time);
          end if;
@@ -375,8 +375,8 @@ package body Sim.Engine is
             Schedule (Extra (Sender), Time + Character_Time);
          end if;
 
-         --  A time-out entered before the character came is too early by
-         --  now. When it is due the board will say so.
+         --  A time-out entered before the character arrived is now too early.
+         --  When it is due the board will report the new one.
          if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
             Serve_Telemetry (Other (Sender), Time, Wire);
          end if;

@@ -19,8 +19,8 @@ package Sim.Engine is
 
    --  Switches both nodes on: the ground at time 0, the aircraft Lag later,
    --  with ticks that are longer by Drift millionths.
-   --  Faults that happen by chance are drawn from Seed. Processors is how
-   --  many the aircraft's node has. Line is the delay of the serial link.
+   --  Random faults are drawn from Seed. Processors is the number of
+   --  processors of the aircraft's node. Line is the delay of the serial link.
    procedure Start
      (Lag        : Microseconds;
       Script     : Faults.Script;
@@ -29,13 +29,13 @@ package Sim.Engine is
       Drift      : Drift_Number := 0;
       Line       : Telemetry.Line_Delay := 0);
 
-   --  Lets everything happen that happens before Stop. Bytes on the link
-   --  are written to Wire if that is open.
+   --  Runs all events before Stop. Bytes on the link are written to Wire if
+   --  that is open.
    procedure Run
      (Stop : Microseconds;
       Wire : in out Text_Output.Writer);
 
-   --  What the converters see from now on.
+   --  Set the words on the converters' channels from now on.
 
    procedure Set_Console (Words : Console_Words);
 

@@ -4,7 +4,7 @@ with Host.Runway;
 
 package body Sim.Eyes is
 
-   --  Standard deviations: of each axis of the place, of a foot and of a
+   --  Standard deviations: of each axis of the place, one foot and one
    --  hundredth of the distance; and of the heading.
    Nearby      : constant Long_Float := 1.0;     --  ft
    By_Distance : constant Long_Float := 0.01;

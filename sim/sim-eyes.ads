@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What one beside the runway sees of the aircraft (SIM-7): where it is, and
---  where its nose points, neither of them well.
+--  The view of the aircraft from beside the runway (SIM-7): its place and
+--  heading, both inexact.
 
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;

@@ -1,16 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a fault of each kind is written in a script.
+--  The form of each kind of fault in a script.
 
 private package Sim.Faults.Grammar is
 
    --  Before the name of a servo.
    Servo_Word : constant String := "surface";
 
-   --  What stands between the time and the kind.
+   --  The word between the time and the kind.
    type Subject is (Nothing, A_Way, A_Node, The_Ground, A_Servo);
 
-   --  What may follow the kind.
+   --  A parameter that may follow the kind.
    type Parameter is
      (None, A_Duration, A_Probability, An_Ordinal, A_Mask, A_Byte,
       A_Board, A_Restart, A_ROM_Address, A_ROM_Mask, A_RAM_Address,
@@ -22,7 +22,7 @@ private package Sim.Faults.Grammar is
       After  : Parameter_List;
    end record;
 
-   --  Of each kind.
+   --  The form of each kind.
    Forms : constant array (Fault_Kind) of Form :=
      (Cut        => (Nothing, (A_Duration, None)),
       Bit_Errors => (A_Way, (A_Probability, A_Duration)),
@@ -74,7 +74,7 @@ private package Sim.Faults.Grammar is
          when The_Ground => "gsc ",
          when A_Servo => Servo_Word & " NAME ");
 
-   --  How the parameter stands in a description of the form.
+   --  The parameter's name in a description of the form.
    function Name (What : Parameter) return String is
      (case What is
          when None          => "",

@@ -34,7 +34,7 @@ package body Sim.Faults is
       Word  : String;
       Value : out Probability);
 
-   --  A hexadecimal number from First to Last.
+   --  Reads a hexadecimal number from First to Last.
    procedure Read_Bits
      (From        : Reader;
       What        : String;
@@ -42,7 +42,7 @@ package body Sim.Faults is
       First, Last : Number;
       Value       : out Number);
 
-   --  A whole number from First to Last.
+   --  Reads a whole number from First to Last.
    procedure Read_Number
      (From        : Reader;
       What        : String;
@@ -61,14 +61,14 @@ package body Sim.Faults is
       Word  : String;
       Servo : out Servo_Item);
 
-   --  Two faults never stand on one line.
+   --  Two faults never have the same line.
    function Is_Before (Left, Right : Fault) return Boolean is
      (if Left.Time = Right.Time then Left.Line < Right.Line
       else Left.Time < Right.Time);
 
    package Sorting is new Fault_Vectors.Generic_Sorting ("<" => Is_Before);
 
-   --  To what it befalls.
+   --  Adds the fault to the list of its subject.
    procedure Hand_Out (To : in out Script; Given : Fault);
 
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
@@ -79,7 +79,7 @@ package body Sim.Faults is
 
       function List (From : Fault_Kind) return String;
 
-      --  Those from there on.
+      --  The kinds from there on.
       function List (From : Fault_Kind) return String is
          Here : constant String :=
            (if Forms (From).Before = Before then "|" & Name (From) else "");
@@ -148,7 +148,7 @@ package body Sim.Faults is
       Word  : String;
       Value : out Probability) is
    begin
-      --  Ada reads more than the format allows.
+      --  Ada accepts more forms than the format allows.
       for Char of Word loop
          if Char not in '0' .. '9' | '.' | 'e' | 'E' | '-' | '+' then
             raise Constraint_Error;
@@ -337,7 +337,7 @@ package body Sim.Faults is
       function Word (Number : Positive) return String is
         (Orders.Word (Line, Number));
 
-      --  Refuses what does not belong to the kind.
+      --  Refuses parameters that the kind does not have.
       function Read_Rest return Fault;
 
       function Read_Rest return Fault is
@@ -354,7 +354,7 @@ package body Sim.Faults is
            or else Count - Next /= Wanted
          then
             Refuse
-              (From, "a fault of this kind is written " & Image (Kind));
+              (From, "the form of this fault is " & Image (Kind));
          end if;
 
          return Read : Fault (Kind) do

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A script of what goes wrong in a flight, read from a file (--faults)
---  and checked before the flight begins (SIM-2, SIM-5).
+--  A script of the faults of a flight, read from a file (--faults) and checked
+--  before the flight begins (SIM-2, SIM-5).
 
 with Ada.Containers.Vectors;
 
@@ -15,18 +15,18 @@ package Sim.Faults is
 
    type Fault_Kind is
      (Cut, Bit_Errors,
-      Replay,        --  in the place of a block goes one sent before
+      Replay,        --  an earlier block replaces a sent one
       Flip, Drop, Duplicate, Insert, Stall, Reset,
       ROM_Harm,      --  bits of a byte of the program memory change
       RAM_Harm,      --  bits of a RAM word read as 0
-      Halt,          --  the processor stands still until a reset
+      Halt,          --  the processor halts until a reset
       Bus_Error,     --  the next read of the program memory fails
-      Lost_Console,  --  no packet of the pilot's console comes
+      Lost_Console,  --  no packet of the pilot's console arrives
       Stuck,         --  a servo stays where it is, or at a place
       Float,         --  its linkage is broken
-      Slow);         --  it moves at a part of its speed
+      Slow);         --  it moves at a fraction of its speed
 
-   --  How a line with such a fault is written, for help.
+   --  The form of a line with such a fault, for help.
    function Form_Of (Kind : Fault_Kind) return String;
 
    --  Of one character in one direction.
@@ -40,12 +40,12 @@ package Sim.Faults is
 
    type Board is (ADC, Telemetry);
 
-   --  Of the whole node by its power or its switch, of its processor, or of
-   --  its telemetry board alone.
+   --  The whole node by its power or its switch, its processor, or only its
+   --  telemetry board.
    type Restart is (Cold, Warm, Processor, Telemetry_Board);
 
-   --  Which byte of a direction, counted from those whose sending begins
-   --  at the fault's time or later.
+   --  The number of a byte in a direction, counted from those whose sending
+   --  begins at the fault's time or later.
    type Byte_Ordinal is range 1 .. 2 ** 31 - 1;
 
    --  The nine bits of a character: eight of data, then parity.
@@ -60,7 +60,7 @@ package Sim.Faults is
       Line : Positive;
       Time : Microseconds;
 
-      --  0 of what happens in an instant, or stays.
+      --  0 for an instant or permanent fault.
       Duration : Microseconds := 0;
 
       case Kind is
@@ -73,8 +73,8 @@ package Sim.Faults is
                when Bit_Errors =>
                   Rate : Probability := 0.0;
                when others =>
-                  Ordinal  : Byte_Ordinal := 1;    --  or blocks back
-                  Mask     : Flip_Mask    := 1;    --  which bits flip
+                  Ordinal  : Byte_Ordinal := 1;    --  or number of blocks back
+                  Mask     : Flip_Mask    := 1;    --  bits to flip
                   Inserted : Byte         := 0;
             end case;
 
@@ -111,36 +111,36 @@ package Sim.Faults is
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : out Script; File : String);
 
-   --  How many begin at that time or later.
+   --  The number of faults that begin at that time or later.
    function Number_From
      (From : Script; Time : Microseconds) return Natural;
 
-   --  What befalls whom, in the order of time; what happens at one time, in
+   --  The faults of each subject, in the order of time; at the same time, in
    --  the order of the lines.
 
-   --  When the line is cut, both directions of it.
+   --  The times when both directions of the line are cut.
    function Cuts (From : Script) return Windows.List;
 
-   --  When no packet of the console comes to the ground.
+   --  The times when no packet of the console reaches the ground.
    function Lost_Consoles (From : Script) return Windows.List;
 
    --  Bit errors of a direction.
    function Noises (From : Script; Way : Direction) return Fault_List;
 
-   --  Those of blocks of a direction.
+   --  Replayed blocks of a direction.
    function Replays (From : Script; Way : Direction) return Fault_List;
 
-   --  Those of single characters, each a Character_Fault.
+   --  Faults of single characters, each a Character_Fault.
    function Of_Characters (From : Script; Way : Direction) return Fault_List;
 
-   --  When a board of a node stands still.
+   --  The stalls of a board of a node.
    function Stalls
      (From : Script; Where : Node; Stalled : Board) return Windows.List;
 
    --  Each a Hardware_Fault, of either node.
    function Of_Hardware (From : Script) return Fault_List;
 
-   --  Those of servos, for a plant whose first step begins at that time.
+   --  Faults of servos, for a plant whose first step begins at that time.
    function For_Plant
      (From : Script; Begins : Microseconds) return Surface_Faults.List;
 
@@ -155,7 +155,7 @@ private
    type Both_Ways is array (Direction) of One_Way;
    type Board_Stalls is array (Node, Board) of Windows.List;
 
-   --  Each fault is in one of the first five.
+   --  Each fault is in one of the first six.
    type Script is record
       Cuts     : Windows.List;
       Consoles : Windows.List;
@@ -164,7 +164,7 @@ private
       Hardware : Fault_List;
       Servos   : Fault_List;
 
-      --  All of them again, for who counts.
+      --  All of them again, for counting.
       Every    : Fault_List;
    end record;
 

@@ -10,13 +10,13 @@ package body Sim.Faulty_Line is
    procedure Set_Next_Time (Carrier : in out One_Way);
    procedure Set_Next_Noise (Carrier : in out One_Way);
 
-   --  What this fault adds to what happens to its character.
+   --  Combines a fault with the other effects on its character.
    procedure Join (Meant : in out Effect; Fault : Faults.Fault);
 
-   --  Gives each fault whose time has come the character it is for.
+   --  Assigns a character to each fault whose time has come.
    procedure Make_Due (Carrier : in out One_Way; Time : Microseconds);
 
-   --  What the character is in for that is being sent.
+   --  The effect on the character being sent.
    procedure Take_Due (Carrier : in out One_Way; Meant : out Effect);
 
    --  Bits of the character being sent that flip by chance.
@@ -25,7 +25,7 @@ package body Sim.Faulty_Line is
       Time    : Microseconds;
       Mask    : in out Faults.Character_Bits);
 
-   --  A fault may have something to do with the character being sent.
+   --  Whether a fault may affect the character being sent.
    function Is_Disturbed
      (Carrier : One_Way; Time : Microseconds) return Boolean
    is
@@ -34,7 +34,7 @@ package body Sim.Faulty_Line is
       or else Carrier.Next_Noise <= Time
       or else Windows.Next (Carrier.Silences).First < Time + Character_Time);
 
-   --  What comes of it then.
+   --  Applies that effect.
    procedure Disturb
      (Carrier : in out One_Way;
       Time    : Microseconds;
@@ -120,8 +120,8 @@ package body Sim.Faulty_Line is
             Fault  : constant Faults.Fault :=
               Carrier.Waiting (Carrier.Next);
 
-            --  The character being sent now is the first of those after
-            --  the fault's time, and is counted already.
+            --  The character being sent is the first one after the fault's
+            --  time, and is counted already.
             Number : constant Character_Number :=
               Carrier.Sent - 1 + Character_Number (Fault.Ordinal);
 

@@ -28,14 +28,14 @@ private with Sim.Windows;
 
 package Sim.Faulty_Line is
 
-   --  What the receiver's DUART makes of a character.
+   --  The receiving DUART's result for a character.
    type Arrival is record
       Data         : Byte;
       Parity_Error : Boolean;
    end record;
 
-   --  One after the other. There is room for eight; what faults add to one
-   --  character beyond that is not heard.
+   --  In the order of arrival. There is room for eight; further characters
+   --  that faults add are not received.
    Most_Arrivals : constant := 8;
    type Arrival_Count is range 0 .. Most_Arrivals;
    type Arrival_Array is
@@ -48,8 +48,8 @@ package Sim.Faulty_Line is
    procedure Append (To : in out Arrival_List; Added : Arrival);
    procedure Append (To : in out Arrival_List; Added : Arrival_List);
 
-   --  What is heard of a character that is sent: as its start bit begins,
-   --  as its last stop bit ends, and a character time later.
+   --  The arrivals caused by one sent character: when its start bit begins,
+   --  when its last stop bit ends, and a character time later.
    type Delivery is record
       Before  : Arrival_List;
       Is_Lost : Boolean;
@@ -59,15 +59,15 @@ package Sim.Faulty_Line is
 
    type Line is limited private;
 
-   --  Takes the script over. A line without a script has no faults.
+   --  Takes over the script. A line without a script has no faults.
    procedure Prepare
      (Made   : in out Line;
       Script : Faults.Script;
       Seed   : Seed_Number);
 
    --  Sends one character. Time is when its start bit begins, and must not
-   --  decrease within a direction. Every character that a DUART sends is
-   --  told, for they are counted.
+   --  decrease within a direction. Every character that a DUART sends must be
+   --  passed, because they are counted.
    procedure Transmit
      (Over     : in out Line;
       Way      : Direction;
@@ -78,10 +78,10 @@ package Sim.Faulty_Line is
 
 private
 
-   --  How many characters a direction has carried.
+   --  The number of characters that a direction has carried.
    type Character_Number is range 0 .. 2 ** 62;
 
-   --  What happens to one character.
+   --  The combined effect of faults on one character.
    type Effect is record
       Mask     : Faults.Character_Bits := 0;
       Is_Lost  : Boolean := False;
@@ -104,17 +104,17 @@ private
    type One_Way is record
       Sent : Character_Number := 0;
 
-      --  Faults of single characters by time. From Next on they wait for
-      --  their time, which is Next_Time; those before have become due and
-      --  are found under the number of the character they are for.
+      --  Faults of single characters by time. From Next on they wait for their
+      --  time, which is Next_Time; earlier ones are due and are found under
+      --  the number of their character.
       Waiting   : Faults.Fault_List;
       Next      : Positive := 1;
       Next_Time : Microseconds := Never;
       Due       : Effect_Maps.Map;
       Next_Due  : Character_Number := Character_Number'Last;
 
-      --  Spells of bit errors: those that wait for their time, and those
-      --  that may go on. Next_Noise is when to look at them.
+      --  Periods of bit errors: future ones, and those that may be active.
+      --  Next_Noise is the next time to look at them.
       Noises      : Faults.Fault_List;
       Noise_Index : Positive := 1;
       Going_On    : Noise_Vectors.Vector;

@@ -52,8 +52,7 @@ package body Sim.Flight is
 
    use type Sim.Conditions.Start_Place;
 
-   --  Everything that a flight reads, writes and remembers. There is one
-   --  flight.
+   --  All files and state of a flight. There is one flight.
 
    Sticks     : Stick_Scripts.Script;
    Sensors    : Sensor_Scripts.Script;
@@ -82,59 +81,61 @@ package body Sim.Flight is
    --  The console's words change, at Time.
    procedure Move_Console (Words : Console_Words; Time : Microseconds);
 
-   --  The servos have new commands: lets the plant go on for a frame. Until
-   --  Due nobody asks what becomes of it.
+   --  The servos have new commands: starts the plant's next frame. Its result
+   --  is not needed before Due.
    procedure Step_Plant
      (Chosen    : Choices;
       Time      : Microseconds;
       Frame_End : Microseconds;
       Due       : out Microseconds);
 
-   --  JSBSim has gone on for a frame.
+   --  JSBSim has completed a frame.
    procedure Take_Answer;
 
-   --  How well the aircraft flew up to the end of the ground's frame.
+   --  Observes the quality of the flight up to the end of the ground's frame.
    procedure Observe;
 
    --  A major frame of the ground has ended. Waits: JSBSim has not answered.
    procedure End_Frame
      (Chosen : Choices; Time : Microseconds; Waits : Boolean);
 
-   --  Flies for that time, or until the user wants no more.
+   --  Flies for that time, or until the user interrupts.
    procedure Fly_Through
      (Chosen : Choices;
       Length : Microseconds;
       Flown  : out Microseconds);
 
-   --  What the ground was told of surfaces.
+   --  Reports the failed surfaces known to the ground.
    procedure Report_Failed_Surfaces (Further : in out Summary.Result);
 
-   --  Events and summary; when it is over, also closes the outputs and prints
-   --  the summary. Before that, what cannot be written again is left out.
+   --  Writes events and summary; after the flight, also closes the outputs and
+   --  prints the summary. During the flight it skips outputs that cannot be
+   --  rewritten.
    procedure Write_Results
      (Chosen  : Choices;
       Flown   : Microseconds;
       Elapsed : Duration;
       Is_Over : Boolean);
 
-   --  When the flight began, and its results were last written.
+   --  The real time of the flight's beginning and of the last write of its
+   --  results.
    Began_At : Time := Clock;
    Kept_At  : Time := Began_At;
 
-   --  Writes what there is of the record, and each second on the clock on the
-   --  wall events and summary: a program that is killed leaves them.
+   --  Writes the buffered record and, each second of real time, events and
+   --  summary: they remain if the program is killed.
    procedure Keep_Results (Chosen : Choices; Flown : Microseconds);
 
-   --  Whether the pilot stands beside the runway.
+   --  Whether the pilot is beside the runway.
    function Is_By_Eye (Chosen : Choices) return Boolean is
      (Is_Given (Chosen, Pilot_Option)
       and then Pilot.Is_By_Eye (Value (Chosen, Pilot_Option)));
 
-   --  In whole frames: as --seconds says; else as long as the pilot or the
-   --  sticks need; else 60 s.
+   --  In whole frames: --seconds; else the length of the pilot's flight or the
+   --  sticks; else 60 s.
    function Flight_Length (Chosen : Choices) return Microseconds;
 
-   --  Says when faults of the file begin only after a flight of that length.
+   --  Warns of faults in the file that begin only after the flight's end.
    procedure Warn_Of_Late_Faults (Chosen : Choices; Length : Microseconds);
 
    function Flight_Length (Chosen : Choices) return Microseconds is
@@ -147,21 +148,20 @@ package body Sim.Flight is
       return Whole_Frames (if Needed > 0 then Needed else Standard_Length);
    end Flight_Length;
 
-   --  Whether the error is one of those with which every start begins: no
-   --  message has come yet.
+   --  Whether the error happens at every start, before the first message.
    function Is_Usual
      (Kind : Error_Kind; History : Logs.History) return Boolean;
 
-   --  Whether somebody sees at the end of each of the ground's frames where
-   --  the aircraft is.
+   --  Whether an output shows the aircraft's true state at the end of each of
+   --  the ground's frames.
    function Shows_Truth (Chosen : Choices) return Boolean is
      (Text_Output.Is_Open (Files (Record_Option)) or else Is_By_Eye (Chosen));
 
-   --  When in the aircraft's frame the servos have new commands.
+   --  The time in the aircraft's frame at which the servos get new commands.
    function PWM_Offset (Chosen : Choices) return Microseconds is
      (Microseconds (Servo_Tick (Chosen.Schedule)) * Tick_Time);
 
-   --  How much later than the ground the aircraft is switched on.
+   --  The delay of the aircraft's power up after the ground's.
    function Lag_Of (Chosen : Choices) return Microseconds is
      (Microseconds (Chosen.Phase) * Tick_Time);
 
@@ -175,8 +175,8 @@ package body Sim.Flight is
         and then History.Last < First_Frames * Ticks_Per_Major_Frame;
    end Is_Usual;
 
-   --  From new commands for the servos to the next end of the ground's
-   --  frame, when a row is written.
+   --  From new commands for the servos to the next end of the ground's frame,
+   --  when a row is written.
    function Steps_To_Row (Chosen : Choices) return Step_Count is
      (Step_Count
         ((Major_Frame
@@ -187,8 +187,8 @@ package body Sim.Flight is
    function First_Commands (Chosen : Choices) return Microseconds is
      (Lag_Of (Chosen) + Major_Frame + PWM_Offset (Chosen));
 
-   --  After new commands the next scan does not begin before that: a frame
-   --  may be a tick shorter.
+   --  The shortest time from new commands to the next scan: a frame may be a
+   --  tick shorter.
    function Time_To_Scan (Chosen : Choices) return Microseconds is
      ((Microseconds (Ticks_To_Scan (Chosen.Schedule))
        - (if Chosen.Lock or else Chosen.Drift < 0 then 1 else 0))
@@ -398,7 +398,7 @@ package body Sim.Flight is
       Began     : constant Ada.Calendar.Time := Clock;
       Frame_End : Microseconds := Major_Frame;
 
-      --  When the servos get new commands, from the first frame of tasks on.
+      --  The minor frame in which the servos get new commands.
       Servos_At : constant Minor_Frame :=
         Minor_Frame (Servo_Tick (Chosen.Schedule));
       Next_PWM  : Microseconds :=
@@ -544,7 +544,7 @@ package body Sim.Flight is
                  (Further, Node, Names.Name (Item), CORE (Item));
             end loop;
 
-            --  What the ground knows of both (SAF-7).
+            --  The ground's knowledge of both (SAF-7).
             for Kind in Error_Kind loop
                declare
                   CORE : constant Memory := Nodes.CORE (Ground);
@@ -591,7 +591,7 @@ package body Sim.Flight is
          Flight_Quality.Report (Further);
       end if;
 
-      --  What is lost is known when it has been written.
+      --  A loss is known only after the write.
       if Is_Over then
          Outputs.Flush (Files, Except => Summary_Option);
       end if;
@@ -640,7 +640,7 @@ package body Sim.Flight is
    procedure Keep_Results (Chosen : Choices; Flown : Microseconds) is
       Now : constant Ada.Calendar.Time := Clock;
    begin
-      --  A record of a fast flight grows by more in a second than a killed
+      --  In a second a fast flight's record grows by more than a killed
       --  program may lose.
       if Text_Output.Is_Open (Files (Record_Option))
         and then Text_Output.Can_Restart (Files (Record_Option))

@@ -6,7 +6,7 @@ package body Sim.Flight_Quality is
 
    use type Pilot.Leg_Kind;
 
-   --  What counts as level at the end.
+   --  The limits of a level end.
    Level_Bank     : constant Long_Float := 3.0;    --  deg
    Level_Climb    : constant Long_Float := 3.0;    --  ft/s
    Level_Altitude : constant Long_Float := 30.0;   --  ft

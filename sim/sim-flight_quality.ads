@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How well the simulated pilot flew: what the aircraft really did against
---  what the pilot wanted.
+--  The quality of the simulated pilot's flight: the aircraft's true state
+--  compared with the pilot's targets.
 
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
@@ -9,14 +9,14 @@ with Sim.Summary;
 
 package Sim.Flight_Quality is
 
-   --  How far something was from its target.
+   --  The deviation of a value from its target.
    type Deviation is record
       RMS     : Long_Float := 0.0;
       Largest : Long_Float := 0.0;
    end record;
 
    type Quality is record
-      --  In holds. Bank is wanted to be zero there.
+      --  In holds. The target bank is zero there.
       Altitude : Deviation;     --  ft
       Airspeed : Deviation;     --  kt
       Bank     : Deviation;     --  deg
@@ -29,34 +29,33 @@ package Sim.Flight_Quality is
       Steepest_Right : Long_Float := 0.0;   --  deg, not negative
       Highest_Gain   : Long_Float := 0.0;   --  ft above the first altitude
 
-      --  At the end, real less wanted.
+      --  At the end, true less wanted.
       Altitude_Error : Long_Float := 0.0;   --  ft
       Airspeed_Error : Long_Float := 0.0;   --  kt
       Bank_Error     : Long_Float := 0.0;   --  deg
       Heading_Error  : Long_Float := 0.0;   --  deg, -180 up to 180
 
-      --  At the end: held, wings and path level, near the wanted altitude,
-      --  and in one piece.
+      --  At the end: in a hold, wings and path level, near the wanted
+      --  altitude, not crashed.
       Ended_Level : Boolean := False;
       Crashed     : Boolean := False;
-      Crash_Time  : Microseconds := 0;   --  of meaning only after a crash
+      Crash_Time  : Microseconds := 0;   --  has a meaning only after a crash
    end record;
 
-   --  Forgets what was observed.
+   --  Forgets all observations.
    procedure Start;
 
-   --  To be called once a major frame. The first observation's altitude
-   --  and heading are those that gain and turns count from.
+   --  To be called once a major frame. Gain and turns are relative to the
+   --  first observation's altitude and heading.
    procedure Observe
      (Time   : Microseconds;
       Truth  : Flight_State;
       Wanted : Pilot.Targets);
 
-   --  Of what was observed so far.
+   --  The quality so far.
    function Result return Quality;
 
-   --  The same as values of the summary, the crash's time only if there
-   --  was one.
+   --  The same as values of the summary; the crash's time only after a crash.
    procedure Report (To : in out Summary.Result);
 
 end Sim.Flight_Quality;

@@ -63,7 +63,7 @@ package body Sim.Flight_Record is
       end if;
    end Put_Time;
 
-   --  The columns of the laws but the last.
+   --  The columns of the laws except the last.
    procedure Put_Laws (To : in out Writer; Laws : Log_Row);
 
    procedure Put_Laws (To : in out Writer; Laws : Log_Row) is

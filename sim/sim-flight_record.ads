@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The flight record: one row for each major frame of the ground node,
---  taken as that frame ends (--record).
+--  The flight record: one row for each major frame of the ground node, taken
+--  as that frame ends (--record).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Plant_Messages; use Host.Plant_Messages;
@@ -11,8 +11,8 @@ with URVOS;               use URVOS;
 
 package Sim.Flight_Record is
 
-   --  Everything of a row, in the order of the columns. GSC and MCS stand
-   --  for what that node's CORE memory holds.
+   --  All values of a row, in the order of the columns. GSC and MCS are the
+   --  contents of that node's CORE memory.
    type Row is record
       Frame        : Count;
       Time         : Microseconds;
@@ -24,17 +24,17 @@ package Sim.Flight_Record is
       GSC_Downlink : Downlink_Buffer;
       Link         : Link_Counts;
 
-      --  Where an aircraft flies, what it really does.
+      --  With an aircraft, its true state.
       Has_Truth    : Boolean;
       Truth        : Shown_State;
 
-      --  Where there are control laws, what they say of themselves, in the
-      --  aircraft and as the ground knows it.
+      --  With control laws, their status row, in the aircraft and as the
+      --  ground knows it.
       Has_Laws     : Boolean;
       Laws         : Log_Row;
       Laws_Told    : Log_Row;
 
-      --  The ground orders more than the sticks: what was set, too.
+      --  With orders of the ground, the settings, too.
       Has_Orders   : Boolean;
    end record;
 

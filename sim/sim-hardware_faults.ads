@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The faults of a script that befall the hardware of a node at an instant,
---  one after the other: resets, and harm to a processor's memory.
+--  The faults of a script that hit a node's hardware at an instant, one after
+--  the other: resets, and damage to a processor's memory.
 
 with Sim.Faults; use Sim.Faults;
 
@@ -10,7 +10,7 @@ package Sim.Hardware_Faults is
    --  Begins with the first of the script.
    procedure Prepare (From : Script);
 
-   --  When the next one happens; Never when there is none.
+   --  The time of the next one; Never when there is none.
    function Next_Time return Microseconds;
 
    --  Those of the same instant come in the order of their lines.

@@ -11,8 +11,8 @@ with Sim.Signals;
 
 package body Sim.JSBSim.Process is
 
-   --  The first answer takes half a second, or several on a machine that
-   --  has to read Python and JSBSim from its disk.
+   --  The first answer takes half a second, or several seconds when Python and
+   --  JSBSim must be read from the disk.
    Longest_Wait : constant := 60;
 
    --  After a second without an answer it is reported (SIM-9).
@@ -24,17 +24,17 @@ package body Sim.JSBSim.Process is
    Ending_Polls : constant := 300;
    Ending_Poll  : constant Duration := 0.01;
 
-   --  So often it is looked for an answer before this process sleeps until
-   --  one comes: on two processors the aircraft's frame takes less time than
-   --  to be woken. Where the other process only runs when this one sleeps,
-   --  looking is in vain, and done ever more seldom.
+   --  The number of polls for an answer before this process sleeps until one
+   --  comes: with two processors the aircraft's frame takes less time than a
+   --  wake-up. Where the other process only runs when this one sleeps, polling
+   --  fails, and becomes ever rarer.
    Looks      : constant := 600;
    Most_Skips : constant := 511;
 
-   Skips   : Natural := 0;   --  after the last look in vain
+   Skips   : Natural := 0;   --  after the last failed poll
    To_Skip : Natural := 0;
 
-   --  Its start takes longer.
+   --  The first answer takes longer.
    Has_Answered : Boolean := False;
 
    Link    : Socket_Type := No_Socket;
@@ -44,8 +44,8 @@ package body Sim.JSBSim.Process is
       Theirs : Socket_Type;
       Closed : Boolean;
    begin
-      --  The process inherits its end of the connection and not ours: so
-      --  each side sees when the other one has ended.
+      --  The process inherits only its end of the connection, so that each
+      --  side sees when the other one has ended.
       Create_Socket_Pair (Link, Theirs);
       Set_Close_On_Exec (Link, True, Closed);
       pragma Assert (Closed);
@@ -97,8 +97,8 @@ package body Sim.JSBSim.Process is
       Last : Stream_Element_Offset := Message'First - 1;
       Next : Stream_Element_Offset;
 
-      --  What has come, up to the end of the message. A signal interrupts
-      --  a wait that has a time limit; it is waited for again.
+      --  Receives available bytes, up to the end of the message. A signal
+      --  interrupts a wait with a time limit; the wait is then repeated.
       procedure Receive_Some (First : Stream_Element_Offset);
 
       procedure Receive_Some (First : Stream_Element_Offset) is
@@ -145,7 +145,7 @@ package body Sim.JSBSim.Process is
       when Error : Socket_Error =>
          if Resolve_Exception (Error) = Resource_Temporarily_Unavailable then
             raise Plant_Silence with
-              "JSBSim's process has said nothing for a minute";
+              "JSBSim's process has not answered for a minute";
          end if;
          raise Plant_Failure with Has_Ended;
    end Receive;

@@ -4,7 +4,7 @@ with Sim.JSBSim.Process;
 
 package body Sim.JSBSim is
 
-   --  What has come before it was asked for.
+   --  An answer received before it was requested.
    Early     : State_Message;
    Has_Early : Boolean := False;
 
@@ -56,7 +56,7 @@ package body Sim.JSBSim is
    procedure Begin_Step (Servos : PWM_Buffer) is
    begin
       Process.Send (To_Message (Servos));
-      --  Who sleeps at once leaves its processor to the other one.
+      --  Sleeping at once leaves the processor to the other process.
       if Process.Is_Alone then
          Process.Receive (Early);
          Has_Early := True;

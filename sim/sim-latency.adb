@@ -100,7 +100,7 @@ package body Sim.Latency is
 
    function Result (From : Collector) return Statistics is
 
-      --  The smallest latency that so many of all do not exceed.
+      --  The smallest latency that at least Rank others do not exceed.
       function Ranked (Rank : Count) return Microseconds;
 
       function Ranked (Rank : Count) return Microseconds is
@@ -119,7 +119,7 @@ package body Sim.Latency is
       Made  : Statistics     := From.Totals;
    begin
       if Total > 0 then
-         --  Rounded up, without passing the last count on the way.
+         --  Rounded up, without overflow of a count.
          Made.Median := Ranked (Total - Total / 2);
          Made.P99    := Ranked (Total - Total / 100);
       end if;

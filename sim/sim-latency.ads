@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How long a change at the pilot's console takes until the PWM board is
---  given what it asks for.
+--  The latency from a change at the pilot's console to the corresponding words
+--  at the PWM board.
 --
---  The latency of a change ends with the first write to the board that
---  changes what the board holds into the words the change asks for. A
---  change that a later one overtook, because no frame sampled it, is
---  dropped when that later one arrives. So is one that nothing came of
---  within two seconds. Times are exact to the microsecond, and so are the
---  percentiles: every latency is counted by its value.
+--  The latency of a change ends with the first write to the board that changes
+--  its words into those the change requests. A change that a later one
+--  overtook, because no frame sampled it, is dropped when that later one
+--  arrives. A change without effect for two seconds is dropped, too. Times are
+--  exact to the microsecond, and so are the percentiles: every latency is
+--  counted by its value.
 
 with URV.Buffers; use URV.Buffers;
 with URVOS;       use URVOS;
@@ -20,9 +20,9 @@ package Sim.Latency is
 
    type Collector is limited private;
 
-   --  The console's words changed; the PWM board should come to hold
-   --  these. A change that asks for nothing new, such as a switch word that
-   --  moves a little, is not waited for.
+   --  The console's words changed; the PWM board should come to hold these. A
+   --  change without a new request, such as a small change of a switch word,
+   --  is not measured.
    procedure Console_Changed
      (Into     : in out Collector;
       Time     : Microseconds;
@@ -34,8 +34,8 @@ package Sim.Latency is
       Time    : Microseconds;
       Written : PWM_Buffer);
 
-   --  Of the latencies so far. The median and the 99th percentile are
-   --  latencies that occurred: the smallest that half, or 99 of 100, do
+   --  Statistics of the latencies so far. The median and the 99th percentile
+   --  are latencies that occurred: the smallest that half, or 99 of 100, do
    --  not exceed. All are 0 when nothing was measured.
    type Statistics is record
       Measured  : Count        := 0;
@@ -56,8 +56,8 @@ private
       Expected : PWM_Buffer;
    end record;
 
-   --  Room for two seconds of a change every millisecond. When more wait,
-   --  the oldest is dropped as overtaken.
+   --  Room for two seconds of a change every millisecond. When more wait, the
+   --  oldest is dropped as overtaken.
    type Place is mod 2 ** 11;
    type Change_Ring is array (Place) of Change;
 
@@ -70,14 +70,14 @@ private
       First   : Place := 0;
       Pending : Natural range 0 .. Place'Modulus := 0;
 
-      --  What the console asked for last and what the board holds.
+      --  The console's last request and the board's words.
       Has_Asked : Boolean := False;
       Asked     : PWM_Buffer;
       Is_Set    : Boolean := False;
       Set       : PWM_Buffer;
 
-      --  How often each latency occurred. Too large for a stack, and
-      --  made when the first is measured.
+      --  The number of occurrences of each latency. Too large for a stack;
+      --  allocated at the first measurement.
       Counts : Histogram_Access;
       Totals : Statistics;
    end record;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What happens by chance. Bit errors (fault "ber"): each of the nine bits of
---  a character flips with the same probability, independent of all others.
---  And errors of what is measured or seen.
+--  All random effects: bit errors (fault "ber"), where each of the nine bits
+--  of a character flips with the same probability, independent of all others;
+--  and errors of measurements and observations.
 --
 --  The numbers come from SplitMix64 (Steele, Lea, Flood: Fast Splittable
---  Pseudorandom Number Generators, 2014). All arithmetic is on whole
---  numbers, so that a seed gives the same noise on every machine. A
---  character costs one number where nothing flips.
+--  Pseudorandom Number Generators, 2014). All arithmetic is on whole numbers,
+--  so that a seed gives the same noise on every machine. A character costs one
+--  number where nothing flips.
 
 with Interfaces;
 
@@ -15,27 +15,26 @@ with Sim.Faults;
 
 package Sim.Noise is
 
-   --  Where the numbers come from.
+   --  A generator of random numbers.
    type Source is private;
 
-   --  Two directions of one seed have nothing to do with each other.
+   --  The directions of one seed are independent of each other.
    function Seeded (Seed : Seed_Number; Way : Direction) return Source;
 
-   --  Whose errors are drawn besides. They have nothing to do with each
-   --  other, nor with a direction of the link.
+   --  The other users of random numbers. They are independent of each other
+   --  and of the link's directions.
    type Observer is (The_Sensors, The_Eyes, The_Air);
 
    function Seeded (Seed : Seed_Number; Whose : Observer) return Source;
 
    --  A number near zero with a standard deviation of one: the sum of twelve
-   --  even ones. It is never beyond six.
+   --  uniform ones. Its magnitude is at most six.
    procedure Draw (From : in out Source; Value : out Long_Float);
 
    --  A whole number that seeds another program.
    function To_Seed (From : Source) return Positive;
 
-   --  What a probability comes to, in units of 2**-64. One becomes
-   --  1 - 2**-64.
+   --  A probability in units of 2**-64. One becomes 1 - 2**-64.
    type Level is private;
 
    function To_Level (Rate : Faults.Probability) return Level;
@@ -50,8 +49,8 @@ private
 
    type Source is new Interfaces.Unsigned_64 with Default_Value => 0;
 
-   --  The chance that the first bit to flip is one of the first N; that a
-   --  bit flips is the first of them.
+   --  The probability that the first bit to flip is one of the first N; that a
+   --  flipping bit is the first of them.
    type Level is
      array (1 .. Faults.Bits_Of_Character) of Interfaces.Unsigned_64;
 

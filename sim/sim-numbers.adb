@@ -40,7 +40,7 @@ package body Sim.Numbers is
       Put ("uplink_characters", Up);
       Put ("downlink_characters", Down);
 
-      --  The ground answers a downlink that it has asked for.
+      --  The ground answers a downlink that it has requested.
       Put ("exchange_up_characters", Up + 2);
       Put ("exchange_down_characters", Down + 1);
       Put ("dead_space_characters", Natural (Telemetry.Dead_Space));

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The constants that a script about a flight needs, as JSON: `urv_sim
---  numbers`. Each is declared elsewhere, once.
+--  The constants that scripts about a flight need, as JSON: `urv_sim numbers`.
+--  Each is declared elsewhere, once.
 
 with Host.Text_Output;
 

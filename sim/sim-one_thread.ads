@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The simulation is one thread, so nobody contends for a protected object.
---  The linker gives these in place of GNAT's (sim/urv_sim.gpr): the same
---  text of the nodes does not pay for locks there (EVI-14).
+--  The simulation is one thread, so no protected object is contended. The
+--  linker replaces GNAT's lock operations by these (sim/urv_sim.gpr): the
+--  unchanged text of the nodes does not pay for locks there (EVI-14).
 --
---  Whoever withs this has no tasks: the binder sees to it.
+--  A program that withs this package must have no tasks: the binder checks
+--  that.
 
 pragma Restrictions (Max_Tasks => 0);
 

@@ -8,13 +8,13 @@ with Host.Text_Numbers;
 
 package body Sim.Progress is
 
-   --  How long a flight takes before the bar appears, and how often the
-   --  bar is drawn from then on.
+   --  The length of a flight before the bar appears, and the interval at which
+   --  it is then drawn.
    Patience : constant Duration := 1.0;
    Interval : constant Duration := 0.2;
 
-   --  The clock is looked at once in so many calls: three times a second
-   --  in a flight at the pace of real time.
+   --  The clock is read once in this number of calls: three times a second in
+   --  a flight at the pace of real time.
    Calls_A_Look : constant := 16;
 
    Bar_Width : constant := 30;
@@ -44,7 +44,7 @@ package body Sim.Progress is
         GNAT.OS_Lib.Write
           (GNAT.OS_Lib.Standerr, Text'Address, Text'Length);
 
-      --  A bar that cannot be drawn is no reason to stop a flight.
+      --  A failure to draw the bar does not stop a flight.
       pragma Unreferenced (Written);
    end Put;
 

@@ -2,17 +2,17 @@
 
 package body Sim.Replays is
 
-   --  Those of an uplink and of a downlink.
+   --  The length of an uplink or a downlink.
    function Length_Of (Header : Byte) return Natural is
      (case Header is
          when 16#1E# => Telemetry.Uplink_Length + 2,
          when 16#87# => Telemetry.Downlink_Length + 2,
          when others => 0);
 
-   --  A message that its sender broke off is over after so long a silence.
+   --  An unfinished message is over after a silence of this length.
    Silence : constant := 4 * Character_Time;
 
-   --  The message to go on in the place of the last one of Sent.
+   --  The message that replaces the last one of Sent.
    procedure Choose (Through : in out Middle; Time : Microseconds);
 
    procedure Prepare

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Someone in the middle of the line who cannot make a message of his own:
---  in the place of one that is sent he puts one that was sent before, in
---  the same direction (SIM-2, SEC-4). With one some messages back the line
---  delays; with another one each time it withholds, repeats and reorders.
+--  An attacker in the middle of the line who cannot make messages: the
+--  attacker replaces a sent message by an earlier one of the same direction
+--  (SIM-2, SEC-4). Messages from a constant number of messages back delay the
+--  line; varying numbers withhold, repeat and reorder messages.
 
 with Sim.Faults;
 with URVOS; use URVOS;
@@ -19,8 +19,8 @@ package Sim.Replays is
    procedure Prepare
      (Made : in out Middle; Given : Faults.Fault_List);
 
-   --  A character is sent at that time; Data becomes the one that goes on.
-   --  Time must not decrease.
+   --  A character is sent at that time; Data becomes the forwarded one. Time
+   --  must not decrease.
    procedure Replace
      (Through : in out Middle;
       Time    : Microseconds;
@@ -47,9 +47,8 @@ private
 
       Sent  : Message_Vectors.Vector;
 
-      --  Of the message that is being sent: what is left of it, when its
-      --  last character came, and which one goes on in its place; 0 is
-      --  itself.
+      --  The message being sent: its remaining length, the time of its last
+      --  character, and the message forwarded in its place; 0 is itself.
       Left  : Natural := 0;
       Last  : Microseconds := 0;
       Shown : Natural := 0;

@@ -17,8 +17,8 @@ package body Sim.Signals is
    Came : array (Keyboard_Interrupt .. Request_To_End) of Times :=
      (others => 0) with Volatile_Components;
 
-   --  Gives back what was set before. A read or write that is under way
-   --  goes on after the signal.
+   --  Returns the previous handler. An interrupted read or write continues
+   --  after the signal.
    function Set (Signal : int; To : Address) return Address
      with Import, Convention => C, External_Name => "signal";
 
@@ -29,7 +29,7 @@ package body Sim.Signals is
    function Interrupted return Boolean is
      (Came (Keyboard_Interrupt) > 0 or else Came (Request_To_End) > 0);
 
-   --  What was to happen before.
+   --  The previous handler.
    Set_Aside : Address := Default;
 
    procedure Begin_Deafness is

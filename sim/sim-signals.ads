@@ -1,23 +1,22 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the system tells the program in the middle of its work: that the
---  user wants it to end.
+--  Signals of the system: the user wants the program to end.
 
 package Sim.Signals is
 
-   --  A process that is started between the two calls does not heed an
-   --  interrupt from the keyboard, not even before it could say so itself.
+   --  A process that is started between the two calls ignores an interrupt
+   --  from the keyboard from its very beginning.
    procedure Begin_Deafness;
    procedure End_Deafness;
 
-   --  From now on an interrupt from the keyboard, or a request to end
-   --  (SIGINT, SIGTERM), is only remembered. The third of a kind ends the
-   --  program at once, for a user who will not wait; not the second, for
-   --  some programs send each twice. One that the program was started to
-   --  ignore stays ignored.
+   --  From now on an interrupt from the keyboard, or a request to end (SIGINT,
+   --  SIGTERM), is only remembered. The third of a kind ends the program at
+   --  once, for an impatient user; not the second, because some programs send
+   --  each twice. A signal that was ignored when the program started stays
+   --  ignored.
    procedure Watch;
 
-   --  Whether one has come.
+   --  Whether a signal has arrived.
    function Interrupted return Boolean with Inline;
 
 end Sim.Signals;

@@ -24,7 +24,7 @@ package body Sim.Slow_Lines is
    procedure Put (Way : Direction; Time : Microseconds; Heard : Arrival) is
       Place : Lists.Cursor := Ways (Way).Last;
    begin
-      --  A doubled character may come after the one behind it has begun.
+      --  A doubled character may arrive after the following one has begun.
       while Lists.Has_Element (Place)
         and then Lists.Element (Place).Time > Time
       loop

@@ -8,7 +8,7 @@ package body Sim.Summary is
 
    use type Text_Numbers.Number;
 
-   --  Rounded to so many decimals.
+   --  Rounded to this number of decimals.
    function Rounded
      (Value : Long_Float; Decimals : Natural) return Long_Float
    is (Long_Float'Rounding (Value * 10.0 ** Decimals)
@@ -47,7 +47,7 @@ package body Sim.Summary is
    --  Closes the braces, and ends the line of the outermost.
    procedure End_Object (To : in out Writer; Ended : Object);
 
-   --  A value as people write it: no exponent, no zeros at its end.
+   --  A value without exponent and trailing zeros.
    procedure Put_Value (To : in out Writer; Value : Long_Float);
 
    procedure Put_Field
@@ -190,7 +190,7 @@ package body Sim.Summary is
    is
       Largest : constant := 1.0E12;
    begin
-      --  Written so that what is not a number is not inside either.
+      --  Written so that not-a-number fails the test.
       if abs Value <= Largest then
          To.Qualities.Append
            (Quality'(Name   => Texts.To_Unbounded_String (Name),
@@ -235,7 +235,7 @@ package body Sim.Summary is
    is
       Made : Object := (Depth => 2, others => <>);
 
-      --  The names stay when there is nothing to say.
+      --  The names stay when there is no value.
       procedure Put_Time (Name : String; Time : Microseconds);
 
       procedure Put_Time (Name : String; Time : Microseconds) is
@@ -259,7 +259,7 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Latency;
 
-   --  Since when the aircraft is in step, by its own clock.
+   --  The time since which the aircraft is in step, by its own clock.
    function In_Step_Since (Flight : Figures) return Long_Float is
      (In_Seconds
         (Flight.Lag + Microseconds (Flight.Lock.Since) * Tick_Time));
@@ -423,7 +423,7 @@ package body Sim.Summary is
 
       procedure Put_Line (Line : String);
 
-      --  With so many decimals.
+      --  With this number of decimals.
       procedure Put (Value : Long_Float; Decimals : Positive);
 
       procedure Put_Way
@@ -512,7 +512,7 @@ package body Sim.Summary is
       if not Further.Failed.Is_Empty then
          Put (To, "failed    ");
          Put_Names (To, Further.Failed, Mark => "");
-         Put_Line (", as the ground was told");
+         Put_Line (", as reported to the ground");
       end if;
 
       if not Further.Lost.Is_Empty then

@@ -3,8 +3,8 @@
 --  The result of a flight: a JSON object for scripts (--summary) and a few
 --  lines for people.
 --
---  Two runs of one flight give the same summary but for "speed", which is
---  measured by the clock on the wall.
+--  Two runs of one flight give the same summary except for "speed", which is
+--  measured in real time.
 
 with Host.Text_Output;
 with Sim.Latency;
@@ -16,7 +16,7 @@ private with Ada.Strings.Unbounded;
 
 package Sim.Summary is
 
-   --  What every flight has.
+   --  The values of every flight.
    type Figures is record
       Flown    : Microseconds;
       Frames   : Count;
@@ -30,15 +30,15 @@ package Sim.Summary is
       Lock     : URVOS.Frame_Locks.Lock_State;
       Lag      : Microseconds := 0;
 
-      --  The flight goes on: what it is so far.
+      --  The flight continues: these are its values so far.
       Is_Unfinished : Boolean := False;
    end record;
 
    type Result is limited private;
 
-   --  What went on in the flight, by kind. Kinds appear in the order in
-   --  which they were added. Of one that every start gives people are told
-   --  that it is usual.
+   --  Adds an event of the flight, by kind. Kinds appear in the order in which
+   --  they were added. The printed text marks the events that every start
+   --  causes.
    procedure Add_Event
      (To        : in out Result;
       Kind      : String;
@@ -53,24 +53,24 @@ package Sim.Summary is
       Name  : String;
       Value : Word);
 
-   --  What the ground's CORE has of a node's error log at the end of the
-   --  flight: the errors of a kind that happened (SAF-7).
+   --  The errors of one kind in a node's error log, as the ground's CORE knows
+   --  them at the end of the flight (SAF-7).
    procedure Add_Known_Error
      (To        : in out Result;
       Where     : Node;
       Kind      : String;
       How_Often : Count);
 
-   --  A surface that failed, as the ground was told (EXT-6). Only where there
-   --  is one does the result speak of them.
+   --  A failed surface, as reported to the ground (EXT-6). The result has this
+   --  list only if there is one.
    procedure Add_Failed_Surface (To : in out Result; Name : String);
 
    --  An output that could not be written (SIM-8), in the same way.
    procedure Add_Lost_Output (To : in out Result; Name : String);
 
-   --  How well the pilot flew. A name ends with its unit, as in
-   --  "altitude_rms_ft". Values are given to three decimals; one that is
-   --  no number is given as null.
+   --  The quality of the pilot's flight. A name ends with its unit, as in
+   --  "altitude_rms_ft". Values have three decimals; not-a-number is given as
+   --  null.
    procedure Add_Quality
      (To    : in out Result;
       Name  : String;
@@ -80,7 +80,7 @@ package Sim.Summary is
       Name  : String;
       Value : Boolean);
 
-   --  What the JSON object calls that part; else it is "flight_quality".
+   --  The name of that part in the JSON object, by default "flight_quality".
    procedure Name_Quality (To : in out Result; Part : String);
 
    --  Writes the JSON object.

@@ -20,7 +20,7 @@ package body Sim.Windows is
          return;
       end if;
 
-      --  Those after it stay behind it, those that touch it become part.
+      --  Later spans stay after it, spans that touch it are merged.
       while Place > 1
         and then To.Windows (Place - 1).Stop >= Whole.First
       loop

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Spans of time, each from First until just before Stop, and the place in
---  them that somebody who only goes forward has come to.
+--  Spans of time, each from First until just before Stop, and a reader's
+--  position, which only moves forward.
 
 private with Ada.Containers.Vectors;
 
@@ -12,19 +12,19 @@ package Sim.Windows is
       Stop  : Microseconds;
    end record;
 
-   --  What comes after the last one.
+   --  The span after the last one.
    Never : constant Window := (Microseconds'Last, Microseconds'Last);
 
    type List is private;
 
-   --  Adds a span, in any order. Those that touch or overlap become one.
-   --  Nobody may have gone forward yet.
+   --  Adds a span, in any order. Spans that touch or overlap become one. The
+   --  reader must not have moved yet.
    procedure Add (To : in out List; Added : Window);
 
    --  The first span that is not over.
    function Next (From : List) return Window with Inline;
 
-   --  Goes on to the span after the next one.
+   --  Moves the reader past the next span.
    procedure Skip (Over : in out List);
 
 private
@@ -32,7 +32,7 @@ private
    package Window_Vectors is new Ada.Containers.Vectors (Positive, Window);
 
    type List is record
-      --  In order and apart from each other.
+      --  In order and disjoint.
       Windows : Window_Vectors.Vector;
       Index   : Positive := 1;
       Current : Window   := Never;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The host simulation: everything round the flight software, in virtual
+--  The host simulation: the environment of the flight software, in virtual
 --  time.
 
 with Host; use Host;
@@ -10,7 +10,7 @@ package Sim is
    --  Ground to aircraft, aircraft to ground.
    type Direction is (Up, Down);
 
-   --  The way of what a node sends.
+   --  The direction of a node's transmissions.
    function Way_From (Sender : Node) return Direction is
      (if Sender = Ground then Up else Down);
 

@@ -34,7 +34,7 @@ procedure Urv_Sim is
 
    procedure Complain (What : String);
 
-   --  Seconds with two decimals, as frames are long.
+   --  Seconds with two decimals, the resolution of frames.
    function Seconds (Time : Microseconds) return String;
 
    procedure Fly (Chosen : Host.Options.Choices);

@@ -4,23 +4,23 @@
     plant.py DESCRIPTOR
 
 Serves one flight over the socket that it inherits as file DESCRIPTOR. The
-other side is the Ada package Sim.JSBSim and the only one that knows converter
-words; here is nothing but engineering units.
+other side is the Ada package Sim.JSBSim, which alone uses converter words; this
+program uses engineering units only.
 
 Start: the other side sends lines KIND,NAME,UNIT, where KIND is servo, sensor,
-truth or shown, and an empty line. They are the numbers it will send and wants
-to receive, in that order. Lines time,NAME,VALUE UNIT say how long a tick is
-(tick, in us), and how many of them are a frame (frame) and pass until the
-sensors are measured (scan) and what is shown is taken (shown). Lines
-condition,NAME,VALUES say what is not as usual: see CONDITIONS. Lines
-fault,NAME,TICK FAULT say what befalls a servo from that tick of the flight on:
+truth or shown, and an empty line. They name the numbers that it will send and
+request, in that order. Lines time,NAME,VALUE UNIT give the length of a tick
+(tick, in us) and, in ticks, the length of a frame (frame) and the times of the
+sensors' measurement (scan) and of the shown values (shown). Lines
+condition,NAME,VALUES give the conditions of the flight: see CONDITIONS. Lines
+fault,NAME,TICK FAULT give the fault of a servo from that tick of the flight on:
 stuck, stuck AT, float, slow PERCENT; they come in the order of their ticks. The
-answer is one line: "ready", or what is wrong.
+answer is one line: "ready", or the error.
 
-Then for every major frame: the servos' commands come in and are held for the
-frame, and the sensors, the truth at its beginning and what is shown go out. A
-number is a big-endian double.
-The very first message out comes unasked: the settled aircraft.
+Then for every major frame: the servos' commands are received and held for the
+frame, and the sensors, the truth at its beginning and the shown values are
+sent. A number is a big-endian double.
+The first message, the settled aircraft, is sent without a request.
 
 The end of the connection ends the program.
 """
@@ -47,8 +47,8 @@ START_HEADING_DEG = 90.0
 BELLY_FT = 0.8
 HALF_SPAN_FT = 7.0
 
-# How long a step of JSBSim's may be: evidence/aircraft_steps.py shows that it
-# is short enough.
+# The longest step of JSBSim, in us: evidence/aircraft_steps.py shows that it is
+# short enough.
 LONGEST_STEP_US = 4000
 
 # Best power of the engine at this height. The pilot has no such lever.
@@ -61,25 +61,26 @@ SETTLE_S = 90
 STANDING_FT = 1.6
 STAND_S = 6
 
-# Ropes hold the parked aircraft down, with this pull at 60 kt of wind and with
-# its square. They come off when less than half of the brake is commanded.
+# Ropes hold the parked aircraft, with this pull at 60 kt of wind; the pull
+# grows with the square of the wind. They come off when less than half of the
+# brake is commanded.
 ROPES_LB = 300.0
 ROPES_AT_KT = 60.0
 ROPES = "external_reactions/ropes/magnitude"
 PARKED_BRAKE_PCT = 50.0
 
-# How often it is looked for commands; after a look in vain, how many waits
-# there may be without one.
+# Polls for commands; after a failed poll, the largest number of waits without
+# polling.
 LOOKS = 100
 MOST_SKIPS = 511
 
-# Conditions of a flight, and how many numbers each has. A start on the runway
-# has none: the aircraft stands there, brake on, and looks down it.
+# Conditions of a flight, and the count of numbers of each. A start on the
+# runway has none: the aircraft is parked there, brake on, pointing along it.
 # turbulence is Dryden's (MIL-F-8785C), given by the wind 20 ft above the
-# ground. ballast is a weight in lb and how far aft of the centre of gravity
-# it is in inches. servos are the lag and the rate limit of all servos in per
-# cent of theirs, and their dead band in per cent of the travel. seed is that of
-# the turbulence.
+# ground. ballast is a weight in lb and its distance aft of the centre of
+# gravity in inches. servos are the lag and the rate limit of all servos in per
+# cent of theirs, and their dead band in per cent of the travel. seed is that
+# of the turbulence.
 CONDITIONS = {"start": 0, "wind": 2, "turbulence": 1, "ballast": 2,
               "servos": 3, "seed": 1}
 DRYDEN = 3
@@ -122,7 +123,8 @@ SENSORS = {
     "left_rudder": ("deg", "surface/left-rudder-deg", 1.0, 0.0),
     "alpha": ("deg", "aero/alpha-deg", 1.0, 0.0),
     "beta": ("deg", "aero/beta-deg", 1.0, 0.0),
-    # Where the altitude reads zero: set to the field's height before take-off.
+    # The altitude at which Altitude reads zero: set to the field's height
+    # before take-off.
     "altitude_offset": ("ft", "position/h-sl-ft", 0.0, FIELD_FT),
     "lateral_acceleration": ("g", "accelerations/Ny", 1.0, 0.0),
     "longitudinal_acceleration": ("g", "accelerations/Nx", 1.0, 0.0),
@@ -140,8 +142,8 @@ SENSORS = {
     "uplink_signal_strength": ("dBm", "radio/uplink-dbm", 1.0, 0.0),
 }
 
-# What the aircraft really does. "crashed" is 1 once it has touched the
-# ground with something other than its wheels; then nothing changes any more.
+# The true state of the aircraft. "crashed" is 1 once other parts than the
+# wheels have touched the ground; after that no value changes.
 TRUTH = {
     "altitude": ("ft", "position/h-sl-ft", 1.0, -FIELD_FT),
     "airspeed": ("kt", "velocities/vc-kts", 1.0, 0.0),
@@ -155,8 +157,8 @@ TRUTH = {
     "crashed": ("yes", "plant/crashed", 1.0, 0.0),
 }
 
-# The same for the flight record. North and east are counted from the place
-# where the flight begins.
+# The same for the flight record. North and east are counted from the flight's
+# beginning.
 SHOWN = {
     "altitude": TRUTH["altitude"],
     "airspeed": TRUTH["airspeed"],
@@ -181,8 +183,8 @@ def load_jsbsim(step_s):
     """Imports JSBSim of the version that the aircraft was tuned with."""
     os.environ["JSBSIM_DEBUG"] = "0"
     here = Path(__file__).resolve().parent
-    # JSBSim's module wants numpy for matrices, which nobody here asks it for;
-    # to import that takes longer than to settle the aircraft.
+    # JSBSim's module imports numpy for matrices, which this program does not
+    # use; that import takes longer than settling the aircraft.
     spared = sys.modules.setdefault("numpy", types.ModuleType("numpy"))
     try:
         import jsbsim
@@ -201,7 +203,8 @@ def load_jsbsim(step_s):
                 f"jsbsim is {jsbsim.__version__}, must be {wanted};"
                 f" {SET_UP}")
     fdm = jsbsim.FGFDMExec(str(here))
-    # Before the model is loaded: its servos' lags and rates are made then.
+    # To be set before the model is loaded, because loading fixes the servos'
+    # lags and rates.
     fdm.set_dt(step_s)
     if not fdm.load_model("lambda"):
         raise Refused("JSBSim does not load the aircraft")
@@ -209,7 +212,7 @@ def load_jsbsim(step_s):
 
 
 class Times(NamedTuple):
-    """How long a tick is, in us, and how many ticks what takes."""
+    """The length of a tick, in us, and the other times in ticks."""
 
     tick: int
     frame: int
@@ -218,8 +221,8 @@ class Times(NamedTuple):
 
     @property
     def step(self):
-        """Ticks of JSBSim's step. One ends with the frame, and one when the
-        sensors are measured."""
+        """Ticks in a step of JSBSim. One step ends with the frame, and one
+        with the sensors' measurement."""
         whole = math.gcd(self.frame, self.scan)
         return max(ticks for ticks in range(1, whole + 1)
                    if whole % ticks == 0
@@ -232,8 +235,8 @@ class Aircraft:
     def __init__(self, servos, sensors, truth, shown, times, conditions=(),
                  faults=()):
         self.times = times
-        # What is shown may be of a moment within a step. Further steps of a
-        # frame are flown when both it and the sensors are known.
+        # The record's values may be taken within a step. The further steps of
+        # a frame are flown when both they and the sensors are known.
         self.ticks = times.step
         self.before, self.part = divmod(times.shown, self.ticks)
         self.first_steps = range(1, 1 + max(
@@ -289,7 +292,7 @@ class Aircraft:
         self.traits = Traits(
             self.tree, [paths[name] for name, _ in servos],
             *self.conditions["servos"]) if "servos" in conditions else None
-        # They know the servos' speeds, which have their traits now.
+        # The faults read the servos' speeds, which the traits above have set.
         self.faults = (Faults(self.tree, faults, paths) if faults else None)
         self.run_step = self.broken_step if faults else fdm.run
         self.station = (self.north.get_double_value(),
@@ -301,7 +304,7 @@ class Aircraft:
                      self.read_shown())
 
     def node(self, table, name, unit):
-        """Property node, factor and offset of an item the other side wants."""
+        """Property node, factor and offset of a requested item."""
         if name not in table:
             raise Refused(f"the plant has no {name}")
         has, path, *scale = table[name]
@@ -313,7 +316,8 @@ class Aircraft:
         return (node, *scale)
 
     def readings(self, table, items):
-        """How each is read, and which have a factor or an offset."""
+        """The reader of each item, and the items with a factor or an
+        offset."""
         nodes = [self.node(table, *item) for item in items]
         return ([node.get_double_value for node, *_ in nodes],
                 [(place, *scale) for place, (_, *scale) in enumerate(nodes)
@@ -328,7 +332,7 @@ class Aircraft:
         return values
 
     def count_from_here(self, items, readings):
-        """North and east are those from where the flight begins."""
+        """Counts north and east from the flight's beginning."""
         _, scaled = readings
         starts = dict(zip(("north", "east"), self.station))
         scaled += [(place, 1.0, -starts[name])
@@ -338,7 +342,7 @@ class Aircraft:
         return self.read(self.shown)
 
     def between(self, earlier, later, part):
-        """What was shown when that part of a step had passed."""
+        """The shown values when that part of a step had passed."""
         between = [first + part * (last - first)
                    for first, last in zip(earlier, later)]
         for place in self.headings:
@@ -367,7 +371,7 @@ class Aircraft:
                     -speed * FPS_PER_KT * share(math.radians(heading)))
 
     def stir(self):
-        """Turbulence comes when the aircraft has settled."""
+        """Turbulence begins when the aircraft has settled."""
         if "turbulence" in self.conditions:
             fdm = self.fdm
             speed, = self.conditions["turbulence"]
@@ -379,7 +383,7 @@ class Aircraft:
                 speed * FPS_PER_KT)
 
     def tie(self):
-        """Ropes hold down the aircraft that stands in a wind."""
+        """Ropes hold the aircraft parked in a wind."""
         if "wind" in self.conditions:
             _, speed = self.conditions["wind"]
             self.fdm[ROPES] = ROPES_LB * (speed / ROPES_AT_KT) ** 2
@@ -390,7 +394,8 @@ class Aircraft:
         self.is_tied = False
 
     def must_be_sound(self):
-        """The settled aircraft has numbers for all, and has not crashed."""
+        """The settled aircraft must have finite values, and must not have
+        crashed."""
         if not math.isfinite(sum(
                 sum(self.read(each))
                 for each in (self.sensors, self.truth, self.shown))):
@@ -414,11 +419,11 @@ class Aircraft:
             fdm.run()
 
     def settle(self):
-        """Starts the engine and flies level until nothing moves any more.
+        """Starts the engine and flies level until the state is steady.
 
-        JSBSim's own trim does not converge with this engine. The aircraft
-        is in trim with neutral servos, so the integrators end near zero and
-        letting go of them afterwards disturbs nothing.
+        JSBSim's own trim does not converge with this engine. The aircraft is
+        in trim with neutral servos, so the integrators end near zero and
+        releasing them afterwards has no effect.
         """
         fdm = self.fdm
         servo = {name: self.tree.get_node(path)
@@ -474,7 +479,7 @@ class Aircraft:
     def has_crashed(self):
         """Whether a wing tip or, with the gear broken, the belly touches."""
         altitude = self.altitude.get_double_value()
-        # A number that is not finite is no crash: it goes to the other side,
+        # A value that is not finite is no crash: it is sent to the other side,
         # which ends the flight.
         if altitude <= BELLY_FT:
             return True
@@ -488,9 +493,9 @@ class Aircraft:
         self.fdm.run()
 
     def begin(self, commands):
-        """Holds the commands for a frame, and flies up to where the sensors
-        are measured and what is shown is known: what goes out then. The truth
-        is that of the frame's beginning."""
+        """Holds the commands for a frame, and flies until the sensors are
+        measured and the record's values are known: both are the result. The
+        truth is that of the frame's beginning."""
         if self.crashed.get_double_value():
             return self.last
         if self.traits:
@@ -521,7 +526,7 @@ class Aircraft:
         return self.last
 
     def end(self):
-        """Flies to the frame's end, while the other side goes on."""
+        """Flies to the frame's end, while the other side continues."""
         if not self.crashed.get_double_value():
             for _ in self.further_steps:
                 self.run_step()
@@ -529,18 +534,18 @@ class Aircraft:
             self.last = (sensors, self.read_truth(), shown)
 
     def fly(self, commands):
-        """A whole frame: what goes out, with the truth at its end."""
+        """Flies a whole frame; returns the same, with the truth at its end."""
         self.begin(commands)
         self.end()
         return self.last
 
 
 class Commands:
-    """What comes over the connection, so many bytes at a time.
+    """Messages of fixed length from the connection.
 
-    It is looked for some times before this process sleeps until it comes: on
-    two processors the other side's frame takes less time than to be woken.
-    Where the other side has no processor, looking is in vain and gets rare.
+    The connection is polled several times before this process sleeps: with two
+    processors the other side's frame takes less time than a wake-up. Where the
+    other side has no processor, polling fails and becomes rare.
     """
 
     def __init__(self, link, length):
@@ -549,7 +554,7 @@ class Commands:
         self.skips = self.to_skip = 0
 
     def look(self):
-        """What has come, or None."""
+        """The available bytes, or None."""
         if self.to_skip:
             self.to_skip -= 1
             return None
@@ -580,7 +585,8 @@ class Commands:
 
 
 def read_items(link):
-    """What the other side sends and wants: {kind: [(name, unit)]}."""
+    """The items that the other side sends and requests: {kind: [(name,
+    unit)]}."""
     items = {"servo": [], "sensor": [], "truth": [], "shown": [], "time": [],
              "condition": [], "fault": []}
     with link.makefile("r", encoding="ascii", newline="\n") as lines:
@@ -626,7 +632,7 @@ def serve(link):
     for data in incoming:
         sensors, truth, shown = aircraft.begin(commands.unpack(data))
         if incoming.skips:
-            # Who sleeps at once leaves its processor to the other side.
+            # Sleeping at once leaves the processor to the other side.
             aircraft.end()
         link.sendall(state.pack(*sensors, *truth, *shown))
         if not incoming.skips:
@@ -634,11 +640,11 @@ def serve(link):
 
 
 def main():
-    # An interrupt from the keyboard, or a request to end that goes to both,
-    # is the other side's affair: this program ends when the connection does.
+    # The other side handles an interrupt from the keyboard, or a request to
+    # end that goes to both: this program ends when the connection does.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    # Standard output belongs to the simulation's own report.
+    # Standard output is reserved for the simulation's own report.
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     with socket.socket(fileno=int(sys.argv[1])) as link:
         try:

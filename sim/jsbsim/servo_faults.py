@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What befalls the servos of a flight of plant.py's."""
+"""Faults of the servos in a flight of plant.py."""
 
 import math
 from typing import NamedTuple
 
 DEG = math.degrees(1.0)
 
-# A surface with a broken linkage trails in the wind of its place, at this part
-# of the angle at which the wind meets the wing or the fin: a usual value for
-# plain surfaces. The ailerons' wind has the roll rate in it.
+# A surface with a broken linkage trails in the local wind, at this fraction of
+# the wind's angle to the wing or the fin: a usual value for plain surfaces.
+# The ailerons' wind includes the roll rate.
 TRAILS = 0.3
 AILERON_ARM_FT = 5.6
-# A lever's spring closes the throttle and lets go of the brake; a wheel
-# castors; a flap cannot go up and hangs at its stop.
+# A lever's spring closes the throttle and releases the brake; a wheel castors;
+# a flap cannot go up and hangs at its stop.
 LOOSE = {
     "left_aileron": lambda wind: -TRAILS * (wind.alpha - wind.rolling),
     "right_aileron": lambda wind: TRAILS * (wind.alpha + wind.rolling),
@@ -24,7 +24,7 @@ LOOSE = {
 
 
 class Wind(NamedTuple):
-    """How the air meets the aircraft, in degrees."""
+    """The wind's angles to the aircraft, in degrees."""
 
     alpha: float
     beta: float
@@ -32,7 +32,7 @@ class Wind(NamedTuple):
 
 
 class Servo:
-    """A servo and what befalls it."""
+    """A servo and its fault."""
 
     def __init__(self, tree, name, path):
         stem = path.rsplit("-", 1)[0]
@@ -45,7 +45,7 @@ class Servo:
         self.goal = None
 
     def begin(self, kind, value=None):
-        """The fault acts from now on, instead of an earlier one."""
+        """Applies the fault from now on, instead of an earlier one."""
         part = float(value) / 100 if kind == "slow" else 1.0
         for node, whole in zip(self.speed, self.whole):
             node.set_double_value(part * whole)
@@ -59,13 +59,13 @@ class Servo:
             self.goal = lambda wind: at
 
     def move(self, wind):
-        """Whatever is commanded, a broken servo goes its own way."""
+        """Overwrites the command of a faulty servo."""
         if self.goal:
             self.command.set_double_value(self.goal(wind))
 
 
 class Faults:
-    """What befalls the servos of a flight, from (NAME, "TICK FAULT")."""
+    """The faults of the servos in a flight, from (NAME, "TICK FAULT")."""
 
     def __init__(self, tree, lines, paths):
         self.coming = [(int(tick), name, fault)
@@ -86,7 +86,8 @@ class Faults:
                     self.beta.get_double_value(), DEG * math.atan(rolling))
 
     def act(self, ticks):
-        """Before so many ticks of the flight."""
+        """To be called before the next ticks of the flight, with their
+        number."""
         while self.coming and self.coming[0][0] <= self.now:
             _, name, fault = self.coming.pop(0)
             self.servos[name].begin(*fault)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the servos of a flight of plant.py's are like (SIM-4)."""
+"""Traits of the servos in a flight of plant.py (SIM-4)."""
 
 # From stop to stop, in the servo's unit: deg, or per cent.
 TRAVEL = {"aileron": 40.0, "elevator": 50.0, "rudder": 50.0, "steering": 20.0,
@@ -26,7 +26,8 @@ class Traits:
                 node.set_double_value(part * node.get_double_value())
 
     def obeyed(self, commands):
-        """Where the servos go: one within its dead band stays where it is."""
+        """The positions that the servos move to: within its dead band a servo
+        rests."""
         found = []
         for command, place, band in zip(commands, self.places, self.bands):
             at = place.get_double_value()

@@ -126,7 +126,7 @@ def test_a_start_on_the_runway_stands_until_the_brake_is_off(fly_so, write):
 @pytest.mark.parametrize(("text", "complaint"), [
     ("wnd 3 4", "1: unknown condition \"wnd\"; there are start, wind,"
      " turbulence, ballast, servos, bias, noise"),
-    ("wind 3", "1: a condition of this kind is written wind FROM_DEG KT"),
+    ("wind 3", "1: the form of this condition is wind FROM_DEG KT"),
     ("# wind\nwind 361 4", "2: FROM_DEG: \"361\" is not a number from 0 to"
      " 360 with at most 6 decimals"),
     ("turbulence -1", "1: KT: \"-1\" is not a number from 0 to 60 with at"

@@ -253,7 +253,7 @@ def test_bad_sensors(refused, write, text, line, message):
 
 # --- faults ---------------------------------------------------------------
 
-FORM = "a fault of this kind is written TIME_MS "
+FORM = "the form of this fault is TIME_MS "
 LINE_FAULTS = "up|down ber|replay|flip|drop|dup|insert"
 NODE_FAULTS = "mcs|gsc stall|reset|rom|ram|halt|bus_error, gsc console"
 SURFACE_FAULTS = "surface NAME stuck|float|slow"
