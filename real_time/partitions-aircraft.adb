@@ -28,11 +28,11 @@ package body Partitions.Aircraft is
    Measured : Sensor_Words := Neutral_Sensors;
    Answered : Boolean := True;
 
-   --  When the servos were commanded last: set by one processor, read by the
+   --  The time of the servos' last command: set by one processor, read by the
    --  other.
    Servos_At : Microseconds := 0 with Atomic;
 
-   --  Whether the frames come in step, and what was last told of it.
+   --  Whether the frames come in step, and the last reported state of it.
    Has_Lock    : Boolean := False;
    Was_In_Step : Boolean := False;
 
@@ -57,7 +57,7 @@ package body Partitions.Aircraft is
       end if;
    end Prepare;
 
-   --  What the bench's sensors show.
+   --  The words of the bench's sensors.
    procedure Sample_Bench;
 
    procedure Sample_Bench is
@@ -188,8 +188,8 @@ package body Partitions.Aircraft is
       end if;
    end Put_Counts;
 
-   --  The PWM board's own clock (SAF-11), beside the node's tasks. A tick that
-   --  is late is not made up for: the controller was as late.
+   --  The PWM board's own clock (SAF-11), beside the node's tasks. A late tick
+   --  is not repeated: the controller was equally late.
    task Board_Clock with Priority => System.Priority'Last;
 
    task body Board_Clock is
@@ -209,7 +209,7 @@ package body Partitions.Aircraft is
             Next := Clock;
          end if;
 
-         --  Without a controller nobody else lets the plant fly on.
+         --  Without a controller only this task continues the plant's flight.
          if MCS.PWM_Board.Is_Unattended then
             Plant.Fly
               (Servos, Heard => MCS.Telemetry_Board.Tally.Received > 0);

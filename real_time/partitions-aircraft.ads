@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is behind the aircraft's boards: surfaces that follow the servos
---  with a lag, other sensors held, or any of them as a file says
+--  The plant at the aircraft's boards: surfaces that follow the servos with a
+--  lag and constant other sensors, any of them replaced from a file
 --  (--sensors); or an aircraft in JSBSim (--plant jsbsim; GND-6).
 
 with Host.Options;
@@ -16,20 +16,20 @@ package Partitions.Aircraft is
    --  Raises Host.Bad_Input.
    procedure Prepare (Chosen : Host.Options.Choices);
 
-   --  What the A/D board's channels see. Asked once for each scan: the
-   --  surfaces have then moved for a major frame. A plant that is gone
-   --  answers nothing.
+   --  The words at the A/D board's channels. Called once for each scan: the
+   --  surfaces have then moved for a major frame. A dead plant gives no
+   --  answer.
    procedure Sample
      (Is_Next  : Boolean;
       Words    : out Channel_Words;
       Is_There : out Boolean);
 
-   --  The names and the values of the record's columns that this node has.
+   --  The names and the values of this node's columns of the record.
    function Column_Names return String;
    procedure Append_Values (To : in out Row);
 
-   --  With the control laws, what they say of themselves (EXT-3), by the
-   --  names that the simulation's record has.
+   --  With the control laws, their status (EXT-3), under the names of the
+   --  simulation's record.
    function Last_Names return String;
    procedure Append_Laws (To : in out Row);
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The partition's time: since the machine was started, and since the node
---  was switched on; and whether the node has stood still (SAF-4).
+--  The partition's time: since the machine was started, and since the node was
+--  switched on; and whether the node has stopped for a while (SAF-4).
 
 with Ada.Real_Time; use Ada.Real_Time;
 
@@ -15,8 +15,8 @@ package Partitions.Clocks is
    --  The node is switched on now.
    procedure Switch_On;
 
-   --  Waits until the next time that lies so many ticks after a whole major
-   --  frame of the machine's clock.
+   --  Waits until the next time that is this number of ticks after a whole
+   --  major frame of the machine's clock.
    procedure Await_Phase (Ticks : Natural);
 
    function Switched_On_At return Time;
@@ -24,29 +24,29 @@ package Partitions.Clocks is
    --  Since the node was switched on.
    function Elapsed return Host.Microseconds;
 
-   --  Frames that were shorter or longer (FRM-6) have moved tick 0 to there.
+   --  Shorter or longer frames (FRM-6) have moved tick 0 to this time.
    procedure Count_From (At_Time : Time);
 
-   --  When the node's clock should have shown this tick.
+   --  The nominal time of this tick of the node's clock.
    function Time_Of (Now : Clock_Tick) return Time;
 
-   --  A node whose clock has not been seen to tick for longer than this has
-   --  stood still: what it was about to do is of another time.
+   --  A node whose clock has not ticked for longer than this was stopped: its
+   --  unfinished work belongs to another time.
    Longest_Pause : constant Time_Span := Milliseconds (100);
 
    --  The clock ticks now, or the tasks are loaded now.
    procedure See_Tick;
 
-   --  Never before the clock was first seen.
+   --  Always False before the clock was first seen.
    function Has_Stood_Still return Boolean;
 
    --  The clock has been seen: the cold start is over.
    function Is_Running return Boolean;
 
-   --  Since the machine was: what two partitions of one machine share.
+   --  Since the machine was started: common to two partitions of one machine.
    function Machine_Time (At_Time : Time) return Host.Microseconds;
 
-   --  Universal time, in us since 1970: what other programs go by, too.
+   --  Universal time, in us since 1970: common to other programs, too.
    function UTC return Octets.Number;
 
    --  For distributions; 0 when negative.

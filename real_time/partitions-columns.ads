@@ -9,7 +9,7 @@ with URVOS;
 
 package Partitions.Columns is
 
-   --  Each name with the group before it and a comma before that.
+   --  Each name after a comma and its group.
    function Console_Names (Group : String) return String;
    function Uplink_Names (Group : String) return String;
    function PWM_Names (Group : String) return String;

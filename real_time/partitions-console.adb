@@ -25,18 +25,17 @@ package body Partitions.Console is
 
    Has_Pilot : Boolean := False;
 
-   --  What means the safe outputs (D-13).
+   --  The words for safe outputs (D-13).
    Safe_Words : constant Console_Words :=
      (Throttle    => Neutral_Uplink (Throttle),
       Brake       => Neutral_Uplink (Brake),
       Switch_Item => 0,
       others      => Neutral_Value);
 
-   --  What decides about a silent console. Of the converter alone.
+   --  Judges a silent console. Used by the converter only.
    Watch : URV.Console_Watch.Watch;
 
-   --  Of the flight that the pilot knows by heart, flown by him so far. Of
-   --  the converter alone.
+   --  The time that the simulated pilot has flown. Used by the converter only.
    Flown : Microseconds := 0;
 
    --  Read by the controller's tasks for the record, set by the converter.
@@ -61,21 +60,22 @@ package body Partitions.Console is
    Helds    : Occurrences.Occurrence;
    Neutrals : Occurrences.Occurrence;
 
-   --  Of the task that takes the record's rows.
+   --  Used by the task that takes the record's rows.
    In_Row : Sticks;
 
-   --  Of the environment task.
+   --  Used by the environment task.
    Told        : Sticks;
    Told_Orders : URVOS.Count := 0;
 
-   --  What the script has by now.
+   --  Applies the script's rows up to now.
    procedure Follow_Script (This : in out Sticks);
 
    --  Frames of silence.
    function Frames_In (Silence : Ada.Real_Time.Time_Span)
                        return URV.Console_Watch.Frame_Count;
 
-   --  What the console's packets say. A lost console's last words stay.
+   --  Takes the words of the console's packets. A lost console's last words
+   --  stay.
    procedure Follow_Port (This : in out Sticks; Pilot_Wanted : out Boolean);
 
    --  The pilot flies, or watches.

@@ -10,7 +10,7 @@ package body Partitions.Console_Packets is
    Magic   : constant := 16#5552_5643#;
    Version : constant := 1;
 
-   --  Where the fields stand.
+   --  The positions of the fields.
    Magic_At    : constant := 1;
    Version_At  : constant := 5;
    Length_At   : constant := 7;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The console packet: what the pilot's sticks and switches say, in one
---  datagram (GND-3). docs/station-packets.md has its layout.
+--  The console packet: the pilot's sticks and switches in one datagram
+--  (GND-3). Its layout is in docs/station-packets.md.
 
 with Host; use Host;
 with Partitions.Octets; use Partitions.Octets;
@@ -18,7 +18,7 @@ package Partitions.Console_Packets is
       Pilot_Flies : Boolean       := False;
    end record;
 
-   --  Any bytes at all. What is no console packet is not valid.
+   --  Accepts any bytes. A datagram of another kind is not valid.
    procedure Read
      (Source   : Octet_Array;
       Item     : out Packet;

@@ -22,13 +22,13 @@ package body Partitions.Console_Port is
 
    protected Latest is
 
-      --  The packet is the latest, unless another one keeps the sticks. It
-      --  was made so long ago.
+      --  Takes the packet as the latest one, unless another console has the
+      --  sticks. Age is the time since it was made.
       procedure Take
         (Item : Packet; Now : Time; Age : Ada.Real_Time.Time_Span);
 
-      --  The order is one of who has the sticks, or nobody has them. It
-      --  follows the sticks and the orders before.
+      --  The order is from the holder of the sticks, or there is no holder. It
+      --  follows the sticks and the earlier orders.
       procedure Check_Order
         (Run      : Octets.Number;
          Sequence : Octets.Number;
@@ -49,7 +49,7 @@ package body Partitions.Console_Port is
       Good    : Count   := 0;
       Bad     : Count   := 0;
 
-      --  Of the last order that followed.
+      --  The sender of the last order that followed.
       Ordered_By : Octets.Number := 0;
       Ordered    : Octets.Number := 0;
    end Latest;
@@ -122,13 +122,13 @@ package body Partitions.Console_Port is
 
    function Is_Open return Boolean is (Port /= Invalid);
 
-   --  A packet has a known age, and has not waited for too long. One of the
-   --  future was made before the machine's clock was set back, or by another
-   --  clock: how long it has waited is not known (GND-59).
+   --  A packet needs a known age, not above the limit. One of the future was
+   --  made before the machine's clock was set back, or with another clock: its
+   --  waiting time is unknown (GND-59).
    function Is_Recent (Made_At, Now : Octets.Number) return Boolean is
      (Made_At <= Now and then Now - Made_At <= Octets.Number (Longest_Way));
 
-   --  A datagram has come: sticks, or an order.
+   --  A datagram has arrived: sticks, or an order.
    procedure Take_In (Datagram : Octets.Octet_Array);
    procedure Take_Sticks (Datagram : Octets.Octet_Array);
    procedure Take_Order (Datagram : Octets.Octet_Array);
@@ -179,7 +179,7 @@ package body Partitions.Console_Port is
    task Listener;
 
    task body Listener is
-      --  Room for more than a packet: a longer datagram is none.
+      --  Larger than a packet: a longer datagram is not a packet.
       Datagram : Octets.Octet_Array (1 .. 2 * Console_Packets.Length);
       Length   : Byte_Total;
    begin

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where a console of another process sends its packets (--console; GND-3,
+--  The port for packets of a console in another process (--console; GND-3,
 --  GND-4).
 --
---  Whoever can send here flies, so the port is one of the machine's
---  loopback. What cannot be taken is dropped and counted.
+--  Any sender to this port can fly, so it is on one of the machine's loopback
+--  addresses. Invalid datagrams are dropped and counted.
 
 with Ada.Real_Time; use Ada.Real_Time;
 
@@ -14,15 +14,15 @@ with URVOS; use URVOS;
 
 package Partitions.Console_Port is
 
-   --  A console that has been silent for so long keeps the sticks no more.
+   --  A console that is silent for longer loses the sticks.
    Longest_Silence : constant Time_Span := Milliseconds (500);
 
-   --  A packet that was made longer ago than this has waited somewhere. One of
-   --  the future has no known age, and is dropped as well.
+   --  An older packet has waited somewhere. One of the future has no known
+   --  age, and is dropped as well.
    Longest_Way : constant Host.Microseconds := 500_000;
 
-   --  What the port has of the console.
-   --  Has_Come: a packet has been taken. Silence: how old the last one is.
+   --  The state of the console.
+   --  Has_Come: a packet has been taken. Silence: the age of the last one.
    type Situation is record
       Has_Come    : Boolean       := False;
       Silence     : Time_Span     := Time_Span_Last;
@@ -36,11 +36,11 @@ package Partitions.Console_Port is
 
    function Is_Open return Boolean;
 
-   --  How things stand at that time. Where no packet has come yet the
-   --  simulated pilot flies, if there is one.
+   --  The state at that time. Before the first packet the simulated pilot
+   --  flies, if there is one.
    function Seen (At_Time : Time) return Situation;
 
-   --  How many packets were taken, and how many datagrams were not.
+   --  The numbers of packets taken and of datagrams dropped.
    function Taken return Count;
    function Dropped return Count;
 

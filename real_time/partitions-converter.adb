@@ -12,7 +12,7 @@ package body Partitions.Converter is
    Scan_Time : constant Time_Span :=
      Channel_Words'Length * Microseconds (Microseconds_Per_Conversion);
 
-   --  A scan that is begun so soon after one has ended follows it.
+   --  A scan that begins within this time after another one follows it.
    Right_Behind : constant Time_Span := Scan_Time;
 
    --  The controller may have started a channel.
@@ -35,15 +35,15 @@ package body Partitions.Converter is
       Set_True (Asked);
    end Release_Interrupts;
 
-   --  When the last scan ended, or was due to.
+   --  The end of the last scan, past or future.
    Ended : Time := Time_First;
 
-   --  Samples the channels and returns when their scan is due to end.
+   --  Samples the channels and returns at the end of their scan.
    procedure Scan (Words : out Channel_Words; Is_There : out Boolean);
 
-   --  The channel has been started: converts it, and those behind it that the
-   --  controller starts thereafter. Wanted tells that it has then started one
-   --  that is not: another scan, for it has given up the one before.
+   --  Converts the started channel, and the following ones that the controller
+   --  starts. Wanted: it has then started a channel out of order, which is
+   --  another scan, because it has given up the one before.
    procedure Convert
      (Channel : in out Channel_Number;
       Wanted  : out Boolean);
@@ -84,8 +84,8 @@ package body Partitions.Converter is
       Leave (Interrupts, From => Hardware_Side);
    end Convert;
 
-   --  At the ceiling of what it shares with the controller: where threads have
-   --  priorities, none of its calls changes them.
+   --  At the ceiling of the objects shared with the controller: where threads
+   --  have priorities, none of its calls changes them.
    task Hardware with Priority => System.Priority'Last;
 
    task body Hardware is

@@ -16,7 +16,7 @@ package body Partitions.Error_Marks is
             Found := Data /= Mark;
             Reader.Now_At := (if Found then At_Character else After_Mark);
          when After_Mark =>
-            --  Another FF: that was the character.
+            --  Another FF: the character was an FF.
             Found := Data = Mark;
             Reader.Now_At := (if Found then At_Character else At_Damaged);
          when At_Damaged =>

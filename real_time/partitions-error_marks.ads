@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a serial device tells that a character was received with a wrong
---  parity bit or frame (RTP-1, LNK-1).
+--  Decodes a serial device's reports of characters with a wrong parity bit or
+--  frame (RTP-1, LNK-1).
 --
---  The operating system puts FF 00 before such a character, and doubles an
---  FF that was received well.
+--  The operating system puts FF 00 before such a character, and doubles an FF
+--  that was received well.
 
 with URVOS; use URVOS;
 
@@ -12,15 +12,15 @@ package Partitions.Error_Marks is
 
    type Mark_Reader is limited private;
 
-   --  The device has given one more byte. Found tells that it completes a
-   --  character, which then is in Data.
+   --  Takes one more byte of the device. Found: it completes a character,
+   --  which is in Data.
    procedure Take
      (Reader       : in out Mark_Reader;
       Data         : Byte;
       Found        : out Boolean;
       Parity_Error : out Boolean);
 
-   --  What the device gave before is thrown away.
+   --  Discards the bytes so far.
    procedure Forget (Reader : in out Mark_Reader);
 
 private

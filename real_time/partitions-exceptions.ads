@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Exceptions that nobody expected, in whatever the partition runs: each
---  restarts the processor that it happened on (KRN-6), and the partition
---  says at its end what the first one was.
+--  Unexpected exceptions in any code of the partition: each restarts the
+--  processor on which it occurred (KRN-6), and the partition reports the first
+--  one at its end.
 
 with Ada.Exceptions; use Ada.Exceptions;
 
@@ -15,7 +15,7 @@ package Partitions.Exceptions is
 
    function Number return Count;
 
-   --  What the first one was.
+   --  The first exception.
    function First return String;
 
 end Partitions.Exceptions;

@@ -7,7 +7,7 @@ package body Partitions.Flood_Guards is
    Character_Time : constant Time_Span :=
      Microseconds (Telemetry.Microseconds_Per_Character);
 
-   --  Longer than that a line brings more than a burst anyway.
+   --  In this time a line brings more than a burst.
    Longest_Wait : constant Time_Span := Milliseconds (100);
 
    procedure Start (This : out Guard; Now : Time) is

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The frame packet: what GSC CORE has at the end of a major frame, in one
---  datagram (GND-2, GND-7). docs/station-packets.md has its layout.
+--  The frame packet: the contents of GSC CORE at the end of a major frame, in
+--  one datagram (GND-2, GND-7). Its layout is in docs/station-packets.md.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Frame_Layout;   use Host.Frame_Layout;
@@ -12,12 +12,12 @@ package Partitions.Frame_Packets is
    --  Of either version.
    subtype Packet is Octet_Array (1 .. Longest);
 
-   --  The age of a downlink that has not come yet.
+   --  The age of a downlink before the first one.
    Never : constant := 16#FFFF_FFFF#;
 
    type Link_Counts is array (Link_Count) of Number;
 
-   --  The console's words, the uplink's and the downlink's, as in the record.
+   --  The words of console, uplink and downlink, as in the record.
    type Word_List is array (1 .. Word_Count) of Number;
 
    type Frame is record
@@ -36,7 +36,7 @@ package Partitions.Frame_Packets is
       Pilot            : Number;
    end record;
 
-   --  What is after its length is 0.
+   --  The bytes after its length are 0.
    function To_Packet
      (Item : Frame; Version : Version_Number) return Packet;
 

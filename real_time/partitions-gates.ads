@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where two tasks keep each other out of something that takes its time: who
---  comes second waits until the first has left (D-30).
+--  Mutual exclusion of two tasks over a longer operation: the second one waits
+--  until the first has left (D-30).
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 
@@ -26,7 +26,7 @@ private
       --  Passed is False when the other side is inside.
       procedure Ask (From : Side; Passed : out Boolean);
 
-      --  Other_Waits tells that the other side is inside now.
+      --  Other_Waits: the other side is inside now.
       procedure Leave (From : Side; Other_Waits : out Boolean);
 
    private
@@ -34,8 +34,8 @@ private
       Waits     : Sides := (others => False);
    end Order;
 
-   --  Each side waits at its own: two at one suspension object may both stay
-   --  there.
+   --  Each side has its own suspension object: of two tasks at a common one
+   --  both may stay blocked.
    type Turns is array (Side) of Suspension_Object;
 
    type Gate is limited record

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the ground's partition has besides its node: where the sticks come
---  from, and who is sent what CORE has (GND-2, GND-3).
+--  The environment of the ground's node: the source of the sticks, and the
+--  receivers of CORE's contents (GND-2, GND-3).
 
 with Host.Options;
 with Host.Text_Output;

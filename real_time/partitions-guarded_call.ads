@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Something that the processor is made to do by an interrupt. An unexpected
---  exception in it is one of the processor: it is not passed on (KRN-6).
+--  An operation that an interrupt makes the processor execute. An unexpected
+--  exception in it belongs to the processor and is not propagated (KRN-6).
 
 generic
    with procedure Call;

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The first two phases of a start in the partition: what runs them, and what
---  catches an unexpected exception in them, which the target has as an
---  exception vector (KRN-6).
+--  Runs the first two phases of a start in the partition and catches an
+--  unexpected exception in them, in the role of the target's exception vector
+--  (KRN-6).
 --
---  The start has failed then, and begins anew; one at power up stays a cold
---  start.
+--  The start has then failed, and is repeated; a start at power up remains a
+--  cold start.
 
 with URVOS.Frames; use URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;

@@ -18,14 +18,14 @@ begin
    if First_Run then
       Run_Step (Who, First_Run, Now, Call);
 
-      --  The start before it may have taken its time.
+      --  The previous start may have taken a long time.
       Clocks.See_Tick;
    elsif Has_Stood_Still then
       Fail;
    else
       Run_Step (Who, First_Run, Now, Call);
       if Call.Name = Exit_Call then
-         return;   --  the transaction goes on
+         return;   --  the transaction continues
       end if;
       Ended := Clock;
       Costs (Who).Add (Clocks.Tenths_Of_Microseconds (Ended - Began));

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A step of a task in the partition: what it runs, how long that takes, and
---  what catches an unexpected exception of the processor, which the target
---  has as an exception vector (KRN-6).
+--  Runs a step of a task in the partition, measures its time, and catches an
+--  unexpected exception of the processor, in the role of the target's
+--  exception vector (KRN-6).
 --
---  A transaction of a node that has stood still is not made, and has failed:
---  what it would pass on is old (SAF-4).
+--  In a node that was stopped a transaction is not made, and has failed: its
+--  data would be old (SAF-4).
 
 with Partitions.Measurements; use Partitions.Measurements;
 with URVOS.Frames;            use URVOS.Frames;
@@ -15,9 +15,9 @@ generic
    type Task_Name is (<>);
    type Distributions is array (Task_Name) of Distribution;
 
-   --  What the transactions take, and when they end after the tick at which
-   --  their minor frame began; in tenths of microseconds. Of a transaction
-   --  that calls EXIT the last step is measured.
+   --  The duration of the transactions, and their ends after the tick at which
+   --  their minor frame began; in tenths of microseconds. If a transaction
+   --  calls EXIT its last step is measured.
    Costs     : in out Distributions;
    Responses : in out Distributions;
 
@@ -28,7 +28,7 @@ generic
       Now       : Clock_Tick;
       Call      : out Kernel_Call);
 
-   --  For who watches: the transaction is over.
+   --  For observers: the transaction is over.
    with procedure Observe (Who : Task_Name);
 
    --  The step has failed: the processor restarts.

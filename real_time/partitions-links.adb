@@ -24,7 +24,7 @@ package body Partitions.Links is
    Lost      : Count   := 0 with Atomic;
    Thrown    : Count   := 0 with Atomic;
 
-   --  The other end of a serial line has gone: nothing to wait for.
+   --  The other end of a serial line has gone: there is no input to wait for.
    Is_Hung_Up : Boolean := False;
 
    Block_Length : constant := 1_024;
@@ -56,8 +56,8 @@ package body Partitions.Links is
    function Limit_Of (Span : Ada.Real_Time.Time_Span)
                       return System_Calls.Time_Span;
 
-   --  Gives up to Room bytes of the input in Block. Length is below 0 when
-   --  there are none. A datagram may have none, either.
+   --  Reads up to Room bytes of the input into Block. Length is negative when
+   --  there is no input. A datagram may be empty, too.
    procedure Read_Block (Room : size_t; Length : out Byte_Total);
 
    function Limit_Of (Span : Ada.Real_Time.Time_Span)
@@ -83,9 +83,9 @@ package body Partitions.Links is
          return;
       end if;
 
-      --  An error is no character and does not end the input. A peer that
-      --  is not there yet is one: the operating system then says that a
-      --  datagram was refused. An empty datagram ends nothing either.
+      --  An error is no character and does not end the input. A missing peer
+      --  is such an error: the operating system then reports that a datagram
+      --  was refused. An empty datagram does not end the input either.
       Length := Receive (Line, Block'Address, Room, Dont_Wait);
       if Length < 0 and then GNAT.OS_Lib.Errno /= Would_Block then
          Length := 0;
@@ -99,7 +99,7 @@ package body Partitions.Links is
       Cleared  : Byte_Total;
       Found    : int;
    begin
-      --  A line that has no other end would be ready at once, for ever.
+      --  A line without another end would always be ready at once.
       Found := Poll
         (Requests'Address,
          (if Is_Hung_Up or else not Look_At_Line then 1 else 2),
@@ -121,7 +121,7 @@ package body Partitions.Links is
    begin
       Written := Write (Nudges, One'Address, 8);
 
-      --  It was nudged already if there is no room.
+      --  Without room it was nudged already.
       pragma Unreferenced (Written);
    end Nudge;
 
@@ -181,7 +181,7 @@ package body Partitions.Links is
       Length   : Byte_Total;
    begin
       loop
-         --  In a flood it rests now and then.
+         --  In a flood it rests between reads.
          for Attempt in Read_Count loop
             if Attempt = Read_Count'Last then
                delay until Clock + Flood_Guards.Rest;

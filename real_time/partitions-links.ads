@@ -11,24 +11,24 @@ with URVOS;         use URVOS;
 
 package Partitions.Links is
 
-   --  What a DUART has received: a character, and whether its parity bit or
-   --  its frame was wrong.
+   --  A character from the DUART's receiver, and whether its parity bit or its
+   --  frame was wrong.
    type Character_Received is record
       Data         : Byte    := 0;
       Parity_Error : Boolean := False;
    end record;
 
-   --  More than are ever on their way.
+   --  More than are ever in transit.
    type Character_Count is range 0 .. 1_024;
    subtype Character_Index is Character_Count range 1 .. 1_024;
 
    type Received_Array is array (Character_Index) of Character_Received;
 
-   --  How often the input was read, in a call of Receive at most.
+   --  The largest number of reads in a call of Receive.
    Most_Reads : constant := 512;
    type Read_Count is range 0 .. Most_Reads;
 
-   --  Emptied tells that nothing more stands in the input.
+   --  Emptied: the input is empty.
    type Arrivals is record
       Reads   : Read_Count := 0;
       Length  : Character_Count := 0;
@@ -38,35 +38,34 @@ package Partitions.Links is
 
    type Character_Array is array (Character_Index range <>) of Byte;
 
-   --  Refuses what is wrong with the argument or the link: raises
-   --  Host.Bad_Input.
+   --  Refuses errors in the argument or the link: raises Host.Bad_Input.
    procedure Open (Argument : String);
 
-   --  Returns when a character has arrived or Nudge was called, at the
-   --  latest at that time. It may not look at the line.
+   --  Returns when a character has arrived or Nudge was called, at the latest
+   --  at that time. Without Look_At_Line it ignores the line.
    procedure Wait (Until_Time : Time; Look_At_Line : Boolean := True);
 
    procedure Nudge;
 
-   --  Everything that has arrived, as far as there is room and it takes no
-   --  more than Most_Reads.
+   --  Takes the arrived characters, as long as there is room and at most
+   --  Most_Reads reads.
    procedure Receive (Heard : in out Arrivals);
 
-   --  It is not used, and counts as discarded.
+   --  The result is unused, and counts as discarded.
    procedure Throw_Away (Heard : in out Arrivals);
 
-   --  Throws away what stands in the input, and what comes until the line
-   --  has been silent for so long: what others keep before the line comes
-   --  out of there too. It gives up waiting for silence after At_Most.
+   --  Discards the input, and all that arrives until the line has been silent
+   --  for Silence: this includes characters that the system buffered before
+   --  the line. It waits for silence until At_Most.
    procedure Discard (Silence : Time_Span; At_Most : Time_Span);
 
    --  Puts the characters on the line, all together.
    procedure Send (Characters : Character_Array);
 
-   --  Characters that the machine did not take.
+   --  Characters that the machine did not accept.
    function Not_Sent return Count;
 
-   --  Bytes that Discard has thrown away.
+   --  Bytes discarded by Discard.
    function Discarded return Count;
 
 end Partitions.Links;

@@ -15,7 +15,7 @@ package body Partitions.Measurements is
 
       function Summed_Up return Statistics is
 
-         --  The value that so many are not above.
+         --  The smallest value with at least this number of values up to it.
          function Quantile (Wanted : Total) return Measure;
 
          function Quantile (Wanted : Total) return Measure is

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How long something took, how late it was: the distribution of many
---  measurements, in fixed room.
+--  The distribution of many measured durations or delays, in a fixed amount of
+--  memory.
 
 package Partitions.Measurements is
 
-   --  Up to here each value is counted apart; a larger one only as larger.
+   --  Each value up to this one has its own count; larger ones share one.
    Finest : constant := 60_000;
 
    type Measure is range 0 .. 2 ** 62;

@@ -21,7 +21,7 @@ package body Partitions.Notes is
       Unused_Is_Version : Boolean;
       Unused_Is_Over    : Boolean;
 
-      --  Nobody reads it: that is no reason to stop.
+      --  A failed write does not stop the partition.
       Unused_Written : Integer;
    begin
       loop

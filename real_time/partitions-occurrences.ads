@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What befalls a partition and not its node, as the lines of --events tell
---  it: how often, when first and when last (GND-4).
+--  Events of a partition that are no events of its node, for the lines of
+--  --events: count, first and last time (GND-4).
 
 with Host;  use Host;
 with Host.Text_Output;
@@ -24,11 +24,12 @@ package Partitions.Occurrences is
       Told : History;
    end Occurrence;
 
-   --  Nothing more is added, though the node flies on: the summary and the
-   --  events, written one after the other, tell of one moment (GND-6).
+   --  Ends the counting, though the node flies on: the summary and the events,
+   --  written one after the other, then describe the same moment (GND-6).
    procedure Finish;
 
-   --  A line like those of the node's error log, if there was any.
+   --  Writes a line like those of the node's error log, if there was any
+   --  event.
    procedure Write
      (To   : in out Host.Text_Output.Writer;
       Who  : Node;

@@ -12,7 +12,7 @@ package Partitions.Octets is
 
    type Octet_Array is array (Positive range <>) of Unsigned_8;
 
-   --  Of so many bytes.
+   --  The number in this many bytes.
    function Value_At
      (Source : Octet_Array; First : Positive; Length : Positive)
       return Number
@@ -21,8 +21,8 @@ package Partitions.Octets is
        and then First in Source'Range
        and then First + Length - 1 in Source'Range;
 
-   --  Puts the number into the next so many bytes, after Last. What does not
-   --  fit stands as the largest that does.
+   --  Puts the number into the given number of bytes after Last. A number that
+   --  does not fit becomes the largest that does.
    procedure Append
      (Target : in out Octet_Array;
       Last   : in out Natural;

@@ -9,7 +9,7 @@ package body Partitions.Order_Packets is
    Magic   : constant := 16#5552_564F#;
    Version : constant := 1;
 
-   --  Where the fields stand.
+   --  The positions of the fields.
    Magic_At    : constant := 1;
    Version_At  : constant := 5;
    Length_At   : constant := 7;

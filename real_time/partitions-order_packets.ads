@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The order packet: what the station orders besides the sticks, in one
---  datagram (GND-35). docs/station-packets.md has its layout.
+--  The order packet: the station's orders besides the sticks, in one datagram
+--  (GND-35). Its layout is in docs/station-packets.md.
 
 with Partitions.Octets;  use Partitions.Octets;
 with URV.Configurations; use URV.Configurations;
@@ -10,8 +10,7 @@ package Partitions.Order_Packets is
 
    Length : constant := 34;
 
-   --  A configuration is all that there is to be ordered. Whether its values
-   --  may be is the aircraft's affair.
+   --  A configuration is the only order. The aircraft checks its values.
    type Packet is record
       Run      : Number        := 0;
       Sequence : Number        := 0;
@@ -19,10 +18,10 @@ package Partitions.Order_Packets is
       Item     : Configuration := (others => 0);
    end record;
 
-   --  Whether it begins as one.
+   --  Whether the datagram begins as an order packet.
    function Is_Meant (Source : Octet_Array) return Boolean;
 
-   --  Any bytes at all. What is no order packet is not valid.
+   --  Accepts any bytes. A datagram of another kind is not valid.
    procedure Read
      (Source   : Octet_Array;
       Item     : out Packet;

@@ -7,7 +7,7 @@ with Partitions.Clocks;
 
 package body Partitions.Orders is
 
-   --  Of the converter alone.
+   --  Used by the converter only.
    Script  : Host.Ground_Orders.Script;
    Free_At : Microseconds := 0;
 

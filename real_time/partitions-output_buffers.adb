@@ -39,7 +39,7 @@ package body Partitions.Output_Buffers is
          Is_Version : out Boolean;
          Is_Over    : out Boolean)
       is
-         --  A text of two parts is taken in two goes.
+         --  A text that wraps around is taken in two parts.
          Most : constant Natural :=
            Natural'Min (Block_Length, Capacity - First + 1);
       begin

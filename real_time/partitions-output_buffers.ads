@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Text on its way to an output that may be slow. What puts it never waits: a
+--  Text on its way to an output that may be slow. The writer never waits: a
 --  text that finds no room is left out as a whole (RTP-10).
 --
 --  One task puts, another one takes, both of the default priority.
@@ -9,7 +9,7 @@ with System;
 
 package Partitions.Output_Buffers is
 
-   --  Of ten seconds of a record at least.
+   --  At least ten seconds of a record.
    Capacity : constant := 1_048_576;
 
    --  The most that is taken at once, and the longest version.
@@ -18,18 +18,18 @@ package Partitions.Output_Buffers is
 
    protected type Buffer with Priority => System.Default_Priority is
 
-      --  Is_Taken is False when there is no room for all of it.
+      --  Is_Taken is False when there is no room for the whole text.
       procedure Put (Text : String; Is_Taken : out Boolean);
 
-      --  A version of the whole output: it takes the place of one that is
-      --  not taken yet. A text longer than a block is cut off.
+      --  Puts a version of the whole output, which replaces a version not
+      --  taken yet. A text longer than a block is cut off.
       procedure Replace (Text : String);
 
-      --  Nothing more is put.
+      --  Ends the input.
       procedure Finish;
 
-      --  Length is 0 when there is nothing; Is_Over when nothing more comes.
-      --  A text is to be followed by Done when it has been written.
+      --  Length is 0 when the buffer is empty; Is_Over when no more text
+      --  follows. After the text is written, Done must be called.
       procedure Take
         (Text       : out Block;
          Length     : out Natural;
@@ -44,7 +44,7 @@ package Partitions.Output_Buffers is
       --  Grows with each Done, and with Close.
       function Progress return Natural;
 
-      --  What has not been written yet, in characters.
+      --  The unwritten text, in characters.
       function Waiting return Natural;
 
    private

@@ -23,7 +23,7 @@ package body Partitions.Output_Files is
          when Summary_Option => Summary_Place,
          when others         => Events_Place);
 
-   --  An output that takes nothing for so long, at the end, is lost.
+   --  At the end an output that accepts no text for this time is lost.
    Longest_Wait : constant Time_Span := Seconds (3);
    Look         : constant Time_Span := Milliseconds (5);
 
@@ -33,16 +33,16 @@ package body Partitions.Output_Files is
    Buffers : array (Place) of Buffer;
    News    : array (Place) of Suspension_Object;
 
-   --  Of the environment task: outputs that take nothing at the end.
+   --  Outputs that accept no text at the end. Used by the environment task.
    Stuck : array (Place) of Boolean := (others => False);
 
    --  Rows that found no room.
    Left_Out : URVOS.Count := 0;
 
-   --  Names of outputs that were asked for.
+   --  Names of the requested outputs.
    Asked : Choices;
 
-   --  Puts what comes to a file, until nothing more does.
+   --  Writes the buffered text to a file, until its end.
    procedure Write
      (This : in out Buffer; To : in out Writer; Is_Over : out Boolean);
 

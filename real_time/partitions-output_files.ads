@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The outputs of a partition. Each is written by a task of its own, so that
+--  The outputs of a partition. Each has a writing task of its own, so that
 --  neither the node, nor its reports, nor another output wait for a disk. An
---  output that cannot be written is reported and closed; the run goes on
+--  output that cannot be written is reported and closed; the run continues
 --  (RTP-10).
 --
 --  For the environment task.
@@ -15,40 +15,40 @@ package Partitions.Output_Files is
    subtype Kept is Output_Option
      with Static_Predicate => Kept /= Wire_Option;
 
-   --  Opens those that were asked for. Raises Host.Bad_Input.
+   --  Opens the requested outputs. Raises Host.Bad_Input.
    procedure Open (Chosen : Choices);
 
    function Is_Open (Which : Kept) return Boolean;
 
-   --  Whether the file can be written again from its beginning.
+   --  Whether the file can be rewritten from its beginning.
    function Can_Restart (Which : Kept) return Boolean
      with Pre => Is_Open (Which);
 
-   --  A row, with the end of its line. One that finds no room, or no file any
-   --  more, is counted and left out.
+   --  Puts a row and the end of its line. A row without room, or without a
+   --  file, is counted and left out.
    procedure Put_Row (Text : String)
      with Pre => Is_Open (Record_Option);
    function Rows_Left_Out return URVOS.Count;
 
-   --  The rows put so far go to the file.
+   --  Writes the rows so far to the file.
    procedure Write_Rows
      with Pre => Is_Open (Record_Option);
 
-   --  All that the file is to have.
+   --  Replaces the whole contents of the file.
    procedure Put_Version (Which : Kept; Text : String)
      with Pre => Is_Open (Which);
 
    --  Prints on standard output.
    procedure Print (Text : String);
 
-   --  Closes the file when all is written. One that takes nothing for three
-   --  seconds is reported and lost.
+   --  Closes the file when all is written. A file that accepts no text for
+   --  three seconds is reported and lost.
    procedure Finish (Which : Kept);
    procedure Finish_Printing;
 
    function Is_Lost (Which : Kept) return Boolean;
 
-   --  Whether any of them is not whole, standard output included.
+   --  Whether any output is incomplete, standard output included.
    function Any_Lost return Boolean;
 
 end Partitions.Output_Files;

@@ -42,7 +42,7 @@ package body Partitions.Peer_Watch is
          This.Ended := Ended;
          This.Since := Frame;
       elsif Frame >= This.Since + Longest_Silence then
-         --  Half of a second's are enough.
+         --  Half a second of them is enough.
          This.Is_Broken := This.Is_Broken
            or else Begun - This.Begun >= Longest_Silence / 2;
          This.Begun := Begun;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the other node is heard: blocks come that this node takes (RTP-2,
---  RTP-7). A block that was refused is not the peer's, however good its
---  checksum: it does not make the peer heard.
+--  Whether the other node is heard: this node takes its blocks (RTP-2, RTP-7).
+--  A refused block is not the peer's, even with a valid checksum: it does not
+--  make the peer heard.
 
 with Host;
 with Host.Text_Numbers;
@@ -10,15 +10,15 @@ with URVOS;             use URVOS;
 
 package Partitions.Peer_Watch is
 
-   --  For so many frames, a second, without a good message a peer is not yet
-   --  lost.
+   --  The number of frames without a good message, one second, after which a
+   --  peer is lost.
    Longest_Silence : constant :=
      Host.Microseconds_Per_Second / Host.Frame_Length;
 
    type Watch is limited private;
 
-   --  The board has received so many blocks up to this frame. The node has
-   --  dropped so many of them: refused, or never taken.
+   --  The number of blocks that the board has received up to this frame, and
+   --  the number that the node has dropped: refused, or never taken.
    procedure Look
      (This     : in out Watch;
       Received : Count;
@@ -36,14 +36,14 @@ package Partitions.Peer_Watch is
          when Is_Heard    => "heard",
          when Is_Lost     => "lost");
 
-   --  Whether exchanges are whole (RTP-4): what the other node says first in
-   --  each comes in, and so does what ends it. Of the aircraft these are the
-   --  uplinks, and the downlinks that it is asked for; of the ground the
-   --  statuses, and the downlinks.
+   --  Whether exchanges are whole (RTP-4): both their first and their last
+   --  message arrive from the other node. In the aircraft these are the
+   --  uplinks, and the requests for downlinks; on the ground the statuses, and
+   --  the downlinks.
    type Exchange_Watch is limited private;
 
-   --  So many beginnings and ends have come up to this frame. Is_Broken is
-   --  True when for a second beginnings have come and no end.
+   --  The numbers of beginnings and ends up to this frame. Is_Broken is True
+   --  when for a second there were beginnings and no end.
    procedure Look
      (This      : in out Exchange_Watch;
       Begun     : Count;
@@ -66,8 +66,8 @@ private
       Frame    : Host.Text_Numbers.Number := 0;
    end record;
 
-   --  The node judges a block in the frame after it came. So the blocks of
-   --  two frames ago are compared with those dropped by now.
+   --  The node judges a block in the frame after its arrival. The blocks of
+   --  two frames ago are therefore compared with those dropped by now.
    Delay_Of_Judgement : constant := 2;
 
    type Sightings is array (1 .. Delay_Of_Judgement) of Sighting;

@@ -8,11 +8,11 @@ with Partitions.System_Calls; use Partitions.System_Calls;
 
 package body Partitions.Permission is
 
-   --  That of the highest task.
+   --  The priority of the highest task.
    Highest_Priority : constant := 99;
 
-   --  Tries it with the environment task, whose priority is lower, and leaves
-   --  that as it was.
+   --  Tries it with the environment task, whose priority is lower, and
+   --  restores that.
    function May_Have_Highest return Boolean;
 
    function May_Have_Highest return Boolean is

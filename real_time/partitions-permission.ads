@@ -1,12 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Ends a program whose tasks would never begin, and says why (RTP-2).
+--  Ends a program whose tasks would never begin, and reports the reason
+--  (RTP-2).
 --
 --  As root the run-time system of GNAT gives tasks and locks priorities
---  without looking whether it may. In a container it may not, unless that
---  was asked for: the first task that begins is lost, and the program waits
---  for it for ever. Other users without the right do without priorities: a
---  loaded machine then delays the node, and the link loses messages (RTP-8).
+--  without checking its rights. A container without the right denies this: the
+--  first task is lost, and the program waits for it for ever. Other users
+--  without the right run without priorities: a loaded machine then delays the
+--  node, and the link loses messages (RTP-8).
 --
 --  It is elaborated before any task begins.
 

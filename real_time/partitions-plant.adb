@@ -21,16 +21,16 @@ package body Partitions.Plant is
    Line    : File       := Invalid;
    Process : Process_Id := Invalid_Pid;
 
-   --  From new commands for the servos to the row of the record; a whole
-   --  frame when both are of the same tick.
+   --  From new commands for the servos to the row of the record; a whole frame
+   --  when both are of the same tick.
    function Shown_After (Schedule : Schedule_Name) return Step_Count is
      ((Integer (MCS.Task_List (MCS.CORE_Task) (Schedule).Offset)
        - Servo_Tick (Schedule) - 1) mod Step_Count'Last + 1);
 
    type Plant_State is (In_Time, Is_Late, Is_Silent, Is_Dead);
 
-   --  Scans without an answer, up to those of a second: then it has stood
-   --  still, and the run has a fault.
+   --  Scans without an answer, up to those of a second: the plant was then
+   --  stopped, and the run has a fault.
    type Missed_Count is
      range 0 .. Microseconds_Per_Second / Major_Frame;
 
@@ -48,20 +48,20 @@ package body Partitions.Plant is
 
       procedure Answer (Words : Sensor_Words; State : Shown_State);
 
-      --  A scan begins. Missed tells that it has the words of the one
-      --  before; Answers is that of Partitions.Plant.Look.
+      --  A scan begins. Missed: it has the words of the one before; Answers is
+      --  that of Partitions.Plant.Look.
       procedure Look
         (Words   : out Sensor_Words;
          Missed  : out Boolean;
          Answers : out Boolean);
 
-      --  Is_News is False when that is known.
+      --  Is_News is False when the death was known.
       procedure Die (Is_News : out Boolean; Diverged : Boolean := False);
 
-      --  It has died of numbers that are not finite.
+      --  Whether the cause was numbers that are not finite.
       function Has_Diverged return Boolean;
 
-      --  How often it has not answered for a second.
+      --  The number of times it did not answer for a second.
       function Times_Still return URVOS.Count;
 
       function State return Plant_State;
@@ -72,7 +72,7 @@ package body Partitions.Plant is
       Shown    : Shown_State  := (others => 0.0);
       Sensors  : Sensor_Words := Neutral_Sensors;
       Commands : PWM_Buffer   := Safe_Outputs;
-      Flying   : Boolean      := False;   --  an answer is to come
+      Flying   : Boolean      := False;   --  an answer is expected
       Now      : Plant_State  := In_Time;
       Missing  : Missed_Count := 0;       --  scans in a row
       Still    : URVOS.Count  := 0;       --  times
@@ -83,7 +83,7 @@ package body Partitions.Plant is
    Lates  : Occurrences.Occurrence;
    Deaths : Occurrences.Occurrence;
 
-   --  Of the environment task.
+   --  Used by the environment task.
    Told : Plant_State := In_Time;
 
    protected body Aircraft is
@@ -94,7 +94,7 @@ package body Partitions.Plant is
          Sensors := Words;
       end Settle;
 
-      --  One frame at a time: what it is not done with yet, it goes on with.
+      --  One frame at a time: an unfinished frame continues.
       procedure Ask (Servos : PWM_Buffer) is
       begin
          if not Flying and then Now /= Is_Dead then
@@ -165,7 +165,7 @@ package body Partitions.Plant is
    procedure Receive
      (Message : out Stream_Element_Array; Is_Good : out Boolean);
 
-   --  What comes up to the next line feed.
+   --  Receives the bytes up to the next line feed.
    procedure Receive_Line
      (Text : out Unbounded_String; Is_Good : out Boolean);
 
@@ -214,8 +214,8 @@ package body Partitions.Plant is
       end loop;
    end Receive_Line;
 
-   --  The process with its end of a connection. It inherits that and not
-   --  ours: so each side sees when the other one has ended.
+   --  Starts the process with its end of a connection. It inherits only that
+   --  end, so that each side sees when the other one has ended.
    procedure Spawn;
 
    procedure Spawn is
@@ -300,7 +300,7 @@ package body Partitions.Plant is
       end if;
    end Note_Death;
 
-   --  A frame in the air.
+   --  Flies one frame.
    procedure Fly_Frame (Servos : PWM_Buffer; Is_Good : out Boolean);
 
    procedure Fly_Frame (Servos : PWM_Buffer; Is_Good : out Boolean) is
@@ -339,8 +339,8 @@ package body Partitions.Plant is
       end loop;
    end Flight;
 
-   --  A plant that is asked nothing, because the ground is not heard, can
-   --  have died, too.
+   --  The plant gets no commands while the ground is not heard, but may die
+   --  even then.
    procedure Look_After_Plant;
 
    procedure Look_After_Plant is
@@ -361,7 +361,7 @@ package body Partitions.Plant is
       Look_After_Plant;
       State := Aircraft.State;
       if State = Is_Silent and then Told = In_Time then
-         State := Is_Late;   --  it was, before; the rest at the next row
+         State := Is_Late;   --  reports that first; the rest at the next row
       end if;
       Changed := State /= Told;
       Told := State;

@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The JSBSim aircraft behind the boards (--plant jsbsim; GND-6): a process
---  of its own, in lock-step with the node's frames.
+--  The JSBSim aircraft of the boards (--plant jsbsim; GND-6): a process of its
+--  own, in lock-step with the node's frames.
 --
---  It is given the servos' words as the PWM task ends, flies them for a
---  frame, and is asked by the next scan, 16 ms later. The node never waits:
---  a scan for which the aircraft is not there yet has the words of the one
---  before, and the aircraft has stood still for a frame. Two such scans in a
---  row at most: then there is none, and the words are old, as they are at
---  once when the process has ended (RTP-9).
+--  It receives the servos' words as the PWM task ends, flies them for a frame,
+--  and answers at the next scan, 16 ms later. The node never waits: a scan
+--  before the aircraft's answer has the words of the one before, and the
+--  aircraft was stopped for a frame. After two such scans in a row there is no
+--  scan, and the words are old; after the process has ended this happens at
+--  once (RTP-9).
 --
 --  It waits in level flight until the node has heard the ground.
 
@@ -26,23 +26,23 @@ package Partitions.Plant is
 
    function Is_Present return Boolean;
 
-   --  The servos have new words, and so many messages have been received.
+   --  The servos have new words; Heard: messages have been received.
    procedure Fly (Servos : PWM_Buffer; Heard : Boolean);
 
-   --  What the sensors show as a scan begins. Answers is False when the
-   --  process has ended, or has not answered for more than Most_Missed scans.
+   --  The sensors' words as a scan begins. Answers is False when the process
+   --  has ended, or has not answered for more than Most_Missed scans.
    Most_Missed : constant := 2;
    procedure Look (Sensors : out Sensor_Words; Answers : out Boolean);
 
-   --  What the newest frame that was flown shows of it, at the row's tick.
+   --  The state in the newest flown frame, at the row's tick.
    function Truth return Shown_State;
 
-   --  What has become of it since it was last asked, for people; nothing
-   --  when all is as it was. It is now so many seconds.
+   --  Changes since the last call, for people; empty when there are none. Now
+   --  is the present time in seconds.
    function Next_News (Now : String) return String;
 
-   --  Why the run was no good; nothing when it was. A process that has not
-   --  answered for a second is a fault, though it answers again (RTP-11).
+   --  The reason of a failed run; empty after a good one. A process that has
+   --  not answered for a second is a fault, even if it answers again (RTP-11).
    function Failure return String;
 
    --  For the summary, and the lines of --events.

@@ -21,7 +21,7 @@ package body Partitions.Publisher is
 
    use type Octets.Number;
 
-   --  Where a row has what the packet takes from it: see
+   --  The columns of the values that the packet takes from a row: see
    --  Partitions.Nodes.Observe_Frame and Partitions.Console.Append_Values.
    Frame_Column          : constant Column := 1;
    First_Word_Column     : constant Column := 3;
@@ -35,7 +35,7 @@ package body Partitions.Publisher is
    Number_Of_Places : Natural        := 0;
    Told             : Version_Number := 1;
 
-   --  Of the task that takes the rows.
+   --  Used by the task that takes the rows.
    Fresh_At : Octets.Number := 0;
    Is_Seen  : Boolean := False;
 
@@ -45,7 +45,7 @@ package body Partitions.Publisher is
 
    Unsent : Count := 0 with Atomic;
 
-   --  On the way to the sender: enough for a second.
+   --  The queue to the sender: enough for a second.
    Capacity : constant := 50;
    type Slot is mod Capacity;
    type Packet_Array is array (Slot) of Packet;
@@ -58,7 +58,7 @@ package body Partitions.Publisher is
       --  Is_Taken is False when there is no room.
       procedure Put (Item : Packet; Is_Taken : out Boolean);
 
-      --  Found is False when the queue is empty; else to be followed by Done,
+      --  Found is False when the queue is empty; otherwise Done must be called
       --  when the packet has been sent.
       procedure Take (Item : out Packet; Found : out Boolean);
       procedure Done;
@@ -130,7 +130,7 @@ package body Partitions.Publisher is
       Number_Of_Places := Number_Of_Places + 1;
    end Open;
 
-   --  For how many frames the downlink has not been fresh.
+   --  The number of frames without a fresh downlink.
    procedure Look_At_Downlink (Item : Row; Age : out Octets.Number);
 
    function Counts_In (Item : Row) return Link_Counts;
@@ -212,8 +212,8 @@ package body Partitions.Publisher is
    begin
       for Place of Places (1 .. Number_Of_Places) loop
 
-         --  A socket first reports that an earlier datagram was refused:
-         --  nobody listened.
+         --  A socket first reports that an earlier datagram was refused: it
+         --  had no receiver.
          for Attempt in 1 .. 2 loop
             Sent := Send
               (Place, Item'Address, size_t (Length),

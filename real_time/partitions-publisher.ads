@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Sends what GSC CORE has, each major frame, to who wants it (--publish;
---  GND-2). The node makes the packet; a task of its own sends it and waits
---  for nobody.
+--  Sends the contents of GSC CORE, each major frame, to the chosen receivers
+--  (--publish; GND-2). The node makes the packet; a task of its own sends it
+--  and waits for no receiver.
 
 with Host.Frame_Layout; use Host.Frame_Layout;
 with Host.Options;
@@ -13,10 +13,10 @@ package Partitions.Publisher is
 
    Most_Places : constant := Host.Options.Most_Places;
 
-   --  The version of the packets, 1 unless said. Before the first one.
+   --  The version of the packets, by default 1. Before the first packet.
    procedure Choose (Version : Version_Number);
 
-   --  Sends to udp:HOST:PORT, too; to so many at most. Raises Host.Bad_Input.
+   --  Adds udp:HOST:PORT, up to Most_Places. Raises Host.Bad_Input.
    procedure Open (Place : String);
 
    --  The frame's row of the record has been taken.
@@ -25,7 +25,7 @@ package Partitions.Publisher is
    --  Waits until all is sent, for a second at most.
    procedure Finish;
 
-   --  Packets that the machine did not take, each place counted.
+   --  Packets that the machine did not accept, each place counted.
    function Not_Sent return Count;
 
 end Partitions.Publisher;

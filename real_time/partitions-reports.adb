@@ -8,7 +8,7 @@ package body Partitions.Reports is
    use type Number;
    use type URVOS.Count;
 
-   --  Goes to the next line and names what comes there.
+   --  Goes to the next line and writes the field's name.
    procedure Begin_Field
      (This : in out Report; To : in out Writer; Name : String);
 

@@ -14,8 +14,7 @@ package Partitions.Reports is
 
    subtype Number is Host.Text_Numbers.Number;
 
-   --  A JSON object, field by field, with an object of names in it where
-   --  Begin_Group says so.
+   --  A JSON object, field by field; Begin_Group opens a named object in it.
    type Report is limited private;
 
    procedure Begin_Report (This : in out Report; To : in out Writer);
@@ -37,10 +36,10 @@ package Partitions.Reports is
       Name  : String;
       Value : String);
 
-   --  Adds a name to an array of them: nothing to begin with.
+   --  Adds a name to an array of them, initially empty.
    procedure Add_Name (To : in out Unbounded_String; Name : String);
 
-   --  Nothing when there is none.
+   --  Writes nothing when there is none.
    procedure Put_Names
      (This  : in out Report;
       To    : in out Writer;
@@ -55,7 +54,7 @@ package Partitions.Reports is
       Value    : Number;
       Decimals : Positive);
 
-   --  "min", "median", "p99", "max" in microseconds, and how many. The value
+   --  "min", "median", "p99", "max" in microseconds, and the count. The value
    --  is in tenths of them, as all times of Measurements.
    procedure Put_Times
      (This  : in out Report;
@@ -63,7 +62,7 @@ package Partitions.Reports is
       Name  : String;
       Value : Statistics);
 
-   --  "events": how often each kind of error happened, of those that did.
+   --  "events": the count of each kind of error that occurred.
    procedure Put_Log
      (To   : in out Writer;
       This : in out Report;

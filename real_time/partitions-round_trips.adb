@@ -12,7 +12,7 @@ package body Partitions.Round_Trips is
    Character_Time : constant Time_Span :=
      Microseconds (Telemetry.Microseconds_Per_Character);
 
-   --  The answer's own: the other board's guard time and a character.
+   --  The answer's own time: the other board's guard time and a character.
    Answers_In : constant Time_Span :=
      Integer (Telemetry.Guard_Time + 1) * Character_Time;
 
@@ -25,8 +25,8 @@ package body Partitions.Round_Trips is
    --  In whole microseconds, so that it has room for 60 ms.
    Times : Distribution;
 
-   --  Of answers in a row: how many were late or in time, and the sum of
-   --  their round trips; of the first that make a kind.
+   --  Successive answers: the number that were late or in time, and the sum of
+   --  the round trips of the first that make a kind.
    type Row is record
       Are_Late : Boolean := False;
       Length   : Total   := 0;
@@ -46,11 +46,11 @@ package body Partitions.Round_Trips is
       All_Of_Them, Late_Ones : Count := 0;
    end Answers;
 
-   --  Of the task that asks for news.
+   --  Used by the task that asks for news.
    Is_Reported   : Boolean := False;
    Late_Reported : Boolean := False;
 
-   --  How long the board waits for the first character of an answer.
+   --  The board's time-out for the first character of an answer.
    function Patience return Time_Span is
      (Integer (Telemetry.Dead_Space_On (Round_Trip)) * Character_Time);
 
@@ -82,7 +82,7 @@ package body Partitions.Round_Trips is
       Round_Trip := Telemetry.Round_Trip_Of (Line);
    end Set_Line;
 
-   --  A wait is up to a count of the timer shorter.
+   --  A wait is shorter by up to a count of the timer.
    function Longest return Time_Span is
      (Patience - Character_Time - Answers_In);
 
@@ -114,7 +114,7 @@ package body Partitions.Round_Trips is
    function Image (Time : Measure) return String is
      (Thousandths_Image (Number ((Time + 500) / 1_000) * 100));
 
-   --  To have room for that round trip, or that there is no such.
+   --  The --line-delay for that round trip, or that there is none.
    function Advice (Time : Measure) return String;
 
    function Advice (Time : Measure) return String is

@@ -4,7 +4,7 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 
 package body Partitions.Rows is
 
-   --  A row was put, or none comes any more.
+   --  A row was put, or none follows.
    News : Suspension_Object;
 
    procedure Append (To : in out Row; Value : Number) is

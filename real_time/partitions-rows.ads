@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The rows of the flight record on their way from the controller to the
---  file: the controller never waits for a disk.
+--  The rows of the flight record on their way from the controller to the file:
+--  the controller never waits for a disk.
 
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Numbers;
@@ -16,8 +16,8 @@ package Partitions.Rows is
    type Column is range 0 .. Most_Columns;
    type Values is array (Column range 1 .. Most_Columns) of Number;
 
-   --  With an aircraft in JSBSim, what it really does; and what has become of
-   --  the other node.
+   --  With an aircraft in JSBSim, its true state; and the state of the other
+   --  node.
    type Row is record
       Length    : Column      := 0;
       Value     : Values      := (others => 0);
@@ -42,10 +42,10 @@ package Partitions.Rows is
       --  A row that finds no room is left out.
       procedure Put (Item : Row);
 
-      --  No row comes any more.
+      --  No more rows follow.
       procedure Finish;
 
-      --  Found is False when there is none; Is_Over when none comes any more.
+      --  Found is False when there is none; Is_Over when none follows.
       procedure Take
         (Item    : out Row;
          Found   : out Boolean;

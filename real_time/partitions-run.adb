@@ -44,19 +44,19 @@ procedure Partitions.Run is
    Chosen : Choices;
    Whole  : Exchange_Watch;
 
-   --  What goes to an output next: for the help, to the screen at once.
+   --  The text for the current output: for the help, directly the screen.
    Screen : Writer;
    Page   : Writer;
 
    Keys   : Host.Key_Files.Key_Ring;
 
-   --  Of the whole run: no block came that this node took.
+   --  In the whole run this node took no block.
    Carried_Nothing : Boolean := False;
 
    --  The exit status then.
    Nothing_Carried : constant := 3;
 
-   --  What this node sends and what it receives.
+   --  The blocks that this node sends and receives.
    Sent     : constant String :=
      (if This = Ground then "uplink" else "downlink");
    Received : constant String :=
@@ -65,13 +65,13 @@ procedure Partitions.Run is
    Program : constant Host.Options.Program :=
      (if This = Ground then URV_GSC else URV_MCS);
 
-   --  How the program is used.
+   --  Prints the usage.
    procedure Print_Usage;
 
-   --  For who sits at the terminal.
+   --  Prints a line on the terminal.
    procedure Note (What : String);
 
-   --  Hundredths of a second, with no more decimals than it takes.
+   --  Hundredths of a second, without trailing zeros.
    function Seconds (Of_Frames : Number) return String;
 
    function Number_Of (Total : URVOS.Count; What : String) return String is
@@ -80,13 +80,13 @@ procedure Partitions.Run is
 
    procedure Seal_Node (Given : URV.Sessions.Key_List);
 
-   --  Each reports what is new.
+   --  Each reports new events.
    procedure Report_Peer (State : Peer_State);
    procedure Report_Refusals;
    procedure Report_Starts;
    procedure Report_Left_Out;
 
-   --  Reports what is new of the other node, in that state, and of this one.
+   --  Reports new events of the other node, in that state, and of this one.
    procedure Look_Around (State : Peer_State);
 
    --  The partition ends. Its other tasks do not: Ravenscar.
@@ -95,8 +95,8 @@ procedure Partitions.Run is
    --  Writes a row for each frame until the partition is switched off.
    procedure Take_Rows (Last_Frame : Number);
 
-   --  The node's counts at one instant: it goes on while outputs are
-   --  written, and all that is said of a run is to agree.
+   --  The node's counts at one instant: the node continues while outputs are
+   --  written, but all figures of a run must agree.
    type Totals is record
       Log      : URV.Errors.Error_Log;
       Link     : Telemetry.Boards.Statistics;
@@ -115,16 +115,16 @@ procedure Partitions.Run is
    --  When they were last written.
    Total : Totals;
 
-   --  While the run goes on, without what the tasks took: to sum that up
-   --  takes the node's time.
+   --  During the run without the tasks' durations: their sums would take the
+   --  node's time.
    procedure Write_Summary (Is_Over : Boolean);
 
-   --  The summary and the events, of one moment: the node flies on. Before it
-   --  is over, what cannot be written again is left out.
+   --  The summary and the events, of one moment: the node flies on. During the
+   --  run it skips outputs that cannot be rewritten.
    procedure Write_Counts (Is_Over : Boolean);
 
-   --  All that there is goes to the files, each second of the run: a program
-   --  that is killed leaves it.
+   --  Writes all results to the files, each second of the run: they remain if
+   --  the program is killed.
    procedure Keep_Results;
 
    procedure Print_Summary;
@@ -184,7 +184,7 @@ procedure Partitions.Run is
            else "." & Image (Long_Long_Integer (Rest)));
    end Seconds;
 
-   --  Of the environment task: what has been reported.
+   --  The last reported states. Used by the environment task.
    Told_Peer     : Peer_State := Never_Heard;
    Told_Refused  : URVOS.Count := 0;
    Refused_Frame : Number := 0;
@@ -196,8 +196,8 @@ procedure Partitions.Run is
                                      .. URV.Errors.Processor_Restart)
      of URVOS.Count := (others => 0);
 
-   --  Reports a flood of refused blocks, or rows that are left out, this often
-   --  at most.
+   --  The shortest time between two reports of a flood of refused blocks, or
+   --  of rows that are left out.
    Refusals_Every : constant Number :=
      5 * Microseconds_Per_Second / Frame_Length;
 
@@ -238,7 +238,7 @@ procedure Partitions.Run is
       for Kind in Told_Starts'Range loop
          Found := Logs.History_Of (Log, Kind).Occurrences;
 
-         --  A node that stood still reports its restart below.
+         --  The restart of a stopped node is reported below.
          if Kind = Processor_Restart then
             Found := URVOS.Count'Max (Found - Paused, 0);
          end if;
@@ -367,7 +367,7 @@ procedure Partitions.Run is
       Queue.Finish;
    end Take_Rows;
 
-   --  What the tasks took, and the error log.
+   --  The tasks' durations, and the error log.
    procedure Put_Results
      (Result : in out Reports.Report;
       To     : in out Writer;
@@ -490,7 +490,7 @@ procedure Partitions.Run is
          Put_Version (Events_Option, Text (Page));
       end if;
       if Is_Over then
-         --  What is lost is known when it has been written.
+         --  A loss is known only after the write.
          Finish (Record_Option);
          Finish (Events_Option);
       end if;

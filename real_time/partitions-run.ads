@@ -2,8 +2,8 @@
 
 --  A partition from its command line to its end (RTP-2).
 --
---  While it runs it says on standard error when the other node is heard and
---  when it is lost.
+--  During the run it reports on standard error when the other node is heard
+--  and when it is lost.
 --
 --  Exit status: 0 run, 1 an internal fault, a dead plant or a lost output, 2 a
 --  bad command line, input file or link, 3 run, but the other node was never
@@ -19,7 +19,7 @@ generic
    This : Host.Node;
    with package This_Node is new Partitions.Nodes (<>);
 
-   --  Opens what the command line asks for. Raises Host.Bad_Input.
+   --  Opens the files and links of the command line. Raises Host.Bad_Input.
    with procedure Prepare (Chosen : Host.Options.Choices);
    with function Column_Names return String;
    with function Last_Names return String;
@@ -27,8 +27,8 @@ generic
    --  Rows have an aircraft's truth.
    with function Has_Truth return Boolean;
 
-   --  What is new around the node, for people, or nothing. It is now so
-   --  many seconds.
+   --  News of the node's environment, for people, or empty. Now is the present
+   --  time in seconds.
    with function Next_News (Now : String) return String;
 
    --  For the summary and the events.
@@ -37,9 +37,9 @@ generic
       To     : in out Host.Text_Output.Writer);
    with procedure Put_Events (To : in out Host.Text_Output.Writer);
 
-   --  Why the run was no good; nothing when it was.
+   --  The reason of a failed run; empty after a good one.
    with function Failure return String;
 
-   --  The last thing.
+   --  The last call of a run.
    with procedure Stop is null;
 procedure Partitions.Run;

@@ -33,7 +33,7 @@ package body Partitions.Serial_Lines is
       Settings : Line_Settings;
    begin
       if Control (Line, Get_Settings, Settings) /= 0 then
-         Refuse_Device (Device, "is no serial device");
+         Refuse_Device (Device, "is not a serial device");
       end if;
 
       Settings :=
@@ -52,7 +52,7 @@ package body Partitions.Serial_Lines is
          Refuse_Device
            (Device, "cannot be set: " & GNAT.OS_Lib.Errno_Message);
 
-      --  Two per cent is what a character of 12 bits bears.
+      --  A character of 12 bits tolerates two per cent.
       elsif Settings.Output_Speed not in Baud - 2_500 .. Baud + 2_500 then
          Refuse_Device
            (Device,
@@ -73,7 +73,7 @@ package body Partitions.Serial_Lines is
       end if;
       Set_Line (Device, Line);
 
-      --  What was on the line before is nobody's.
+      --  Earlier characters on the line are discarded.
       if Control (Line, Flush, Flush_Both) /= 0 then
          Refuse_Device
            (Device, "cannot be emptied: " & GNAT.OS_Lib.Errno_Message);

@@ -18,6 +18,6 @@ begin
    Status := Set_Mask (To_Block, Set, System.Null_Address);
    Status := Status + Set_Process (Timer_Slack, 1);
 
-   --  Without them the partition runs all the same, only less well.
+   --  After a failure the partition runs all the same, only less exactly.
    pragma Unreferenced (Status);
 end Partitions.Signal_Masks;

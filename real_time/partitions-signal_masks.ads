@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Keeps the partition's signals from every task, for the one that waits
---  for them; and has the operating system wake tasks as exactly as it can.
+--  Blocks the partition's signals in every task except the one that waits for
+--  them; and makes the operating system wake tasks as exactly as it can.
 --
 --  A task inherits both from the environment task, so this package is
 --  elaborated before any task begins.

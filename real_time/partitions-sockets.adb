@@ -16,15 +16,15 @@ package body Partitions.Sockets is
 
    UDP_Prefix : constant String := "udp:";
 
-   --  Refuses what was asked for with the reason that the operating system
-   --  gives. Asked is the option and its value, for people.
+   --  Refuses the option with the reason that the operating system gives.
+   --  Asked is the option and its value, for people.
    procedure Refuse_Socket (Asked : String; What : String) with No_Return;
 
-   --  As people read it.
+   --  The option and its value, for people.
    function Asked_For (Option, Place : String) return String is
      (Option & ": " & Quoted (Place));
 
-   --  Takes the next part of the places off.
+   --  Removes the next part of the places.
    procedure Take_Part
      (Places : String;
       Next   : in out Positive;
@@ -35,7 +35,7 @@ package body Partitions.Sockets is
    --  The port is a number from 1 on.
    function Is_Port (Text : String) return Boolean;
 
-   --  Calls for the addresses of a host.
+   --  Asks the system for the addresses of a host.
    procedure Look_Up
      (Asked  : String;
       Host   : String;
@@ -44,7 +44,7 @@ package body Partitions.Sockets is
       Family : int;
       Found  : out Address);
 
-   --  Where udp:HOST:PORT is.
+   --  The address of udp:HOST:PORT.
    procedure Look_Up_Place
      (Option : String;
       Place  : String;
@@ -53,8 +53,8 @@ package body Partitions.Sockets is
 
    function Is_Loopback (There : Address_Info) return Boolean;
 
-   --  A socket of a family of addresses, and what it is bound and connected
-   --  to. Each refuses what cannot be done.
+   --  Makes a socket of a family of addresses, binds and connects it. Each
+   --  refuses a failure.
    function Made_For (Asked : String; Family : int) return File;
    procedure Bind_To (Asked : String; Made : File; Here : Address_Info);
    procedure Connect_To
@@ -85,7 +85,8 @@ package body Partitions.Sockets is
       end loop;
       Next := Last + (if In_Brackets then 2 else 1);
 
-      --  A part has something in it. One colon follows, or it is the last.
+      --  Each part must be non-empty and followed by one colon, except the
+      --  last.
       Whole := Whole and then Last >= First
         and then (Next > Places'Last or else Places (Next) = ':');
       Next := Next + 1;
@@ -241,8 +242,8 @@ package body Partitions.Sockets is
    end Sender;
 
    function Is_Loopback (There : Address_Info) return Boolean is
-      --  struct sockaddr_in, sockaddr_in6: family, port; of the second four
-      --  bytes of flow; the address.
+      --  struct sockaddr_in, sockaddr_in6: family and port; in the second also
+      --  four bytes of flow; the address.
       First_4 : constant := 5;
       First_6 : constant := 9;
 

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The few calls of the operating system that the partitions make besides
---  Ada's own run-time: files as a serial line or a socket, waiting for
---  either until a time, signals, and what a thread may have. Linux.
+--  The operating system calls of the partitions besides Ada's own run-time:
+--  files as a serial line or a socket, waiting for either until a time,
+--  signals, and the rights of a thread. Linux.
 
 with Interfaces.C; use Interfaces.C;
 with System;
@@ -61,13 +61,13 @@ package Partitions.System_Calls is
    type Poll_Requests is array (Positive range <>) of Poll_Request
    with Convention => C;
 
-   --  A file that is ready to be read when something was written to it.
+   --  A file that becomes readable when it is written to.
    function Event_File (Initially : unsigned; Flags : int) return File
    with Import, Convention => C, External_Name => "eventfd";
 
    --  Sockets
 
-   --  Nothing stands in the input.
+   --  The input is empty.
    Would_Block     : constant := 11;
 
    Any_Family      : constant := 0;
@@ -118,7 +118,7 @@ package Partitions.System_Calls is
      (Family, Kind, Protocol : int; Made : out File_Pair) return int
    with Import, Convention => C, External_Name => "socketpair";
 
-   --  Another number of the same file, which a new program inherits.
+   --  Another descriptor of the same file, which a new program inherits.
    function Duplicate (This : File) return File
    with Import, Convention => C, External_Name => "dup";
 
@@ -216,15 +216,15 @@ package Partitions.System_Calls is
    function Wait_For (Any_Of : Signal_Set; Came : out int) return int
    with Import, Convention => C, External_Name => "sigwait";
 
-   --  How late the operating system may wake a thread of this one's making,
-   --  on purpose, so as to wake several at once.
+   --  The largest delay with which the operating system may wake a thread
+   --  created by this one, in order to wake several at once.
    Timer_Slack : constant := 29;
 
    function Set_Process
      (What : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
-   --  Who runs the program, and how a thread of it is dispatched.
+   --  The user of the program, and the dispatching of its threads.
 
    Root : constant := 0;
 
@@ -238,7 +238,7 @@ package Partitions.System_Calls is
    function Policy_Of (Thread : int) return int
    with Import, Convention => C, External_Name => "sched_getscheduler";
 
-   --  Linux has nothing but the priority in its parameters.
+   --  In Linux the parameters hold only the priority.
    function Read_Priority (Thread : int; Priority : out int) return int
    with Import, Convention => C, External_Name => "sched_getparam";
 
@@ -246,7 +246,7 @@ package Partitions.System_Calls is
      (Thread : int; Policy : int; Priority : in out int) return int
    with Import, Convention => C, External_Name => "sched_setscheduler";
 
-   --  What the system writes into is as long as C's, in bytes.
+   --  Each structure that the system writes has the size of C's, in bytes.
    pragma Compile_Time_Error
      (Time_Span'Size /= 8 * 16
       or else Poll_Request'Size /= 8 * 8

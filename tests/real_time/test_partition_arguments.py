@@ -54,7 +54,7 @@ def assert_refused(result, node, *parts):
     ("udp:127.0.0.1:5000:no-such.invalid:5001", "there is no host"),
     ("udp:192.0.2.1:5000:127.0.0.1:5001", "cannot be bound"),
     ("serial:/dev/no/such", "cannot be opened"),
-    ("serial:/dev/null", "is no serial device"),
+    ("serial:/dev/null", "is not a serial device"),
     ("serial:/", "cannot be opened"),
     ("serial:", "is neither"),
 ])
