@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The ground station: what bin/urv runs."""
+"""The ground station, run by bin/urv."""

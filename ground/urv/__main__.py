@@ -2,9 +2,8 @@
 """python -I -B .../urv/__main__.py, as bin/urv calls it.
 
 Python's -I looks for modules in its own folders only, not in the current one.
-This package's folder is added here. The programs that are started get none of
-Python's environment variables, of which PYTHONPATH may name the current folder
-(SEC-10).
+This package's folder is added here. Started programs get none of Python's
+environment variables, because PYTHONPATH may name the current folder (SEC-10).
 """
 
 import os
@@ -12,7 +11,7 @@ import sys
 
 
 def run():
-    """Carries out the command line; its exit status."""
+    """Runs the command line; returns its exit status."""
     sys.path.insert(0, os.path.dirname(os.path.dirname(
         os.path.abspath(__file__))))
     for name in [name for name in os.environ if name.startswith("PYTHON")]:

@@ -8,7 +8,7 @@ D-58).
 The sender's clock and this one have an unknown offset. The least receive time
 minus send time so far is the best estimate of it: a message cannot arrive
 before it was sent. The excess over it is the message's age, whatever delayed
-it: the network, a queue, a receiver that was stopped or starved.
+the message: the network, a queue, or a stopped receiver.
 
 Pages (urv.arrivals), the station and MAVLink (urv.runs) use it, and through
 the station Yamcs (urv.archive) and the report (urv.view).
@@ -17,8 +17,8 @@ the station Yamcs (urv.archive) and the report (urv.view).
 from __future__ import annotations
 
 DRIFT = 500e-6
-"""The best offset may be wrong by this much more each second: two clocks
-whose rates are adjusted differ by this much at most."""
+"""Seconds per second by which the best offset may become wrong: the largest
+difference in rate between two adjusted clocks."""
 
 
 class SenderClock:
@@ -27,19 +27,19 @@ class SenderClock:
 
     def __init__(self) -> None:
         self.offset: float | None = None
-        """Of the message that took the least time: now minus sent_s. None
-        before the first."""
+        """Now minus sent_s of the fastest message. None before the first
+        one."""
         self._at = 0.0
 
     def lead(self, sent_s: float, now: float) -> float:
-        """Seconds by which a message that arrives now is sooner than the best
+        """Seconds by which a message that arrives now is earlier than the best
         one before; negative when it is later."""
         if self.offset is None:
             return 0.0
         return self._drifted(now) - (now - sent_s)
 
     def age(self, sent_s: float, now: float) -> float:
-        """Of a message that arrives now, in seconds."""
+        """The age of a message that arrives now, in seconds."""
         offset = now - sent_s
         self.offset = (offset if self.offset is None
                        else min(offset, self._drifted(now)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cautions and warnings: newest first, acknowledged by hand, never gone
+"""Cautions and warnings: newest first, acknowledged by hand, never removed
 (GND-26)."""
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from typing import Any
 INFO, CAUTION, WARNING = "info", "caution", "warning"
 
 CLEAR_S = 1.0
-"""An alert ends when its reason has been away for so long."""
+"""An alert ends when its reason has been absent for this time."""
 
 
 @dataclass
 class Alert:
-    """One reason to look up, with how often it came."""
+    """One reason for attention, with its count."""
 
     key: str
     level: str
@@ -28,7 +28,7 @@ class Alert:
     away_since: float | None = None
 
     def shown(self) -> dict[str, Any]:
-        """What a page needs of it."""
+        """The alert as pages need it."""
         return {"key": self.key, "level": self.level, "name": self.name,
                 "text": self.text, "came_us": self.came_us,
                 "count": self.count, "active": self.active,
@@ -37,8 +37,8 @@ class Alert:
 
 @dataclass
 class Alerts:
-    """All that there were. There are as many as there are reasons, so none
-    has to go."""
+    """All alerts of the flight. Their number is that of the reasons, so none
+    must be removed."""
 
     changed: int = 0
     raised: list[Alert] = field(default_factory=list)
@@ -46,13 +46,13 @@ class Alerts:
 
     def report(self, key: str, level: str, name: str, text: str,
                time_us: int) -> None:
-        """The reason is there now."""
+        """The reason is present now."""
         alert = self._all.get(key)
         if alert is not None and alert.active:
             alert.away_since = None
             return
         count = 1 if alert is None else alert.count + 1
-        # Put in anew, so that the newest stands last.
+        # Inserted again, so that the newest is last.
         self._all.pop(key, None)
         alert = Alert(key, level, name, text, time_us, count)
         self._all[key] = alert
@@ -60,7 +60,7 @@ class Alerts:
         self.changed += 1
 
     def away(self, key: str, now: float, after: float = CLEAR_S) -> None:
-        """The reason is not there now; the alert stays in the list."""
+        """The reason is absent now; the alert stays in the list."""
         alert = self._all.get(key)
         if alert is None or not alert.active:
             return
@@ -71,14 +71,14 @@ class Alerts:
             self.changed += 1
 
     def acknowledge(self, key: str | None = None) -> None:
-        """Somebody has seen this one, or all."""
+        """Marks this alert, or all, as seen."""
         for alert in self._all.values():
             if not alert.seen and key in (None, alert.key):
                 alert.seen = True
                 self.changed += 1
 
     def active(self, key: str) -> bool:
-        """Whether the reason is there."""
+        """Whether the reason is present."""
         alert = self._all.get(key)
         return alert is not None and alert.active
 

@@ -3,7 +3,7 @@
 
     answers.sent(sequence, now)      a console packet has left
     answers.look(frame, now)         a frame has come
-    answers.flies                    who flies, by that frame
+    answers.flies                    the flying party in that frame
     answers.is_refused(now)          packets leave, and none is taken
 
 The node takes the packets of one console and drops those of another. It
@@ -22,8 +22,8 @@ from urv.packets import ConsoleState, FramePacket, Pilot
 REMEMBERED = 500
 """Console packets: ten seconds of them."""
 UNANSWERED_S = 0.6
-"""Packets that leave for this time, and of which the node flies no later one,
-are refused. A console that replaces another waits for 0.5 s."""
+"""Packets that leave for this time, while the node flies no later one, are
+refused. A console that replaces another waits for 0.5 s."""
 PAUSE_S = 0.2
 """After this time without a packet the next one is a first one."""
 
@@ -33,21 +33,21 @@ _STARTS = 1 << 31
 
 
 def first_sequence() -> int:
-    """The number before that of the first console packet. Above it is room
-    for a year of packets."""
+    """The number before that of the first console packet. There is room for a
+    year of packets above it."""
     return secrets.randbelow(_STARTS)
 
 
 @dataclass
 class Answers:
-    """What the frames say of the packets that were sent. Times are seconds of
-    a clock that only rises."""
+    """The node's answers to the sent packets. Times are seconds of a clock
+    that only rises."""
 
     flies: str = NOBODY
-    """By the newest frame: this station, another console, the simulated
-    pilot, or nobody."""
+    """The flying party in the newest frame: this station, another console, the
+    simulated pilot, or nobody."""
     stick_ms: float | None = None
-    """From a packet's leaving to the frame that shows it."""
+    """The time from a packet's leaving to the frame that shows it."""
     new_drops: int = 0
     """Datagrams that the node has dropped at its console port between the last
     two frames."""
@@ -60,7 +60,7 @@ class Answers:
     _refused: bool = False
 
     def begin(self) -> None:
-        """Another run of the node: its counts begin at 0."""
+        """The node runs again: its counts begin at 0."""
         self._dropped = None
 
     def sent(self, sequence: int, now: float) -> None:
@@ -72,7 +72,7 @@ class Answers:
         self._sent.append((sequence, now))
 
     def look(self, frame: FramePacket, made: float, now: float) -> None:
-        """A frame was made at that time, and has come now."""
+        """A frame made at that time has arrived now."""
         dropped = frame.link["console_bad"]
         self.new_drops = max(0, dropped - (
             dropped if self._dropped is None else self._dropped))

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The station's log in the archive of a Yamcs, as its events (GND-30).
 
-Yamcs is another program: it may be slow, die or come later. Nobody waits for
-it here. Its absence is an alert, and so is an archive that takes no frames
-(GND-60). An event that it does not take costs that event and no other
-(GND-57).
+Yamcs is another program: it may be slow, die or start later. The station never
+waits for it. Its absence is an alert, and so is an archive that takes no
+frames (GND-60). An event that it does not take costs only that event (GND-57).
 
-Yamcs is also told how far the clock of the ground's node is from this
-machine's, so that it knows how old a frame is (GND-56).
+Yamcs also receives the difference between the clock of the ground's node and
+this machine's, so that it knows the age of a frame (GND-56).
 """
 
 from __future__ import annotations
@@ -39,18 +38,19 @@ RUNNING_LOOKS_S = 0.2
 REFUSALS = 5
 """An event that Yamcs has failed to take this many times is left out."""
 CLOCK_US = 5_000
-"""A clock that differs by less than this from what Yamcs knows is no news."""
+"""A clock is reported only when it differs by more than this from the last
+report."""
 LONGEST_ANSWER = 1_048_576
-"""Bytes; Yamcs's have some hundred."""
+"""Bytes; an answer of Yamcs has some hundred."""
 STARTS_S = 30.0
-"""Yamcs may take so long to start before its absence is an alert."""
+"""The time that Yamcs has to start before its absence is an alert."""
 STALLS_S = 15.0
-"""Frames come and the archive has taken none for this time: it is an alert.
-Its link looks for the station each 10 s."""
+"""An alert is raised when frames arrive and the archive has taken none for
+this time. Yamcs's link looks for the station each 10 s."""
 FRESH_S = 1.0
-"""Frames come when the last one is no older."""
+"""Frames arrive if the last one is no older."""
 NO_ANSWER = (aiohttp.ClientError, TimeoutError, ValueError)
-"""There is none, or it is none that is of use."""
+"""There is no answer, or a useless one."""
 
 
 @dataclass(frozen=True)
@@ -58,20 +58,21 @@ class Link:
     """The link by which Yamcs fetches frames."""
 
     count: int
-    """Frames that it has taken since it started."""
+    """The number of frames taken since its start."""
     is_disabled: bool = False
 
 
 class Taken:
-    """Whether Yamcs takes the frames that come."""
+    """Whether Yamcs takes the arriving frames."""
 
     def __init__(self) -> None:
         self._count = -1
         self._since = 0.0
 
     def wrong(self, link: Link, age_s: float | None, now: float) -> str:
-        """Why it takes none, or nothing. The age is that of the last frame,
-        None before the first; now is a time of any clock, in s."""
+        """The reason why it takes none, or an empty text. The age is that of
+        the last frame, None before the first; now is a time of any clock, in
+        s."""
         comes = age_s is not None and age_s <= FRESH_S
         if link.count != self._count or not comes:
             self._count, self._since = link.count, now
@@ -84,7 +85,7 @@ class Taken:
 
 
 class Archive:
-    """Hands lines to Yamcs, in their order."""
+    """Sends lines to Yamcs, in their order."""
 
     def __init__(self, url: str) -> None:
         self._url = url.rstrip("/")
@@ -95,7 +96,7 @@ class Archive:
         self._taken = Taken()
 
     def take(self, line: Line) -> None:
-        """A line that Yamcs shall have, when it can."""
+        """Queues a line for Yamcs."""
         if len(self._lines) >= WAITING:
             self._lines.popleft()
             self._dropped += 1
@@ -103,7 +104,7 @@ class Archive:
 
     async def run(self, view: View, controls: Controls,
                   relay: Relay | None) -> None:
-        """Without end."""
+        """Runs without end."""
         loop = asyncio.get_running_loop()
         began = loop.time()
         there = False
@@ -149,8 +150,8 @@ class Archive:
                 await asyncio.sleep(LOOKS_S)
 
     async def until_running(self) -> None:
-        """Until all of Yamcs's services run. It connects and answers before:
-        what it is given until then is in no archive."""
+        """Waits until all of Yamcs's services run. It accepts connections and
+        answers before that, but archives nothing."""
         async with aiohttp.ClientSession(timeout=PATIENCE) as session:
             while not await self._is_running(session):
                 await asyncio.sleep(RUNNING_LOOKS_S)
@@ -178,7 +179,8 @@ class Archive:
 
     async def _tell_clock(self, session: aiohttp.ClientSession,
                           view: View) -> None:
-        """What is added to the time of a frame for this machine's UTC."""
+        """Sends the difference between a frame's time and this machine's
+        UTC."""
         ahead_us = view.clock_ahead_us()
         if ahead_us is None or (
                 self._clock_us is not None
@@ -193,8 +195,8 @@ class Archive:
                 self._clock_us = ahead_us
 
     async def _hand_over(self, session: aiohttp.ClientSession) -> None:
-        """The first line. One that Yamcs refuses, or fails at again and again,
-        is counted and left out."""
+        """Sends the first line. If Yamcs refuses it, or fails at it
+        repeatedly, it is counted and left out."""
         status = await self._post(session, self._lines[0])
         if status >= 500:
             self._refusals += 1
@@ -222,7 +224,8 @@ class Archive:
 
 
 def answer_in(data: bytes) -> dict:
-    """What Yamcs says. Raises ValueError when that is no object of JSON."""
+    """The JSON object in Yamcs's answer. Raises ValueError for anything
+    else."""
     said = input_files.parsed(data.decode("utf-8"))
     if not isinstance(said, dict):
         raise ValueError("no object")
@@ -230,7 +233,8 @@ def answer_in(data: bytes) -> dict:
 
 
 def count_in(said: dict) -> int:
-    """The frames of what Yamcs says about its link. Raises ValueError."""
+    """The number of frames in Yamcs's report about its link. Raises
+    ValueError."""
     count = str(said.get("dataInCount", 0))
     if not (count.isascii() and count.isdigit() and len(count) < 20):
         raise ValueError("no count")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How old a page's message is when it arrives (GND-51, D-36).
+"""The age of a page's message at its arrival (GND-51, D-36).
 
     arrivals = Arrivals()
     arrivals.is_new(sequence)           False: repeated, or out of order
@@ -7,9 +7,9 @@
 
 The age is that of urv.ages: its clock is the page's.
 
-When the page's clock steps back, every message looks old. A round trip tells
-the two apart: the page answers a state, so that its answer cannot be older
-than the state. An old answer to a young state is a clock that has stepped.
+When the page's clock steps back, every message looks old. A round trip reveals
+this: the page answers a state, so its answer cannot be older than the state.
+An old answer to a young state means that the clock has stepped.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from urv.ages import SenderClock
 from urv.sticks import OLD_S
 
 ROUND_TRIP_S = 0.3
-"""A state that was answered within this time shows what the clock is."""
+"""A state answered within this time reveals the page's clock."""
 
 STATES = 64
-"""As many states are remembered until the page has answered them."""
+"""The number of unanswered states that are remembered."""
 
 
 class Arrivals:
@@ -36,30 +36,30 @@ class Arrivals:
         self._states: OrderedDict[int, float] = OrderedDict()
 
     def is_new(self, sequence: int) -> bool:
-        """Whether the number is above all those before."""
+        """Whether the number is above all earlier ones."""
         if sequence <= self._sequence:
             return False
         self._sequence = sequence
         return True
 
     def age(self, sent_s: float, now: float) -> float:
-        """Of a message that arrives now, in seconds."""
+        """The age of a message that arrives now, in seconds."""
         return self._clock.age(sent_s, now)
 
     def sends(self, number: int, now: float) -> None:
-        """A state of this number goes to the page."""
+        """A state of this number is sent to the page."""
         self._states[number] = now
         if len(self._states) > STATES:
             self._states.popitem(last=False)
 
     def answer(self, number: int, sent_s: float, now: float) -> float | None:
         """The page answers the state of this number. Returns the seconds by
-        which its clock has stepped back, when it has; from then on its
+        which the page's clock has stepped back, if it has; from then on its
         messages count again."""
         age = self.age(sent_s, now)
         asked = self._states.get(number)
         if age <= OLD_S or asked is None or now - asked > ROUND_TRIP_S:
             return None
-        # The answer was sent after the state was: no age is told too small.
+        # The answer was sent after the state: no age is underestimated.
         self._clock.step(asked - sent_s, now)
         return age

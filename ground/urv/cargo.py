@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What travels to a worker, and what it does there (SIM-6, SEC-10).
+"""The cargo of a worker, and its work (SIM-6, SEC-10).
 
 A worker has Python and the packages of ground/campaign-requirements.txt and
-sim/jsbsim/requirements.txt, and nothing of this repository. The files travel
-as one archive with its hash; so does the code below, by value, which is why it
-imports nothing of its own package.
+sim/jsbsim/requirements.txt, and no part of this repository. The files are sent
+as one archive with its hash. The code below is sent by value, so it imports no
+other module of its package.
 """
 
 import hashlib
@@ -17,7 +17,7 @@ import tarfile
 import tempfile
 from pathlib import Path
 
-# Far longer than any flight of a campaign takes.
+# Much longer than any flight of a campaign.
 TIME_LIMIT_S = 3600
 
 
@@ -52,12 +52,12 @@ def digest(data):
 
 
 class Cargo:
-    """The archive, the hash that it must have, and the work: a function of
-    the unpacked folder and a job, whose result is JSON's."""
+    """The archive, its expected hash, and the work: a function of the unpacked
+    folder and a job, whose result can be written as JSON."""
 
     def __init__(self, archive, work, program=None, modules=()):
-        """A worker must be able to run the program of the cargo, and to
-        import these modules."""
+        """A worker must be able to run the program of the cargo, and to import
+        these modules."""
         self.program = program
         self.modules = modules
         self.archive = archive
@@ -76,8 +76,8 @@ class Cargo:
         self.must_do()
 
     def must_do(self):
-        """Whether this worker has what the work needs."""
-        # Without -P it would look in the folder where the worker was started.
+        """Raises an error unless this worker has all that the work needs."""
+        # Without -P it would search the folder where the worker was started.
         wanted = [([sys.executable, "-P", "-c", f"import {name}"],
                    f"the Python module {name}") for name in self.modules]
         if self.program:
@@ -110,8 +110,8 @@ class Cargo:
 
 
 def run_python(folder, job):
-    """Run a script of the cargo; the JSON that it prints, or what went
-    wrong."""
+    """Run a script of the cargo; return the JSON that it prints, or the
+    error."""
     result = subprocess.run(
         [sys.executable, *job["command"]], cwd=folder, text=True,
         capture_output=True, check=False, stdin=subprocess.DEVNULL,
@@ -124,8 +124,8 @@ def run_python(folder, job):
 
 
 def fly(folder, job):
-    """Fly with these options and input files; the summary and the holds of
-    the control laws that were not held, or what went wrong."""
+    """Fly with these options and input files; return the summary and the holds
+    of the control laws that failed, or the error."""
     with tempfile.TemporaryDirectory(dir=folder) as place:
         for name, text in job["files"].items():
             (Path(place) / name).write_text(text, encoding="utf-8")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Certificates of Dask's scheduler, workers and clients (SEC-12).
 
-Whoever can talk to a scheduler, a worker or a client of Dask's can have it run
-any code. So they talk TLS, and each shows a certificate.
+Any peer of Dask's scheduler, workers or clients can have them run any code.
+They therefore use TLS, and each presents a certificate.
 """
 
 import stat
@@ -12,7 +12,7 @@ from pathlib import Path
 from urv import faults, programs
 
 FILES = ("ca.pem", "cert.pem", "key.pem")
-"""Of a folder: which certificates are taken, which one is shown, and its
+"""The files of a folder: the accepted certificates, the own one, and its
 key."""
 DAYS = 30
 """Longer than any campaign takes."""
@@ -20,7 +20,7 @@ SECURE = "tls://"
 
 
 def security(authority, certificate, key):
-    """Dask's settings: nothing but TLS, with that certificate on each side."""
+    """Dask's settings: TLS only, with that certificate on each side."""
     from distributed.security import Security
 
     own = {f"tls_{role}_{what}": str(path)
@@ -30,7 +30,7 @@ def security(authority, certificate, key):
 
 
 def temporary(folder):
-    """A new certificate, which alone is taken: its key is the secret that the
+    """A new certificate, the only accepted one: its key is the secret that the
     processes of one command share. The folder must be the user's alone."""
     openssl = programs.found("openssl")
     if openssl is None:
@@ -50,9 +50,10 @@ def temporary(folder):
 
 def of(scheduler, folder, insecure):
     """The settings for a scheduler's address, with the certificates of the
-    folder; None for workers here, and where nothing is secure.
+    folder; None for workers here, and for an insecure scheduler.
 
-    Raises faults.Refused when that is not wanted expressly, or is not so.
+    Raises faults.Refused when an insecure scheduler was not requested, or the
+    options contradict each other.
     """
     if scheduler is None:
         if folder is not None or insecure:

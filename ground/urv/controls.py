@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
-GND-21, GND-58 who flies, GND-22 when nobody does, GND-29 the simulated pilot, GND-35
-orders, GND-51 old input, GND-52 gamepads.
+GND-21 and GND-58: the flying party; GND-22: lost consoles; GND-29: the
+simulated pilot; GND-35: orders; GND-51: old input; GND-52: gamepads.
 """
 
 from __future__ import annotations
@@ -24,24 +24,24 @@ from urv.view import CAUTION, INFO, View
 
 PERIOD_S = packets.FRAME_S
 INSISTS_S = 1.0
-"""For so long the simulated pilot is asked again, while it does not do what
-it is asked."""
+"""Requests to the simulated pilot are repeated for this time, until it
+complies."""
 
 PROTOCOL = 2
-"""Of the messages between page and station. A page of another one is told to
-reload."""
+"""The version of the messages between page and station. A page with another
+version must reload."""
 
 LOST = {"hidden": ("HIDDEN", "its page is hidden"),
         "gamepad": ("GAMEPAD", "its gamepad is lost"),
         "hung": ("BROWSER HUNG", "its browser hung for more than 0.5 s")}
 SILENT, CLOSED = "PAGE SILENT", "PAGE CLOSED"
 NOT_FLYING = (*(name for name, _ in LOST.values()), SILENT, CLOSED)
-"""Alerts that end when somebody flies again."""
+"""Alerts that end when a console or the pilot flies again."""
 REPORTED_S = 0.4
-"""A holder that is silent for so long is reported: within 0.5 s."""
+"""A holder that is silent for this time is reported: within 0.5 s."""
 
 INPUT = ("sticks", "take", "answer", "pilot", "order")
-"""Messages that must not come late. The others do no harm."""
+"""Messages that must not be late. Others may be."""
 OLD, REPEATED = "OLD INPUT", "REPEATED INPUT"
 RELOAD, CLOCK, OTHER = "RELOAD PAGE", "PAGE CLOCK", "OTHER GAMEPAD"
 
@@ -52,12 +52,12 @@ GAMEPAD = {
              " it",
     "unmapped": "has a gamepad that is not used until the pilot maps it",
 }
-"""What a page tells of gamepads."""
+"""A page's reports about gamepads."""
 
 
 @dataclass(frozen=True)
 class Late:
-    """Input that came too late, one message after the other."""
+    """Successive input messages that came too late."""
 
     console: int
     count: int = 0
@@ -66,9 +66,9 @@ class Late:
 
 
 class Controls:
-    """What the pages may do.
+    """Carries out the messages of pages.
 
-    send takes a console packet's bytes; without it nobody can fly from here.
+    send takes a console packet's bytes; without it no page can fly.
     """
 
     def __init__(self, view: View, send: Callable[[bytes], None] | None,
@@ -95,8 +95,8 @@ class Controls:
 
     def hears(self, console: int, said: dict[str, Any],
               age: float = 0.0) -> None:
-        """What a page says, already found to be well formed; it said so age
-        seconds ago."""
+        """Handles a page's message, already checked for its form and age
+        seconds old."""
         now = self._now()
         if age > OLD_S and said["t"] in INPUT:
             self._drop(console, age, now)
@@ -157,18 +157,18 @@ class Controls:
                       " reload its page; it cannot fly")
 
     def repeated(self, console: int, sequence: int) -> None:
-        """A message came again, or after a later one."""
+        """A message was repeated, or came after a later one."""
         self.repeats += 1
         self._caution(REPEATED, f"console {console}: message {sequence} came"
                       " again or out of order, dropped")
 
     def stepped(self, console: int, seconds: float) -> None:
-        """A page's clock has stepped back, and its messages count again."""
+        """A page's clock has stepped back; its messages count again."""
         self._caution(CLOCK, f"console {console}: the clock of its page stepped"
                       f" by {seconds:.1f} s; its input counts again")
 
     def tick(self) -> None:
-        """Each 20 ms: what time alone brings about."""
+        """Each 20 ms: all effects of time."""
         now = self._now()
         self.sticks.tick(now)
         self.view.look(now)
@@ -191,7 +191,7 @@ class Controls:
         self._tell()
 
     def hello(self, console: int) -> str:
-        """What a page needs once."""
+        """The first message to a page."""
         return json.dumps({
             "t": "hello", "console": console,
             "columns": packets.COLUMNS, "commands": packets.COMMANDS,
@@ -220,7 +220,7 @@ class Controls:
                         "sent": self.packets_sent}}
 
     def _order(self, console: int, wanted: Setting, now: float) -> None:
-        """Only the holder's orders go up, as only the holder's sticks do."""
+        """Only the holder's orders are sent, like the sticks."""
         serial = self.orders.order(
             console, wanted, self.view.frame,
             self._send is not None and self.sticks.holder == console, now)
@@ -255,7 +255,8 @@ class Controls:
                                 time.time_ns() // 1000)
 
     def _drop(self, console: int, age: float, now: float) -> None:
-        """Input that is too old: counted, and told when it begins and ends."""
+        """Counts input that is too old, and reports the begin and end of such
+        input."""
         self.old += 1
         self._caution(OLD, f"console {console}: its input arrives {age:.1f} s"
                       " late and is dropped")
@@ -280,7 +281,7 @@ class Controls:
             self._knows_its_gamepad(console, now)
 
     def _knows_its_gamepad(self, console: int, now: float) -> None:
-        """It flies by one that was chosen, or has gone."""
+        """Reports that the holder's gamepad was chosen, or has gone."""
         self._others.discard(console)
         if not self._others:
             self.view.alerts.away(OTHER, now, 0.0)
@@ -293,7 +294,7 @@ class Controls:
         self._caution(name, f"console {console}: {text}, no sticks")
 
     def _fly(self, now: float) -> None:
-        """Sends a console packet, if there is somebody to send one for."""
+        """Sends a console packet, if there is a source of sticks."""
         if self._send is None:
             return
         words = self.sticks.live(now)
@@ -306,7 +307,7 @@ class Controls:
             if done or now > self._insists_until:
                 self._pilot_wanted = None
                 return
-            # The stick stays where it is while it changes hands.
+            # The stick keeps its position during a hand-over.
             words = frame.words[:len(packets.COMMANDS)]
             if self._pilot_wanted:
                 flags = packets.ConsoleFlags.PILOT_FLIES
@@ -330,7 +331,7 @@ class Controls:
 
 
 def about(item: items.Item) -> dict[str, Any]:
-    """What a page draws an item by."""
+    """An item's description for drawing."""
     return {name: getattr(item, name) for name in (
         "unit", "at_0", "at_4095", "warning_low", "caution_low",
         "caution_high", "warning_high")} | {"places": item.decimals}

@@ -13,13 +13,13 @@ def convert(
     source: Annotated[Path, typer.Argument(
         metavar="IN", help="A record: .csv, .mcap or .parquet.")],
     target: Annotated[Path, typer.Argument(
-        metavar="OUT", help="The record to write: its name says of which"
+        metavar="OUT", help="The record to write: its name gives the"
         " kind.")],
 ):
-    """Convert a record; nothing is lost.
+    """Convert a record without loss.
 
-    Of a record that was cut short it converts what there is, and says what is
-    missing. Both names end with .csv, .mcap or .parquet.
+    A record that was cut short is converted as far as it is whole, and the
+    missing part is reported. Both names end with .csv, .mcap or .parquet.
     """
     from urv import input_files, progress, records, whole_files
 

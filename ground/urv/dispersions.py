@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is different from flight to flight, drawn from the flight's seed.
+"""Random differences between flights, drawn from the flight's seed.
 
     drawn = dispersions.draw(1234, "standard", 180)
     drawn = dispersions.draw(1234, "standard", 180, surface_percent=5)
     drawn.conditions, drawn.faults      the files of urv_sim
-    drawn.values                        what was drawn, by name
+    drawn.values                        the drawn values, by name
 
-The same seed, pilot and length give the same flight, whichever flights are
-flown beside it.
+The same seed, pilot and length give the same flight, whatever other flights
+are flown.
 """
 
 import math
@@ -17,8 +17,8 @@ from typing import NamedTuple
 # Flights from the runway and back onto it.
 CIRCUITS = ("circuit", "damped-circuit")
 
-# Even between the two. A circuit begins towards the east, and like any pilot
-# this one takes off and lands into the wind.
+# Uniform between the two. A circuit begins towards the east, and like any
+# pilot this one takes off and lands into the wind.
 WIND_FROM_DEG = dict.fromkeys(CIRCUITS, (0, 180))
 EVERYWHERE_DEG = (0, 360)
 WIND_KT = dict.fromkeys(CIRCUITS, (0, 10))
@@ -27,13 +27,12 @@ TURBULENCE_KT = (0, 15)
 BALLAST_LB = (-5, 15)
 BALLAST_AFT_IN = (-20, 20)
 
-# Standard deviations of what a sensor always has, in its unit.
+# Standard deviations of each sensor's constant error, in its unit.
 BIAS = {"alpha": 0.3, "beta": 0.3, "roll_attitude": 0.5,
         "pitch_attitude": 0.5, "roll_rate": 0.1, "pitch_rate": 0.1,
         "yaw_rate": 0.1, "airspeed": 1.0, "altitude": 5.0}
 
-# Standard deviations from measurement to measurement are between none and
-# this.
+# Standard deviations of the noise are between zero and these.
 NOISE = {"alpha": 0.2, "beta": 0.2, "roll_attitude": 0.1,
          "pitch_attitude": 0.1, "roll_rate": 0.2, "pitch_rate": 0.2,
          "yaw_rate": 0.2, "airspeed": 0.5, "altitude": 1.0}
@@ -44,27 +43,27 @@ SERVO_LAG_PERCENT = (50, 150)
 SERVO_RATE_PERCENT = (50, 150)
 SERVO_DEAD_BAND_PERCENT = (0, 1)
 
-# Probability that a bit on the line is wrong, and how long the line is cut;
-# even in their logarithms.
+# The probability of a wrong bit on the line, and the duration of a cut; both
+# uniform in their logarithms.
 BIT_ERRORS = (1e-7, 1e-5)
 MOST_CUTS = 2
 CUT_MS = (20, 500)
 
 
-# One of them fails, in so many flights of a hundred as are asked for, at any
-# time but at the very beginning and end.
+# One of them fails in the requested percentage of flights, at any time except
+# near the beginning and the end.
 SURFACES = tuple(f"{side}_{name}" for name in (
     "aileron", "elevator", "rudder", "flap_1", "flap_2")
     for side in ("left", "right"))
 CALM_S = 5
 
-# The console is lost once, in so many flights of a hundred as are asked for,
-# at any time; for how long is even in the logarithm.
+# The console is lost once in the requested percentage of flights, at any time;
+# the duration is uniform in its logarithm.
 CONSOLE_LOST_MS = (500, 20_000)
 
 
 class Drawn(NamedTuple):
-    """A flight's input files, and what was drawn for them."""
+    """A flight's input files, and the values drawn for them."""
 
     conditions: str
     faults: str
@@ -95,7 +94,8 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
     for sensor, spread in BIAS.items():
         bias = round(chance.gauss(0.0, spread), 3)
         if sensor == "altitude" and pilot in CIRCUITS:
-            # Below zero the altimeter shows zero: nobody takes off with it.
+            # Below zero the altimeter shows zero: no pilot takes off with
+            # that.
             bias = abs(bias)
         values[f"bias_{sensor}"] = bias
         conditions.append(f"bias {sensor} {values[f'bias_{sensor}']:.3f}")
@@ -103,7 +103,7 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
         values[f"noise_{sensor}"] = between((0, most))
         conditions.append(f"noise {sensor} {values[f'noise_{sensor}']:.3f}")
 
-    # Drawn apart: all else is what it was before there were such.
+    # From a separate source: older draws keep their values.
     servos = servo_traits(random.Random(f"servos {pilot} {seconds} {seed}"))
     values |= servos
     conditions.append("servos " + " ".join(map(str, servos.values())))
@@ -117,13 +117,13 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
         faults.append(
             f"{chance.randrange(1000, seconds * 1000)} cut {length}")
     if surface_percent:
-        # Drawn last: all else is as without it.
+        # Drawn last: all other values are independent of it.
         failure, share = surface_failure(chance, seconds), chance.random()
         values["surface_fault"] = float(share * 100 < surface_percent)
         if values["surface_fault"]:
             faults.append(failure)
     if console_percent:
-        # From a source of its own: all else is as without it.
+        # From a separate source: all other values are independent of it.
         lost = random.Random(f"{pilot} {seconds} {seed} console")
         at_ms = lost.randrange(1000, seconds * 1000)
         length = round(math.exp(lost.uniform(
@@ -139,7 +139,7 @@ def draw(seed, pilot, seconds, surface_percent=0, console_percent=0):
 
 
 def servo_traits(chance):
-    """What all servos of the flight are like, by name."""
+    """The traits of all servos of the flight, by name."""
     return {name: round(chance.uniform(*pair), 3) for name, pair in (
         ("servo_lag_percent", SERVO_LAG_PERCENT),
         ("servo_rate_percent", SERVO_RATE_PERCENT),

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The display of a flight for Yamcs: attitude, air data, surfaces, engine and
-electrical, link health (GND-32), and that frames are missing (GND-34).
+electrical, link health (GND-32), and missing frames (GND-34).
 
 An .opi file, which Yamcs's pages show. Units, ranges and limits are those of
-urv.items; what Yamcs finds out of date or beyond a limit it frames itself.
+urv.items; Yamcs itself marks values that are out of date or beyond a limit.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ KINDS = {"Label": "Label", "Rectangle": "Rectangle", "gauge": "Gauge",
 SURFACES = ("left_flap_2", "left_flap_1", "left_aileron", "left_elevator",
             "left_rudder", "right_rudder", "right_elevator", "right_aileron",
             "right_flap_1", "right_flap_2")
-# So many frames of 20 ms without a fresh downlink.
+# The number of 20 ms frames without a fresh downlink.
 LOST_FRAMES = 15
-# What an instrument shows is what flies, not what a word can hold.
+# An instrument shows the range of flight, not that of its word.
 RANGES = {"airspeed": (0, 130), "altitude": (0, 2000), "rpm": (0, 8000),
           "battery_volts": (16, 34), "alternator_volts": (16, 34),
           "roll_attitude": (-90, 90), "pitch_attitude": (-45, 45)}
@@ -47,7 +47,7 @@ def flight() -> str:
         display.row(20, 38 + 28 * row, 276, label, name)
     signal = "uplink_signal_strength"
     display.row(20, 38 + 28 * len(rows), 276, "signal", down(signal), signal)
-    # Beside the link's state, in the place of its label.
+    # Beside the link's state, in place of its label.
     display.told(14, 66, 160, 28, "BLOCKS REFUSED",
                  "/URV/link/blocks_refused", "pv0 > 0", LOST)
 
@@ -103,7 +103,7 @@ def flight() -> str:
         display.label(x + 112, 732, 30, 26, "off")
         display.told(x + 112, 732, 34, 26, "ON",
                      f"/URV/gsc/uplink/{item.name}", "pv0 >= 0.5", PICK)
-    # What is out of date, Yamcs says after a second only.
+    # Yamcs marks values out of date only after a second.
     display.told(316, 8, 916, 684, "NO DOWNLINK", "/URV/downlink_age",
                  f"pv0 >= {LOST_FRAMES}", LOST, 34)
     for box, text in (((8, 68, 300, 624), ""),
@@ -181,7 +181,7 @@ class _Display:
     def told(self, x: int, y: int, width: int, height: int, text: str,
              name: str, when: str, colour: tuple[int, int, int],
              size: int = 9) -> None:
-        """A label over what is there, while it is so."""
+        """A label over other widgets, while the condition holds."""
         widget = self._widget("Label", x, y, width, height, text,
                               shown=(name, when))
         self._set(widget, text=text, transparent="false",
@@ -255,7 +255,7 @@ class _Display:
     def _widget(self, kind: str, x: int, y: int, width: int, height: int,
                 name: str, shown: tuple[str, str] | None = None
                 ) -> ElementTree.Element:
-        """Shown always, or while what is said of a parameter is so."""
+        """Shown always, or while the condition of a parameter holds."""
         widget = ElementTree.SubElement(
             self.root, "widget", typeId=WIDGETS + kind, version="1.0.0")
         self._set(widget, widget_type=KINDS[kind], name=name, x=x, y=y, width=width,
@@ -280,7 +280,7 @@ class _Display:
 
     @staticmethod
     def _common(element: ElementTree.Element) -> None:
-        """What the pages of Yamcs want to be there, though empty."""
+        """Properties that Yamcs's pages require, even if empty."""
         for name in ("scripts", "rules"):
             ElementTree.SubElement(element, name)
         ElementTree.SubElement(element, "actions", hook="false",

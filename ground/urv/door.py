@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who comes in at the station's page, and for how long (GND-24, SEC-11).
+"""Admission to the station's page, and time limits (GND-24, SEC-11).
 
-A request by another name than this machine's, or of a foreign page, is
+A request by another name than this machine's, or from a foreign page, is
 refused, here and at Yamcs's pages (GND-23, SEC-13).
 
 A connection waits until its first request has been authenticated: with the
-token where one is demanded, else by Host and Origin. Waiting connections have
-few places, each address a part of them, and little time. So strangers hold no
-place of a pilot's.
+token where one is demanded, otherwise by Host and Origin. Waiting connections
+have few places, each address a part of them, and little time. Strangers
+therefore never occupy a pilot's place.
 """
 
 from __future__ import annotations
@@ -24,28 +24,28 @@ from urllib.parse import urlsplit
 from aiohttp import web
 
 MOST_WAITING = 48
-"""Connections that wait, of all addresses."""
+"""Waiting connections, of all addresses."""
 MOST_OF_ADDRESS = 16
-"""Connections that wait, of one address. Browsers open six."""
+"""Waiting connections, of one address. Browsers open six."""
 MOST_KNOWN = 64
-"""Connections with a request that was authenticated."""
+"""Connections with an authenticated request."""
 WAITS_S = 3.0
-"""A connection that has not been authenticated by then is shut."""
+"""A connection without authentication by then is closed."""
 PATIENCE_S = 10.0
-"""So is one whose answer has not been taken by then, counted from its
-beginning."""
+"""A connection whose answer has not been taken by then is closed, counted from
+its beginning."""
 
 BURST = 20
-"""Requests without the token of an address at once."""
+"""Requests without the token that an address may send at once."""
 TRIES_A_SECOND = 1.0
-"""And later."""
+"""And later ones each second."""
 MOST_ADDRESSES = 1024
 LONGEST_ERROR = 200
 
 
 def address_of(host: str | None) -> str:
-    """Whose a connection is: an IPv4 address, or a network of IPv6, which is
-    given to one subscriber."""
+    """The owner of a connection: an IPv4 address, or an IPv6 network, which is
+    assigned to one subscriber."""
     try:
         address = ipaddress.ip_address((host or "").partition("%")[0])
     except ValueError:
@@ -78,8 +78,9 @@ def is_own_host(host: str | None) -> bool:
 
 
 def refusal(request: web.BaseRequest) -> str | None:
-    """Why a request does not come from this machine's own page or a program,
-    or None. A foreign page may open the page, in a window of its own."""
+    """The reason why a request is not from this machine's own page or a
+    program, or None. A foreign page may open the page, in a window of its
+    own."""
     host = request.headers.get("Host")
     if not is_own_host(host):
         return "Host is not this machine's"
@@ -95,7 +96,7 @@ def refusal(request: web.BaseRequest) -> str | None:
 
 
 class Visitor(web.RequestHandler):
-    """A connection. A request that makes no sense is answered in a line."""
+    """A connection. An invalid request gets an answer of one line."""
 
     __slots__ = ("door", "address")
 
@@ -127,10 +128,10 @@ class Visitor(web.RequestHandler):
 
 
 class Door:
-    """Makes a connection's protocol, and shuts those that hang about.
+    """Makes a connection's protocol, and closes idle connections.
 
     A request is answered and its connection closed within PATIENCE_S; only a
-    WebSocket stays longer, which has limits of its own.
+    WebSocket stays longer, which has its own limits.
     """
 
     def __init__(self, server: web.Server, **options: Any) -> None:
@@ -145,8 +146,8 @@ class Door:
                        **self._options)
 
     def enters(self, visitor: Visitor) -> None:
-        """It waits. Where there is no place, the oldest of its address goes,
-        or of the address that has most."""
+        """A connection waits. Without a free place, the oldest one of its
+        address is closed, or of the address that has most."""
         address = visitor.address
         counts = Counter(each.address for each in self._waiting)
         if counts[address] < MOST_OF_ADDRESS:
@@ -158,7 +159,7 @@ class Door:
         self._waiting[visitor] = asyncio.get_running_loop().time()
 
     def knows(self, visitor: Any) -> None:
-        """Its request has been authenticated."""
+        """The connection's request has been authenticated."""
         since = self._waiting.pop(visitor, None)
         if since is not None:
             if len(self._known) >= MOST_KNOWN:
@@ -166,12 +167,12 @@ class Door:
             self._known[visitor] = since
 
     def leaves(self, visitor: Any) -> None:
-        """It has ended, or has become a WebSocket."""
+        """The connection has ended, or has become a WebSocket."""
         self._waiting.pop(visitor, None)
         self._known.pop(visitor, None)
 
     def look(self, now: float) -> None:
-        """Shuts what has been open for too long."""
+        """Closes connections that have been open for too long."""
         for group, most_s in ((self._waiting, WAITS_S),
                               (self._known, PATIENCE_S)):
             for visitor in [visitor for visitor, since in group.items()
@@ -185,11 +186,12 @@ class Door:
 
 
 class Token:
-    """What a page has to show, and how often an address may try.
+    """The token of a page, and the rate of an address's tries.
 
-    The token itself is looked at only while its address has tries left. A
-    browser then shows a word that is slow to reckon from the token, so that
-    pages which are in stay in, whatever a stranger with their address does.
+    The token itself is compared only while its address has tries left. A
+    browser then presents a session word that is slow to compute from the
+    token, so that admitted pages stay admitted, whatever a stranger at their
+    address does.
     """
 
     def __init__(self, token: str) -> None:
@@ -197,15 +199,15 @@ class Token:
         self.session = hashlib.scrypt(
             self._token, salt=b"urv: a page of the station",
             n=2**14, r=8, p=1).hex()
-        # For each address: the tries it had left, and at which time.
+        # For each address: the remaining tries, and the time of that count.
         self._tries: dict[str, tuple[float, float]] = {}
 
     def is_session(self, word: str) -> bool:
-        """Whether this is what a browser was given."""
+        """Whether this is the session word of a browser."""
         return hmac.compare_digest(octets(word), self.session.encode())
 
     def is_token(self, word: str) -> bool:
-        """Whether this is the token. may_try must have been asked before."""
+        """Whether this is the token. may_try must have been called before."""
         return hmac.compare_digest(octets(word), self._token)
 
     def may_try(self, address: str, now: float) -> bool:
@@ -213,7 +215,7 @@ class Token:
         return self._left(address, now) >= 1
 
     def failed(self, address: str, now: float) -> None:
-        """A try that was none of the token."""
+        """Counts a failed try."""
         left = self._left(address, now) - 1
         self._tries.pop(address, None)
         if len(self._tries) >= MOST_ADDRESSES:
@@ -226,5 +228,5 @@ class Token:
 
 
 def octets(text: str) -> bytes:
-    """What came, of which not all need be characters."""
+    """The bytes of a received text, which may have invalid characters."""
     return text.encode("utf-8", "surrogateescape")

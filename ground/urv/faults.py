@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a command ends with when it cannot do what it was asked (GND-10).
+"""Reports of commands that cannot do their work (GND-10).
 
-One line on standard error and an exit status, as bin/urv_sim has them. What
-is read or typed is shown by `quoted` only: no control character of it gets to
-a terminal.
+One line on standard error and an exit status, like those of bin/urv_sim. Text
+from files or the user is shown by `quoted` only: none of its control
+characters reaches a terminal.
 """
 
 import contextlib
@@ -17,20 +17,19 @@ class Refused(Exception):
 
 
 class Failed(Exception):
-    """It was asked well and still cannot be done: exit status 1."""
+    """A valid request that still cannot be done: exit status 1."""
 
     status = 1
 
 
 class Unheard(Failed):
-    """It was done, and the link carried nothing: exit status 3."""
+    """The work was done, but the link carried nothing: exit status 3."""
 
     status = 3
 
 
 def note(text):
-    """A line for people, beside what a command does, should anybody read
-    it."""
+    """Prints a line for people during a command; a failed write is ignored."""
     with contextlib.suppress(OSError, ValueError):
         print(f"urv: {text}", file=sys.stderr, flush=True)
 
@@ -46,5 +45,5 @@ def quoted(text):
 
 
 def reason(fault):
-    """What the system says of an OSError, without its number."""
+    """The system's reason of an OSError, without its number."""
     return fault.strerror or str(fault)

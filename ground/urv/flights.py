@@ -2,8 +2,8 @@
 """A flight in memory, in engineering units, with its gaps (GND-14, SEC-14).
 
 Words of the downlink are those of the ground's CORE, or of the aircraft's in
-the aircraft's own record. While they are stale, and before the first ones
-came, there are none: `values` has NaN there.
+the aircraft's own record. While they are stale, and before the first ones,
+there are none: `values` has NaN there.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ SERVOS = ("left_aileron", "left_elevator", "left_rudder", "throttle", "brake")
 LONGEST_LATENCY_FRAMES = 25
 
 SAME_EXCEEDANCE_S = 0.5
-"""What is out of limits again so soon has not been within them."""
+"""Two exceedances with a shorter gap between them are one."""
 
 MOST_EVENTS = 10_000
 LONGEST_WORD = 250
 """Characters of an event's node or kind; a mark may have 200 of its own."""
 
 CLOSE_S = 2.0
-"""What happened so close to something happened around it."""
+"""Occurrences within this time of an exceedance are listed with it."""
 
 FEET_PER_NAUTICAL_MILE = 6076.12
 
 
 @dataclass(frozen=True)
 class Span:
-    """From the first to the last row of something, in seconds."""
+    """From the first to the last row of an occurrence, in seconds."""
 
     begin: float
     end: float
@@ -69,7 +69,7 @@ class Exceedance:
 
     @property
     def limit(self):
-        """The one that the worst value is beyond."""
+        """The limit that the worst value is beyond."""
         side = "high" if self.worst > (
             getattr(self.item, f"{self.level}_high")
             if getattr(self.item, f"{self.level}_high") is not None
@@ -88,8 +88,8 @@ class Event:
 
 
 class StoredColumns(Mapping):
-    """The columns of a record in a file without a name, so that a flight may
-    be longer than memory. A column is read when it is asked for."""
+    """The columns of a record in a nameless file, so that a flight may be
+    longer than memory. A column is read on demand."""
 
     def __init__(self, names, folder):
         self.kinds = {name: numpy.dtype(
@@ -99,7 +99,7 @@ class StoredColumns(Mapping):
         with self.kept():
             self.file = tempfile.TemporaryFile(dir=folder)
         self.blocks = []
-        """Where each block begins, and how many rows it has."""
+        """The begin and the number of rows of each block."""
         self.begins = {}
         self.row_size = 0
         for name, kind in self.kinds.items():
@@ -108,7 +108,7 @@ class StoredColumns(Mapping):
         self.rows = 0
 
     def add(self, rows):
-        """Some rows, all columns."""
+        """Adds some rows, all columns."""
         self.blocks.append((self.rows * self.row_size, len(rows)))
         self.rows += len(rows)
         with self.kept():
@@ -121,7 +121,7 @@ class StoredColumns(Mapping):
 
     @contextmanager
     def kept(self):
-        """What the system refuses is the folder's."""
+        """A refusal by the system is reported for the folder."""
         try:
             yield
         except OSError as fault:
@@ -151,7 +151,7 @@ class StoredColumns(Mapping):
 
 
 ROWS_AT_ONCE = 100_000
-"""Where many columns are needed together."""
+"""For operations on many columns at once."""
 
 
 def pieces(rows, before=0):
@@ -161,7 +161,7 @@ def pieces(rows, before=0):
 
 
 class Flight:
-    """The numbers of a record, a column each."""
+    """The numbers of a record, by column."""
 
     def __init__(self, path, columns, cut_short=None):
         self.path = Path(path)
@@ -175,7 +175,7 @@ class Flight:
 
     @property
     def frames(self):
-        """How many were flown, also those without a row."""
+        """The number of flown frames, including those without a row."""
         frame = self.columns["frame"]
         return int(frame[-1] - frame[0]) + 1
 
@@ -192,11 +192,11 @@ class Flight:
 
     @cached_property
     def is_stale(self):
-        """The rows whose words of the downlink are not of their frame."""
+        """The rows whose words of the downlink are from an earlier frame."""
         if self.downlink is None:
             return numpy.zeros(self.rows, bool)
         error = self.columns[f"{self.downlink}.error"].astype(int)
-        # CORE is cleared at a cold start: all words 0 is no flight.
+        # CORE is cleared at a cold start: words that are all 0 are no data.
         has_none = numpy.ones(self.rows, bool)
         for item in items.of_buffer("downlink"):
             column = f"{self.downlink}.{item.name}"
@@ -216,7 +216,7 @@ class Flight:
         return values
 
     def sensor(self, name):
-        """A word of the downlink by its item's name, or nothing."""
+        """A word of the downlink by its item's name, or None."""
         column = f"{self.downlink}.{name}"
         return self.values(column) if column in self.columns else None
 
@@ -231,8 +231,8 @@ class Flight:
 
     @cached_property
     def silences(self):
-        """When no fresh words of the downlink came, and no rows; without
-        the time before the first ones."""
+        """The times without fresh words of the downlink, or without rows;
+        excluding the time before the first ones."""
         fresh = numpy.flatnonzero(~self.is_stale)
         if not len(fresh) or self.downlink is None:
             return []
@@ -246,15 +246,17 @@ class Flight:
 
     @cached_property
     def downlink_age_ms(self):
-        """For how long the words have not been fresh; NaN before they come."""
+        """The time since the words were last fresh; NaN before the first
+        ones."""
         fresh = numpy.where(self.is_stale, numpy.nan, self.seconds)
         last = numpy.fmax.accumulate(fresh) if self.rows else fresh
         return numpy.round(1000.0 * (self.seconds - last), 3)
 
     @cached_property
     def latencies(self):
-        """Times in s, and ms from the console to the servos, of each change
-        of the sticks that got there: whole frames, as a record has them."""
+        """Times in s, and ms from the console to the servos, of each change of
+        the sticks that arrived: in whole frames, the resolution of a
+        record."""
         console = [f"console.{name}" for name in STICKS]
         servos = [f"pwm.{name}" for name in SERVOS]
         if not self.has_all(*console, *servos) or self.rows < 2:
@@ -263,7 +265,7 @@ class Flight:
                              for names in (console, servos))
         moved = numpy.flatnonzero(has_moved)
         found = numpy.full(len(moved), -1)
-        # Words, so that ten columns of a long flight have room.
+        # Words, so that ten columns of a long flight fit into memory.
         asked, done = ([self.columns[name].astype(numpy.uint16)
                         for name in names] for names in (console, servos))
         for frames in range(LONGEST_LATENCY_FRAMES, 0, -1):
@@ -277,7 +279,8 @@ class Flight:
                 1000.0 * (self.seconds[moved] - self.seconds[found]))
 
     def changes(self, names):
-        """The rows in which one of these columns is another than before."""
+        """The rows in which one of these columns differs from the row
+        before."""
         changed = numpy.zeros(self.rows, bool)
         for name in names:
             column = self.columns[name]
@@ -286,7 +289,7 @@ class Flight:
 
     @cached_property
     def exceedances(self):
-        """What was out of limits, in the order it began."""
+        """The exceedances of all limits, in the order of their beginnings."""
         found = []
         for item in items.of_buffer("downlink"):
             column = f"{self.downlink}.{item.name}"
@@ -299,7 +302,8 @@ class Flight:
 
     @cached_property
     def excursions(self):
-        """The same, but a caution that became a warning is that alone."""
+        """The same, but a caution that became a warning counts only as
+        that."""
         # Both levels of an item are in order of time and do not overlap.
         warnings = {}
         for each in self.exceedances:
@@ -321,7 +325,7 @@ class Flight:
 
     @staticmethod
     def levels(item):
-        """Each level that an item has, with its limits."""
+        """Each level of an item, with its limits."""
         for level in ("caution", "warning"):
             low = getattr(item, f"{level}_low")
             high = getattr(item, f"{level}_high")
@@ -330,7 +334,7 @@ class Flight:
                        numpy.inf if high is None else high)
 
     def beyond(self, item, level, values, low, high):
-        """The times an item was beyond the limits of a level."""
+        """The times when an item was beyond the limits of a level."""
         # Comparisons with NaN are false: a gap is not out of limits.
         outside = numpy.flatnonzero(
             (values < low - 1e-6) | (values > high + 1e-6))
@@ -362,15 +366,15 @@ class Flight:
 
     @cached_property
     def reckoned_track(self):
-        """East and north in ft, reckoned from airspeed and heading rate, from
-        the first heading on; NaN in gaps, from which on it starts anew where
-        it was. Nothing when a sensor is missing."""
+        """East and north in ft, integrated from airspeed and heading rate,
+        from the first heading on; NaN in gaps, after which it continues from
+        its last place. None when a sensor is missing."""
         names = ("airspeed", "altitude", "altitude_offset", "roll_attitude",
                  "pitch_attitude", "pitch_rate", "yaw_rate")
         if self.downlink is None or not self.has_all(
                 *(f"{self.downlink}.{name}" for name in names)):
             return None
-        # Words, so that seven columns of a long flight have room.
+        # Words, so that seven columns of a long flight fit into memory.
         words = [self.columns[f"{self.downlink}.{name}"].astype(numpy.uint16)
                  for name in names]
         scales = [records.item_of(f"{self.downlink}.{name}")
@@ -384,7 +388,7 @@ class Flight:
                 numpy.where(has_all, item.value(word[first:last].astype(float)),
                             numpy.nan)
                 for item, word in zip(scales, words, strict=True))
-            # The standard atmosphere makes of calibrated airspeed the true
+            # The standard atmosphere converts calibrated airspeed to the true
             # one.
             density = (1.0 - 6.8756e-6 * (altitude + offset)) ** 4.2559
             knots = speed / numpy.sqrt(density)
@@ -394,7 +398,7 @@ class Flight:
             step = numpy.diff(self.seconds[before:last])
             if before == first:
                 step = numpy.r_[0.0, step]
-            # Nothing is known of what happens in a gap.
+            # There is no information about a gap.
             step[~has_all | (step > 1.5 * packets.FRAME_S) | (step < 0)] = 0.0
             turns = summed(numpy.where(has_all, turn, 0.0) * step, turned)
             turned = turns[-1]
@@ -417,14 +421,14 @@ class Flight:
 
 
 def summed(steps, start):
-    """The running sum of a part, going on from the part before."""
+    """The running sum of a part, continued from the part before."""
     steps[:1] += start
     return numpy.cumsum(steps)
 
 
 def read(path, progress, folder=None):
-    """The flight of a record, kept in a file without a name in that folder.
-    Of a record that was cut short it has what is whole."""
+    """The flight of a record, kept in a nameless file in that folder. A record
+    that was cut short is read as far as it is whole."""
     with records.opened(path, forgiving=True) as record:
         columns = StoredColumns(record.names, folder)
         for rows in record.blocks():
@@ -438,7 +442,7 @@ def read(path, progress, folder=None):
 
 
 def read_events(path):
-    """The events of a file of JSON lines, as urv_sim writes it."""
+    """The events of a file of JSON lines, as written by urv_sim."""
     found = []
     for number, line in enumerate(input_files.text(path).split("\n"), 1):
         if not line.strip():
@@ -463,7 +467,7 @@ def read_events(path):
 
 
 def _word(value):
-    """A name; half a character of UTF-16 is not one."""
+    """A name; an unpaired UTF-16 surrogate is not one."""
     if not isinstance(value, str) or len(value) > LONGEST_WORD:
         raise TypeError(value)
     value.encode("utf-8")
@@ -478,7 +482,7 @@ def _number(value, kind=(int, float)):
 
 
 def read_summary(path):
-    """A summary, as urv_sim writes it."""
+    """A summary, as written by urv_sim."""
     where = faults.quoted(path)[1:-1]
     try:
         summary = input_files.parsed(input_files.text(path))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the control laws did in a recorded flight (GND-14).
+"""The control laws in a recorded flight (GND-14).
 
     flown_laws.of(flight).answer()      for the head of a report
     flown_laws.of(flight).happened()    for its time axis
 
-A record has it as the aircraft knew it (`laws.lateral`), or as it came down to
-the ground (`laws.told`), which is up to a second older.
+A record has the laws' status of the aircraft (`laws.lateral`), or the status
+reported to the ground (`laws.told`), which is up to a second older.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from urv.packets import FRAME_S
 from urv.verdicts import CAUTION, WARNING, WELL, Answer, Line, number, worst
 
 SETTLES_S = 2.5
-"""After a start the laws believe no sensor for a second, which comes down in
-another: no news."""
+"""After a start the laws reject every sensor for a second, and the report of
+that takes another one: no news."""
 
 TOLD = {"invalid_low": "told_invalid_low",
         "invalid_high": "told_invalid_high", "failed": "told_failed",
         "configuration": "told_configuration"}
-"""Columns of the aircraft's, and of the ground's."""
+"""Columns of the aircraft's record, and of the ground's."""
 
 
 def of(flight):
-    """None when the record says nothing of laws."""
+    """None when the record has no data of the laws."""
     if "laws.lateral" in flight:
         return Flown(flight, {name: name for name in TOLD})
     return Flown(flight, TOLD) if "laws.told" in flight else None
@@ -60,7 +60,8 @@ class Flown:
         return [told >> laws.NIBBLE_BITS * place & 15 for place in range(4)]
 
     def spans(self, is_so):
-        """The times of the rows in which it is so, each to its row's end."""
+        """The times of the rows where the condition holds, each to its row's
+        end."""
         rows = numpy.flatnonzero(is_so)
         if not len(rows):
             return []
@@ -73,7 +74,7 @@ class Flown:
 
     @cached_property
     def flown(self):
-        """The times of each mode but direct, by its name."""
+        """The times of each mode except direct, by its name."""
         lateral, vertical, power, _ = self.modes
         codes = lateral | vertical << 4 | power << 8
         found = {}
@@ -94,12 +95,12 @@ class Flown:
 
     @cached_property
     def failed(self):
-        """The times for which each surface was told to have failed."""
+        """The times for which each surface was reported as failed."""
         return self.bits(laws.FAILING, self.word("failed"))
 
     @cached_property
     def not_valid(self):
-        """The same of sensors that the laws did not believe."""
+        """The same for sensors that the laws rejected."""
         heard = numpy.flatnonzero(self.modes[3] != 0)
         bits = (self.word("invalid_low")
                 | self.word("invalid_high") << laws.WORD_BITS)
@@ -115,7 +116,7 @@ class Flown:
 
     @cached_property
     def configurations(self):
-        """When each was taken, its number and its table."""
+        """The time, number and table of each accepted configuration."""
         words = self.word("configuration")
         new = numpy.flatnonzero(numpy.diff(words, prepend=0) != 0)
         return [(self.flight.seconds[row],
@@ -123,7 +124,7 @@ class Flown:
                 for row in new]
 
     def answer(self):
-        """What they did, in a sentence and in numbers."""
+        """The laws' actions, in a sentence and in numbers."""
         lines = [Line(name, total(spans), "no limit")
                  for name, spans in self.flown.items()]
         lines += [Line(f"link lost: {name}", when(spans),
@@ -173,13 +174,13 @@ def sentence(text):
 
 
 def total(spans):
-    """Seconds, of however many."""
+    """Total seconds of the spans."""
     seconds = number(sum(each.seconds for each in spans), 2, "s")
     return seconds if len(spans) == 1 else f"{seconds}, {len(spans)} times"
 
 
 def when(spans):
-    """The first, and how many more."""
+    """The first time, and the number of others."""
     first = (f"{number(spans[0].begin, 2, 's')} to"
              f" {number(spans[0].end, 2, 's')}")
     return first if len(spans) == 1 else f"{first}, and {len(spans) - 1} more"

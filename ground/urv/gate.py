@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Yamcs's pages, for the browsers and programs of this machine (SEC-13).
 
-Yamcs answers every request that reaches its port, also those that a foreign
-page sends, or a page whose name leads to this machine. Therefore it listens
-below a path that nobody can guess, and the Gate at the port that people know.
-The Gate refuses requests by another name and of foreign pages, and requests
-that do more than read. It passes the rest on, WebSockets included.
+Yamcs answers every request that reaches its port, including those of a foreign
+page, or of a page whose name leads to this machine. It therefore listens below
+a secret path, and the Gate listens at the public port. The Gate refuses
+requests by another name and of foreign pages, and requests that do more than
+read. It forwards the rest, WebSockets included.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ from urv.door import refusal
 READS = re.compile(
     r"/api/[\w.-]+(/[\w.-]+)*"
     r":(list|batchGet|exportParameterValues|stream[A-Z]\w*)")
-"""POST requests of Yamcs's API that read, as it has them for long queries."""
+"""POST requests of Yamcs's API that only read; it uses them for long
+queries."""
 
 LARGEST_REQUEST = 1 << 16
 """In bytes, also of a message of a WebSocket: Yamcs takes no larger ones."""
@@ -33,14 +34,14 @@ LARGEST_PAGE = 1 << 20
 PART = 1 << 16
 
 PATIENCE = aiohttp.ClientTimeout(total=None, sock_connect=5.0, sock_read=60.0)
-"""A download may take long, but not without a byte for a minute."""
+"""A download may take long, but must deliver a byte each minute."""
 
 ASKED = ("Accept", "Content-Type", "If-Modified-Since", "Range")
-"""Headers of requests that Yamcs gets."""
+"""Headers of requests that are forwarded to Yamcs."""
 ANSWERED = ("Accept-Ranges", "Cache-Control", "Content-Disposition",
             "Content-Length", "Content-Range", "Content-Type", "ETag",
             "Expires", "Last-Modified")
-"""Headers of answers that browsers get."""
+"""Headers of answers that are forwarded to browsers."""
 HEADERS = {
     "Content-Security-Policy": "frame-ancestors 'self'",
     "Cross-Origin-Opener-Policy": "same-origin",
@@ -54,7 +55,7 @@ Socket = aiohttp.ClientWebSocketResponse | web.WebSocketResponse
 
 
 def no_read(request: web.Request) -> str | None:
-    """Why a request is more than a read, or None."""
+    """The reason why a request is more than a read, or None."""
     path = request.raw_path.partition("?")[0]
     if request.method in ("GET", "HEAD") or (
             request.method == "POST" and READS.fullmatch(path)):
@@ -63,10 +64,10 @@ def no_read(request: web.Request) -> str | None:
 
 
 class Gate:
-    """Checks requests and passes them on to a Yamcs."""
+    """Checks requests and forwards them to a Yamcs."""
 
     def __init__(self, yamcs: str) -> None:
-        """Its URL, with its path."""
+        """Takes its URL, with its path."""
         self._yamcs = yamcs.rstrip("/")
         self._path = URL(self._yamcs).raw_path.rstrip("/")
         self._session: aiohttp.ClientSession | None = None
@@ -103,7 +104,7 @@ class Gate:
         return web.Response(status=status, text=f"{text}\n", headers=HEADERS)
 
     def _place(self, request: web.Request) -> URL:
-        """The same at Yamcs. The path stays as it came."""
+        """The same place at Yamcs. The path stays as received."""
         return URL(self._yamcs + request.raw_path, encoded=True)
 
     async def _request(self, request: web.Request) -> web.StreamResponse:
@@ -125,14 +126,14 @@ class Gate:
                     await ours.write(part)
                 await ours.write_eof()
             except (aiohttp.ClientError, TimeoutError):
-                # Its head has gone: the rest must not look complete.
+                # Its head was sent: the rest must not look complete.
                 if request.transport is not None:
                     request.transport.abort()
             return ours
 
     async def _page(self, answer: ClientResponse, headers: dict[str, str]
                     ) -> web.Response:
-        """A page names the path at which Yamcs has it; here it is another."""
+        """A page names Yamcs's own path; it is replaced by the public one."""
         text = b""
         async for part in answer.content.iter_chunked(PART):
             text += part
@@ -171,7 +172,7 @@ class Gate:
 
 
 async def copy(source: Socket, to: Socket) -> None:
-    """Until either of them closes. A slow receiver slows the sender."""
+    """Copies until either of them closes. A slow receiver slows the sender."""
     with contextlib.suppress(aiohttp.ClientError, ConnectionError,
                              RuntimeError):
         async for message in source:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv ground: a flight in real time with everything around it (GND-31).
 
-Both nodes, the aircraft, the station and a Yamcs, each a process of its own.
-What ends the flight ends them all. When another one dies or stops, the terminal
-and the page report it, the rest flies on, and the flight ends with a fault
-(GND-47, GND-54). So it is with an output that cannot be written (GND-53).
+Both nodes, the aircraft, the station and a Yamcs are a process each. When the
+program that ends the flight ends, all end. When another one dies or stops, the
+terminal and the page report it, the rest flies on, and the flight ends with a
+fault (GND-47, GND-54). The same holds for an output that cannot be written
+(GND-53).
 """
 
 from __future__ import annotations
@@ -41,21 +42,21 @@ HERE = "127.0.0.1"
 
 LOOKS_S = 0.1
 UNHEARD = 3
-"""The status of a node that was never sent anything that it took."""
+"""The status of a node that never received anything that it took."""
 LOST = 1
-"""The status of a node one of whose outputs was lost, among other faults."""
+"""The status of a node that lost an output, among other faults."""
 REFUSES = 2
-"""The status of a node that does not take its command line."""
+"""The status of a node that refuses its command line."""
 ENDS_S = 10.0
-"""Who has not ended by then is killed."""
+"""A program that has not ended by then is killed."""
 STARTS_S = 30.0
 LATER_BY = 5
-"""Yamcs is so much nicer than who flies."""
+"""The niceness of Yamcs above that of the flying programs."""
 LONGEST_LINE = 4_096
 LAST_FRAME = 500_000_000
-"""Of an event: 115 days, as bin/urv report takes them."""
+"""Of an event: 115 days, the limit of bin/urv report."""
 LONGEST_KIND = 250
-"""Characters of an event's kind, as bin/urv report takes them."""
+"""Characters of an event's kind, the limit of bin/urv report."""
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG
 
 NODES = ("urv_mcs", "urv_gsc")
@@ -64,58 +65,59 @@ PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
              "--schedule": NODES, "--laws": ("urv_mcs",),
              "--orders": ("urv_gsc",),
              "--orbit-after": ("urv_mcs",), "--terminate-after": ("urv_mcs",)}
-"""Options that are the nodes' own, and whose. What they mean and what is
-wrong with them the nodes say."""
+"""Options of the nodes, and the nodes that have them. The nodes themselves
+check their values."""
 
 
 def ground(
     seconds: float | None = typer.Option(
-        None, min=0.0, help="Ends the flight after so long."),
+        None, min=0.0, help="Ends the flight after this time."),
     folder: Path = typer.Option(
         Path("flight/ground"), metavar="FOLDER",
         help="For records, logs and Yamcs's archive."),
     pilot: str = typer.Option(
         "standard", metavar="NAME",
-        help="The simulated pilot who flies until a page takes the sticks;"
-        " \"none\": nobody."),
+        help="The simulated pilot that flies until a page takes the sticks;"
+        " \"none\": no pilot."),
     yamcs: bool = typer.Option(
-        True, help="Whether a Yamcs is started."),
+        True, help="Start a Yamcs."),
     mavlink: str | None = typer.Option(
         None, metavar="udp:HOST:PORT",
-        help="Where the flight goes as MAVLink 2, too: QGroundControl hears"
-        " udp:127.0.0.1:14550."),
+        help="Also sends the flight there as MAVLink 2: QGroundControl"
+        " receives at udp:127.0.0.1:14550."),
     message_format: str | None = typer.Option(
         None, "--format", metavar="N",
-        help="Of the link's messages, 1 or 2, which is sealed. It goes to"
-        " both nodes, as the next five do."),
+        help="Format of the link's messages, 1 or 2, which is sealed. It goes"
+        " to both nodes, as the next five do."),
     key: Path | None = typer.Option(
         None, metavar="FILE", help="The keys of format 2."),
     processors: str | None = typer.Option(
         None, metavar="N", help="So many of each node, 1 or 2."),
     lock: bool = typer.Option(
-        False, "--lock", help="The aircraft's frames come in step."),
+        False, "--lock", help="Brings the aircraft's frames in step."),
     line_delay: str | None = typer.Option(
         None, metavar="MS",
-        help="Of the link, one way, when it is slower than a wire; else 0."),
+        help="One-way delay of a link slower than a wire; else 0."),
     schedule: str | None = typer.Option(
-        None, metavar="NAME", help="Of the tasks, report or fast."),
+        None, metavar="NAME", help="Schedule of the tasks, report or fast."),
     laws: str | None = typer.Option(
         None, metavar="LAWS",
-        help="The aircraft's control laws, on or off; on unless said."),
+        help="The aircraft's control laws, on or off; on by default."),
     orbit_after: str | None = typer.Option(
         None, metavar="S",
-        help="So long after the last uplink the aircraft begins an orbit;"
+        help="Seconds without uplink before the aircraft begins an orbit;"
         " else 5."),
     terminate_after: str | None = typer.Option(
         None, metavar="S",
-        help="So long after it its flight is terminated; else 120."),
+        help="Seconds without uplink before the flight is terminated;"
+        " else 120."),
     orders: Path | None = typer.Option(
         None, metavar="FILE",
-        help="What the ground orders besides the sticks."),
+        help="The ground's orders besides the sticks."),
     page_port: int = typer.Option(8090, min=1, max=65535,
-                                  help="Of the station's page."),
+                                  help="Port of the station's page."),
     yamcs_port: int = typer.Option(8092, min=1, max=65535,
-                                   help="Of Yamcs's pages."),
+                                   help="Port of Yamcs's pages."),
     ports: int = typer.Option(
         6001, min=1, max=65531,
         help="The first of five ports of this machine between the"
@@ -131,7 +133,7 @@ def ground(
             "there is no Yamcs; scripts/setup.sh ground gets it, --no-yamcs"
             " goes without")
     folder.mkdir(parents=True, exist_ok=True)
-    # A shell has programs in the background begin deaf to it.
+    # A shell starts background programs with interrupts ignored.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     flight = Flight(folder.resolve(), ports, page_port, yamcs_port)
     flight.given = {
@@ -157,9 +159,9 @@ def ground(
 
 
 def event_in(text: str) -> dict | None:
-    """A line of the station's log as bin/urv_sim writes an event; None when it
-    is no mark and no alert, or of no frame. What was typed loses what a page
-    could take for markup. Raises ValueError when it is no such line."""
+    """A line of the station's log as an event of bin/urv_sim; None when it is
+    no mark and no alert, or has no frame. Markup characters are removed from
+    typed text. Raises ValueError when it is no such line."""
     match input_files.parsed(text):
         case {"kind": str(kind), "text": str(said), "frame": None | int()
               as frame, "level": "info" | "caution" | "warning" as level}:
@@ -185,13 +187,14 @@ class Flight:
     def __init__(self, folder: Path, ports: int, page_port: int,
                  yamcs_port: int) -> None:
         self.folder = folder
-        # Each flight has events of its own; the archive goes on.
+        # Each flight has its own events; the archive continues.
         (folder / "station.jsonl").unlink(missing_ok=True)
         (self.gsc_link, self.mcs_link, self.frames, self.console,
          self.relay) = range(ports, ports + 5)
         self.page_port, self.yamcs_port = page_port, yamcs_port
-        # Yamcs itself, where no web page finds it (SEC-13). The port stays
-        # bound here: no other program gets it before Yamcs listens there.
+        # Yamcs itself, at a port that no web page knows (SEC-13). The port
+        # stays bound here: no other program gets it before Yamcs listens
+        # there.
         self.yamcs_place = socket.socket()
         self.yamcs_place.setsockopt(socket.SOL_SOCKET,
                                     socket.SO_REUSEADDR, 1)
@@ -203,16 +206,16 @@ class Flight:
         self.groups: list[int] = []
         self.given: dict[str, object] = {}
         self.complaint = ""
-        # What has become of each program that has ended, and what has been
-        # reported of those that run.
+        # The status of each program that has ended, and the reported state of
+        # each running one.
         self.statuses: dict[str, int] = {}
         self.fallen: list[str] = []
         self.stopped: set[str] = set()
         self.stood_still: dict[str, None] = {}
         self.losses: dict[str, str] = {}
         self.terminal = outputs.Terminal()
-        # For each program: its log, the thread that reads its output, and the
-        # last line of it.
+        # For each program: its log, the thread that reads its output, and its
+        # last line.
         self.logs: dict[str, outputs.Output] = {}
         self.readers: dict[str, threading.Thread] = {}
         self.last_words: dict[str, str] = {}
@@ -230,7 +233,7 @@ class Flight:
                    "--events", self.folder / "station.jsonl", "--reports"]
         if yamcs:
             station += ["--relay", f"tcp:{here}:{self.relay}"]
-        # Who takes the frames is there before the first one.
+        # The receiver of the frames is ready before the first one.
         self.run("station", *station, tells=True, hears=True,
                  yamcs=self.yamcs if yamcs else None)
         if yamcs:
@@ -245,7 +248,7 @@ class Flight:
         lasts = [] if seconds is None else ["--seconds", seconds]
         up = f"udp:{here}:{self.gsc_link}:{here}:{self.mcs_link}"
         down = f"udp:{here}:{self.mcs_link}:{here}:{self.gsc_link}"
-        # The ground ends the flight; the aircraft is there until then.
+        # The ground ends the flight; the aircraft runs until then.
         self.run("urv_mcs", ROOT / "bin" / "urv_mcs", "--link", down,
                  "--phase", 3, "--plant", "jsbsim",
                  *self.passed_on("urv_mcs"), *self.outputs("aircraft"))
@@ -261,20 +264,20 @@ class Flight:
             threading.Thread(target=self.await_yamcs, daemon=True).start()
 
     def passed_on(self, node: str) -> list:
-        """What of the options given is for this node. True is a switch's
-        value, which has no word."""
+        """The given options of this node. True is the value of a switch, which
+        has no word."""
         return [word for option, value in self.given.items()
                 if value is not None and node in PASSED_ON[option]
                 for word in (option, value) if word is not True]
 
     def outputs(self, name: str) -> list:
-        """The files that a node leaves."""
+        """The output files of a node."""
         return ["--record", self.folder / f"{name}.csv",
                 "--summary", self.folder / f"{name}.json",
                 "--events", self.folder / f"{name}.jsonl"]
 
     def start_yamcs(self) -> bool:
-        """Whether it could be, on a disk that may be full."""
+        """Whether Yamcs could be started, on a disk that may be full."""
         try:
             self.configure_yamcs()
         except (OSError, faults.Refused, faults.Failed) as error:
@@ -283,7 +286,7 @@ class Flight:
             self.lose("yamcs", "yamcs is not started: its files cannot be"
                       f" written: {reason}")
             return False
-        # A small machine has other things to do than to compile well.
+        # A small machine has no time for optimised compilation.
         self.run("yamcs", programs.found("java"), "-Xmx512m",
                  "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp",
                  f"{JARS}/*",
@@ -308,12 +311,12 @@ class Flight:
             self.write(f"etc/{source.name}", text)
 
     def write(self, name: str, text: str) -> None:
-        """A file of the folder, which follows no link (SEC-15)."""
+        """Writes a file of the folder, without following a link (SEC-15)."""
         with whole_files.replacing(self.folder / name) as path:
             path.write_text(text, encoding="utf-8")
 
     def start_gate(self) -> None:
-        """Yamcs's pages, at the port that people know."""
+        """Starts the Gate to Yamcs's pages, at the public port."""
         self.run("yamcs_gate", *programs.URV, "yamcs-gate",
                  "--port", self.yamcs_port, tells=True, later=LATER_BY,
                  yamcs=self.yamcs)
@@ -321,8 +324,8 @@ class Flight:
     def run(self, name: str, *command, tells: bool = False,
             later: int = 0, hears: bool = False,
             yamcs: str | None = None) -> None:
-        """Starts a program that ends with this one, whatever ends it. It gets
-        Yamcs's URL in its environment."""
+        """Starts a program that ends with this one, whatever the reason. It
+        gets Yamcs's URL in its environment."""
         parent = os.getpid()
         library = ctypes.CDLL(None)
 
@@ -337,7 +340,7 @@ class Flight:
             list(map(str, command)), cwd=self.folder,
             stdin=subprocess.PIPE if hears else subprocess.DEVNULL,
             stdout=subprocess.PIPE if tells else log, stderr=log,
-            # A Ctrl-C at the terminal is for this program alone: it ends the
+            # A Ctrl-C at the terminal reaches only this program: it ends the
             # others in their order.
             start_new_session=True, preexec_fn=become, text=True,
             env=os.environ | {"URV_PYTHON": sys.executable,
@@ -347,8 +350,8 @@ class Flight:
         self.groups.append(self.running[name].pid)
 
     def read(self, name: str, said: int) -> None:
-        """Takes what a program says, to its log and to who follows it. A disk
-        that is full or slow keeps neither waiting (D-56)."""
+        """Copies a program's output to its log and its follower. A full or
+        slow disk delays neither (D-56)."""
         try:
             log = outputs.Output.of_file(
                 f"{name}.log", self.folder / f"{name}.log", os.O_TRUNC)
@@ -366,7 +369,7 @@ class Flight:
                     if log is not None:
                         log.put(data)
                     *lines, rest = (rest + data).split(b"\n")
-                    # A program that never ends its line is cut off.
+                    # A line without an end is cut off.
                     rest = rest[-LONGEST_LINE:]
                     for line in lines:
                         text = line.decode("utf-8", "replace")
@@ -378,35 +381,35 @@ class Flight:
         self.readers[name].start()
 
     def say(self, text: str) -> None:
-        """At the terminal, should it take it."""
+        """Prints a line on the terminal, if possible."""
         self.terminal.say(text)
 
     def lose(self, output: str, text: str) -> None:
-        """An output is lost: the flight goes on, and ends with a fault."""
+        """An output is lost: the flight continues, and ends with a fault."""
         if output not in self.losses:
             self.losses[output] = text
             self.say(f"ground: {text}; the flight goes on")
             self.tell(Report(f"lost {output}", CAUTION, "OUTPUT LOST", text))
 
     def look_at_outputs(self) -> None:
-        """Those of this program."""
+        """Checks the outputs of this program."""
         for output in (*self.logs.values(), self.terminal):
             problem = output.problem()
             if problem is not None:
                 self.lose(output.name, problem)
 
     def await_station(self) -> None:
-        """Until it says where it takes frames."""
+        """Waits until the station reports the port for frames."""
         self.await_line("station", "frames at")
 
     def start_mavlink(self, to: str) -> str:
-        """Where it takes frames."""
+        """Starts MAVLink; returns its port for frames."""
         self.run("mavlink", *programs.URV, "mavlink",
                  "--listen", "udp:127.0.0.1:0", "--to", to, tells=True)
         return self.await_line("mavlink", "mavlink: from ").split()[2]
 
     def await_line(self, name: str, what: str) -> str:
-        """The first one that has this."""
+        """Waits for the first line with this text."""
         process = self.running[name]
         for line in process.stdout:
             if what in line:
@@ -416,17 +419,17 @@ class Flight:
                             or f"{name} has ended at once")
 
     def last_word_of(self, name: str) -> str:
-        """The last line that a program has left, which says why it ended."""
+        """The last line of a program, which gives the reason of its end."""
         self.await_end_of_words(name)
         return self.last_words.get(name, "")
 
     def await_end_of_words(self, name: str) -> None:
-        """Of a program that has ended: all that it has said is there."""
+        """Waits for the remaining output of a program that has ended."""
         if name in self.readers:
             self.readers[name].join(1.0)
 
     def await_yamcs(self) -> None:
-        """Says when its pages are there."""
+        """Reports when Yamcs's pages are ready."""
         while "yamcs" in self.running:
             try:
                 with urllib.request.urlopen(f"{self.yamcs}/api/links/urv",
@@ -442,7 +445,7 @@ class Flight:
               " Ctrl-C ends it")
 
     def watch(self) -> int:
-        """Until the flight is over; 0 when it ended as it should."""
+        """Waits until the flight is over; 0 when it ended normally."""
         while True:
             time.sleep(LOOKS_S)
             self.follow_programs()
@@ -474,8 +477,8 @@ class Flight:
                     return REFUSES if status == REFUSES else 1
 
     def follow_programs(self) -> None:
-        """Prints what the nodes report of themselves, the plant and each
-        other, and hands it to the page. Of other programs only losses."""
+        """Prints the nodes' reports about themselves, the plant and each
+        other, and sends them to the page. Of other programs only losses."""
         while not self.lines.empty():
             name, line = self.lines.get()
             if name in NODES:
@@ -487,7 +490,7 @@ class Flight:
                         self.lose(f"{name} {report.key}", f"{name}: {said}")
 
     def follow(self, name: str, said: str) -> None:
-        """What a node has reported."""
+        """Handles a report of a node."""
         reports = processes.reports_of(name, said)
         is_news = bool(processes.ALONE.match(said))
         for report in reports:
@@ -505,8 +508,8 @@ class Flight:
             self.say(f"ground: {name}: {said}")
 
     def look_whether_stopped(self, name: str, pid: int) -> None:
-        """A program that was stopped does nothing, and has not ended. So it is
-        with the aircraft, which its node has started."""
+        """A stopped program does nothing, but has not ended. The same applies
+        to the aircraft, which its node has started."""
         self.look_at_process(name, pid, WARNING if name in NODES else CAUTION)
         if name == "urv_mcs":
             with contextlib.suppress(OSError, ValueError):
@@ -515,7 +518,7 @@ class Flight:
                     self.look_at_process("plant", child, WARNING)
 
     def look_at_process(self, name: str, pid: int, level: str) -> None:
-        """Whether it is stopped."""
+        """Reports whether the process is stopped."""
         try:
             text = Path(f"/proc/{pid}/stat").read_text("utf-8", "replace")
         except OSError:
@@ -533,7 +536,8 @@ class Flight:
             "the program is stopped", is_stopped))
 
     def tell(self, report: Report) -> None:
-        """The page. A station that does not take it keeps nobody waiting."""
+        """Sends a report to the page. A station that does not read it delays
+        nothing."""
         station = self.running.get("station")
         if station is not None:
             with contextlib.suppress(OSError):
@@ -545,7 +549,7 @@ class Flight:
         return any(each.startswith(f"{name} ") for each in self.losses)
 
     def judge(self) -> None:
-        """Raises what was wrong with a flight that has come to its end."""
+        """Raises the fault of a flight that has ended, if there is one."""
         for name in NODES:
             status = self.statuses.get(name, 0)
             if status not in (0, UNHEARD) and not (
@@ -567,8 +571,8 @@ class Flight:
                                  " heard the other one")
 
     def end(self) -> None:
-        """Nobody is left running. The nodes end first, with their records
-        whole, then who took their frames."""
+        """Ends all programs. The nodes end first, with whole records, then the
+        receivers of their frames."""
         # A second Ctrl-C must not leave half of them.
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, signal.SIG_IGN)
@@ -578,7 +582,7 @@ class Flight:
                      for name in names if name in self.running}
             for process in group.values():
                 process.send_signal(signal.SIGTERM)
-                # One that was stopped could not end.
+                # A stopped program cannot end.
                 process.send_signal(signal.SIGCONT)
             late = time.monotonic() + ENDS_S
             for name, process in group.items():
@@ -602,8 +606,8 @@ class Flight:
         self.look_at_outputs()
 
     def end_groups(self) -> None:
-        """Waits for what the programs have started, the aircraft of a node
-        that was killed among them."""
+        """Waits for the processes that the programs have started, including
+        the aircraft of a killed node."""
         late = time.monotonic() + ENDS_S
         for group in self.groups:
             with contextlib.suppress(ProcessLookupError):
@@ -613,7 +617,8 @@ class Flight:
                     time.sleep(LOOKS_S / 10)
 
     def collect_events(self) -> None:
-        """The ground's error log with marks and alerts, for the report."""
+        """Writes the ground's error log with marks and alerts, for the
+        report."""
         try:
             lines = (self.folder / "ground.jsonl").read_text("utf-8")
             told = (self.folder / "station.jsonl").read_text("utf-8")

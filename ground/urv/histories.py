@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flights in which sticks, modes, engine, surfaces and link do what they like,
-and then 90 s of calm in which every active hold must be held (SIM-6, EXT-8).
+"""Flights with random sticks, modes, engine, surfaces and link, and then 90 s of
+calm in which every active hold must be held (SIM-6, EXT-8).
 
     drawn = histories.draw(1234)
     drawn.sticks, drawn.conditions, drawn.faults    the files of urv_sim
     drawn.seconds                                   the flight's length
-    drawn.values                                    what was drawn, by name
+    drawn.values                                    the drawn values, by name
 
-The same seed gives the same flight, whichever flights are flown beside it.
+The same seed gives the same flight, whatever other flights are flown.
 """
 
 import random
@@ -20,12 +20,12 @@ HISTORY_S = (25, 60)
 EVENTS = (4, 12)
 SHORTEST_S, LONGEST_S = 1, 10
 
-# A pilot who has switched the laws off, or leaves them the rates only, flies
-# by hand: small deflections, and not for long.
+# Without laws, or with rate damping only, the pilot flies by hand: small
+# deflections, for short times.
 BY_HAND_MOST = 250
 BY_HAND_S = 3
 
-# What the switches ask for, and how often.
+# The modes that the switches select, and their weights.
 MODES = {"direct": 1, "damping": 2, "attitude": 6, "hold": 7, "level": 3,
          "level_hold": 4}
 SWITCHES = {"direct": (), "damping": (1,), "attitude": (2,), "hold": (2, 3),
@@ -38,7 +38,7 @@ COLUMNS = ("roll", "pitch", "yaw", "throttle",
            *(f"switch{number}" for number in range(1, 9)))
 MIDDLE, FULL = 2048, 4095
 
-# In the calm: nose and lever such that the aircraft stays in the air.
+# In the calm: pitch and throttle that keep the aircraft in the air.
 CALM_PITCH = (-60, 500)
 CALM_LEVER = (1800, FULL)
 CLIMBING_LEVER = 2500
@@ -55,7 +55,7 @@ WIND_KT = (0, 15)
 
 
 class Drawn(NamedTuple):
-    """A flight's input files, its length, and what was drawn for it."""
+    """A flight's input files, its length, and the values drawn for it."""
 
     sticks: str
     conditions: str
@@ -125,7 +125,7 @@ def words(chance, mode, is_calm):
 
 
 def drawn_faults(chance, history_s):
-    """The lines of the fault file, and what was drawn for them."""
+    """The lines of the fault file, and the values drawn for them."""
     lines, for_good, calm_ms = [], 0, history_s * 1000
     kinds = [chance.choice(("engine", "surface", "cut"))
              for _ in range(chance.randint(0, MOST_FAULTS))]
@@ -144,7 +144,7 @@ def drawn_faults(chance, history_s):
             f"slow {chance.randrange(1, 50)}"))
         stays = chance.random() < FOR_GOOD
         if name in names:
-            # One fault a servo, so that its end is the end.
+            # One fault per servo, so that its end is final.
             continue
         names[name] = stays
         lines.append(f"{first} surface {name} {how}")

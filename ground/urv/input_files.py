@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that a command reads, whoever made them (SEC-14, D-65).
+"""Input files from any source (SEC-14, D-65).
 
     with input_files.opened(path) as file:
         file.read(...)
 
 Only regular files are read: a pipe or a device may never end, or block for
-ever. A command that reads files of others calls `limit_memory` first. Each
-reader has limits of its own; this one is for what they do not see, like a page
-of Parquet that claims to be 2 GB long.
+ever. A command that reads foreign files calls `limit_memory` first. Each reader
+has its own limits; this one covers the remaining cases, such as a Parquet page
+that claims to be 2 GB long.
 """
 
 import io
@@ -21,7 +21,7 @@ import stat
 from urv import faults
 
 MOST_MEMORY = 2 ** 30
-"""Bytes beyond those that a program has when it begins to read."""
+"""Bytes in addition to those of the program before it reads."""
 
 LARGEST_JSON = 16 * 2 ** 20
 """Bytes; a summary and the events of a flight are some kB."""
@@ -30,7 +30,8 @@ LARGEST_INTEGER = 2 ** 53
 
 
 def opened(path):
-    """The file, to be read as bytes. Refuses what is no regular file."""
+    """The file, open for reading bytes. Refuses anything but a regular
+    file."""
     try:
         # Without O_NONBLOCK a pipe without a writer would block.
         number = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY
@@ -48,12 +49,12 @@ def opened(path):
 
 
 def opened_text(path):
-    """The same as text; its lines end in line feeds alone."""
+    """The same as text; only line feeds end its lines."""
     return io.TextIOWrapper(opened(path), encoding="utf-8", newline="\n")
 
 
 def text(path):
-    """All of a file of JSON. Refuses one that is too large."""
+    """All of a file of JSON. Refuses a file that is too large."""
     with opened(path) as file:
         read = file.read(LARGEST_JSON + 1)
     if len(read) > LARGEST_JSON:
@@ -67,8 +68,8 @@ def text(path):
 
 
 def parsed(text):
-    """The value of a JSON text. Raises ValueError for what is none, is nested
-    too deeply, or has numbers that are not finite or whole numbers beyond
+    """The value of a JSON text. Raises ValueError for invalid JSON, for deep
+    nesting, and for numbers that are not finite or whole numbers beyond
     2**53."""
 
     def finite(digits):
@@ -89,9 +90,9 @@ def parsed(text):
 
 
 def limit_memory():
-    """From now on this process gets so much memory more; beyond it there is a
-    MemoryError. Comes before Arrow is imported."""
-    # Arrow's own allocator reserves 1 GB at once, where it can.
+    """Limits the additional memory of this process; beyond it there is a
+    MemoryError. To be called before Arrow is imported."""
+    # Arrow's own allocator reserves 1 GB at once if it can.
     os.environ["ARROW_DEFAULT_MEMORY_POOL"] = "system"
     with open("/proc/self/status", encoding="ascii") as file:
         used = re.search(r"VmData:\s+(\d+) kB", file.read())

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each word means: the one table of the station (GND-11).
+"""The meaning of each word: the only table of the station (GND-11).
 
     items.COLUMNS["gsc.downlink.battery_volts"].value(2760)     27.6
     items.COLUMNS["gsc.downlink.battery_volts"].level(23.0)     "warning"
 
-items.csv is what `bin/urv_sim items` prints, and a test compares the two.
-Displays, reports, the mission database and what goes out as MAVLink take
-units, scales and limits from here.
+items.csv is the output of `bin/urv_sim items`, and a test compares the two.
+Displays, reports, the mission database and MAVLink take units, scales and
+limits from here.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from urv.tables import TABLES
 TABLE = Path(__file__).with_name("items.csv")
 
 LARGEST_WORD = TABLES["largest_word"]
-"""Of a converter."""
+"""The largest word of a converter."""
 
 STALE = 1
-"""The bit of an error word: the words before it are of an earlier frame."""
+"""The bit of an error word: the words before it are from an earlier frame."""
 
 GROUPS = {
     "console": "uplink",
@@ -40,7 +40,7 @@ _LIMITS = ("warning_low", "caution_low", "caution_high", "warning_high")
 
 @dataclass(frozen=True)
 class Item:
-    """A word of a buffer. What has no unit is bits, without a scale."""
+    """A word of a buffer. A word without a unit is bits, without a scale."""
 
     name: str
     buffer: str
@@ -55,7 +55,7 @@ class Item:
     per_word: float | None
     zero_word: int | None
     use: str = ""
-    """What a switch does; empty for other items."""
+    """The function of a switch; empty for other items."""
     works: str = ""
     """The part of the aircraft that a switch works: "laws", "flaps"."""
 
@@ -73,31 +73,31 @@ class Item:
 
     @property
     def decimals(self) -> int:
-        """How many are worth showing: a step of the last one is ten words
-        at most."""
+        """The number of useful decimals: a step of the last one is at most ten
+        words."""
         if not self.is_scaled or self.unit == "on":
             return 0
         return next(places for places in range(5)
                     if 10.0 ** -places <= 10.0 * self.per_word)
 
     def value(self, word):
-        """In the item's unit; of an array of words, each."""
+        """The value in the item's unit; of an array of words, each."""
         return self.per_word * (word - self.zero_word)
 
     def word(self, value: float) -> int:
-        """The nearest one."""
+        """The nearest word."""
         nearest = round(value / self.per_word + self.zero_word)
         return min(max(nearest, 0), LARGEST_WORD)
 
     @property
     def limits(self) -> dict[str, float]:
-        """Those that there are, from the lowest to the highest."""
+        """The existing limits, from the lowest to the highest."""
         found = {name: getattr(self, name) for name in _LIMITS}
         return {name: at for name, at in found.items() if at is not None}
 
     def level(self, value: float) -> str:
-        """"warning", "caution", or nothing within the limits. A value at a
-        limit is within, however a multiplication rounds it."""
+        """"warning", "caution", or an empty text within the limits. A value at
+        a limit is within, whatever the rounding of a multiplication."""
         value = round(value, 6)
         for name in ("warning", "caution"):
             low = getattr(self, f"{name}_low")
@@ -127,7 +127,7 @@ ITEMS = tuple(_read())
 
 
 def of_buffer(buffer: str) -> list[Item]:
-    """Its words, in order."""
+    """The words of a buffer, in order."""
     return [item for item in ITEMS if item.buffer == buffer]
 
 

@@ -2,9 +2,9 @@
 """bin/urv keygen: a key of the sealed link in a file of its own (SEC-5,
 SEC-14).
 
-The key is drawn from the operating system's source of random numbers. The
-file is its owner's alone from the first moment; an old one is not touched
-unless a key is to be added to it.
+The key is drawn from the operating system's random number source. Only the
+owner can access the file from the first moment; an existing file does not
+change unless a key is added to it.
 """
 
 import os
@@ -20,16 +20,16 @@ from urv import faults, input_files, whole_files
 KEY_BYTES = 16
 MODE = 0o600
 LONGEST = 4095
-"""Bytes of a file of keys, as the nodes take it."""
+"""The largest size of a file of keys, in bytes, as for the nodes."""
 LONGEST_REMARK = 1000
-"""Characters of what stands after a key, when it is kept."""
+"""The largest kept text after a key, in characters."""
 _LINE = re.compile(
     r"key[ \t]+([0-9]{1,3})[ \t]+([0-9a-fA-F]{32})[ \t]*(#[^\r]*)?")
 
 
 def keygen(
     file: Annotated[Path, typer.Argument(
-        metavar="FILE", help="Where to write it.")],
+        metavar="FILE", help="The file to write.")],
     number: Annotated[int | None, typer.Option(
         metavar="N", min=0, max=255,
         help="Its number, 0 to 255. [default: 1, or the next]")] = None,
@@ -38,8 +38,8 @@ def keygen(
 ):
     """Make a key of the sealed link.
 
-    With --add the file then has two: the new one, to call with, and the old,
-    which is good until it is taken out.
+    With --add the file then has two: the new one, used for calling, and the
+    old one, which is valid until it is removed.
     """
     old = _old_keys(file) if add else []
     if number is None:
@@ -88,8 +88,8 @@ def _old_keys(file: Path) -> list[tuple[int, str]]:
 
 
 def make(file: Path, text: str):
-    """A new file, which nobody else can read at any time. What cannot be
-    written whole is not there."""
+    """Makes a new file, which no other user can read at any time. If it cannot
+    be written whole it is removed."""
     try:
         made = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, MODE)
         try:
@@ -108,7 +108,7 @@ def make(file: Path, text: str):
 
 
 def write(made: int, text: str):
-    """To a descriptor, which it closes, and to the disk."""
+    """Writes to a descriptor, closes it, and syncs the disk."""
     with os.fdopen(made, "w", encoding="ascii") as out:
         os.fchmod(made, MODE)
         out.write(text)

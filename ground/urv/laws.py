@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the aircraft's control laws tell the ground (GND-7).
+"""The status of the aircraft's control laws on the ground (GND-7).
 
     Laws.of(frame).mode             "bank by stick/altitude/airspeed"
     Laws.of(frame).failed           ("left_aileron",)
 
-They have a row of the aircraft's log that is not an error's; it comes down
-round and round, as the log does. docs/control-laws.md says what its words
-mean.
+The laws have a row of the aircraft's log that is not an error's; it is sent in
+turn with the log's other rows. docs/control-laws.md explains its words.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from urv.tables import TABLES
 
 LATERAL, VERTICAL, POWER, LINK = (
     tuple(TABLES[name]) for name in ("lateral", "vertical", "power", "link"))
-"""What flies, and the state of the link."""
+"""The flying modes, and the state of the link."""
 ALONE = LINK[2:]
 """The link is lost, and the aircraft flies by itself."""
 
@@ -26,29 +25,30 @@ DISCONNECT = f"{items.SWITCHES[6].use} (switch 7)"
 
 SHORT = {"damping": "damp", "bank by stick": "bank", "wings level": "level",
          "pitch by stick": "pitch", "altitude": "alt", "airspeed": "spd"}
-"""As they stand where there is little room."""
+"""Short forms for little room."""
 DOES = {"holding": "wings level, altitude and airspeed held",
         "orbiting": "a turn to the right, altitude and airspeed held",
         "terminated": f"throttle idle, a glide; {DISCONNECT} off and on ends"
                       " it"}
-"""What the aircraft does while it is alone."""
+"""The aircraft's actions while it is alone."""
 
 SENSORS = tuple(
     item.name for item in items.of_buffer("downlink") if item.name != "error")
 SURFACES = tuple(TABLES["surfaces"])
 """In the order of their bits, which is that of their servos."""
 FAILING = (*SURFACES, "throttle")
-"""What the aircraft sees fail: the next bit is the engine's."""
+"""The items whose failure the aircraft detects: the next bit is the
+engine's."""
 
 WORD_BITS = 16
 AGE_FRAMES = TABLES["age_frames"]
-"""The unit of a node's age."""
+"""The unit of a node's age, in frames."""
 NIBBLE_BITS = 4
 
 
 @dataclass(frozen=True)
 class Laws:
-    """The newest that has come of them."""
+    """The newest received status of the laws."""
 
     lateral: str
     vertical: str
@@ -58,17 +58,17 @@ class Laws:
     silent: int
     failed: tuple[str, ...]
     serial: int = 0
-    """Of the configuration that was taken last; 0 when none was."""
+    """The number of the last accepted configuration; 0 when there was none."""
     table: int = 0
-    """The gains that it has set."""
+    """The table of gains in force."""
     age: int = 0
-    """Of the aircraft's node since its cold start, in AGE_FRAMES, modulo
-    65536."""
+    """The age of the aircraft's node since its cold start, in AGE_FRAMES,
+    modulo 65536."""
 
     @classmethod
     def of(cls, frame: packets.FramePacket) -> Laws | None:
-        """None when nothing has come: the laws are off, or do not know of
-        anybody yet."""
+        """None when nothing was received: the laws are off, or have not
+        reported yet."""
         row = frame.logs[packets.NODES.index("mcs")][packets.LAWS_ROW - 1]
         if row == packets.LogRow():
             return None
@@ -86,12 +86,14 @@ class Laws:
 
     @property
     def mode(self) -> str:
-        """What flies: lateral, vertical and power, but for what is direct."""
+        """The flying modes: lateral, vertical and power, without the direct
+        ones."""
         return mode_name(self.lateral, self.vertical, self.power)
 
     @property
     def short(self) -> str:
-        """The same with shorter words; what it does alone comes first."""
+        """The same with shorter words; the reaction to a lost link comes
+        first."""
         if self.is_alone:
             return self.link.upper()
         return " ".join(SHORT.get(word, word)
@@ -99,18 +101,18 @@ class Laws:
 
     @property
     def is_alone(self) -> bool:
-        """Nobody on the ground flies it."""
+        """Whether the aircraft flies without the ground."""
         return self.link in ALONE
 
 
 def mode_name(lateral: str, vertical: str, power: str) -> str:
-    """Of what flies the axes and the throttle."""
+    """A name for the modes of the axes and the throttle."""
     axes = [lateral] if lateral == vertical else [lateral, vertical]
     return "/".join(axes + ([] if power == "direct" else [power]))
 
 
 def name_of(names: tuple[str, ...], place: int) -> str:
-    """One that this station does not know has its number."""
+    """The name at a place; an unknown one is a number."""
     return names[place] if place < len(names) else f"number {place}"
 
 

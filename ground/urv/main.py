@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv: the ground station's commands, a module for each (GND-10).
 
-A command's module imports at its top only what every set-up has: typer and
-Python's own. What `scripts/setup.sh fly` leaves out is imported where it is
-used, so that help is quick, and one command needs nothing of another's.
+A command's module imports at its top only the packages of every set-up: typer
+and Python's own. Packages that `scripts/setup.sh fly` omits are imported at
+their use, so that help is quick, and no command needs another's packages.
 
 Exit status, as bin/urv_sim's: 0 done; 1 an output cannot be written, or
-something failed; 2 bad command line or bad input; 130 interrupted, of a
+another failure; 2 bad command line or bad input; 130 interrupted, for a
 command that would have ended by itself (D-39).
 """
 
@@ -20,7 +20,7 @@ import typer
 from urv import (convert, faults, ground, keygen, mavlink, monte_carlo,
                  pictures, report, station, xtce, yamcs_gate)
 
-# What typer makes of an interrupt, too.
+# Typer's status for an interrupt, too.
 INTERRUPTED = 130
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,7 +37,7 @@ def choices(context):
 
 
 def show_version(asked: bool):
-    """What alire.toml calls this version."""
+    """This version, as in alire.toml."""
     if asked:
         for line in (ROOT / "alire.toml").read_text("utf-8").splitlines():
             if line.startswith("version = "):
@@ -74,7 +74,7 @@ def interrupt(_signal, _frame):
 
 
 def complain(text):
-    """A line on standard error, should there still be one."""
+    """Prints a line on standard error, if possible."""
     try:
         print(f"urv: {text}", file=sys.stderr, flush=True)
     except OSError:
@@ -82,12 +82,14 @@ def complain(text):
 
 
 def drop_standard_output():
-    """What is still to be written cannot be: Python need not try again."""
+    """Discards unwritten output, so that Python does not try to write it
+    again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def missing(fault):
-    """Which package an import did not find, and what installs it."""
+    """The package that an import did not find, and the command that installs
+    it."""
     what = (f"the package {fault.name} is missing"
             if isinstance(fault, ModuleNotFoundError) and fault.name
             else f"a package is missing ({' '.join(str(fault).split())})")
@@ -95,7 +97,7 @@ def missing(fault):
 
 
 def misused(fault):
-    """What is wrong with the command line, with the choices."""
+    """The error in the command line, with the choices."""
     said = fault.format_message().rstrip(".")
     context = getattr(fault, "ctx", None)
     if said.startswith("No such command") and context:
@@ -120,7 +122,7 @@ def main(arguments=None):
         complain(misused(fault))
         return fault.exit_code
     except MemoryError:
-        # Only commands that read files of others have a limit.
+        # Only commands that read foreign files have a limit.
         complain("the file needs more memory than any record does: it is"
                  " damaged, or made to do so")
         return 2
@@ -138,7 +140,7 @@ def main(arguments=None):
         complain(f"{what}: {faults.reason(fault)}")
         return 1
     except ImportError as fault:
-        # Of a package in parts, like yamcs, one part may be missing.
+        # In a package of several parts, like yamcs, a part may be missing.
         name = (fault.name or "").split(".")[0]
         if name == "urv":
             raise

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and the like
+"""bin/urv mavlink: the flight as MAVLink 2, for QGroundControl and others
 (GND-40, GND-41, GND-45, GND-53, GND-56, GND-57).
 
-docs/mavlink.md says which item goes where. Nothing comes in this way: what a
-station sends back is not heard.
+docs/mavlink.md has the message of each item. The direction is one way:
+messages from a ground control station are ignored.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 FRAMES_PER_S = 50
 
-# Every so many frames.
+# Periods of messages, in frames.
 HEARTBEAT = 50
 ATTITUDE = 2
 VFR_HUD = 5
@@ -35,7 +35,7 @@ SERVOS = 5
 STATUS = 25
 RADIO = 50
 
-# While the link is lost, that is repeated every so many frames.
+# While the link is lost, the report is repeated with this period in frames.
 LOST = 500
 
 SYSTEM_ID = 1
@@ -45,7 +45,7 @@ M_PER_S_PER_KNOT = 1852 / 3600
 M_PER_FT = 0.3048
 FT_PER_MIN_TO_M_PER_S = M_PER_FT / 60
 
-# What a field of so many bits says when nobody knows.
+# Unknown values of fields of 8 bits and more.
 UNKNOWN_8 = 255
 UNKNOWN_16 = 65_535
 NO_HEADING = -1
@@ -54,7 +54,7 @@ NO_HEADING = -1
 PULSE_MIDDLE_US = 1500
 WORDS_PER_US = 4.096
 
-# The scale of a SiK radio, which ground stations turn back into dBm.
+# The scale of a SiK radio, which ground stations convert back into dBm.
 RSSI_PER_DB = 1.9
 RSSI_ZERO_DB = -127.0
 
@@ -66,7 +66,7 @@ SENSED_BY = {
     "SENSOR_DIFFERENTIAL_PRESSURE": ("airspeed",),
     "AHRS": ("roll_attitude", "pitch_attitude"),
     "SENSOR_BATTERY": ("battery_volts",)}
-"""The words of each sensor that MAVLink knows."""
+"""The words of each sensor that MAVLink has."""
 
 ROM_OR_SELF_TEST = 6
 """Bits of the downlink's error word."""
@@ -77,11 +77,11 @@ MOST_TEXT = 50
 def mavlink(
     listen: str = typer.Option(
         "udp:127.0.0.1:6005", metavar="udp:HOST:PORT",
-        help="Where frame packets come: urv_gsc --publish. HOST is this"
+        help="Port of the frame packets: urv_gsc --publish. HOST is this"
         " machine's loopback."),
     to: str = typer.Option(
         "udp:127.0.0.1:14550", metavar="udp:HOST:PORT",
-        help="Where MAVLink goes."),
+        help="Destination of MAVLink."),
 ):
     """Send the flight as MAVLink 2, until interrupted."""
     from urv import web
@@ -114,7 +114,7 @@ def mavlink(
 
 
 class Sender:
-    """A file to write datagrams to, which keeps nobody waiting."""
+    """A file for datagrams, which never blocks."""
 
     def __init__(self, there: tuple[str, int]) -> None:
         try:
@@ -156,7 +156,8 @@ class Bridge:
             sender, srcSystem=SYSTEM_ID, srcComponent=COMPONENT_ID)
 
     def datagram(self, data: bytes, came_from: Any = None) -> None:
-        """Sends what is due with the frame in it, if there is one."""
+        """Sends the due messages for the frame in a datagram, if there is
+        one."""
         try:
             frame = FramePacket.decode(data)
         except packets.PacketError:
@@ -180,14 +181,14 @@ class Bridge:
 
 @dataclass
 class Due:
-    """What is sent every so many frames."""
+    """The messages with a period in frames."""
 
     every: int
     _next: int = 0
 
     def now(self, sequence: int) -> bool:
-        """Whether it is due, and is done then. After a gap the rhythm is
-        the one before."""
+        """Whether the message is due, and is then done. After a gap the rhythm
+        is the earlier one."""
         if sequence < self._next:
             return False
         self._next = sequence - sequence % self.every + self.every
@@ -196,7 +197,7 @@ class Due:
 
 @dataclass
 class Flight:
-    """One run of the ground's node, and what has been told of it."""
+    """One run of the ground's node, and its reports so far."""
 
     dialect: Any
     starts: Starts = field(default_factory=Starts)
@@ -219,9 +220,9 @@ class Flight:
 
     def messages(self, frame: FramePacket,
                  age_s: float = 0.0) -> Iterator[Any]:
-        """What is due with this frame, which was made so many seconds ago.
-        What the aircraft says is sent only with a frame that is fresh and not
-        late: the first one from when it is due."""
+        """The due messages for this frame, whose age is age_s. The
+        aircraft's values are sent only with a frame that is fresh and not
+        late: the first one when they are due."""
         is_late = age_s >= view.LOST_S
         if is_late and frame.is_fresh:
             frame = replace(frame, downlink_age=int(
@@ -269,7 +270,7 @@ class Flight:
             mav.MAV_STATE_CRITICAL if broken else state, 3)
 
     def attitude(self, frame: FramePacket, value: dict[str, float]) -> Any:
-        """There is no compass: the heading is no number."""
+        """There is no compass: the heading is not-a-number."""
         down = "gsc.downlink.{}".format
         return self.dialect.MAVLink_attitude_message(
             boot_ms(frame),
@@ -279,7 +280,8 @@ class Flight:
               for name in ("roll_rate", "pitch_rate", "yaw_rate")))
 
     def servos(self, frame: FramePacket) -> Any:
-        """Where the surfaces are, as pulses that would hold them there."""
+        """The positions of the surfaces, as pulses that would hold them
+        there."""
         pulses = [pulse_us(frame.columns[f"gsc.downlink.{name}"])
                   for name in laws.SURFACES]
         return self.dialect.MAVLink_servo_output_raw_message(
@@ -287,7 +289,7 @@ class Flight:
             *pulses, *[0] * (16 - len(pulses)))
 
     def hud(self, value: dict[str, float]) -> Any:
-        """Speeds and heights. Ground speed and heading nobody knows."""
+        """Speeds and heights. Ground speed and heading are unknown."""
         down = "gsc.downlink.{}".format
         climb = view.derive(value)["vertical_speed"]
         return self.dialect.MAVLink_vfr_hud_message(
@@ -298,8 +300,8 @@ class Flight:
             climb * FT_PER_MIN_TO_M_PER_S)
 
     def status(self, frame: FramePacket, value: dict[str, float]) -> Any:
-        """Sensors, battery, and how many frames were not fresh since the
-        last time."""
+        """Sensors, battery, and the number of frames that were not fresh since
+        the last call."""
         mav = self.dialect
         battery = items.COLUMNS["gsc.downlink.battery_volts"]
         volts = value["gsc.downlink.battery_volts"]
@@ -327,7 +329,7 @@ class Flight:
             in_16(frame.link["resets"]), in_16(frame.link["overruns"]))
 
     def doubted(self, frame: FramePacket) -> int:
-        """The sensors that the laws do not believe."""
+        """The sensors that the laws reject."""
         told = laws.Laws.of(frame)
         found = 0
         for name in told.not_valid if told else ():
@@ -348,8 +350,8 @@ class Flight:
 
     def late_texts(self, frame: FramePacket,
                    age_s: float | None) -> Iterator[Any]:
-        """Frames come long after they were made. It is repeated while it
-        lasts, and told when it ends."""
+        """Frames arrive long after they were made. The report is repeated
+        while that lasts, and ends with another report."""
         mav = self.dialect
         if age_s is None:
             if self._late_next is not None:
@@ -361,7 +363,7 @@ class Flight:
                             f"frames {age_s:.1f} s late")
 
     def start_texts(self, frame: FramePacket, flew: bool) -> Iterator[Any]:
-        """Every start of a node. A cold one of the aircraft in flight is
+        """Every start of a node. A cold start of the aircraft in flight is
         critical."""
         mav = self.dialect
         for start in self.starts.look(frame):
@@ -373,8 +375,8 @@ class Flight:
                 + " in flight" * in_flight)
 
     def link_texts(self, frame: FramePacket) -> Iterator[Any]:
-        """What has become of the link. A loss is repeated while it lasts,
-        and so is that blocks come which are refused."""
+        """Changes of the link. A loss is repeated while it lasts, and so is
+        the arrival of refused blocks."""
         mav = self.dialect
         changed = frame.link_state != self._state
         self._state = frame.link_state
@@ -401,8 +403,8 @@ class Flight:
                             f"link refused: {refused} blocks")
 
     def texts(self, frame: FramePacket) -> Iterator[Any]:
-        """What is new of the link, the laws and in the error logs. What a
-        lost link causes in each frame waits for its end."""
+        """News of the link, the laws and the error logs. Errors that a lost
+        link causes in each frame wait for its end."""
         mav = self.dialect
         yield from self.link_texts(frame)
         yield from self.law_texts(frame)
@@ -429,7 +431,7 @@ class Flight:
                 + left_out(new))
 
     def law_texts(self, frame: FramePacket) -> Iterator[Any]:
-        """What is new of the laws: how they fly, and what has failed."""
+        """News of the laws: modes and failures."""
         told = laws.Laws.of(frame)
         if not frame.is_fresh:
             return
@@ -443,7 +445,7 @@ class Flight:
             **{f"{name} failed": mav.MAV_SEVERITY_CRITICAL
                for name in told.failed}}
         if told is not None and told.not_valid == laws.SENSORS:
-            # As after a start; one word for one reason.
+            # As after a start: one text for one reason.
             now = {text: severity for text, severity in now.items()
                    if not text.endswith(" not valid")}
             now["no sensor is valid"] = mav.MAV_SEVERITY_WARNING
@@ -469,11 +471,11 @@ def pulse_us(word: int) -> int:
 
 
 def rssi(dbm: float) -> int:
-    """Of a SiK radio; the last value means that nobody knows."""
+    """In the scale of a SiK radio; the last value means unknown."""
     return max(0, min(UNKNOWN_8 - 1,
                       round(RSSI_PER_DB * (dbm - RSSI_ZERO_DB))))
 
 
 def in_16(count: int) -> int:
-    """The last one also stands for more."""
+    """The last value also means more."""
     return min(count, 2 ** 16 - 1)

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Records as MCAP, for Foxglove and the like (GND-15).
+"""Records as MCAP, for Foxglove and similar programs (GND-15).
 
 A topic for each group of columns, /gsc/downlink and so on, with a message for
-each frame: `raw` has the words, `value` the same in their units, not a number
-where they are stale. Counts, times and the truth are numbers of their own.
-The messages are protobuf with fixed places for everything, so that a thousand
-of them are made, and read again, at once.
+each frame: `raw` has the words, `value` the same in their units, NaN where they
+are stale. Counts, times and the truth are separate numbers. The messages are
+protobuf with fixed places for all fields, so that a thousand of them can be
+made, or read, at once.
 
-A file may come from anybody: no length in it, and no chunk unpacked, may be
-beyond LARGEST_RECORD (SEC-14).
+A file may be hostile: no length in it, and no unpacked chunk, may be beyond
+LARGEST_RECORD (SEC-14).
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ LARGEST_RECORD = 16 * 2 ** 20
 
 
 def varint(number):
-    """As protobuf writes a tag or a length."""
+    """A tag or a length in protobuf's form."""
     found = bytearray()
     while number > 0x7F:
         found.append(number & 0x7F | 0x80)
@@ -54,8 +54,8 @@ def varint(number):
 
 
 class Layout:
-    """The messages of a topic: their schema, and where in them each column
-    stands."""
+    """The messages of a topic: their schema, and the place of each column in
+    them."""
 
     def __init__(self, group, names, places, decimals):
         self.group = group
@@ -101,12 +101,12 @@ class Layout:
         return varint(number << 3 | wire)
 
     def place(self, text, key, code, base=0):
-        """Room for a number."""
+        """Reserves room for a number."""
         self.offsets[key] = (base + len(text), code)
         text += bytes(int(code[-1]))
 
     def nested(self, number, name, fields):
-        """A message within, and the room it takes."""
+        """A nested message, and its room."""
         inner = self.message.nested_type.add(name=name.capitalize())
         text = bytearray()
         found = []
@@ -124,7 +124,7 @@ class Layout:
 
     @property
     def schema(self):
-        """As MCAP has it."""
+        """In MCAP's form."""
         file = descriptor_pb2.FileDescriptorProto(
             name=f"urv/{self.group}.proto", package="urv", syntax="proto3",
             message_type=[self.message])
@@ -132,8 +132,8 @@ class Layout:
             file=[file]).SerializeToString()
 
     def blank(self, many):
-        """Room for messages, and the numbers in it. What stands between
-        these is in the room alone: numpy copies no padding."""
+        """Room for messages, and the numbers in it. Bytes between the numbers
+        are in the room alone: numpy copies no padding."""
         room = bytearray(self.template) * many
         return room, numpy.frombuffer(room, dtype=self.kind)
 
@@ -152,7 +152,7 @@ class Layout:
         return [text[at:at + size] for at in range(0, len(text), size)]
 
     def decoded(self, messages, rows):
-        """The messages' columns, into rows; whether all were such."""
+        """The messages' columns, into rows; whether all had this layout."""
         size = self.kind.itemsize
         if any(len(message) != size for message in messages):
             return False
@@ -160,7 +160,7 @@ class Layout:
         read = numpy.frombuffer(text, dtype=self.kind)
         for name, place in self.places.items():
             rows[:, place] = read[name]
-        # All but the numbers is as in the template.
+        # All bytes except the numbers equal the template.
         room, numbers = self.blank(len(messages))
         for name in self.kind.names:
             numbers[name] = read[name]
@@ -168,7 +168,7 @@ class Layout:
 
 
 def layouts(columns):
-    """Those of a record's topics."""
+    """The layouts of a record's topics."""
     groups = {}
     for place, name in enumerate(columns.names):
         group = records.group_of(name)[0] or OTHERS
@@ -220,8 +220,8 @@ class Writer:
 
 
 class BoundedStream:
-    """A file of which nobody can read much at once. A damaged length asks for
-    up to 2**64 bytes."""
+    """A file that limits the size of a read. A damaged length asks for up to
+    2**64 bytes."""
 
     def __init__(self, file):
         self.file = file
@@ -238,7 +238,7 @@ def unpacked(chunk):
         raise ValueError("too large a chunk")
     data = chunk.data
     if chunk.compression == "zstd":
-        # Frames that do not say how long they are need the other limit.
+        # Frames that do not give their length need the other limit.
         if zstandard.frame_content_size(data) > LARGEST_RECORD:
             raise ValueError("too large a chunk")
         data = zstandard.decompress(data, LARGEST_RECORD)
@@ -255,8 +255,8 @@ def unpacked(chunk):
 
 
 def parts_of(stream):
-    """The file's records in order, those in chunks too, a chunk at a time.
-    What the file's end says of it is not needed."""
+    """The file's records in order, including those in chunks, a chunk at a
+    time. The summary at the file's end is not needed."""
     for part in StreamReader(
             BoundedStream(stream), validate_crcs=True, emit_chunks=True,
             record_size_limit=LARGEST_RECORD).records:
@@ -267,7 +267,7 @@ def parts_of(stream):
 
 
 class Record:
-    """A record in an MCAP file that bin/urv has written."""
+    """A record in an MCAP file written by bin/urv."""
 
     def __init__(self, path, stream, forgiving=False):
         self.path = path
@@ -275,7 +275,7 @@ class Record:
         self.forgiving = forgiving
         self.size = path.stat().st_size
         self.cut_short = None
-        """What is missing of a record that was cut short, for people."""
+        """The missing part of a record that was cut short, for people."""
 
         self.parts = parts_of(stream)
         mark = next((each for each in self.parts
@@ -297,8 +297,8 @@ class Record:
         return self.stream.tell()
 
     def messages(self):
-        """Each with its topic. A forgiving reader stops where the file was
-        cut short."""
+        """Each message with its topic. A forgiving reader stops where the file
+        was cut short."""
         sizes = {layout.topic: layout.kind.itemsize
                  for layout in self.layouts}
         topic_of = {}
@@ -314,7 +314,7 @@ class Record:
                         yield topic, part.data
         except (EndOfFile, struct.error, zstandard.ZstdError,
                 CRCValidationError):
-            # Of a last chunk that is not whole, too.
+            # Also for an incomplete last chunk.
             if not self.forgiving or self.position < self.size:
                 raise
             self.cut_short = "it has no end; what came before is read"
@@ -365,7 +365,7 @@ class Record:
 
 @contextmanager
 def opened(path, forgiving=False):
-    """A record to be read."""
+    """A record for reading."""
     stream = input_files.opened(path)
     with stream:
         try:

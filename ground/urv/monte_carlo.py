@@ -15,13 +15,13 @@ from urv import certificates as secured, faults
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# What travels to the workers.
+# The files sent to the workers.
 CARGO = ("bin/urv_sim", "evidence/safety/holds.py", "sim/jsbsim")
 
-# Flights of sticks drawn by chance, not of the simulated pilot.
+# Flights with randomly drawn sticks, without the simulated pilot.
 HISTORIES = "histories"
 
-# How long the flights are, in s. A history's length is drawn; this is the
+# The lengths of the flights, in s. A history's length is drawn; this is the
 # longest.
 LENGTHS = {"standard": 180, "level": 60, "circuit": 300,
            "damped-circuit": 300, HISTORIES: 150}
@@ -34,26 +34,26 @@ OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
 def monte_carlo(
     count: Annotated[Optional[int], typer.Option(
         "--flights", min=1, max=1_000_000, metavar="N",
-        help="How many flights.")] = None,
+        help="Number of flights.")] = None,
     first: Annotated[int, typer.Option(
         "--seed", min=0, max=2 ** 63 - 1, metavar="N",
         help="Seed of the first; the others follow.")] = 1,
     again: Annotated[Optional[int], typer.Option(
         min=0, max=2 ** 63 - 1, metavar="SEED",
-        help="Fly the flight of that seed alone, here, and keep its"
+        help="Fly only the flight of that seed, here, and keep its"
         " files.")] = None,
     pilot: Annotated[str, typer.Option(
-        metavar="NAME", help="Who flies: "
+        metavar="NAME", help="The pilot: "
         + ", ".join(LENGTHS) + ".")] = "standard",
     seconds: Annotated[Optional[int], typer.Option(
         min=10, max=LONGEST_S, metavar="S",
         help="Length of each flight; else the pilot's.")] = None,
     surface_faults: Annotated[int, typer.Option(
         min=0, max=100, metavar="PERCENT",
-        help="In so many flights of a hundred a surface fails.")] = 0,
+        help="Percentage of flights with a failed surface.")] = 0,
     console_losses: Annotated[int, typer.Option(
         min=0, max=100, metavar="PERCENT",
-        help="In so many flights of a hundred the console is lost.")] = 0,
+        help="Percentage of flights with a lost console.")] = 0,
     scheduler: Annotated[Optional[str], typer.Option(
         metavar="ADDRESS", help="Dask's scheduler, tls://HOST:PORT; else"
         " workers here.")] = None,
@@ -61,16 +61,16 @@ def monte_carlo(
         metavar="FOLDER", help="ca.pem, cert.pem and key.pem for"
         " --scheduler.")] = None,
     insecure: Annotated[bool, typer.Option(
-        "--insecure", help="Go without certificates: whoever can reach the"
-        " scheduler can run code here.")] = False,
+        "--insecure", help="Use no certificates: any program that can reach"
+        " the scheduler can run code here.")] = False,
     workers: Annotated[Optional[int], typer.Option(
         min=1, max=1024, metavar="N",
         help="Workers here; else one for each processor.")] = None,
     output: Annotated[Path, typer.Option(
         "-o", "--output", metavar="FOLDER",
-        help="Where the results go.")] = Path("flight/monte-carlo"),
+        help="Folder of the results.")] = Path("flight/monte-carlo"),
 ):
-    """Fly many flights in conditions by chance.
+    """Fly many flights in random conditions.
 
     Leaves results.parquet and report.html in the folder.
     """
@@ -138,7 +138,7 @@ def history_job(seed):
 
 
 def command_again(campaign, seed):
-    """What flies that flight again."""
+    """The command that flies that flight again."""
     return shlex.join(
         ["bin/urv", "monte-carlo", "--again", str(seed), "--pilot",
          campaign.pilot,
@@ -203,7 +203,7 @@ def fly_all(campaign):
                 told(SimpleNamespace(
                     size=campaign.count, position=len(found)))
     except (faults.Failed, KeyboardInterrupt) as fault:
-        # What was flown before is kept.
+        # Earlier flights are kept.
         ended = fault
     elapsed = time.monotonic() - began
     if found:
@@ -224,14 +224,15 @@ def fly_all(campaign):
 
 
 def keep(campaign, cargo_hash, found):
-    """The table and the page of these flights, whole or as before."""
+    """Writes the table and the page of these flights; a failure leaves the old
+    ones."""
     from urv import monte_carlo_page, monte_carlo_results, whole_files
 
     found.sort(key=lambda flight: flight.seed)
     page = monte_carlo_page.page(
         campaign, cargo_hash, found,
         lambda seed: command_again(campaign, seed))
-    # One that cannot be written costs that one alone (GND-53).
+    # A file that cannot be written costs only that file (GND-53).
     lost = []
     for name, write in (
             ("results.parquet", lambda path: monte_carlo_results.write(

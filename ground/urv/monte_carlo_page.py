@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a campaign: how many flights were well, how sure that is, and
-the worst of them with what flies them again. One file without any script."""
+"""The page of a campaign: the number of good flights, the confidence, and the
+worst of them with the commands that fly them again. One file without any
+script."""
 
 import statistics
 from html import escape
@@ -65,7 +66,7 @@ def table(caption, titles, cells):
 
 
 def rates(campaign, flights):
-    """How many were well, with exact bounds."""
+    """The numbers of good flights, with exact bounds."""
     def row(text, well, trials=len(flights)):
         least, most = success.clopper_pearson(well, trials)
         return (escape(text), f"{well} of {trials}", percent(well / trials),
@@ -89,7 +90,7 @@ def rates(campaign, flights):
 
 
 def worst(flights, command):
-    """Those nearest to a limit or beyond it."""
+    """The flights nearest to a limit or beyond it."""
     chosen = sorted(flights, key=lambda each: (-each.worst, each.seed))
     cells = []
     for each in chosen[:MOST_WORST]:
@@ -104,7 +105,7 @@ def worst(flights, command):
 
 
 def spreads(campaign, flights):
-    """How much of each limit the flights used."""
+    """The share of each limit that the flights used."""
     parts = ["<section id=\"spreads\">\n<h2>How much of each limit was"
              " used</h2>\n"]
     for limit in success.limits(campaign.pilot):
@@ -115,7 +116,7 @@ def spreads(campaign, flights):
 
 
 def histogram(values):
-    """Bars from none to twice the limit; what is beyond is in the last."""
+    """Bars from none to twice the limit; values beyond are in the last."""
     counts = [0] * BARS
     for value in values:
         counts[min(BARS - 1, int(value * BARS / 2.0))] += 1
@@ -139,7 +140,7 @@ def histogram(values):
 
 
 def measures(flights):
-    """Of each measure its least, middle and most."""
+    """The least, middle and greatest of each measure."""
     cells = []
     for part in ("measured", "drawn"):
         for name in monte_carlo_results.names(flights, part):

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What comes back of a campaign's flights, and its Parquet.
+"""The results of a campaign's flights, and its Parquet.
 
-A row for each flight, by seed: what was drawn, what was measured, how much of
-each limit was used, and whether all was well. Nothing in it depends on who
-flew it or when.
+A row for each flight, by seed: the drawn values, the measures, the used share
+of each limit, and whether all was well. The contents are independent of the
+worker and the time.
 """
 
 from typing import NamedTuple
 
 from urv import faults, success
 
-# What the summary says of the flight and its link.
+# The parts of the summary about the flight and its link.
 PARTS = ("flight_quality", "circuit")
 LINK = ("uplink_bad", "downlink_bad", "gsc_resets", "mcs_resets")
 
@@ -26,18 +26,19 @@ class Flight(NamedTuple):
 
     @property
     def worst(self):
-        """The share of the limit that it used most of."""
+        """The largest used share of a limit."""
         return max(*self.used.values(),
                    success.BEYOND if self.has_false_failure else 0.0)
 
     @property
     def is_sound(self):
-        """No surface of it fails."""
+        """Whether none of its surfaces fails."""
         return not self.drawn.get("surface_fault")
 
     @property
     def has_false_failure(self):
-        """A surface or the engine is reported as failed, and none fails."""
+        """Whether a surface or the engine is reported as failed, and none
+        fails."""
         return self.is_sound and bool(self.measured.get("surfaces_named"))
 
     @property
@@ -46,7 +47,7 @@ class Flight(NamedTuple):
 
 
 def flight(pilot, job, result):
-    """A flight of its job and of what the worker answered."""
+    """A flight from its job and the worker's answer."""
     summary = result.get("summary", {})
     measured = {}
     for part in PARTS:
@@ -66,7 +67,7 @@ def flight(pilot, job, result):
 
 
 def names(flights, part):
-    """Those that any flight has, in their order."""
+    """The names in any flight, in their order."""
     return list(dict.fromkeys(
         name for each in flights for name in getattr(each, part)))
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the holder of the sticks orders besides them (GND-35): how the
-control laws fly, and when a lost link means what.
+"""Orders of the holder of the sticks (GND-35): the control laws' configuration
+and the times of a lost link.
 
-The aircraft takes it or refuses it, and says so in its log, which comes down
-a byte a frame. Until then nothing is known. Times are seconds of any clock
-that only rises; nothing here waits.
+The aircraft accepts or refuses an order and reports that in its log, which
+arrives a byte a frame. Until then the outcome is unknown. Times are seconds of
+any clock that only rises; nothing here waits.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from urv import packets
 from urv.laws import Laws
 
 TABLES = ("usual", "softer")
-"""Of gains, by number."""
+"""The tables of gains, by number."""
 
 KIND = packets.KINDS.index("configuration_refused")
 REFUSED = {
     1: "it came damaged", 2: "a value is none that may be set",
     3: "a control law flies the aircraft", 4: "its control laws are off"}
-"""Why, by the detail of that error."""
+"""The reason, by the detail of that error."""
 
 ROW_S = 0.3
-"""A row of the log takes so long to come down."""
+"""The time in which a row of the log arrives."""
 SETTLES_S = 1.0
 
 
@@ -45,10 +45,9 @@ class Setting:
 
 @dataclass
 class Orders:
-    """The newest order, and what has become of it.
+    """The newest order, and its outcome.
 
-    said collects what happened, a level and a text, for whoever keeps the
-    log.
+    said collects the events, a level and a text, for the log.
     """
 
     state: str = "none"
@@ -64,7 +63,7 @@ class Orders:
               frame: packets.FramePacket | None, is_holder: bool,
               now: float) -> int | None:
         """The number of the configuration to send; None when the station
-        refuses it already."""
+        itself refuses it."""
         if not is_holder:
             why = f"console {console} does not hold the sticks"
         elif frame is None:
@@ -73,7 +72,7 @@ class Orders:
             why = f"number {self._serial} is still on its way"
         else:
             told = Laws.of(frame)
-            # Another one than the aircraft has, whoever sent that.
+            # Different from the aircraft's, whoever sent that.
             last = max(self._serial, told.serial if told else 0)
             self._serial = last % packets.LARGEST_SERIAL + 1
             self._known[self._serial] = wanted
@@ -83,14 +82,14 @@ class Orders:
             self._is("waiting", "info",
                      f"number {self._serial} ({wanted}) is on its way")
             return self._serial
-        # What is on its way goes on.
+        # An order under way continues.
         self.said.append(("caution", f"configuration refused here: {why}"))
         if self.state != "waiting":
             self.state, self.text = "refused", f"refused here: {why}"
         return None
 
     def look(self, frame: packets.FramePacket | None, now: float) -> None:
-        """Whether the aircraft has answered, however late."""
+        """Checks whether the aircraft has answered, however late."""
         if self.state not in ("waiting", "lost") or frame is None:
             return
         told = Laws.of(frame)
@@ -108,7 +107,7 @@ class Orders:
                      f"no answer to {number}: it may be lost, send it again")
 
     def shown(self, told: Laws | None) -> dict[str, Any]:
-        """For pages: the newest order, and what is in force."""
+        """For pages: the newest order, and the configuration in force."""
         if told is None:
             force = "not known: the control laws tell nothing"
         elif told.serial == 0:
@@ -136,8 +135,8 @@ def _row(frame: packets.FramePacket) -> packets.LogRow:
 
 
 def _patience(frame: packets.FramePacket) -> float:
-    """Each kind of error that has happened has a row, and after each comes
-    the laws' own; twice, should one be missed."""
+    """Each kind of error that has occurred has a row, and after each comes the
+    laws' own row; twice, in case one is missed."""
     log = frame.logs[packets.NODES.index("mcs")]
     rows = sum(row.count > 0 for row in log[:len(packets.KINDS)])
     return SETTLES_S + 2 * (rows + 1) * 2 * ROW_S

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Outputs of a program that flies: nobody waits for them (GND-53, D-56).
+"""Outputs of a flying program, which never waits for them (GND-53, D-56).
 
-A thread writes each of them, from a queue that has an end. What finds no room
-is left out and counted. An output that cannot be written is closed, and what
-comes after is dropped; `lost` has the reason.
+A thread writes each of them, from a bounded queue. Data without room are left
+out and counted. An output that cannot be written is closed, and later data are
+dropped; `lost` has the reason.
 
     kept = Output("--events", lambda: open(path, "ab", buffering=0))
     kept.put(b"a line\\n")
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 ROOM = 1 << 20
 """Characters that wait for an output: a thousand lines and more."""
 CLOSES_S = 3.0
-"""An output that takes nothing for so long, at the end, is lost."""
+"""At the end an output that accepts nothing for this time is lost."""
 
 
 class Output:
@@ -44,14 +44,14 @@ class Output:
         self._is_over = False
         self._steps = 0
         self._changed = threading.Condition()
-        # It may hang in a write, and must not keep the program from its end.
+        # It may hang in a write, and must not delay the program's end.
         self._writer = threading.Thread(target=self._write, daemon=True)
         self._writer.start()
 
     @classmethod
     def of_file(cls, name: str, path: os.PathLike | str,
                 mode: int = os.O_APPEND, room: int = ROOM) -> Output:
-        """Opens it; it follows no link. Raises OSError."""
+        """Opens it without following a link. Raises OSError."""
         return cls(name, whole_files.no_link(
             path, os.O_WRONLY | os.O_CREAT | os.O_CLOEXEC | mode), room)
 
@@ -66,7 +66,8 @@ class Output:
             self._changed.notify()
 
     def close(self) -> None:
-        """Writes what is left. An output that takes nothing is lost."""
+        """Writes the buffered bytes. An output that accepts nothing is
+        lost."""
         with self._changed:
             self._is_over = True
             self._changed.notify()
@@ -79,7 +80,7 @@ class Output:
             self.lost = "it takes nothing"
 
     def problem(self) -> str | None:
-        """What is to be reported of it."""
+        """The problem to report about it."""
         if self.lost is not None:
             return f"{self.name} cannot be written: {self.lost}"
         if self.left_out:
@@ -111,7 +112,7 @@ class Output:
 
 
 class Terminal:
-    """Standard output, for lines that nobody may wait for."""
+    """Standard output, for lines whose writer must not wait."""
 
     name = "standard output"
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The packets between the ground's node and the station (GND-1, GND-57).
 
-docs/station-packets.md has their layouts. A frame packet goes from urv_gsc
-to the station each major frame, a console packet and an order packet from
-the station to urv_gsc. What is not such a packet raises PacketError, which says why.
+docs/station-packets.md has their layouts. urv_gsc sends a frame packet to the
+station each major frame; the station sends console packets and order packets
+to urv_gsc. Any other datagram raises PacketError with the reason.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ FRAME_US = TABLES["frame_us"]
 FRAME_S = FRAME_US / 1e6
 
 VERSION = 1
-"""Of a console packet, and of a frame packet that has a part of the logs."""
+"""Of a console packet, and of a frame packet with a part of the logs."""
 WHOLE = 2
-"""Of a frame packet that has the whole logs."""
+"""Of a frame packet with the whole logs."""
 LATEST_US = 253_402_300_799_999_999
-"""The last time that a packet may have: the end of the year 9999."""
+"""The largest time of a packet: the end of the year 9999."""
 NEVER = 0xFFFF_FFFF
-"""The age of a downlink that has not come yet."""
+"""The age of a downlink before the first one."""
 
 COLUMNS = tuple(
     column for column in items.COLUMNS
     if column.startswith(("console.", "gsc.")))
-"""The words of a frame packet, as the record names them, in its order."""
+"""The words of a frame packet, with their names and order in the record."""
 
 COMMANDS = tuple(item.name for item in items.of_group("console"))
 
@@ -44,9 +44,9 @@ KINDS = tuple(TABLES["error_kinds"])
 
 ROWS_PER_LOG = TABLES["log_rows"]
 FIRST_ROWS = TABLES["log_rows_of_version_1"]
-"""Those of a log that version 1 has, too; the others come last."""
+"""The rows of a log in version 1; the others come last."""
 LAWS_ROW = TABLES["laws_row"]
-"""Of the aircraft's log: what its control laws do."""
+"""A row of the aircraft's log: the status of its control laws."""
 
 _FRAME_MAGIC = int.from_bytes(b"URVF")
 _FRAME_HEAD = struct.Struct(">IHHIIQIHHI")
@@ -71,7 +71,7 @@ if LENGTHS != {VERSION: TABLES["length_of_version_1"],
 
 
 def row_at(node: str, row: int) -> int:
-    """Where the packet has the row of the node's log, from 1."""
+    """The place of the row of the node's log in the packet, from 1."""
     first, begin, rows = (
         (1, LOGS_AT, FIRST_ROWS) if row <= FIRST_ROWS else
         (FIRST_ROWS + 1, MORE_AT, ROWS_PER_LOG - FIRST_ROWS))
@@ -86,18 +86,18 @@ CONSOLE_LENGTH = _CONSOLE.size
 LARGEST_SERIAL = 0xFFF
 """Of a configuration; the first is 1."""
 CONFIGURATION = 0x400
-"""The kind of block that an order packet asks for."""
+"""The kind of block that an order packet requests."""
 _ORDER_MAGIC = int.from_bytes(b"URVO")
 _ORDER = struct.Struct(">IHHIIQ5H")
 ORDER_LENGTH = _ORDER.size
 
 
 class PacketError(ValueError):
-    """These bytes are not such a packet, or such a packet cannot be."""
+    """These bytes are not such a packet, or such a packet cannot exist."""
 
 
 class ConsoleState(IntEnum):
-    """Whose words the converter sees."""
+    """The source of the words at the converter."""
 
     NONE = 0
     LIVE = 1
@@ -106,7 +106,7 @@ class ConsoleState(IntEnum):
 
 
 class LinkState(IntEnum):
-    """What has become of the aircraft's node."""
+    """The state of the aircraft's node."""
 
     NEVER_HEARD = 0
     HEARD = 1
@@ -114,7 +114,7 @@ class LinkState(IntEnum):
 
 
 class Pilot(IntEnum):
-    """What the simulated pilot does."""
+    """The state of the simulated pilot."""
 
     NONE = 0
     HANDS_OFF = 1
@@ -122,14 +122,14 @@ class Pilot(IntEnum):
 
 
 class ConsoleFlags(IntFlag):
-    """What a console packet asks for."""
+    """The requests of a console packet."""
 
     PILOT_FLIES = 1
 
 
 @dataclass(frozen=True)
 class LogRow:
-    """What a node's error log has of one kind."""
+    """A row of a node's error log."""
 
     count: int = 0
     first_frame: int = 0
@@ -139,7 +139,7 @@ class LogRow:
 
 @dataclass(frozen=True)
 class Event:
-    """A kind of error that has happened, with its row of the log."""
+    """A kind of error that has occurred, with its row of the log."""
 
     node: str
     kind: str
@@ -148,7 +148,7 @@ class Event:
 
 @dataclass(frozen=True)
 class FramePacket:
-    """What GSC CORE has at the end of a major frame."""
+    """The contents of GSC CORE at the end of a major frame."""
 
     run: int
     sequence: int
@@ -181,12 +181,12 @@ class FramePacket:
 
     @property
     def is_fresh(self) -> bool:
-        """The words of the downlink are of this frame."""
+        """Whether the words of the downlink are of this frame."""
         return self.downlink_age == 0
 
     @property
     def events(self) -> list[Event]:
-        """What has gone wrong so far, the ground's log first."""
+        """The errors so far, the ground's log first."""
         return [Event(node, kind, row)
                 for node, log in zip(NODES, self.logs, strict=True)
                 for kind, row in zip(KINDS, log)  # noqa: B905 - rows to spare
@@ -229,7 +229,7 @@ class FramePacket:
         if time_us > LATEST_US:
             raise PacketError(
                 f"frame packet: time is {time_us}, not 0 to {LATEST_US}")
-        # What the first version does not have is as if it had not happened.
+        # Rows that version 1 lacks are zero, as without an occurrence.
         more = data[MORE_AT:].ljust(FRAME_LENGTH - MORE_AT, b"\0")
         *status, pilot = _TAIL.unpack_from(data, TAIL_AT)
         return cls(
@@ -249,7 +249,7 @@ class FramePacket:
 
 
 def _logs(data: bytes) -> list[tuple[LogRow, ...]]:
-    """So many rows of each node's log as there are."""
+    """The existing rows of each node's log."""
     rows = [LogRow(*values) for values in _ROW.iter_unpack(data)]
     each = len(rows) // len(NODES)
     return [tuple(rows[first:first + each])
@@ -258,7 +258,7 @@ def _logs(data: bytes) -> list[tuple[LogRow, ...]]:
 
 @dataclass(frozen=True)
 class ConsolePacket:
-    """What the pilot's sticks and switches say."""
+    """The pilot's sticks and switches."""
 
     run: int
     sequence: int
@@ -268,7 +268,7 @@ class ConsolePacket:
 
     @property
     def columns(self) -> dict[str, int]:
-        """The words by their column of the record, the first of all."""
+        """The words by their column of the record, the first ones of all."""
         return dict(zip(COLUMNS, self.words, strict=False))
 
     def encode(self) -> bytes:
@@ -309,7 +309,7 @@ class ConsolePacket:
 
 @dataclass(frozen=True)
 class OrderPacket:
-    """A configuration that the station orders. Times are in tenths of a
+    """A configuration ordered by the station. Times are in tenths of a
     second."""
 
     run: int
@@ -354,7 +354,7 @@ class OrderPacket:
 
 def _check(what: str, data: bytes, magic: int,
            lengths: dict[int, int]) -> int:
-    """The version of a datagram of this kind; another is refused."""
+    """The version of a datagram of this kind; others are refused."""
     if len(data) not in lengths.values():
         raise PacketError(f"{what}: {len(data)} bytes, not "
                           + " or ".join(map(str, lengths.values())))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a report draws: a panel for each subject, all on one time axis, and the
-numbers behind them, packed (GND-14).
+"""The plots of a report: a panel for each subject, all on one time axis, and
+their numbers, packed (GND-14).
 
-A series is sent as its words, with the scale to make values of them: nothing
-is left out, and the browser draws, for the time shown, the least and the most
-of what falls on a pixel. So no peak is lost, however long the flight.
+A series is sent as its words, with the scale of their values, without loss.
+For the displayed time the browser draws the least and the most of the values
+on each pixel, so that no peak is lost, however long the flight.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ import numpy
 
 from urv import items, verdicts
 
-# Roles, which the page has a colour and a dash for. Cyan is what was asked
-# for; amber and red are for limits alone.
+# Roles, for which the page has a colour and a dash. Cyan is for requested
+# values; amber and red are for limits alone.
 ASKED, TRUTH = "asked", "truth"
 COLOURS = ("first", "second", "third", "fourth", "fifth")
 
@@ -45,7 +45,7 @@ class Panel(NamedTuple):
 
 
 def sensors(*names, roles=COLOURS):
-    """Traces of words of the downlink; the flight says of which group."""
+    """Traces of words of the downlink; the flight gives the group."""
     return tuple(Trace(f"DOWNLINK.{name}", label_of("gsc.downlink", name),
                        role)
                  for name, role in zip(names, roles, strict=False))
@@ -56,7 +56,7 @@ def label_of(group, name):
 
 
 def surface(title, *names):
-    """Commands of the servos and the positions that came down."""
+    """Commands of the servos and the reported positions."""
     traces = [Trace(f"pwm.{name}", f"{label_of('pwm', name)}, command",
                     ASKED, is_step=True) for name in names[:1]]
     traces += [Trace(f"DOWNLINK.{name}", f"{label_of('pwm', name)}, position",
@@ -72,7 +72,7 @@ def surface(title, *names):
 SWITCHES = "Switches"
 
 BYTES_AT_ONCE = 3 << 18
-"""A multiple of 3, so that each part's text goes on from the one before."""
+"""A multiple of 3, so that the base64 texts of the parts can be joined."""
 
 PANELS = (
     Panel("Sticks", "%", tuple(
@@ -142,12 +142,12 @@ PANELS = (
 
 
 def column_of(trace, flight):
-    """Its column in the flight."""
+    """The trace's column in the flight."""
     return trace.column.replace("DOWNLINK", flight.downlink or "none")
 
 
 def rate(flight, column):
-    """How much a count rose in the last second, at each row."""
+    """The increase of a count in the last second, at each row."""
     seconds, count = flight.seconds, flight.columns[column]
     before = numpy.searchsorted(seconds, seconds - 1.0 + 1e-6) - 1
     risen = count - count[numpy.maximum(before, 0)]
@@ -155,8 +155,8 @@ def rate(flight, column):
 
 
 class Pack:
-    """Numbers of flights for the page, in one piece: compressed, in a file
-    without a name, for they may be more than memory has room for."""
+    """Numbers of flights for the page, in one piece: compressed, in a nameless
+    file, because they may exceed the memory."""
 
     def __init__(self, folder=None):
         self.file = tempfile.TemporaryFile(dir=folder)
@@ -164,10 +164,10 @@ class Pack:
         self.length = 0
 
     def add(self, values, kind):
-        """Where they are: begin and number, with their type."""
+        """Adds numbers; returns their begin, count and type."""
         kind_of = numpy.dtype(f"<{kind}")
         if kind_of.kind in "iu":
-            # A record may have an age of months, which has no room.
+            # A record may have an age of months, which exceeds this type.
             room = numpy.iinfo(kind_of)
             values = numpy.clip(values, room.min, room.max)
         data = numpy.ascontiguousarray(values, dtype=kind_of).tobytes()
@@ -187,11 +187,10 @@ class Pack:
 
 
 def series(flight, trace, pack, shift=0):
-    """One of a flight's, as the page reads it; nothing when there is none.
+    """A series of a flight in the page's form; None when there is none.
 
-    `at`, `many`, `type` say where the numbers are, `per` and `zero` make
-    values of them: per * (number - zero). `gaps` says that stale rows are
-    gaps of it.
+    `at`, `many`, `type` locate the numbers, `per` and `zero` give their
+    values: per * (number - zero). `gaps`: stale rows are gaps of it.
     """
     if trace.column == "AGE":
         if flight.downlink is None:
@@ -221,7 +220,7 @@ def series(flight, trace, pack, shift=0):
     item = items.COLUMNS.get(column)
     if item is not None and item.is_scaled:
         fits = numpy.clip(numbers, 0, 0xFFFF)
-        # Switches stand above each other, with room between.
+        # Switches are above each other, with room between.
         per = item.per_word * (0.7 if item.unit == "on" else 1.0)
         return {**pack.add(fits, "u2"), "per": per,
                 "zero": item.zero_word - shift / per,
@@ -229,25 +228,25 @@ def series(flight, trace, pack, shift=0):
                 "decimals": item.decimals + 1}
     if not column.startswith("truth."):
         return {**pack.add(numbers, "i4"), "per": 1, "zero": 0, "decimals": 0}
-    # The truth stands with two decimals or three.
+    # The truth has two or three decimals.
     return {**pack.add(numpy.rint(numbers * 1000), "i4"), "per": 0.001,
             "zero": 0, "decimals": 2}
 
 
 def moved(flight, trace):
-    """Whether a switch was ever thrown."""
+    """Whether a switch was ever moved."""
     column = trace.column
     return column in flight and numpy.ptp(flight.columns[column]) > 0
 
 
 def has_laws(flight):
-    """Whether the record tells that the aircraft's laws were on."""
+    """Whether the aircraft's laws were on, according to the record."""
     return any(column in flight and flight.columns[column].any()
                for column in ("laws.link", "laws.told"))
 
 
 def note_of(panel, flights):
-    """What stands beside a panel's title."""
+    """The note beside a panel's title."""
     if panel.title == SWITCHES and not any(map(has_laws, flights)):
         return (f"{panel.note}; laws off, or not recorded: switches of the"
                 " laws are discretes only")
@@ -255,7 +254,7 @@ def note_of(panel, flights):
 
 
 def drawn(flights, pack):
-    """The panels that have something to show, as the page reads them."""
+    """The panels with contents, in the page's form."""
     found = []
     for panel in PANELS:
         traces, levels = [], []
@@ -281,7 +280,7 @@ def drawn(flights, pack):
 
 
 def limits(panel):
-    """Of a panel whose items have all the same: then they are bands."""
+    """The limits of a panel whose items share them: they become bands."""
     found = set()
     for trace in panel.traces:
         item = items.COLUMNS.get(
@@ -294,7 +293,7 @@ def limits(panel):
 
 
 def track(flights, pack):
-    """East and north of each flight, reckoned and true, in ft."""
+    """East and north of each flight, dead reckoning and true, in ft."""
     found = []
     for flight in flights:
         one = {}
@@ -311,8 +310,7 @@ def track(flights, pack):
 
 
 def timing(flight, pack):
-    """Times of the rows, which of them are stale, and before which some are
-    missing."""
+    """Times of the rows, the stale rows, and the rows after missing ones."""
     return {"times": pack.add(flight.seconds, "f8"),
             "stale": pack.add(flight.is_stale, "u1"),
             "breaks": pack.add(flight.breaks, "u4")}

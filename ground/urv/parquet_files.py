@@ -4,14 +4,14 @@
     table = pandas.read_parquet("record.parquet")
     table["gsc.downlink.altitude.value"]
 
-Each column of the record is one of the file, words as 16 bits. After them
-stands, for each word with a scale, NAME.value in its unit, without a value
+Each column of the record is one of the file, words as 16 bits. They are
+followed, for each word with a scale, by NAME.value in its unit, without a value
 where the words are stale; the unit is in the field's metadata.
 
-A file may come from anybody (SEC-14, D-65). The size of its end, its columns and its
-rows are looked at before they are read; a page that unpacks to more than there
-is memory for ends as input_files.limit_memory says. Some damage ends the
-process that runs Arrow, so a process of its own reads the file.
+A file may be hostile (SEC-14, D-65). The size of its end, its columns and its
+rows are checked before they are read; input_files.limit_memory limits the
+unpacked size of a page. Some damage ends the process that runs Arrow, so a
+process of its own reads the file.
 """
 
 import multiprocessing
@@ -32,7 +32,7 @@ UNIT = b"unit"
 ROWS_PER_GROUP = 20_000
 
 LARGEST_END = 8 * 2 ** 20
-"""Bytes of the metadata, at the file's end; a day has half of it."""
+"""Bytes of the metadata, at the file's end; a day's record has half of it."""
 MAGIC = b"PAR1"
 LARGEST_CHUNK = 16 * 2 ** 20
 """Bytes of a column in a row group, unpacked; bin/urv writes 176 kB."""
@@ -41,7 +41,7 @@ MOST_LISTED = 1_000_000
 
 
 def field(name, decimals):
-    """A column as it stands in the record."""
+    """A column with the type of the record."""
     if decimals:
         kind = pyarrow.float64()
     elif name in items.COLUMNS:
@@ -104,7 +104,7 @@ class Writer:
 
 
 class ArrowRecord:
-    """A record in a Parquet file that bin/urv has written, read by Arrow."""
+    """A record in a Parquet file written by bin/urv, read by Arrow."""
 
     def __init__(self, path, file):
         self.path = path
@@ -126,7 +126,7 @@ class ArrowRecord:
         self.check_sizes()
 
     def check_sizes(self):
-        """Before any of it is unpacked."""
+        """To be called before any unpacking."""
         metadata = self.file.metadata
         if (metadata.num_columns > 2 * records.MOST_COLUMNS
                 or metadata.num_rows > records.MOST_ROWS):
@@ -162,7 +162,7 @@ class ArrowRecord:
 
 
 def _told(path, read):
-    """What is read; what Arrow finds wrong is the file's fault. It raises
+    """Reads with Arrow's errors turned into those of the file. It raises
     OSErrors of its own, without a number."""
     try:
         return read()
@@ -183,7 +183,7 @@ def damaged(path):
 
 
 def check_end(stream):
-    """How long the metadata is; Arrow would read whatever it says. Raises
+    """Checks the length of the metadata, which Arrow does not limit. Raises
     ValueError."""
     size = stream.seek(0, os.SEEK_END)
     stream.seek(max(0, size - 8))

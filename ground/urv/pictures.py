@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv pictures: the three pictures of README and docs (GND-33).
 
-A flight in real time with Yamcs, looked at in Chromium: the page and the
+A flight in real time with Yamcs, captured in Chromium: the page and the
 display in Yamcs. Then the report of the standard flight.
 """
 
@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SIZE = {"width": 1280, "height": 800}
 WIDE = {"width": 1500, "height": 860}
 PATIENCE_S = 180.0
-# By then the simulated pilot is in his first turn.
+# By then the simulated pilot is in the first turn.
 TURNING_FRAME = 1000
 ALTITUDE_HOLD = "3"
 TURNS_MS = 5000
@@ -31,7 +31,7 @@ TURNS_MS = 5000
 def pictures(
     folder: Path = typer.Option(
         Path("docs/pictures"), metavar="FOLDER",
-        help="Where console.png, yamcs.png and report.png go."),
+        help="Folder of console.png, yamcs.png and report.png."),
 ):
     """Make the pictures of README: page, display in Yamcs, report."""
     chromium = os.environ.get("URV_CHROMIUM") or programs.found("chromium")
@@ -64,13 +64,13 @@ def _page(browser, size: dict[str, int], scheme: str):
 
 
 def _keep(page, file: Path) -> None:
-    """What the page looks like, in a file."""
+    """Saves a screenshot of the page."""
     with whole_files.replacing(file) as path:
         path.write_bytes(page.screenshot())
 
 
 def _fly(browser, work: Path, folder: Path) -> None:
-    """Pictures of the page and of Yamcs while it flies."""
+    """Takes the pictures of the page and of Yamcs during the flight."""
     log = work / "ground.log"
     with log.open("w", encoding="utf-8") as out:
         flight = subprocess.Popen(
@@ -93,7 +93,7 @@ def _fly(browser, work: Path, folder: Path) -> None:
         page.locator("#mark").fill("altitude hold")
         page.locator("#mark").press("Enter")
         page.locator("#lines", has_text="altitude hold").wait_for()
-        # The simulated pilot gives way; a law flies the turn that is asked.
+        # The simulated pilot yields; a law flies the requested turn.
         page.keyboard.press("t")
         page.wait_for_selector("#holder.mine")
         page.keyboard.press(ALTITUDE_HOLD)
@@ -101,7 +101,7 @@ def _fly(browser, work: Path, folder: Path) -> None:
         page.locator("#laws", has_text="bank alt spd").wait_for()
         page.wait_for_timeout(TURNS_MS)
         _keep(page, folder / "console.png")
-        # What is not connected yet is violet there.
+        # Yamcs shows unconnected values in violet.
         time.sleep(5)
         _keep(yamcs, folder / "yamcs.png")
     finally:
@@ -110,7 +110,7 @@ def _fly(browser, work: Path, folder: Path) -> None:
 
 
 def _report(browser, work: Path, folder: Path) -> None:
-    """The picture of the report of the standard flight."""
+    """Takes the picture of the report of the standard flight."""
     report = work / "report.html"
     for command in (
             [ROOT / "bin" / "urv_sim", "fly", "--plant", "jsbsim", "--pilot",
@@ -130,7 +130,7 @@ def _report(browser, work: Path, folder: Path) -> None:
 
 
 def _wait_for(log: Path, process: subprocess.Popen, mark: str) -> str:
-    """What the log says once the mark is in it."""
+    """Waits for the mark in the log; returns the log's text."""
     ends = time.monotonic() + PATIENCE_S
     while True:
         text = log.read_text("utf-8")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reports about the programs of a flight: bin/urv ground makes them, prints
-them and hands them to the station, a JSON object a line (GND-47)."""
+them and sends them to the station, a JSON object a line (GND-47)."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ class Report:
     active: bool = True
 
     def line(self) -> str:
-        """For the station's standard input."""
+        """The report as a line of the station's standard input."""
         return json.dumps(asdict(self)) + "\n"
 
     @classmethod
     def of(cls, line: str) -> Report:
-        """Raises ValueError when it is none."""
+        """Raises ValueError for a line of another form."""
         said = input_files.parsed(line)
         if not isinstance(said, dict) or set(said) != set(
                 cls.__dataclass_fields__):
@@ -47,7 +47,7 @@ class Report:
         return made
 
 
-# What a node says on standard error: a pattern, and the alert that it begins.
+# A node's messages on standard error: a pattern, and its alert.
 BEGINS = (
     (r"plant has (died|diverged)", "plant", WARNING, "PLANT GONE"),
     (r"plant does not answer", "plant", WARNING, "PLANT SILENT"),
@@ -61,18 +61,18 @@ ENDS = (
     (r"plant in time again", ("plant",)),
     (r"peer heard", ("refused {}", "peer {}")))
 ALONE = re.compile(r"warm reset|processor restart|internal fault")
-"""What is printed, and is no alert or has one of its own."""
+"""Messages that are printed, and are no alert or have their own."""
 
 
 def is_loss(report: Report) -> bool:
-    """Whether it is about an output that is not whole (GND-53)."""
+    """Whether it is about an incomplete output (GND-53)."""
     return report.active and report.key.startswith(("lost ", "slow "))
 
 
 def reports_of(node: str, said: str) -> list[Report]:
-    """The alerts that a line of a node begins or ends."""
+    """The alerts that a node's message begins or ends."""
     short = node.removeprefix("urv_")
-    # The option of an output, should it be about one.
+    # The option of an output, for messages about one.
     output = re.split(r":| cannot", said)[0].strip("-")
     for pattern, key, level, name in BEGINS:
         if re.match(pattern, said):
@@ -86,7 +86,7 @@ def reports_of(node: str, said: str) -> list[Report]:
 
 
 async def take(stream: Any, view: View) -> None:
-    """Shows what comes at a station's standard input, up to its end."""
+    """Shows the reports on a station's standard input, up to its end."""
     reader = asyncio.StreamReader()
     try:
         await asyncio.get_running_loop().connect_read_pipe(

@@ -10,12 +10,12 @@ from pathlib import Path
 
 URV = (sys.executable, "-I", "-B",
        str(Path(__file__).resolve().parent / "__main__.py"))
-"""bin/urv, without a shell before it."""
+"""bin/urv, without its shell script."""
 
 
 def found(name: str) -> str | None:
-    """Where a program of that name is, or None. Folders of the PATH that
-    depend on the current folder do not count."""
+    """The path of a program of that name, or None. Folders of the PATH that
+    depend on the current folder are ignored."""
     folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
     return shutil.which(name, path=os.pathsep.join(
         filter(os.path.isabs, folders)))

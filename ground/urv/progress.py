@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bar for what takes longer than two seconds (GND-10).
+"""A progress bar for work of more than two seconds (GND-10).
 
     with progress.bar("reading") as told:
         ...
         told(record)        the record has a size and a position
 
-It is drawn on standard error when that is a terminal, and goes when done.
+It is drawn on standard error when that is a terminal, and removed at the end.
 """
 
 import sys
@@ -44,7 +44,7 @@ class _Bar:
 
 @contextmanager
 def bar(what):
-    """Tells how far something is."""
+    """A bar for that work; the result takes an object with a position."""
     if not sys.stderr.isatty():
         yield lambda record: None
         return

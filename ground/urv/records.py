@@ -6,12 +6,12 @@
             record.names, record.decimals   of their columns
 
 A record has whole numbers, and columns of decimals with always as many places
-(`truth.*`). So its text can be made again from its numbers. That it can is
-tried, for every block: what is not exactly as urv_sim would write it is
+(`truth.*`). Its text can therefore be made again from its numbers. Every block
+is checked for that: any difference from the text that urv_sim would write is
 refused with its line (GND-13).
 
-A file may come from anybody, so what it may ask for is bounded (SEC-14): the
-lengths of a line and a name, the columns, the rows, and each number.
+A file may be hostile, so its demands are bounded (SEC-14): the lengths of a
+line and a name, the columns, the rows, and each number.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ import numpy
 from urv import faults, input_files, items
 
 ROWS_PER_BLOCK = 2_000
-"""Of a file that is read: half a minute, some MB."""
+"""Rows of a file for reading: half a minute, some MB."""
 
 LONGEST_LINE = 65_536
 """Characters; a line of urv_sim has about a thousand."""
@@ -45,18 +45,18 @@ LONGEST_NUMBER = 24
 """Characters."""
 
 LONGEST_TIME_MS = 10_000_000_000
-"""The longest that urv_sim takes, 115 days."""
+"""The longest time that urv_sim takes, 115 days."""
 
 FORMULA = re.compile("\\s*[=+\\-@\uff1d\uff0b\uff0d\uff20]")
-"""The beginning of a cell that a spreadsheet may run: = + - @, narrow or wide
-(SEC-16). A record's numbers are none; the name of a column may be one."""
+"""The beginning of a cell that a spreadsheet may execute: = + - @, narrow or
+wide (SEC-16). Numbers of a record never begin so; the name of a column may."""
 
 NO_NAME_HAS = '",;/'
-"""Spreadsheets of some countries part cells at semicolons; topics of MCAP have
-slashes between their parts."""
+"""Spreadsheets of some countries separate cells at semicolons; topics of MCAP
+have slashes between their parts."""
 
 TEXT_MARK = "'"
-"""Before such a name, in CSV: spreadsheets take what follows for text."""
+"""Precedes such a name in CSV: spreadsheets then treat it as text."""
 
 LARGEST_WORD = 0xFFFF
 
@@ -72,7 +72,7 @@ def is_word(name):
 
 
 class Columns:
-    """Names of a record's columns, and how many decimals each has."""
+    """Names of a record's columns, and their numbers of decimals."""
 
     def __init__(self, names, decimals):
         self.names = list(names)
@@ -96,15 +96,15 @@ class Columns:
 
     @property
     def header(self):
-        """As CSV has it; no name in it is a formula."""
+        """The header in CSV; no name in it is a formula."""
         return ",".join(
             TEXT_MARK + name if FORMULA.match(name) else name
             for name in self.names) + "\n"
 
     def first_bad(self, rows):
-        """The row and the name of the first number that no record has: not
-        finite, too large, a word beyond 16 bits, or with more decimals than
-        its column. Nothing when all are good."""
+        """The row and the name of the first number that no record can have:
+        not finite, too large, a word beyond 16 bits, or with more decimals
+        than its column. None when all are valid."""
         with numpy.errstate(all="ignore"):
             scaled = numpy.rint(rows * self.scales)
             good = ((scaled >= self.smallest) & (scaled <= self.largest)
@@ -127,7 +127,7 @@ def read_decimals(texts, names):
 
 
 def bounded(blocks):
-    """A reader's blocks, whose rows are at most a day's."""
+    """A reader's blocks, with at most a day's rows."""
     @wraps(blocks)
     def counted(record):
         many = 0
@@ -141,7 +141,7 @@ def bounded(blocks):
 
 
 def check_names(names, where):
-    """Refuse what is not a record."""
+    """Refuse columns that are not a record's."""
     if len(names) > MOST_COLUMNS:
         raise faults.Refused(f"{where}: {len(names)} columns; there may be"
                              f" {MOST_COLUMNS}")
@@ -164,7 +164,7 @@ def check_names(names, where):
 
 
 class CsvRecord:
-    """A record as urv_sim and the partitions write it."""
+    """A record as written by urv_sim and the partitions."""
 
     def __init__(self, path, file, forgiving=False):
         self.path = path
@@ -172,10 +172,10 @@ class CsvRecord:
         self.forgiving = forgiving
         self.size = path.stat().st_size if path.is_file() else None
         self.cut_short = None
-        """What is missing of a record that was cut short, for people."""
+        """The missing part of a record that was cut short, for people."""
 
         self.number = 0
-        """Lines that have been read."""
+        """The number of lines read."""
 
         header = self.next_line(1)
         if header is None:
@@ -197,14 +197,14 @@ class CsvRecord:
 
     @property
     def position(self):
-        """How many bytes have been read; of `size`."""
+        """The number of bytes read; of `size`."""
         return self.file.buffer.tell()
 
     def where(self, line):
         return f"{faults.quoted(self.path)[1:-1]}:{line}"
 
     def lines(self, many):
-        """As many lines as there are, up to that, or to a block's length."""
+        """The next lines, up to that number, or to a block's length."""
         found, length = [], 0
         try:
             while len(found) < many and length < CHARACTERS_PER_BLOCK:
@@ -225,7 +225,7 @@ class CsvRecord:
         return found
 
     def next_line(self, number):
-        """A line, or nothing at the end."""
+        """A line, or None at the end."""
         found = self.lines(1)
         if found and not found[0].endswith("\n"):
             if number == 2 and self.forgiving:
@@ -240,7 +240,7 @@ class CsvRecord:
         self.cut_short = f"its line {number} is not whole and left out"
 
     def kinds(self, names):
-        """How many decimals each column has, as its first row shows."""
+        """The number of decimals of each column, from its first row."""
         if self.first is None:
             return [0] * len(names)
         cells = self.first[:-1].split(",")
@@ -272,7 +272,8 @@ class CsvRecord:
             lines = []
 
     def numbers(self, number, lines):
-        """The rows of some lines; refuses what would not be written so."""
+        """The rows of some lines; refuses lines that urv_sim would write
+        otherwise."""
         text = "".join(lines)
         width = len(self.names)
         try:
@@ -291,7 +292,7 @@ class CsvRecord:
         raise faults.Refused(f"{self.where(number)}: cannot be read")
 
     def check_cells(self, number, line, decimals, names):
-        """Refuse the first cell that is wrong."""
+        """Refuse the first wrong cell."""
         cells = line[:-1].split(",")
         if len(cells) != len(names):
             raise faults.Refused(
@@ -347,10 +348,10 @@ ENDINGS = "a record's name ends with .csv, .mcap or .parquet"
 
 @contextmanager
 def opened(path, forgiving=False):
-    """A record to be read, of whichever kind its name says.
+    """A record for reading, of the kind given by its name.
 
-    A forgiving reader reads a record that was cut short as far as it is
-    whole; `cut_short` of the record says then what is missing.
+    A forgiving reader reads a record that was cut short as far as it is whole;
+    `cut_short` of the record then gives the missing part.
     """
     path = Path(path)
     kind = path.suffix.lower()
@@ -366,7 +367,7 @@ def opened(path, forgiving=False):
 
 @contextmanager
 def written(path, kind, record):
-    """A record of some kind to write rows to, with another's columns."""
+    """A writer for a record of some kind, with another record's columns."""
     writer = CsvWriter if kind == ".csv" else _module(kind).Writer
     out = writer(path, record.columns)
     is_whole = False
@@ -378,7 +379,8 @@ def written(path, kind, record):
 
 
 def _module(kind):
-    """What reads and writes a kind; it needs packages of its own."""
+    """The module that reads and writes a kind; it needs packages of its
+    own."""
     if kind == ".parquet":
         from urv import parquet_files
         return parquet_files
@@ -387,20 +389,20 @@ def _module(kind):
 
 
 def group_of(name):
-    """The group of a column and its name there; none before a dot."""
+    """The group of a column and its name there; no group without a dot."""
     group, _, item = name.rpartition(".")
     return group, item
 
 
 def item_of(name):
-    """What a column's word means; nothing for what is no word."""
+    """The item of a column's word; None for other columns."""
     return items.COLUMNS.get(name)
 
 
 def stale_rows(names, rows):
-    """By group of columns with an error word: the rows whose words are of an
-    earlier frame, or of none. CORE is cleared at a cold start: a downlink of
-    zeros has not come yet."""
+    """By group of columns with an error word: the rows whose words are from an
+    earlier frame, or from none. CORE is cleared at a cold start: a downlink of
+    zeros has not been received yet."""
     found = {}
     for place, name in enumerate(names):
         group, item = group_of(name)

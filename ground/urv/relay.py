@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Good frame packets, over TCP to the one who keeps them (GND-30, SEC-13).
+"""Good frame packets, over TCP to one client that keeps them (GND-30, SEC-13).
 
-Yamcs connects here. Its own link over UDP hears whoever sends to any address
-of the machine, and loses what it is too slow for.
+Yamcs connects here. Its own link over UDP accepts any sender at any address of
+the machine, and loses packets when it is slow.
 
-Yamcs sends nothing. A client that does is another one, a browser for example,
-and gets nothing.
+Yamcs sends nothing. A client that sends is another program, a browser for
+example, and gets nothing.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
 
 WAITING = 15_000
-"""Frames kept for a client that is slow or not there yet: five minutes."""
+"""Frames kept for a slow or future client: five minutes."""
 STUCK_S = 20.0
 SPEAKS_S = 0.2
 """A browser sends its request within this time after it has connected."""
 
 
 async def at_once() -> None:
-    """Who connects is ready."""
+    """For clients that are ready at once."""
 
 
 class Relay:
-    """The frames that nobody has taken yet, and who takes them. When one has
-    connected, it waits until he is ready for them."""
+    """The frames not taken yet, and their client. After a connection it waits
+    until the client is ready for them."""
 
     def __init__(self, ready: Callable[[], Awaitable[None]] = at_once) -> None:
         self._ready = ready
@@ -42,7 +42,7 @@ class Relay:
         self._taken = False
 
     def put(self, frame: bytes) -> None:
-        """A frame, in its order."""
+        """Adds a frame, in its order."""
         if len(self._frames) >= WAITING:
             self._frames.popleft()
             self.lost += 1
@@ -83,6 +83,6 @@ class Relay:
 
     @staticmethod
     async def _until_no_yamcs(reader: asyncio.StreamReader) -> None:
-        """Until the client has gone, or has sent something."""
+        """Returns when the client has gone, or has sent something."""
         with contextlib.suppress(ConnectionError):
             await reader.read(1)

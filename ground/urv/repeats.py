@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Errors that repeat are reported less and less often (GND-45).
+"""Repeated errors are reported ever more rarely (GND-45).
 
-    repeats.take(("gsc", "no_input"), 50, now)     how many are new, or None
+    repeats.take(("gsc", "no_input"), 50, now)     number of new ones, or None
 
-The first one of a kind is reported at once. While it goes on, the next report
-comes after 1 s, then after 2 s, 4 s and so on. A kind that has been quiet for
-twice as long begins again. So each kind is reported once a second at most, and
-none hides another.
+The first one of a kind is reported at once. While the kind continues, the next
+report comes after 1 s, then after 2 s, 4 s and so on. A kind that has been
+quiet for twice as long begins again. Each kind is reported at most once a
+second, and none hides another.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ class _Kind:
 
 @dataclass
 class Repeats:
-    """What has been reported of each kind."""
+    """The reports so far of each kind."""
 
     _kinds: dict[tuple[str, ...], _Kind] = field(default_factory=dict)
 
     def take(self, key: tuple[str, ...], count: int,
              now: float) -> int | None:
-        """How many have come since the last report, when one is due. A count
-        that is lower than before began again."""
+        """The number of new ones since the last report, when one is due. A
+        count that is lower than before has restarted."""
         kind = self._kinds.get(key)
         if kind is None:
             self._kinds[key] = _Kind(count, now)
@@ -48,17 +48,17 @@ class Repeats:
         return new
 
     def pass_over(self, key: tuple[str, ...], count: int) -> None:
-        """What has come up to this count is no news."""
+        """Treats all up to this count as reported."""
         kind = self._kinds.get(key)
         self._kinds[key] = (
             _Kind(count, float("-inf")) if kind is None
             else _Kind(count, kind.at, kind.wait))
 
     def forget(self) -> None:
-        """All counts begin again."""
+        """All counts restart."""
         self._kinds.clear()
 
 
 def left_out(new: int) -> str:
-    """For the end of a report about so many new ones."""
+    """For the end of a report about that number of new ones."""
     return f", {new - 1} left out" if new > 1 else ""

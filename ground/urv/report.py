@@ -35,7 +35,7 @@ def report(
     with progress.bar("reading") as told:
         pages_events = flights.read_events(events) if events else []
         pages_summary = flights.read_summary(summary) if summary else None
-        # What does not fit into memory is kept beside the page.
+        # Data that exceed the memory are kept beside the page.
         beside = output.parent if output.parent.is_dir() else None
         read = [flights.read(each, told, beside)
                 for each in (record, compare) if each]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a report: one file, with everything in it (GND-14).
+"""The page of a report: one self-contained file (GND-14).
 
 Drawn by plotly.js, from the wheel of PyPI's plotly: vector graphics, so that
 it prints well, and zoom by mouse and touch. Compressed it is 1.5 MB, which the
-browser unpacks. The page's policy forbids it any address: it needs no network
-and can tell nobody anything.
+browser unpacks. The page's policy forbids any address: it needs no network and
+can send nothing.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def library():
 
 
 def script(data):
-    """JSON that ends no script, whatever the names in it."""
+    """JSON that cannot end the script, whatever names are in it."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False,
                       default=float)
     return text.replace("<", "\\u003c").replace("&", "\\u0026")
@@ -113,7 +113,7 @@ def seconds(value):
 
 
 def head(flights, summary=None):
-    """The title, which flights these are, and what is missing of them."""
+    """The title, the flights, and their missing parts."""
     missing = missing_frames(flights[0], summary)
     rows = []
     for letter, flight in zip("AB", flights, strict=False):
@@ -131,8 +131,7 @@ def head(flights, summary=None):
 
 
 def missing_frames(flight, summary):
-    """What the summary says of frames that the record has not, and of its own
-    end."""
+    """Frames missing in the record, and an early end, from the summary."""
     if not summary:
         return
     frames = summary.get("frames")
@@ -204,7 +203,7 @@ def cell(line):
 
 
 def exceedances(flight, events):
-    """When each was out of limits, and what happened around it."""
+    """The time of each exceedance, and the events around it."""
     found = flight.excursions
     if not found:
         return ""
@@ -239,7 +238,7 @@ def exceedances(flight, events):
 
 
 def happened(flight, events):
-    """What the plot of events shows, a line for each kind."""
+    """The lines of the plot of events, one for each kind."""
     laws = flown_laws.of(flight)
     found = list(laws.happened()) if laws else []
     for event in events:
@@ -279,7 +278,7 @@ PLOTS = """\
 
 
 def foot(flights):
-    """How to read it."""
+    """An explanation of the report."""
     compared = ("<p>A is drawn with full lines, B with dashed ones.</p>\n"
                 if len(flights) > 1 else "")
     stale = ("<p>Words of the downlink that are marked stale, and rows that"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which frame packets count, in which order, and how old they are (GND-46,
-GND-56, GND-57, D-37, D-58, D-60).
+"""Selection, order and age of frame packets (GND-46, GND-56, GND-57, D-37,
+D-58, D-60).
 
     runs = Runs()
     runs.take(frame, now, sender)   True: the newest packet of the flight
@@ -8,12 +8,12 @@ GND-56, GND-57, D-37, D-58, D-60).
 
 The packets of one sender and one run of its program are a source. Within a
 source the sequence number is the order, and the clock: the node counts frames
-of 20 ms, also while it stood still, and nobody can set that clock.
+of 20 ms, even while it is stopped, and that clock cannot be set.
 
-A packet that does not follow the present packets is dropped while those come:
+A packet that does not follow the present packets is dropped while those arrive:
 one of another source, one whose number is ahead of time, one whose UTC is far
 from the UTC before. Two of its kind, one after the other, replace packets that
-have stopped. So no single datagram changes what is shown.
+have stopped. A single datagram therefore never changes the display.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ from urv import packets
 from urv.ages import SenderClock
 
 AHEAD_S = 0.1
-"""A packet may arrive sooner than the best one before by this much."""
+"""A packet may arrive earlier than the best one before by this much."""
 SET_S = 1.0
-"""UTC and sequence number may differ by this much more than before."""
+"""The difference of UTC and sequence number may change by this much."""
 ALIVE_S = 0.1
-"""Packets that have come within this time are replaced by no others."""
+"""Packets that arrived within this time cannot be replaced."""
 SILENT_S = 0.5
-"""The same for others that were replaced before, or have lower numbers."""
+"""The same, for replacement by a former source or by lower numbers."""
 FORMER_SOURCES = 64
-"""As many sources that have ended are remembered."""
+"""The number of former sources that are remembered."""
 STRAYS = 25
 """Packets of a former source between packets of the present one, after which
-both send. Fewer have been late on their way."""
+both are assumed to send. Fewer may have been delayed."""
 RIVAL_S = 5.0
 """Another source is reported for this time after its last packet."""
 
@@ -46,7 +46,7 @@ Source = tuple[Sender | None, int]
 
 @dataclass
 class _Series:
-    """Packets of one source that follow each other."""
+    """Consecutive packets of one source."""
 
     source: Source
     sequence: int
@@ -65,7 +65,7 @@ class _Series:
                 <= AHEAD_S)
 
     def take(self, sequence: int, zero_s: float, now: float) -> float:
-        """The next one. Returns its age."""
+        """Adds the next one. Returns its age."""
         self.sequence, self.zero_s, self.came = sequence, zero_s, now
         self.count += 1
         return self.clock.age(sequence * packets.FRAME_S, now)
@@ -76,16 +76,16 @@ class Runs:
     """Judges each packet."""
 
     age: float = 0.0
-    """Seconds between making and arrival of the packet that was taken
+    """Seconds between the creation and the arrival of the packet taken
     last."""
     began: bool = False
-    """It is the first one of its source."""
+    """Whether it is the first one of its source."""
     missing: int = 0
-    """Packets that have not come between it and the one before."""
+    """The missing packets between it and the one before."""
     set_by: float = 0.0
     """Seconds by which the source's UTC was set between the two."""
     rival: Sender | None = None
-    """Who sends besides the present source, when that is known."""
+    """The sender besides the present source, when known."""
     _now: _Series | None = None
     _next: _Series | None = None
     _stranger: Source | None = None
@@ -96,7 +96,7 @@ class Runs:
 
     def take(self, frame: packets.FramePacket, now: float,
              sender: Sender | None = None) -> bool:
-        """Whether the packet is newer than all before."""
+        """Whether the packet is newer than all earlier ones."""
         source = sender, frame.run
         sequence = frame.sequence
         zero_s = frame.time_us / 1e6 - sequence * packets.FRAME_S
@@ -117,7 +117,7 @@ class Runs:
         return True
 
     def has_rival(self, now: float) -> bool:
-        """Another source sends to this port, too."""
+        """Whether another source sends to this port, too."""
         return now - self._rival_at <= RIVAL_S
 
     @property
@@ -127,7 +127,7 @@ class Runs:
 
     @property
     def offset(self) -> float:
-        """When frame 0 of the present source was made, by this clock."""
+        """The time of frame 0 of the present source, by this clock."""
         clock = None if self._now is None else self._now.clock
         return 0.0 if clock is None or clock.offset is None else clock.offset
 
@@ -172,7 +172,7 @@ class Runs:
         longest = (SILENT_S if is_back or source in self._former
                    else ALIVE_S)
         is_sure = coming.count > 1 and now - present.came >= longest
-        # One packet alone has shown nothing yet.
+        # A single packet is no evidence yet.
         if not is_sure and (is_back or present.count > 1):
             return False
         self._begin(source, sequence, zero_s, now)
@@ -180,7 +180,7 @@ class Runs:
         return True
 
     def _see_rival(self, now: float) -> None:
-        """A packet of the present source came after one of another."""
+        """Detects a packet of the present source after one of another."""
         if self._stranger is None:
             return
         sender, _ = self._stranger

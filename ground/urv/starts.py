@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every start of a node, as the frame packets show it (GND-45).
+"""Detection of every start of a node from the frame packets (GND-45).
 
     Starts().look(frame)     the starts since the last frame
 
-The ground's cold start is a new run. Of the other starts each node's error log
+The ground's cold start is a new run. For other starts each node's error log
 has a row with a count and with frame numbers. A count alone hides a restart:
-it may stand at its last value, or a cold start may have cleared it and another
-restart brought it back. So frame numbers count, too: within one life of a node
-a row's first frame never changes, and its last frame and count never decrease.
+it may be at its last value, or a cold start may have cleared it and another
+restart restored it. Frame numbers are therefore compared, too: within one life
+of a node a row's first frame never changes, and its last frame and count never
+decrease.
 
-With the control laws on the aircraft also tells its age, in frames since its
-cold start. Between two rows it grows as the ground's frames do. So a cold start
-that leaves no trace in the log is found as well.
+With the control laws on the aircraft also reports its age, in frames since its
+cold start. Between two rows it grows like the ground's frames. This reveals a
+cold start that leaves no trace in the log.
 """
 
 from __future__ import annotations
@@ -26,28 +27,28 @@ RESTARTS = ("warm_reset", "processor_restart")
 KINDS = (COLD, *RESTARTS)
 
 FLYING_KT, FLYING_FT = 42.0, 50.0
-"""Slower than this and lower than that the aircraft is on the ground: as its
-control laws have it (URV.Law_Gains)."""
+"""Below both values the aircraft is on the ground, as for its control laws
+(URV.Law_Gains)."""
 
 MOST_APART = 6
-"""An age may be wrong by so many of its units, 2 s: a row takes 0.3 s to come
-down, and is sent again when a piece of it was lost."""
+"""The error of an age in its units, 2 s: a row arrives within 0.3 s, and is
+sent again when a part of it was lost."""
 AGES = 1 << laws.WORD_BITS
 
 ROUND = 600
-"""Fresh downlinks in which every row of the aircraft's log has come down: its
-36 kinds, 0.3 s each."""
+"""The number of fresh downlinks in which every row of the aircraft's log
+arrives: its 36 kinds, 0.3 s each."""
 
 
 @dataclass(frozen=True)
 class Start:
-    """A node has started, so often since the last look."""
+    """A node has started, this number of times since the last look."""
 
     node: str
     kind: str
     count: int = 1
     frame: int | None = None
-    """Of the node, when it was the last time; None when nobody knows."""
+    """The node's frame at the last start; None when unknown."""
 
 
 @dataclass
@@ -58,13 +59,13 @@ class Log:
     _seen: tuple[packets.LogRow, ...] = ()
     _rows: dict[str, packets.LogRow] = field(default_factory=dict)
     _unsure: set[str] = field(default_factory=set)
-    """Kinds whose row may be one of the life before: another one is no news
-    of another start."""
+    """Kinds whose row may be from the previous life: a new row of them is no
+    evidence of a start."""
 
     def look(self, rows: tuple[packets.LogRow, ...],
              oldest: int = 0) -> list[Start]:
-        """The starts that new rows show. What happened before the node's
-        frame `oldest` has been seen, or was in a life before."""
+        """The starts that new rows reveal. Errors before the node's frame
+        `oldest` have been seen, or belong to an earlier life."""
         if rows == self._seen:
             return []
         first = not self._seen
@@ -101,22 +102,22 @@ class Log:
 
 
 def is_of_another_life(old: packets.LogRow, row: packets.LogRow) -> bool:
-    """A cold start has cleared the log between the two."""
+    """Whether a cold start has cleared the log between the two."""
     return (row.count < old.count or row.last_frame < old.last_frame
             or row.first_frame != old.first_frame)
 
 
 @dataclass
 class Age:
-    """How old the aircraft's node says it is."""
+    """The age that the aircraft's node reports."""
 
     _age: int | None = None
     _sequence: int = 0
     _is_known: bool = False
 
     def look(self, frame: packets.FramePacket, is_known: bool) -> bool:
-        """Whether it is not as old as it was and the frames since. A cold start
-        that is known is found once."""
+        """Whether the age is less than the earlier one and the frames since. A
+        known cold start is found once."""
         self._is_known |= is_known
         told = laws.Laws.of(frame)
         if told is None or not frame.is_fresh or told.age == self._age:
@@ -132,18 +133,18 @@ class Age:
 
 @dataclass
 class Starts:
-    """Looks for the starts of both nodes."""
+    """Finds the starts of both nodes."""
 
     _run: int | None = None
     _gsc: Log = field(default_factory=lambda: Log("gsc"))
     _mcs: Log = field(default_factory=lambda: Log("mcs"))
     _newest: tuple[int, int] | None = None
-    """A frame of the aircraft's, and the ground's frame in which it came."""
+    """A frame of the aircraft's, and the ground's frame of its arrival."""
     _floors: deque[int] = field(default_factory=lambda: deque(maxlen=ROUND))
     _age: Age = field(default_factory=Age)
 
     def look(self, frame: packets.FramePacket) -> list[Start]:
-        """The starts that this frame shows, the ground's first."""
+        """The starts that this frame reveals, the ground's first."""
         found = []
         if self._run != frame.run:
             if self._run is not None:
@@ -169,7 +170,7 @@ class Starts:
 
     def _follow(self, frame: packets.FramePacket,
                 rows: tuple[packets.LogRow, ...]) -> None:
-        """The aircraft's frame is at least the highest that it has told of,
+        """The aircraft's frame is at least the highest that it has reported,
         and the frames since."""
         if not frame.is_fresh:
             return
@@ -187,8 +188,8 @@ class Starts:
 
 @dataclass
 class Flying:
-    """Whether the aircraft flies, by its fresh and valid words. What is not
-    known is as it was."""
+    """Whether the aircraft flies, from its fresh and valid words. An unknown
+    value leaves the state unchanged."""
 
     now: bool = False
 

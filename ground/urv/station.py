@@ -31,44 +31,44 @@ IDLE_PUSH_S = 0.1
 
 def station(
     port: int = typer.Option(
-        8090, min=0, max=65535, help="Of the page; 0 takes a free one."),
+        8090, min=0, max=65535, help="Port of the page; 0 takes a free one."),
     listen: str = typer.Option(
         "127.0.0.1", metavar="ADDRESS",
-        help="Where the page is served. Another one than this machine's"
+        help="Address of the page. Any other than this machine's"
         " loopback demands a token."),
     token: str | None = typer.Option(
         None, envvar="URV_TOKEN", show_envvar=True, metavar="WORD",
-        help="What a page has to show. Without it one is made up where"
-        " one is demanded."),
+        help="Token that a page must present. By default one is generated"
+        " if demanded."),
     frames: str = typer.Option(
         "udp:127.0.0.1:6003", metavar="udp:HOST:PORT",
-        help="Where frame packets come: urv_gsc --publish. Of another host"
+        help="Port of the frame packets: urv_gsc --publish. At any other host"
         " than this machine's loopback, other machines can send them."),
     sender: str | None = typer.Option(
         None, "--sender", metavar="ADDRESS",
         help="The machine whose frame packets are taken, by its IP address;"
-        " those of others raise an alert. Any machine unless said."),
+        " those of others raise an alert. By default any machine."),
     console: str = typer.Option(
         "udp:127.0.0.1:6004", metavar="udp:HOST:PORT",
-        help="Where console packets go: urv_gsc --console. \"none\": the"
+        help="Destination of console packets: urv_gsc --console. \"none\": the"
         " pages only watch."),
     relay: str | None = typer.Option(
         None, metavar="tcp:HOST:PORT",
-        help="Where one client, a Yamcs, can fetch the good frame packets."
+        help="Port at which one client, a Yamcs, gets the good frame packets."
         " With --yamcs it gets them as soon as all of that Yamcs runs."),
     events: Path | None = typer.Option(
         None, metavar="FILE",
         help="Marks, alerts, errors and hand-overs as JSON lines."),
     yamcs: str | None = typer.Option(
         None, envvar="URV_YAMCS", show_envvar=True, metavar="URL",
-        help="A Yamcs that gets the same as its events."),
+        help="A Yamcs that receives the same as events."),
     seconds: float | None = typer.Option(
-        None, min=0.0, help="Ends the station after so long."),
+        None, min=0.0, help="Ends the station after this time."),
     reports: bool = typer.Option(
         False, "--reports", help="Take reports about the flight's other"
         " programs from standard input, as bin/urv ground sends them."),
 ):
-    """Serve the page to fly and to watch by."""
+    """Serve the page, for flying and watching."""
     from urv import web
 
     if not web.is_loopback(listen) and token is None:
@@ -91,8 +91,8 @@ def station(
 
 
 async def until_ended(work):
-    """Carries it out until it is done or a signal ends it, which is how a
-    station ends."""
+    """Runs until the work is done or a signal ends it, which is the normal end
+    of a station."""
     task = asyncio.ensure_future(work)
     for number in (signal.SIGINT, signal.SIGTERM):
         asyncio.get_running_loop().add_signal_handler(number, task.cancel)
@@ -115,7 +115,7 @@ def address(option: str, given: str, wanted: str = "udp"
 
 
 def is_name(host: str) -> bool:
-    """Whether the operating system can look it up."""
+    """Whether the operating system can look up the host."""
     try:
         return bool(host.strip("[]").encode("idna"))
     except UnicodeError:
@@ -132,13 +132,13 @@ def ip_address(option: str, given: str) -> str:
 
 
 def plain_address(host: str) -> str:
-    """A socket of IPv6 writes an address of IPv4 in its own way."""
+    """An IPv6 socket writes an IPv4 address in its own way."""
     mapped = getattr(ipaddress.ip_address(host), "ipv4_mapped", None)
     return host if mapped is None else str(mapped)
 
 
 class Frames(asyncio.DatagramProtocol):
-    """Takes frame packets, and who sent them."""
+    """Receives frame packets with their senders."""
 
     def __init__(self, take) -> None:
         self._take = take
@@ -147,11 +147,11 @@ class Frames(asyncio.DatagramProtocol):
         self._take(data, addr[:2])
 
     def error_received(self, exc: Exception) -> None:
-        """Nobody listens at the other end: no concern of ours."""
+        """Without a receiver at the other end there is nothing to do."""
 
 
 def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
-    """A socket at that address, or a word why not."""
+    """A socket at that address, or an error with the reason."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     made = socket.socket(family, kind)
     try:
@@ -168,7 +168,7 @@ def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
 
 async def serve(listen, port, token, frames, console, relay, events, yamcs,
                 seconds, reports=False, only=None):
-    """The station, until it is ended."""
+    """Runs the station until it is ended."""
     from aiohttp import web as http
 
     from urv import archive, processes, relay as relays, web
@@ -188,7 +188,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
             kept.put(json.dumps(line.shown()).encode() + b"\n")
 
     def look_at_events() -> None:
-        """A full or slow disk must not stop who flies: it is reported."""
+        """A full or slow disk is reported, and never blocks the flight."""
         nonlocal reported
         problem = kept.problem() if kept is not None else None
         if problem is not None and not reported:
@@ -217,8 +217,8 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         try:
             sender.sendto(packet, console)
         except OSError:
-            # The node is not there, or the machine does not take it. The
-            # frames tell that no packet arrives.
+            # The node is absent, or the machine does not accept the packet.
+            # The frames show that no packet arrives.
             pass
 
     controls = Controls(view, None if sender is None else send)
@@ -245,7 +245,8 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
             if keeps is not None:
                 keeps.put(data)
             now = loop.time()
-            # Every second frame, as it comes; the next if that is missing.
+            # Every second frame, as it arrives; the next one if that is
+            # missing.
             if view.frame.sequence % 2 == 0 or now - pushed >= PUSHES_S:
                 pushed = now
                 page.push()
@@ -297,13 +298,13 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         server.close()
         if keeps is not None:
             fetching.close()
-        # Who has gone already, or does not answer, holds nobody up.
+        # A page that has gone, or does not answer, causes no delay.
         await asyncio.gather(*(
             asyncio.wait_for(one.socket.close(
                 code=1001, message=b"the station ends"), 1.0)
             for one in list(page.pages.values())), return_exceptions=True)
         await runner.cleanup()
-        # A frame that comes now has nobody to tell.
+        # A frame that arrives now has no receiver.
         incoming.close()
         if kept is not None:
             kept.close()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who holds the sticks: one console at a time, or the simulated pilot
+"""The holder of the sticks: one console at a time, or the simulated pilot
 (GND-21, GND-22).
 
 Times are seconds of any clock that only rises; nothing here waits.
@@ -10,23 +10,23 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 ASKED_S = 5.0
-"""How long a holder may think about giving the sticks away."""
+"""The time in which a holder must answer a request for the sticks."""
 
 SILENT_S = 0.2
-"""A holder that has said nothing for so long is not live."""
+"""A holder that is silent for this time is not live."""
 
 LAPSED_S = 2.0
-"""One that has been silent for so long need not be asked any more."""
+"""A holder that has been silent for this time is not asked any more."""
 
 OLD_S = 0.5
-"""Words that the page sent longer ago than this are not flown (GND-51)."""
+"""Older words of the page are not flown (GND-51)."""
 
 
 @dataclass
 class Sticks:
-    """The rules of taking and giving.
+    """The rules of taking and giving the sticks.
 
-    said collects what happened, for whoever keeps the log.
+    said collects the events, for the log.
     """
 
     holder: int | None = None
@@ -38,7 +38,8 @@ class Sticks:
     _sent_at: float = float("-inf")
 
     def take(self, console: int, now: float) -> None:
-        """A console wants the sticks: at once, or it asks the holder."""
+        """A console requests the sticks: it gets them at once, or the holder
+        is asked."""
         if self.holder == console:
             return
         if self.holder is None or now - self._moved_at > LAPSED_S:
@@ -51,7 +52,7 @@ class Sticks:
                 " sticks")
 
     def answer(self, console: int, yes: bool, now: float) -> None:
-        """The holder gives the sticks to who asks, or keeps them."""
+        """The holder gives the sticks to the asking console, or keeps them."""
         if console != self.holder or self.asker is None:
             return
         if yes:
@@ -61,7 +62,7 @@ class Sticks:
             self.asker = None
 
     def release(self, console: int, why: str) -> None:
-        """The holder lets go, and asks nobody."""
+        """The holder releases the sticks, without asking."""
         if console == self.asker:
             self.asker = None
         if console == self.holder:
@@ -71,8 +72,8 @@ class Sticks:
 
     def move(self, console: int, words: tuple[int, ...], now: float,
              age: float = 0.0) -> bool:
-        """Whether these sticks count: only the holder's do. The page sent
-        them age seconds ago."""
+        """Whether these sticks count: only the holder's do. The page sent them
+        age seconds ago."""
         if console != self.holder:
             return False
         self.words = words
@@ -81,8 +82,8 @@ class Sticks:
         return True
 
     def pause(self, console: int) -> None:
-        """The holder's sticks are not to be believed: none until it moves
-        them again."""
+        """The holder's sticks are unreliable: none until it moves them
+        again."""
         if console == self.holder:
             self.words = None
 
@@ -97,7 +98,7 @@ class Sticks:
         return now - self._moved_at
 
     def tick(self, now: float) -> None:
-        """Who has been asked for too long has given."""
+        """A holder that has not answered in time gives the sticks."""
         if self.asker is not None and (
                 self.holder is None or now - self._asked_at >= ASKED_S):
             self._give(self.asker, now)

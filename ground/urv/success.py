@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When a flight of a campaign counts as a success, and how sure its rate is.
+"""The success criteria of a campaign's flight, and the confidence of its rate.
 
-Each limit gives how much of it a flight used: up to 1 is well.
+Each limit gives the used share of it: up to 1 is a success.
 """
 
 import math
@@ -10,12 +10,12 @@ from typing import NamedTuple
 from urv.dispersions import CIRCUITS
 from urv.monte_carlo import HISTORIES
 
-# What cannot be measured, or must not happen at all.
+# For values that cannot be measured, or events that must not occur.
 BEYOND = 10.0
 
 
 class Limit(NamedTuple):
-    """A limit: its name, in words, and the measures and what they may be."""
+    """A limit: its name, its text, and the measures with their bounds."""
 
     name: str
     text: str
@@ -24,7 +24,7 @@ class Limit(NamedTuple):
     most: float
 
     def used(self, summary):
-        """How much of it the flight used."""
+        """The used share of the limit."""
         part = summary.get(self.part, {})
         values = [part.get(measure) for measure in self.measures]
         if any(value is None for value in values):
@@ -33,7 +33,7 @@ class Limit(NamedTuple):
 
 
 def must(name, text, part, measure, wanted):
-    """A fact that must be so."""
+    """A fact that must hold."""
     class Fact(Limit):
         def used(self, summary):
             said = summary.get(part, {}).get(measure)
@@ -84,7 +84,7 @@ def clopper_pearson(successes, trials, confidence=0.95):
 
 
 def between(is_below):
-    """Where it ceases to be so, from 0 to 1."""
+    """The place between 0 and 1 at which the condition ceases to hold."""
     low, high = 0.0, 1.0
     for _ in range(60):
         middle = (low + high) / 2.0
@@ -96,7 +96,7 @@ def between(is_below):
 
 
 def at_least(successes, trials, rate):
-    """The chance of so many successes or more."""
+    """The probability of at least this number of successes."""
     if rate <= 0.0 or rate >= 1.0:
         return float(rate >= 1.0 or successes <= 0)
     yes, no = math.log(rate), math.log1p(-rate)

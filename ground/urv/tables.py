@@ -3,7 +3,7 @@
 
     TABLES["error_kinds"][0]        "ad_no_scan"
 
-tables.json is what `bin/urv_sim tables` prints, and a test compares the two.
+tables.json is the output of `bin/urv_sim tables`, and a test compares the two.
 """
 
 import json

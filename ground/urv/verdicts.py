@@ -2,7 +2,7 @@
 """The answers at the head of a report: was it flown well, was the link well,
 what was out of limits (GND-14).
 
-Each number stands with its unit and its limit. A flight was flown well when
+Each number has its unit and its limit. A flight was flown well when
 the pilot kept to the field's tolerances for such manoeuvres (FAA Airman
 Certification Standards: 100 ft, 10 kt, 10 deg of heading, 5 deg of bank) and
 nothing reached a warning's limit. A link was well that delivered nearly all,
@@ -30,7 +30,7 @@ FRAMES_ON_THE_WAY = 4
 SHOWN_SILENCE_S = 0.05
 MOST_AROUND = 8
 
-# Of flight_quality: name, what it is, unit, limit on both sides.
+# Of flight_quality: name, text, unit, limit on both sides.
 QUALITY = (
     ("altitude_rms_ft", "altitude in holds, RMS off", "ft", 100.0),
     ("altitude_max_ft", "altitude in holds, most off", "ft", 100.0),
@@ -47,19 +47,19 @@ QUALITY = (
     ("final_heading_error_deg", "heading at the end, off", "deg", 10.0),
 )
 
-# What of the aircraft tells how it was flown.
+# The aircraft's items for the quality of the flight.
 FLOWN = ("altitude", "airspeed", "alpha", "beta", "vertical_acceleration",
          "roll_attitude", "pitch_attitude")
 
 WAYS = (("uplink", "commands up"), ("downlink", "data down"))
 TAKEN_BY = {"uplink": "mcs", "downlink": "gsc"}
-"""The node to which each way leads."""
+"""The node that receives each direction."""
 REFUSED = "block_refused"
 
 
 @dataclass(frozen=True)
 class Line:
-    """A number with its unit and its limit, as people read them."""
+    """A number with its unit and its limit, for people."""
 
     name: str
     value: str
@@ -69,7 +69,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Answer:
-    """To one of the questions."""
+    """The answer to one of the questions."""
 
     question: str
     title: str
@@ -86,7 +86,7 @@ def worst(levels):
 
 
 def number(value, decimals, unit=""):
-    """With its unit; a zero has no sign."""
+    """A number with its unit; a zero has no sign."""
     text = f"{value:.{decimals}f}"
     if float(text) == 0:
         text = text.lstrip("-")
@@ -150,7 +150,7 @@ def flown(flight, quality):
 
 
 def quality_lines(quality):
-    """What the summary says of the simulated pilot."""
+    """The summary's values of the simulated pilot."""
     crashed = quality.get("crashed")
     if crashed is not None:
         at = quality.get("crashed_at_s")
@@ -187,9 +187,9 @@ def is_number(value):
 
 
 def refused_blocks(events, summary):
-    """How many blocks each node has refused: they came, and were not its
-    peer's. By the events, or else by the summary, which a partition has of
-    itself alone."""
+    """The number of blocks that each node has refused: received, but not from
+    its peer. From the events, or from the summary, which a partition has only
+    of itself."""
     found = dict.fromkeys(TAKEN_BY.values(), 0)
     for event in events:
         if event.kind == REFUSED and event.node in found:
@@ -217,7 +217,7 @@ def link(flight, summary, events=()):
     for way, label in WAYS:
         sent, received = last.get(f"{way}_sent"), last.get(f"{way}_received")
         if received is not None:
-            # One a frame; the first ones and the last are on their way.
+            # One a frame; the first ones and the last are in transit.
             taken = max(0, received - refused[TAKEN_BY[way]])
             share = min(100.0, 100.0 * taken / max(
                 flight.frames - FRAMES_ON_THE_WAY, 1))
@@ -270,7 +270,7 @@ def link(flight, summary, events=()):
 
 
 def round_trip_lines(summary):
-    """What a partition has measured of the line."""
+    """A partition's measurements of the line."""
     counts = summary.get("link") if summary else None
     times = counts.get("round_trip_us") if isinstance(counts, dict) else None
     if not isinstance(times, dict) or not times.get("measured"):
@@ -287,8 +287,8 @@ def round_trip_lines(summary):
 
 
 def latency_lines(flight, summary):
-    """From the console to the servos: the summary's, which is exact, or that
-    of the record, in whole frames."""
+    """From the console to the servos: the exact one of the summary, or that of
+    the record, in whole frames."""
     limit = f"at most {number(LONGEST_LATENCY_MS, 0, 'ms')}"
     latency = summary.get("latency_ms") if summary else None
     if isinstance(latency, dict):
@@ -330,7 +330,7 @@ def counted(many, what):
 
 
 def around(flight, events, exceedance):
-    """What happened close to it, in words, in the order of time."""
+    """The occurrences close to it, in words, in the order of time."""
     span = exceedance.span
     first, last = span.begin - flights.CLOSE_S, span.end + flights.CLOSE_S
     found = []
@@ -339,7 +339,7 @@ def around(flight, events, exceedance):
         return first <= at <= last
 
     def near(ordered, time_of):
-        """Those between; a record made to do so has a million."""
+        """Those in the span; a hostile record may have a million."""
         return ordered[bisect.bisect_left(ordered, first, key=time_of):
                        bisect.bisect_right(ordered, last, key=time_of)]
 

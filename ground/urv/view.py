@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the frame packets say, made ready to be looked at (GND-4, GND-7,
-GND-20, GND-26).
+"""The state of the flight from the frame packets, prepared for display (GND-4,
+GND-7, GND-20, GND-26).
 
-Age comes before value (GND-25): every value is told with how old it is,
-nothing is made up for a frame that is missing. A frame is as old as its own
-time says, not as its arrival (GND-56). Who flies is what the node answers (GND-58).
+Age comes before value (GND-25): every value has its age, and missing frames
+are not invented. The age of a frame is from its own time, not from its arrival
+(GND-56). The flying party is that in the node's answer (GND-58).
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ if TYPE_CHECKING:
     from urv.processes import Report
 
 LOST_S = 0.5
-"""Older than this a word is crossed out, and the link counts as lost."""
+"""An older word is crossed out, and the link counts as lost."""
 
 KNOT_FT_MIN = 6076.12 / 60
 LOG_LINES = 500
 REFUSING_S = 1.0
-"""A link whose blocks are refused is one for so long after the last one."""
+"""After the last refused block a link counts as refusing for this time."""
 
 WARNING_KINDS = {"self_test_failed", "rom_check_failed", "surface_failed"}
 CAUTION_KINDS = {"warm_reset", "processor_restart", "task_overrun",
@@ -43,15 +43,15 @@ CAUTION_KINDS = {"warm_reset", "processor_restart", "task_overrun",
 ALERT_KINDS = {"self_test_failed", "rom_check_failed", "block_refused"}
 LOSS_KINDS = {"telin_no_block", "no_input", "core_no_downlink", "link_reset",
               "link_block_bad", "link_block_scrapped", "link_block_cleared"}
-"""What a lost link causes at the ground in every frame: it is reported when
-the aircraft is heard again."""
+"""Errors at the ground that a lost link causes in every frame: they are
+reported when the aircraft is heard again."""
 WHY_REFUSED = {1: "of the other format", 2: "another key", 3: "a key of"
                " another number", 4: "a hello within a session"}
-"""By the detail of block_refused."""
+"""The reason, by the detail of block_refused."""
 
 LAWS_SETTLE = 100
-"""Frames from the first one heard: after a start the laws believe no sensor
-for a second, which is no news."""
+"""Frames from the first one received: after a start the laws reject every
+sensor for a second, which is no news."""
 ERROR_BITS = ((2, "ROM", "its ROM differs from what was loaded"),
               (4, "SELF-TEST", "its self-test has failed"))
 
@@ -115,11 +115,11 @@ class View:
     def __post_init__(self) -> None:
         self._began = self.now()
 
-    # What comes in
+    # Inputs
 
     def datagram(self, data: bytes, sender: Sender | None = None) -> bool:
-        """Whether it is a frame packet, and a new one. A fault in here costs
-        this datagram and no other (GND-57)."""
+        """Whether it is a new frame packet. A fault in this code costs only
+        this datagram (GND-57)."""
         try:
             return self._take(data, sender)
         except Exception as error:  # noqa: BLE001 - whatever it is
@@ -132,7 +132,7 @@ class View:
             return False
 
     def stranger(self, host: str) -> None:
-        """A datagram has come from a machine whose frames are not taken."""
+        """A datagram has arrived from a machine whose frames are not taken."""
         self.foreign += 1
         self.alerts.report(
             "foreign", WARNING, "FOREIGN FRAMES",
@@ -193,18 +193,18 @@ class View:
         return True
 
     def sent(self, sequence: int) -> None:
-        """A console packet has left, to be seen again in a frame."""
+        """A console packet has left, and should appear in a frame."""
         self.answers.sent(sequence, self.now())
 
     def look(self, now: float) -> None:
-        """What the passing of time alone changes."""
+        """Applies the changes due to time alone."""
         age = self.age_s(now)
         while self._second and now - self._second[0][0] > 1.0:
             self._second.popleft()
         self._look_at_age(age, now)
         down = self.downlink_s(now)
         is_old = down is not None and down >= LOST_S
-        # The aircraft answers, and has nothing new to say.
+        # The aircraft answers, without news.
         answers = now - self._answered_at < LOST_S
         self._alert_over_time(
             "link", is_old and not answers, "LINK LOST",
@@ -228,7 +228,7 @@ class View:
             self.alerts.away("rival", now)
         if now - self._foreign_at > RIVAL_S:
             self.alerts.away("foreign", now)
-        # A gap is a moment: it is over when the frames come again.
+        # A gap is momentary: it is over when the frames arrive again.
         if age is not None and age < LOST_S:
             self.alerts.away("frames", now, 5.0)
         for alert in self.alerts.raised:
@@ -237,7 +237,7 @@ class View:
         self.alerts.raised.clear()
 
     def _look_at_age(self, age: float | None, now: float) -> None:
-        """Whether frames come, and whether they come in time."""
+        """Checks whether frames arrive, and in time."""
         waits = now - (self._began if self.frame is None else self._came)
         self._alert_over_time(
             "silent", waits >= LOST_S, "NO FRAMES",
@@ -263,7 +263,7 @@ class View:
             self.alerts.away(key, now)
 
     def report(self, report: Report) -> None:
-        """About another program of the flight."""
+        """A report about another program of the flight."""
         if report.active:
             self.alerts.report(report.key, report.level, report.name,
                                report.text, time.time_ns() // 1000)
@@ -272,7 +272,7 @@ class View:
 
     def note(self, level: str, kind: str, text: str,
              time_us: int | None = None) -> Line:
-        """A new line of the log."""
+        """Adds a line to the log."""
         self._lines += 1
         line = Line(self._lines,
                     time.time_ns() // 1000 if time_us is None else time_us,
@@ -282,9 +282,8 @@ class View:
         return line
 
     def _frame_of(self, time_us: int | None) -> int | None:
-        """The ground's frame of a line: the newest one when that says it.
-        What happens here happens in the frame that the node is in, though the
-        newest one that has come may be old."""
+        """The ground's frame of a line: the given one, or by default the frame
+        that the node is in now, even if the newest received frame is old."""
         if self.frame is None or time_us is not None:
             return None if self.frame is None else self.frame.sequence
         now = self.now()
@@ -294,12 +293,12 @@ class View:
     # Ages
 
     def age_s(self, now: float) -> float | None:
-        """Since the newest frame packet was made, by its own time; None
-        before the first."""
+        """Seconds since the newest frame packet was made, by its own time;
+        None before the first."""
         return None if self.frame is None else max(0.0, now - self._made)
 
     def clock_ahead_us(self) -> int | None:
-        """What is added to a frame's time for the UTC of this machine; None
+        """The difference from a frame's time to this machine's UTC; None
         before the first frame."""
         if self.frame is None:
             return None
@@ -307,14 +306,14 @@ class View:
         return round((made_utc_s - self._runs.zero_s) * 1e6)
 
     def downlink_s(self, now: float) -> float | None:
-        """How old the words of the downlink are; None before the first."""
+        """The age of the downlink's words; None before the first."""
         if self.frame is None or self.frame.downlink_age == packets.NEVER:
             return None
         waited = max(0.0, now - self._made - packets.FRAME_S)
         return self.frame.downlink_age * packets.FRAME_S + waited
 
     def shown(self) -> dict[str, Any]:
-        """The state as a page gets it, 25 times a second."""
+        """The state for pages, 25 times a second."""
         now = self.now()
         age = self.age_s(now)
         down = self.downlink_s(now)
@@ -355,7 +354,7 @@ class View:
             "values": self.values,
             "derived": self.derived}
 
-    # What a frame says
+    # Contents of a frame
 
     def _calibrate(self, frame: packets.FramePacket) -> None:
         never = frame.downlink_age == packets.NEVER
@@ -390,7 +389,7 @@ class View:
     def _states(self, frame: packets.FramePacket,
                 old: packets.FramePacket | None, now: float) -> None:
         alerts = self.alerts
-        # Before anybody has flown, a silent console is no news.
+        # Before the first console a silent console is no news.
         state = None
         if (frame.pilot != packets.Pilot.FLIES and frame.counts[
                 packets.LINK_COUNTS.index("console_packets")] > 0):
@@ -423,7 +422,7 @@ class View:
                     self.note(INFO, "state", f"{name}: {word}")
 
     def _laws(self, frame: packets.FramePacket, now: float) -> None:
-        """What the aircraft tells of its laws; what is old tells nothing."""
+        """Handles the status of the aircraft's laws; ignores an old one."""
         self._fresh += frame.is_fresh
         told = Laws.of(frame)
         if (told and told.mode) != (self.laws and self.laws.mode):
@@ -443,7 +442,7 @@ class View:
         for name in ALONE:
             self._alert_if(name == link, f"laws {name}", WARNING,
                            f"ALONE: {name.upper()}", DOES[name], now)
-        # One word for what is one reason.
+        # One text for one reason.
         self._alert_if(not_valid == SENSORS, "laws sensors", CAUTION,
                        "SENSORS NOT VALID", "the laws believe none", now)
         for name in SENSORS:
@@ -465,7 +464,7 @@ class View:
             self.alerts.away(key, now, 0.0)
 
     def _link(self, frame: packets.FramePacket, now: float) -> None:
-        """Whether blocks come, and whether the ground takes them."""
+        """Checks whether blocks arrive, and whether the ground takes them."""
         row = frame.logs[0][packets.KINDS.index("block_refused")]
         came = frame.link["downlink_received"]
         if row.count > self.refused:
@@ -493,7 +492,7 @@ class View:
             self.note(level, "error",
                       f"{start.node} {start.kind}: {text}", frame.time_us)
             key = f"{start.node} {start.kind}"
-            # It happened: each time is an alert of its own.
+            # An occurrence: each one is a new alert.
             self.alerts.away(key, now, 0.0)
             self.alerts.report(
                 key, level, f"{heading(start.kind)} {start.node.upper()}",
@@ -520,7 +519,7 @@ class View:
                       f" in its frame {event.row.last_frame}{detail}"
                       + left_out(new), frame.time_us)
             if event.kind in ALERT_KINDS:
-                # It happened: each time is an alert of its own.
+                # An occurrence: each one is a new alert.
                 self.alerts.away(what, now, 0.0)
                 self.alerts.report(
                     what, level,
@@ -529,7 +528,8 @@ class View:
                     f" {event.row.last_frame}", frame.time_us)
 
     def _drops(self, frame: packets.FramePacket, now: float) -> None:
-        """What the node has not taken at its console port."""
+        """Handles the datagrams that the node has dropped at its console
+        port."""
         if self.answers.new_drops:
             self.alerts.report(
                 "drops", CAUTION, "CONSOLE PACKETS DROPPED",
@@ -541,20 +541,21 @@ class View:
 
 
 def is_held_scan(event: packets.Event, frame: packets.FramePacket) -> bool:
-    """The ground's converter brings no scan because the console is lost."""
+    """Whether the ground's converter completes no scan because the console is
+    lost."""
     return ((event.node, event.kind) == ("gsc", "ad_no_scan")
             and frame.console_state == packets.ConsoleState.HELD)
 
 
 def told_of(start: Start, in_flight: bool) -> str:
-    """How often, and when in the node's own frames."""
+    """The number of starts, and the last one in the node's own frames."""
     if start.kind == COLD:
         return "it has started again" + " in flight" * in_flight
     return f"{start.count} times, last in its frame {start.frame}"
 
 
 def heading(name: str) -> str:
-    """An item's or a kind's name as it stands on an alert."""
+    """The name of an item or a kind as the title of an alert."""
     short = name
     for long in ("_volts", "_strength", "_attitude", "uplink_"):
         short = short.replace(long, "")
@@ -570,10 +571,10 @@ def limit_of(item: items.Item, level: str, value: float) -> str:
 
 
 def derive(value: dict[str, float | None]) -> dict[str, float | None]:
-    """What no sensor says, from those that do.
+    """Values derived from those of several sensors.
 
-    The air is taken to stand still, and calibrated airspeed for true: at a
-    few hundred feet they differ by a hundredth.
+    It assumes calm air, and equates calibrated and true airspeed: at a few
+    hundred feet they differ by a hundredth.
     """
     names = ("roll_attitude", "pitch_attitude", "alpha", "beta", "pitch_rate",
              "yaw_rate", "airspeed")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The station's page over HTTP, its state and sticks over a WebSocket.
 
-Nothing outside is trusted: a foreign origin is refused (GND-23), sizes and
-rates have limits, and a slow or silent client is dropped, never waited for
-(GND-24, SEC-11). What is typed is made one plain line (GND-27).
+Input from outside is never trusted: a foreign origin is refused (GND-23),
+sizes and rates have limits, and a slow or silent client is dropped, never
+waited for (GND-24, SEC-11). Typed text is made one plain line (GND-27).
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ COOKIE = "urv_token"
 
 MOST_PAGES = 16
 QUIET_S = 5.0
-"""A page that has said nothing for so long gives its place to another one that
-opens. The one that holds the sticks never does."""
+"""A page that is silent for this time gives its place to another one that
+opens. The holder of the sticks never does."""
 LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
 MESSAGES_A_SECOND = 150.0
@@ -43,10 +43,10 @@ LARGEST_SEQUENCE = 2**53
 LARGEST_TIME_MS = 1e13
 LONGEST_NAME = 200
 SLOW_S = 2.0
-"""A page that does not take its state is dropped."""
+"""A page that does not read its states is dropped."""
 UNDRAWN = 2
-"""So many states may be on their way to a page that says which it has drawn:
-one that waits for the next picture, and one behind it. More would wait in the
+"""The number of states in transit to a page that reports the drawn ones: one
+that waits for the next picture, and one after it. More would wait in the
 network, and be old when they are seen."""
 
 HEADERS = {
@@ -66,8 +66,8 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 def is_worth_telling(record: logging.LogRecord) -> bool:
-    """Whether what the server logs is of a fault in here. That a request
-    makes no sense is told to who made it."""
+    """Whether a message of the server's log is about a fault in this program.
+    An invalid request is reported only to its sender."""
     return not (record.exc_info
                 and isinstance(record.exc_info[1], HttpProcessingError))
 
@@ -87,7 +87,7 @@ def is_loopback(address: str) -> bool:
 
 
 class Page:
-    """One page that is open: a console, with its number."""
+    """An open page: a console, with its number."""
 
     def __init__(self, number: int, socket: web.WebSocketResponse) -> None:
         self.number = number
@@ -107,11 +107,11 @@ class Page:
 
     @property
     def is_behind(self) -> bool:
-        """It says what it has drawn, and has enough to draw."""
+        """Whether it reports its drawn states, and has enough to draw."""
         return self.drawn is not None and self.sent - self.drawn >= UNDRAWN
 
     def allowed(self, now: float) -> bool:
-        """Whether it may say one more thing already."""
+        """Whether it may send one more message already."""
         self.credit = min(2 * MESSAGES_A_SECOND, self.credit
                           + (now - self.filled) * MESSAGES_A_SECOND)
         self.filled = now
@@ -162,8 +162,8 @@ class Station:
         return answer
 
     def _stranger(self, request: web.Request) -> web.Response | None:
-        """The answer to a request without the token, or None. The token in
-        the page's address goes into a cookie."""
+        """The answer to a request without the token, or None. The token in the
+        page's address goes into a cookie."""
         token = self.token
         if token is None:
             return None
@@ -202,7 +202,7 @@ class Station:
 
     @staticmethod
     def _read(name: str) -> web.Response:
-        # Only names that are there: no path can lead elsewhere.
+        # Only existing names: no path can lead elsewhere.
         known = {file.name: file for file in PAGE.iterdir()
                  if file.suffix in TYPES}
         if name not in known:
@@ -286,7 +286,7 @@ class Station:
             step = page.arrivals.answer(said["number"], sent_s, now)
             if step is not None:
                 self.controls.stepped(page.number, step)
-            # What it was never sent it cannot have drawn.
+            # It cannot have drawn a state that was never sent.
             page.drawn = min(said["number"], page.sent)
             page.wake.set()
         else:
@@ -303,9 +303,9 @@ class Station:
             pass
 
     async def _write(self, page: Page, request: web.Request) -> None:
-        """Sends the newest of everything; a state that could not go in time
-        is never sent late (GND-36). The number of a state stands in it, and
-        how many were left out before."""
+        """Sends the newest state; a state that could not be sent in time is
+        never sent late (GND-36). A state has its number, and the number of
+        states left out before it."""
         try:
             await self._send(page, self.controls.hello(page.number))
             while True:
@@ -333,7 +333,7 @@ class Station:
                         page, f'{state[:-1]},"number":{page.sent},'
                         f'"left_out":{page.left_out}}}')
         except (ConnectionError, RuntimeError):
-            # It has gone; whoever listens to it knows.
+            # It has gone; the code that listens to it notices that.
             pass
         except TimeoutError:
             self.controls.view.note("caution", "console",
@@ -346,7 +346,7 @@ class Station:
         await asyncio.wait_for(page.socket.send_str(text), SLOW_S)
 
     def push(self) -> None:
-        """The newest state is for every page."""
+        """Sends the newest state to every page."""
         if not self.pages:
             return
         state = json.dumps(
@@ -359,9 +359,8 @@ class Station:
 
 
 def understood(text: str) -> dict[str, Any] | None:
-    """What a page said, if it can be what a page says, with its number,
-    sequence, and its time, sent_s. A page that is older than the station
-    knows neither."""
+    """A page's message, if it has a valid form, with its number, sequence, and
+    its time, sent_s. A page that is older than the station sends neither."""
     try:
         said = json.loads(text)
     except (ValueError, RecursionError):
@@ -414,7 +413,8 @@ def meaning(said: dict[str, Any]) -> dict[str, Any] | None:
 
 
 def plain(text: str) -> str:
-    """A note in one line, without what moves the cursor or the eye."""
+    """A note in one line, without characters that move the cursor or hide
+    text."""
     return " ".join("".join(
         " " if unicodedata.category(letter)[0] in "CZ" else letter
         for letter in text).split())

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Output files that are complete or not there (GND-15, SEC-15, D-66).
+"""Output files that are complete or absent (GND-15, SEC-15, D-66).
 
     with whole_files.replacing(target) as path:
         path.write_text(...)
 
-The old file stays until the new one is complete. Where the file system can,
+The old file stays until the new one is complete. If the file system allows it,
 the new file has no name until then, so that a killed program leaves nothing.
-Elsewhere it is .NAME.PID.TOKEN.part, where nobody can guess TOKEN, and the
+Elsewhere it is .NAME.PID.TOKEN.part, where TOKEN cannot be guessed, and the
 next run removes those of programs that have ended.
 
 An output whose name is a symbolic link is refused: in a folder that others may
@@ -33,7 +33,7 @@ IS_LINK = "is a symbolic link; an output must be a file"
 def replacing(target, mode=0o666):
     """The path to write to. Raises faults.Failed when the file cannot be
     written. Devices and pipes are written in place. The new file has the mode
-    from the first moment, less what the process's umask takes away."""
+    from the first moment, less the process's umask."""
     refuse_link(target)
     named, target = target, Path(target)
     try:
@@ -56,15 +56,15 @@ def replacing(target, mode=0o666):
 
 
 def refuse_link(path):
-    """An output is no symbolic link."""
+    """Raises an error if an output is a symbolic link."""
     if (not OWN_DESCRIPTOR.fullmatch(os.fspath(path))
             and Path(path).is_symlink()):
         raise faults.Refused(f"{faults.quoted(path)} {IS_LINK}")
 
 
 def no_link(path, flags):
-    """An opener, as open() takes one, of outputs that are written in place.
-    It follows no link, also one that was made a moment ago."""
+    """An opener for open(), for outputs that are written in place. It follows
+    no link, even one that was made a moment ago."""
     if not OWN_DESCRIPTOR.fullmatch(os.fspath(path)):
         flags |= os.O_NOFOLLOW
     return os.open(path, flags, 0o666)
@@ -93,13 +93,13 @@ def _remove_abandoned(target):
     for path in target.parent.iterdir():
         found = pattern.fullmatch(path.name)
         if found and not Path(f"/proc/{found[1]}").exists():
-            # Another user's is not ours to remove.
+            # A file of another user must stay.
             with suppress(OSError):
                 path.unlink()
 
 
 def _nameless(folder, mode):
-    """A file without a name in that folder; nothing where there are none."""
+    """A nameless file in that folder; None where the system has none."""
     try:
         return os.open(folder, os.O_TMPFILE | os.O_RDWR, mode)
     except (AttributeError, OSError):

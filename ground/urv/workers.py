@@ -3,12 +3,12 @@
 
     for job, result in workers.done(cargo, jobs, count=2):
 
-A worker that dies costs its job a second try: Dask gives it to another one, or
-to the one that is started in its place. Results come as they are done.
+After the death of a worker its job is tried again: Dask gives it to another
+worker, or to the replacement. Results come as they are done.
 
-faults.Failed says within PATIENCE_S that nobody can go on: no worker, one of
-another version or without what the cargo needs, a scheduler that has gone.
-What was done before has come by then.
+faults.Failed is raised within PATIENCE_S when the work cannot continue: no
+worker, one of another version or without the needs of the cargo, no scheduler.
+Results of finished jobs have come by then.
 """
 
 import contextlib
@@ -21,26 +21,27 @@ from pathlib import Path
 
 from urv import certificates, faults
 
-# So many jobs wait at the scheduler for each worker.
+# The number of jobs that wait at the scheduler for each worker.
 AHEAD = 20
 
-# How often a job's worker may die before the job is to blame.
+# After this number of dead workers the job is to blame.
 DEATHS = 3
 
-# How long there may be no worker, or no scheduler, in s.
+# The longest time without a worker, or without a scheduler, in s.
 PATIENCE_S = 25
 
-# Of these each side must have the same, down to the last digit but Python's.
+# Both sides need the same versions of these; of Python's the last number may
+# differ.
 SAME = ("python", "dask", "distributed", "cloudpickle")
 
-# After so many jobs in a row that could not be done the workers are to blame.
+# After this number of failed jobs in a row the workers are to blame.
 MOST_FAULTS = 20
 
 LOOK_S = 1.0
 
 
 def task():
-    """What a worker is asked to do. A nested function travels by value."""
+    """The function for a worker. A nested function is sent by value."""
     def do_it(name, job):
         from distributed import get_worker
         return get_worker().plugins[name].do(job)
@@ -49,8 +50,8 @@ def task():
 
 @contextlib.contextmanager
 def connected(scheduler, count, security=None):
-    """A client of that scheduler, or of workers of our own, which take nobody
-    who does not have their certificate (SEC-12)."""
+    """A client of that scheduler, or of local workers, which accept only peers
+    with their certificate (SEC-12)."""
     import dask
     import distributed
 
@@ -134,7 +135,7 @@ def done_by(client, cargo, jobs, where="here"):
 
 
 class Watch:
-    """Whether there is a scheduler, and a worker."""
+    """Watches whether there is a scheduler, and a worker."""
 
     def __init__(self, client, where):
         self.client = client
@@ -172,7 +173,7 @@ class Watch:
 
 
 def must_be_the_same(client, where):
-    """What travels is code: each side must have the same versions."""
+    """Code is sent to workers: each side must have the same versions."""
     found = client.get_versions()
 
     def of(side):
@@ -196,8 +197,8 @@ def must_be_the_same(client, where):
 
 
 def plugin_of(cargo):
-    """The cargo as Dask takes it: a nested class travels by value, and so
-    does the module that it needs, for no worker can import this package."""
+    """The cargo in Dask's form: a nested class is sent by value, and so is the
+    module that it needs, because no worker can import this package."""
     import cloudpickle
     import distributed
 
@@ -215,7 +216,7 @@ def plugin_of(cargo):
 
 
 def answer(future):
-    """A job's result, or what became of it."""
+    """A job's result, or its error."""
     try:
         return future.result()
     except Exception as fault:  # noqa: BLE001 - whatever a worker meets

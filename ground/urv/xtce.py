@@ -5,8 +5,8 @@ XTCE, as Yamcs reads it. The packet's layout is that of urv.packets; units,
 calibrators and limits are those of urv.items.
 
 A caution is WARNING there and a warning CRITICAL: XTCE's names for the same.
-Words of the downlink are taken only while they are fresh. So what is old goes
-out of date, and is judged by no limit.
+Words of the downlink are taken only while they are fresh. An old value
+therefore goes out of date, and no limit applies to it.
 """
 
 import re
@@ -20,14 +20,14 @@ from urv import items, laws, packets, whole_files
 SYSTEM = "URV"
 CONTAINER = "frame"
 
-# Yamcs calls a parameter out of date that has not come for 1.9 times the
-# expected time between two packets: here after 0.285 s.
+# In Yamcs a parameter is out of date when it was not received for 1.9 times
+# the expected time between two packets: here after 0.285 s.
 EXPECTED_EVERY_S = 0.15
 OUT_OF_DATE_S = 1.9 * EXPECTED_EVERY_S
 
-# It looks for such ones once a second only. So another parameter says at once
-# that no frames come: ten of them, and so much later as the watch looks. Each
-# look is a task of the one thread that all timers of Yamcs's processor share.
+# Yamcs checks for such parameters only once a second. Another parameter
+# therefore reports a gap at once: ten frames, and the watch's interval. Each
+# check is a task of the one thread that all timers of Yamcs's processor share.
 MISSING_AFTER_S = 0.2
 WATCHED_EVERY_S = 0.05
 FRAMES = ("coming", "MISSING")
@@ -53,7 +53,7 @@ HEADER = (
     ("run", 32, "another number with each start of the ground's program"),
     ("sequence", 32, "the major frame, from 0"))
 
-# Those of an error word, from the last one, and the level when set.
+# The bits of an error word, from the last one, and the level when set.
 ERROR_BITS = (
     ("stale", "WATCH", "the words before are those of an earlier scan"),
     ("rom_differs", "CRITICAL", "the ROM differs from what was loaded"),
@@ -64,14 +64,14 @@ LOG_ROW = (("count", 32, "how often"), ("first_frame", 32, "of its node"),
            ("detail", 16, "of the last one"))
 WORD_BITS = 16
 
-# After a start the laws believe no sensor for a second, which comes down in
-# another: no reason for 27 alarms.
+# After a start the laws reject every sensor for a second, and the report of
+# that takes another one: no reason for 27 alarms.
 STARTS_FRAMES = 125
 
 
 def xtce(
     output: Annotated[Path, typer.Option(
-        "-o", "--output", metavar="FILE", help="Where to write it.")],
+        "-o", "--output", metavar="FILE", help="The file to write.")],
 ):
     """Write the mission database, for Yamcs.
 
@@ -94,16 +94,16 @@ def mission_database() -> str:
         short_description="What GSC CORE has at the end of a major frame")
     _watch_frames(pymdb, system)
     text = system.dumps(top_comment="bin/urv xtce wrote this.") + "\n"
-    # pymdb knows no trigger of this kind.
+    # pymdb has no trigger of this kind.
     return re.sub(r"<OnParameterUpdateTrigger [^>]*/>",
                   "<OnPeriodicRateTrigger"
                   f' fireRateInSeconds="{WATCHED_EVERY_S}"/>', text)
 
 
 def _watch_frames(pymdb, system):
-    """Says whether frames come, also while none does. Frames that come late
-    are not those of now (GND-56): the station says how far the clock of their
-    times is from this machine's."""
+    """Reports whether frames arrive, even while none does. Late frames do not
+    count as present (GND-56): the station gives the difference between the
+    clock of their times and this machine's."""
     clock = pymdb.FloatParameter(
         system, "clock_ahead", bits=64, units="s",
         data_source=pymdb.DataSource.LOCAL, initial_value=0.0,
@@ -150,8 +150,8 @@ class _Entries:
         yield self.refused()
 
     def refused(self):
-        """Of the ground's log again: how many blocks it has refused. Any is a
-        caution."""
+        """From the ground's log once more: the number of blocks it has
+        refused. Any is a caution."""
         row = packets.KINDS.index("block_refused") + 1
         return self.pymdb.ParameterEntry(
             self.pymdb.IntegerParameter(
@@ -163,7 +163,7 @@ class _Entries:
             condition=self.pymdb.eq(self.version, packets.WHOLE))
 
     def subsystem(self, path):
-        """The one of that name, of dots, made when there is none."""
+        """The subsystem of that dotted name, made when there is none."""
         found = self.system
         for name in path.split("."):
             there = {each.name: each for each in found.subsystems}
@@ -187,7 +187,7 @@ class _Entries:
             bitpos = None
 
     def choice(self, name, choices, alarm=None):
-        """The alarm is one of them and its level."""
+        """The alarm is one of the choices and its level."""
         def word(each):
             return each.name.lower().replace("_", " ")
 
@@ -248,20 +248,20 @@ class _Entries:
 
     @staticmethod
     def position(column):
-        """In bits. Said of each word: Yamcs goes on from the last entry that
-        was there."""
+        """In bits. Each word needs it: by default Yamcs continues after the
+        last entry present."""
         return 8 * (packets.WORDS_AT + 2 * packets.COLUMNS.index(column))
 
     def error_bits(self, system, word_at):
-        """Each for itself, out of the word again."""
+        """Each bit as a parameter, from the same word."""
         for bit, (name, level, meaning) in enumerate(ERROR_BITS):
             yield self.flag(system, name, word_at, bit, level,
                             description=meaning)
 
     def flag(self, system, name, word_at, bit, level, yes="yes",
              description=None, condition=None, frames=1):
-        """A bit of the word, the last one is 0; its level when set in so many
-        frames, one after the other."""
+        """A bit of the word, the last one is 0; its level after this number of
+        successive frames with the bit set."""
         return self.pymdb.ParameterEntry(
             self.pymdb.EnumeratedParameter(
                 system, name, [(0, "no"), (1, yes)],
@@ -288,7 +288,7 @@ class _Entries:
                            if row > packets.FIRST_ROWS else None))
 
     def law_words(self):
-        """What the aircraft tells of its control laws: urv.laws."""
+        """The status of the aircraft's control laws: urv.laws."""
         pymdb = self.pymdb
         at = 8 * packets.row_at("mcs", packets.LAWS_ROW)
         comes = pymdb.all_of(pymdb.eq(self.version, packets.WHOLE),
@@ -314,7 +314,7 @@ class _Entries:
                  " 16 frames")), 1):
             yield self.whole_number(system, name, WORD_BITS, what,
                                     at + word * WORD_BITS, comes)
-        # The last word: above four bits with the table stands the number.
+        # The last word: the number is above four bits with the table.
         at_last = at + (items.of_buffer("laws")[-1].position - 1) * WORD_BITS
         for name, bits, place, what in (
                 ("configuration", WORD_BITS, 0,

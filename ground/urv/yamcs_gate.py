@@ -17,10 +17,11 @@ HERE = "127.0.0.1"
 def yamcs_gate(
     yamcs: str = typer.Option(
         ..., envvar="URV_YAMCS", show_envvar=True, metavar="URL",
-        help="Of a Yamcs, with the path that its contextPath says."),
+        help="URL of a Yamcs, with the path of its contextPath."),
     port: int = typer.Option(
         8092, min=0, max=65535,
-        help="Of the pages, at this machine's loopback; 0 takes a free one."),
+        help="Port of the pages, at this machine's loopback; 0 takes a free"
+        " one."),
 ):
     """Serve the pages of a Yamcs to this machine."""
     check(yamcs)
@@ -28,14 +29,14 @@ def yamcs_gate(
 
 
 def check(yamcs: str) -> None:
-    """Raises faults.Refused for what is no URL of a Yamcs."""
+    """Raises faults.Refused for anything but a URL of a Yamcs."""
     if not yamcs.startswith("http://"):
         raise faults.Refused(f"--yamcs {faults.quoted(yamcs)}: not"
                              " http://HOST:PORT or http://HOST:PORT/PATH")
 
 
 async def serve(yamcs: str, port: int) -> None:
-    """The pages, until it is ended."""
+    """Serves the pages until it is ended."""
     from aiohttp import web as http
 
     from urv import gate, web
