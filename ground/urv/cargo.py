@@ -69,7 +69,7 @@ class Cargo:
     def setup(self, worker):
         """Dask's worker calls this once, before its first job."""
         if digest(self.archive) != self.hash:
-            raise RuntimeError("the cargo is not what was sent")
+            raise RuntimeError("the cargo differs from the sent one")
         self.unpack(tempfile.mkdtemp(prefix="cargo-",
                                      dir=worker.local_directory))
         self.archive = b""

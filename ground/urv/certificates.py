@@ -64,14 +64,15 @@ def of(scheduler, folder, insecure):
         if folder is not None:
             raise faults.Refused("either --certificates or --insecure, and"
                                  " not both")
-        faults.note(f"nobody at {faults.quoted(scheduler)} shows a"
-                    " certificate: whoever can reach this scheduler can run"
-                    " code here")
+        faults.note(f"no program at {faults.quoted(scheduler)} presents a"
+                    " certificate: any program that can reach this scheduler"
+                    " can run code here")
         return None
     if folder is None:
         raise faults.Refused(
             "--scheduler: give --certificates FOLDER, or --insecure: without"
-            " certificates whoever can reach the scheduler can run code here")
+            " certificates any program that can reach the scheduler can run"
+            " code here")
     if not scheduler.startswith(SECURE):
         raise faults.Refused(f"--scheduler {faults.quoted(scheduler)}: with"
                              " certificates it is tls://HOST:PORT")
@@ -93,7 +94,7 @@ def of_folder(folder):
                 f" {', '.join(FILES)}") from fault
         if not stat.S_ISREG(mode):
             raise faults.Refused(
-                f"--certificates {faults.quoted(path)}: is no file")
+                f"--certificates {faults.quoted(path)}: is not a file")
     if mode & 0o077:
         raise faults.Refused(f"--certificates {faults.quoted(path)}: others"
                              " may read or change it: chmod 600 makes it"

@@ -74,7 +74,7 @@ def parsed(text):
 
     def finite(digits):
         if not math.isfinite(float(digits)):
-            raise ValueError(f"{digits[:20]} is no number")
+            raise ValueError(f"{digits[:20]} is not a number")
         return float(digits)
 
     def whole(digits):

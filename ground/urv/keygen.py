@@ -67,10 +67,10 @@ def _old_keys(file: Path) -> list[tuple[int, str]]:
     with input_files.opened(file) as read:
         if stat.S_IMODE(os.fstat(read.fileno()).st_mode) != MODE:
             raise faults.Refused(
-                f"{faults.quoted(file)} has not the mode 0600")
+                f"{faults.quoted(file)} does not have mode 0600")
         data = read.read(LONGEST + 1)
     if len(data) > LONGEST or not data.isascii():
-        raise faults.Refused(f"{faults.quoted(file)} is no file of keys")
+        raise faults.Refused(f"{faults.quoted(file)} is not a file of keys")
     found = []
     for place, line in enumerate(data.decode("ascii").split("\n"), 1):
         line = line.removesuffix("\r").strip(" \t")
@@ -78,7 +78,7 @@ def _old_keys(file: Path) -> list[tuple[int, str]]:
             key = _LINE.fullmatch(line)
             if not key or int(key[1]) > 255:
                 raise faults.Refused(
-                    f"{faults.quoted(file)[1:-1]}:{place}: this is no key")
+                    f"{faults.quoted(file)[1:-1]}:{place}: this is not a key")
             found.append((int(key[1]), " ".join(
                 ("key", key[1], key[2],
                  (key[3] or "")[:LONGEST_REMARK])).rstrip()))

@@ -75,7 +75,7 @@ def monte_carlo(
     Leaves results.parquet and report.html in the folder.
     """
     if pilot not in LENGTHS:
-        raise faults.Refused(f"--pilot: {faults.quoted(pilot)} is nobody;"
+        raise faults.Refused(f"--pilot: {faults.quoted(pilot)} is not a pilot;"
                              f" there are {', '.join(LENGTHS)}")
     if scheduler is not None and workers is not None:
         raise faults.Refused("--workers are workers here, and do not go"

@@ -100,7 +100,7 @@ def worst(flights, command):
         cells.append((str(each.seed), what,
                       f"<code>{escape(command(each.seed))}</code>"))
     return "<section id=\"worst\">\n" + table(
-        "The worst flights, and what flies them again",
+        "The worst flights, and the commands that fly them again",
         ("seed", "nearest to or beyond", "command"), cells) + "</section>\n"
 
 
@@ -154,5 +154,5 @@ def measures(flights):
                         values[min(len(values) - 1,
                                    len(values) * 95 // 100)], values[-1]))))
     return "<section id=\"measures\">\n" + table(
-        "What was measured, and what was drawn",
+        "Measured and drawn values",
         ("what", "least", "median", "95 %", "most"), cells) + "</section>\n"

@@ -109,7 +109,7 @@ class Orders:
     def shown(self, told: Laws | None) -> dict[str, Any]:
         """For pages: the newest order, and the configuration in force."""
         if told is None:
-            force = "not known: the control laws tell nothing"
+            force = "unknown: no report of the control laws"
         elif told.serial == 0:
             force = "as the aircraft was switched on"
         else:

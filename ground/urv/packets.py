@@ -369,7 +369,7 @@ def _check(what: str, data: bytes, magic: int,
         raise PacketError(f"{what}: {len(data)} bytes of version {version}, "
                           f"not {lengths[version]}")
     if told != len(data):
-        raise PacketError(f"{what}: it says that it has {told} bytes, "
+        raise PacketError(f"{what}: its length field is {told} bytes, "
                           f"not {len(data)}")
     return version
 
@@ -379,4 +379,4 @@ def _member(kind: type[IntEnum], value: int) -> IntEnum:
         return kind(value)
     except ValueError as error:
         raise PacketError(
-            f"frame packet: {value} is no {kind.__name__}") from error
+            f"frame packet: {value} is not a {kind.__name__}") from error

@@ -146,7 +146,7 @@ class ArrowRecord:
             if (sorted(batch.schema.names) != sorted(self.names)
                     or [batch.schema.field(name).type
                         for name in self.names] != self.kinds):
-                raise ValueError("other columns than its schema says")
+                raise ValueError("other columns than those of its schema")
             rows = numpy.empty((batch.num_rows, len(self.names)))
             for place, name in enumerate(self.names):
                 column = batch.column(name)
@@ -178,8 +178,8 @@ def _told(path, read):
 
 def damaged(path):
     return faults.Refused(
-        f"{faults.quoted(path)}: no Parquet file, or one that is damaged"
-        " or cut short: its end says what is in it")
+        f"{faults.quoted(path)}: not a Parquet file, or damaged or cut"
+        " short: its end lists its contents")
 
 
 def check_end(stream):

@@ -151,10 +151,10 @@ def check_names(names, where):
                 or name[0] == TEXT_MARK
                 or any(mark in name for mark in NO_NAME_HAS)):
             raise faults.Refused(
-                f"{where}: {faults.quoted(name)} is no name of a column")
+                f"{where}: {faults.quoted(name)} is not a column name")
         if name in seen:
             raise faults.Refused(
-                f"{where}: the column {faults.quoted(name)} stands twice")
+                f"{where}: the column {faults.quoted(name)} appears twice")
         seen.add(name)
     missing = [name for name in ("frame", "time_ms") if name not in seen]
     if missing:
@@ -303,7 +303,7 @@ class CsvRecord:
                      else None)
             here = f"{self.where(number)}: {name}: {faults.quoted(cell)}"
             if not found:
-                raise faults.Refused(f"{here} is no number")
+                raise faults.Refused(f"{here} is not a number")
             fine = len(found[1] or "")
             if fine > MOST_DECIMALS:
                 raise faults.Refused(f"{here} has {fine} decimals, more than"
@@ -315,15 +315,15 @@ class CsvRecord:
             if is_word(name) and (
                     fine or not 0 <= int(cell) <= LARGEST_WORD):
                 raise faults.Refused(
-                    f"{here} is no word, 0 to {LARGEST_WORD}")
+                    f"{here} is not a word, 0 to {LARGEST_WORD}")
             if (f"{float(cell):.{fine}f}" != cell
                     or abs(float(cell)) * 10 ** fine >= LARGEST):
                 raise faults.Refused(
                     f"{here} is not written as a record's numbers are")
             if name == "frame" and float(cell) < 0:
-                raise faults.Refused(f"{here} is no number of a frame")
+                raise faults.Refused(f"{here} is not a frame number")
             if name == "time_ms" and not 0 <= float(cell) <= LONGEST_TIME_MS:
-                raise faults.Refused(f"{here} is no time, 0 to"
+                raise faults.Refused(f"{here} is not a time, 0 to"
                                      f" {LONGEST_TIME_MS} ms")
 
 

@@ -228,8 +228,8 @@ def exceedances(flight, events):
     note = (f"<p>And {more} more, which the plots show.</p>\n"
             if more > 0 else "")
     return (
-        "<section id=\"exceedances\">\n<h2>When, and what happened around"
-        " it</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
+        "<section id=\"exceedances\">\n<h2>Times, and events around"
+        " them</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
         "<th scope=\"col\">level</th><th scope=\"col\">what</th>"
         "<th scope=\"col\">when</th><th scope=\"col\">worst</th>"
         "<th scope=\"col\">limit</th><th scope=\"col\">within 2 s of it</th>"
@@ -283,6 +283,6 @@ def foot(flights):
                 if len(flights) > 1 else "")
     stale = ("<p>Words of the downlink that are marked stale, and rows that"
              " are missing, are gaps: nothing is drawn over them. Bands are"
-             " limits: amber from where the pilot should look, red from where"
-             " he must act.</p>\n")
+             " limits: amber where the pilot should look, red where the pilot"
+             " must act.</p>\n")
     return f"<footer>\n{compared}{stale}</footer>\n</main>\n"

@@ -135,7 +135,7 @@ def flown(flight, quality):
             f" {number(high, decimals, item.unit)}", limits_of(item), level))
     level = worst(line.level for line in lines)
     if not lines:
-        text = "The record does not tell: it has no words of the downlink."
+        text = "Unknown: the record has no words of the downlink."
         level = CAUTION
     elif level == WELL:
         text = "Yes: everything stayed within its limits."
@@ -144,7 +144,7 @@ def flown(flight, quality):
         text = (f"{'With remarks' if level == CAUTION else 'No'}: "
                 f"{'; '.join(beyond)}.")
     if lines and not quality:
-        text += (" What the pilot wanted is not known (no flight_quality in a"
+        text += (" The pilot's targets are unknown (no flight_quality in a"
                  " summary): only limits are judged.")
     return Answer("Was it flown well?", "Flight quality", level, text, lines)
 
@@ -260,7 +260,7 @@ def link(flight, summary, events=()):
     lines += latency_lines(flight, summary)
     if not lines:
         return Answer("Was the link well?", "Link", CAUTION,
-                      "The record does not tell.", [])
+                      "Unknown: the record has no data of it.", [])
     level = worst(line.level for line in lines)
     beyond = [line.name for line in lines if line.level == level]
     text = {WELL: "Yes: nothing was lost and nothing came late.",
@@ -313,9 +313,9 @@ def limits(flight):
     warnings = sum(each.level == WARNING for each in found)
     cautions = len(found) - warnings
     if not found:
-        text = ("Nothing: all that has limits stayed within them."
+        text = ("Nothing: every value stayed within its limits."
                 if flight.downlink else
-                "The record does not tell: it has no words of the downlink.")
+                "Unknown: the record has no words of the downlink.")
         level = WELL if flight.downlink else CAUTION
     else:
         names = list(dict.fromkeys(each.item.label for each in found))

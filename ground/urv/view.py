@@ -247,8 +247,8 @@ class View:
             self._latest_s = max(self._latest_s, age)
         self._alert_over_time(
             "late", is_late, "FRAMES LATE",
-            f"frames come {age or 0.0:.1f} s after they were made: what is"
-            " shown is old", now)
+            f"frames arrive {age or 0.0:.1f} s after they were made: the"
+            " shown values are old", now)
         if self._latest_s and not self.alerts.active("late"):
             self.note(INFO, "frames", "frames came up to"
                       f" {self._latest_s:.1f} s late")
@@ -396,8 +396,8 @@ class View:
             state = frame.console_state
         for lost, name, text in (
                 (packets.ConsoleState.HELD, "STICKS HELD",
-                 "console lost: nothing fresh goes up, the aircraft does as"
-                 " without a link"),
+                 "console lost: no fresh words are sent, the aircraft reacts"
+                 " as to a lost link"),
                 (packets.ConsoleState.NEUTRAL, "STICKS NEUTRAL",
                  "console lost on the ground: engine idle, brake on")):
             self._alert_if(state == lost, lost.name.lower(), WARNING, name,
@@ -427,7 +427,7 @@ class View:
         told = Laws.of(frame)
         if (told and told.mode) != (self.laws and self.laws.mode):
             self.note(INFO, "state", "the laws: "
-                      + ("nothing told" if told is None else told.mode))
+                      + ("no report" if told is None else told.mode))
         self.laws = told
         if told is not None:
             self.laws_state = "on"

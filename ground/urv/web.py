@@ -268,7 +268,7 @@ class Station:
                 self.controls.bad_messages += 1
                 page.bad += 1
                 if page.bad > MOST_BAD_MESSAGES:
-                    await self._drop(page, "messages nobody understands")
+                    await self._drop(page, "messages of an unknown form")
                     return
             else:
                 page.heard = loop.time()

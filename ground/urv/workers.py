@@ -161,8 +161,8 @@ class Watch:
             self.last_seen = now
         elif now - self.last_seen >= PATIENCE_S:
             raise faults.Failed(
-                f"no worker of {self.where} for {PATIENCE_S} s; the log of one"
-                " that was there says why it ended")
+                f"no worker of {self.where} for {PATIENCE_S} s; the log of"
+                " an earlier worker gives the reason")
 
     def await_a_worker(self):
         while True:

@@ -91,7 +91,7 @@ def mission_database() -> str:
     pymdb.Container(
         system, CONTAINER, list(_Entries(pymdb, system)),
         bits=8 * packets.FRAME_LENGTH, rate=EXPECTED_EVERY_S,
-        short_description="What GSC CORE has at the end of a major frame")
+        short_description="Contents of GSC CORE at the end of a major frame")
     _watch_frames(pymdb, system)
     text = system.dumps(top_comment="bin/urv xtce wrote this.") + "\n"
     # pymdb has no trigger of this kind.
@@ -108,7 +108,7 @@ def _watch_frames(pymdb, system):
         system, "clock_ahead", bits=64, units="s",
         data_source=pymdb.DataSource.LOCAL, initial_value=0.0,
         persistent=False,
-        short_description="what is added to the time of a frame for the UTC of"
+        short_description="difference from the time of a frame to the UTC of"
         " this machine; the station sets it")
     frames = pymdb.EnumeratedParameter(
         system, "frames", list(enumerate(FRAMES)),

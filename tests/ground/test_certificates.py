@@ -163,7 +163,8 @@ class workers_at:
 @pytest.mark.parametrize("options, said", [
     (("--scheduler", "tcp://127.0.0.1:1"),
      "--scheduler: give --certificates FOLDER, or --insecure: without"
-     " certificates whoever can reach the scheduler can run code here"),
+     " certificates any program that can reach the scheduler can run code"
+     " here"),
     (("--scheduler", "tcp://127.0.0.1:1", "--certificates", "own"),
      '--scheduler "tcp://127.0.0.1:1": with certificates it is'
      " tls://HOST:PORT"),

@@ -164,16 +164,16 @@ BAD = {
     "a,b\n1,2\n": (":1: not a flight's record: it has no column frame and no"
                    " time_ms"),
     "frame,time_ms\r\n0,20\r\n": (
-        ':1: "time_ms\\r" is no name of a column'),
-    "frame,time_ms\n0,20\n1,NaN\n": ':3: time_ms: "NaN" is no number',
-    "frame,time_ms\n0,20\n1,4_0\n": ':3: time_ms: "4_0" is no number',
+        ':1: "time_ms\\r" is not a column name'),
+    "frame,time_ms\n0,20\n1,NaN\n": ':3: time_ms: "NaN" is not a number',
+    "frame,time_ms\n0,20\n1,4_0\n": ':3: time_ms: "4_0" is not a number',
     "frame,time_ms\n0,20\n1,9007199254740993\n": (
         ':3: time_ms: "9007199254740993" is not written as a record\'s numbers'
         " are"),
     "frame,time_ms,pwm.brake\n0,20,0\n1,40,65536\n": (
-        ':3: pwm.brake: "65536" is no word, 0 to 65535'),
+        ':3: pwm.brake: "65536" is not a word, 0 to 65535'),
     "frame,time_ms,pwm.brake\n0,20,-1\n": (
-        ':2: pwm.brake: "-1" is no word, 0 to 65535'),
+        ':2: pwm.brake: "-1" is not a word, 0 to 65535'),
     "frame,time_ms,truth.x\n0,20,1.50\n1,40,1.5\n": (
         ':3: truth.x: "1.5" has 1 decimals, the rows before have 2'),
     "frame,time_ms\n0,20\n1,40,3\n": ":3: 3 cells, the header has 2",
@@ -196,7 +196,7 @@ def test_gnd13_a_bad_line_far_down_is_named(urv, tmp_path):
     (tmp_path / "bad.csv").write_text("\n".join(lines) + "\n", "utf-8")
     result = urv("convert", "bad.csv", "out.mcap")
     assert result.returncode == 2
-    assert result.stderr == 'urv: bad.csv:7655: time_ms: "x" is no number\n'
+    assert result.stderr == 'urv: bad.csv:7655: time_ms: "x" is not a number\n'
 
 
 def test_gnd13_what_is_no_text_is_refused(urv, tmp_path):

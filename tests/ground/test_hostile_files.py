@@ -454,4 +454,4 @@ def test_sec16_a_name_that_no_record_has_is_refused(tmp_path, name):
     (tmp_path / "a.csv").write_bytes(csv(f"frame,time_ms,{name}", "0,20,1"))
     status, said, _ = run_measured(tmp_path, "convert", "a.csv", "b.csv")
     assert (status, len(said.splitlines())) == (2, 1)
-    assert "is no name of a column" in said
+    assert "is not a column name" in said

@@ -81,10 +81,10 @@ def test_sec14_no_file_of_keys_is_a_pipe_long_or_without_sense(
     os.mkfifo(tmp_path / "pipe.key", 0o600)
     for name, data, said in (
             ("pipe.key", None, "is not a regular file"),
-            ("long.key", b"#" * 4095 + b"\n" + key, "is no file of keys"),
-            ("big.key", key.replace(b"1", b"256", 1), "big.key:1: this is no"),
+            ("long.key", b"#" * 4095 + b"\n" + key, "is not a file of keys"),
+            ("big.key", key.replace(b"1", b"256", 1), "big.key:1: this is"),
             ("cr.key", b"# a\r" + key, "has no key"),
-            ("vt.key", key.replace(b" ", b"\v"), "vt.key:1: this is no key")):
+            ("vt.key", key.replace(b" ", b"\v"), "1: this is not a key")):
         path = tmp_path / name
         if data is not None:
             path.write_bytes(data)

@@ -331,7 +331,7 @@ def test_cargo_that_changed_on_its_way_is_refused(sent, tmp_path):
     (("--flights", 2, "--again", 3),
      "either --flights or --again is needed, and not both"),
     (("--flights", 2, "--pilot", "ace"),
-     "--pilot: \"ace\" is nobody; there are standard, level, circuit,"
+     "--pilot: \"ace\" is not a pilot; there are standard, level, circuit,"
      " damped-circuit"),
     (("--flights", 2, "--workers", 2, "--scheduler", "tcp://127.0.0.1:1"),
      "--workers are workers here, and do not go together with --scheduler"),

@@ -207,7 +207,7 @@ def test_gnd1_another_length_magic_or_version_is_refused(
             (b"", f"0 bytes, not {lengths}"),
             (b"X" + data[1:], "begins with 58525"),
             (data[:4] + b"\0\3" + data[6:], f"version 3, not {versions}"),
-            (data[:6] + b"\0\1" + data[8:], "says that it has 1 bytes")):
+            (data[:6] + b"\0\1" + data[8:], "length field is 1 bytes")):
         with pytest.raises(PacketError, match=why):
             kind.decode(spoilt)
 

@@ -415,11 +415,11 @@ BAD_RECORDS = {
     "": ":1: the file is empty",
     "frame,time_ms\n": ": the record has no rows",
     "time_ms\n20\n": ":1: not a flight's record: it has no column frame",
-    "frame,frame,time_ms\n": ':1: the column "frame" stands twice',
+    "frame,frame,time_ms\n": ':1: the column "frame" appears twice',
     "frame,time_ms\n0,20\n1\n": ":3: 1 cells, the header has 2",
     "frame,time_ms\n0,20\n1,x\x1b[31m\n": (
-        ':3: time_ms: "x\\x1b[31m" is no number'),
-    "frame,time_ms\n0,20\n1,4e1\n": ':3: time_ms: "4e1" is no number',
+        ':3: time_ms: "x\\x1b[31m" is not a number'),
+    "frame,time_ms\n0,20\n1,4e1\n": ':3: time_ms: "4e1" is not a number',
     "frame,time_ms\n0,20\n1,40.0\n": (
         ':3: time_ms: "40.0" has 1 decimals, the rows before have 0'),
     "frame,time_ms\n0,020\n": (
