@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # bin/urv, a link to this: the ground station's commands, run by the Python of
-# .venv. scripts/setup.sh makes both. Python's -I keeps the current folder and
-# PYTHONPATH out of where it looks for modules (SEC-10).
+# .venv. scripts/setup.sh makes both. Python's -I removes the current folder and
+# PYTHONPATH from its search path of modules (SEC-10).
 
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd) || exit 1
 if [ ! -x "$root/.venv/bin/python" ]; then

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Draws the panels of a report. What is drawn of a series, for the time that
-// is shown, is the least and the most of what falls on a pixel.
+// Draws the panels of a report. For the displayed time a series is drawn as the
+// least and the most of the values on each pixel.
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -34,7 +34,7 @@ function colour(name) {
     .getPropertyValue(`--${name}`).trim();
 }
 
-// plotly reads some HTML in labels: what comes from files is no HTML.
+// plotly reads some HTML in labels: text from files must not be HTML.
 function plain(text) {
   return text.replace(/&/g, "&amp;").replace(/</g, "&lt;")
     .replace(/>/g, "&gt;");
@@ -152,7 +152,7 @@ function extent(traces) {
   return low > high ? [0, 1] : [low, high];
 }
 
-// Beyond the limits; those far from all that is drawn make no room.
+// Beyond the limits; bands far from all values need no room.
 function bands(limits, low, high) {
   const shapes = [];
   if (!limits.length) return { shapes, low, high };
@@ -286,8 +286,8 @@ class EventPlot {
     layout.yaxis.range = [this.happened.length - 0.5, -0.9];
     layout.yaxis.fixedrange = true;
     layout.yaxis.tickvals = [];
-    // The names stand in the plot, above their lines: beside it there is no
-    // room on a narrow page.
+    // The names are in the plot, above their lines: beside it there is no room
+    // on a narrow page.
     layout.annotations = this.happened.map((one, row) => ({
       xref: "paper", x: 0, xanchor: "left", y: row - 0.1, yanchor: "bottom",
       text: plain(one.label), showarrow: false,
@@ -386,7 +386,7 @@ function draw(plot) {
   link(plot);
 }
 
-// What is on the screen first, the others when there is time; on paper all.
+// Visible panels first, the others when there is time; on paper all.
 function drawAll() {
   const mine = ++generation;
   const left = [];

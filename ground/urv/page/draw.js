@@ -5,7 +5,7 @@ const SVG = "http://www.w3.org/2000/svg";
 
 export const byId = (id) => document.getElementById(id);
 
-// An element of HTML, its text put in as text only.
+// An HTML element; its text is inserted as text only.
 export function html(tag, attributes = {}, ...inside) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -24,7 +24,7 @@ export function svg(tag, attributes = {}, ...inside) {
   return made;
 }
 
-// Writes only what has changed: the page is drawn 25 times a second.
+// Writes only changes: the page is drawn 25 times a second.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -36,7 +36,7 @@ export function put(element, name, value) {
 export const clamp = (value, low, high) =>
   Math.min(high, Math.max(low, value));
 
-// A number in a fixed place: no digit moves when another comes or goes.
+// A number with fixed width: no digit moves when another one changes.
 export function fixed(value, places, width) {
   const shown = value.toFixed(places);
   // A zero has no sign.
@@ -48,11 +48,11 @@ export const signed = (value, places, width) =>
   (Number(value.toFixed(places)) > 0 ? "+" + value.toFixed(places)
     : fixed(value, places, 0)).padStart(width, "\u2007");
 
-// Through a panel whose words have not come.
+// The cross over a panel without fresh words.
 export const cross = (x, y, width, height) => svg("path", { class: "cross",
   d: `M${x} ${y}l${width} ${height}M${x} ${y + height}l${width} ${-height}` });
 
-// Where a value must not be, lowest first: [level, from, to].
+// Forbidden ranges of a value, lowest first: [level, from, to].
 export function bands(item, low, high) {
   if (!item) return [];
   const found = [];
@@ -72,7 +72,7 @@ export function bands(item, low, high) {
   return found;
 }
 
-// On which side of its limits a value is.
+// The limit that a value has passed.
 export function level(item, value) {
   if (!item || value === null) return "";
   const { warning_low, caution_low, caution_high, warning_high } = item;

@@ -68,7 +68,7 @@ class Corner {
   }
 }
 
-// Draws an instrument anew for the room that its panel has.
+// Draws an instrument again for the size of its panel.
 function fit(panel, instrument) {
   new ResizeObserver(() => {
     if (panel.clientWidth > 0) {
@@ -152,7 +152,7 @@ class Attitude {
     put(this.bank, "transform", `rotate(${-roll})`);
     put(this.path, "transform", `translate(${clamp(beta * DEGREE, -150, 150)} `
       + `${clamp(alpha * DEGREE, -120, 120)})`);
-    // The ball lies where the force that is felt does not push it.
+    // The ball is opposite to the lateral force.
     const felt = value["gsc.downlink.lateral_acceleration"];
     put(this.ball, "cx", String(clamp(-felt * 400, -52, 52)));
     const turn = derived.heading_rate;
@@ -172,7 +172,7 @@ const side = (value, places) =>
   `${Math.abs(value) < 0.05 ? "\u2007" : value > 0 ? "R" : "L"}`
   + fixed(Math.abs(value), places, 4);
 
-// Digits on drums: each turns on when the one behind it passes nine.
+// Digits on drums: each turns when the one to its right passes nine.
 class Drums {
   constructor(x, y, count, size) {
     this.step = size * 1.25;
@@ -200,7 +200,7 @@ class Drums {
         : Math.floor(known / unit) % 10 + Math.max(0, below - 9);
       put(this.drums[place], "transform",
         `translate(0 ${(turned * this.step).toFixed(2)})`);
-      // A leading zero says nothing.
+      // A leading zero is not drawn.
       const leading = place < this.drums.length - 1 && known < unit * 0.999
         && turned < 0.001;
       put(this.drums[place], "visibility", leading ? "hidden" : "inherit");

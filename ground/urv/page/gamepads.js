@@ -15,7 +15,7 @@ export const BUTTONS = [...Array.from({ length: 8 },
   (_, number) => `switch${number + 1}`), "take", "release"];
 const NEEDED = ["roll", "pitch"];
 
-// Where each function is: on an axis with its positive sense, or on a button.
+// The place of each function: an axis with its positive sense, or a button.
 const STANDARD = {
   roll: { axis: 2, sign: 1 }, pitch: { axis: 3, sign: 1 },
   yaw: { axis: 0, sign: 1 }, throttle: { axis: 1, sign: -1 },
@@ -43,14 +43,14 @@ function connected() {
 const isCount = (value, below) =>
   Number.isInteger(value) && value >= 0 && value < below;
 
-// Whether a function's place is one that this gamepad has.
+// Whether this gamepad has the place of a function.
 function isThere(pad, place) {
   if (place === null || typeof place !== "object") return false;
   return isCount(place.button, pad.buttons.length)
     || (isCount(place.axis, pad.axes.length) && Math.abs(place.sign) === 1);
 }
 
-// What the pilot has mapped, without what cannot be so.
+// The pilot's mapping, without invalid entries.
 function remembered(pad) {
   let found = null;
   try {
@@ -76,8 +76,8 @@ export const isMapped = (pad) => {
   return NEEDED.every((name) => name in mapping);
 };
 
-// An axis from -1 to 1 in its positive sense, a button from 0 to 1. What is
-// no number has no value.
+// An axis from -1 to 1 in its positive sense, a button from 0 to 1. Invalid
+// values count as none.
 export function valueOf(pad, place) {
   if (!place) return null;
   const value = place.button !== undefined
@@ -94,7 +94,7 @@ function isPressed(pad, place) {
 }
 
 export class Gamepads {
-  // tell(what, name) goes to the station.
+  // tell(what, name) sends a report to the station.
   constructor(tell) {
     this.tell = tell;
     this.chosen = null;
@@ -105,14 +105,14 @@ export class Gamepads {
     this.rearm();
   }
 
-  // Nothing of the gamepad counts until it has been seen at rest.
+  // No input of the gamepad counts until it has been seen at rest.
   rearm() {
     this.armed = new Set();
     this.last = {};
     this.pressed = new Set(BUTTONS);
   }
 
-  // A station that knows nothing yet is told again.
+  // A new connection to the station: all is reported again.
   met() {
     this.told.clear();
     if (this.chosen !== null && !this.lost) this.tell("chosen", this.chosen.name);
@@ -177,7 +177,7 @@ export class Gamepads {
     return pad;
   }
 
-  // Of a stick, from -1 to 1; 0 until it was at rest.
+  // The value of a stick, from -1 to 1; 0 until it was at rest.
   centred(pad, name, zone) {
     const value = valueOf(pad, this.mapping[name]);
     const before = this.last[name];
@@ -200,7 +200,8 @@ export class Gamepads {
     return this.mapping[name]?.lever === true;
   }
 
-  // Of a lever, from 0 to 1; null until it has met what there is.
+  // The value of a lever, from 0 to 1; null until it has matched the present
+  // value.
   lever(pad, name, now) {
     const place = this.mapping[name];
     const value = valueOf(pad, place);
@@ -217,7 +218,7 @@ export class Gamepads {
     return this.armed.has(name) ? at : null;
   }
 
-  // Of the brake, from 0 to 1; 0 until it was released.
+  // The value of the brake, from 0 to 1; 0 until it was released.
   brake(pad) {
     const place = this.mapping.brake;
     const value = valueOf(pad, place);
@@ -227,7 +228,7 @@ export class Gamepads {
     return this.armed.has("brake") && at > REST ? at : 0;
   }
 
-  // The buttons that have gone down since the last time.
+  // The buttons pressed since the last call.
   down(pad) {
     const found = [];
     for (const name of BUTTONS) {
@@ -241,7 +242,7 @@ export class Gamepads {
     return found;
   }
 
-  // What the pilot must move before it counts.
+  // The controls that the pilot must move before they count.
   waiting(pad, zone, throttle) {
     const found = ["roll", "pitch", "yaw"].filter((name) =>
       !this.armed.has(name)
@@ -259,7 +260,7 @@ export class Gamepads {
 
   // Mapping
 
-  // The next axis or button that moves is where this function is.
+  // The next axis or button that moves becomes the place of this function.
   startLearning(pad, name) {
     this.learning = { name, place: placeOf(pad), axes: [...pad.axes],
       pressed: pad.buttons.map((button) => button.pressed) };
@@ -314,7 +315,7 @@ export class Gamepads {
     this.changed(pad);
   }
 
-  // A chosen gamepad without what it needs flies no more.
+  // A chosen gamepad that lacks a required function does not fly any more.
   changed(pad) {
     if (!this.isChosen(pad)) return;
     this.mapping = mappingOf(pad);

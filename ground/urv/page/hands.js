@@ -14,9 +14,9 @@ const KEY_RATE = 2.5;
 const KEY_PART = 0.5;
 const LEVER_RATE = 0.5;
 const PAD = 60;
-// A browser that hung for so long, or a key that waited so long, is too late.
+// Input older than this, from a hung browser or a queued key, is dropped.
 const OLD = 500;
-// Without a state of the station for so long, nothing goes up.
+// Without a state of the station for this time, no sticks are sent.
 const DEAF = 1000;
 
 export const KEYS = [
@@ -135,13 +135,13 @@ export class Hands {
     shown();
   }
 
-  // The station is there, and knows nothing of this page yet.
+  // A new connection: the station knows nothing of this page yet.
   met() {
     this.there = true;
     this.gamepads.met();
   }
 
-  // What each switch does, from the station's table of items.
+  // The function of each switch, from the station's table of items.
   learn(switches) {
     this.uses = switches;
     this.switches.forEach(({ name }, number) =>
@@ -178,7 +178,7 @@ export class Hands {
     addEventListener("keydown", (event) => this.key(event));
     addEventListener("keyup", (event) => this.keys.delete(named(event)));
     addEventListener("blur", () => this.keys.clear());
-    // However the page goes out of sight, its sticks fall silent.
+    // When the page is hidden, for whatever reason, its sticks fall silent.
     document.addEventListener("visibilitychange", () => {
       this.ticked = performance.now();
       if (document.hidden) this.leave("hidden");
@@ -188,7 +188,7 @@ export class Hands {
     document.addEventListener("freeze", () => this.leave("hidden"));
   }
 
-  // Keys and mouse that were held are held no more.
+  // Held keys and mouse buttons are released.
   letGo() {
     this.keys.clear();
     this.dragged.clear();
@@ -227,7 +227,7 @@ export class Hands {
   take() {
     if (this.narrow.matches) return;
     if (this.holding) {
-      // The gamepad is gone: the mouse and the keys go on.
+      // The gamepad is gone: mouse and keys continue.
       this.blocked = "";
       this.pad_used = false;
     } else {
@@ -244,12 +244,12 @@ export class Hands {
     this.stick.switches[number] = !this.stick.switches[number];
   }
 
-  // What the station says of the sticks.
+  // The station's report about the sticks.
   state(state, console_number, words) {
     const mine = state.holder === console_number;
     this.asked = mine && state.asker !== null;
     if (mine && !this.holding) {
-      // From where the sticks are: taking them moves nothing.
+      // Starts from the present sticks: taking them moves nothing.
       const part = (name) => words[`console.${name}`] / tables.middle - 1;
       Object.assign(this.stick, { roll: 0, pitch: 0, yaw: 0,
         throttle: (words["console.throttle"] ?? 0) / tables.largest,
@@ -268,11 +268,11 @@ export class Hands {
     const hung = now - this.ticked > OLD && !document.hidden;
     this.ticked = now;
     if (hung) {
-      // Keys that were released meanwhile are told before the next tick.
+      // Keys that were released meanwhile are handled before the next tick.
       if (this.holding) this.send({ t: "lost", what: "hung" });
       return;
     }
-    // What happens to gamepads is told, so somebody must hear it.
+    // Changes of gamepads are reported, so a station must be connected.
     if (!this.there) return;
     const pad = this.gamepads.poll();
     if (pad !== null && this.panel.isMapping) this.gamepads.rearm();
@@ -382,7 +382,7 @@ export class Hands {
       button.disabled = !this.holding;
       say(state, silent ? "\u2013\u2013" : (picked ? "on" : "off")
         + (picked !== up ? ", on its way" : ""));
-      // A switch of the laws does nothing where they are off.
+      // A switch of the laws has no effect while they are off.
       const idle = laws !== "on" && this.uses?.[number].works === "laws";
       say(note, !idle ? "" : silent || laws === "unknown"
         ? "laws: not known" : "laws off");
@@ -392,7 +392,7 @@ export class Hands {
     this.panel.draw();
   }
 
-  // What goes up, in digits.
+  // The sent values, in digits.
   tell(percent) {
     say(this.right.text, `${signed(percent("roll"), 0, 4)} % `
       + `${signed(percent("pitch"), 0, 4)} %`);
@@ -401,7 +401,7 @@ export class Hands {
     say(this.brakeText, `${fixed(Math.max(0, percent("brake")), 0, 3)} %`);
   }
 
-  // Of the gamepad, in a few words.
+  // The state of the gamepad, in a few words.
   padTold() {
     const { chosen, lost } = this.gamepads;
     if (chosen !== null) return chosen.id + (lost ? " (lost)" : "");
@@ -411,7 +411,7 @@ export class Hands {
         : `${pads[0].id}: press G to map it`;
   }
 
-  // What moves the sticks, for the one who holds them.
+  // The source of the sticks, for their holder.
   source() {
     const pads = this.gamepads.all();
     const others = pads.filter((pad) => !this.gamepads.isChosen(pad));
@@ -442,5 +442,5 @@ export class Hands {
 
 const named = (event) => event.key.toLowerCase();
 
-// It waited in the queue of a browser that hung.
+// It waited in the queue of a hung browser.
 const isOld = (event) => performance.now() - event.timeStamp > OLD;

@@ -14,36 +14,36 @@ import { learn, tables } from "./tables.js";
 
 const OLD_FRAMES = 2;
 const LOST = 500;
-// States come every 40 ms; one is late only after that.
+// States come every 40 ms; a state is late only after this time.
 const BETWEEN = 60;
 const AGAIN = 500;
 const SECOND = 1000;
-// Less is no news: each busy machine leaves out one now and then.
+// Fewer are no news: each busy machine occasionally leaves out one.
 const SLOW = 3;
 const BARS = 5;
-// Of the messages between page and station.
+// The version of the messages between page and station.
 const PROTOCOL = 2;
-// More than this waits in the browser when the network does not take it.
+// More bytes than this wait in the browser when the network is blocked.
 const MOST_WAITING = 4096;
 
 let socket = null;
-// What the station said first, kept when it falls silent.
+// The station's first message, kept when the station falls silent.
 let hello = null;
 let there = false;
 let state = null;
 let came = 0;
-// How long the newest state had waited when it came (GND-56).
+// The waiting time of the newest state at its arrival (GND-56).
 let waited = 0;
 let clock = new SenderClock();
 let closed = performance.now();
 let drawing = false;
 let told = 0;
 
-// When each state came, and how many the station had left out by then.
+// The arrival of each state, and the station's count of omitted ones by then.
 const left = [];
 
-// Each message has a number, and the page's time: input that comes late is
-// dropped (GND-51). Sticks that cannot leave now are never sent.
+// Each message has a number, and the page's time: late input is dropped
+// (GND-51). Sticks that cannot be sent now are never sent.
 let sequence = 0;
 
 const send = (message) => {
@@ -55,7 +55,7 @@ const send = (message) => {
     sent_ms: Math.round(performance.now() * 10) / 10 }));
 };
 
-// The station sends no state before it knows that there is room for it.
+// The station sends a state only when it knows that there is room for it.
 const drawn = () => send({ t: "drawn", number: state.number });
 
 document.addEventListener("visibilitychange", () => {
@@ -81,7 +81,8 @@ function connect() {
       hands.heard = came;
       left.push([came, message.left_out]);
       if (hello) draw_soon();
-      // Nobody sees a hidden page, but it must not be old when it is seen.
+      // A hidden page is not drawn, but must not be old when it becomes
+      // visible.
       if (!hello || document.hidden) drawn();
     } else if (message.t === "hello") {
       hello = message;
@@ -237,8 +238,8 @@ function show_status(value, lost, silent) {
   archive.classList.toggle("caution", state.archive?.lost ?? false);
 }
 
-// How many states of the last second were left out, because this page, or the
-// way to it, is too slow for them: what it shows is the newest all the same.
+// The number of states omitted in the last second, because this page or the
+// network is too slow for them: the page still shows the newest.
 function show_slow() {
   const now = performance.now();
   while (left.length > 2 && now - left[1][0] > SECOND) left.shift();
@@ -250,8 +251,7 @@ function show_slow() {
   }
 }
 
-// The sensors that an instrument shows: it says which of them the laws do not
-// believe.
+// The sensors of an instrument: it marks those that the laws reject.
 const SHOWN_BY = {
   speed: ["airspeed"],
   attitude: ["roll_attitude", "pitch_attitude", "alpha", "beta",
@@ -271,7 +271,7 @@ function show_laws(lost) {
   say(shown, lost ? "\u2013\u2013" : laws === null
     ? state.laws_state === "off" ? "off" : "none"
     : (laws.alone ? "\u25b2 " : "") + laws.short);
-  shown.title = laws === null ? "no control law tells what it does"
+  shown.title = laws === null ? "no report of the control laws"
     : `laws: ${laws.mode}, ${laws.link}`;
   put(shown, "class", `down ${lost ? "gone" : laws?.alone ? "warning" : ""}`);
   for (const [told, sensors] of doubts) {
@@ -290,7 +290,7 @@ function flies(silent) {
   const holder = state.holder === null ? "nobody"
     : mine ? "you" : `console ${state.holder}`;
   const sends = state.holder !== null && state.live;
-  // The node's answer counts, not what this station sends (GND-58).
+  // The node's answer counts, not this station's packets (GND-58).
   if (state.flies === "pilot") return ["", "sim pilot", "simulated pilot flies"];
   if (state.flies === "other") {
     return sends ? ["warning", "\u25b2 other station",
@@ -344,7 +344,7 @@ function show_holder(silent) {
     && state.holder === null));
 }
 
-// What is clicked and typed
+// Clicks and keys
 
 byId("take").addEventListener("click", () => hands.take());
 byId("pilot").addEventListener("click", () => send({ t: "pilot" }));
@@ -381,7 +381,7 @@ addEventListener("keydown", (event) => {
   }
 });
 
-// Dark, unless the system or the button says light.
+// Dark, unless the system or the button selects light.
 
 const system_light = matchMedia("(prefers-color-scheme: light)");
 let theme = stored("theme", "");
@@ -403,7 +403,7 @@ system_light.addEventListener("change", show_theme);
 
 show_theme();
 connect();
-// Ages go on when nothing comes.
+// Ages increase even without messages.
 setInterval(() => {
   if (performance.now() - came > BETWEEN) draw_soon();
 }, 100);

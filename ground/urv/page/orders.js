@@ -25,7 +25,7 @@ export class Orders {
     });
   }
 
-  // Beside the instruments, not before them: who flies goes on.
+  // Beside the instruments, without covering them: the flight continues.
   turn() {
     if (this.dialog.open) this.dialog.close();
     else {

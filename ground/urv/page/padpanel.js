@@ -108,7 +108,7 @@ export class PadPanel {
       (one) => `${one.index} ${one.id}` === this.mapped);
   }
 
-  // Nothing of a gamepad flies while it is being mapped.
+  // A gamepad does not fly while it is being mapped.
   get isMapping() {
     return this.dialog.open && this.mapped !== null;
   }

@@ -7,7 +7,7 @@ import { byId, html, say } from "./draw.js";
 const SHAPE = { warning: "\u25b2", caution: "\u25c6" };
 const LINES = 200;
 
-// Any number: a time that no calendar has must not cost the other rows.
+// Any number: a time outside the calendar must not cost the other rows.
 const clock = (time_us) => {
   const at = new Date(time_us / 1000);
   return Number.isNaN(at.getTime()) ? "--:--:--"

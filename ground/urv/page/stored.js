@@ -17,6 +17,6 @@ export function store(name, value) {
   try {
     localStorage.setItem(`urv.${name}`, value);
   } catch {
-    // As good as it gets.
+    // Nothing else can be done.
   }
 }

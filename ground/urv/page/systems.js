@@ -53,7 +53,7 @@ class Meter {
     }
     put(this.text, "class", "down");
     put(this.bar, "transform", `translate(${this.at(now).toFixed(1)} 0)`);
-    // A warning stands above the doubt whether it is so.
+    // A warning has priority over the doubt about its value.
     const beyond = level(this.item, now) || (doubted ? "caution" : "");
     const shape = { warning: "\u25b2 ", caution: "\u25c6 ", "": "" }[beyond];
     say(this.text, shape + fixed(now, this.item.places, 0) + " "
@@ -62,7 +62,7 @@ class Meter {
   }
 }
 
-// Name, sensor, servo channel, the stick that commands it.
+// Name, sensor, servo channel, commanding stick.
 const SURFACES = [
   ["left\nflap 2", "left_flap_2", "switch8"],
   ["left\nflap 1", "left_flap_1", "switch8"],
@@ -106,7 +106,7 @@ class Surface {
       this.text);
   }
 
-  // What the stick asks of this surface: the servo's scale is the sensor's.
+  // The stick's request for this surface: the servo's scale is the sensor's.
   wanted(value, words) {
     const { at_0, at_4095 } = this.item;
     const word = words[this.stick];
