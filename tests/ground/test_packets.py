@@ -223,7 +223,7 @@ def test_gnd1_states_that_are_none_are_refused():
     data = some_frame().encode()
     for offset, name in ((28, "ConsoleState"), (30, "LinkState"),
                          (1106, "Pilot")):
-        with pytest.raises(PacketError, match=f"9 is no {name}"):
+        with pytest.raises(PacketError, match=f"9 is not a {name}"):
             FramePacket.decode(
                 data[:offset] + b"\0\x09" + data[offset + 2:])
 
