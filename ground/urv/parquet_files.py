@@ -210,8 +210,9 @@ def opened_by_arrow(path):
 
 
 def read_apart(path, ours, theirs):
-    """In the reading process: send the columns, the blocks and an end, or what
-    is wrong with the file. Arrow prints there why it ends the process."""
+    """Runs in the reading process: sends the columns, the blocks and an end,
+    or the file's error. Arrow prints there the reason when it ends the
+    process."""
     ours.close()
     os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
     try:
@@ -254,8 +255,8 @@ class Record:
 
 @contextmanager
 def opened(path, forgiving=False):
-    """A record to be read. One that was cut short is refused: without its end
-    nothing of it can be read."""
+    """A record for reading. A file that was cut short is refused: without its
+    end nothing of it can be read."""
     del forgiving
     context = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe(duplex=False)
@@ -266,6 +267,6 @@ def opened(path, forgiving=False):
     try:
         yield Record(path, ours)
     finally:
-        # It ends when nobody takes what it sends.
+        # It ends when its output is not read any more.
         ours.close()
         reader.join()
