@@ -4,94 +4,71 @@
 
     evidence/planted.py [NAME ...]    those patches whose names begin so
 
-Each evidence/planted/*.patch is one defect: a few lines that describe it, then a
-line for each test that must notice it
+Each evidence/planted/*.patch is one defect: a few lines that describe it, a
+line for each test that must notice it, then the change:
 
     # notices: tests/simulation/test_faults.py::test_lnk9_a_cut_link_recovers
     # notices: MBX-2 an unconsumed message is overwritten and counted once
 
-and then the change, as git writes it. In a copy of the tree these tests first
-pass. Then one patch after another is applied, what it changes is built, and
-each test that it names must fail.
-Exit status: 0 when all are noticed; 1 otherwise, a line for each reason.
+Each defect is planted in a copy of the tree, which is built. Each test that it
+names must fail there. `make test` shows that they pass without it.
+Exit status: 0 when all are noticed; 1 otherwise, with a line for each reason.
 """
 
 import ast
-import os
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import NamedTuple
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "scripts"))
 
-from tree_copy import (  # noqa: E402
-    CHANGED, git_apply, renew_copy)
+from tree_copy import git_apply, renew_copy  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-PATCHES = Path("evidence", "planted")
-COPY = Path("obj", "planted")
 NOTICES = re.compile(r"^# notices: +(.*\S)\s*$", re.M)
+PROJECTS = (("sim/urv_sim.gpr", "host"), ("tests/urv_tests.gpr", "test"),
+            ("real_time/urv_real_time.gpr", "flight"))
 
-# What is built for the tests of a folder; a unit test has no folder.
-UNIT = "tests/unit"
-PROJECTS = {
-    "tests/simulation": [("sim/urv_sim.gpr", "host")],
-    "tests/real_time": [("real_time/urv_real_time.gpr", "flight"),
-                        ("sim/urv_sim.gpr", "host")],
-    UNIT: [("tests/urv_tests.gpr", "test")],
-}
-BUILT = (".ads", ".adb", ".gpr", ".adc", ".c")
-
-# A test that hangs has noticed: none of those named takes so long.
+# A test that hangs has noticed the defect.
 TIME_LIMIT_S = 900
 
 
 class Planted(NamedTuple):
-    """A mistake: its patch, the tests that must fail, the files changed."""
+    """A defect: its patch and the tests that must fail."""
 
     name: str
     path: Path
     notices: tuple
-    changed: tuple
 
 
 def patches(root):
-    found = []
-    for path in sorted((root / PATCHES).glob("*.patch")):
-        text = path.read_text(encoding="utf-8")
-        found.append(Planted(path.stem, path, tuple(NOTICES.findall(text)),
-                             tuple(CHANGED.findall(text))))
-    return found
+    return [Planted(path.stem, path,
+                    tuple(NOTICES.findall(path.read_text(encoding="utf-8"))))
+            for path in sorted((root / "evidence/planted").glob("*.patch"))]
 
 
 def is_unit_test(name):
     return "::" not in name
 
 
-def folder_of(name):
-    return UNIT if is_unit_test(name) else Path(name).parent.as_posix()
-
-
 def test_exists(root, name):
     if is_unit_test(name):
-        # Its name may go on in the next line.
+        # A long name continues on the next line.
         return any(
             f'"{name}"' in re.sub(r'"\s*&\s*"', "", path.read_text("utf-8"))
-            for path in (root / UNIT).glob("*.adb"))
+            for path in (root / "tests/unit").glob("*.adb"))
     file, _, function = name.partition("::")
-    path = root / file
-    if not path.exists():
+    if not (root / file).exists():
         return False
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = ast.parse((root / file).read_text(encoding="utf-8"))
     return function.split("[")[0] in {
         each.name for each in tree.body if isinstance(each, ast.FunctionDef)}
 
 
 def faults_of(root, planted):
-    """What makes the patch one that cannot be tried, a line each."""
+    """The reasons for which a patch cannot be planted."""
     said = git_apply(root, planted.path, "--check")
     if said:
         yield f"{planted.name}: no longer applies: {said.splitlines()[0]}"
@@ -102,133 +79,57 @@ def faults_of(root, planted):
             yield f"{planted.name}: there is no test {name}"
 
 
-def build(copy, folders):
-    """What the builder says when something does not build."""
-    for project, mode in dict.fromkeys(
-            each for folder in sorted(folders) for each in PROJECTS[folder]):
-        done = subprocess.run(
-            ["gprbuild", "-q", "-p", "-j0", "-P", project,
-             f"-XURV_Mode={mode}"],
-            cwd=copy, capture_output=True, text=True, check=False)
-        if done.returncode:
-            return f"{project} does not build: {done.stderr.strip()[-400:]}"
-    return ""
-
-
-# What came of a test.
-PASSED, FAILED = "passed", "failed"
-
-
-def run_unit_tests(copy):
-    """What came of each unit test, by name."""
+def fails(copy, name):
+    """Whether a test fails in the copy."""
+    command = ["bin/urv_tests_test"] if is_unit_test(name) else [
+        sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider", "-q",
+        "-x", "--tb=no", name]
     try:
         done = subprocess.run(
-            ["bin/urv_tests_test"], cwd=copy, capture_output=True, text=True,
-            timeout=TIME_LIMIT_S, check=False)
-    except subprocess.TimeoutExpired as late:
-        return results_of((late.stdout or b"").decode())
-    return results_of(done.stdout)
-
-
-def results_of(said):
-    return {line[5:].strip(): PASSED if line.startswith("ok ") else FAILED
-            for line in said.splitlines() if line.startswith(("ok ", "FAIL"))}
-
-
-def run_pytest(copy, name):
-    """What came of a test of pytest, any of its cases."""
-    settings = {name: value for name, value in os.environ.items()
-                if name not in ("URV_SIM", "URV_PARTITIONS")}
-    try:
-        done = subprocess.run(
-            [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider",
-             "-q", "-x", "--tb=no", name],
-            cwd=copy, env=settings, capture_output=True, text=True,
+            command, cwd=copy, capture_output=True, text=True,
             timeout=TIME_LIMIT_S, check=False)
     except subprocess.TimeoutExpired:
-        return FAILED
-    # A skipped test says nothing, nor does one that cannot be read.
-    if done.returncode == 0:
-        return PASSED if re.search(r"\d+ passed", done.stdout) else "skipped"
-    last = (done.stdout.strip().splitlines() or ["it said nothing"])[-1]
-    return FAILED if done.returncode == 1 else f"did not run: {last}"
+        return True
+    # The status of pytest is 1 only when a test has failed.
+    return (f"FAIL {name}" in done.stdout if is_unit_test(name)
+            else done.returncode == 1)
 
 
-def run_tests(copy, names):
-    units = run_unit_tests(copy) if any(map(is_unit_test, names)) else {}
-    return {name: units.get(name, "did not run") if is_unit_test(name)
-            else run_pytest(copy, name) for name in names}
-
-
-def try_patch(copy, planted):
-    """Why the mistake is not noticed by all that should; empty if it is."""
-    # Its change is undone as it was made, whatever happens meanwhile.
+def missed(copy, planted):
+    """The reasons for which a defect is not noticed."""
     said = git_apply(copy, planted.path)
     if said:
-        return f"no longer applies: {said}"
+        return [said]
     try:
-        if any(name.endswith(BUILT) for name in planted.changed):
-            said = build(copy, set(map(folder_of, planted.notices)))
-            if said:
-                return said
-        came = run_tests(copy, planted.notices)
+        for project, mode in PROJECTS:
+            done = subprocess.run(
+                ["gprbuild", "-q", "-p", "-j0", "-P", project,
+                 f"-XURV_Mode={mode}"],
+                cwd=copy, capture_output=True, text=True, check=False)
+            if done.returncode:
+                return [f"{project} does not build: {done.stderr[-400:]}"]
+        return [f"{name} does not fail" for name in planted.notices
+                if not fails(copy, name)]
     finally:
-        undone = git_apply(copy, planted.path, "--reverse")
-        if undone:
-            sys.exit(f"planted: {planted.name} is not undone: {undone}")
-    return "; ".join(f"{name} {what}" for name, what in came.items()
-                     if what != FAILED)
-
-
-def chosen(found, beginnings):
-    for each in beginnings:
-        if not any(planted.name.startswith(each) for planted in found):
-            sys.exit(f"planted: no patch begins with {each}: "
-                     + ", ".join(planted.name for planted in found))
-    return [planted for planted in found if not beginnings
-            or planted.name.startswith(tuple(beginnings))]
-
-
-def judge(root, copy, found):
-    """Tries them; how many were not noticed or could not be tried."""
-    failures = [line for planted in found
-                for line in faults_of(root, planted)]
-    for line in failures:
-        print(f"planted: {line}")
-    if failures:
-        return len(failures)
-
-    renew_copy(root, copy)
-    names = dict.fromkeys(name for planted in found
-                          for name in planted.notices)
-    print(f"planted: {len(names)} tests, first without any mistake",
-          flush=True)
-    said = build(copy, set(map(folder_of, names)))
-    if said:
-        print(f"planted: {said}")
-        return 1
-    wrong = {name: what for name, what in run_tests(copy, names).items()
-             if what != PASSED}
-    for name, what in wrong.items():
-        print(f"planted: without any mistake: {name} {what}")
-    if wrong:
-        return len(wrong)
-
-    missed = 0
-    for planted in found:
-        began = time.monotonic()
-        why = try_patch(copy, planted)
-        missed += bool(why)
-        print(f"{'MISSED ' if why else 'noticed'} {planted.name}, "
-              f"{time.monotonic() - began:.0f} s"
-              + (f": {why}" if why else ""), flush=True)
-    return missed
+        git_apply(copy, planted.path, "--reverse")
 
 
 def main():
-    found = chosen(patches(ROOT), sys.argv[1:])
-    failures = judge(ROOT, ROOT / COPY, found)
-    print(f"planted: {len(found)} mistakes, {failures} failures")
+    found = [planted for planted in patches(ROOT)
+             if planted.name.startswith(tuple(sys.argv[1:]) or "")]
+    failures = [fault for planted in found
+                for fault in faults_of(ROOT, planted)]
+    if not failures:
+        copy = ROOT / "obj" / "planted"
+        renew_copy(ROOT, copy)
+        for planted in found:
+            why = missed(copy, planted)
+            print(f"{'MISSED ' if why else 'noticed'} {planted.name}",
+                  flush=True)
+            failures += [f"{planted.name}: {reason}" for reason in why]
+    for line in failures:
+        print(f"planted: {line}")
+    print(f"planted: {len(found)} defects, {len(failures)} failures")
     return 1 if failures or not found else 0
 
 

@@ -12,8 +12,10 @@ changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record.
 Each test is a line, once; where none comes for 15 s a line says what goes on.
 A part that cannot be built or run counts as one failed test, and the other
-parts run all the same. Before the last line stand the slowest tests, the
-failed ones, and each part with its result and time (EVI-11).
+parts run all the same. The parts in which time passes as it does run beside the
+others, which give way to them; the proof comes last. Before the last line come
+the slowest tests, the failed ones, and each part with its result and time
+(EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -66,9 +68,14 @@ class Test(NamedTuple):
     name: str
 
 
-# What ran, and how long building took, in the order they came.
+# The tests that ended.
 tests = []
-building = []
+
+# Two builders must not meet in a folder of objects.
+builder = threading.Lock()
+
+# Busy parts give way to those in which time passes as it does.
+BUSY = ["nice", "-n", "10"]
 
 
 class Screen:
@@ -110,11 +117,11 @@ class Screen:
 screen = Screen()
 
 
-def run(*command, what=None):
+def run(*command, what=None, env=None):
     """Run a command with its output on ours, return its exit status."""
     with screen.working(what or " ".join(map(str, command[:3]))), \
             subprocess.Popen(
-                command, cwd=ROOT, stdout=subprocess.PIPE,
+                command, cwd=ROOT, stdout=subprocess.PIPE, env=env,
                 stderr=subprocess.STDOUT, text=True, errors="replace"
             ) as running:
         for line in running.stdout:
@@ -124,11 +131,10 @@ def run(*command, what=None):
 
 def build(project, mode):
     """Whether it was built. Warnings are errors."""
-    screen.put(f"building {project}\n")
-    began = time.monotonic()
-    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
-                 what=f"building {project}")
-    building.append(time.monotonic() - began)
+    with builder:
+        screen.put(f"building {project}\n")
+        status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
+                     what=f"building {project}")
     if status != 0:
         tests.append(Test(0, True, f"building {project}"))
     return status == 0
@@ -160,7 +166,7 @@ def unit_share(mode, number, shares):
     command = [f"bin/urv_tests_{mode}", str(number), str(shares)]
     began = time.monotonic()
     with subprocess.Popen(
-        command, cwd=ROOT, stdout=subprocess.PIPE, text=True
+        [*BUSY, *command], cwd=ROOT, stdout=subprocess.PIPE, text=True
     ) as running:
         for line in running.stdout:
             screen.put(line)
@@ -195,8 +201,13 @@ def python_tests(projects, name, without=(), at_once="auto",
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
-    with extended_path(Path(__file__).parent):
-        status = run(*pytest, f"tests/{name}", what=f"tests of {name}")
+    if at_once == "auto":
+        pytest = [*BUSY, *pytest]
+    # The plug-in test_lines is beside this script.
+    path = os.pathsep.join(filter(
+        None, [str(Path(__file__).parent), os.environ.get("PYTHONPATH")]))
+    status = run(*pytest, f"tests/{name}", what=f"tests of {told or name}",
+                 env={**os.environ, "PYTHONPATH": path})
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
@@ -211,21 +222,6 @@ def python_tests(projects, name, without=(), at_once="auto",
         passed += count - failures - errors - left_out
         tests.extend(map(python_test, suite.iter("testcase")))
     return passed, failed, skipped
-
-
-@contextlib.contextmanager
-def extended_path(folder):
-    """Where what is started finds modules, too."""
-    before = os.environ.get("PYTHONPATH")
-    os.environ["PYTHONPATH"] = os.pathsep.join(
-        filter(None, [str(folder), before]))
-    try:
-        yield
-    finally:
-        if before is None:
-            del os.environ["PYTHONPATH"]
-        else:
-            os.environ["PYTHONPATH"] = before
 
 
 def python_test(case):
@@ -251,16 +247,17 @@ def real_time_tests():
     return python_tests([PARTITIONS], "real_time", **LIVE_AT_ONCE)
 
 
-def ground_tests():
+def live_ground_tests():
     names = [path.stem.removeprefix("test_")
              for path in (ROOT / "tests" / "ground").glob("test_*.py")]
-    results = (
-        python_tests([SIMULATION, PARTITIONS], "ground",
-                     [name for name in names if name not in LIVE],
-                     **LIVE_AT_ONCE),
-        python_tests([], "ground", without=LIVE, spread="worksteal",
-                     told="ground-files"))
-    return tuple(map(sum, zip(*results)))
+    return python_tests([SIMULATION, PARTITIONS], "ground",
+                        [name for name in names if name not in LIVE],
+                        told="ground-live", **LIVE_AT_ONCE)
+
+
+def ground_tests():
+    return python_tests([SIMULATION, PARTITIONS], "ground", without=LIVE,
+                        spread="worksteal")
 
 
 def change_tests():
@@ -302,6 +299,7 @@ PARTS = {
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
     "real time": real_time_tests,
+    "ground station, live": live_ground_tests,
     "ground station": ground_tests,
     "likely changes": change_tests,
     "links of the requirements": links,
@@ -309,6 +307,10 @@ PARTS = {
     "proof record is of these sources": record_is_current,
     "proof shows the recorded checks": proof,
 }
+
+# These run beside the others; the last one comes after all.
+LIVE_PARTS = ("real time", "ground station, live")
+LAST_PART = "proof shows the recorded checks"
 
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
@@ -338,22 +340,37 @@ def chosen(arguments):
             if not arguments or name.startswith(tuple(arguments))}
 
 
+def run_parts(parts, names, results):
+    """Run parts one after another; keep the counts and the time of each."""
+    for name in names:
+        screen.put(f"== {name}\n")
+        began = time.monotonic()
+        try:
+            counts = parts[name]()
+        except Exception as fault:  # pylint: disable=broad-except
+            # The last line must come, whatever happens.
+            screen.put(f"{name}: {fault!r}\n")
+            tests.append(Test(0, True, name))
+            counts = BROKEN
+        results[name] = counts, time.monotonic() - began
+        screen.put("\n")
+
+
 def main():
     # A shell that starts this in the background makes it ignore interrupts,
     # and so would each program that a test interrupts.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     RESULTS.mkdir(parents=True, exist_ok=True)
-    counts, times = {}, {}
     parts = chosen(sys.argv[1:])
-    for number, (name, part) in enumerate(parts.items(), 1):
-        print(f"== {number} of {len(parts)}: {name}", flush=True)
-        began = time.monotonic()
-        built_before = len(building)
-        counts[name] = part()
-        times[name] = duration(time.monotonic() - began)
-        if built := sum(building[built_before:]):
-            times[name] += f", {duration(built)} of it building"
-        print()
+    results = {}
+    live = threading.Thread(target=run_parts, args=(
+        parts, [name for name in parts if name in LIVE_PARTS], results))
+    live.start()
+    run_parts(parts, [name for name in parts
+                      if name not in (*LIVE_PARTS, LAST_PART)], results)
+    live.join()
+    run_parts(parts, [name for name in parts if name == LAST_PART], results)
+    counts = {name: results[name][0] for name in parts}
     print("== slowest tests")
     for test in sorted(tests, reverse=True)[:SLOWEST]:
         print(f"{test.seconds:6.1f} s  {test.name}")
@@ -362,7 +379,8 @@ def main():
         print("\n== failed", *failed, sep="\n")
     print("\n== all")
     for name, of_part in counts.items():
-        print(f"{name}: {totals_line(of_part)}, in {times[name]}")
+        print(f"{name}: {totals_line(of_part)},"
+              f" in {duration(results[name][1])}")
     total = [sum(column) for column in zip(*counts.values())]
     last_line = totals_line(total)
     (RESULTS / "totals").write_text(f"{last_line}\n", encoding="utf-8")

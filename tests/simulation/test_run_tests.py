@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+import threading
 
 import pytest
 from conftest import ROOT
@@ -20,7 +21,6 @@ def place(tmp_path, monkeypatch):
     monkeypatch.setattr(run_tests, "ROOT", tmp_path)
     monkeypatch.setattr(run_tests, "RESULTS", tmp_path / "results")
     monkeypatch.setattr(run_tests, "tests", [])
-    monkeypatch.setattr(run_tests, "building", [])
     monkeypatch.setattr(run_tests, "build", lambda *_: True)
     monkeypatch.setattr(run_tests.os, "sched_getaffinity", lambda _: {0})
     (tmp_path / "bin").mkdir()
@@ -61,7 +61,7 @@ def test_what_is_slow_and_what_failed_is_named_at_the_end(
     monkeypatch.setattr(sys, "argv", ["run_tests.py"])
     run_tests.main()
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == "== 1 of 1: only"
+    assert lines[0] == "== only"
     slowest = lines[lines.index("== slowest tests") + 1:]
     assert slowest[0] == "  19.0 s  takes 19"
     assert slowest[9] == "  10.0 s  takes 10"
@@ -80,12 +80,42 @@ def test_only_the_parts_that_were_asked_for_run(place, monkeypatch, capsys):
         run_tests.chosen(["x"])
 
 
+def test_live_parts_run_beside_the_others_and_the_proof_after_all(
+        place, monkeypatch, capsys):
+    """Each of the first two waits for the other; the proof for both."""
+    both = threading.Barrier(2, timeout=60)
+    ended = []
+
+    def part(name, meets):
+        def run():
+            if meets:
+                both.wait()
+            ended.append(name)
+            return (1, 0, 0)
+        return run
+    names = (run_tests.LAST_PART, "real time", "simulation")
+    monkeypatch.setattr(run_tests, "PARTS", {
+        name: part(name, name != run_tests.LAST_PART) for name in names})
+    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
+    assert run_tests.main() == 0
+    assert ended[-1] == run_tests.LAST_PART
+    assert capsys.readouterr().out.endswith("3 passed, 0 failed, 0 skipped\n")
+
+
+def test_a_part_that_raises_an_exception_has_failed(
+        place, monkeypatch, capsys):
+    monkeypatch.setattr(run_tests, "PARTS", {"real time": lambda: 1 / 0})
+    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
+    assert run_tests.main() == 1
+    assert "0 passed, 1 failed, 0 skipped" in capsys.readouterr().out
+
+
 def test_the_quick_parts_leave_out_only_what_is_slow():
     quick = run_tests.chosen(["--quick"])
     left_out = set(run_tests.PARTS) - set(quick)
     assert left_out == {
         "unit tests, contracts executed", "simulation", "real time",
-        "ground station", "likely changes",
+        "ground station", "ground station, live", "likely changes",
         "proof shows the recorded checks"}
     for name in run_tests.SLOW:
         assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
@@ -109,7 +139,8 @@ def test_each_file_of_the_ground_runs_once_and_the_live_ones_apart(
             if path.stem.removeprefix("test_") not in without)))
         return (1, 0, 0)
     monkeypatch.setattr(run_tests, "python_tests", python_tests)
-    assert run_tests.ground_tests() == (2, 0, 0)
+    assert run_tests.live_ground_tests() == (1, 0, 0)
+    assert run_tests.ground_tests() == (1, 0, 0)
     assert ran == [("3", "worksteal", sorted(run_tests.LIVE)),
                    ("auto", "worksteal", ["convert", "report"])]
 
@@ -187,10 +218,6 @@ def test_python_tests_are_counted_and_failed_ones_named(place):
         "test_one.py::test_bad", "test_one.py::test_error"]
 
 
-def test_files_of_python_tests_may_be_left_out(place):
-    assert python_tests(place, PYTHON_TESTS, ["one"]) == (1, 0, 0)
-
-
 @pytest.mark.parametrize(("ends", "kept"), [("pass", 0), ("assert False", 1)])
 def test_only_a_failed_test_leaves_its_folder(place, monkeypatch, ends, kept):
     temporary = place / "temporary"
@@ -220,17 +247,10 @@ def test_what_does_not_build_has_failed(place, monkeypatch):
 def test_a_build_that_fails_is_named(place, monkeypatch, capsys):
     monkeypatch.undo()
     monkeypatch.setattr(run_tests, "tests", [])
-    monkeypatch.setattr(run_tests, "building", [])
     monkeypatch.setattr(run_tests, "GPRBUILD", ["false"])
     assert not run_tests.build("some.gpr", "host")
     assert run_tests.tests == [(0, True, "building some.gpr")]
     assert capsys.readouterr().out == "building some.gpr\n"
-
-
-@pytest.mark.parametrize(("seconds", "text"), [
-    (0.4, "0 s"), (59.6, "1 min 0 s"), (59.4, "59 s"), (605, "10 min 5 s")])
-def test_times_are_in_minutes_and_seconds(seconds, text):
-    assert run_tests.duration(seconds) == text
 
 
 @pytest.mark.parametrize("status", [0, 1, -9])

@@ -118,23 +118,23 @@ def test_ext8_random_histories_leave_every_hold_held(tmp_path):
     """A few of the 2,000 of docs/control-laws.md."""
     done = subprocess.run(
         [sys.executable, "-B", ROOT / "evidence/laws/histories.py",
-         "--flights", "6", "--seed", "1", "--jobs", "2",
+         "--flights", "2", "--seed", "1", "--jobs", "2",
          "--results", tmp_path / "results.jsonl"],
         capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "6 histories" in done.stdout
+    assert "2 histories" in done.stdout
     kept = [json.loads(line) for line in
             (tmp_path / "results.jsonl").read_text().splitlines()]
-    assert sorted(each["seed"] for each in kept) == [1, 2, 3, 4, 5, 6]
+    assert sorted(each["seed"] for each in kept) == [1, 2]
     assert any(each["judged"] for each in kept)
 
     # It goes on where it was broken off: nothing is flown again.
     again = subprocess.run(
         [sys.executable, "-B", ROOT / "evidence/laws/histories.py",
-         "--flights", "6", "--seed", "1", "--jobs", "1",
+         "--flights", "2", "--seed", "1", "--jobs", "1",
          "--results", tmp_path / "results.jsonl"],
         capture_output=True, text=True, check=False)
-    assert "6 of 6 histories were flown before" in again.stdout
+    assert "2 of 2 histories were flown before" in again.stdout
 
 
 def test_saf9_ext8_the_monitor_sees_a_hold_that_is_not_held(tmp_path):
