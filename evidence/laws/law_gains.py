@@ -5,6 +5,7 @@ import hashlib
 import re
 from pathlib import Path
 from types import SimpleNamespace
+from xml.etree.ElementTree import canonicalize
 
 ROOT = Path(__file__).resolve().parents[2]
 GAINS = ROOT / "src/laws/urv-law_gains.ads"
@@ -44,8 +45,9 @@ def gains(path=GAINS, table=0):
 
 
 def mark():
-    """Of these gains and of this aircraft."""
+    """A hash of these gains and this aircraft, without comments."""
     every = "\n".join(f"{name} {value}"
                       for name, value in vars(gains()).items())
-    data = every.encode() + b"".join(path.read_bytes() for path in AIRCRAFT)
-    return hashlib.sha256(data).hexdigest()[:16]
+    data = every + "".join(
+        canonicalize(from_file=path, strip_text=True) for path in AIRCRAFT)
+    return hashlib.sha256(data.encode()).hexdigest()[:16]
