@@ -75,7 +75,7 @@ tests = []
 builder = threading.Lock()
 
 # Busy parts give way to those in which time passes as it does.
-BUSY = ["nice", "-n", "10"]
+BUSY = ["nice", "-n", "5"]
 
 
 class Screen:
