@@ -26,8 +26,8 @@ package body Partitions.Nodes is
    procedure Raise_Processor_Exception;
    procedure Press_Reset_Switch;
 
-   --  What begins scans is uninterrupted by the converter, whatever becomes
-   --  of it.
+   --  The converter does not interrupt the code that begins scans, whatever
+   --  the outcome of that code.
 
    procedure Uninterrupted_Step
      (Who       : Tasks.Task_Name;
@@ -46,21 +46,21 @@ package body Partitions.Nodes is
    --  A transaction is over.
    procedure Observe_Step (Who : Tasks.Task_Name);
 
-   --  The frame's words are in CORE: a row of the record. A transaction so
-   --  late that it ends in a later frame may find that frame's row still to
-   --  come, or made: each frame has one.
+   --  The frame's words are in CORE: a row of the record. A late transaction
+   --  that ends in a later frame may find that frame's row missing or made:
+   --  each frame has one.
    procedure Observe_Frame;
 
    First_Without_Row : Host.Text_Numbers.Number := 0;
 
-   --  Of the task that takes the rows, and what it has found.
+   --  Used by the task that takes the rows: its view of the peer.
    Peer_Seen  : Watch;
    Peer_Found : Peer_State := Never_Heard with Atomic;
 
    function Refused_In (Log : URV.Errors.Error_Log) return Count is
      (URV.Errors.Logs.History_Of (Log, URV.Errors.Block_Refused).Occurrences);
 
-   --  Looks whether blocks come that the node takes.
+   --  Checks whether the node takes arriving blocks.
    procedure Look_For_Peer (Frame : Host.Text_Numbers.Number);
 
    --  Boards
@@ -211,7 +211,7 @@ package body Partitions.Nodes is
 
    procedure Raise_Processor_Exception is
    begin
-      --  A start at power up stays a cold start.
+      --  A start at power up remains a cold start.
       if Is_Running then
          Node.Request_Start (Processor_Restart);
       end if;

@@ -57,21 +57,21 @@ generic
    Processor_Board : Devices.Memory_Bus.Board_Number;
    with procedure Handle_AD_Interrupt;
 
-   --  The first begins scans; after the others the telemetry board has
-   --  something to look at, and the frame's words are in CORE.
+   --  The first begins scans; after the others the telemetry board has new
+   --  data, and the frame's words are in CORE.
    AD_Task     : Tasks.Task_Name;
    TELOUT_Task : Tasks.Task_Name;
    CORE_Task   : Tasks.Task_Name;
 
-   --  What the converter's channels see (see Partitions.Converter), and a row
-   --  of the record.
+   --  Samples the converter's channels (see Partitions.Converter), and appends
+   --  to a row of the record.
    with procedure Sample
      (Is_Next  : Boolean;
       Words    : out Channel_Words;
       Is_There : out Boolean);
    with procedure Append_Values (To : in out Row);
 
-   --  What stands behind all else in a row.
+   --  Appends the last columns of a row.
    with procedure Append_Last (To : in out Row) is null;
 
    --  The row has been taken.
@@ -81,14 +81,14 @@ generic
    with procedure Observe (Who : Tasks.Task_Name) is null;
 package Partitions.Nodes is
 
-   --  What the transactions of each task took, and when they ended after
-   --  the tick of their minor frame; in tenths of microseconds.
+   --  The duration of each task's transactions, and their ends after the tick
+   --  of their minor frame; in tenths of microseconds.
    type Distributions is array (Tasks.Task_Name) of Distribution;
 
    Costs     : Distributions;
    Responses : Distributions;
 
-   --  How late the clock ticked, in tenths of microseconds.
+   --  The delay of the clock's ticks, in tenths of microseconds.
    Lateness : Distribution;
 
    --  Before it is switched on: see URV.Shared_Seals.
@@ -105,20 +105,20 @@ package Partitions.Nodes is
 
    function Overruns return Count;
 
-   --  What the telemetry board has counted.
+   --  The counts of the telemetry board.
    function Link_Tally return Telemetry.Boards.Statistics is
      (Telemetry_Board.Tally);
 
-   --  What has become of the other node, by the newest frame's row.
+   --  The state of the other node, by the newest frame's row.
    function Peer return Peer_State;
 
    --  Blocks that were not the peer's (SEC-5).
    function Refused return Count;
 
-   --  How often the node has found that it had stood still.
+   --  The number of pauses that the node has detected.
    function Pauses return Count;
 
-   --  How often the telemetry board's processor has found that it had.
+   --  The number of pauses that the telemetry board's processor has detected.
    function Board_Starts return Count;
 
    function Log return URV.Errors.Error_Log is (Errors.Contents);

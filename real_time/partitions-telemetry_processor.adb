@@ -16,14 +16,14 @@ package body Partitions.Telemetry_Processor is
    Character_Time : constant Time_Span :=
      Microseconds (Microseconds_Per_Character);
 
-   --  How soon a board at rest looks for a block of its controller unasked.
+   --  The interval at which an idle board looks for a block of its controller.
    Look_Again : constant Time_Span := Milliseconds (2);
 
-   --  A frame: a block is not older when the controller takes it in time.
+   --  A frame: the age of a block that the controller takes in time is less.
    Longest_Pause : constant Time_Span := Milliseconds (20);
 
-   --  When its input is thrown away, the board listens again after its dead
-   --  space of silence, as it does when it has lost its place; at the latest
+   --  After its input is discarded, the board receives again after its dead
+   --  space of silence, as after a loss of synchronization; at the latest
    --  after five frames.
    Silence          : Time_Span := Integer (Dead_Space) * Character_Time;
    Longest_Deafness : constant Time_Span := Milliseconds (100);
@@ -35,59 +35,59 @@ package body Partitions.Telemetry_Processor is
 
    Unasked : Count := 0 with Atomic;
 
-   --  Of the task alone.
+   --  Used by the task only.
 
-   --  Up to when the board's timer has been told.
+   --  The time up to which the board's timer has counted.
    Told_Until : Time := Time_First;
 
-   --  The character on the line, and when its last bit has left.
+   --  The character on the line, and the end of its last bit.
    On_Line  : Boolean := False;
    Present  : Byte    := 0;
    Ends     : Time    := Time_First;
 
-   --  What is being sent is a data message: it has more than one character.
+   --  The block being sent is a data message: it has more than one character.
    Is_Data : Boolean := False;
 
-   --  The data messages that no status has answered: the last one, and the
-   --  one before it, of which the board has given up the answer.
+   --  The unanswered data messages: the last one, and the one before it, whose
+   --  answer the board does not expect any more.
    type Unanswered is record
       Is_There : Boolean := False;
       Ended_At : Time    := Time_First;
    end record;
    Newest, Earlier : Unanswered;
 
-   --  How long the board will wait if nothing happens.
+   --  The time that the board will wait without events.
    Time_Left : Character_Times := Character_Times'Last;
 
    Heard : Arrivals;
 
-   --  A flood is no line (RTP-3).
+   --  A flood exceeds a line (RTP-3).
    Guard : Flood_Guards.Guard;
 
-   --  Characters were lost, as by an overrun of the DUART: the next one is
-   --  told to the board as damaged.
+   --  Characters were lost, as by an overrun of the DUART: the board gets the
+   --  next one as damaged.
    Overrun : Boolean := False;
 
-   --  Whatever stands in the input has come since then.
+   --  All input has arrived after this time.
    Emptied_At : Time := Time_First;
 
-   --  The character times since the board's timer was last told.
+   --  The character times since the last query of the board's timer.
    procedure Ask_Timer (Now : Time; Elapsed : out Character_Times);
 
-   --  The board starts anew and the input with it.
+   --  Restarts the board and discards its input.
    procedure Start_Anew;
 
    --  The interrupt handler.
    procedure Take_In (Now : Time);
 
    --  A status answers the newest data message if it comes in time for that,
-   --  and else the one before it, if that has no answer.
+   --  otherwise the one before it, if that has no answer.
    procedure Look_For_Answer (Now : Time; Data : Byte);
 
-   --  Everything there is to do.
+   --  Does all due work.
    procedure Run;
 
-   --  The main program: every character whose time has come by Now.
+   --  The main program: sends every character due by Now.
    procedure Transmit_Due (Now : Time);
 
    function Next_Instant (Now : Time) return Time;
@@ -110,7 +110,7 @@ package body Partitions.Telemetry_Processor is
    begin
       Board.Start;
 
-      --  The board is deaf and dumb meanwhile.
+      --  The board neither receives nor sends meanwhile.
       Links.Discard (Silence, Longest_Deafness);
       On_Line := False;
       Newest.Is_There := False;
@@ -190,7 +190,7 @@ package body Partitions.Telemetry_Processor is
          Ends    := Moment + Character_Time;
       end loop;
 
-      --  Nothing of another time.
+      --  Input of another time is not used.
       if Length > 0 and then Clock - Now <= Longest_Pause then
          Links.Send (Batch (1 .. Length));
       end if;
@@ -249,7 +249,7 @@ package body Partitions.Telemetry_Processor is
          Is_Pressed := True;
    end Run;
 
-   --  At the ceiling of what it shares, as the converter is.
+   --  At the ceiling of its shared objects, like the converter.
    task Processor with Priority => System.Priority'Last;
 
    task body Processor is

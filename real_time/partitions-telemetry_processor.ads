@@ -1,17 +1,17 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The processor of a telemetry board, as its own task: its DUART's
---  interrupt, its main program, its timer (report, appendix A; LNK-1).
+--  The processor of a telemetry board, as its own task: its DUART's interrupt,
+--  its main program, its timer (report, appendix A; LNK-1).
 --
---  What has arrived is told before the board is told that time has passed,
---  and a character begins when the one before it ended, not when the task
---  woke up: so a task that the machine runs late loses no character and
---  takes no lateness for silence. How long answers take it notes (RTP-4).
+--  The board receives arrived characters before its timer advances, and a
+--  character begins when the one before it ended, not when the task woke up: a
+--  delayed task therefore loses no character and does not take its delay for
+--  silence. It measures the time of answers (RTP-4).
 --
---  Only so late, though. A task that has not looked at its input for longer
---  than Longest_Pause cannot know how old it is, nor is what the board was
---  about to send of any use. Then the board starts anew, with nothing
---  received and nothing to send, and the input is thrown away (SAF-4).
+--  This holds only up to Longest_Pause. After a longer pause the task cannot
+--  know the age of its input, and the board's unsent data are useless. The
+--  board then restarts, with nothing received and nothing to send, and the
+--  input is discarded (SAF-4).
 
 with Telemetry;
 with Telemetry.Shared_Boards;
@@ -21,18 +21,18 @@ generic
    Board : in out Telemetry.Shared_Boards.Shared_Board;
 package Partitions.Telemetry_Processor is
 
-   --  Power up: the board starts, and its task with it. It hears nothing
-   --  that came before. It waits for a line with that delay (LNK-11).
+   --  Power up: the board starts, and its task with it. Earlier input is
+   --  ignored. The board allows for a line with that delay (LNK-11).
    procedure Switch_On (Line : Telemetry.Line_Delay);
 
-   --  The reset switch: the board starts anew, at once.
+   --  The reset switch: the board restarts at once.
    procedure Reset;
 
-   --  The controller has given the board something: its main program, which
-   --  looks at its flags all the time, finds it now.
+   --  The controller has given the board data: its main program, which polls
+   --  its flags, finds them now.
    procedure Look;
 
-   --  How often the board has started anew without having been told to.
+   --  The number of restarts without a request.
    function Starts_Unasked return Count;
 
 end Partitions.Telemetry_Processor;
