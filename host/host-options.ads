@@ -82,7 +82,7 @@ package Host.Options is
       Drift      : Drift_Number := 0;
       Schedule   : Schedule_Name := URVOS.Task_Trees.Report;
 
-      --  Of each node.
+      --  The processors of each node.
       Processors : One_Or_Two := 1;
 
       --  The aircraft's control laws (EXT-3): by default on with an aircraft,
@@ -92,7 +92,7 @@ package Host.Options is
       --  The times of the reactions to a lost link, with the laws (EXT-5).
       Loss       : Loss_Times.Pair;
 
-      --  Of the messages, which have keys in format 2.
+      --  The message format; format 2 has keys.
       Format     : URV.Handshakes.Format_Number := 1;
 
       --  The version of the published packets.

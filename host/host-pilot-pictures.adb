@@ -25,7 +25,7 @@ package body Host.Pilot.Pictures is
    function Nearest (Angle : Long_Float) return Long_Float is
      (Angle - 360.0 * Long_Float'Floor ((Angle + 180.0) / 360.0));
 
-   --  Of any heading.
+   --  For any heading.
    function East_Share (Heading : Long_Float) return Long_Float;
    function North_Share (Heading : Long_Float) return Long_Float is
      (East_Share (Heading + 90.0));

@@ -23,7 +23,7 @@ package body Host.Text_Output is
    --  The assumed error when the system gives no reason.
    Input_Output_Error : constant := 5;
 
-   --  Of this program.
+   --  For the whole program.
    Has_Lost : Boolean := False with Atomic;
 
    --  Closes the output after a failed system call.

@@ -14,7 +14,7 @@ with URV.Buffers;  use URV.Buffers;
 
 package Host is
 
-   --  Of the program, as in alire.toml.
+   --  The program's version, as in alire.toml.
    Version : constant String := "0.1.0-dev";
 
    --  Since the ground node was switched on; in real time, since this node

@@ -54,7 +54,7 @@ package Partitions.Console is
       Sequence : Octets.Number := 0;
    end record;
 
-   --  Of the latest row. For the task that has the row taken.
+   --  The state in the latest row. For the task that has the row taken.
    function Recorded return Sticks;
 
    --  Counts of losses of the console after its first packet, and of changes

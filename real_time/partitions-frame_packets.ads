@@ -9,7 +9,7 @@ with Partitions.Octets;   use Partitions.Octets;
 
 package Partitions.Frame_Packets is
 
-   --  Of either version.
+   --  Large enough for either version.
    subtype Packet is Octet_Array (1 .. Longest);
 
    --  The age of a downlink before the first one.

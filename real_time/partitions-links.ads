@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The serial link as this machine has it: a UDP socket or a serial device.
---  There is one for each partition. What is on it: docs/real-time.md.
+--  The serial link on this machine: a UDP socket or a serial device. There is
+--  one for each partition. Its contents are in docs/real-time.md.
 --
 --     --link udp:HOST:PORT:PEER_HOST:PEER_PORT
 --     --link serial:DEVICE

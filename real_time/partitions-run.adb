@@ -373,7 +373,7 @@ procedure Partitions.Run is
       To     : in out Writer;
       Log    : URV.Errors.Error_Log);
 
-   --  Of each task.
+   --  The distributions of each task.
    procedure Put_Distributions
      (Result : in out Reports.Report;
       To     : in out Writer;

@@ -4,7 +4,7 @@
 
 package Sim.Agenda is
 
-   --  Of events at the same instant the first named happens first.
+   --  Among events at the same instant the first named happens first.
    type Event is
      (Arrival_Up, Arrival_Down,           --  a delayed character arrives
       Extra_Up, Extra_Down,               --  an additional character arrives

@@ -41,7 +41,7 @@ package body Sim.Controllers is
 
    Controllers : array (Node) of Controller;
 
-   --  Of the aircraft.
+   --  The aircraft's processors.
    Number_Of_Processors : Processor_Count := 1;
 
    --  The first tick of each clock, and the additional length of its ticks in

@@ -29,13 +29,13 @@ package Sim.Faults is
    --  The form of a line with such a fault, for help.
    function Form_Of (Kind : Fault_Kind) return String;
 
-   --  Of one character in one direction.
+   --  A fault of one character in one direction.
    subtype Character_Fault is Fault_Kind range Flip .. Insert;
 
-   --  Of a node at an instant.
+   --  A fault of a node at an instant.
    subtype Hardware_Fault is Fault_Kind range Reset .. Bus_Error;
 
-   --  Of a servo of the aircraft.
+   --  A fault of a servo of the aircraft.
    subtype Servo_Fault is Fault_Kind range Stuck .. Slow;
 
    type Board is (ADC, Telemetry);

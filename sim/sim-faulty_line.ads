@@ -1,21 +1,21 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The serial link between the two DUARTs, with the faults of a script:
---  what arrives of each character that is sent (SIM-2).
+--  The serial link between the two DUARTs, with the faults of a script: the
+--  arrivals for each sent character (SIM-2).
 --
---  Several faults at once act together: masks are combined, and a lost
---  character stays lost, whatever was to come with it. Where nothing is
---  due, a character costs a few comparisons however long the script is.
+--  Several simultaneous faults are combined: masks are combined, and a lost
+--  character stays lost, together with its additions. If no fault is due, a
+--  character costs a few comparisons, whatever the length of the script.
 --
---  A character that the line adds takes a character time as any other:
+--  A character that the line adds takes a character time like any other:
 --
 --    an inserted one is heard as the start bit of the one after it begins,
 --    a doubled one is heard again a character time after the first;
 --
---  so the receiver hears it after the character before it and before the
---  one behind it, and may begin to answer in between. What the sender sends
---  is not held up. Bit errors by chance hit what is sent, so a doubled
---  character is spoilt twice alike and an inserted one is as written.
+--  The receiver therefore hears it after the character before it and before
+--  the following one, and may begin to answer in between. The sender is not
+--  delayed. Random bit errors hit sent characters: both copies of a doubled
+--  one have the same errors, and an inserted one has none.
 
 with Sim.Faults;
 with Sim.Noise;

@@ -25,7 +25,7 @@ package Sim.Summary is
       Overruns : Count;
       Latency  : Sim.Latency.Statistics;
 
-      --  Of a flight with frames in step (FRM-6).
+      --  For a flight with frames in step (FRM-6).
       Has_Lock : Boolean := False;
       Lock     : URVOS.Frame_Locks.Lock_State;
       Lag      : Microseconds := 0;

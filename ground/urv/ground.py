@@ -54,7 +54,7 @@ LATER_BY = 5
 """The niceness of Yamcs above that of the flying programs."""
 LONGEST_LINE = 4_096
 LAST_FRAME = 500_000_000
-"""Of an event: 115 days, the limit of bin/urv report."""
+"""The last frame of an event: 115 days, the limit of bin/urv report."""
 LONGEST_KIND = 250
 """Characters of an event's kind, the limit of bin/urv report."""
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG

@@ -21,9 +21,10 @@ FRAME_US = TABLES["frame_us"]
 FRAME_S = FRAME_US / 1e6
 
 VERSION = 1
-"""Of a console packet, and of a frame packet with a part of the logs."""
+"""The version of a console packet, and of a frame packet with a part of the
+logs."""
 WHOLE = 2
-"""Of a frame packet with the whole logs."""
+"""The version of a frame packet with the whole logs."""
 LATEST_US = 253_402_300_799_999_999
 """The largest time of a packet: the end of the year 9999."""
 NEVER = 0xFFFF_FFFF
@@ -63,7 +64,7 @@ MORE_AT = TAIL_AT + _TAIL.size
 FRAME_LENGTH = (
     MORE_AT + len(NODES) * (ROWS_PER_LOG - FIRST_ROWS) * ROW_LENGTH)
 LENGTHS = {VERSION: MORE_AT, WHOLE: FRAME_LENGTH}
-"""Of a frame packet of each version."""
+"""The length of a frame packet of each version."""
 if LENGTHS != {VERSION: TABLES["length_of_version_1"],
                WHOLE: TABLES["length_of_version_2"]}:
     raise AssertionError(f"packets have {LENGTHS} bytes here, others in the"
@@ -84,7 +85,7 @@ CONSOLE_LENGTH = _CONSOLE.size
 
 
 LARGEST_SERIAL = 0xFFF
-"""Of a configuration; the first is 1."""
+"""The largest number of a configuration; the first is 1."""
 CONFIGURATION = 0x400
 """The kind of block that an order packet requests."""
 _ORDER_MAGIC = int.from_bytes(b"URVO")

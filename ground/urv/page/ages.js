@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The age of a message by its sender's time, as urv/ages.py has it (GND-56). Times are
-// in ms: sent by the sender's clock, now by the page's.
+// The age of a message by its sender's time, as in urv/ages.py (GND-56). Times
+// are in ms: sent by the sender's clock, now by the page's.
 
 const DRIFT = 500e-6;
 

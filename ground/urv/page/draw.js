@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small things that every instrument needs.
+// Common helpers of the instruments.
 
 const SVG = "http://www.w3.org/2000/svg";
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which gamepad flies, and what its axes and buttons do (GND-52).
+// The flying gamepad, and the functions of its axes and buttons (GND-52).
 //
 // One gamepad is chosen, by name and place. Another one never takes its place:
 // the pilot chooses it on the page. A gamepad without the standard mapping is
 // used only after the pilot has mapped it; the mapping is kept under its name.
 // An axis counts after it has passed through its rest position, a throttle
-// lever after it has met the throttle, a button after it was seen released.
+// lever after it has matched the throttle, a button after it was seen released.
 
 import { clamp } from "./draw.js";
 import { store, stored } from "./stored.js";
@@ -94,7 +94,7 @@ function isPressed(pad, place) {
 }
 
 export class Gamepads {
-  // tell(what, name) sends a report to the station.
+  // A call tell(what, name) sends a report to the station.
   constructor(tell) {
     this.tell = tell;
     this.chosen = null;

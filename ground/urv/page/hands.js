@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hand on the stick: mouse, keyboard or gamepad, 50 times a second.
-// GND-22: nothing is sent while nobody can fly from here; GND-50: what each
-// switch does; GND-51: old input does not count.
+// The pilot's input: mouse, keyboard or gamepad, 50 times a second.
+// GND-22: nothing is sent while this page cannot fly; GND-50: the function of
+// each switch; GND-51: old input does not count.
 
 import { byId, clamp, fixed, html, put, say, signed, svg } from "./draw.js";
 import { Gamepads, isMapped } from "./gamepads.js";

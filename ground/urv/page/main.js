@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: hears the station, keeps the ages (GND-25), draws when there is
-// news.
+// The page: receives the station's messages, computes ages (GND-25), draws
+// changes.
 
 import { SenderClock } from "./ages.js";
 import { byId, html, put, say } from "./draw.js";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is ordered besides the sticks (GND-35): the laws' gains, and the times
-// of a lost link. What the aircraft says to it stands below.
+// Orders besides the sticks (GND-35): the laws' gains, and the times of a lost
+// link. The aircraft's answer is shown below them.
 
 import { byId, put, say } from "./draw.js";
 

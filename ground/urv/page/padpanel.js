@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel of the gamepads: which one flies, and what does what on it
+// The panel of the gamepads: the flying one, and the mapping of its controls
 // (GND-52).
 
 import { byId, fixed, html, put, say } from "./draw.js";

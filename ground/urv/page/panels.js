@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cautions and warnings, the log, the marks. What came from outside is put
-// in as text only (GND-27). A row that has a bad time costs nothing (GND-57).
+// Cautions and warnings, the log, the marks. Text from outside is inserted as
+// text only (GND-27). A row with a bad time affects no other row (GND-57).
 
 import { byId, html, say } from "./draw.js";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the browser keeps. A page may be forbidden to keep anything: then it
-// keeps it for as long as it is open.
+// Settings stored in the browser. A page without permission to store them keeps
+// them only while it is open.
 
 const here = new Map();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of the flight software, as the station's hello has them. Until then
-// nothing of them is shown.
+// Numbers of the flight software, from the station's hello. Before that none of
+// them is shown.
 
 export const tables = { frame_ms: NaN, middle: NaN, largest: NaN };
 
