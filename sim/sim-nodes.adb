@@ -20,8 +20,8 @@ package body Sim.Nodes is
 
    Failed : Boolean := False;
 
-   --  Says that a node's program has failed, the first time. An error of the
-   --  bus was ordered.
+   --  Reports that a node's program has failed, the first time. A planted bus
+   --  error is not reported.
    procedure Complain
      (Which : Node; Error : Ada.Exceptions.Exception_Occurrence);
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The nodes as the engine drives them: one call for either node. Whatever
---  differs between the two is told apart here (SIM-1).
+--  The nodes as the engine drives them: one call for either node. This package
+--  handles all differences between the two (SIM-1).
 
 with Devices.AD_Board;
 with Devices.CORE_Memory;
@@ -34,10 +34,10 @@ package Sim.Nodes is
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce);
 
-   --  The controller starts, at power up the telemetry board too. Raised:
-   --  here and below, the controller's program has raised an exception that
-   --  it does not handle. Of one that no fault has ordered the program's
-   --  user is told.
+   --  The controller starts, at power up the telemetry board too. Raised: here
+   --  and below, the controller's program has raised an exception that it does
+   --  not handle. The user is informed of an exception that no planted fault
+   --  explains.
    procedure Start
      (Which      : Node;
       Condition  : Start_Condition;
@@ -45,7 +45,7 @@ package Sim.Nodes is
       Processors : Processor_Count;
       Raised     : out Boolean);
 
-   --  The telemetry board's processor starts anew, the controller goes on.
+   --  The telemetry board's processor restarts, the controller continues.
    procedure Restart_Telemetry (Which : Node);
 
    procedure Clock_Interrupt
@@ -59,8 +59,8 @@ package Sim.Nodes is
    --  The clock of the aircraft's PWM board ticks (SAF-11).
    procedure Tick_Servos;
 
-   --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board.
-   --  The controller is interrupted if it wants to be, and is not down.
+   --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board. It
+   --  interrupts the controller if that has enabled it, and is not down.
 
    procedure Take_Start
      (Which   : Node;
@@ -100,26 +100,26 @@ package Sim.Nodes is
    --  in step with the ground's.
    procedure Set_Lock (On : Boolean);
 
-   --  The same: what both boards are told of the line (LNK-11).
+   --  The same: the delay of the line, for both boards (LNK-11).
    procedure Set_Line (Item : Telemetry.Line_Delay);
 
-   --  What a node requests of its present frame. Its clock has ticked since
-   --  this was last asked, or not.
+   --  The requests of a node for its present frame. Its clock has ticked since
+   --  the last call, or not.
    procedure Look_At_Frame
      (Which   : Node;
       Ticks   : URVOS.Frame_Clocks.Tick_Count;
       Request : out URVOS.Frame_Clocks.Frame_Request);
 
-   --  What the aircraft knows of its being in step.
+   --  The aircraft's state of being in step.
    function Lock return URVOS.Frame_Locks.Lock_State;
 
-   --  The aircraft's control laws are there or not, from the next start on.
+   --  The aircraft's control laws are on or off, from the next start on.
    procedure Set_Laws (On : Boolean; By : URV.Link_Loss.Times);
 
    --  The ground's console orders a block besides the sticks.
    procedure Order (Block : Uplink_Buffer);
 
-   --  What can be seen of a node.
+   --  Observations of a node.
 
    function Servos return PWM_Buffer;
 
@@ -131,19 +131,19 @@ package Sim.Nodes is
 
    function Overruns (Which : Node) return Count;
 
-   --  What the aircraft's control laws remember, and a bit for each surface
-   --  that they have seen fail.
+   --  The memory of the aircraft's control laws, and a bit for each surface
+   --  that they have detected as failed.
    function Laws return URV.Laws.Memory;
    function Failed_Surfaces return Word;
 
-   --  What the ground has set of them.
+   --  The ground's settings of them.
    function Configured return URV.Configurations.Setting;
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;
 
-   --  Whether an exception was raised that no fault has ordered: a fault of
-   --  the program.
+   --  Whether an exception was raised that no planted fault explains: a fault
+   --  of the program.
    function Has_Failed return Boolean;
 
 end Sim.Nodes;
