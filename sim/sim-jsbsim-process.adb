@@ -26,7 +26,7 @@ package body Sim.JSBSim.Process is
 
    --  The number of polls for an answer before this process sleeps until one
    --  comes: with two processors the aircraft's frame takes less time than a
-   --  wake-up. Where the other process only runs when this one sleeps, polling
+   --  wake-up. If the other process only runs when this one sleeps, polling
    --  fails, and becomes ever rarer.
    Looks      : constant := 600;
    Most_Skips : constant := 511;
