@@ -478,7 +478,7 @@ class Flight:
 
     def follow_programs(self) -> None:
         """Prints the nodes' reports about themselves, the plant and each
-        other, and sends them to the page. Of other programs only losses."""
+        other, and sends them to the page. For other programs only losses."""
         while not self.lines.empty():
             name, line = self.lines.get()
             if name in NODES:
