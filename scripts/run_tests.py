@@ -12,10 +12,8 @@ changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record.
 Each test is a line, once; where none comes for 15 s a line says what goes on.
 A part that cannot be built or run counts as one failed test, and the other
-parts run all the same. The parts in which time passes as it does run beside the
-others, which give way to them; the proof comes last. Before the last line come
-the slowest tests, the failed ones, and each part with its result and time
-(EVI-11).
+parts run all the same. Before the last line come the slowest tests, the failed
+ones, and each part with its result and time (EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -71,12 +69,6 @@ class Test(NamedTuple):
 # The tests that ended.
 tests = []
 
-# Two builders must not meet in a folder of objects.
-builder = threading.Lock()
-
-# Busy parts give way to those in which time passes as it does.
-BUSY = ["nice", "-n", "5"]
-
 
 class Screen:
     """What is shown, a line at a time. After each SILENCE_S without one it says
@@ -131,10 +123,9 @@ def run(*command, what=None, env=None):
 
 def build(project, mode):
     """Whether it was built. Warnings are errors."""
-    with builder:
-        screen.put(f"building {project}\n")
-        status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
-                     what=f"building {project}")
+    screen.put(f"building {project}\n")
+    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
+                 what=f"building {project}")
     if status != 0:
         tests.append(Test(0, True, f"building {project}"))
     return status == 0
@@ -166,7 +157,7 @@ def unit_share(mode, number, shares):
     command = [f"bin/urv_tests_{mode}", str(number), str(shares)]
     began = time.monotonic()
     with subprocess.Popen(
-        [*BUSY, *command], cwd=ROOT, stdout=subprocess.PIPE, text=True
+        command, cwd=ROOT, stdout=subprocess.PIPE, text=True
     ) as running:
         for line in running.stdout:
             screen.put(line)
@@ -201,8 +192,6 @@ def python_tests(projects, name, without=(), at_once="auto",
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
-    if at_once == "auto":
-        pytest = [*BUSY, *pytest]
     # The plug-in test_lines is beside this script.
     path = os.pathsep.join(filter(
         None, [str(Path(__file__).parent), os.environ.get("PYTHONPATH")]))
@@ -308,10 +297,6 @@ PARTS = {
     "proof shows the recorded checks": proof,
 }
 
-# These run beside the others; the last one comes after all.
-LIVE_PARTS = ("real time", "ground station, live")
-LAST_PART = "proof shows the recorded checks"
-
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
        if name.startswith(("every", "links", "static", "proof record"))
@@ -340,20 +325,19 @@ def chosen(arguments):
             if not arguments or name.startswith(tuple(arguments))}
 
 
-def run_parts(parts, names, results):
-    """Run parts one after another; keep the counts and the time of each."""
-    for name in names:
-        screen.put(f"== {name}\n")
-        began = time.monotonic()
-        try:
-            counts = parts[name]()
-        except Exception as fault:  # pylint: disable=broad-except
-            # The last line must come, whatever happens.
-            screen.put(f"{name}: {fault!r}\n")
-            tests.append(Test(0, True, name))
-            counts = BROKEN
-        results[name] = counts, time.monotonic() - began
-        screen.put("\n")
+def run_part(part, name):
+    """Run a part; return its counts and its time."""
+    screen.put(f"== {name}\n")
+    began = time.monotonic()
+    try:
+        counts = part()
+    except Exception as fault:  # pylint: disable=broad-except
+        # The last line must come, whatever happens.
+        screen.put(f"{name}: {fault!r}\n")
+        tests.append(Test(0, True, name))
+        counts = BROKEN
+    screen.put("\n")
+    return counts, time.monotonic() - began
 
 
 def main():
@@ -362,14 +346,7 @@ def main():
     signal.signal(signal.SIGINT, signal.default_int_handler)
     RESULTS.mkdir(parents=True, exist_ok=True)
     parts = chosen(sys.argv[1:])
-    results = {}
-    live = threading.Thread(target=run_parts, args=(
-        parts, [name for name in parts if name in LIVE_PARTS], results))
-    live.start()
-    run_parts(parts, [name for name in parts
-                      if name not in (*LIVE_PARTS, LAST_PART)], results)
-    live.join()
-    run_parts(parts, [name for name in parts if name == LAST_PART], results)
+    results = {name: run_part(part, name) for name, part in parts.items()}
     counts = {name: results[name][0] for name in parts}
     print("== slowest tests")
     for test in sorted(tests, reverse=True)[:SLOWEST]:

@@ -314,14 +314,15 @@ def test_a_flight_that_cannot_be_flown_is_told(dask, sent, urv):
                "--no-dashboard", "--local-directory", ".")
     found = {job["seed"]: result for job, result in workers.done(
         sent, [wrong, right], address)}
-    assert found[1]["fault"].startswith("conditions.txt:1: a condition of")
+    assert found[1]["fault"].startswith(
+        "conditions.txt:1: the form of this condition is")
     assert found[2]["summary"]["flight_quality"]["crashed"] is False
 
 
 def test_cargo_that_changed_on_its_way_is_refused(sent, tmp_path):
     spoilt = cargo.Cargo(sent.archive, cargo.fly)
     spoilt.archive = sent.archive[:-1] + b"?"
-    with pytest.raises(RuntimeError, match="not what was sent"):
+    with pytest.raises(RuntimeError, match="differs from the sent one"):
         spoilt.setup(SimpleNamespace(local_directory=str(tmp_path)))
     assert list(tmp_path.iterdir()) == []
 

@@ -4,7 +4,6 @@
 import os
 import subprocess
 import sys
-import threading
 
 import pytest
 from conftest import ROOT
@@ -78,28 +77,6 @@ def test_only_the_parts_that_were_asked_for_run(place, monkeypatch, capsys):
     assert "other" not in capsys.readouterr().out
     with pytest.raises(SystemExit, match="no part begins with x: one, other"):
         run_tests.chosen(["x"])
-
-
-def test_live_parts_run_beside_the_others_and_the_proof_after_all(
-        place, monkeypatch, capsys):
-    """Each of the first two waits for the other; the proof for both."""
-    both = threading.Barrier(2, timeout=60)
-    ended = []
-
-    def part(name, meets):
-        def run():
-            if meets:
-                both.wait()
-            ended.append(name)
-            return (1, 0, 0)
-        return run
-    names = (run_tests.LAST_PART, "real time", "simulation")
-    monkeypatch.setattr(run_tests, "PARTS", {
-        name: part(name, name != run_tests.LAST_PART) for name in names})
-    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
-    assert run_tests.main() == 0
-    assert ended[-1] == run_tests.LAST_PART
-    assert capsys.readouterr().out.endswith("3 passed, 0 failed, 0 skipped\n")
 
 
 def test_a_part_that_raises_an_exception_has_failed(
