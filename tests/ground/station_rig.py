@@ -39,6 +39,19 @@ def until(condition, what, patience=PATIENCE_S, pause=0.02):
         time.sleep(pause)
 
 
+def take_sticks(page):
+    """The page takes the sticks. It drops a key that waited for half a second
+    (GND-51), as on a slow machine: the key is pressed again until it counts."""
+    def are_taken():
+        page.keyboard.press("t")
+        for _ in range(20):
+            if page.locator("#holder.mine").count():
+                return True
+            page.wait_for_timeout(100)
+        return False
+    until(are_taken, "the sticks")
+
+
 class Station:
     def __init__(self, record, folder, *options, reads=False, **node):
         self.record, self.options, self.more = record, options, node

@@ -5,7 +5,8 @@ and messages that are damaged, and such as are well formed and make no sense.
 A reader gives a result or refuses in one line. Commands run in this process
 with the limit of memory that they have.
 
-Here some hundred inputs a reader, always the same. `make -C evidence fuzz FUZZ=readers
+Here some hundred inputs a reader, always the same. `make -C evidence fuzz
+FUZZ=readers
 SECONDS=3600` goes on for that time with others (URV_FUZZ_SECONDS).
 """
 
@@ -76,6 +77,10 @@ def tried(name, examples, check, *inputs):
             # A warning would be a second line.
             warnings.simplefilter("error")
             warnings.simplefilter("ignore", ResourceWarning)
+            # Python 3.12 and later warn of a fork beside threads of libraries,
+            # but only tests show it.
+            warnings.filterwarnings(
+                "ignore", ".* is multi-threaded", DeprecationWarning)
             try:
                 check(*made)
             except Exception:

@@ -15,7 +15,7 @@ import pytest
 from fake_node import FakeNode
 from flight_rig import Archive, Ground, needs_yamcs
 from ports import free_ports
-from station_rig import PATIENCE_S, Console, until
+from station_rig import PATIENCE_S, Console, take_sticks, until
 
 from urv import display, faults, ground as module, packets, programs
 from urv.ground import NODES, PASSED_ON
@@ -300,8 +300,7 @@ def test_gnd21_a_stick_moved_on_the_page_moves_the_servos(
         page.set_default_timeout(PATIENCE_S * 1000)
         page.goto(f"http://127.0.0.1:{ground.page_port}/")
         page.locator("#holder", has_text="simulated pilot").wait_for()
-        page.keyboard.press("t")
-        page.wait_for_selector("#holder.mine")
+        take_sticks(page)
         page.keyboard.down("Shift")
         page.keyboard.down("ArrowRight")
         ground.wait(lambda state: state["words"][

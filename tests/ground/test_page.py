@@ -8,7 +8,7 @@ import re
 import signal
 
 import pytest
-from station_rig import PATIENCE_S, Station, until
+from station_rig import PATIENCE_S, Station, take_sticks, until
 
 from urv import items, laws, packets
 
@@ -61,11 +61,6 @@ def pages(browser, station):
     for context in pages.contexts:
         context.close()
     assert pages.errors == []
-
-
-def hold(page):
-    page.keyboard.press("t")
-    page.wait_for_selector("#holder.mine")
 
 
 def seen_frame(page):
@@ -267,7 +262,7 @@ def test_gnd7_what_the_laws_tell_is_on_the_page(station, pages):
 def test_gnd21_keys_mouse_and_switches_fly(station, pages):
     page = pages.open()
     until(lambda: page.locator("#switch8").is_disabled(), "no switch yet")
-    hold(page)
+    take_sticks(page)
     heard = station.node.heard
     until(lambda: heard, "a console packet")
     first = heard[0][1].columns
@@ -322,7 +317,7 @@ def test_gnd50_each_switch_says_what_it_does_and_whether_it_can(
 
 def test_gnd21_packets_come_fifty_times_a_second(station, pages):
     page = pages.open()
-    hold(page)
+    take_sticks(page)
     heard = station.node.heard
     until(lambda: len(heard) > 300, "packets")
     # Other programs may slow the page; nothing makes it faster.
@@ -334,7 +329,7 @@ def test_gnd21_packets_come_fifty_times_a_second(station, pages):
 
 def test_gnd21_a_second_page_is_told_who_flies_and_asks(station, pages):
     first, second = pages.open(), pages.open()
-    hold(first)
+    take_sticks(first)
     second.locator("#holder", has_text="console 1 flies").wait_for()
     ask(station, first, second)
     assert "console 2 asks" in first.locator("#asking").inner_text()
@@ -358,7 +353,7 @@ def ask(station, first, second):
             return
         second.keyboard.press("x")
         station.wait(lambda state: state["holder"] is None, "free sticks")
-        hold(first)
+        take_sticks(first)
     pytest.skip("this machine stops a page for seconds")
 
 
@@ -392,7 +387,7 @@ def test_gnd22_a_gamepad_flies_has_a_dead_zone_and_may_be_lost(
 
 def test_gnd22_a_hidden_page_lets_the_sticks_fall_silent(station, pages):
     page = pages.open()
-    hold(page)
+    take_sticks(page)
     until(lambda: station.node.heard, "packets")
     page.evaluate("""() => {
         Object.defineProperty(document, "hidden", {get: () => true,
@@ -415,7 +410,7 @@ def test_gnd22_however_a_page_goes_the_others_are_told(station, pages):
             "dispatchEvent(new Event('pagehide'))",
             "document.dispatchEvent(new Event('freeze'))")):
         page = pages.open()
-        hold(page)
+        take_sticks(page)
         first = len(station.node.heard)
         until(lambda first=first: len(station.node.heard) > first, "packets")
         page.evaluate(script)
@@ -424,7 +419,7 @@ def test_gnd22_however_a_page_goes_the_others_are_told(station, pages):
         page.keyboard.press("x")
         station.wait(lambda state: state["holder"] is None, "free sticks")
     page = pages.open()
-    hold(page)
+    take_sticks(page)
     until(lambda: station.state()["live"], "packets")
     page.close()
     station.wait(lambda state: state["holder"] is None, "free sticks")
@@ -442,7 +437,7 @@ HANG = """(ms) => {
 def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
         station, pages):
     other, page = pages.open(), pages.open()
-    hold(page)
+    take_sticks(page)
     until(lambda: station.state()["live"], "packets")
     page.keyboard.down("ArrowRight")
     until(lambda: station.node.heard[-1][1].words[0] == 3072, "half a roll")
@@ -459,7 +454,7 @@ def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
 def test_gnd51_keys_that_waited_in_a_hung_browser_do_not_count(
         station, pages):
     page = pages.open()
-    hold(page)
+    take_sticks(page)
     until(lambda: station.node.heard, "packets")
     # As a browser does after it hung: an event of a second ago.
     page.evaluate("""() => {
@@ -499,7 +494,7 @@ def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
     page, other = pages.open(), pages.open()
     page.keyboard.press("c")
     assert page.locator("#send_order").is_disabled()
-    hold(page)
+    take_sticks(page)
     page.locator("#send_order:enabled").wait_for()
     page.locator("#gains").select_option("1")
     # What is typed there moves no switch.
@@ -671,7 +666,7 @@ def test_gnd28_every_text_has_contrast(station, pages, scheme):
     # The laws do not believe it either, which is another one.
     page.locator("#alert_list li.caution[data-key^=gsc]",
                  has_text="BATTERY").wait_for()
-    hold(page)
+    take_sticks(page)
     page.keyboard.press("c")
     page.locator("#orders").wait_for()
     assert page.evaluate(CONTRAST) == []
