@@ -23,7 +23,7 @@ def git_apply(tree, patch, *options):
 
 def renew_copy(root, copy):
     """The copy has what the tree has, with its times, so that little is built
-    anew. Likely changes are tried in one, too (EVI-12)."""
+    again. Likely changes are tried in one, too (EVI-12)."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others",
          "--exclude-standard"],
@@ -51,7 +51,7 @@ def renew_copy(root, copy):
 def take_objects(root, copy, names):
     """What is built of the tree need not be built again in a copy, but for what
     a change of it touches. Where the configuration pragmas are is written in
-    what was built; a builder that misses them there builds everything anew."""
+    what was built; a builder that misses them there builds everything again."""
     for name in names:
         built, objects = root / "obj" / name, copy / "obj" / name
         if built.is_dir() and not objects.exists():

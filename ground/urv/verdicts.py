@@ -30,7 +30,7 @@ FRAMES_ON_THE_WAY = 4
 SHOWN_SILENCE_S = 0.05
 MOST_AROUND = 8
 
-# Of flight_quality: name, text, unit, limit on both sides.
+# Rows of flight_quality: name, text, unit, limit on both sides.
 QUALITY = (
     ("altitude_rms_ft", "altitude in holds, RMS off", "ft", 100.0),
     ("altitude_max_ft", "altitude in holds, most off", "ft", 100.0),

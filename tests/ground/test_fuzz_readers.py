@@ -6,8 +6,7 @@ A reader gives a result or refuses in one line. Commands run in this process
 with the limit of memory that they have.
 
 Here some hundred inputs a reader, always the same. `make -C evidence fuzz
-FUZZ=readers
-SECONDS=3600` goes on for that time with others (URV_FUZZ_SECONDS).
+FUZZ=readers SECONDS=3600` continues for that time with others (URV_FUZZ_SECONDS).
 """
 
 import contextlib

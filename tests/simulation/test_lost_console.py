@@ -221,6 +221,20 @@ def test_saf10_power_on_the_ground_and_a_link_that_stays_lost_are_told():
         "the pilot does not have it back"]
 
 
+def test_saf10_an_aircraft_that_slows_down_has_half_a_second_to_brake():
+    slow = ROW | {"truth.altitude_ft": "1", "truth.airspeed_kt": "41"}
+    open_brake = slow | {"pwm.brake": "0"}
+    end = {**ROW, "time_ms": "80000"}
+
+    def said(times):
+        rows = [slow, {**slow, "time_ms": "14000", "truth.airspeed_kt": "42"},
+                *({**open_brake, "time_ms": str(time)} for time in times), end]
+        return list(console_losses.problems(rows, 10_000, 70_000))
+    assert said([14_020, 14_480]) == []
+    assert said([14_020, 14_500]) == [
+        "no brake or power on the ground at 14500 ms"]
+
+
 # What the safety monitor says (SAF-9) of the record, altered.
 
 def altered(flight, column, word, first_ms, last_ms):
