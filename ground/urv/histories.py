@@ -20,7 +20,7 @@ HISTORY_S = (25, 60)
 EVENTS = (4, 12)
 SHORTEST_S, LONGEST_S = 1, 10
 
-# Without laws, or with rate damping only, the pilot flies by hand: small
+# Without laws, or with damped rates only, the pilot flies by hand: small
 # deflections, for short times.
 BY_HAND_MOST = 250
 BY_HAND_S = 3

@@ -5,8 +5,8 @@ The browser's gamepads are window.pads; a test moves them.
 """
 
 import pytest
-from station_rig import Station, until
-from test_page import CONTRAST, Pages, hold
+from station_rig import Station, take_sticks, until
+from test_page import CONTRAST, Pages
 
 STANDARD = "Vendor Pad (STANDARD GAMEPAD)"
 YOKE = "Flight Yoke 44f"
@@ -79,7 +79,7 @@ def pilot(station, pages):
 
 def test_gnd52_all_eight_switches_are_on_the_gamepad(pilot):
     pilot.do(MAKE_STANDARD).told(f"flies by gamepad: {STANDARD}")
-    hold(pilot.page)
+    take_sticks(pilot.page)
     pilot.until("roll", 2048)
     for number, button in ((1, 1), (2, 2), (3, 3), (4, 5), (5, 14), (6, 15),
                            (7, 4), (8, 0)):
@@ -93,7 +93,7 @@ def test_gnd52_all_eight_switches_are_on_the_gamepad(pilot):
 def test_gnd52_another_gamepad_never_replaces_a_lost_one(pilot):
     page = pilot.page
     pilot.do(MAKE_STANDARD).told("flies by gamepad")
-    hold(page)
+    take_sticks(page)
     pilot.do("pads[0].axes[2] = 1").until("roll", 4095)
     # Another one of another name is at its place, fully to the left.
     pilot.do("pads[0] = make('Other', 0, 'standard', 4, 17);"
@@ -122,7 +122,7 @@ def test_gnd52_another_gamepad_never_replaces_a_lost_one(pilot):
 
 def test_gnd52_a_lost_gamepad_that_returns_counts_from_its_middle(pilot):
     pilot.do(MAKE_STANDARD).told("flies by gamepad")
-    hold(pilot.page)
+    take_sticks(pilot.page)
     pilot.do("pads[0].axes[2] = 1").until("roll", 4095)
     pilot.do("window.kept = pads.pop()").source("gamepad lost")
     pilot.do("pads.push(kept)").told("has its gamepad again")
@@ -138,7 +138,7 @@ def test_gnd52_first_values_do_not_count(pilot):
     pilot.do(MAKE_STANDARD + "; pads[0].axes = [1, 1, -1, 0.6];"
              "press(0, 7, true); press(0, 0, true); press(0, 4, true)")
     pilot.told("flies by gamepad")
-    hold(page)
+    take_sticks(page)
     pilot.until("roll", 2048)
     throttle, brake = pilot.heard("throttle"), pilot.heard("brake")
     flaps = pilot.heard("switch8")
@@ -160,7 +160,7 @@ def test_gnd52_a_gamepad_without_mapping_is_used_when_mapped(pilot, pages):
     pilot.do("pads[0] = null; " + MAKE_YOKE + "; pads[1].axes[3] = -1")
     pilot.told("not used until the pilot maps it: " + YOKE)
     pilot.source("gamepad not mapped, not used: press G")
-    hold(page)
+    take_sticks(page)
     pilot.do("pads[1].axes[0] = 1").stays("roll", 2048)
     pilot.do("pads[1].axes[0] = 0")
     page.keyboard.press("g")
@@ -230,7 +230,7 @@ def test_gnd52_of_several_the_pilot_chooses(pilot):
              " 17)")
     pilot.source("several gamepads: press G to choose one")
     pilot.told("has another gamepad")
-    hold(pilot.page)
+    take_sticks(pilot.page)
     pilot.do("pads[0].axes[2] = 1; pads[1].axes[2] = -1").stays("roll", 2048)
     pilot.do("pads[0].axes[2] = 0; pads[1].axes[2] = 0")
     page = pilot.page
