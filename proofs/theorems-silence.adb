@@ -104,6 +104,9 @@ package body Theorems.Silence with SPARK_Mode is
 
    procedure No_Third_In_A_Row (Item : Control; Blocks : Buffer_Pair) is null;
 
+   procedure A_Reset_Begins_A_Row (Item : Control; Blocks : Buffer_Pair)
+   is null;
+
    procedure Free_After_Idle_Time
      (Item : Control; Time : Character_Times; Blocks : Buffer_Pair) is null;
 

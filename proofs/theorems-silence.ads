@@ -126,6 +126,14 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        and then Prepared (Item, Blocks).State =
          (if Item.Downlink_Turns = 0 then Idling else Ready);
 
+   --  A reset clears the count of data messages in a row (LNK-9).
+   procedure A_Reset_Begins_A_Row (Item : Control; Blocks : Buffer_Pair)
+   with
+     Global => null,
+     Post   =>
+       Reset (Item, Blocks).In_A_Row = 0
+       and then Reset (Item, Blocks).State in Ready | Idling;
+
    --  It is free to send again only after its idle time of silence: time
    --  takes the count back only into that, or at the end of it.
    procedure Free_After_Idle_Time

@@ -110,6 +110,30 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
                 Item.Downlink (Downlink_Words'Last) or Stale_Data)))
    with Global => null;
 
+   --  A memory with another row of the node's own log, or of the aircraft's.
+   --  All else stays.
+
+   function With_Log
+     (This : Memory; Which : Log_Row_Number; Row : Log_Row) return Memory
+   is
+     ((This with delta Log => (This.Log with delta Which => Row)))
+   with
+     Global => null,
+     Post   =>
+       With_Log'Result.Log (Which) = Row
+       and then With_Log'Result.Aircraft_Log = This.Aircraft_Log;
+
+   function With_Aircraft_Log
+     (This : Memory; Which : Log_Row_Number; Row : Log_Row) return Memory
+   is
+     ((This with delta
+         Aircraft_Log => (This.Aircraft_Log with delta Which => Row)))
+   with
+     Global => null,
+     Post   =>
+       With_Aircraft_Log'Result.Aircraft_Log (Which) = Row
+       and then With_Aircraft_Log'Result.Log = This.Log;
+
    --  A count of one word after one more.
    function Incremented (Value : Word) return Word is
      (if Value = Word'Last then Value else Value + 1)

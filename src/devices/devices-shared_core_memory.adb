@@ -48,12 +48,12 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Write_Log (Which : Log_Row_Number; Row : Log_Row) is
       begin
-         Present.Log (Which) := Row;
+         Present := With_Log (Present, Which, Row);
       end Write_Log;
 
       procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row) is
       begin
-         Present.Aircraft_Log (Which) := Row;
+         Present := With_Aircraft_Log (Present, Which, Row);
       end Write_Aircraft_Log;
 
       function Contents return Memory is (Present);
