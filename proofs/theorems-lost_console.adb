@@ -3,18 +3,20 @@
 package body Theorems.Lost_Console with SPARK_Mode is
 
    procedure In_Flight_Nothing_Fresh_Goes_Up
-     (Ground   : in out Ground_Way;
-      Scans    : Scan_History;
-      Item     : Watch;
-      Silent   : Frame_Count;
-      Downlink : Downlink_Buffer;
-      Bits     : Word;
-      Order    : Uplink_Buffer)
+     (Ground     : in out Ground_Way;
+      Scans      : Scan_History;
+      Item       : Watch;
+      Silent     : Frame_Count;
+      Downlink   : Downlink_Buffer;
+      Bits       : Word;
+      Order      : Uplink_Buffer;
+      Is_Ordered : Boolean)
    is
       pragma Unreferenced (Item, Silent, Downlink);
    begin
       A_Repeated_Scan_Is_Marked (Ground, Scans);
-      A_Marked_Image_Is_Sent_As_Old (Ground, Scans, Bits, Order);
+      A_Marked_Image_Is_Sent_As_Old
+        (Ground, Scans, Bits, Order, Is_Ordered);
    end In_Flight_Nothing_Fresh_Goes_Up;
 
    procedure Any_History

@@ -24,13 +24,14 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
    --  scan, and what GDCOUT sends up in the frame is marked as old. An order
    --  besides the sticks still goes up. No scan of before is pending.
    procedure In_Flight_Nothing_Fresh_Goes_Up
-     (Ground   : in out Ground_Way;
-      Scans    : Scan_History;
-      Item     : Watch;
-      Silent   : Frame_Count;
-      Downlink : Downlink_Buffer;
-      Bits     : Word;
-      Order    : Uplink_Buffer)
+     (Ground     : in out Ground_Way;
+      Scans      : Scan_History;
+      Item       : Watch;
+      Silent     : Frame_Count;
+      Downlink   : Downlink_Buffer;
+      Bits       : Word;
+      Order      : Uplink_Buffer;
+      Is_Ordered : Boolean)
    with
      Global => null,
      Pre    =>

@@ -21,6 +21,7 @@ with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
 with URV.Codecs;
 with URV.CORE_Layout;
+with URV.LAW_Steps;
 with URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Mailboxes;       use URV.Mailboxes;
@@ -29,6 +30,7 @@ with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
 with URV.Surfaces;        use type URV.Surfaces.Surface_Flags;
 with URV.Type_Codes;      use URV.Type_Codes;
+with URV.Uplink_Input;
 
 package Theorems.Safety with SPARK_Mode, Ghost is
 
@@ -198,13 +200,16 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  where the commands end: CORE memory, unless it is still cleared, and
    --  the servos.
    type Aircraft_Way is record
-      Kept        : Uplink_Buffer;
+      Kept        : URV.Uplink_Input.Kept_Message;
       Kept_From   : Scan_Count;
-      Has_Message : Boolean;
       TELIN       : For_Uplink.Boxes.Mailbox;
       TELIN_From  : Scan_Count;
       Uplink      : For_Uplink.Boxes.Mailbox;
       Uplink_From : Scan_Count;
+
+      --  The message that MDCIN keeps: what it gave last, of the same scan
+      --  as uplink_variable.
+      Given         : Uplink_Buffer;
       Commands      : For_Uplink.Boxes.Mailbox;
       Commands_From : Scan_Count;
 
@@ -218,6 +223,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
       PWM_By_Law  : Boolean;
+
+      --  The surfaces that others make up for, as LAW has reported them.
+      Reported    : Health;
       CORE        : Uplink_Words;
       CORE_From   : Scan_Count;
       Is_Cleared  : Boolean;
@@ -248,22 +256,29 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         Transform (Commands) (Discretes))
    with Global => null;
 
+   --  Others make up for a failed surface only where a law may fly.
+   function Is_Reported (Reported : Health; By_Law : Boolean) return Boolean
+   is (if Reported.Failed /= URV.Surfaces.None then By_Law)
+   with Global => null;
+
    function Places_Are_Sound
      (Item  : Aircraft_Way;
       Scans : Scan_History;
       Done  : Scan_Count) return Boolean
    is
-     (Was_Sent_From (Item.Kept, Scans, Item.Kept_From, Done)
+     (Was_Sent_From (Item.Kept.Buffer, Scans, Item.Kept_From, Done)
       and then Was_Sent_From
         (Contents (Item.TELIN), Scans, Item.TELIN_From, Done)
       and then Comes_From
         (Contents (Item.Uplink), Scans, Item.Uplink_From, Done)
+      and then Comes_From (Item.Given, Scans, Item.Uplink_From, Done)
       and then Comes_From
         (Contents (Item.Commands), Scans, Item.Commands_From, Done)
       and then Comes_From (Item.Heard, Scans, Item.Heard_From, Done)
       and then (if Item.Law_Link /= Waiting then Item.Heard_From > 0)
       and then Was_Flown_From
         (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law)
+      and then Is_Reported (Item.Reported, Item.PWM_By_Law)
       and then Item.CORE_From <= Done
       and then
         (if not Item.Is_Cleared
@@ -293,19 +308,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Aircraft_Cold_Start, Aircraft_Warm_Start);
 
    --  Which is the block that TELIN finds, 0 for none; Bits are the node's
-   --  own of the error/status word; Order is what the ground's console has
-   --  ordered besides the sticks; Set are the laws' settings, Sensors what
-   --  they are given, Law what else they remember, Watched which surfaces
-   --  are thought to have failed: anything.
+   --  own of the error/status word; Order is the block that the ground's
+   --  console has ordered besides the sticks, if Is_Ordered; Usual are the
+   --  laws' settings; Law is what LAW keeps and Got what it receives, but for
+   --  the link's state and the commands, which are the aircraft's: anything.
    type Event is record
-      Kind    : Event_Kind;
-      Which   : Block_Count;
-      Bits    : Word;
-      Order   : Uplink_Buffer;
-      Set     : URV.Laws.Settings;
-      Sensors : Downlink_Buffer;
-      Law     : URV.Laws.Memory;
-      Watched : Health;
+      Kind       : Event_Kind;
+      Which      : Block_Count;
+      Bits       : Word;
+      Order      : Uplink_Buffer;
+      Is_Ordered : Boolean;
+      Usual      : URV.Laws.Settings;
+      Law        : URV.LAW_Steps.Kept;
+      Got        : URV.LAW_Steps.Inputs;
    end record;
 
    type Event_Number is range 1 .. Longest;
@@ -395,19 +410,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  commands that are not marked as old, whatever the laws remember and
    --  the sensors say: what the PWM task is given is what MDCIN gave.
    procedure No_Law_Flies_Unless_Asked
-     (Item    : in out Aircraft_Way;
-      Scans   : Scan_History;
-      Done    : Scan_Count;
-      Set     : URV.Laws.Settings;
-      Sensors : Downlink_Buffer;
-      Law     : URV.Laws.Memory)
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Usual : URV.Laws.Settings;
+      Law   : URV.LAW_Steps.Kept;
+      Got   : URV.LAW_Steps.Inputs)
    with
      Global => null,
      Pre    =>
        Is_Sound (Item, Scans, Done)
        and then Is_Fresh (Item.Commands)
        and then
-         (not Set.On
+         (not Usual.On
           or else URV.Laws.Is_Disconnected (Contents (Item.Commands))),
      Post   =>
        not Item.PWM_By_Law
@@ -441,10 +456,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  Commands that are marked as old move nothing (SAF-3): those that the
    --  PWM task is given. A law that flies marks none.
    procedure Old_Commands_Move_Nothing
-     (Item    : in out Aircraft_Way;
-      Scans   : Scan_History;
-      Done    : Scan_Count;
-      Watched : Health)
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
      Global => null,
      Pre    =>
@@ -474,10 +486,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  It is sent on as old: with the one above, what a frame without a scan
    --  sends up (SAF-10).
    procedure A_Marked_Image_Is_Sent_As_Old
-     (Item  : in out Ground_Way;
-      Scans : Scan_History;
-      Bits  : Word;
-      Order : Uplink_Buffer)
+     (Item       : in out Ground_Way;
+      Scans      : Scan_History;
+      Bits       : Word;
+      Order      : Uplink_Buffer;
+      Is_Ordered : Boolean)
    with
      Global => null,
      Pre    =>
@@ -488,10 +501,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        or else Is_Other_Kind (Contents (Item.TELOUT));
 
    procedure A_Repeated_Image_Is_Marked
-     (Item  : in out Ground_Way;
-      Scans : Scan_History;
-      Bits  : Word;
-      Order : Uplink_Buffer)
+     (Item       : in out Ground_Way;
+      Scans      : Scan_History;
+      Bits       : Word;
+      Order      : Uplink_Buffer;
+      Is_Ordered : Boolean)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.AD),
@@ -509,7 +523,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Pre    =>
        Is_Sound (Item, Scans, Done)
        and then Is_Sound (Line, Scans, Done)
-       and then Item.Has_Message,
+       and then Item.Kept.Has_Message,
      Post   => Is_Old (Contents (Item.TELIN));
 
    procedure A_Repeated_Message_Is_Marked
@@ -539,14 +553,13 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    --  It moves no servo by itself: unless a law flies, the outputs stay.
    procedure Another_Kind_Moves_Nothing
-     (Item    : in out Aircraft_Way;
-      Scans   : Scan_History;
-      Done    : Scan_Count;
-      Set     : URV.Laws.Settings;
-      Sensors : Downlink_Buffer;
-      Law     : URV.Laws.Memory;
-      Watched : Health;
-      By_Law  : out Boolean)
+     (Item   : in out Aircraft_Way;
+      Scans  : Scan_History;
+      Done   : Scan_Count;
+      Usual  : URV.Laws.Settings;
+      Law    : URV.LAW_Steps.Kept;
+      Got    : URV.LAW_Steps.Inputs;
+      By_Law : out Boolean)
    with
      Global => null,
      Pre    =>
@@ -555,9 +568,14 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   => (if not By_Law then Item.Board = Item'Old.Board);
 
    --  A scan is whole: the words that are sent are those that were
-   --  converted since it began, one a channel.
+   --  converted since it began, one a channel; with the last they are sent.
    procedure A_Scan_Is_What_Was_Converted
-     (Before : Scan; Values : Channel_Words)
-   with Global => null;
+     (Item : in out Scan; Values : Channel_Words; Next : out Next_Step)
+   with
+     Global => null,
+     Post   =>
+       Item.Words = Values
+       and then Is_Complete (Item)
+       and then Next = Send_Words;
 
 end Theorems.Safety;

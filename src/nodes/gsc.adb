@@ -1,28 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Errors; use URV.Errors;
+
 package body GSC with SPARK_Mode is
-
-   procedure Take_Log_Piece (Item : Downlink_Buffer) is
-   begin
-      if not Is_Old (Item) then
-         Log_Receiver.Take_Piece (Piece_Of (Item (Error_Status)));
-      end if;
-   end Take_Log_Piece;
-
-   procedure Take_No_Other (Item : Downlink_Buffer; Taken : out Boolean) is
-   begin
-      Taken := Is_Old (Item);
-   end Take_No_Other;
-
-   procedure Add_Order (Item : in out Uplink_Buffer) is
-      Order : Uplink_Buffer;
-      Fresh : Boolean;
-   begin
-      Console_Orders.Look (Order, Fresh);
-      if Fresh and then Is_Other_Kind (Order) then
-         Item := Order;
-      end if;
-   end Add_Order;
 
    procedure Run_Step
      (Who       : Task_Name;
@@ -30,7 +10,8 @@ package body GSC with SPARK_Mode is
       Now       : Clock_Tick;
       Call      : out Kernel_Call)
    is
-      Set : constant Schedule_Name := Schedule.Contents;
+      Set           : constant Schedule_Name := Schedule.Contents;
+      Unused_Is_New : Boolean;
    begin
       if First_Run then
          case Who is
@@ -44,7 +25,8 @@ package body GSC with SPARK_Mode is
       else
          case Who is
             when AD_Task        => AD.Run_Transaction (Now);
-            when TELIN_Task     => TELIN.Run_Transaction (Now);
+            when TELIN_Task     =>
+               TELIN.Run_Transaction (Now, Unused_Is_New);
             when GDCIN_Task     => GDCIN.Run_Transaction;
             when GDCOUT_Task    => GDCOUT.Run_Transaction;
             when TELOUT_Task    => TELOUT.Run_Transaction;
@@ -72,6 +54,7 @@ package body GSC with SPARK_Mode is
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
       Console_Orders.Reset;
+      GDCIN.Reset;
    end Reset_Variables;
 
    procedure Restart_Variables is

@@ -17,17 +17,14 @@ with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 with URV.AD_Task;
 with URV.ADINT_Handler;
-with URV.Buffers;        use URV.Buffers;
 with URV.Codecs;         use URV.Codecs;
 with URV.CORE_Task;
-with URV.Errors;         use URV.Errors;
-with URV.Input_Exchange_Task;
-with URV.Log_Pieces;     use URV.Log_Pieces;
+with URV.Downlink_Input;
+with URV.GDCIN_Task;
+with URV.GDCOUT_Task;
 with URV.Log_Receivers;
 with URV.LOG_Task;
 with URV.Mailboxes;      use URV.Mailboxes;
-with URV.Output_Exchange_Task;
-with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Schedules;
@@ -87,61 +84,17 @@ package GSC with SPARK_Mode is
       Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => 1);
 
    package TELIN is new URV.TELIN_Task
-     (For_Downlink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
-      Downlink.Decode);
+     (URV.Downlink_Input, For_Downlink, Telemetry_Board, TELIN_Variable,
+      Sealing, Errors);
 
    package Log_Receiver is new URV.Log_Receivers (CORE_Memory);
 
-   --  The piece of the aircraft's log goes its own way (SAF-7).
+   package GDCIN is new URV.GDCIN_Task
+     (TELIN_Variable, Downlink_Variable, Errors, Log_Receiver.Take_Piece);
 
-   function Without_Log_Piece (Item : Downlink_Buffer) return Downlink_Buffer
-   is
-     ((Item with delta
-         Error_Status => Without_Piece (Item (Error_Status))))
-   with Global => null;
-
-   procedure Take_Log_Piece (Item : Downlink_Buffer)
-   with Global => (In_Out => (Log_Receiver.Incoming, CORE_Memory));
-
-   --  Nobody on the ground takes a block of another kind (EXT-2). One that
-   --  is old was reported when it came.
-   procedure Take_No_Other (Item : Downlink_Buffer; Taken : out Boolean)
-   with Global => null;
-
-   package GDCIN is new URV.Input_Exchange_Task
-     (Messages           => For_Downlink,
-      TELIN_Variable     => TELIN_Variable,
-      CORE_Variable      => Downlink_Variable,
-      CORE_Not_Consumed  => Downlink_Not_Consumed,
-      Errors             => Errors,
-      As_Old             => As_Old,
-      First_Out_Of_Range => First_Out_Of_Range,
-      For_CORE           => Without_Log_Piece,
-      Deliver            => Take_Log_Piece,
-      Is_Other_Kind      => Is_Other_Kind,
-      Kind_Of            => Kind_Of,
-      Deliver_Other      => Take_No_Other);
-
-   --  A block of another kind that the console has ordered goes up in the
-   --  place of a frame's commands.
-   procedure Add_Order (Item : in out Uplink_Buffer)
-   with Global => (In_Out => Console_Orders);
-
-   package GDCOUT is new URV.Output_Exchange_Task
-     (Images            => For_Stick_Images,
-      Messages          => For_Uplink,
-      AD_Variable       => AD_Variable,
-      CORE_Variable     => Uplink_Variable,
-      CORE_Not_Consumed => Uplink_Not_Consumed,
-      TELOUT_Variable   => TELOUT_Variable,
-      Node_Status       => Status,
-      Errors            => Errors,
-      Codes             => Stick_Codes,
-      To_Message        => Commands_Of,
-      First_Unknown     => First_Unknown_Command,
-      Marked            => Marked,
-      As_Old            => As_Old,
-      Add_For_Link      => Add_Order);
+   package GDCOUT is new URV.GDCOUT_Task
+     (AD_Variable, Uplink_Variable, TELOUT_Variable, Console_Orders, Status,
+      Errors, Stick_Codes);
 
    package TELOUT is new URV.TELOUT_Task
      (For_Uplink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,

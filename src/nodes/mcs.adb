@@ -1,54 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Telemetry;      use Telemetry;
-with URV.Log_Pieces; use URV.Log_Pieces;
+with Telemetry;   use Telemetry;
 with URV.Allocation;
+with URV.Buffers; use URV.Buffers;
 with URV.Configurations;
+with URV.Errors;  use URV.Errors;
 with URV.Laws;
 with URV.PWM_Layout;
+with URV.Routing; use URV.Routing;
 with URV.Surface_Monitor;
 
 package body MCS with SPARK_Mode is
-
-   procedure Give_Commands (Item : Uplink_Buffer) is
-      Success : Boolean;
-   begin
-      Commands_Variable.Send (Item, Success);
-      if not Success then
-         Errors.Report (Commands_Not_Consumed, 0);
-      end if;
-   end Give_Commands;
-
-   procedure Give_Configuration (Item : Uplink_Buffer; Taken : out Boolean)
-   is
-      Unused_Success : Boolean;
-   begin
-      Taken := Is_Old (Item) or else Kind_Of (Item) = Configuration_Kind;
-      if not Is_Old (Item) and then Kind_Of (Item) = Configuration_Kind then
-         Configuration_Variable.Send (Item, Unused_Success);
-      end if;
-   end Give_Configuration;
-
-   procedure Add_Log_Piece (Item : in out Downlink_Buffer) is
-      Unused_Success : Boolean;
-      Next           : Piece;
-   begin
-      Sensors_Variable.Send (Item, Unused_Success);
-      Log_Sender.Next (Next);
-      Item (Error_Status) := With_Piece (Item (Error_Status), Next);
-   end Add_Log_Piece;
-
-   --  TELIN has run: its message is fresh, or not.
-   procedure Follow_Ground (Now : Clock_Tick)
-   with Global => (Input => TELIN.Previous, In_Out => Frame_Lock);
-
-   procedure Follow_Ground (Now : Clock_Tick) is
-      Item : constant TELIN.Kept_Message := TELIN.Previous.Contents;
-   begin
-      Frame_Lock.Take
-        (Fresh => Item.Has_Message and then not Is_Old (Item.Buffer),
-         Now   => Now);
-   end Follow_Ground;
 
    procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request) is
       Available : constant Boolean := Telemetry_Board.Has_Received;
@@ -65,7 +27,8 @@ package body MCS with SPARK_Mode is
       Now       : Clock_Tick;
       Call      : out Kernel_Call)
    is
-      Set : constant Schedule_Name := Schedule.Contents;
+      Set    : constant Schedule_Name := Schedule.Contents;
+      Is_New : Boolean;
    begin
       if First_Run then
          case Who is
@@ -79,7 +42,9 @@ package body MCS with SPARK_Mode is
       else
          case Who is
             when AD_Task        => AD.Run_Transaction (Now);
-            when TELIN_Task     => TELIN.Run_Transaction (Now);
+            when TELIN_Task     =>
+               TELIN.Run_Transaction (Now, Is_New);
+               Frame_Lock.Take (Is_New, Now);
             when MDCIN_Task     => MDCIN.Run_Transaction;
             when MDCOUT_Task    => MDCOUT.Run_Transaction;
             when LAW_Task       => LAW.Run_Transaction;
@@ -96,8 +61,6 @@ package body MCS with SPARK_Mode is
          others => <>);
       if Who = AD_Task then
          AD.Await_Scan (Call);
-      elsif Who = TELIN_Task and then not First_Run then
-         Follow_Ground (Now);
       end if;
    end Run_Step;
 
@@ -116,6 +79,7 @@ package body MCS with SPARK_Mode is
       Configuration_Variable.Reset;
       Sensors_Variable.Reset;
       PWM_Variable.Reset;
+      MDCIN.Reset;
       Law_Configured.Write (URV.Configurations.Nothing_Set);
       Law_Memory.Write (URV.Laws.At_Start);
       Surface_Memory.Write ((others => <>));

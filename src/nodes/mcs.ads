@@ -21,19 +21,16 @@ with URVOS.Task_Trees;   use URVOS.Task_Trees;
 with URV.AD_Scans;       use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
-with URV.Buffers;        use URV.Buffers;
 with URV.Codecs;         use URV.Codecs;
 with URV.CORE_Task;
-with URV.Errors;         use URV.Errors;
-with URV.Input_Exchange_Task;
 with URV.LAW_Task;
 with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Mailboxes;      use URV.Mailboxes;
-with URV.Output_Exchange_Task;
+with URV.MDCIN_Task;
+with URV.MDCOUT_Task;
 with URV.PWM_Boards;
 with URV.PWM_Task;
-with URV.Routing;        use URV.Routing;
 with URV.Self_Test_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
@@ -45,6 +42,7 @@ with URV.Start_Routines;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
 with URV.Type_Codes;     use URV.Type_Codes;
+with URV.Uplink_Input;
 
 package MCS with SPARK_Mode is
 
@@ -114,62 +112,19 @@ package MCS with SPARK_Mode is
       Errors, Schedule, ADINT.Begin_Scan, Fast_Scans => Scans_In_A_Tick);
 
    package TELIN is new URV.TELIN_Task
-     (For_Uplink, Telemetry_Board, TELIN_Variable, Sealing, Errors, As_Old,
-      Uplink.Decode);
+     (URV.Uplink_Input, For_Uplink, Telemetry_Board, TELIN_Variable, Sealing,
+      Errors);
 
-   --  In CORE as it came.
-   function As_It_Is (Item : Uplink_Buffer) return Uplink_Buffer is (Item)
-   with Global => null;
-
-   procedure Give_Commands (Item : Uplink_Buffer)
-   with Global => (In_Out => (Commands_Variable, Errors));
-
-   --  A configuration goes to the laws (EXT-2). A block that is old was
-   --  taken, or reported, when it came.
-   procedure Give_Configuration (Item : Uplink_Buffer; Taken : out Boolean)
-   with Global => (In_Out => Configuration_Variable);
-
-   package MDCIN is new URV.Input_Exchange_Task
-     (Messages           => For_Uplink,
-      TELIN_Variable     => TELIN_Variable,
-      CORE_Variable      => Uplink_Variable,
-      CORE_Not_Consumed  => Uplink_Not_Consumed,
-      Errors             => Errors,
-      As_Old             => As_Old,
-      First_Out_Of_Range => First_Out_Of_Range,
-      For_CORE           => As_It_Is,
-      Deliver            => Give_Commands,
-      Is_Other_Kind      => Is_Other_Kind,
-      Kind_Of            => Kind_Of,
-      Deliver_Other      => Give_Configuration);
+   package MDCIN is new URV.MDCIN_Task
+     (TELIN_Variable, Uplink_Variable, Commands_Variable,
+      Configuration_Variable, Errors);
 
    package Log_Sender is new URV.Log_Senders
      (Errors, Law_Settings, Law_Memory, Law_Configured, Surface_Memory);
 
-   --  The laws get the sensors too. A piece of the error log goes down along
-   --  (SAF-7).
-   procedure Add_Log_Piece (Item : in out Downlink_Buffer)
-   with
-     Global =>
-       (Input  => (Errors, Law_Settings, Law_Memory, Law_Configured,
-                   Surface_Memory),
-        In_Out => (Log_Sender.Progress, Sensors_Variable));
-
-   package MDCOUT is new URV.Output_Exchange_Task
-     (Images            => For_Sensor_Images,
-      Messages          => For_Downlink,
-      AD_Variable       => AD_Variable,
-      CORE_Variable     => Downlink_Variable,
-      CORE_Not_Consumed => Downlink_Not_Consumed,
-      TELOUT_Variable   => TELOUT_Variable,
-      Node_Status       => Status,
-      Errors            => Errors,
-      Codes             => Sensor_Codes,
-      To_Message        => Sensors_Of,
-      First_Unknown     => First_Unknown_Sensor,
-      Marked            => Marked,
-      As_Old            => As_Old,
-      Add_For_Link      => Add_Log_Piece);
+   package MDCOUT is new URV.MDCOUT_Task
+     (AD_Variable, Downlink_Variable, Sensors_Variable, TELOUT_Variable,
+      Status, Errors, Sensor_Codes, Log_Sender.Next);
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,

@@ -13,7 +13,8 @@
 --  What the ground has sent to be set is taken, or refused and reported,
 --  before the laws fly with it (EXT-2).
 --
---  These are several jobs, each a package of its own (D-43).
+--  These are several jobs, each a package of its own (D-43); the decision of
+--  all of them is in URV.LAW_Steps.
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URV.Errors; use URV.Errors;
+with Telemetry;      use Telemetry;
+with URV.Errors;     use URV.Errors;
 with URV.Handshakes; use URV.Handshakes;
-with URVOS;      use URVOS;
 
 package body URV.TELIN_Task with SPARK_Mode is
 
@@ -11,34 +11,29 @@ package body URV.TELIN_Task with SPARK_Mode is
       Previous.Write ((others => <>));
    end Initialise;
 
-   procedure Run_Transaction (Now : Clock_Tick) is
-      Kept          : Kept_Message := Previous.Contents;
+   procedure Run_Transaction (Now : Clock_Tick; Is_New : out Boolean) is
+      Kept          : Steps.Kept_Message := Previous.Contents;
       Data          : Block_Data;
       Fresh         : Boolean;
       Ever_Received : Boolean;
-      What          : Outcome;
+      Result        : Outcome;
       Success       : Boolean;
    begin
       Telemetry_Board.Take (Data, Fresh, Ever_Received);
       Sealing.Set_Time (Now);
-      Sealing.Open (Data, Fresh, What);
-      if What in Refused then
-         Errors.Report
-           (Block_Refused,
-            Word (Outcome'Pos (What) - Outcome'Pos (Refused'First) + 1));
-      end if;
-
-      if What in Taken then
-         Kept := (Decode (Data), Has_Message => True);
-      else
-         Kept.Buffer := As_Old (Kept.Buffer);
-         if Ever_Received then
-            Errors.Report (TELIN_No_Block, 0);
-         end if;
-      end if;
+      Sealing.Open (Data, Fresh, Result);
+      Kept := Steps.Next (Kept, Result, Data);
       Previous.Write (Kept);
+      Is_New := Steps.Is_New (Kept);
 
-      if Kept.Has_Message then
+      if Result in Refused then
+         Errors.Report (Block_Refused, Steps.Reason (Result));
+      end if;
+      if Steps.Is_Missed (Result, Ever_Received) then
+         Errors.Report (TELIN_No_Block, 0);
+      end if;
+
+      if Steps.Is_Sent (Kept) then
          TELIN_Variable.Send (Kept.Buffer, Success);
          if not Success then
             Errors.Report (Input_Not_Consumed, 0);

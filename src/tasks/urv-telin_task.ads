@@ -11,38 +11,34 @@
 --
 --  A block that the seal does not open is none (SEC-1).
 
-with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
 with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Shared_Data;
 with URVOS.Shared_Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Seals;
+with URV.TELIN_Steps;
 
 generic
-   with package Messages is new URVOS.Shared_Mailboxes (<>);
+   with package Steps is new URV.TELIN_Steps (<>);
+   with package Messages is
+     new URVOS.Shared_Mailboxes (Message => Steps.Message, others => <>);
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    TELIN_Variable  : in out Messages.Variable;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
-   with function As_Old
-     (Source : Messages.Message) return Messages.Message;
-   with function Decode (Data : Block_Data) return Messages.Message;
 package URV.TELIN_Task with SPARK_Mode is
 
-   type Kept_Message is record
-      Buffer      : Messages.Message := Messages.Neutral;
-      Has_Message : Boolean          := False;
-   end record;
-
-   package Stores is new URVOS.Shared_Data (Kept_Message, (others => <>));
+   package Stores is
+     new URVOS.Shared_Data (Steps.Kept_Message, (others => <>));
 
    Previous : Stores.Store;
 
    procedure Initialise
    with Global => (In_Out => Previous);
 
-   procedure Run_Transaction (Now : Clock_Tick)
+   --  Is_New: a message of this frame has come, not marked as old.
+   procedure Run_Transaction (Now : Clock_Tick; Is_New : out Boolean)
    with
      Global =>
        (In_Out =>

@@ -159,7 +159,7 @@ def test_set1_each_task_of_a_node_is_in_its_list_and_runs(node):
                        code_of(node))[1]
     assert {each.strip() for each in listed.split(",")} == {
         f"{name}_Task" for name in tasks}
-    steps = set(re.findall(r"\bwhen (\w+) *=> *([\w.]+)(?: \(Now\))?;",
+    steps = set(re.findall(r"\bwhen (\w+) *=>\s*([\w.]+)(?: \(Now[^)]*\))?;",
                            body_of(node, "Run_Step")))
     assert steps - {("others", "null")} == {
         (f"{name}_Task", f"{name}.{procedure}")

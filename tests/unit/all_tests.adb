@@ -42,6 +42,7 @@ with Start_Orders_Tests;
 with Starts_Tests;
 with Surfaces_Tests;
 with Task_Lists_Tests;
+with Task_Shells_Tests;
 with Telemetry_Task_Tests;
 with Type_Codes_Tests;
 with Waiting_Tasks_Tests;
@@ -74,6 +75,7 @@ package body All_Tests is
       Laws_Tests.Add_To (Result);
       Console_Watch_Tests.Add_To (Result);
       LAW_Task_Tests.Add_To (Result);
+      Task_Shells_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);
       Board_Memory_Tests.Add_To (Result);

@@ -8,6 +8,7 @@ with Task_Rig;       use Task_Rig;
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
 with URV.Errors;     use URV.Errors;
+with URV.Laws;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Routing;    use URV.Routing;
 
@@ -34,6 +35,7 @@ package body Exchange_Tests is
    procedure Clear is
    begin
       MCS.Reset_Variables;
+      MCS.Law_Settings.Write (URV.Laws.Laws_Off);
       MCS.Errors.Clear;
       MCS.Status.Write (No_Error);
       MCS.Log_Sender.Progress.Write ((others => <>));

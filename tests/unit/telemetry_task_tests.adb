@@ -17,6 +17,7 @@ with URV.Shared_Errors;
 with URV.Shared_Seals;
 with URV.TELIN_Task;
 with URV.TELOUT_Task;
+with URV.Uplink_Input;
 
 package body Telemetry_Task_Tests is
 
@@ -52,13 +53,12 @@ package body Telemetry_Task_Tests is
    Sealing_Out : URV.Shared_Seals.Shared_Seal (Ground);
 
    package TELIN is new URV.TELIN_Task
-     (Messages        => For_Uplink,
+     (Steps           => URV.Uplink_Input,
+      Messages        => For_Uplink,
       Telemetry_Board => Board_In,
       TELIN_Variable  => Input,
       Sealing         => Sealing_In,
-      Errors          => Errors,
-      As_Old          => As_Old,
-      Decode          => URV.Codecs.Uplink.Decode);
+      Errors          => Errors);
 
    package TELOUT is new URV.TELOUT_Task
      (Messages        => For_Downlink,
@@ -70,6 +70,9 @@ package body Telemetry_Task_Tests is
 
    --  A whole block arrives at the board.
    procedure Receive_Block (Item : Uplink_Buffer);
+
+   --  A frame of TELIN, and whether it says that a new message has come.
+   procedure Run_TELIN (What : String; Is_New : Boolean);
 
    --  TELOUT's board begins to send this, and then waits for an answer.
    procedure Expect_Block (What : String; Expected : Downlink_Buffer);
@@ -146,6 +149,13 @@ package body Telemetry_Task_Tests is
       Expect (What, Send, False);
    end Expect_No_Block;
 
+   procedure Run_TELIN (What : String; Is_New : Boolean) is
+      Found : Boolean;
+   begin
+      TELIN.Run_Transaction (0, Found);
+      Expect (What & ", is new", Found, Is_New);
+   end Run_TELIN;
+
    procedure Before_The_First is
    begin
       Board_In.Start;
@@ -153,7 +163,7 @@ package body Telemetry_Task_Tests is
       Errors.Clear;
       TELIN.Initialise;
       for Frame in 1 .. 5 loop
-         TELIN.Run_Transaction (0);
+         Run_TELIN ("before the first", Is_New => False);
       end loop;
       Up.Expect_Counts ("nothing sent", Input, 0, 0);
       Expect_Errors ("before the first message", Errors, None);
@@ -163,7 +173,7 @@ package body Telemetry_Task_Tests is
    begin
       Before_The_First;
       Receive_Block (Uplink_Of (16#100#));
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("a new block", Is_New => True);
       Up.Expect_Counts ("sent", Input, 1, 0);
       Expect_Buffer
         ("message", Up.Taken ("message", Input), Uplink_Of (16#100#));
@@ -174,7 +184,7 @@ package body Telemetry_Task_Tests is
    begin
       New_Block;
       for Frame in 1 .. 3 loop
-         TELIN.Run_Transaction (0);
+         Run_TELIN ("nothing new", Is_New => False);
          Up.Expect_Counts ("sent", Input, 1 + Count (Frame), Count (Frame));
          Expect_Buffer
            ("previous", Up.Taken ("previous", Input),
@@ -183,20 +193,28 @@ package body Telemetry_Task_Tests is
       end loop;
 
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("the next", Is_New => True);
       Expect_Buffer
         ("the next", Up.Taken ("the next", Input), Uplink_Of (16#200#));
       Expect_Errors ("the next", Errors, None);
+
+      --  A message that the ground marked as old is not new.
+      Receive_Block (As_Old (Uplink_Of (16#300#)));
+      Run_TELIN ("marked by the ground", Is_New => False);
+      Expect_Buffer
+        ("marked by the ground", Up.Taken ("marked", Input),
+         As_Old (Uplink_Of (16#300#)));
+      Expect_Errors ("marked by the ground", Errors, None);
    end Block_Again;
 
    procedure Not_Consumed is
    begin
       New_Block;
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("new", Is_New => True);
       Expect_Errors ("all is well", Errors, None);
       Receive_Block (Uplink_Of (16#300#));
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("new", Is_New => True);
       Expect_Errors ("nobody took", Errors, (1 => Input_Not_Consumed));
       Expect_Buffer
         ("the newest", Up.Taken ("the newest", Input), Uplink_Of (16#300#));
@@ -208,11 +226,11 @@ package body Telemetry_Task_Tests is
       --  start is lost: nothing may go to the servos in its place.
       New_Block;
       TELIN.Initialise;
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("after a start", Is_New => False);
       Up.Expect_Counts ("nothing sent", Input, 1, 1);
       Expect_Errors ("no block", Errors, (1 => TELIN_No_Block));
       Receive_Block (Uplink_Of (16#200#));
-      TELIN.Run_Transaction (0);
+      Run_TELIN ("new", Is_New => True);
       Expect_Buffer
         ("sent when one has come", Up.Taken ("sent", Input),
          Uplink_Of (16#200#));

@@ -18,7 +18,7 @@ with URV.Law_Gains;
 with URV.Law_Status;
 with URV.Laws;            use URV.Laws;
 with URV.Mailboxes;       use URV.Mailboxes;
-with URV.Output_Exchange_Task;
+with URV.GDCOUT_Task;
 with URV.Routing;         use URV.Routing;
 with URV.Shared_Errors;
 with URV.Shared_Status;
@@ -68,15 +68,12 @@ package body Type_Codes_Tests is
    From   : For_Stick_Images.Variable;
    CORE   : For_Uplink.Variable;
    Out_Of : For_Uplink.Variable;
+   Orders : For_Uplink.Variable;
    Status : URV.Shared_Status.Status;
    Errors : URV.Shared_Errors.Shared_Log;
 
-   procedure Add_Nothing (Item : in out Uplink_Buffer) is null;
-
-   package Turned is new URV.Output_Exchange_Task
-     (For_Stick_Images, For_Uplink, From, CORE, Uplink_Not_Consumed, Out_Of,
-      Status, Errors, Codes, Commands_Of, First_Unknown_Command, Marked,
-      As_Old, Add_Nothing);
+   package Turned is new URV.GDCOUT_Task
+     (From, CORE, Out_Of, Orders, Status, Errors, Codes);
 
    procedure Channels_By_Code is
       Image : constant AD_Image := Image_Of (16#300#, Error => 0);

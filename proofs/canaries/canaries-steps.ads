@@ -1,0 +1,102 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Decisions of the tasks with one field or one condition in another's place.
+--  Each claim is what Theorems.Safety needs of the decision, and is proved of
+--  the true one.
+
+with Telemetry;        use Telemetry;
+with URV.Buffers;      use URV.Buffers;
+with URV.Codecs;       use URV.Codecs;
+with URV.GDCOUT_Steps;
+with URV.Handshakes;   use URV.Handshakes;
+with URV.LAW_Steps;    use URV.LAW_Steps;
+with URV.Laws;         use URV.Laws;
+with URV.MDCIN_Steps;
+with URV.PWM_Steps;
+with URV.Routing;      use URV.Routing;
+with URV.Type_Codes;   use URV.Type_Codes;
+with URV.Uplink_Input; use URV.Uplink_Input;
+with URVOS;            use URVOS;
+
+package Canaries.Steps with SPARK_Mode, Ghost is
+
+   --  TELIN passes on the message before as a new one.
+   function As_New (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
+                    return Kept_Message
+   is (if Result in URV.Handshakes.Taken
+       then (Buffer => Uplink.Decode (Data), Has_Message => True)
+       else Kept)
+   with Global => null;
+
+   procedure A_Kept_Message_Is_Old
+     (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
+   with
+     Global => null,
+     Pre    => Result not in URV.Handshakes.Taken,
+     Post   =>
+       Is_Old (Next (Kept, Result, Data).Buffer)
+       and then
+         Is_Old (As_New (Kept, Result, Data).Buffer);  --  VC_POSTCONDITION
+
+   --  MDCIN passes on a block of another kind in the place of the commands.
+   function With_Item (Item : Uplink_Buffer; Fresh : Boolean)
+                       return Uplink_Buffer
+   is (URV.MDCIN_Steps.Passed_On (Item, Fresh, Last => Item))
+   with Global => null;
+
+   procedure The_Last_Commands_Are_Given
+     (Item  : Uplink_Buffer;
+      Fresh : Boolean;
+      Last  : Uplink_Buffer;
+      Which : Command_Item)
+   with
+     Global => null,
+     Pre    => Is_Other_Kind (Item),
+     Post   =>
+       URV.MDCIN_Steps.Passed_On (Item, Fresh, Last) (Which) = Last (Which)
+       and then With_Item (Item, Fresh) (Which) =  --  VC_POSTCONDITION
+         Last (Which);
+
+   --  PWM writes all that has come.
+   function Is_Written_If_Fresh (Item : Uplink_Buffer; Fresh : Boolean)
+                                 return Boolean
+   is (URV.PWM_Steps.Is_Written (Item, Fresh)
+       or else (Fresh and then Is_Old (Item)))
+   with Global => null;
+
+   procedure Old_Commands_Are_Not_Written
+     (Item : Uplink_Buffer; Fresh : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Old (Item),
+     Post   =>
+       not URV.PWM_Steps.Is_Written (Item, Fresh)
+       and then
+         not Is_Written_If_Fresh (Item, Fresh);  --  VC_POSTCONDITION
+
+   --  LAW takes what has not come in this frame as new.
+   function All_New (Got : Inputs) return Inputs is
+     ((Got with delta Has_Commands => True))
+   with Global => null;
+
+   procedure The_Stick_Is_Old_When_It_Was
+     (Before : Kept; Usual : Settings; Got : Inputs; Result : out Decision)
+   with
+     Global => null,
+     Pre    => Usual.On and then not Got.Has_Commands,
+     Post   =>
+       Result.Flown.By_Law  --  VC_POSTCONDITION
+       or else Is_Old (Result.Flown.Message);
+
+   --  GDCOUT sends an image that has come before as a new one.
+   procedure An_Image_Of_Before_Is_Old (Image : AD_Image; Bits : Word)
+   with
+     Global => null,
+     Post   =>
+       Is_Old
+         (URV.GDCOUT_Steps.Message_Of (Image, False, Stick_Codes, Bits))
+       and then
+         Is_Old  --  VC_POSTCONDITION
+           (URV.GDCOUT_Steps.Message_Of (Image, True, Stick_Codes, Bits));
+
+end Canaries.Steps;

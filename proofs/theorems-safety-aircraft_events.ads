@@ -1,0 +1,105 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Events in the aircraft (SAF-2). A task's event receives, calls the task's
+--  decision functions and sends, as the task does.
+
+private package Theorems.Safety.Aircraft_Events with SPARK_Mode, Ghost is
+
+   procedure Run_TELIN
+     (Item  : in out Aircraft_Way;
+      Line  : Line_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Which : Block_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans, Done) and then Is_Sound (Line, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if Which = 0 and then Item'Old.Kept.Has_Message
+          then Is_Old (Contents (Item.TELIN)));
+
+   procedure Run_MDCIN
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if not Is_Fresh (Item'Old.TELIN)
+            or else Is_Other_Kind (Contents (Item'Old.TELIN))
+          then Is_Old (Contents (Item.Uplink))
+            and then Is_Old (Contents (Item.Commands)))
+       and then
+         (if Is_Other_Kind (Contents (Item'Old.TELIN))
+          then Item.Uplink_From = Item'Old.Uplink_From)
+       and then Is_Fresh (Item.Commands);
+
+   procedure Run_LAW
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Usual : URV.Laws.Settings;
+      Law   : URV.LAW_Steps.Kept;
+      Got   : URV.LAW_Steps.Inputs)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then Item.Board = Item'Old.Board
+       and then
+         (if Is_Fresh (Item'Old.Commands)
+            and then
+              (not Usual.On
+               or else URV.Laws.Is_Disconnected
+                 (Contents (Item'Old.Commands)))
+          then not Item.PWM_By_Law
+            and then Contents (Item.PWM) = Contents (Item'Old.Commands))
+       and then
+         (if Is_Fresh (Item'Old.Commands)
+            and then Is_Old (Contents (Item'Old.Commands))
+            and then not Item.PWM_By_Law
+          then Is_Old (Contents (Item.PWM)));
+
+   procedure Run_PWM
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then
+         (if not Is_Fresh (Item'Old.PWM)
+            or else Is_Old (Contents (Item'Old.PWM))
+          then Item.Board = Item'Old.Board);
+
+   procedure Run_CORE
+     (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done) and then Item.Board = Item'Old.Board;
+
+   procedure Start_Aircraft
+     (Item  : in out Aircraft_Way;
+      Scans : Scan_History;
+      Done  : Scan_Count;
+      Cold  : Boolean)
+   with
+     Global => null,
+     Pre    => Is_Sound (Item, Scans, Done),
+     Post   =>
+       Is_Sound (Item, Scans, Done)
+       and then
+         (if Cold
+          then Item.Board = URV.PWM_Layout.Safe_Area
+          else Item.Board = Item'Old.Board);
+
+end Theorems.Safety.Aircraft_Events;

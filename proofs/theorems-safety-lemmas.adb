@@ -1,0 +1,120 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body Theorems.Safety.Lemmas with SPARK_Mode is
+
+   procedure Same_Area (One, Other : PWM_Buffer) is
+      One_Area   : constant Data_Area := URV.PWM_Layout.To_Data_Area (One);
+      Other_Area : constant Data_Area := URV.PWM_Layout.To_Data_Area (Other);
+   begin
+      for Name in PWM_Item loop
+         pragma Assert
+           (One_Area (URV.PWM_Layout.Channel_Of (Name)) =
+              Other_Area (URV.PWM_Layout.Channel_Of (Name)));
+         pragma Loop_Invariant
+           (for all Number in 1 .. URV.PWM_Layout.Channel_Of (Name) =>
+              One_Area (Number) = Other_Area (Number));
+      end loop;
+   end Same_Area;
+
+   procedure Same_Outputs
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is
+      Other : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+   begin
+      pragma Assert
+        (for all Name in Command_Item => Item (Name) = Other (Name));
+      pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
+      pragma Assert (Flap_Command (Item) = Flap_Command (Other));
+      Same_Area (Transform (Item), Outputs_Of (Scans, Scan));
+   end Same_Outputs;
+
+   procedure Same_Switches
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is
+      Other : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+   begin
+      pragma Assert
+        (for all Name in Switch_Item => Item (Name) = Other (Name));
+      pragma Assert (Item (Brake) = Other (Brake));
+      pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
+      pragma Assert (Flap_Command (Item) = Flap_Command (Other));
+      pragma Assert (Outputs_Of (Scans, Scan) = Transform (Other));
+      pragma Assert (Transform (Item) (Brake) = Transform (Other) (Brake));
+      pragma Assert
+        (for all Name in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+           Transform (Item) (Name) = Transform (Other) (Name));
+      pragma Assert
+        (Transform (Item) (Discretes) = Transform (Other) (Discretes));
+   end Same_Switches;
+
+   procedure Area_Has_Output
+     (Area : Data_Area; Outputs : PWM_Buffer; Name : PWM_Item)
+   is null;
+
+   procedure Switches_Are_Out
+     (Area  : Data_Area;
+      Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   is
+      Given  : constant PWM_Buffer := Transform (Item);
+      Wanted : constant PWM_Buffer := Outputs_Of (Scans, Scan);
+   begin
+      Same_Switches (Item, Scans, Scan);
+      for Name in PWM_Item range Brake .. Discretes loop
+         Area_Has_Output (Area, Given, Name);
+         pragma Assert (Given (Name) = Wanted (Name));
+         pragma Loop_Invariant
+           (for all Earlier in Brake .. Name =>
+              Area (URV.PWM_Layout.Channel_Of (Earlier)) = Wanted (Earlier));
+      end loop;
+   end Switches_Are_Out;
+
+   procedure Marked_Is_Of
+     (Item  : Uplink_Buffer;
+      Bits  : Word;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   is null;
+
+   procedure As_Old_Is_Sent
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is
+   begin
+      if not Is_Other_Kind (Item) then
+         Marked_Is_Of (Item, 0, Scans, Scan);
+      end if;
+   end As_Old_Is_Sent;
+
+   procedure Same_Is_Sent
+     (One, Other : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   is null;
+
+   procedure Same_Through (One, Other, Third : Uplink_Buffer) is null;
+
+   procedure Same_Disconnect (One, Other : Uplink_Buffer) is
+   begin
+      pragma Assert (One (Error_Status) = Other (Error_Status));
+      pragma Assert (One (Switch_7) = Other (Switch_7));
+   end Same_Disconnect;
+
+   procedure Bit_Is_Off
+     (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
+   is null;
+
+   procedure More_Scans
+     (Line     : Line_Way;
+      Aircraft : Aircraft_Way;
+      Scans    : Scan_History;
+      Done     : Scan_Count;
+      More     : Scan_Count)
+   is
+      pragma Unreferenced (Done);
+   begin
+      pragma Assert (Blocks_Are_Sound (Line, Scans, More));
+      pragma Assert (Places_Are_Sound (Aircraft, Scans, More));
+   end More_Scans;
+
+end Theorems.Safety.Lemmas;

@@ -1,0 +1,135 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Lemmas of Theorems.Safety (SAF-2).
+
+private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
+
+   --  What is of a scan has the outputs of the scan.
+   procedure Same_Outputs
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Of (Item, Scans, Scan),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (Transform (Item)) =
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
+
+   --  So have the brake, the flaps and the discretes where a law flies.
+   procedure Same_Switches
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Flown (Item, Scans, Scan, By_Law => True)
+       or else Is_Flown (Item, Scans, Scan, By_Law => False),
+     Post   =>
+       (for all Name in PWM_Item range Brake .. Discretes =>
+          Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
+
+   --  The same outputs are the same data area.
+   procedure Same_Area (One, Other : PWM_Buffer)
+   with
+     Global => null,
+     Pre    => (for all Name in PWM_Item => One (Name) = Other (Name)),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (One) =
+         URV.PWM_Layout.To_Data_Area (Other);
+
+   --  Each output is in its channel.
+   procedure Area_Has_Output
+     (Area : Data_Area; Outputs : PWM_Buffer; Name : PWM_Item)
+   with
+     Global => null,
+     Pre    => Area = URV.PWM_Layout.To_Data_Area (Outputs),
+     Post   => Area (URV.PWM_Layout.Channel_Of (Name)) = Outputs (Name);
+
+   --  A data area of commands that a law may fly has the scan's brake, flaps
+   --  and discretes.
+   procedure Switches_Are_Out
+     (Area  : Data_Area;
+      Item  : Uplink_Buffer;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Area = URV.PWM_Layout.To_Data_Area (Transform (Item))
+       and then
+         (Is_Flown (Item, Scans, Scan, By_Law => True)
+          or else Is_Flown (Item, Scans, Scan, By_Law => False)),
+     Post   =>
+       (for all Name in PWM_Item range Brake .. Discretes =>
+          Area (URV.PWM_Layout.Channel_Of (Name)) =
+            Outputs_Of (Scans, Scan) (Name));
+
+   --  Marking commands does not change them.
+   procedure Marked_Is_Of
+     (Item  : Uplink_Buffer;
+      Bits  : Word;
+      Scans : Scan_History;
+      Scan  : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Of (Item, Scans, Scan),
+     Post   =>
+       Is_Of (Marked (Item, Bits), Scans, Scan)
+       and then Is_Of (As_Old (Item), Scans, Scan)
+       and then Is_Old (As_Old (Item))
+       and then Is_Of (As_Old (Marked (Item, Bits)), Scans, Scan)
+       and then Is_Old (As_Old (Marked (Item, Bits)));
+
+   procedure As_Old_Is_Sent
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sent (Item, Scans, Scan),
+     Post   =>
+       Is_Sent (As_Old (Item), Scans, Scan) and then Is_Old (As_Old (Item));
+
+   procedure Same_Is_Sent
+     (One, Other : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Sent (One, Scans, Scan) and then One = Other,
+     Post   => Is_Sent (Other, Scans, Scan);
+
+   procedure Same_Through (One, Other, Third : Uplink_Buffer)
+   with
+     Global => null,
+     Pre    => One = Other and then Other = Third,
+     Post   => One = Third;
+
+   procedure Same_Disconnect (One, Other : Uplink_Buffer)
+   with
+     Global => null,
+     Pre    => One = Other,
+     Post   =>
+       URV.Laws.Is_Disconnected (One) = URV.Laws.Is_Disconnected (Other);
+
+   --  What is packed of a switch that is off.
+   procedure Bit_Is_Off
+     (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
+   with
+     Global => null,
+     Pre    =>
+       Discretes = Packed_Switches (Commands)
+       and then not Is_On (Commands (Switch)),
+     Post   => (Discretes and Switch_Bit (Switch)) = 0;
+
+   --  What was true with fewer scans is true with more.
+   procedure More_Scans
+     (Line     : Line_Way;
+      Aircraft : Aircraft_Way;
+      Scans    : Scan_History;
+      Done     : Scan_Count;
+      More     : Scan_Count)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Line, Scans, Done)
+       and then Is_Sound (Aircraft, Scans, Done)
+       and then Done <= More,
+     Post   =>
+       Is_Sound (Line, Scans, More)
+       and then Is_Sound (Aircraft, Scans, More);
+
+end Theorems.Safety.Lemmas;

@@ -1,0 +1,57 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The decision of the GDCIN task: what CORE is given of a message in
+--  TELIN_variable, which fragment of the aircraft's error log it carries, and
+--  what is reported (report, 5.5; GDI-1, D-11, D-14, EXT-2, SAF-7). The task
+--  receives, calls these functions, sends and reports. Each is an expression
+--  function, so that its text is its contract.
+
+with URV.Buffers;    use URV.Buffers;
+with URV.Log_Pieces; use URV.Log_Pieces;
+with URV.Routing;    use URV.Routing;
+with URV.Type_Codes; use URV.Type_Codes;
+
+package URV.GDCIN_Steps with Pure, SPARK_Mode is
+
+   --  The message as it is. Last is the one that CORE has: it is given
+   --  again, marked as old, when the block is of another kind.
+   function Passed_On
+     (Item  : Downlink_Buffer;
+      Fresh : Boolean;
+      Last  : Downlink_Buffer) return Downlink_Buffer
+   is
+     (if Is_Other_Kind (Item) then As_Old (Last)
+      elsif Fresh then Item
+      else As_Old (Item))
+   with Global => null;
+
+   --  The message as CORE gets it: without the log's fragment.
+   function For_CORE (Message : Downlink_Buffer) return Downlink_Buffer is
+     ((Message with delta
+         Error_Status => Without_Piece (Message (Error_Status))))
+   with Global => null;
+
+   --  A fragment of the log is taken once, when it comes.
+   function Has_Piece (Message : Downlink_Buffer) return Boolean is
+     (not Is_Old (Message))
+   with Global => null;
+
+   --  No task of the ground takes a block of another kind, which is an
+   --  error. An old one was reported when it came.
+   function Is_Unknown
+     (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Fresh and then Is_Other_Kind (Item) and then not Is_Old (Item))
+   with Global => null;
+
+   --  The place of the first new sensor that is out of range, from 1; 0 when
+   --  there is none.
+   function Place_Out_Of_Range
+     (Item : Downlink_Buffer; Fresh : Boolean) return Routing.Place_Count
+   is
+     (if Fresh and then not Is_Other_Kind (Item)
+      then First_Out_Of_Range (Item)
+      else 0)
+   with Global => null;
+
+end URV.GDCIN_Steps;

@@ -1,0 +1,38 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  GDCIN task: gives the aircraft's messages to CORE (report, 5.5, table 9;
+--  GDI-1, D-11, D-14). Released at minor frame 1.
+--
+--  Consumes TELIN_variable, produces downlink_variable; the fragment of the
+--  aircraft's error log goes to the log's receiver (SAF-7). A frame with
+--  nothing new passes on the message before, marked as old.
+--
+--  A block of another kind is reported, and goes nowhere (EXT-2). CORE gets
+--  the message before, marked as old.
+
+with URVOS.Shared_Data;
+with URV.Buffers;       use URV.Buffers;
+with URV.Log_Pieces;    use URV.Log_Pieces;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
+
+generic
+   TELIN_Variable    : in out For_Downlink.Variable;
+   Downlink_Variable : in out For_Downlink.Variable;
+   Errors            : in out Shared_Log;
+   with procedure Take_Piece (Item : Piece);
+package URV.GDCIN_Task with SPARK_Mode is
+
+   package Stores is
+     new URVOS.Shared_Data (Downlink_Buffer, Neutral_Downlink);
+
+   --  The message that CORE was given last: kept over a warm start, neutral
+   --  after a cold one.
+   Previous : Stores.Store;
+
+   procedure Reset
+   with Global => (In_Out => Previous);
+
+   procedure Run_Transaction;
+
+end URV.GDCIN_Task;

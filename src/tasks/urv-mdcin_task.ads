@@ -1,0 +1,41 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  MDCIN task: gives the ground's messages to CORE and the laws (report, 4.6,
+--  table 6; MDI-1, D-11, D-14). Released at minor frame 1.
+--
+--  Consumes TELIN_variable, produces uplink_variable and commands_variable. A
+--  frame with nothing new passes on the message before, marked as old.
+--
+--  A configuration goes to the laws (EXT-2). A block of a kind that no task
+--  takes is reported, and goes nowhere. In both cases CORE and the laws get
+--  the message before, marked as old.
+
+with URVOS.Shared_Data;
+with URV.Buffers;       use URV.Buffers;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
+
+generic
+   TELIN_Variable         : in out For_Uplink.Variable;
+   Uplink_Variable        : in out For_Uplink.Variable;
+   Commands_Variable      : in out For_Uplink.Variable;
+   Configuration_Variable : in out For_Uplink.Variable;
+   Errors                 : in out Shared_Log;
+package URV.MDCIN_Task with SPARK_Mode is
+
+   package Stores is new URVOS.Shared_Data (Uplink_Buffer, Neutral_Uplink);
+
+   --  The message that CORE and the laws were given last: kept over a warm
+   --  start, neutral after a cold one.
+   Previous : Stores.Store;
+
+   procedure Reset
+   with Global => (In_Out => Previous);
+
+   procedure Run_Transaction
+   with
+     Global =>
+       (In_Out => (Previous, TELIN_Variable, Uplink_Variable,
+                   Commands_Variable, Configuration_Variable, Errors));
+
+end URV.MDCIN_Task;

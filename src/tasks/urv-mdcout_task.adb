@@ -1,0 +1,42 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with URVOS;            use URVOS;
+with URV.Buffers;      use URV.Buffers;
+with URV.Errors;       use URV.Errors;
+with URV.MDCOUT_Steps; use URV.MDCOUT_Steps;
+with URV.Routing;      use URV.Routing;
+
+package body URV.MDCOUT_Task with SPARK_Mode is
+
+   procedure Run_Transaction is
+      Bits    : constant Word := Node_Status.Contents;
+      Unknown : constant Unknown_Count := First_Unknown_Sensor (Codes);
+      Image   : AD_Image;
+      Message : Downlink_Buffer;
+      Next    : Piece;
+      Fresh   : Boolean;
+      Success : Boolean;
+      Unused_Success : Boolean;
+   begin
+      AD_Variable.Receive (Image, Fresh);
+      Message := Message_Of (Image, Fresh, Codes, Bits);
+      if Unknown > 0 then
+         Errors.Report (Unknown_Code, Codes (Channel (Unknown - 1)));
+      end if;
+      if not Fresh then
+         Errors.Report (No_Image, 0);
+      end if;
+
+      Downlink_Variable.Send (Message, Success);
+      if not Success then
+         Errors.Report (Downlink_Not_Consumed, 0);
+      end if;
+      Sensors_Variable.Send (Message, Unused_Success);
+      Next_Piece (Next);
+      TELOUT_Variable.Send (For_Link (Message, Next), Success);
+      if not Success then
+         Errors.Report (Output_Not_Consumed, 0);
+      end if;
+   end Run_Transaction;
+
+end URV.MDCOUT_Task;

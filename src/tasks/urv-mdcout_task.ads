@@ -1,0 +1,33 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  MDCOUT task: gives the sensors to CORE, to the laws and to the ground
+--  (report, 4.7, table 7; MDO-1, D-1, D-14). Released at minor frame 1.
+--
+--  Consumes AD_variable, produces downlink_variable, sensors_variable and
+--  TELOUT_variable. A frame with nothing new passes on the data before,
+--  marked as old. The node's own bits are added to the error/status word
+--  (TST-4). A fragment of the error log goes down along with it (SAF-7).
+--
+--  Each channel's word goes to the item of its type code. A channel with an
+--  unknown code is reported, and its word goes nowhere (EXT-2).
+
+with URV.Log_Pieces;    use URV.Log_Pieces;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Status; use URV.Shared_Status;
+with URV.Type_Codes;    use URV.Type_Codes;
+
+generic
+   AD_Variable       : in out For_Sensor_Images.Variable;
+   Downlink_Variable : in out For_Downlink.Variable;
+   Sensors_Variable  : in out For_Downlink.Variable;
+   TELOUT_Variable   : in out For_Downlink.Variable;
+   Node_Status       : in out Status;
+   Errors            : in out Shared_Log;
+   Codes             : Channel_Codes;
+   with procedure Next_Piece (Item : out Piece);
+package URV.MDCOUT_Task with SPARK_Mode is
+
+   procedure Run_Transaction;
+
+end URV.MDCOUT_Task;

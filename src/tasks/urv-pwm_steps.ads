@@ -1,0 +1,29 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The decision of the PWM task: when it writes to the servos, and which words
+--  (report, 4.8; PWM-1, SAF-2, SAF-3, D-14, EXT-6). The task receives, calls
+--  these functions, writes and reports; Theorems.Safety calls the same
+--  functions. Each is an expression function, so that its text is its
+--  contract.
+
+with Devices.PWM_Board; use Devices.PWM_Board;
+with URV.Allocation;    use URV.Allocation;
+with URV.Buffers;       use URV.Buffers;
+with URV.PWM_Layout;
+with URV.Routing;
+
+package URV.PWM_Steps with Pure, SPARK_Mode is
+
+   --  Commands that are marked as old move nothing.
+   function Is_Written (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Fresh and then not Routing.Is_Old (Item))
+   with Global => null;
+
+   --  The board's words for the commands.
+   function Area_Of (Item : Uplink_Buffer; Reported : Health) return Data_Area
+   is
+     (PWM_Layout.To_Data_Area (Servos (Item, Reported)))
+   with Global => null;
+
+end URV.PWM_Steps;
