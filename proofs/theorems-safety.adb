@@ -286,7 +286,6 @@ package body Theorems.Safety with SPARK_Mode is
    is
    begin
       Item := Restarted (Item);
-      Next := Start_Channel;
       for Place in Channel loop
          pragma Loop_Invariant
            (Item.Current = Channel_Count (Place)

@@ -1,9 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Configurations;
 with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
 with URV.Laws;      use URV.Laws;
+with URV.Surface_Monitor;
 
 package body URV.LAW_Task with SPARK_Mode is
 
@@ -11,31 +13,33 @@ package body URV.LAW_Task with SPARK_Mode is
 
    procedure Run_Transaction is
       Usual   : constant Settings := Law_Settings.Contents;
-      Before  : Kept;
+      Flown   : constant Memory := Law_Memory.Contents;
+      Set     : constant Configurations.Setting := Law_Configured.Contents;
+      Watched : constant Surface_Monitor.Monitor := Surface_Memory.Contents;
+      Before  : constant Kept := (Flown, Set, Watched);
       Got     : Inputs;
-      Result  : Decision;
       Success : Boolean;
    begin
-      Before.Flown := Law_Memory.Contents;
-      Before.Set := Law_Configured.Contents;
-      Before.Watched := Surface_Memory.Contents;
       Configuration_Variable.Receive (Got.Block, Got.Has_Block);
       Sensors_Variable.Receive (Got.Sensors, Got.Has_Sensors);
       Commands_Variable.Receive (Got.Commands, Got.Has_Commands);
 
-      Result := Decided (Before, Usual, Got);
-      Law_Memory.Write (Result.Flown.After);
-      Law_Configured.Write (Result.Set);
-      Surface_Memory.Write (Result.Surfaces.Watched);
-      Surface_Health.Write (Result.Surfaces.Reported);
-      Reports.Report (Before, Usual, Got, Result);
+      declare
+         Result : constant Decision := Decided (Before, Usual, Got);
+      begin
+         Law_Memory.Write (Result.Flown.After);
+         Law_Configured.Write (Result.Set);
+         Surface_Memory.Write (Result.Surfaces.Watched);
+         Surface_Health.Write (Result.Surfaces.Reported);
+         Reports.Report (Before, Usual, Got, Result);
 
-      if Result.Flown.Is_Sent then
-         PWM_Variable.Send (Result.Flown.Message, Success);
-         if not Success then
-            Errors.Report (Commands_Not_Consumed, 0);
+         if Result.Flown.Is_Sent then
+            PWM_Variable.Send (Result.Flown.Message, Success);
+            if not Success then
+               Errors.Report (Commands_Not_Consumed, 0);
+            end if;
          end if;
-      end if;
+      end;
    end Run_Transaction;
 
 end URV.LAW_Task;
