@@ -5,6 +5,7 @@
 
 with URV.Buffers;        use URV.Buffers;
 with URV.Configurations; use URV.Configurations;
+with URV.Frame_Times;    use URV.Frame_Times;
 with URV.Law_Gains;      use URV.Law_Gains;
 with URV.Laws;           use URV.Laws;
 with URV.Link_Loss;      use URV.Link_Loss;

@@ -45,7 +45,7 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Roll_Trim)
    is
       Step    : constant Positive :=
-        Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Hundred;
+        Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Angle;
       Falling : constant Boolean :=
         (for all Error of Errors => Error <= -Roll_Learnt)
         and then not Output.Is_Low;
@@ -75,7 +75,7 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Pitch_Trim)
    is
       Step    : constant Positive :=
-        Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Hundred;
+        Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Angle;
       Falling : constant Boolean :=
         (for all Error of Errors => Error <= -Pitch_Learnt)
         and then not Output.Is_Low;
@@ -104,7 +104,7 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Height_Trim)
    is
       Step    : constant Positive :=
-        Height_Learnt * Height_Learning / Per_Thousand;
+        Height_Learnt * Height_Learning / Per_Climb;
       Falling : constant Boolean :=
         (for all Error of Errors => Error <= -Height_Learnt)
         and then not Output.Is_Low;
@@ -132,7 +132,7 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Power_Trim)
    is
       Step    : constant Positive :=
-        Large_Speed_Error * Speed_Learning;
+        Large_Speed_Error * Speed_Learning / Per_Speed;
       Falling : constant Boolean :=
         (for all Error of Errors => Error <= -Large_Speed_Error)
         and then not Output.Is_Low;

@@ -135,25 +135,26 @@ package Theorems.Laws with SPARK_Mode, Ghost is
    function Roll_Frames (Table : Table_Number) return Positive is
      (Frames_For
         (Roll_Trim_Most,
-         Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Hundred))
+         Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Angle))
    with Global => null;
 
    --  250 and 500 frames.
    function Pitch_Frames (Table : Table_Number) return Positive is
      (Frames_For
         (Pitch_Trim_Most,
-         Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Hundred))
+         Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Angle))
    with Global => null;
 
    --  500 frames.
    function Height_Frames return Positive is
      (Frames_For
-        (Height_Trim_Most, Height_Learnt * Height_Learning / Per_Thousand))
+        (Height_Trim_Most, Height_Learnt * Height_Learning / Per_Climb))
    with Global => null;
 
    --  854 frames.
    function Power_Frames return Positive is
-     (Frames_For (Power_Trim'Last, Large_Speed_Error * Speed_Learning))
+     (Frames_For
+        (Power_Trim'Last, Large_Speed_Error * Speed_Learning / Per_Speed))
    with Global => null;
 
    procedure Roll_Trim_Recovers

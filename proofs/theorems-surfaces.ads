@@ -72,7 +72,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
       else To in Integer'Min (Goal, From + Slowest) .. Goal)
    with Global => null;
 
-   --  A sound servo in a step of 4 ms: a lag of 0 to 0.15 s, a rate limit of
+   --  A sound servo in a step: a lag of 0 to 0.15 s, a rate limit of
    --  the slowest one's or more, none at all too, each other in every step.
    function Is_Sound_Step
      (Before, After : Servo; Goal : Fine; Slowest : Rate_Limit)
@@ -204,7 +204,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
    --  Half a degree of an aileron outside the bounds in each of 24 scans,
    --  0.48 s, is certainty, however little doubt there was.
    Seen_Off : constant := 50;
-   Enough   : constant := 24;
+   Enough   : constant :=
+     URV.Surface_Monitor.Certainty / (Seen_Off - Allowance);
    type Distances is array (1 .. Enough) of Distance;
 
    procedure Half_A_Second_Is_Certainty

@@ -19,8 +19,8 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "sim" / "jsbsim"))
 
 import plant  # noqa: E402
+from law_gains import FRAME_S  # noqa: E402
 
-FRAME_S = 0.02
 TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 SERVOS = [(name, unit) for name, (unit, _) in plant.SERVOS.items()]
 NAMES = [name for name, _ in SERVOS]

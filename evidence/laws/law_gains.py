@@ -9,6 +9,8 @@ from xml.etree.ElementTree import canonicalize
 
 ROOT = Path(__file__).resolve().parents[2]
 GAINS = ROOT / "src/laws/urv-law_gains.ads"
+TIMES = (ROOT / "src/kernel/urvos-frames.ads",
+         ROOT / "src/formats/urv-frame_times.ads")
 AIRCRAFT = (ROOT / "sim/jsbsim/aircraft/lambda/lambda.xml",
             *sorted((ROOT / "sim/jsbsim/engine").glob("*.xml")))
 CONSTANT = re.compile(r"^ +(\w+) *: constant :=\s+([^;]+);", re.M)
@@ -31,12 +33,29 @@ def number(text, known):
     return value
 
 
+def numbers(path, others):
+    """A package's numbers by name, which it derives from others."""
+    known = {}
+    for name, value in CONSTANT.findall(path.read_text(encoding="utf-8")):
+        known[name] = number(value, others | known)
+    return known
+
+
+def frame_times():
+    """The length of a frame and what is derived from it."""
+    known = {}
+    for path in TIMES:
+        known |= numbers(path, known)
+    return known
+
+
+FRAME_S = frame_times()["Microseconds_Per_Frame"] / 1e6
+
+
 def gains(path=GAINS, table=0):
     """The package's numbers by name; those of the softer table, 1, in the
     place of the usual ones."""
-    known = {}
-    for name, value in CONSTANT.findall(path.read_text(encoding="utf-8")):
-        known[name] = number(value, known)
+    known = numbers(path, frame_times())
     if table:
         known |= {name.removeprefix("Soft_"): value
                   for name, value in known.items()

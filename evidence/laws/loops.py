@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import control
 import numpy
+from law_gains import FRAME_S
 
 DELAY = 2
-FRAME_S = 0.02
 
 # Degrees, or per cent, of a servo's word.
 AILERON, ELEVATOR, RUDDER, LEVER = 0.01, 0.0125, 0.0125, 100 / 4095
@@ -91,7 +91,7 @@ def lateral(of, attitude):
     if attitude:
         error = {"wanted_bank": 1.0, bank: -1.0}
         maker.state("trim")
-        maker.next["trim"] |= times(of.Roll_Learning / of.Per_Hundred, error)
+        maker.next["trim"] |= times(of.Roll_Learning / of.Per_Angle, error)
         words = plus(words, times(of.Roll_Gain, error), {"trim": 1.0})
     maker.now["roll"] = times(AILERON, words)
     turn = of.Turn_For_Bank / of.Per_Ten_Thousand
@@ -114,19 +114,19 @@ def longitudinal(of, mode):
         error = {"wanted_pitch": 1.0, pitch: -1.0}
         maker.state("trim")
         maker.next["trim"] |= times(
-            of.Pitch_Learning / of.Per_Hundred, error)
+            of.Pitch_Learning / of.Per_Angle, error)
         words = plus(words, times(of.Pitch_Gain, error), {"trim": 1.0})
     maker.now["pitch"] = times(ELEVATOR, words)
     if mode == "hold":
         below = {"wanted_altitude": 1.0, height: -1.0}
         climb = times(2 * of.Climb_Gain / 1000, below)
         maker.states.append("smooth")
-        share = 1 / (1000 // of.Filter_Share)
+        share = 1 / of.Filter_Frames
         maker.next["smooth"] = {"smooth": 1 - share, height: 2 * share}
         rising = {height: 2.0, "smooth": -1.0}
         maker.state("height_trim")
         maker.next["height_trim"] |= times(
-            of.Height_Learning / of.Per_Ten / of.Per_Thousand,
+            of.Height_Learning / of.Per_Ten / of.Per_Climb,
             plus(climb, times(-1.0, rising)))
         by_climb = of.Pitch_For_Climb / of.Per_Hundred
         by_lag = of.Pitch_For_Lag / of.Per_Hundred
@@ -134,7 +134,8 @@ def longitudinal(of, mode):
             {"height_trim": 1.0}, times(by_climb + by_lag, climb),
             times(-by_lag, rising))
         maker.state("power")
-        maker.next["power"][speed] = -32 * of.Speed_Learning / 1000
+        maker.next["power"][speed] = (
+            -32 * of.Speed_Learning / of.Per_Speed / 1000)
         maker.now["throttle"] = times(LEVER, plus(
             {speed: -32 * of.Speed_Gain, "power": 1.0},
             times(of.Speed_For_Climb, climb)))

@@ -25,18 +25,18 @@ from urv.starts import COLD, RESTARTS, Flying, Starts
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-FRAMES_PER_S = 50
+FRAMES_PER_S = 1_000_000 // packets.FRAME_US
 
 # Periods of messages, in frames.
-HEARTBEAT = 50
+HEARTBEAT = FRAMES_PER_S
 ATTITUDE = 2
 VFR_HUD = 5
 SERVOS = 5
-STATUS = 25
-RADIO = 50
+STATUS = FRAMES_PER_S // 2
+RADIO = FRAMES_PER_S
 
 # While the link is lost, the report is repeated with this period in frames.
-LOST = 500
+LOST = 10 * FRAMES_PER_S
 
 SYSTEM_ID = 1
 COMPONENT_ID = 1

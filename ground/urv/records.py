@@ -24,6 +24,7 @@ from pathlib import Path
 import numpy
 
 from urv import faults, input_files, items
+from urv.packets import FRAME_US
 
 ROWS_PER_BLOCK = 2_000
 """Rows of a file for reading: half a minute, some MB."""
@@ -37,7 +38,7 @@ MOST_COLUMNS = 1_024
 LONGEST_NAME = 200
 """Characters of a column's name."""
 
-MOST_ROWS = 24 * 3600 * 50
+MOST_ROWS = 24 * 3600 * 1_000_000 // FRAME_US
 """A day of major frames."""
 
 MOST_DECIMALS = 9

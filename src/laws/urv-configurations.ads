@@ -2,8 +2,8 @@
 
 --  What the ground may set while the aircraft is switched on: the table of
 --  gains that the control laws fly with, and when a lost link means what
---  (EXT-2, D-26). It comes up in the place of a frame's commands, as a block
---  of its own kind:
+--  (EXT-2, FRM-7, D-26). It comes up in the place of a frame's commands, as a
+--  block of its own kind:
 --
 --     word 1         the kind, 0400h
 --     words 2 .. 5   the items, codes 0401h onward
@@ -20,6 +20,7 @@
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
+with URV.Frame_Times; use URV.Frame_Times;
 with URV.Law_Gains;  use URV.Law_Gains;
 with URV.Laws;       use URV.Laws;
 with URV.Link_Loss;  use URV.Link_Loss;
@@ -44,8 +45,6 @@ package URV.Configurations with Pure, SPARK_Mode is
    subtype End_Tenths is Field range 20 .. 3_000;
 
    Last_Table : constant Field := Field (Table_Number'Last);
-
-   Frames_Per_Tenth : constant := Frames_Per_Second / 10;
 
    function Is_In_Range (Source : Configuration) return Boolean is
      (Source (Serial) in Serial_Number

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  What the ground's converter gives the node when the pilot's console falls
---  silent (SAF-10, D-33).
+--  silent (SAF-10, FRM-7, D-33).
 --
 --  A lost console in flight has the same effect as a lost link. The converter
 --  brings no scan, so GDCOUT marks the uplink as old, and the aircraft holds,
@@ -15,7 +15,7 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;
-with URV.Law_Gains;       use URV.Law_Gains;
+with URV.Frame_Times;     use URV.Frame_Times;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
 
 package URV.Console_Watch with Pure, SPARK_Mode is
@@ -30,7 +30,7 @@ package URV.Console_Watch with Pure, SPARK_Mode is
 
    --  Silent frames until the console is lost, 0.5 s, and until the safe words
    --  may go up, 2 s.
-   Lost_After : constant Frame_Count := Frames_Per_Second / 2;
+   Lost_After : constant Frame_Count := 5 * Frames_Per_Tenth;
    Safe_After : constant Frame_Count := 2 * Frames_Per_Second;
 
    function Is_Lost (Silent : Frame_Count) return Boolean is

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the engine follows its throttle (EXT-6, D-32). Nothing measures
---  where the throttle is. The engine turns a fixed propeller, and its speed
---  shows it.
+--  Whether the engine follows its throttle (EXT-6, FRM-7, D-32). Nothing
+--  measures where the throttle is. The engine turns a fixed propeller, and its
+--  speed shows it.
 --
 --  Two bounds hold the speed that the throttle's last words ask for, with the
 --  dead band of its servo. They go out to a new one at once, and come in
@@ -13,7 +13,8 @@
 --  a word that is held (by the bench, by a sensor that is not connected) shows
 --  nothing.
 
-with URV.Law_Units; use URV.Law_Units;
+with URV.Frame_Times; use URV.Frame_Times;
+with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Engine_Monitor with Pure, SPARK_Mode is
 
@@ -61,15 +62,17 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
    --  16 rev/min: how far the measured speed has to move to be a measurement.
    Movement : constant := 8;
 
-   --  How much a bound comes in a frame: the whole range in ten seconds. A
-   --  sound engine, throttled back bit by bit in turbulence, changed by 11.
-   Narrowing : constant := 8;
+   --  How much a bound comes in a second, and in a frame: the whole range in
+   --  ten seconds. A sound engine, throttled back bit by bit in turbulence,
+   --  changed by 550.
+   Narrowing_Rate : constant := 400;
+   Narrowing      : constant := Narrowing_Rate / Frames_Per_Second;
 
    --  500 rev/min: what a hot day, a hill of air and a poor sensor change.
    Allowance : constant := 250;
 
-   --  Frames.
-   Certainty : constant := 25;
+   --  0.5 s, in frames.
+   Certainty : constant := 5 * Frames_Per_Tenth;
 
    --  50 kt.
    Slowest : constant := 1_600;

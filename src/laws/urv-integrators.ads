@@ -49,10 +49,11 @@ package URV.Integrators with Pure, SPARK_Mode is
    with Global => null;
 
    subtype Error_Range is Number range -200_000 .. 200_000;
-   subtype Gain_Range is Integer range 0 .. 100;
+   subtype Gain_Range is Integer range 0 .. 1_000;
 
    --  How far an error moves an integrator in a frame: Gain for each Unit of
-   --  the error, and no more than for the error Most.
+   --  the error, and no more than for the error Most. With a gain for a second
+   --  the unit has the frames of a second as a factor.
    function Error_Share
      (Error : Error_Range;
       Most  : Error_Range;
@@ -62,7 +63,7 @@ package URV.Integrators with Pure, SPARK_Mode is
      (Within (Error, -Most, Most) * Gain / Unit)
    with
      Global => null,
-     Pre    => Most >= 0 and then Unit <= 1_000,
+     Pre    => Most >= 0 and then Unit <= 10_000,
      Post   =>
        (if Error >= 0 then Error_Share'Result >= 0)
        and then (if Error <= 0 then Error_Share'Result <= 0)

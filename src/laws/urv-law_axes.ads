@@ -169,7 +169,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
         else Wanted_Climb'Result = 0);
 
    function Next_Smooth (Item : Smooth; Now : Level) return Smooth is
-     (Item + (Now * 1_000 - Item) / (1_000 / Filter_Share))
+     (Item + (Now * 1_000 - Item) / Filter_Frames)
    with Global => null;
 
    function Climb_Rate (Item : Smooth; Now : Level) return Number is
@@ -226,7 +226,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       return Roll_Trim
    is
      (Integrated
-        (Trim, Error_Share (Error, Roll_Learnt, By, Per_Hundred), Output,
+        (Trim, Error_Share (Error, Roll_Learnt, By, Per_Angle), Output,
          -Roll_Trim_Most, Roll_Trim_Most))
    with
      Global => null,
@@ -234,11 +234,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   =>
        Follows (Trim, Next_Roll_Trim'Result, Error, Output)
        and then
-         (if Moves (Error, By, Per_Hundred) and then not Output.Is_High
+         (if Moves (Error, By, Per_Angle) and then not Output.Is_High
             and then Error > 0 and then Trim < Roll_Trim'Last
           then Next_Roll_Trim'Result > Trim)
        and then
-         (if Moves (Error, By, Per_Hundred) and then not Output.Is_Low
+         (if Moves (Error, By, Per_Angle) and then not Output.Is_Low
             and then Error < 0 and then Trim > Roll_Trim'First
           then Next_Roll_Trim'Result < Trim);
 
@@ -247,7 +247,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       return Pitch_Trim
    is
      (Integrated
-        (Trim, Error_Share (Error, Pitch_Learnt, By, Per_Hundred), Output,
+        (Trim, Error_Share (Error, Pitch_Learnt, By, Per_Angle), Output,
          -Pitch_Trim_Most, Pitch_Trim_Most))
    with
      Global => null,
@@ -255,11 +255,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   =>
        Follows (Trim, Next_Pitch_Trim'Result, Error, Output)
        and then
-         (if Moves (Error, By, Per_Hundred) and then not Output.Is_High
+         (if Moves (Error, By, Per_Angle) and then not Output.Is_High
             and then Error > 0 and then Trim < Pitch_Trim'Last
           then Next_Pitch_Trim'Result > Trim)
        and then
-         (if Moves (Error, By, Per_Hundred) and then not Output.Is_Low
+         (if Moves (Error, By, Per_Angle) and then not Output.Is_Low
             and then Error < 0 and then Trim > Pitch_Trim'First
           then Next_Pitch_Trim'Result < Trim);
 
@@ -271,7 +271,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    is
      (Integrated
         (Trim,
-         Error_Share (Error, Height_Learnt, Height_Learning, Per_Thousand),
+         Error_Share (Error, Height_Learnt, Height_Learning, Per_Climb),
          Output, -Height_Trim_Most, Height_Trim_Most))
    with
      Global => null,
@@ -279,12 +279,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   =>
        Follows (Trim, Next_Height_Trim'Result, Error, Output)
        and then
-         (if Moves (Error, Height_Learning, Per_Thousand)
+         (if Moves (Error, Height_Learning, Per_Climb)
             and then not Output.Is_High
             and then Error > 0 and then Trim < Height_Trim'Last
           then Next_Height_Trim'Result > Trim)
        and then
-         (if Moves (Error, Height_Learning, Per_Thousand)
+         (if Moves (Error, Height_Learning, Per_Climb)
             and then not Output.Is_Low
             and then Error < 0 and then Trim > Height_Trim'First
           then Next_Height_Trim'Result < Trim);
@@ -294,7 +294,8 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       return Power_Trim
    is
      (Integrated
-        (Trim, Error_Share (Error, Level'Last, Speed_Learning, 1), Output,
+        (Trim,
+         Error_Share (Error, Level'Last, Speed_Learning, Per_Speed), Output,
          0, Power_Trim'Last))
    with
      Global => null,

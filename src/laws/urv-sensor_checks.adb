@@ -1,42 +1,61 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Frame_Times; use URV.Frame_Times;
+
 package body URV.Sensor_Checks with SPARK_Mode is
 
    --  Not in the specification: a prover that sees a table of so many rules
    --  takes seconds for each goal.
    type Rule_Table is array (Law_Item) of Rule;
 
+   --  How far a word moves from scan to scan, from its words a second, rounded
+   --  up.
+   Add : constant := Frames_Per_Second - 1;
+
+   Flap_Step           : constant := (10_000 + Add) / Frames_Per_Second;
+   Surface_Step        : constant := (30_000 + Add) / Frames_Per_Second;
+   Air_Step            : constant := (30_000 + Add) / Frames_Per_Second;
+   Offset_Step         : constant := (250 + Add) / Frames_Per_Second;
+   RPM_Step            : constant := (25_000 + Add) / Frames_Per_Second;
+   Battery_Step        : constant := (25_000 + Add) / Frames_Per_Second;
+   Alternator_Step     : constant := (50_000 + Add) / Frames_Per_Second;
+   Attitude_Step       : constant := (3_000 + Add) / Frames_Per_Second;
+   Roll_Rate_Step      : constant := (20_000 + Add) / Frames_Per_Second;
+   Slow_Rate_Step      : constant := (40_000 + Add) / Frames_Per_Second;
+   Airspeed_Step       : constant := (16_000 + Add) / Frames_Per_Second;
+   Altitude_Step       : constant := (3_000 + Add) / Frames_Per_Second;
+
    --  Surfaces move 100 deg/s at most, flaps 5; engine and electrics change
    --  slowly, but their ends are the converter's own. The ends of the
    --  attitude and the rates are not believed: 4095 and 0 are a broken wire.
    Rules : constant Rule_Table :=
-     (Right_Flap_1  => (1, Any, 200, Right_Flap_1, Any),
-      Left_Flap_1   => (1, Any, 200, Left_Flap_1, Any),
-      Right_Flap_2  => (1, Any, 200, Right_Flap_2, Any),
-      Left_Flap_2   => (1, Any, 200, Left_Flap_2, Any),
-      Right_Aileron => (1, 4_094, 600, Right_Aileron, Any),
-      Left_Aileron  => (1, 4_094, 600, Left_Aileron, Any),
-      Right_Elevator => (1, 4_094, 600, Right_Elevator, Any),
-      Left_Elevator => (1, 4_094, 600, Left_Elevator, Any),
-      Right_Rudder  => (1, 4_094, 600, Right_Rudder, Any),
-      Left_Rudder   => (1, 4_094, 600, Left_Rudder, Any),
-      Alpha         => (1, 4_094, 600, Alpha, Any),
-      Beta          => (1, 4_094, 600, Beta, Any),
-      Altitude_Offset => (0, 4_000, 5, Altitude_Offset, Any),
+     (Right_Flap_1  => (1, Any, Flap_Step, Right_Flap_1, Any),
+      Left_Flap_1   => (1, Any, Flap_Step, Left_Flap_1, Any),
+      Right_Flap_2  => (1, Any, Flap_Step, Right_Flap_2, Any),
+      Left_Flap_2   => (1, Any, Flap_Step, Left_Flap_2, Any),
+      Right_Aileron => (1, 4_094, Surface_Step, Right_Aileron, Any),
+      Left_Aileron  => (1, 4_094, Surface_Step, Left_Aileron, Any),
+      Right_Elevator => (1, 4_094, Surface_Step, Right_Elevator, Any),
+      Left_Elevator => (1, 4_094, Surface_Step, Left_Elevator, Any),
+      Right_Rudder  => (1, 4_094, Surface_Step, Right_Rudder, Any),
+      Left_Rudder   => (1, 4_094, Surface_Step, Left_Rudder, Any),
+      Alpha         => (1, 4_094, Air_Step, Alpha, Any),
+      Beta          => (1, 4_094, Air_Step, Beta, Any),
+      Altitude_Offset => (0, 4_000, Offset_Step, Altitude_Offset, Any),
       Lateral_Acceleration      => (1, 4_094, Any, Lateral_Acceleration, Any),
       Longitudinal_Acceleration =>
         (1, 4_094, Any, Longitudinal_Acceleration, Any),
       Vertical_Acceleration     => (1, 4_094, Any, Vertical_Acceleration, Any),
-      RPM              => (0, 4_000, 500, RPM, Any),
-      Battery_Volts    => (500, 4_000, 500, Battery_Volts, Any),
-      Alternator_Volts => (0, 4_000, 1_000, Alternator_Volts, Any),
-      Roll_Attitude    => (1, 4_094, 60, Roll_Rate, 100),
-      Pitch_Attitude   => (1, 4_094, 60, Pitch_Rate, 200),
-      Roll_Rate        => (1, 4_094, 400, Roll_Attitude, 340),
-      Pitch_Rate       => (1, 4_094, 800, Pitch_Attitude, 340),
-      Yaw_Rate         => (1, 4_094, 800, Roll_Attitude, 340),
-      Airspeed         => (0, 4_000, 320, Altitude, 400),
-      Altitude         => (0, 4_094, 60, Pitch_Attitude, 340));
+      RPM              => (0, 4_000, RPM_Step, RPM, Any),
+      Battery_Volts    => (500, 4_000, Battery_Step, Battery_Volts, Any),
+      Alternator_Volts => (0, 4_000, Alternator_Step, Alternator_Volts, Any),
+      Roll_Attitude    => (1, 4_094, Attitude_Step, Roll_Rate, 100),
+      Pitch_Attitude   => (1, 4_094, Attitude_Step, Pitch_Rate, 200),
+      Roll_Rate        => (1, 4_094, Roll_Rate_Step, Roll_Attitude, 340),
+      Pitch_Rate       => (1, 4_094, Slow_Rate_Step, Pitch_Attitude, 340),
+      Yaw_Rate         => (1, 4_094, Slow_Rate_Step, Roll_Attitude, 340),
+      Airspeed         => (0, 4_000, Airspeed_Step, Altitude, 400),
+      Altitude         => (0, 4_094, Altitude_Step, Pitch_Attitude, 340));
 
    function Rule_Of (Item : Sensor_Item) return Rule is
      (if Item in Law_Item then Rules (Item) else (0, Any, Any, Item, Any));

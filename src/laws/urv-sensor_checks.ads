@@ -1,15 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which sensors can be believed (EXT-3): each word is looked at in each
---  scan, for three things.
+--  Which sensors can be believed (EXT-3, FRM-7): each word is looked at in
+--  each scan, for three things.
 --
 --  range  the word is one that the sensor can give
 --  rate   it has not moved further since the last good one than it can
 --  stuck  it has not stood still while its witness, another sensor that
 --         cannot move alone, went away
 --
---  A sensor is not valid after three bad scans one after the other, or when
---  it is stuck; and valid again after a second of good ones. A scan that did
+--  A sensor is not valid after 0.06 s of bad scans one after the other, three
+--  in frames of 20 ms, or when it is stuck; and valid again after a second of
+--  good ones. A scan that did
 --  not come is a bad one of every sensor. Until it is found not valid the
 --  last good word stands for it.
 
@@ -77,6 +78,10 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    function Is_In_Range (Value : Word; By : Rule) return Boolean is
      (Value in By.Least .. By.Most)
    with Global => null;
+
+   pragma Compile_Time_Error
+     ((1 + Bad_Scans) * 4_095 > 65_535,
+      "so many bad scans overflow the word in Is_Slow");
 
    --  From the last good word while the sensor is valid, so that what has
    --  jumped away stays away; else from the last one.

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where a sound servo may have its surface (EXT-6, D-32): between two bounds.
+--  Where a sound servo may have its surface (EXT-6, FRM-7, D-32): between two
+--  bounds.
 --
 --  A servo follows its word with a lag, no faster than its rate limit, and
 --  rests within a dead band around the word. The aircraft's servos have a lag
@@ -13,8 +14,9 @@
 --  Which word a servo has at a scan depends on the schedule: the bounds hold
 --  for every word of the last three frames.
 
-with URV.Law_Units; use URV.Law_Units;
-with URV.Surfaces;  use URV.Surfaces;
+with URV.Frame_Times; use URV.Frame_Times;
+with URV.Law_Units;   use URV.Law_Units;
+with URV.Surfaces;    use URV.Surfaces;
 
 package URV.Servo_Models with Pure, SPARK_Mode is
 
@@ -28,12 +30,15 @@ package URV.Servo_Models with Pure, SPARK_Mode is
 
    Anywhere : constant Bounds := (Least => Fine'First, Most => Fine'Last);
 
-   --  A step is 4 ms, five steps are a frame.
-   Steps_Per_Frame : constant := 5;
+   --  Five steps are a frame: one is 4 ms of a frame of 20 ms.
+   Steps_Per_Frame       : constant := 5;
+   Microseconds_Per_Step : constant :=
+     Microseconds_Per_Frame / Steps_Per_Frame;
 
    --  The share of its way that the slowest sound servo makes in a step, in
-   --  thousandths: a lag of 0.15 s.
-   Slowest_Share : constant := 26;
+   --  thousandths, rounded down: a lag of 0.15 s.
+   Slowest_Lag   : constant := 150_000;
+   Slowest_Share : constant := 1_000 * Microseconds_Per_Step / Slowest_Lag;
 
    function Part_Of (Way : Number) return Number is
      (Way * Slowest_Share / 1_000)
@@ -42,16 +47,26 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      Pre    => Way in 0 .. Fine'Last - Fine'First,
      Post   => Part_Of'Result in 0 .. Way;
 
-   --  The rate limit of the slowest sound servo for a step: 50 deg/s, and
-   --  2.5 deg/s for a flap.
-   subtype Rate_Limit is Number range 1 .. 1_280;
+   --  The rate limit of the slowest sound servo, in words a second: 50 deg/s,
+   --  and 2.5 deg/s for a flap.
+   Slowest_Aileron : constant := 5_000;
+   Slowest_Tail    : constant := 4_000;
+   Slowest_Flap    : constant := 341;
+
+   --  For a step, rounded down.
+   Per_Step : constant := 1_000_000 / Per_Word;
+   subtype Rate_Limit is Number range
+     1 .. Slowest_Aileron * Microseconds_Per_Step / Per_Step;
 
    function Slowest_Rate (Item : Surface) return Rate_Limit is
      (case Item is
-         when Left_Aileron | Right_Aileron => 1_280,
+         when Left_Aileron | Right_Aileron =>
+           Slowest_Aileron * Microseconds_Per_Step / Per_Step,
          when Left_Elevator | Right_Elevator
-            | Left_Rudder | Right_Rudder   => 1_024,
-         when Flap                         => 87)
+            | Left_Rudder | Right_Rudder   =>
+           Slowest_Tail * Microseconds_Per_Step / Per_Step,
+         when Flap                         =>
+           Slowest_Flap * Microseconds_Per_Step / Per_Step)
    with Global => null;
 
    --  One per cent of the travel, in words: a servo may rest that far on

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which surfaces do not follow their servos' words (EXT-6): each frame the
---  measured position is compared with the bounds of every sound servo
+--  Which surfaces do not follow their servos' words (EXT-6, FRM-7): each frame
+--  the measured position is compared with the bounds of every sound servo
 --  (URV.Servo_Models).
 --
 --  Doubt grows by the distance outside the bounds, less an allowance for the
@@ -13,6 +13,7 @@
 with URVOS;            use URVOS;
 with URV.Buffers;      use URV.Buffers;
 with URV.Engine_Monitor;
+with URV.Frame_Times;  use URV.Frame_Times;
 with URV.Law_Units;    use URV.Law_Units;
 with URV.Routing;      use URV.Routing;
 with URV.Servo_Models; use URV.Servo_Models;
@@ -26,7 +27,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
    --  How much of a distance counts in a frame, and the doubt that is a
    --  failure: 0.1 s of a large distance, 0.24 s of one of 60 words.
    Most_Off  : constant := 88;
-   Certainty : constant := 240;
+   Certainty : constant := (Most_Off - Allowance) * Frames_Per_Tenth;
 
    subtype Doubt_Level is Number range 0 .. Certainty;
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How two nodes come to a session (SEC-3), and what a node knows of its
---  sealed link.
+--  How two nodes come to a session (SEC-3, FRM-7), and what a node knows of
+--  its sealed link.
 --
 --     ground                                    aircraft
 --     hello (G)              ------------>      keeps G, takes a new A
@@ -13,6 +13,7 @@
 --  blocks disregards a hello.
 
 with Telemetry;       use Telemetry;
+with URV.Frame_Times; use URV.Frame_Times;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
@@ -30,7 +31,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
    Patience : constant := 3;
 
    --  A minute.
-   Longest_Silence : constant := 3_000;
+   Longest_Silence : constant := 60 * Frames_Per_Second;
    subtype Frame_Count is Counter range 0 .. Longest_Silence;
 
    --  Sessions that the aircraft has answered a hello with, and of which no

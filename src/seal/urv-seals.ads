@@ -1,11 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What becomes of a block on a sealed link (SEC-1 to SEC-5). TELOUT closes
---  each block, TELIN opens each one that came. The functions are the code:
---  Pass, Open and Close assign their results.
+--  What becomes of a block on a sealed link (SEC-1 to SEC-5, FRM-7). TELOUT
+--  closes each block, TELIN opens each one that came. The functions are the
+--  code: Pass, Open and Close assign their results.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
+with URV.Frame_Times; use URV.Frame_Times;
 with URV.Handshakes;  use URV.Handshakes;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Sessions;    use URV.Sessions;
@@ -109,11 +110,11 @@ package URV.Seals with Pure, SPARK_Mode is
    with Global => null;
 
    --  Frames pass; in the first of them the node has said what it says. The
-   --  ground gives up a session of which no block has come
-   --  for Handshake_Lasts frames, the aircraft its pending ones, and a
-   --  session of which no block has come for a minute.
+   --  ground gives up a session of which no block has come for 0.5 s, the
+   --  aircraft its pending ones, and a session of which no block has come for
+   --  a minute.
 
-   Handshake_Lasts : constant := 25;
+   Handshake_Lasts : constant := 5 * Frames_Per_Tenth;
 
    function Is_Over (Item : Session) return Boolean is
      (Item.Newest = 0 and then Item.Age > Handshake_Lasts)

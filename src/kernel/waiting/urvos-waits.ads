@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A wait of some clock ticks (report, sections 3.4 and 3.5; MBX-3, MBX-5,
---  SEM-1): how long a task goes on looking for what is not there yet.
+--  SEM-1, FRM-7): how long a task goes on looking for what is not there yet.
 --
 --     Patience := Begun (Now, 2);
 --     while not Is_Over (Patience, Now) loop
@@ -13,20 +13,22 @@
 --  Every wait ends, whatever the clock does. At its last tick, where time
 --  stands still for good, a wait is over. A clock that runs back is not
 --  believed. A clock that has not moved for Most_Looks looks has stopped:
---  nobody looks and calls EXIT in 20 ns, so that in a tick of 2 ms there
---  are fewer looks than that.
+--  nobody looks and calls EXIT in 20 ns, so that in a tick there are fewer
+--  looks than that.
 
 with URVOS.Frames; use URVOS.Frames;
 
 package URVOS.Waits with Pure, SPARK_Mode is
 
    --  How long to wait, in ticks: a minute at most.
-   type Wait_Ticks is range 0 .. 30_000;
+   Longest_Wait : constant := 60_000_000 / Microseconds_Per_Tick;
+   type Wait_Ticks is range 0 .. Longest_Wait;
 
-   --  How often one may look while the clock stands still.
-   Most_Looks : constant := 100_000;
+   --  How often one may look while the clock stands still: for a tick with
+   --  20 ns a look.
+   Most_Looks : constant := Microseconds_Per_Tick * 50;
 
-   type Look_Count is range 0 .. 30_000 * Most_Looks;
+   type Look_Count is range 0 .. Longest_Wait * Most_Looks;
 
    type Wait is private;
 

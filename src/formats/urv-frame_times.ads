@@ -1,0 +1,26 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Times as numbers of major frames (FRM-7, D-75).
+--
+--  The kernel says how long a frame is. Every time that the flight software
+--  counts in frames is written in seconds where it is declared, and every rate
+--  is written for a second. The factors below derive them for the frame:
+--
+--     Hold_After : constant := 5 * Frames_Per_Tenth;
+--     Roll_Step  : constant := Roll_Rate_Limit / Frames_Per_Second;
+
+with URVOS.Frames; use URVOS.Frames;
+
+package URV.Frame_Times with Pure, SPARK_Mode is
+
+   Microseconds_Per_Frame : constant :=
+     Ticks_Per_Major_Frame * Microseconds_Per_Tick;
+
+   Frames_Per_Second : constant := 1_000_000 / Microseconds_Per_Frame;
+   Frames_Per_Tenth  : constant := Frames_Per_Second / 10;
+
+   pragma Compile_Time_Error
+     (10 * Frames_Per_Tenth * Microseconds_Per_Frame /= 1_000_000,
+      "a tenth of a second must be a whole number of major frames");
+
+end URV.Frame_Times;
