@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The values of --orbit-after and --terminate-after: the times from the last
---  uplink to the orbit and to the termination of the flight (EXT-5, FRM-7). The
---  ground may set the same times, in the same ranges (URV.Configurations).
+--  uplink to the orbit and to the termination of the flight (EXT-5, FRM-7).
+--  The ground may set the same times, in the same ranges (URV.Configurations).
 
 with URV.Configurations; use URV.Configurations;
 with URV.Frame_Times;    use URV.Frame_Times;

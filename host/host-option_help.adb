@@ -68,7 +68,7 @@ package body Host.Option_Help is
          when Schedule_Option =>
             "task schedule: report or fast (report)",
          when Processors_Option =>
-            "of a node, 1 or 2 (1)",
+            "of a node, " & Processor_Range & " (1)",
          when Laws_Option =>
             "the aircraft's control laws, on or off (on with jsbsim, off with"
             & " the bench)",

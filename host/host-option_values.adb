@@ -109,6 +109,25 @@ package body Host.Option_Values is
       return (if Value = "1" then 1 else 2);
    end Number_Of;
 
+   function Processor_Range return String is
+     ("1 to" & URVOS.Task_Trees.Processor_Number'Last'Image);
+
+   function Processors_Of
+     (Title : String;
+      Value : String) return URVOS.Task_Trees.Processor_Number
+   is
+      Amount   : Number;
+      Is_Valid : Boolean;
+   begin
+      Read_Whole (Value, Amount, Is_Valid);
+      Refuse_Unless
+        (Is_Valid
+           and then Amount in
+             1 .. Number (URVOS.Task_Trees.Processor_Number'Last),
+         Title, Value, "not a number of processors from " & Processor_Range);
+      return URVOS.Task_Trees.Processor_Number (Amount);
+   end Processors_Of;
+
    function Is_First
      (Title  : String;
       Value  : String;

@@ -5,6 +5,7 @@
 
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Telemetry;
+with URVOS.Task_Trees;
 
 package Host.Option_Values is
 
@@ -42,6 +43,13 @@ package Host.Option_Values is
    subtype One_Or_Two is Positive range 1 .. 2;
 
    function Number_Of (Title : String; Value : String) return One_Or_Two;
+
+   --  The processors of a node: "1 to 4".
+   function Processor_Range return String;
+
+   function Processors_Of
+     (Title : String;
+      Value : String) return URVOS.Task_Trees.Processor_Number;
 
    --  Whether the value is the first of two words, not the second.
    function Is_First

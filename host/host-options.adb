@@ -114,7 +114,7 @@ package body Host.Options is
               (if Is_First (Title, Value, "report", "fast")
                then Report else Fast);
          when Processors_Option =>
-            Chosen.Processors := Number_Of (Title, Value);
+            Chosen.Processors := Processors_Of (Title, Value);
          when Laws_Option =>
             Chosen.Laws := Is_First (Title, Value, "on", "off");
          when Orbit_After_Option =>

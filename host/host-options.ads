@@ -14,6 +14,7 @@ with Host.Loss_Times;
 with Host.Option_Values; use Host.Option_Values;
 with Telemetry;
 with URV.Handshakes;
+with URVOS.Task_Trees;
 
 package Host.Options is
 
@@ -83,7 +84,7 @@ package Host.Options is
       Schedule   : Schedule_Name := URVOS.Task_Trees.Report;
 
       --  The processors of each node.
-      Processors : One_Or_Two := 1;
+      Processors : URVOS.Task_Trees.Processor_Number := 1;
 
       --  The aircraft's control laws (EXT-3): by default on with an aircraft,
       --  off with the bench.

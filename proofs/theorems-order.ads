@@ -2,7 +2,7 @@
 
 --  The order of a frame (report, section 2.2, figure 3; FRM-2, FRM-5, SET-1):
 --  who consumes what another task has produced runs after it, in the same
---  frame, on any run that keeps the releases, on one processor or two, in
+--  frame, on any run that keeps the releases, on one processor to four, in
 --  the report's schedule and in the fast one. Who runs at the same tick as
 --  those it consumes from is on the same processor, which runs them first
 --  because they stand first. In the report's schedule that is only LAW. In

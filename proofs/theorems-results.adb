@@ -2,6 +2,8 @@
 
 with Telemetry.Turns; use Telemetry.Turns;
 
+with URVOS.Task_Trees; use URVOS.Task_Trees;
+
 package body Theorems.Results with SPARK_Mode is
 
    procedure Of_Add

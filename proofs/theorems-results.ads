@@ -21,7 +21,6 @@ with URVOS.Frames;
 with URVOS.ROM_Checks;
 with URVOS.Semaphores;
 with URVOS.Start_Orders;
-with URVOS.Task_Trees;
 with URVOS.Waits;
 with URV.AD_Scans;
 with URV.Buffers;
@@ -39,7 +38,6 @@ package Theorems.Results with SPARK_Mode, Ghost is
    use URVOS.Frames;
    use URVOS.Semaphores;
    use URVOS.Start_Orders;
-   use URVOS.Task_Trees;
    use URVOS.Waits;
    use URV.AD_Scans;
    use URV.Buffers;
@@ -82,7 +80,7 @@ package Theorems.Results with SPARK_Mode, Ghost is
       Same  : out Boolean)
    with
      Global => null,
-     Pre    => Who <= State.Processors,
+     Pre    => Who <= Seat (State.Processors),
      Post   => Same;
 
    procedure Of_Receive (Box : Mailbox; Same : out Boolean)

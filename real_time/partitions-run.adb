@@ -31,7 +31,6 @@ with URV.Errors;
 with URV.Handshakes;
 with URV.Sessions;
 with URVOS;
-with URVOS.Task_Trees;
 
 procedure Partitions.Run is
 
@@ -577,8 +576,7 @@ begin
    end if;
    Clocks.Switch_On;
    This_Node.Switch_On
-     (URVOS.Task_Trees.Processor_Number (Chosen.Processors), Chosen.Schedule,
-      Chosen.Line_Delay);
+     (Chosen.Processors, Chosen.Schedule, Chosen.Line_Delay);
    Take_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
 

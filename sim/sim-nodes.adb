@@ -8,7 +8,6 @@ with Host.Complaints;
 with Host.Memory_Hardware;
 with Host.Names;
 with MCS.Virtual_Time;
-with URVOS.Task_Trees;
 with URVOS.Usual_Frames;
 with URV.PWM_Layout;
 with URV.Surface_Monitor;
@@ -68,8 +67,6 @@ package body Sim.Nodes is
       Processors : Processor_Count;
       Raised     : out Boolean)
    is
-      Number : constant URVOS.Task_Trees.Processor_Number :=
-        URVOS.Task_Trees.Processor_Number (Processors);
    begin
       Raised := False;
       if Condition = Cold_Start then
@@ -77,9 +74,11 @@ package body Sim.Nodes is
       end if;
       case Which is
          when Ground   =>
-            GSC_Time.Start (Condition, Now, Number, GSC.Schedule.Contents);
+            GSC_Time.Start
+              (Condition, Now, Processors, GSC.Schedule.Contents);
          when Aircraft =>
-            MCS_Time.Start (Condition, Now, Number, MCS.Schedule.Contents);
+            MCS_Time.Start
+              (Condition, Now, Processors, MCS.Schedule.Contents);
       end case;
    exception
       when Error : others =>

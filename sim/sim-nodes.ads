@@ -21,11 +21,12 @@ with URVOS.Frame_Clocks;
 with URVOS.Frame_Locks;
 with URVOS.Frames;
 with URVOS.Starts; use URVOS.Starts;
+with URVOS.Task_Trees;
 
 package Sim.Nodes is
 
-   --  Of the aircraft's node.
-   subtype Processor_Count is Positive range 1 .. 2;
+   --  Of a node.
+   subtype Processor_Count is URVOS.Task_Trees.Processor_Number;
 
    --  Before the nodes are switched on: the format of messages, the keys of
    --  format 2, which both have, and what their nonces are made of.

@@ -92,7 +92,7 @@ def ground(
     key: Path | None = typer.Option(
         None, metavar="FILE", help="The keys of format 2."),
     processors: str | None = typer.Option(
-        None, metavar="N", help="So many of each node, 1 or 2."),
+        None, metavar="N", help="Processors of each node, 1 to 4."),
     lock: bool = typer.Option(
         False, "--lock", help="Brings the aircraft's frames in step."),
     line_delay: str | None = typer.Option(

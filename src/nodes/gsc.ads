@@ -113,12 +113,12 @@ package GSC with SPARK_Mode is
       Errors          => Errors,
       Read_ROM        => Memories.Read_ROM);
 
-   --  The tasks, in order of priority: when they run, and on which of two
+   --  The tasks, in order of priority: when they run, and on which of four
    --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
-   --  schedule the boards' tasks are on the first, data collection and all
-   --  that belongs to CORE on the second. In the fast one who consumes runs
-   --  right behind who produces, on the same processor; in the last minor
-   --  frame nobody is released.
+   --  schedule the converter's task is on the first, data collection on the
+   --  second, the link's on the third, CORE's on the fourth. In the fast one
+   --  who consumes runs right behind who produces, on the same processor; in
+   --  the last minor frame nobody is released.
 
    type Task_Name is
      (AD_Task,
@@ -133,14 +133,14 @@ package GSC with SPARK_Mode is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Task_List : constant Task_Table :=
-     (AD_Task        => (Report => (0, 1), Fast => (0, 1)),
-      TELIN_Task     => (Report => (0, 1), Fast => (5, 1)),
+     (AD_Task        => (Report => (0, 1), Fast => (0, 3)),
+      TELIN_Task     => (Report => (0, 3), Fast => (5, 1)),
       GDCIN_Task     => (Report => (1, 2), Fast => (5, 1)),
-      GDCOUT_Task    => (Report => (1, 2), Fast => (0, 1)),
-      TELOUT_Task    => (Report => (2, 1), Fast => (0, 1)),
-      CORE_Task      => (Report => (4, 2), Fast => (5, 1)),
-      LOG_Task       => (Report => (5, 2), Fast => (7, 2)),
-      SELF_TEST_Task => (Report => (6, 1), Fast => (8, 2)));
+      GDCOUT_Task    => (Report => (1, 2), Fast => (0, 3)),
+      TELOUT_Task    => (Report => (2, 3), Fast => (0, 3)),
+      CORE_Task      => (Report => (4, 4), Fast => (5, 1)),
+      LOG_Task       => (Report => (5, 4), Fast => (7, 2)),
+      SELF_TEST_Task => (Report => (6, 1), Fast => (8, 4)));
 
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);

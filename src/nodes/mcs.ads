@@ -151,12 +151,13 @@ package MCS with SPARK_Mode is
       Errors          => Errors,
       Read_ROM        => Memories.Read_ROM);
 
-   --  The tasks, in order of priority: when they run, and on which of two
+   --  The tasks, in order of priority: when they run, and on which of four
    --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
-   --  schedule the boards' tasks are on the first, data collection and all
-   --  that belongs to CORE on the second. In the fast one who consumes runs
-   --  right behind who produces, on the same processor; in the last minor
-   --  frame nobody is released.
+   --  schedule the converter's and the servos' tasks are on the first, data
+   --  collection and the laws on the second, the link's on the third, CORE's
+   --  on the fourth. In the fast one who consumes runs right behind who
+   --  produces, on the same processor; in the last minor frame nobody is
+   --  released.
 
    type Task_Name is
      (AD_Task,
@@ -173,16 +174,16 @@ package MCS with SPARK_Mode is
    type Task_Table is array (Task_Name) of Task_Attributes;
 
    Task_List : constant Task_Table :=
-     (AD_Task        => (Report => (0, 1), Fast => (1, 1)),
-      TELIN_Task     => (Report => (0, 1), Fast => (4, 1)),
+     (AD_Task        => (Report => (0, 1), Fast => (1, 3)),
+      TELIN_Task     => (Report => (0, 3), Fast => (4, 1)),
       MDCIN_Task     => (Report => (1, 2), Fast => (4, 1)),
-      MDCOUT_Task    => (Report => (1, 2), Fast => (1, 1)),
+      MDCOUT_Task    => (Report => (1, 2), Fast => (1, 3)),
       LAW_Task       => (Report => (1, 2), Fast => (4, 1)),
       PWM_Task       => (Report => (2, 1), Fast => (4, 1)),
-      TELOUT_Task    => (Report => (2, 1), Fast => (1, 1)),
-      CORE_Task      => (Report => (4, 2), Fast => (4, 1)),
-      LOG_Task       => (Report => (5, 2), Fast => (5, 2)),
-      SELF_TEST_Task => (Report => (6, 1), Fast => (6, 2)));
+      TELOUT_Task    => (Report => (2, 3), Fast => (1, 3)),
+      CORE_Task      => (Report => (4, 4), Fast => (4, 1)),
+      LOG_Task       => (Report => (5, 4), Fast => (5, 2)),
+      SELF_TEST_Task => (Report => (6, 1), Fast => (6, 4)));
 
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);

@@ -74,11 +74,11 @@ def assert_same_contents(start_both, write, simulate, links=None,
 
 
 @flies_again
-@pytest.mark.parametrize("processors", [1, 2])
+@pytest.mark.parametrize("processors", [1, 2, 3, 4])
 def test_lnk1_d9_a_flight_over_udp_has_the_contents_of_the_simulations(
     start_both, write, simulate, processors
 ):
-    """On one processor a node or on two (EXT-4)."""
+    """On one processor a node to four (EXT-4)."""
     assert_same_contents(start_both, write, simulate, processors=processors)
 
 

@@ -134,7 +134,7 @@ def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
 
 
 @flies_again
-@pytest.mark.parametrize("processors", [1, 2])
+@pytest.mark.parametrize("processors", [1, 2, 4])
 def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     start_both, write, processors
 ):
@@ -171,7 +171,7 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
 
 
 @flies_again
-@pytest.mark.parametrize("processors", [1, 2])
+@pytest.mark.parametrize("processors", [1, 2, 4])
 def test_krn6_the_ground_restarts_and_flies_on(start_both, write, processors):
     rows = different_rows(40, len(COMMANDS), 8)
     sticks = write("sticks.csv", script(COMMANDS, rows))

@@ -65,9 +65,16 @@ def test_d45_no_node_uses_semaphores_or_ends_a_task():
         assert users(word, "examples"), word
 
 
-def test_d46_a_node_has_one_processor_or_two():
-    assert re.search(r"type Processor_Number is range 1 \.\. 2;",
+def test_d46_a_node_has_one_to_four_processors_by_its_list():
+    assert re.search(r"type Processor_Number is range 1 \.\. 4;",
                      text_of("src/kernel/scheduling/urvos-task_trees.ads"))
+    # The lists alone say which tasks run where.
+    for node in ("mcs", "gsc"):
+        places = re.findall(r"_Task +=> \(Report => \(\d, (\d)\),"
+                            r" +Fast => \(\d, (\d)\)\)",
+                            text_of(f"src/nodes/{node}.ads"))
+        for schedule in zip(*places, strict=True):
+            assert set(schedule) == {"1", "2", "3", "4"}, (node, schedule)
 
 
 def test_d48_the_laws_know_no_codes():

@@ -245,10 +245,12 @@ def test_the_same_flight_twice_is_the_same_to_the_byte(tmp_path_factory):
     assert summaries[0] == summaries[1]
 
 
-def test_krn5_ext4_two_processors_fly_the_same_flight(flight, tmp_path):
-    """The boards' tasks on one, data collection and CORE on the other."""
+@pytest.mark.parametrize("processors", [2, 3, 4])
+def test_krn5_ext4_more_processors_fly_the_same_flight(
+        flight, tmp_path, processors):
+    """Each has the tasks of its number in the list of its node."""
     other = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "standard",
-                   "--processors", "2")
+                   "--processors", processors)
     for name in ("record.csv", "wire.csv", "events.jsonl"):
         assert flight.path(name).read_bytes() == \
             other.path(name).read_bytes(), name

@@ -119,8 +119,8 @@ COMMAND_LINES = [
        f'--schedule: "{value}" is neither "report" nor "fast"')
       for value in ("Fast", "slow", "1")),
     *((["fly", "--processors", value],
-       f'--processors: "{value}" is neither 1 nor 2')
-      for value in ("0", "3", "12", "-1", "two", "1.0")),
+       f'--processors: "{value}" is not a number of processors from 1 to 4')
+      for value in ("0", "5", "12", "-1", "two", "1.0")),
     *((["fly", "--laws", "on", "--orbit-after", value],
        f'--orbit-after: "{value}" is not a number of seconds from 1 to 60'
        " with at most one decimal")

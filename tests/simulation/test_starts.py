@@ -301,7 +301,7 @@ def test_ini1_ini3_power_up_is_a_cold_start(courses, node):
 # --- exceptions ------------------------------------------------------------
 
 @pytest.mark.parametrize("node", ["gsc", "mcs"])
-@pytest.mark.parametrize("processors", [1, 2])
+@pytest.mark.parametrize("processors", [1, 2, 4])
 def test_krn6_an_exception_restarts_the_processor(courses, node, processors):
     # Nothing answers a read of the ROM, in minor frame 6.
     course = courses(3, 100)
@@ -481,7 +481,7 @@ def test_ad1_after_a_stall_the_conversion_is_made_anew(
     assert uplink.index(99) == frame
 
 
-# --- two processors --------------------------------------------------------
+# --- several processors ----------------------------------------------------
 
 TROUBLE = [
     "300 mcs reset warm", "425.1 gsc reset processor",
@@ -492,14 +492,18 @@ TROUBLE = [
 ]
 
 
+@pytest.mark.parametrize("schedule", ["report", "fast"])
 @pytest.mark.parametrize("faults", [(), TROUBLE], ids=["calm", "trouble"])
-def test_krn5_ext4_two_processors_fly_the_same_flight(courses, faults):
+def test_krn5_ext4_any_number_of_processors_flies_the_same_flight(
+        courses, faults, schedule):
     course = courses(3, 100)
-    flights = [course.fly(f"{number} processors", faults,
-                          "--processors", number) for number in (1, 2)]
+    flights = [course.fly(f"{schedule} {number} processors", faults,
+                          "--processors", number, "--schedule", schedule)
+               for number in (1, 2, 3, 4)]
     for name in ("record.csv", "wire.csv", "events.jsonl"):
-        first, second = (flight.path(name).read_bytes() for flight in flights)
-        assert first == second, name
+        first, *others = (flight.path(name).read_bytes()
+                          for flight in flights)
+        assert others == 3 * [first], name
     for flight in flights:
         del flight.summary["speed"]
-    assert flights[0].summary == flights[1].summary
+        assert flight.summary == flights[0].summary

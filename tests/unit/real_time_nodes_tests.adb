@@ -17,11 +17,12 @@ package body Real_Time_Nodes_Tests is
    --  The tests, in order.
    procedure One_Processor;
    procedure Two_Processors;
+   procedure More_Processors;
    procedure Failed_Test;
    procedure Wish_In_A_Start;
    procedure Wish_In_A_Step;
 
-   --  Two tasks for each of two processors.
+   --  A task for each of four processors; on two, two for each.
    type Task_Name is (Input, Collection, Output, Recording);
 
    type Task_Table is array (Task_Name) of Task_Attributes;
@@ -29,8 +30,8 @@ package body Real_Time_Nodes_Tests is
    Table : constant Task_Table :=
      (Input      => (others => (Offset => 0, Processor => 1)),
       Collection => (others => (Offset => 1, Processor => 2)),
-      Output     => (others => (Offset => 2, Processor => 1)),
-      Recording  => (others => (Offset => 3, Processor => 2)));
+      Output     => (others => (Offset => 2, Processor => 3)),
+      Recording  => (others => (Offset => 3, Processor => 4)));
 
    package Tasks is new URVOS.Task_Lists (Task_Name, Task_Table, Table);
 
@@ -369,13 +370,16 @@ package body Real_Time_Nodes_Tests is
       end Request_Start;
 
       procedure End_Processors is
-         function Are_There return Boolean is (Witness.Processors = 2);
+         Last : constant Processor_Number := Processor_Number'Last;
+
+         function Are_There return Boolean is
+           (Witness.Processors = Natural (Last));
       begin
          --  One that was not switched on tells its name only then.
-         if Processors = 1 then
-            This_Node.Switch_On (2, Clock);
+         if Processors < Last then
+            This_Node.Switch_On (Last, Clock);
          end if;
-         Wait_For ("both processors", Are_There'Access);
+         Wait_For ("all processors", Are_There'Access);
          for Which in Processor_Number loop
             Abort_Task (Witness.Processor (Which));
          end loop;
@@ -459,6 +463,50 @@ package body Real_Time_Nodes_Tests is
    begin
       Run (Processors => 2);
    end Two_Processors;
+
+   --  Each task runs on the processor of its row, counted round where there
+   --  are three.
+   procedure More_Processors is
+
+      generic
+         Number : Processor_Number;
+      procedure Fly;
+
+      procedure Fly is
+         Runners : Runner_List;
+      begin
+         Wait_For_Start (1, Cold_Start);
+         Wait_For_Transactions (3);
+         Runners := Witness.Runners;
+         Expect_Number ("processors", Witness.Processors, Integer (Number));
+         for Who in Task_Name loop
+            for Other in Task_Name loop
+               Expect
+                 (Who'Image & " and " & Other'Image & " on one of"
+                  & Number'Image,
+                  Runners (Who) = Runners (Other),
+                  Task_Name'Pos (Who) mod Positive (Number) =
+                    Task_Name'Pos (Other) mod Positive (Number));
+            end loop;
+         end loop;
+         for Condition in Start_Condition loop
+            Request.all (Condition);
+            Wait_For_Start
+              (2 + Start_Condition'Pos (Condition), Condition);
+            Wait_For_Transactions (2);
+            Expect ("the same processors", Witness.Runners = Runners, True);
+         end loop;
+         Expect_Number ("starts", Witness.Starts, 4);
+      end Fly;
+
+      procedure Fly_3 is new Fly (3);
+      procedure Fly_4 is new Fly (4);
+      procedure Run_3 is new With_Node (Fly_3);
+      procedure Run_4 is new With_Node (Fly_4);
+   begin
+      Run_3 (Processors => 3);
+      Run_4 (Processors => 4);
+   end More_Processors;
 
    procedure Failed_Test is
       procedure Fly;
@@ -547,6 +595,9 @@ package body Real_Time_Nodes_Tests is
       Add
         (Suite, "EXT-4 KRN-5 two processors run their tasks, none in a start",
          Two_Processors'Access);
+      Add
+        (Suite, "EXT-4 KRN-5 D-46 three and four processors by the list alone",
+         More_Processors'Access);
       Add
         (Suite, "INI-2 FRM-4 after a failed test no task runs until a start",
          Failed_Test'Access);

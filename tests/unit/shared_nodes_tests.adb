@@ -123,7 +123,9 @@ package body Shared_Nodes_Tests is
    procedure End_Test (Condition : Start_Condition) is
    begin
       Expect ("condition", Begun, Condition);
-      This_Node.Note_Tested (Passed => True);
+      This_Node.Note_Tested
+        (Passed  => True,
+         Numbers => Numbers_For ((1 .. 2 => True, others => False)));
    end End_Test;
 
    procedure Expect_Ran (What : String; Expected : Natural) is
@@ -273,8 +275,11 @@ package body Shared_Nodes_Tests is
       Expect ("the latest tick of either", Watched.Now, 9);
       Watched.Note_Tick (1, 8, 5);
       Expect ("overruns of both", Watched.Overruns, 9);
+      Watched.Note_Tick (3, 9, 2);
+      Watched.Note_Tick (4, 9, 1);
+      Expect ("overruns of four", Watched.Overruns, 12);
       Expect ("the latest tick of either", Watched.Now, 9);
-      Watched.Note_Tick (1, 9, Count'Last - 4);
+      Watched.Note_Tick (1, 9, Count'Last - 7);
       Expect ("all that can be counted", Watched.Overruns, Count'Last);
       Watched.Note_Tick (1, 9, Count'Last);
       Expect ("no more can be counted", Watched.Overruns, Count'Last);
@@ -291,7 +296,7 @@ package body Shared_Nodes_Tests is
       Expect ("before the start", Next_Order.Name, Stand_Still);
       Lone.Look (1, Next_Order);
       Expect ("the master", Next_Order.Name, Begin_Start);
-      Lone.Note_Tested (True);
+      Lone.Note_Tested (True, Numbers_For ((1 => True, others => False)));
       Lone.Look (2, Next_Order);
       Expect ("after the test", Next_Order.Name, Stand_Still);
       Lone.Look (1, Next_Order);

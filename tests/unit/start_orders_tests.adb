@@ -14,6 +14,7 @@ package body Start_Orders_Tests is
    procedure Two_Processors;
    procedure Wishes;
    procedure Any_Order;
+   procedure Numbers;
 
    procedure Expect is new Expect_Value (Order_Name);
    procedure Expect is new Expect_Value (Start_Condition);
@@ -34,6 +35,10 @@ package body Start_Orders_Tests is
      (State  : in out Node_State;
       Who    : Seat;
       Passed : Boolean);
+
+   --  Numbers that are no places: which tasks a processor has follows from
+   --  what the master gives it, and from nothing else.
+   Given : constant Number_List := (1, 3, 4, 2);
 
    procedure Expect_Order
      (State    : in out Node_State;
@@ -67,7 +72,9 @@ package body Start_Orders_Tests is
       Look (State, Who, Next_Order);
       Expect ("order of processor" & Who'Image, Next_Order.Name, Load_Tasks);
       Expect ("passed", Next_Order.Passed, Passed);
-      Expect_Number ("number", Integer (Next_Order.Number), Integer (Who));
+      Expect_Number
+        ("number", Integer (Next_Order.Number),
+         Integer (State.Numbers (Who)));
    end Expect_Load;
 
    procedure One_Processor is
@@ -75,7 +82,7 @@ package body Start_Orders_Tests is
    begin
       State := Requested (State, Cold_Start);
       Expect_Start (State, Cold_Start);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, Master, Passed => True);
       for Look in 1 .. 3 loop
          Expect_Order (State, Master, Carry_On);
@@ -85,12 +92,12 @@ package body Start_Orders_Tests is
       --  again.
       State := Requested (State, Warm_Reset);
       Expect_Start (State, Warm_Reset);
-      State := Tested (State, False);
+      State := Tested (State, False, Given);
       Expect_Load (State, Master, Passed => False);
       Expect_Order (State, Master, Carry_On);
       State := Requested (State, Processor_Restart);
       Expect_Start (State, Processor_Restart);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, Master, Passed => True);
    end One_Processor;
 
@@ -107,7 +114,7 @@ package body Start_Orders_Tests is
       --  The other one waits for the test, and then each loads its tasks.
       Expect_Order (State, 2, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, 2, Passed => True);
       Expect_Order (State, 2, Carry_On);
       Expect_Load (State, 1, Passed => True);
@@ -119,7 +126,7 @@ package body Start_Orders_Tests is
       Expect_Order (State, 2, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
       Expect_Start (State, Warm_Reset);
-      State := Tested (State, False);
+      State := Tested (State, False, Given);
       Expect_Load (State, 1, Passed => False);
       Expect_Order (State, 1, Carry_On);
       Expect_Load (State, 2, Passed => False);
@@ -139,12 +146,12 @@ package body Start_Orders_Tests is
       --  One of later is kept until this start is over.
       State := Requested (State, Processor_Restart);
       Expect_Order (State, 2, Stand_Still);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, 1, Passed => True);
       Expect_Load (State, 2, Passed => True);
       Expect_Order (State, 2, Stand_Still);
       Expect_Start (State, Processor_Restart);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, 1, Passed => True);
 
       --  And one of while the tasks are loaded.
@@ -154,7 +161,7 @@ package body Start_Orders_Tests is
       Expect_Order (State, 1, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
       Expect_Start (State, Warm_Reset);
-      State := Tested (State, True);
+      State := Tested (State, True, Given);
       Expect_Load (State, 2, Passed => True);
       Expect_Load (State, 1, Passed => True);
       Expect_Order (State, 1, Carry_On);
@@ -212,7 +219,7 @@ package body Start_Orders_Tests is
 
       procedure End_Test (This : in out Watched; Passed : Boolean) is
       begin
-         This.State := Tested (This.State, Passed);
+         This.State := Tested (This.State, Passed, Given);
          This.Passed := Passed;
          This.Does (Master) := Stand_Still;
       end End_Test;
@@ -248,7 +255,9 @@ package body Start_Orders_Tests is
                Expect ("loads once", This.Loaded (Who), False);
                Expect ("has stood still", This.Does (Who), Stand_Still);
                Expect ("as the test says", Next_Order.Passed, This.Passed);
-               Expect ("its own tasks", Next_Order.Number = Who, True);
+               Expect
+                 ("the tasks of its number", Next_Order.Number = Given (Who),
+                  True);
                This.Loaded (Who) := True;
 
             when Carry_On =>
@@ -265,7 +274,7 @@ package body Start_Orders_Tests is
             if This.Does (Master) = Begin_Start then
                End_Test (This, True);
             end if;
-            for Who in 1 .. This.State.Processors loop
+            for Who in 1 .. Seat (This.State.Processors) loop
                if This.Does (Master) /= Begin_Start or else Who /= Master then
                   Take_Turn (This, Who);
                   Granted := Granted or else This.Does (Who) = Begin_Start;
@@ -273,7 +282,7 @@ package body Start_Orders_Tests is
             end loop;
          end loop;
          Expect ("a wish is granted", Granted, True);
-         for Who in 1 .. This.State.Processors loop
+         for Who in 1 .. Seat (This.State.Processors) loop
             Expect ("in the end", This.Does (Who), Carry_On);
          end loop;
       end Expect_Progress;
@@ -296,7 +305,7 @@ package body Start_Orders_Tests is
                Wish (This, Condition);
                Note (This);
             end loop;
-            for Who in 1 .. Processors loop
+            for Who in 1 .. Seat (Processors) loop
                if Who = Master and then Found (Next).Does (Who) = Begin_Start
                then
                   for Passed in Boolean loop
@@ -315,6 +324,44 @@ package body Start_Orders_Tests is
       end loop;
    end Any_Order;
 
+   procedure Numbers is
+      State      : Node_State := (Processors => 3, others => <>);
+      Next_Order : Order;
+      Present    : Seat_Flags;
+      Number     : Processor_Number;
+      List       : Number_List;
+   begin
+      --  The master's order names who stands still.
+      State := Requested (State, Cold_Start);
+      Expect_Order (State, 3, Stand_Still);
+      Expect_Order (State, 2, Stand_Still);
+      Look (State, Master, Next_Order);
+      for Who in Seat loop
+         Expect
+           ("stands still:" & Who'Image, Next_Order.Present (Who), Who <= 3);
+      end loop;
+
+      --  Of those that are there each gets the next number, in the order of
+      --  their places, wherever there are gaps.
+      for Others_There in 0 .. 7 loop
+         Present :=
+           (True, Others_There mod 2 = 1, Others_There / 2 mod 2 = 1,
+            Others_There / 4 = 1);
+         List := Numbers_For (Present);
+         Number := 1;
+         for Who in Seat loop
+            if Present (Who) then
+               Expect_Number
+                 ("number of the processor at place" & Who'Image,
+                  Integer (List (Who)), Integer (Number));
+               if Number < Processor_Number'Last then
+                  Number := Number + 1;
+               end if;
+            end if;
+         end loop;
+      end loop;
+   end Numbers;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -329,6 +376,9 @@ package body Start_Orders_Tests is
       Add
         (Suite, "EXT-4 KRN-5 INI-2 whoever looks when, nobody runs a step "
          & "during a start", Any_Order'Access);
+      Add
+        (Suite, "KRN-5 EXT-4 D-23 the master gives each processor its number",
+         Numbers'Access);
    end Add_To;
 
 end Start_Orders_Tests;

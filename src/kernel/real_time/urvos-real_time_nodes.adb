@@ -8,9 +8,11 @@ package body URVOS.Real_Time_Nodes
     SPARK_Mode,
     Refined_State =>
       (Processors      =>
-         (This_Node, Processor_1.Power, Processor_2.Power),
+         (This_Node, Processor_1.Power, Processor_2.Power,
+          Processor_3.Power, Processor_4.Power),
        Task_Management =>
-         (Processor_1.Task_Management, Processor_2.Task_Management))
+         (Processor_1.Task_Management, Processor_2.Task_Management,
+          Processor_3.Task_Management, Processor_4.Task_Management))
 is
 
    This_Node : URVOS.Shared_Nodes.Node;
@@ -23,6 +25,14 @@ is
      (2, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
       Observe_Tick, Look_At_Frame);
 
+   package Processor_3 is new URVOS.Real_Time_Processors
+     (3, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
+      Observe_Tick, Look_At_Frame);
+
+   package Processor_4 is new URVOS.Real_Time_Processors
+     (4, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
+      Observe_Tick, Look_At_Frame);
+
    procedure Switch_On
      (Number   : Processor_Number;
       At_Time  : Time;
@@ -32,6 +42,12 @@ is
       Processor_1.Switch_On;
       if Number > 1 then
          Processor_2.Switch_On;
+      end if;
+      if Number > 2 then
+         Processor_3.Switch_On;
+      end if;
+      if Number > 3 then
+         Processor_4.Switch_On;
       end if;
    end Switch_On;
 

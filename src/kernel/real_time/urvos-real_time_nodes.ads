@@ -2,7 +2,8 @@
 
 --  A node in real time (report, sections 2.2, 2.3 and 3.1 to 3.3; FRM-1,
 --  FRM-4, KRN-1 to KRN-6, EXT-4, D-9): what URVOS.Virtual_Nodes is, on the
---  machine's clock. Each of its processors is an Ada task.
+--  machine's clock. Each of its processors is an Ada task, named here for
+--  Ravenscar; those that the node does not have are never switched on.
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;

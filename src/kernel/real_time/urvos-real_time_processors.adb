@@ -98,7 +98,7 @@ is
 
          when Begin_Start =>
             Begin_Again (Next_Order.Condition, Now, Passed);
-            This_Node.Note_Tested (Passed);
+            This_Node.Note_Tested (Passed, Numbers_For (Next_Order.Present));
 
          when Load_Tasks =>
             Executive.Start

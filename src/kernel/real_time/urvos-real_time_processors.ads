@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  One processor of a node in real time, as an Ada task (report, sections
---  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, KRN-1 to KRN-6, D-9).
+--  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, KRN-1 to KRN-6, D-9, D-23).
 --
 --  At each tick of 2 ms the tasks that are due become ready; between two
 --  ticks they run, step by step, and none preempts another. A tick that

@@ -30,16 +30,16 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
 
       procedure Look (Who : Seat; Next_Order : out Order) is
       begin
-         if Who <= State.Processors then
+         if Who <= Seat (State.Processors) then
             Look (State, Who, Next_Order);
          else
             Next_Order := (others => <>);
          end if;
       end Look;
 
-      procedure Note_Tested (Passed : Boolean) is
+      procedure Note_Tested (Passed : Boolean; Numbers : Number_List) is
       begin
-         State := Tested (State, Passed);
+         State := Tested (State, Passed, Numbers);
       end Note_Tested;
 
       procedure Note_Tick (Who : Seat; Now : Clock_Tick; Overruns : Count) is
@@ -84,7 +84,9 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
       function Now return Clock_Tick is (Latest);
 
       function Overruns return Count is
-        (Saturating_Sum (Late (1), Late (2)));
+        (Saturating_Sum
+           (Saturating_Sum (Late (1), Late (2)),
+            Saturating_Sum (Late (3), Late (4))));
 
    end Node;
 

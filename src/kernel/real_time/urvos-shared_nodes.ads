@@ -29,7 +29,8 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
       procedure Look (Who : Seat; Next_Order : out Order);
 
-      procedure Note_Tested (Passed : Boolean);
+      --  Phases 1 and 2 are over; the master has given these numbers.
+      procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
 
       --  The clock has ticked for the processor, and so many of its tasks
       --  have overrun since power up.

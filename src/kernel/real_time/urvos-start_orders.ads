@@ -1,20 +1,21 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  How the processors of a node start together (report, section 3.1; INI-2,
---  KRN-5, KRN-6, EXT-4).
+--  KRN-5, KRN-6, EXT-4, D-23).
 --
 --  Somebody asks for a start. Each processor looks here at each tick: it
 --  ends the step that it is in and stands still. When all do, the master has
---  the node tested and prepared. Then each loads its tasks, those of the
---  number that the master gives it, and goes on.
+--  the node tested and prepared, and gives each a number. Then each loads the
+--  tasks of its number, and goes on.
 
 with URVOS.Starts;     use URVOS.Starts;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package URVOS.Start_Orders with Pure, SPARK_Mode is
 
-   --  A processor by its place in the node. The master is the first.
-   subtype Seat is Processor_Number;
+   --  A processor by its place in the node. The master is the first. Which
+   --  tasks it has follows from its number alone.
+   type Seat is new Processor_Number;
 
    Master : constant Seat := 1;
 
@@ -24,11 +25,14 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       Begin_Start,   --  phases 1 and 2, for the master alone
       Load_Tasks);   --  phase 3
 
+   type Seat_Flags is array (Seat) of Boolean;
+
    type Order is record
       Name      : Order_Name       := Stand_Still;
 
-      --  For Begin_Start.
+      --  For Begin_Start; Present are the processors that stand still.
       Condition : Start_Condition  := Cold_Start;
+      Present   : Seat_Flags       := (others => False);
 
       --  For Load_Tasks: whether there are tasks, after phase 1, and which.
       Passed    : Boolean          := False;
@@ -37,7 +41,47 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
 
    type Activity is (Running, Stopping, Testing, Loading);
 
-   type Seat_Flags is array (Seat) of Boolean;
+   --  The processors' numbers, as the master gives them (report, section 3.1).
+   type Number_List is array (Seat) of Processor_Number;
+
+   --  One if a processor is there, before another one.
+   function Ahead (Present : Seat_Flags; Which, Who : Seat) return Natural is
+     (if Which < Who and then Present (Which) then 1 else 0)
+   with
+     Global => null,
+     Post   => Ahead'Result <= 1;
+
+   --  The master gives itself number 1, and the next ones to the processors
+   --  that are there, in the order of their places.
+   function Numbers_For (Present : Seat_Flags) return Number_List is
+     ((for Who in Seat =>
+         Processor_Number
+           (1 + Ahead (Present, 1, Who) + Ahead (Present, 2, Who)
+            + Ahead (Present, 3, Who))))
+   with
+     Global => null,
+     Pre    => Present (Master),
+     Post   =>
+       Numbers_For'Result (Master) = 1
+
+       --  No two processors have the same number.
+       and then
+         (for all One in Seat =>
+            (for all Other in Seat =>
+               (if One /= Other
+                  and then Present (One)
+                  and then Present (Other)
+                then Numbers_For'Result (One) /= Numbers_For'Result (Other))))
+
+       --  And every number up to theirs is given.
+       and then
+         (for all Who in Seat =>
+            Numbers_For'Result (Who) = 1
+            or else
+              (for some Other in Seat =>
+                 Present (Other)
+                 and then Numbers_For'Result (Other) =
+                   Numbers_For'Result (Who) - 1));
 
    type Node_State is record
       Processors : Processor_Number := 1;
@@ -45,6 +89,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       Is_Wanted  : Boolean          := False;
       Wanted     : Start_Condition  := Cold_Start;
       Passed     : Boolean          := False;
+      Numbers    : Number_List      := (others => 1);
 
       --  Who has stopped, or loaded its tasks.
       Done       : Seat_Flags       := (others => False);
@@ -54,7 +99,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    --  All seats that are taken.
    function All_Done (State : Node_State) return Boolean is
      (for all Which in Seat =>
-        State.Done (Which) or else Which > State.Processors)
+        State.Done (Which) or else Which > Seat (State.Processors))
    with Global => null;
 
    --  Of several requests the last one counts.
@@ -64,13 +109,18 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    is ((State with delta Is_Wanted => True, Wanted => Condition))
    with Global => null;
 
-   --  Phases 1 and 2 are over. The tasks are loaded unless the self-test has
-   --  failed.
-   function Tested (State : Node_State; Passed : Boolean) return Node_State is
+   --  Phases 1 and 2 are over, and the master has given these numbers. The
+   --  tasks are loaded unless the self-test has failed.
+   function Tested
+     (State   : Node_State;
+      Passed  : Boolean;
+      Numbers : Number_List) return Node_State
+   is
      ((State with delta
-         Doing  => Loading,
-         Passed => Passed,
-         Done   => (others => False)))
+         Doing   => Loading,
+         Passed  => Passed,
+         Numbers => Numbers,
+         Done    => (others => False)))
    with Global => null;
 
    --  A processor looks what it has to do.
@@ -95,12 +145,16 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
          when Running  => (Name => Carry_On, others => <>),
          when Stopping =>
            (if Who = Master and then All_Done (With_Done (State, Who))
-            then (Begin_Start, State.Wanted, others => <>)
+            then (Begin_Start, State.Wanted, With_Done (State, Who).Done,
+                  others => <>)
             else (others => <>)),
          when Testing  => (others => <>),
          when Loading  =>
            (if State.Done (Who) then (Name => Carry_On, others => <>)
-            else (Load_Tasks, State.Wanted, State.Passed, Number => Who)))
+            else (Name   => Load_Tasks,
+                  Passed => State.Passed,
+                  Number => State.Numbers (Who),
+                  others => <>)))
    with Global => null;
 
    function State_After (State : Node_State; Who : Seat) return Node_State is
@@ -124,7 +178,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       Next_Order : out Order)
    with
      Global => null,
-     Pre    => Who <= State.Processors,
+     Pre    => Who <= Seat (State.Processors),
      Post   =>
        Next_Order = Order_For (Heard (State'Old), Who)
        and then State = State_After (Heard (State'Old), Who)
@@ -137,18 +191,22 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
             and then All_Done (State)
             and then State.Doing = Testing
             and then Next_Order.Condition = State'Old.Wanted
+            and then Next_Order.Present = State.Done
+            and then Next_Order.Present (Master)
             and then State'Old.Is_Wanted)
        and then
          (if State'Old.Doing = Testing
           then Next_Order.Name = Stand_Still and then State = State'Old)
 
-       --  Each loads its tasks once.
+       --  Each loads its tasks once, those of the number that it was given.
        and then
          (if Next_Order.Name = Load_Tasks
           then State'Old.Doing = Loading
             and then not State'Old.Done (Who)
             and then State.Done (Who)
-            and then Next_Order.Passed = State.Passed)
+            and then Next_Order.Passed = State.Passed
+            and then Next_Order.Number = State'Old.Numbers (Who))
+       and then State.Numbers = State'Old.Numbers
 
        --  A request is granted by phases 1 and 2, and not lost before.
        and then

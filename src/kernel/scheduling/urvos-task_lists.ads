@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The list of a node's tasks (report, sections 2.2, 3.1 and 3.2; FRM-2,
---  FRM-5, SET-1, KRN-1, KRN-5): the one place where it stands which tasks
+--  FRM-5, SET-1, KRN-1, KRN-5, D-46): the one place that says which tasks
 --  there are. Identifications, headers and task trees follow from it.
 --
 --  The names stand in order of priority: of tasks due at the same tick the
@@ -47,13 +47,17 @@ package URVOS.Task_Lists with SPARK_Mode is
        Initial_Priority => Priority'Last - Task_Name'Pos (Who)))
    with Global => null;
 
-   --  Which of so many processors runs the task.
+   --  Which of a node's processors runs the task: that of the table, counted
+   --  round where there are fewer. On two processors 1 has the tasks of 1 and
+   --  3, and 2 those of 2 and 4.
    function Processor_Of
      (Who        : Task_Name;
       Processors : Processor_Number;
       Schedule   : Schedule_Name := Report) return Processor_Number
-   is (if Processors = 1 then 1 else Table (Who) (Schedule).Processor)
-   with Global => null;
+   is ((Table (Who) (Schedule).Processor - 1) mod Processors + 1)
+   with
+     Global => null,
+     Post   => Processor_Of'Result <= Processors;
 
    --  How many tasks of a processor the names up to Who are.
    function Number_Upto

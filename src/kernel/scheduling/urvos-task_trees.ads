@@ -53,16 +53,16 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
         Tree (Earlier).Id /= No_Task)
    with Global => null;
 
-   --  A node has one processor or two (D-46); the master is number 1. At each
-   --  start each loads the tasks of its number (KRN-5, EXT-4, D-23).
-   type Processor_Number is range 1 .. 2;
+   --  A node has one to four processors (D-46); the master is number 1. At
+   --  each start each loads the tasks of its number (KRN-5, EXT-4, D-23).
+   type Processor_Number is range 1 .. 4;
 
    --  When and where tasks run: as the report says (FRM-2), or so that what
    --  they pass on is soon where it belongs (FRM-5).
    type Schedule_Name is (Report, Fast);
 
-   --  When a task is released in each major frame, and on which processor
-   --  where there are two.
+   --  When a task is released in each major frame, and on which processor of
+   --  four. URVOS.Task_Lists deals them to fewer.
    type Task_Place is record
       Offset    : Minor_Frame;
       Processor : Processor_Number;

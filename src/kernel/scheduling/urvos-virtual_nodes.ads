@@ -4,7 +4,7 @@
 --  (KRN-1 to KRN-6, EXT-4, D-23).
 --
 --  A step takes no time. So one processor's tasks run to their ends before
---  the other's, and what they do is the same each time.
+--  the next one's, and what they do is the same each time.
 
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
