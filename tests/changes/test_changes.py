@@ -262,6 +262,67 @@ def test_one_more_task(task):
     assert set(told[len(before) + frames // 10:]) == {battery_low}
 
 
+def test_no_other_task_writes_what_a_new_one_writes(task):
+    """Each variable has one producer (EVI-12): what the patch's task writes
+    is handed to no other task's instance, and what another one reports in the
+    same word stays."""
+    node = (task.copy / "src/nodes/mcs.ads").read_text(encoding="utf-8")
+    instances = re.findall(r"package (\w+) is\s+new URV\.\w+\s*\(([^;]+)\);",
+                           node)
+    assert {name for name, actuals in instances
+            if re.search(r"\bBattery_Status\b", actuals)} == {"BATTERY"}
+    written = re.findall(r"(\w+)\.Write \(", "".join(
+        (task.copy / f"src/nodes/mcs.{part}").read_text(encoding="utf-8")
+        for part in ("ads", "adb")))
+    assert "Battery_Status" not in written
+    (task.copy / "sensors.csv").write_text(
+        "time_ms,battery_volts\n0,1100\n2000,900\n", encoding="utf-8")
+    (task.copy / "rom.txt").write_text("1000 mcs rom 7 1\n",
+                                       encoding="utf-8")
+    result = task.run(
+        "bin/urv_sim", "fly", "--quiet", "--seconds", "45", "--sensors",
+        "sensors.csv", "--faults", "rom.txt", "--record", "both.csv")
+    assert result.returncode == 0, result.stderr
+    with (task.copy / "both.csv").open(encoding="utf-8", newline="") as file:
+        told = [int(row["gsc.downlink.error"]) & 0b1110
+                for row in csv.DictReader(file)]
+    rom_differs, battery_low = 2, 8
+    assert told[-1] == rom_differs + battery_low
+    assert set(told) == {0, battery_low, rom_differs + battery_low}
+
+
+def test_one_more_control_law():
+    """EVI-12: behind a switch the pitch stick commands a climb rate. The
+    other modes fly as they are."""
+    change = Change("climb-rate")
+    change.expect_cost()
+    change.expect_built_and_tested()
+    tables = json.loads(change.run("bin/urv_sim", "tables").stdout)
+    assert tables["vertical"][-1] == "climb by stick"
+    (change.copy / "sticks.csv").write_text(
+        "time_ms,throttle,switch3,switch5,pitch\n"
+        "0,2048,4095,4095,2048\n10000,2048,4095,4095,3248\n"
+        "30000,2048,4095,4095,2048\n", encoding="utf-8")
+    result = change.run(
+        "bin/urv_sim", "fly", "--quiet", "--plant", "jsbsim", "--sticks",
+        "sticks.csv", "--seconds", "45", "--record", "climb.csv")
+    assert result.returncode == 0, result.stderr
+    with (change.copy / "climb.csv").open(encoding="utf-8",
+                                          newline="") as file:
+        rows = {float(row["time_ms"]): row for row in csv.DictReader(file)}
+    modes = [tables["vertical"][int(rows[at]["laws.vertical"])]
+             for at in (9_000, 20_000, 29_000, 44_000)]
+    assert modes == ["altitude", "climb by stick", "climb by stick",
+                     "altitude"]
+
+    def height(at):
+        return float(rows[at]["truth.altitude_ft"])
+
+    # 1200 of 2000 words of 10 ft/s.
+    assert abs((height(29_000) - height(19_000)) / 10 - 6) < 0.6
+    assert abs(height(44_000) - height(40_000)) < 4
+
+
 def lines_of_the_list(task):
     """The task's name, its row and its step: the file and the line of each."""
     found = [(name, line)
