@@ -193,7 +193,7 @@ def of_number(number, message_format=1):
     lines += halts(random.Random(f"mix {number} stands"), length_ms)
     options = ("--seconds", f"{frames / FRAMES_PER_S:.2f}",
                "--phase", str(chance.randrange(NUMBERS.frame_ticks)), "--seed", str(number),
-               "--processors", chance.choice(("1", "1", "1", "2")))
+               "--processors", chance.choice(("1", "2", "3", "4")))
     files = {"sticks": script(chance, data.STICKS, length_ms, 8),
              "sensors": script(chance, data.SENSORS, length_ms, 0),
              "faults": "".join(f"{line}\n" for line in lines)}
