@@ -60,7 +60,6 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
             + Ahead (Present, 3, Who))))
    with
      Global => null,
-     Pre    => Present (Master),
      Post   =>
        Numbers_For'Result (Master) = 1
 
