@@ -97,15 +97,16 @@ class Change:
         for part, names in self.files().items():
             assert len(names) <= MOST[part], (part, names)
 
-    def expect_built_and_tested(self):
+    def expect_built_and_tested(self, but=()):
+        """Unit tests of the requirements in but may fail."""
         for project in PROJECTS:
             result = self.build(project)
             assert result.returncode == 0, result.stdout + result.stderr
-        self.expect_units_tested()
+        self.expect_units_tested(but)
         links = self.run(sys.executable, "scripts/trace/run.py", "check")
         assert links.returncode == 0, links.stdout
 
-    def expect_units_tested(self):
+    def expect_units_tested(self, but=()):
         """On each processor a share."""
         shares = len(os.sched_getaffinity(0))
         with concurrent.futures.ThreadPoolExecutor(shares) as pool:
@@ -116,7 +117,10 @@ class Change:
         for said in told:
             totals = TOTALS.search(said)
             assert totals, f"ended early: {said[-500:]}"
-            assert int(totals[1]) > 0 and int(totals[2]) == 0, said
+            failed = [line.split()[1] for line in said.splitlines()
+                      if line.startswith("FAIL ")]
+            assert len(failed) == int(totals[2]) < int(totals[1]), said
+            assert set(failed) <= set(but), said
 
     def fly(self, *options, at_start=EVENTS_AT_START):
         """A flight without an error, but for the events of every start: its
@@ -266,7 +270,7 @@ def test_no_other_task_writes_what_a_new_one_writes(task):
     """Each variable has one producer (EVI-12). Two tasks write bits for the
     downlink, each a variable of its own, and both arrive."""
     writers = [path.name for path in sorted((task.copy / "src/tasks").iterdir())
-               if "Node_Status.Write (" in path.read_text(encoding="utf-8")]
+               if "Node_Status.Write" in path.read_text(encoding="utf-8")]
     assert writers == ["urv-battery_task.adb", "urv-self_test_task.adb"]
     node = (task.copy / "src/nodes/mcs.ads").read_text(encoding="utf-8")
     assert re.search(r"Node_Status +=> Checked,", node)
@@ -387,12 +391,18 @@ def replaced(path, line, other):
         path.write_text(whole, encoding="utf-8")
 
 
+# Unit tests of these count frames of 20 ms. The flight of this test shows
+# their times in seconds.
+COUNTED_IN_FRAMES = ("D-35", "EXT-2", "EXT-3", "EXT-5", "EXT-6", "EXT-8",
+                     "MBX-5", "SAF-10", "SEM-1")
+
+
 def test_frm7_frames_of_10_ms(hundred):
     change = hundred
     change.expect_cost()
     name, = change.files()["product"]
     assert len(change.lines(name, "+")) == 1
-    change.expect_built_and_tested()
+    change.expect_built_and_tested(but=COUNTED_IN_FRAMES)
     rows, summary = change.fly_aircraft()
     assert len(rows) == summary["frames"] == 100 * SECONDS
     assert float(rows[-1]["time_ms"]) == 1_000 * SECONDS
