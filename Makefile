@@ -3,7 +3,8 @@
 # Flies, tests and proves URV. `make` lists the targets; docs/development.md
 # explains them. Measurements have a Makefile of their own, in evidence.
 
-.PHONY: help fly ground monte_carlo test check prove real_time trace clean
+.PHONY: help fly ground monte_carlo test check prove real_time cortex_m trace \
+        clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -14,6 +15,8 @@ help:
 	@echo "                  on, OPTIONS=\"--laws off\" flies without"
 	@echo "  make monte_carlo  fly in random conditions, FLIGHTS=2000"
 	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
+	@echo "  make cortex_m   build both nodes for a bare Cortex-M4, fly them in"
+	@echo "                  QEMU, compare them with the simulation"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
@@ -70,6 +73,13 @@ prove:
 real_time:
 	@scripts/setup.sh real_time
 	@$(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight
+
+cortex_m:
+	@scripts/setup.sh cortex_m
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@targets/build.sh cortex_m gsc
+	@targets/build.sh cortex_m mcs
+	@python3 -B targets/figures.py
 
 trace:
 	@scripts/setup.sh trace

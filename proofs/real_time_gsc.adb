@@ -9,12 +9,7 @@ package body Real_Time_GSC with SPARK_Mode is
    procedure Observe_Tick (Late : Time_Span) is null;
 
    package Partition is new URVOS.Real_Time_Nodes
-     (Tasks          => GSC.Tasks,
-      Run_Step       => GSC.Run_Step,
-      Begin_Again    => GSC.Starts.Begin_Again,
-      Tell_Time      => GSC.Tell_Time,
-      Report_Overrun => GSC.Report_Overrun,
-      Observe_Tick   => Observe_Tick);
+     (GSC.Software, Observe_Tick);
 
    procedure Switch_On (Processors : Processor_Number) is
       Now : constant Time := Clock;

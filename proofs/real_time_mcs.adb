@@ -9,13 +9,7 @@ package body Real_Time_MCS with SPARK_Mode is
    procedure Observe_Tick (Late : Time_Span) is null;
 
    package Partition is new URVOS.Real_Time_Nodes
-     (Tasks          => MCS.Tasks,
-      Run_Step       => MCS.Run_Step,
-      Begin_Again    => MCS.Starts.Begin_Again,
-      Tell_Time      => MCS.Tell_Time,
-      Report_Overrun => MCS.Report_Overrun,
-      Observe_Tick   => Observe_Tick,
-      Look_At_Frame  => MCS.Look_At_Frame);
+     (MCS.Software, Observe_Tick);
 
    procedure Switch_On (Processors : Processor_Number) is
       Now : constant Time := Clock;

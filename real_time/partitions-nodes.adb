@@ -11,11 +11,15 @@ with Partitions.Guarded_Start;
 with Partitions.Guarded_Step;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
+with Partitions.Rows;         use Partitions.Rows;
+with URVOS.Frames;            use URVOS.Frames;
+with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
 with URVOS.Real_Time_Nodes;
+with URVOS.Starts;            use URVOS.Starts;
 
 package body Partitions.Nodes is
 
-   use type Tasks.Task_Name;
+   use type Software.Tasks.Task_Name;
 
    Stood_Still : Count := 0 with Atomic;
 
@@ -30,7 +34,7 @@ package body Partitions.Nodes is
    --  the outcome of that code.
 
    procedure Uninterrupted_Step
-     (Who       : Tasks.Task_Name;
+     (Who       : Software.Tasks.Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call);
@@ -44,7 +48,7 @@ package body Partitions.Nodes is
    procedure Fail;
 
    --  A transaction is over.
-   procedure Observe_Step (Who : Tasks.Task_Name);
+   procedure Observe_Step (Who : Software.Tasks.Task_Name);
 
    --  The frame's words are in CORE: a row of the record. A late transaction
    --  that ends in a later frame may find that frame's row missing or made:
@@ -66,18 +70,18 @@ package body Partitions.Nodes is
    --  Boards
 
    package Telemetry_Hardware is
-     new Partitions.Telemetry_Processor (Telemetry_Board);
+     new Partitions.Telemetry_Processor (Boards.Telemetry_Board);
 
    procedure AD_Interrupt is
-     new Guarded_Call (Handle_AD_Interrupt, Raise_Processor_Exception);
+     new Guarded_Call (Boards.Handle_AD_Interrupt, Raise_Processor_Exception);
 
    package Converter_Hardware is
-     new Partitions.Converter (AD_Board, Sample, AD_Interrupt);
+     new Partitions.Converter (Boards.AD_Board, Sample, AD_Interrupt);
 
    --  Processors
 
    procedure Step is new Guarded_Step
-     (Task_Name       => Tasks.Task_Name,
+     (Task_Name       => Software.Tasks.Task_Name,
       Distributions   => Distributions,
       Costs           => Costs,
       Responses       => Responses,
@@ -89,9 +93,11 @@ package body Partitions.Nodes is
    procedure Begin_Start is
      new Guarded_Start (Uninterrupted_Start, Request_Start);
 
-   package Node is new URVOS.Real_Time_Nodes
-     (Tasks, Step, Begin_Start, Tell_Time, Report_Overrun, Observe_Tick,
-      Look_At_Frame);
+   package Guarded is new URVOS.Node_Software
+     (Software.Tasks, Step, Begin_Start, Software.Tell_Time,
+      Software.Report_Overrun, Software.Look_At_Frame);
+
+   package Node is new URVOS.Real_Time_Nodes (Guarded, Observe_Tick);
 
    package Signals is new Partitions.Signals
      (Switch_Off                => Queue.Finish,
@@ -99,7 +105,7 @@ package body Partitions.Nodes is
       Press_Reset_Switch        => Press_Reset_Switch);
 
    procedure Uninterrupted_Step
-     (Who       : Tasks.Task_Name;
+     (Who       : Software.Tasks.Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call) is
@@ -107,7 +113,7 @@ package body Partitions.Nodes is
       if Who = AD_Task then
          Converter_Hardware.Hold_Interrupts;
       end if;
-      Run_Step (Who, First_Run, Now, Call);
+      Software.Run_Step (Who, First_Run, Now, Call);
       if Who = AD_Task then
          Converter_Hardware.Release_Interrupts;
       end if;
@@ -125,7 +131,7 @@ package body Partitions.Nodes is
       Passed    : out Boolean) is
    begin
       Converter_Hardware.Hold_Interrupts;
-      Begin_Again (Condition, Now, Passed);
+      Software.Begin_Again (Condition, Now, Passed);
       Converter_Hardware.Release_Interrupts;
    exception
       when others =>
@@ -143,7 +149,7 @@ package body Partitions.Nodes is
       Node.Request_Start (Processor_Restart);
    end Fail;
 
-   procedure Observe_Step (Who : Tasks.Task_Name) is
+   procedure Observe_Step (Who : Software.Tasks.Task_Name) is
    begin
       if Who = TELOUT_Task then
          Telemetry_Hardware.Look;
@@ -155,8 +161,9 @@ package body Partitions.Nodes is
    end Observe_Step;
 
    procedure Look_For_Peer (Frame : Host.Text_Numbers.Number) is
-      Tally   : constant Telemetry.Boards.Statistics := Telemetry_Board.Tally;
-      Refused : constant Count := Refused_In (Errors.Contents);
+      Tally   : constant Telemetry.Boards.Statistics :=
+        Boards.Telemetry_Board.Tally;
+      Refused : constant Count := Refused_In (Boards.Errors.Contents);
    begin
       Look
         (Peer_Seen,
@@ -186,14 +193,14 @@ package body Partitions.Nodes is
       Append
         (Item,
          (Frame + 1) * Ticks_Per_Major_Frame * Microseconds_Per_Tick / 1_000);
-      Append_Values (Item);
+      Contents.Append_Values (Item);
       Append (Item, Number (Late));
       Append (Item, Number (Machine_Time (Clock)));
-      Append_Last (Item);
+      Contents.Append_Last (Item);
       Look_For_Peer (Frame);
       Item.Peer := Peer_Found;
       Queue.Put (Item);
-      Publish (Item);
+      Contents.Publish (Item);
    end Observe_Frame;
 
    procedure Observe_Tick (Late : Time_Span) is
@@ -227,7 +234,7 @@ package body Partitions.Nodes is
 
    function Peer return Peer_State is (Peer_Found);
 
-   function Refused return Count is (Refused_In (Errors.Contents));
+   function Refused return Count is (Refused_In (Boards.Errors.Contents));
 
    function Pauses return Count is (Stood_Still);
 
@@ -239,7 +246,7 @@ package body Partitions.Nodes is
       Keys   : URV.Sessions.Key_List;
       Start  : URV.Seal_Blocks.Nonce) is
    begin
-      Sealing.Configure (Format, Keys, Start);
+      Boards.Sealing.Configure (Format, Keys, Start);
    end Seal_Link;
 
    procedure Switch_On
@@ -247,9 +254,9 @@ package body Partitions.Nodes is
       Chosen     : Schedule_Name := Report;
       Line       : Telemetry.Line_Delay := 0) is
    begin
-      Schedule.Write (Chosen);
+      Boards.Schedule.Write (Chosen);
       Signals.Listen;
-      Host.Memory_Hardware.Repair (Processor_Board);
+      Host.Memory_Hardware.Repair (Boards.Processor_Board);
       Telemetry_Hardware.Switch_On (Line);
       Node.Switch_On (Processors, Switched_On_At, Chosen);
    end Switch_On;

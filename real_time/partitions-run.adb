@@ -14,6 +14,7 @@ with Host.Option_Help;
 with Host.Options;          use Host.Options;
 with Host.Outputs;
 with Host.Text_Numbers;
+with Host.Text_Output;
 with Host.Truth_Columns;
 with Partitions.Clocks;
 with Partitions.Exceptions;
@@ -24,6 +25,7 @@ with Partitions.Occurrences;
 with Partitions.Output_Files; use Partitions.Output_Files;
 with Partitions.Peer_Watch; use Partitions.Peer_Watch;
 with Partitions.Permission;
+with Partitions.Reports;
 with Partitions.Round_Trips;
 with Partitions.Rows;       use Partitions.Rows;
 with Telemetry.Boards;
@@ -304,7 +306,7 @@ procedure Partitions.Run is
                  & " or too late for its --line-delay");
       end if;
       declare
-         News : constant String := Next_News (Seconds (Frames));
+         News : constant String := Surroundings.Next_News (Seconds (Frames));
       begin
          if News /= "" then
             Note (News);
@@ -321,7 +323,7 @@ procedure Partitions.Run is
    procedure Leave (Status : Integer) is
    begin
       Notes.Finish;
-      Stop;
+      Surroundings.Stop;
       GNAT.OS_Lib.OS_Exit (Status);
    end Leave;
 
@@ -463,7 +465,7 @@ procedure Partitions.Run is
       Reports.Put_Field
         (Result, To, "real_time_priorities",
          Number (Boolean'Pos (Permission.Is_Granted)));
-      Put_Counts (Result, To);
+      Surroundings.Put_Counts (Result, To);
       if Is_Over then
          Put_Results (Result, To, Total.Log);
       end if;
@@ -485,7 +487,7 @@ procedure Partitions.Run is
       if Is_Written (Events_Option) then
          Clear (Page);
          Host.Event_Log.Write (Page, Host.Names.Name (This), Total.Log, 0);
-         Put_Events (Page);
+         Surroundings.Put_Events (Page);
          Put_Version (Events_Option, Text (Page));
       end if;
       if Is_Over then
@@ -552,15 +554,16 @@ begin
       Host.Key_Files.Load (Keys, Value (Chosen, Key_Option));
       Seal_Link (Keys);
    end if;
-   Prepare (Chosen);
+   Surroundings.Prepare (Chosen);
    Links.Open (Value (Chosen, Link_Option));
    Output_Files.Open (Chosen);
    Attach_Memory (Page);
    if Is_Open (Record_Option) then
       Put
         (Page,
-         "frame,time_ms" & Column_Names & ",overruns,clock_us" & Last_Names);
-      if Has_Truth then
+         "frame,time_ms" & Contents.Column_Names & ",overruns,clock_us"
+         & Contents.Last_Names);
+      if Contents.Has_Truth then
          Host.Truth_Columns.Put_Names (Page);
       end if;
       New_Line (Page);
@@ -585,8 +588,8 @@ begin
    if not Chosen.Quiet then
       Print_Summary;
    end if;
-   if Failure /= "" then
-      Notes.Print (Failure);
+   if Surroundings.Failure /= "" then
+      Notes.Print (Surroundings.Failure);
       Leave (1);
    end if;
    if Exceptions.Number > 0 then

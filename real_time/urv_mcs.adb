@@ -7,21 +7,23 @@ with Partitions.Aircraft;
 with Partitions.MCS_Node;
 with Partitions.Plant;
 with Partitions.Run;
+with Partitions.Surroundings;
 
 procedure Urv_MCS is
 
+   package Surroundings is new Partitions.Surroundings
+     (Prepare    => Partitions.Aircraft.Prepare,
+      Next_News  => Partitions.Aircraft.Next_News,
+      Put_Counts => Partitions.Aircraft.Put_Counts,
+      Put_Events => Partitions.Plant.Put_Events,
+      Failure    => Partitions.Plant.Failure,
+      Stop       => Partitions.Plant.Stop);
+
    procedure Run is new Partitions.Run
      (This         => Host.Aircraft,
-      This_Node    => Partitions.MCS_Node,
-      Prepare      => Partitions.Aircraft.Prepare,
-      Column_Names => Partitions.Aircraft.Column_Names,
-      Last_Names   => Partitions.Aircraft.Last_Names,
-      Has_Truth    => Partitions.Plant.Is_Present,
-      Next_News    => Partitions.Aircraft.Next_News,
-      Put_Counts   => Partitions.Aircraft.Put_Counts,
-      Put_Events   => Partitions.Plant.Put_Events,
-      Failure      => Partitions.Plant.Failure,
-      Stop         => Partitions.Plant.Stop);
+      This_Node    => Partitions.MCS_Node.Node,
+      Contents     => Partitions.MCS_Node.Contents,
+      Surroundings => Surroundings);
 
 begin
    Run;

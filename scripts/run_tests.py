@@ -9,7 +9,7 @@ The parts: that every source of src and proofs builds without a warning; unit
 tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation, of the real-time partitions and of the ground station; likely
 changes, built, tested and flown in a copy; the links of the requirements, the
-static data of each node, the proof record.
+static data of each node, the proof record; both nodes on bare machines.
 Each test is a line, once; where none comes for 15 s a line says what goes on.
 A part that cannot be built or run counts as one failed test, and the other
 parts run all the same. Before the last line come the slowest tests, the failed
@@ -249,6 +249,10 @@ def ground_tests():
                         spread="worksteal")
 
 
+def target_tests():
+    return python_tests([SIMULATION], "targets")
+
+
 def change_tests():
     """One after another: those of one copy must not meet."""
     return python_tests([], "changes")
@@ -290,6 +294,7 @@ PARTS = {
     "real time": real_time_tests,
     "ground station, live": live_ground_tests,
     "ground station": ground_tests,
+    "bare machines": target_tests,
     "likely changes": change_tests,
     "links of the requirements": links,
     "static data": node_size,

@@ -7,7 +7,7 @@
 #
 #   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
 #                    fuzz|trace|mutate|real_time|timing|coverage|independence|
-#                    monte_carlo|margins
+#                    monte_carlo|margins|cortex_m
 #
 # With Python packages of ground/ it also makes bin/urv.
 #
@@ -30,11 +30,14 @@ fi
 case $debian in
    12) build="gnat-12 gprbuild"
        aunit=libaunit22-dev
-       gcov=gcc-12 ;;
-   13) build="gnat-14 gprbuild"
+       gcov=gcc-12
+       # Both nodes on bare machines, in an emulator.
+       bare="gnat-12-arm-linux-gnueabihf qemu-system-arm" ;;
+   13) bare=
+       build="gnat-14 gprbuild"
        aunit=libaunit-dev
        gcov=gcc ;;
-   *)  debian= build='' aunit='' gcov='' ;;
+   *)  debian= build='' aunit='' gcov='' bare='' ;;
 esac
 
 # What `make ground` wants besides what `make test` does.
@@ -66,7 +69,7 @@ case $target in
                         ground/campaign-requirements.txt"
           # The browser that looks at the station's page.
           [ "$target" = check ] ||
-             packages="$packages chromium fonts-dejavu-core" ;;
+             packages="$packages chromium fonts-dejavu-core $bare" ;;
    mutate)
           packages="$build $aunit binutils git python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
@@ -88,6 +91,9 @@ case $target in
           packages="$build openssl python3 python3-venv"
           requirements="ground/report-requirements.txt
                         ground/campaign-requirements.txt" ;;
+   cortex_m)
+          packages="$build $bare binutils python3"
+          requirements="" ;;
    real_time)
           packages="$build"
           requirements="" ;;

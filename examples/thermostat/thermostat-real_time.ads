@@ -9,7 +9,6 @@ package Thermostat.Real_Time with SPARK_Mode is
 
    procedure Observe_Tick (Late : Time_Span) is null;
 
-   package Node is new URVOS.Real_Time_Nodes
-     (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun, Observe_Tick);
+   package Node is new URVOS.Real_Time_Nodes (Software, Observe_Tick);
 
 end Thermostat.Real_Time;

@@ -4,5 +4,4 @@
 
 with URVOS.Virtual_Nodes;
 
-package Thermostat.Virtual_Time is new URVOS.Virtual_Nodes
-  (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun);
+package Thermostat.Virtual_Time is new URVOS.Virtual_Nodes (Software);

@@ -6,6 +6,7 @@ with URVOS;              use URVOS;
 with URVOS.Error_Logs;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Receive_Calls;
 with URVOS.Semaphore_Calls;
 with URVOS.Semaphores;   use URVOS.Semaphores;
@@ -78,5 +79,8 @@ package Thermostat with SPARK_Mode is
      (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean);
    procedure Tell_Time (Now : Clock_Tick);
    procedure Report_Overrun (Who : Task_Id);
+
+   package Software is new URVOS.Node_Software
+     (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun);
 
 end Thermostat;

@@ -16,7 +16,7 @@ PROOFS = ("proofs",)
 PROGRAMS = ("host", "sim", "real_time")
 UNIT_TESTS = "tests/unit"
 PYTHON_TESTS = ("tests/simulation", "tests/real_time", "tests/ground",
-                "tests/changes")
+                "tests/changes", "tests/targets")
 
 
 class Repository:

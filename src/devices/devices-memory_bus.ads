@@ -11,6 +11,7 @@
 --  This is a boundary of the proof: of what is read nothing is known, and
 --  that each cycle ends is taken for granted.
 
+with Devices.Memory_Sizes;
 with URVOS;          use URVOS;
 with URVOS.Memories; use URVOS.Memories;
 
@@ -26,10 +27,8 @@ is
 
    type Board_Number is range 1 .. 4;
 
-   --  64 KiB of ROM, the sum of the image in its last four bytes, and
-   --  16 KiB of RAM.
-   Last_ROM_Byte : constant Byte_Address := 16#FFFF#;
-   Last_RAM_Word : constant Word_Address := 16#1FFF#;
+   Last_ROM_Byte : constant Byte_Address := Memory_Sizes.Last_ROM_Byte;
+   Last_RAM_Word : constant Word_Address := Memory_Sizes.Last_RAM_Word;
 
    procedure Read_ROM
      (Board : Board_Number;

@@ -13,6 +13,7 @@ with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 with URV.AD_Task;
@@ -173,5 +174,8 @@ package GSC with SPARK_Mode is
 
    procedure Report_Overrun (Who : Task_Id)
    with Global => (In_Out => Errors);
+
+   package Software is new URVOS.Node_Software
+     (Tasks, Run_Step, Starts.Begin_Again, Tell_Time, Report_Overrun);
 
 end GSC;

@@ -15,6 +15,7 @@ with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Shared_Frame_Locks;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
@@ -224,5 +225,9 @@ package MCS with SPARK_Mode is
 
    procedure Report_Overrun (Who : Task_Id)
    with Global => (In_Out => Errors);
+
+   package Software is new URVOS.Node_Software
+     (Tasks, Run_Step, Starts.Begin_Again, Tell_Time, Report_Overrun,
+      Look_At_Frame);
 
 end MCS;

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 FOLDERS = ("evidence", "examples", "ground", "host", "proofs",
-           "real_time", "scripts", "sim", "src", "tests")
+           "real_time", "scripts", "sim", "src", "targets", "tests")
 
 # By the ending of the name, or the name.
 LINES = {

@@ -67,7 +67,7 @@ def copied(tmp_path_factory):
     """A copy of what is looked at."""
     folder = tmp_path_factory.mktemp("trace")
     for name in ("src", "proofs", "host", "sim", "real_time", "ground",
-                 "tests", "docs", "scripts", "evidence"):
+                 "targets", "tests", "docs", "scripts", "evidence"):
         if (ROOT / name).exists():
             shutil.copytree(
                 ROOT / name, folder / name,

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with AD_Tests;
+with Bare_Nodes_Tests;
 with Board_Memory_Tests;
 with Buffers_Tests;
 with Checksum_Tests;
@@ -57,6 +58,7 @@ package body All_Tests is
    begin
       Frames_Tests.Add_To (Result);
       Frame_Locks_Tests.Add_To (Result);
+      Bare_Nodes_Tests.Add_To (Result);
       Mailboxes_Tests.Add_To (Result);
       Semaphores_Tests.Add_To (Result);
       Receive_Calls_Tests.Add_To (Result);

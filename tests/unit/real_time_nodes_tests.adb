@@ -7,6 +7,7 @@ with Expectations;            use Expectations;
 with URVOS;                   use URVOS;
 with URVOS.Frames;            use URVOS.Frames;
 with URVOS.Kernel_Calls;      use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Real_Time_Nodes;
 with URVOS.Starts;            use URVOS.Starts;
 with URVOS.Task_Lists;
@@ -340,9 +341,11 @@ package body Real_Time_Nodes_Tests is
 
    procedure With_Node (Processors : Processor_Number) is
 
-      package This_Node is new URVOS.Real_Time_Nodes
-        (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-         Observe_Tick);
+      package Software is new URVOS.Node_Software
+        (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun);
+
+      package This_Node is
+        new URVOS.Real_Time_Nodes (Software, Observe_Tick);
 
       procedure Request_Start (Condition : Start_Condition);
       function Overruns return Count;

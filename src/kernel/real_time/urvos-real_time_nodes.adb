@@ -18,20 +18,16 @@ is
    This_Node : URVOS.Shared_Nodes.Node;
 
    package Processor_1 is new URVOS.Real_Time_Processors
-     (1, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick, Look_At_Frame);
+     (1, This_Node, Software, Observe_Tick);
 
    package Processor_2 is new URVOS.Real_Time_Processors
-     (2, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick, Look_At_Frame);
+     (2, This_Node, Software, Observe_Tick);
 
    package Processor_3 is new URVOS.Real_Time_Processors
-     (3, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick, Look_At_Frame);
+     (3, This_Node, Software, Observe_Tick);
 
    package Processor_4 is new URVOS.Real_Time_Processors
-     (4, This_Node, Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun,
-      Observe_Tick, Look_At_Frame);
+     (4, This_Node, Software, Observe_Tick);
 
    procedure Switch_On
      (Number   : Processor_Number;

@@ -6,47 +6,16 @@
 --  Ravenscar; those that the node does not have are never switched on.
 
 with Ada.Real_Time;      use Ada.Real_Time;
-with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Starts;       use URVOS.Starts;
-with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
-with URVOS.Usual_Frames;
 
 generic
-   with package Tasks is new URVOS.Task_Lists (<>);
+   with package Software is new URVOS.Node_Software (<>);
 
-   --  A task's next step, its initialisation if it is its first run, and
-   --  the call that it ends with.
-   with procedure Run_Step
-     (Who       : Tasks.Task_Name;
-      First_Run : Boolean;
-      Now       : Clock_Tick;
-      Call      : out Kernel_Call);
-
-   --  Phases 1 and 2 of a start. They end in the application's START call,
-   --  unless the self-test has failed.
-   with procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Passed    : out Boolean);
-
-   --  The time is now Now: for whoever stamps what happens.
-   with procedure Tell_Time (Now : Clock_Tick);
-
-   --  A task was released late, or ran into its next release (FRM-4).
-   with procedure Report_Overrun (Who : Task_Id);
-
-   --  The master's clock has ticked so long after it should have.
+   --  The master's clock has ticked this late.
    with procedure Observe_Tick (Late : Time_Span);
-
-   --  The clock has ticked so often since it last looked: what is requested of
-   --  the present frame (FRM-6).
-   with procedure Look_At_Frame
-     (Ticks   : Tick_Count;
-      Request : out Frame_Request)
-   is URVOS.Usual_Frames;
 package URVOS.Real_Time_Nodes
   with
     SPARK_Mode,

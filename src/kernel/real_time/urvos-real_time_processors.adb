@@ -3,6 +3,9 @@
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 with URVOS.Executives;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
+with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 package body URVOS.Real_Time_Processors
   with
@@ -30,14 +33,8 @@ is
 
    procedure Read_Clock (Present : in out Clock_Tick);
 
-   procedure Step
-     (Who       : Task_Id;
-      First_Run : Boolean;
-      At_Tick   : Clock_Tick;
-      Call      : out Kernel_Call);
-
    package Executive is
-     new URVOS.Executives (Step, Report_Overrun, Read_Clock);
+     new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
 
    --  At the ceiling of what it shares: none of its calls changes priorities.
    task Processor with Priority => System.Priority'Last;
@@ -57,9 +54,9 @@ is
          if Observed and then Who = Master then
             Observe_Tick (Present - Next_Tick);
          end if;
-         Look_At_Frame ((if Who = Master then 1 else 0), Request);
+         Software.Look_At_Frame ((if Who = Master then 1 else 0), Request);
          This_Node.Follow (Present, Request, Now, Next_Tick);
-         Tell_Time (Now);
+         Software.Tell_Time (Now);
       end if;
    end Follow_Clock;
 
@@ -68,20 +65,6 @@ is
       Follow_Clock (Observed => True);
       Present := Clock_Tick'Max (Present, Now);
    end Read_Clock;
-
-   --  A number that is no task's ceases at once.
-   procedure Step
-     (Who       : Task_Id;
-      First_Run : Boolean;
-      At_Tick   : Clock_Tick;
-      Call      : out Kernel_Call) is
-   begin
-      if Tasks.Is_Task (Who) then
-         Run_Step (Tasks.Task_Of (Who), First_Run, At_Tick, Call);
-      else
-         Call := (Name => Terminate_Call, others => <>);
-      end if;
-   end Step;
 
    procedure Follow_Orders (Next_Order : out Order) is
       Processors : constant Processor_Number := This_Node.Processors;
@@ -97,13 +80,13 @@ is
             null;
 
          when Begin_Start =>
-            Begin_Again (Next_Order.Condition, Now, Passed);
+            Software.Begin_Again (Next_Order.Condition, Now, Passed);
             This_Node.Note_Tested (Passed, Numbers_For (Next_Order.Present));
 
          when Load_Tasks =>
             Executive.Start
               ((if Next_Order.Passed
-                then Tasks.Tree_Of
+                then Software.Tasks.Tree_Of
                   (Processors, Next_Order.Number, Now, Schedule)
                 else Empty_Tree),
                Now);
@@ -136,7 +119,7 @@ is
       Suspend_Until_True (Switch);
       Next_Tick := This_Node.Switched_On_At;
       Next_Tick := Next_Tick + Tick_Time;
-      Tell_Time (Now);
+      Software.Tell_Time (Now);
       loop
          Begun_At := Now;
          Follow_Orders (Next_Order);

@@ -9,37 +9,17 @@
 --  lateness is seen as what it is.
 
 with Ada.Real_Time;      use Ada.Real_Time;
-with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Shared_Nodes; use URVOS.Shared_Nodes;
 with URVOS.Start_Orders; use URVOS.Start_Orders;
-with URVOS.Starts;       use URVOS.Starts;
-with URVOS.Task_Lists;
-with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 generic
    Who       : Seat;
    This_Node : in out Node;
 
-   --  The rest as in URVOS.Real_Time_Nodes.
-
-   with package Tasks is new URVOS.Task_Lists (<>);
-   with procedure Run_Step
-     (Who       : Tasks.Task_Name;
-      First_Run : Boolean;
-      Now       : Clock_Tick;
-      Call      : out Kernel_Call);
-   with procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Passed    : out Boolean);
-   with procedure Tell_Time (Now : Clock_Tick);
-   with procedure Report_Overrun (Who : Task_Id);
+   --  As in URVOS.Real_Time_Nodes.
+   with package Software is new URVOS.Node_Software (<>);
    with procedure Observe_Tick (Late : Time_Span);
-   with procedure Look_At_Frame
-     (Ticks   : Tick_Count;
-      Request : out Frame_Request);
 package URVOS.Real_Time_Processors
   with
     SPARK_Mode,

@@ -5,33 +5,17 @@ with URVOS.Start_Orders; use URVOS.Start_Orders;
 
 package body URVOS.Virtual_Nodes with SPARK_Mode is
 
-   procedure Step
-     (Who       : Task_Id;
-      First_Run : Boolean;
-      Now       : Clock_Tick;
-      Call      : out Kernel_Call);
+   package Processor_1 is
+     new URVOS.Executives (Software.Step, Software.Report_Overrun);
 
-   --  A number that is no task's ceases at once.
-   procedure Step
-     (Who       : Task_Id;
-      First_Run : Boolean;
-      Now       : Clock_Tick;
-      Call      : out Kernel_Call) is
-   begin
-      if Tasks.Is_Task (Who) then
-         Run_Step (Tasks.Task_Of (Who), First_Run, Now, Call);
-      else
-         Call := (Name => Terminate_Call, others => <>);
-      end if;
-   end Step;
+   package Processor_2 is
+     new URVOS.Executives (Software.Step, Software.Report_Overrun);
 
-   package Processor_1 is new URVOS.Executives (Step, Report_Overrun);
+   package Processor_3 is
+     new URVOS.Executives (Software.Step, Software.Report_Overrun);
 
-   package Processor_2 is new URVOS.Executives (Step, Report_Overrun);
-
-   package Processor_3 is new URVOS.Executives (Step, Report_Overrun);
-
-   package Processor_4 is new URVOS.Executives (Step, Report_Overrun);
+   package Processor_4 is
+     new URVOS.Executives (Software.Step, Software.Report_Overrun);
 
    --  The last of the processors that the node has.
    Last : Seat := Master;
@@ -82,7 +66,7 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
       Numbers : Number_List;
    begin
       Last := Seat (Processors);
-      Begin_Again (Condition, Now, Passed);
+      Software.Begin_Again (Condition, Now, Passed);
 
       --  All processors stand still, and the master gives them their numbers.
       Numbers := Numbers_For ((for Which in Seat => Which <= Last));
@@ -90,7 +74,8 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
          Load
            (Which,
             (if Passed
-             then Tasks.Tree_Of (Processors, Numbers (Which), Now, Schedule)
+             then Software.Tasks.Tree_Of
+                (Processors, Numbers (Which), Now, Schedule)
              else Empty_Tree),
             Now);
       end loop;
@@ -99,7 +84,7 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
 
    procedure Clock_Interrupt (Now : Clock_Tick) is
    begin
-      Tell_Time (Now);
+      Software.Tell_Time (Now);
       for Which in Master .. Last loop
          Tick (Which, Now);
          Run (Which);

@@ -7,33 +7,12 @@
 --  the next one's, and what they do is the same each time.
 
 with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
+with URVOS.Node_Software;
 with URVOS.Starts;       use URVOS.Starts;
-with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 generic
-   with package Tasks is new URVOS.Task_Lists (<>);
-
-   --  A task's next step, its initialisation if it is its first run, and
-   --  the call that it ends with.
-   with procedure Run_Step
-     (Who       : Tasks.Task_Name;
-      First_Run : Boolean;
-      Now       : Clock_Tick;
-      Call      : out Kernel_Call);
-
-   --  Phases 1 and 2 of a start.
-   with procedure Begin_Again
-     (Condition : Start_Condition;
-      Now       : Clock_Tick;
-      Passed    : out Boolean);
-
-   --  The time is now Now: for whoever stamps what happens.
-   with procedure Tell_Time (Now : Clock_Tick);
-
-   --  A task was released late, or ran into its next release (FRM-4).
-   with procedure Report_Overrun (Who : Task_Id);
+   with package Software is new URVOS.Node_Software (<>);
 package URVOS.Virtual_Nodes with SPARK_Mode is
 
    --  The node starts. Its tasks begin with the next major frame; after a

@@ -1,0 +1,198 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with URVOS.Executives;
+with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
+with URVOS.Frames;       use URVOS.Frames;
+with URVOS.Start_Orders; use URVOS.Start_Orders;
+
+package body URVOS.Bare_Nodes
+  with
+    SPARK_Mode,
+    Refined_State =>
+      (Events          => Guard,
+       Task_Management =>
+         (Executive.Task_Management, Clock, Chosen, Was_Up, Refused))
+is
+
+   --  Ticks that wait to be served; more are lost.
+   Most_Ticks : constant := 1_000;
+   subtype Waiting_Ticks is Natural range 0 .. Most_Ticks;
+
+   protected Guard is
+
+      procedure Tick;
+
+      procedure Take_Ticks (Number : out Waiting_Ticks);
+
+      --  Whatever was under way is forgotten.
+      procedure Request (Condition : Start_Condition);
+
+      procedure Look (Next_Order : out Order);
+
+      procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
+
+      function Has_Work return Boolean;
+
+   private
+      Waiting : Waiting_Ticks := 0;
+      State   : Node_State;
+   end Guard;
+
+   Clock   : Frame_Clock;
+   Chosen  : Schedule_Name := Report;
+   Was_Up  : Boolean       := False;
+   Refused : Boolean       := False;
+
+   --  One tick of the oscillator after another.
+   procedure Follow_Clock;
+
+   procedure Read_Clock (Now : in out Clock_Tick);
+
+   package Executive is
+     new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
+
+   --  What is to be done before tasks run.
+   procedure Follow_Orders;
+
+   --  Until no task is due any more, or a start is wanted.
+   procedure Run_Steps;
+
+   protected body Guard is
+
+      procedure Tick is
+      begin
+         if Waiting < Most_Ticks then
+            Waiting := Waiting + 1;
+         end if;
+      end Tick;
+
+      procedure Take_Ticks (Number : out Waiting_Ticks) is
+      begin
+         Number := Waiting;
+         Waiting := 0;
+      end Take_Ticks;
+
+      procedure Request (Condition : Start_Condition) is
+      begin
+         State := (others => <>);
+         State := Requested (State, Condition);
+      end Request;
+
+      procedure Look (Next_Order : out Order) is
+      begin
+         if Master <= Seat (State.Processors) then
+            Look (State, Master, Next_Order);
+         else
+            Next_Order := (others => <>);
+         end if;
+      end Look;
+
+      procedure Note_Tested (Passed : Boolean; Numbers : Number_List) is
+      begin
+         State := Tested (State, Passed, Numbers);
+      end Note_Tested;
+
+      function Has_Work return Boolean is
+        (Waiting > 0 or else State.Is_Wanted);
+
+   end Guard;
+
+   procedure Follow_Clock is
+      Number  : Waiting_Ticks;
+      Request : Frame_Request;
+   begin
+      Guard.Take_Ticks (Number);
+      for Each in 1 .. Number loop
+         Software.Look_At_Frame (1, Request);
+         Clock := Ticked (Clock, Request);
+      end loop;
+      Software.Tell_Time (Clock.Now);
+   end Follow_Clock;
+
+   procedure Read_Clock (Now : in out Clock_Tick) is
+   begin
+      Follow_Clock;
+      Now := Clock_Tick'Max (Now, Clock.Now);
+   end Read_Clock;
+
+   procedure Follow_Orders is
+      Next_Order : Order;
+      Passed     : Boolean;
+   begin
+      --  A start is the order to begin and the order to load.
+      for Number in 1 .. 2 loop
+         Guard.Look (Next_Order);
+         case Next_Order.Name is
+            when Stand_Still =>
+               exit;
+
+            when Carry_On =>
+               if not Clock.Held then
+                  Executive.Clock_Interrupt (Clock.Now);
+               end if;
+               exit;
+
+            when Begin_Start =>
+               Software.Begin_Again (Next_Order.Condition, Clock.Now, Passed);
+               Refused := not Passed;
+               Was_Up := True;
+               Guard.Note_Tested (Passed, Numbers_For (Next_Order.Present));
+
+            when Load_Tasks =>
+               Executive.Start
+                 ((if Next_Order.Passed
+                   then Software.Tasks.Tree_Of
+                     (1, Next_Order.Number, Clock.Now, Chosen)
+                   else Empty_Tree),
+                  Clock.Now);
+         end case;
+      end loop;
+   end Follow_Orders;
+
+   procedure Run_Steps is
+      Runs_On : Boolean;
+   begin
+      while not Executive.Is_Idle loop
+         Executive.Run_Step (Runs_On);
+         exit when Runs_On;
+      end loop;
+   end Run_Steps;
+
+   procedure Begin_Start
+     (Condition : Start_Condition;
+      Schedule  : Schedule_Name := Report) is
+   begin
+      Chosen := Schedule;
+      Guard.Request (if Was_Up then Condition else Cold_Start);
+   end Begin_Start;
+
+   procedure Clock_Interrupt is
+   begin
+      Guard.Tick;
+   end Clock_Interrupt;
+
+   function Has_Work return Boolean is
+      Result : constant Boolean := Guard.Has_Work;
+   begin
+      return Result;
+   end Has_Work;
+
+   procedure Serve is
+   begin
+      Follow_Clock;
+      Follow_Orders;
+      Run_Steps;
+   end Serve;
+
+   procedure Look_Again is
+   begin
+      Run_Steps;
+   end Look_Again;
+
+   function Overruns return Count is (Executive.Overruns)
+   with Refined_Global => (Input => Executive.Task_Management);
+
+   function Is_Refused return Boolean is (Refused)
+   with Refined_Global => (Input => Refused);
+
+end URVOS.Bare_Nodes;

@@ -1,0 +1,82 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+
+# Builds a node's image for a bare machine (BRD-1).
+#
+#   targets/build.sh cortex_m mcs|gsc
+#
+# It comes to obj/targets/cortex_m/NODE.bin, with the sum of the program in
+# its last four bytes; NODE.elf has the names.
+
+set -eu
+cd "$(dirname "$0")/.."
+root=$PWD
+machine=$1
+node=$2
+
+case $machine in
+   cortex_m)
+      prefix=arm-linux-gnueabihf-
+      processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
+      switches="$processor -fno-pie -fno-pic"
+      folders="targets/cortex_m targets/cortex_m/netduinoplus2" ;;
+   *)
+      echo "targets/build.sh: no machine: $machine; there is: cortex_m" >&2
+      exit 2 ;;
+esac
+
+folder=$root/obj/targets/$machine
+mkdir -p "$folder/$node"
+cd "$folder"
+
+# The run-time system, again when the compiler or its switches are others.
+stamp="$("${prefix}gcc-12" -v 2>&1 | tail -n 1) $switches"
+if [ "$(cat runtime/stamp 2>/dev/null)" != "$stamp" ]; then
+   # shellcheck disable=SC2086 # a list of switches
+   "$root/targets/runtime/build_runtime.sh" "$prefix" "$folder/runtime" \
+      $switches
+   echo "$stamp" >runtime/stamp
+fi
+
+include=
+for each in $folders targets targets/nodes $(cd "$root" &&
+   find src -type d | sort)
+do
+   include="$include -aI$root/$each"
+done
+
+optimise="-O2 -gnatn -ffunction-sections -fdata-sections"
+optimise="$optimise -fno-tree-loop-distribute-patterns"
+optimise="$optimise -fno-delete-null-pointer-checks"
+language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatwe -gnatyg -gnatyM79 -g"
+
+# Objects are common to both nodes.
+mkdir -p objects
+cd objects
+# shellcheck disable=SC2086
+"${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
+   --RTS="$folder/runtime" $include "$root/targets/nodes/${node}_image.adb" \
+   -cargs $language $optimise $switches
+cd "../$node"
+# shellcheck disable=SC2086
+"${prefix}gnatbind-12" --RTS="$folder/runtime" -aO../objects $include \
+   "${node}_image.ali" -O >objects.txt -o b__main.adb
+# shellcheck disable=SC2086
+"${prefix}gcc-12" -c --RTS="$folder/runtime" $optimise $switches -gnatws \
+   -gnatWb -I../objects b__main.adb
+for each in $folders; do
+   for source in "$root/$each"/*.s; do
+      # shellcheck disable=SC2086
+      "${prefix}gcc-12" -c $processor "$source" \
+         -o "asm_$(basename "$source" .s).o"
+   done
+done
+# shellcheck disable=SC2046 # a list of files without spaces
+"${prefix}ld" --gc-sections -z noexecstack --no-warn-rwx-segments -Map=node.map \
+   -T "$root/targets/$machine/image.ld" asm_*.o b__main.o \
+   $(grep '\.o$' objects.txt | grep -v /adalib/) \
+   ../runtime/adalib/libgnat.a -o "../$node.elf"
+cd ..
+"${prefix}objcopy" -O binary -j .vectors -j .text -j .data --gap-fill 0xff \
+   "$node.elf" "$node.raw"
+python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin"

@@ -1,0 +1,388 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The STM32F405 as QEMU emulates it (-M netduinoplus2, D-82). Its processor,
+--  memory, SysTick and serial ports are there. Its serial ports send a
+--  character in no time, and its converter reads nothing; so here SysTick
+--  gives the line its character times and the converter its conversions.
+--
+--  The words that the converter reads come from a tape in ROM. Two emulators
+--  are joined by their serial ports 2 and fly in lock-step: each Quantum of
+--  character times they exchange the characters of the last one, and time
+--  stops until they have. So the line delays each character by Quantum - 1
+--  character times, and the flight is the same on every machine.
+
+with Machine_Texts; use Machine_Texts;
+with Registers;     use Registers;
+with Tapes;         use Tapes;
+
+package body Targets is
+
+   --  The handlers, see targets.ads.
+
+   procedure On_Tick
+   with Import, Convention => C, External_Name => "urv_tick";
+   procedure On_Character_Time
+   with Import, Convention => C, External_Name => "urv_character_time";
+   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_character";
+   procedure On_Free_Sender
+   with Import, Convention => C, External_Name => "urv_free_sender";
+   procedure On_Converted (Value : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_converted";
+
+   procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_configure";
+   procedure Put_Row
+   with Import, Convention => C, External_Name => "urv_put_row";
+   procedure Put_Counts
+   with Import, Convention => C, External_Name => "urv_put_counts";
+
+   procedure Leave
+   with Import, Convention => C, External_Name => "urv_leave", No_Return;
+
+   procedure Wait_For_Interrupt
+   with Import, Convention => C, External_Name => "urv_wait";
+
+   procedure Execute_Illegal_Instruction
+   with Import, Convention => C, External_Name => "urv_illegal";
+
+   function Take (Lock : access Lock_Byte) return Integer_32
+   with Import, Convention => C, External_Name => "urv_test_and_set";
+
+   Kept : array (0 .. 3) of Unsigned_32
+   with Volatile, Import, Convention => C, External_Name => "urv_kept";
+
+   Memory_Is_Kept : constant Unsigned_32 := 16#5450_454B#;   --  "KEPT"
+
+   --  Time, in microseconds: character times and ticks begin together.
+
+   Cycles_Per_Microsecond : constant := 168;
+   Character_Period       : constant := 96;
+   Tick_Period            : constant := 2_000;
+
+   --  The next of each, and when it begins.
+   Next_Character : Unsigned_32 := Character_Period;
+   Next_Tick      : Unsigned_32 := 0;
+   Characters     : Unsigned_32 := 0;
+   Ticks          : Unsigned_32 := 0;
+
+   --  The period that SysTick is in, and the one after it.
+   Has_Begun : Boolean     := False;
+   Now       : Unsigned_32 := 0;
+   Then_Time : Unsigned_32 := 0;
+
+   --  A quantum of the line: what was sent, and what the other has sent.
+
+   type Slot is record
+      Is_There : Boolean     := False;
+      Data     : Unsigned_32 := 0;
+   end record;
+
+   subtype Slot_Number is Unsigned_32 range 0 .. 7;
+   type Slots is array (Slot_Number) of Slot;
+
+   Sent, Heard : Slots;
+
+   --  The conversion under way.
+   Is_Converting : Boolean                         := False;
+   Channel       : Devices.AD_Board.Channel_Number := 0;
+
+   Conversions_Per_Character : constant :=
+     Character_Period / Devices.AD_Board.Microseconds_Per_Conversion;
+
+   --  Cycles without work in the present tick, and the figures of the run.
+   Idle        : Unsigned_32 := 0;
+   Most_Busy   : Unsigned_32 := 0;
+   All_Busy    : Unsigned_32 := 0;   --  in units of 16 cycles
+   Counted     : Unsigned_32 := 0;
+
+   Servos : Devices.PWM_Board.Data_Area := (others => 0)
+   with Volatile;
+
+   procedure On_SysTick
+   with Export, Convention => C, External_Name => "urv_systick";
+
+   procedure Stop_Time;
+   procedure Resume_Time;
+
+   --  When the next period ends that begins at this time.
+   function Next_Event (After : Unsigned_32) return Unsigned_32;
+
+   procedure Put_On_Line (Data : Unsigned_32);
+   function Take_From_Line return Unsigned_32;
+
+   --  The end of a quantum.
+   procedure Exchange;
+
+   procedure Begin_Character;
+
+   procedure Begin_Tick;
+
+   procedure Count_Busy;
+
+   procedure End_Run with No_Return;
+
+   procedure Stop_Time is
+   begin
+      SysTick.Control := Timer_Interrupts + Timer_On_Main_Clock;
+   end Stop_Time;
+
+   procedure Resume_Time is
+   begin
+      SysTick.Control := Timer_On + Timer_Interrupts + Timer_On_Main_Clock;
+   end Resume_Time;
+
+   function Next_Event (After : Unsigned_32) return Unsigned_32 is
+     (Unsigned_32'Min
+        (After + Character_Period - After mod Character_Period,
+         After + Tick_Period - After mod Tick_Period));
+
+   procedure Open is
+   begin
+      USART_1.Control_1 := Port_On + Sender_On + Receiver_On;
+      USART_2.Control_1 :=
+        Port_On + Sender_On + Receiver_On + Receiver_Interrupts;
+      System_Priorities := SysTick_Last;
+      if not Has_Begun then
+         Next_Tick := (1 + Tape.Lag) * Tick_Period;
+         Configure (Tape.Flags, Tape.Line_Delay);
+      end if;
+      if Kept (3) > 0 then
+         Put ("restarts");
+         Put_Labelled ("count", Kept (3));
+         Put_Labelled ("reason", Kept (2));
+         Put_Line;
+      end if;
+   end Open;
+
+   procedure Keep_Memory is
+   begin
+      Kept (0) := Memory_Is_Kept;
+   end Keep_Memory;
+
+   procedure Start_Clock is
+   begin
+      if not Has_Begun then
+         Has_Begun := True;
+         Then_Time := Next_Event (0);
+      end if;
+      SysTick.Reload := Register
+        ((Then_Time - Now) * Cycles_Per_Microsecond - 1);
+      SysTick.Current := 0;
+      Resume_Time;
+      SysTick.Reload := Register
+        ((Next_Event (Then_Time) - Then_Time) * Cycles_Per_Microsecond - 1);
+      Restore (0);
+   end Start_Clock;
+
+   procedure Put_On_Line (Data : Unsigned_32) is
+   begin
+      while (USART_2.Status and Is_Empty) = 0 loop
+         null;
+      end loop;
+      USART_2.Data := Register (Data);
+   end Put_On_Line;
+
+   --  Sleeps until there is one, for the emulator has other work meanwhile.
+   --  The interrupt wakes the processor and is never taken.
+   function Take_From_Line return Unsigned_32 is
+      Before : constant Mask_State := Mask;
+   begin
+      Interrupt_Enable_2 := USART_2_Bit;
+      while (USART_2.Status and Received) = 0 loop
+         Wait_For_Interrupt;
+      end loop;
+      return Result : Unsigned_32 do
+         Result := Unsigned_32 (USART_2.Data) and 255;
+         Interrupt_Disable_2 := USART_2_Bit;
+         Interrupt_Clear_2 := USART_2_Bit;
+         Restore (Before);
+      end return;
+   end Take_From_Line;
+
+   --  A byte has a bit for each character that was sent; they follow.
+   procedure Exchange is
+      Bits : Unsigned_32 := 0;
+   begin
+      Stop_Time;
+      for Place in Slot_Number loop
+         if Sent (Place).Is_There then
+            Bits := Bits or Shift_Left (1, Natural (Place));
+         end if;
+      end loop;
+      Put_On_Line (Bits);
+      for Each of Sent loop
+         if Each.Is_There then
+            Put_On_Line (Each.Data);
+         end if;
+      end loop;
+      Sent := (others => <>);
+      Heard := (others => <>);
+      Bits := Take_From_Line;
+      for Place in Slot_Number loop
+         if (Bits and Shift_Left (1, Natural (Place))) /= 0 then
+            Heard (Place) := (True, Take_From_Line);
+         end if;
+      end loop;
+      if Characters >= Tape.Length then
+         End_Run;
+      end if;
+      Resume_Time;
+   end Exchange;
+
+   procedure Begin_Character is
+      Place : Unsigned_32;
+   begin
+      Characters := Characters + 1;
+      if Tape.Quantum > 0 then
+         Place := Characters mod Tape.Quantum;
+         if Place = 0 then
+            Exchange;
+         end if;
+      else
+         Place := 0;
+         Heard := (others => <>);
+         if Characters >= Tape.Length then
+            End_Run;
+         end if;
+      end if;
+      On_Character_Time;
+      if Heard (Place).Is_There then
+         On_Character (Heard (Place).Data, 0);
+      end if;
+      On_Free_Sender;
+      for Number in 1 .. Conversions_Per_Character loop
+         exit when not Is_Converting;
+         Is_Converting := False;
+         On_Converted (Unsigned_32 (Word_Now (Natural (Channel))));
+      end loop;
+   end Begin_Character;
+
+   procedure Count_Busy is
+      Busy : constant Unsigned_32 :=
+        Tick_Period * Cycles_Per_Microsecond - Idle;
+   begin
+      --  Not the frame in which the run begins.
+      if Ticks > 10 then
+         Most_Busy := Unsigned_32'Max (Most_Busy, Busy);
+         All_Busy := All_Busy + Busy / 16;
+         Counted := Counted + 1;
+      end if;
+      Idle := 0;
+   end Count_Busy;
+
+   procedure Begin_Tick is
+   begin
+      Ticks := Ticks + 1;
+      Count_Busy;
+      Stop_Time;
+      Advance (Ticks);
+      if Ticks mod 10 = 0 then
+         Put ("row");
+         Put_Labelled ("frame", Ticks / 10 - 1);
+         Put_Row;
+      end if;
+      Resume_Time;
+      On_Tick;
+   end Begin_Tick;
+
+   --  SysTick has already reloaded the period that begins now. What is
+   --  written here is the one after it.
+   procedure On_SysTick is
+   begin
+      Now := Then_Time;
+      Then_Time := Next_Event (Now);
+      SysTick.Reload := Register
+        ((Next_Event (Then_Time) - Then_Time) * Cycles_Per_Microsecond - 1);
+      if Now >= Next_Character then
+         Next_Character := Next_Character + Character_Period;
+         Begin_Character;
+      end if;
+      if Now >= Next_Tick then
+         Next_Tick := Next_Tick + Tick_Period;
+         Begin_Tick;
+      end if;
+   end On_SysTick;
+
+   procedure End_Run is
+   begin
+      Put_Counts;
+      Put ("cycles");
+      Put_Labelled ("worst", Most_Busy);
+      Put_Labelled
+        ("mean", (if Counted = 0 then 0 else All_Busy / Counted * 16));
+      Put_Labelled ("ticks", Ticks);
+      Put_Line;
+      Leave;
+   end End_Run;
+
+   procedure Wait is
+   begin
+      case Event_Now is
+         when None =>
+            if (Interrupt_State and SysTick_Pending) = 0 then
+               Idle := Idle + Unsigned_32 (SysTick.Current);
+            end if;
+            Wait_For_Interrupt;
+
+         when Illegal_Instruction =>
+            Forget_Event;
+            Execute_Illegal_Instruction;
+
+         when Unexpected_Interrupt =>
+            Forget_Event;
+            Interrupt_Enable_1 := 2 ** 7;
+            Interrupt_Trigger := 7;
+            Restore (0);
+      end case;
+   end Wait;
+
+   procedure Test_And_Set (Lock : in out Lock_Byte; Was_Free : out Boolean) is
+      Place : aliased Lock_Byte with Import, Address => Lock'Address;
+   begin
+      Was_Free := Take (Place'Access) /= 0;
+   end Test_And_Set;
+
+   procedure Send (Data : Byte) is
+      Place : constant Unsigned_32 :=
+        (if Tape.Quantum = 0 then 0 else Characters mod Tape.Quantum);
+   begin
+      Sent (Place) := (True, Unsigned_32 (Data));
+   end Send;
+
+   procedure Convert (Channel : Devices.AD_Board.Channel_Number) is
+   begin
+      Targets.Channel := Channel;
+      Is_Converting := True;
+   end Convert;
+
+   procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
+   begin
+      Servos := Area;
+   end Write_Servos;
+
+   procedure Put (Text : String) is
+   begin
+      for Each of Text loop
+         while (USART_1.Status and Is_Empty) = 0 loop
+            null;
+         end loop;
+         USART_1.Data := Character'Pos (Each);
+      end loop;
+   end Put;
+
+   function Stack_Used return Unsigned_32 is
+      Size  : constant := 16#4000#;
+      Words : array (Unsigned_32 range 0 .. Size / 4 - 1) of Unsigned_32
+      with Import, Volatile_Components, External_Name => "urv_stack_bottom";
+      Free_Words : Unsigned_32 := 0;
+   begin
+      while Free_Words < Size / 4
+        and then Words (Free_Words) = 16#5AA5_5AA5#
+      loop
+         Free_Words := Free_Words + 1;
+      end loop;
+      return Size - 4 * Free_Words;
+   end Stack_Used;
+
+end Targets;

@@ -1,0 +1,82 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  Registers of the STM32F405 (reference manual RM0090) and of its Cortex-M4
+--  (ARMv7-M): those that this program uses, at their addresses (BRD-3).
+
+with Interfaces;              use Interfaces;
+with System.Storage_Elements; use System.Storage_Elements;
+
+package Registers is
+
+   type Register is new Unsigned_32 with Volatile_Full_Access;
+
+   --  SysTick: the processor's timer counts down from Reload to 0.
+
+   type Timer is limited record
+      Control : Register;
+      Reload  : Register;
+      Current : Register;
+   end record;
+
+   Timer_On            : constant Register := 1;
+   Timer_Interrupts    : constant Register := 2;
+   Timer_On_Main_Clock : constant Register := 4;
+
+   SysTick : Timer
+   with Import, Volatile, Address => To_Address (16#E000_E010#);
+
+   --  Interrupt control: bit 26 is set while SysTick's is pending.
+   Interrupt_State : Register
+   with Import, Address => To_Address (16#E000_ED04#);
+
+   SysTick_Pending : constant Register := 2 ** 26;
+
+   --  Interrupts by number, a bit each: enables 0 to 31 and 32 to 63;
+   --  disables the latter, or clears them. Any number is made pending.
+
+   Interrupt_Enable_1 : Register
+   with Import, Address => To_Address (16#E000_E100#);
+   Interrupt_Enable_2 : Register
+   with Import, Address => To_Address (16#E000_E104#);
+   Interrupt_Disable_2 : Register
+   with Import, Address => To_Address (16#E000_E184#);
+   Interrupt_Clear_2  : Register
+   with Import, Address => To_Address (16#E000_E284#);
+   Interrupt_Trigger  : Register
+   with Import, Address => To_Address (16#E000_EF00#);
+
+   USART_2_Bit : constant Register := 2 ** (38 - 32);
+
+   --  The priorities of the processor's own interrupts.
+   System_Priorities : Register
+   with Import, Address => To_Address (16#E000_ED20#);
+
+   SysTick_Last : constant Register := 16#F000_0000#;
+
+   --  A serial port.
+
+   type Serial_Port is limited record
+      Status       : Register;
+      Data         : Register;
+      Baud_Rate    : Register;
+      Control_1    : Register;
+      Control_2    : Register;
+   end record;
+
+   Received : constant Register := 2 ** 5;
+   Is_Empty : constant Register := 2 ** 7;
+
+   Port_On       : constant Register := 2 ** 13;
+   Nine_Bits     : constant Register := 2 ** 12;
+   With_Parity   : constant Register := 2 ** 10;
+   Receiver_Interrupts : constant Register := 2 ** 5;
+   Sender_On     : constant Register := 2 ** 3;
+   Receiver_On   : constant Register := 2 ** 2;
+   Two_Stop_Bits : constant Register := 2 ** 13;
+
+   USART_1 : Serial_Port
+   with Import, Volatile, Address => To_Address (16#4001_1000#);
+   USART_2 : Serial_Port
+   with Import, Volatile, Address => To_Address (16#4000_4400#);
+
+end Registers;

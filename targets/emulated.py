@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes on a bare machine in QEMU, and the simulation's words beside theirs.
+
+    tape = Tape(lag=3, quantum=8, seconds=10)
+    tape.read(0, words_by_channel)
+    runs = fly({"gsc": Tape(...), "mcs": tape}, folder)
+
+Two nodes fly in lock-step, joined by their serial ports: the result does not
+depend on the machine (D-82). docs/board.md says more.
+"""
+
+import contextlib
+import csv
+import random
+import struct
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "obj" / "targets" / "cortex_m"
+
+CHARACTER_US = 96
+TICK_MS = 2
+CHANNELS = 32
+TAPE_ADDRESS = 0x08080000
+
+# An instruction takes 8 ns of the emulator's time, that is 1.344 of the 168
+# million cycles of a second.
+ICOUNT_SHIFT = 3
+CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
+
+WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
+
+LAWS_ON = 1
+
+# The words of a row, in this order.
+UPLINK, DOWNLINK, STATUS, PWM = 14, 28, 12, 14
+
+FRAME_MS = 20
+FRAMES_PER_S = 1000 // FRAME_MS
+
+# Of a joined flight: the line's quantum, and the aircraft's lag in ticks.
+QUANTUM = 8
+LAG = 3
+
+STICKS = ["roll", "pitch", "yaw", "throttle", "brake",
+          *(f"switch{number}" for number in range(1, 9))]
+SENSORS = [f"{side}_{name}" for name in ("flap_1", "flap_2", "aileron",
+                                         "elevator", "rudder")
+           for side in ("right", "left")] + [
+    "alpha", "beta", "altitude_offset", "lateral_acceleration",
+    "longitudinal_acceleration", "vertical_acceleration", "rpm",
+    "battery_volts", "alternator_volts", "roll_attitude", "pitch_attitude",
+    "roll_rate", "pitch_rate", "yaw_rate", "airspeed", "altitude",
+    "uplink_signal_strength"]
+
+
+class Tape:
+    """What an emulated node gets from outside; see Tapes in targets."""
+
+    def __init__(self, seconds, lag=0, quantum=0, flags=0):
+        self.lag, self.quantum, self.flags = lag, quantum, flags
+        self.length = int(seconds * 1e6 / CHARACTER_US)
+        self.entries = []
+        self.read(0, [0x800] * CHANNELS)
+
+    @property
+    def line_delay_us(self):
+        return max(self.quantum - 1, 0) * CHARACTER_US
+
+    def read(self, time_ms, words):
+        """The converter reads these words from a time on, by channel."""
+        self.entries.append((self.tick(time_ms), WORDS, list(words)))
+
+    def plant(self, time_ms, event):
+        self.entries.append((self.tick(time_ms), event, [0] * CHANNELS))
+
+    def tick(self, time_ms):
+        """The first tick of the node that is not before a time."""
+        return max(0, -(-time_ms // TICK_MS) - self.lag)
+
+    def data(self):
+        entries = sorted(self.entries, key=lambda each: each[0])
+        head = struct.pack("<6I", self.lag, self.quantum, self.line_delay_us,
+                           self.flags, self.length, len(entries))
+        return head + b"".join(
+            struct.pack(f"<2I{CHANNELS}H", tick, kind,
+                        *(words + [0x800] * CHANNELS)[:CHANNELS])
+            for tick, kind, words in entries)
+
+
+class Run:
+    """What an emulated node has written."""
+
+    def __init__(self, text):
+        self.text = text
+        self.rows = {}
+        self.numbers = {}
+        for line in text.splitlines():
+            name, *rest = line.split() or [""]
+            if name == "row":
+                self.rows[int(rest[1])] = [int(word, 16) for word in rest[2:]]
+            elif len(rest) >= 2 and rest[1].isdigit():
+                self.numbers.update(zip(rest[::2], map(int, rest[1::2])))
+
+    def has(self, line):
+        return line in self.text.splitlines()
+
+    def uplink(self, frame):
+        return self.rows[frame][:UPLINK]
+
+    def downlink(self, frame):
+        return self.rows[frame][UPLINK:UPLINK + DOWNLINK]
+
+    def status(self, frame):
+        return self.rows[frame][UPLINK + DOWNLINK:][:STATUS]
+
+    def pwm(self, frame):
+        return self.rows[frame][UPLINK + DOWNLINK + STATUS:]
+
+
+def command(image, tape, console, line):
+    return ["qemu-system-arm", "-M", "netduinoplus2", "-semihosting",
+            "-icount", f"shift={ICOUNT_SHIFT},align=off,sleep=off",
+            "-display", "none", "-monitor", "none",
+            "-serial", f"file:{console}", "-serial", line,
+            "-kernel", str(image), "-device",
+            f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on"]
+
+
+def fly(tapes, folder, images=None, limit_s=300):
+    """Runs the nodes of these tapes until their ends; Run of each by name.
+    Two are joined by their serial ports 2."""
+    folder = Path(folder)
+    line = folder / "line"
+    running = {}
+    with contextlib.ExitStack() as stack:
+        for number, (name, tape) in enumerate(tapes.items()):
+            (folder / f"{name}.tape").write_bytes(tape.data())
+            end = "null" if len(tapes) == 1 else f"unix:{line}" + (
+                ",server=on,wait=on" if number == 0 else "")
+            running[name] = subprocess.Popen(
+                command((images or {}).get(name, IMAGES / f"{name}.bin"),
+                        folder / f"{name}.tape", folder / f"{name}.txt", end),
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                stderr=(folder / f"{name}.err").open("w"))
+            stack.callback(stop, running[name])
+            if number == 0 and len(tapes) > 1:
+                while not line.exists():
+                    if running[name].poll() is not None:
+                        raise RuntimeError("QEMU has not begun")
+        for each in running.values():
+            each.wait(limit_s)
+    return {name: Run((folder / f"{name}.txt").read_text(errors="replace"))
+            for name in tapes}
+
+
+def scripted(names, tape, path, seconds, seed):
+    """Random words, others every three frames, for the simulation and for
+    the tape."""
+    numbers = random.Random(seed)
+    lines = ["time_ms," + ",".join(names)]
+    for time_ms in range(0, int(seconds * 1000), 3 * FRAME_MS):
+        words = [numbers.randrange(0x1000) for _ in names]
+        lines.append(f"{time_ms}," + ",".join(map(str, words)))
+        tape.read(time_ms, words)
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def fly_both(folder, seconds, laws):
+    """A scripted flight, by the simulation and by two emulated nodes: the
+    rows of the one, the runs of the other."""
+    folder = Path(folder)
+    gsc = Tape(seconds, quantum=QUANTUM)
+    mcs = Tape(seconds, quantum=QUANTUM, lag=LAG,
+               flags=LAWS_ON if laws else 0)
+    scripted(STICKS, gsc, folder / "sticks.csv", seconds, 1)
+    scripted(SENSORS, mcs, folder / "sensors.csv", seconds, 2)
+    record = folder / "record.csv"
+    subprocess.run(
+        [ROOT / "bin" / "urv_sim", "fly", "--seconds", str(seconds),
+         "--sticks", folder / "sticks.csv",
+         "--sensors", folder / "sensors.csv",
+         "--laws", "on" if laws else "off", "--phase", str(LAG),
+         "--line-delay", str(gsc.line_delay_us / 1000),
+         "--record", record, "--quiet"], check=True)
+    with record.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return rows, fly({"gsc": gsc, "mcs": mcs}, folder)
+
+
+def words(row, group):
+    return [int(value) for name, value in row.items()
+            if name.startswith(f"{group}.")]
+
+
+def differences(rows, runs):
+    """Each group of words that is not the simulation's, with its frame."""
+    gsc, mcs = runs["gsc"], runs["mcs"]
+    for row in rows:
+        frame = int(row["frame"])
+        for node, group, seen in (
+                (gsc, "gsc.uplink", gsc.uplink),
+                (gsc, "gsc.downlink", gsc.downlink),
+                (mcs, "mcs.uplink", mcs.uplink),
+                (mcs, "mcs.downlink", mcs.downlink), (mcs, "pwm", mcs.pwm)):
+            if frame in node.rows and seen(frame) != words(row, group):
+                yield frame, group
+
+
+def stop(process):
+    if process.poll() is None:
+        process.kill()
+    process.wait()

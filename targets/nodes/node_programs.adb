@@ -1,0 +1,182 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Devices.AD_Board; use Devices.AD_Board;
+with Interfaces;       use Interfaces;
+with Machine_Texts;    use Machine_Texts;
+with Targets;
+with Telemetry;        use Telemetry;
+with Telemetry.Boards;
+
+package body Node_Programs is
+
+   --  Character times since the clock began, and up to where the telemetry
+   --  board's timer was told. Both wrap.
+   Character_Count : Unsigned_32 := 0 with Volatile;
+   Told            : Unsigned_32 := 0 with Volatile;
+
+   --  When the telemetry board wants to be asked again.
+   Next_Turn : Unsigned_32 := 0 with Volatile;
+
+   --  A conversion is under way.
+   Is_Converting : Boolean := False with Volatile;
+
+   --  The last interrupt of a scan has come.
+   Scan_Ended : Boolean := False with Volatile;
+
+   --  Character times since the telemetry board was last told.
+   procedure Elapse (Elapsed : out Character_Times);
+
+   --  Passes on the start of a conversion that the controller has asked for.
+   procedure Serve_Converter;
+
+   --  The telemetry board takes its turn at the next character time.
+   procedure Hurry;
+
+   procedure Sleep;
+
+   procedure Elapse (Elapsed : out Character_Times) is
+      Passed : constant Unsigned_32 := Character_Count - Told;
+   begin
+      Elapsed := Character_Times
+        (Unsigned_32'Min (Passed, Unsigned_32 (Character_Times'Last)));
+      Told := Told + Passed;
+   end Elapse;
+
+   procedure Hurry is
+   begin
+      Next_Turn := Character_Count;
+   end Hurry;
+
+   procedure Serve_Converter is
+      Wanted  : Boolean;
+      Channel : Channel_Number;
+   begin
+      AD_Board.Take_Start (Wanted, Channel);
+      if Wanted then
+         Is_Converting := True;
+         Targets.Convert (Channel);
+      end if;
+   end Serve_Converter;
+
+   procedure On_Tick is
+   begin
+      Tick_Boards;
+      Node.Clock_Interrupt;
+   end On_Tick;
+
+   procedure On_Character_Time is
+   begin
+      Character_Count := Character_Count + 1;
+   end On_Character_Time;
+
+   procedure On_Character (Data : Byte; Damaged : Boolean) is
+      Elapsed   : Character_Times;
+      May_Speak : Boolean;
+   begin
+      Elapse (Elapsed);
+      Telemetry_Board.Accept_Character (Elapsed, Data, Damaged, May_Speak);
+      if May_Speak then
+         Hurry;
+      end if;
+   end On_Character;
+
+   procedure On_Free_Sender is
+      Elapsed   : Character_Times;
+      Send      : Boolean;
+      Data      : Byte;
+      Time_Left : Character_Times;
+   begin
+      --  The count may have passed the turn, and may wrap.
+      if Character_Count - Next_Turn < 2 ** 31 then
+         Elapse (Elapsed);
+         Telemetry_Board.Next_Character (Elapsed, Send, Data, Time_Left);
+         if Send then
+            Targets.Send (Data);
+            Next_Turn := Character_Count + 1;
+         else
+            Next_Turn := Character_Count + Unsigned_32 (Time_Left);
+         end if;
+      end if;
+   end On_Free_Sender;
+
+   procedure On_Converted (Value : Word) is
+      Interrupt : Boolean;
+   begin
+      Is_Converting := False;
+      AD_Board.Finish (Value, Interrupt);
+      if Interrupt then
+         AD_Interrupt;
+      end if;
+      Serve_Converter;
+      Scan_Ended := not Is_Converting;
+   end On_Converted;
+
+   procedure Sleep is
+      Before : constant Targets.Mask_State := Targets.Mask;
+   begin
+      if not Node.Has_Work and then not Scan_Ended then
+         Targets.Wait;
+      end if;
+      Targets.Restore (Before);
+   end Sleep;
+
+   procedure Run (Condition : Start_Condition) is
+   begin
+      Targets.Open;
+      Is_Converting := False;
+      Scan_Ended := False;
+      if Condition /= Processor_Restart then
+         Telemetry_Board.Start;
+      end if;
+      Put (Name);
+      Put_Line
+        (case Condition is
+            when Cold_Start        => " cold start",
+            when Warm_Reset        => " warm reset",
+            when Processor_Restart => " processor restart");
+
+      --  The clock begins when the self-test at power up has ended, and runs
+      --  through all other starts.
+      Begin_Start (Condition);
+      if Condition = Cold_Start then
+         Node.Serve;
+      end if;
+      Hurry;
+      Targets.Start_Clock;
+      if Condition /= Cold_Start then
+         Node.Serve;
+      end if;
+      Put (Name);
+      Put_Line (if Node.Is_Refused then " refused" else " started");
+      loop
+         if Node.Has_Work then
+            Node.Serve;
+            Write_Outputs;
+            Serve_Converter;
+            Hurry;
+         elsif Scan_Ended then
+            Scan_Ended := False;
+            Node.Look_Again;
+            Serve_Converter;
+            Hurry;
+         else
+            Sleep;
+         end if;
+      end loop;
+   end Run;
+
+   procedure Put_Counts is
+      Tally : constant Telemetry.Boards.Statistics := Telemetry_Board.Tally;
+   begin
+      Put (Name);
+      Put_Labelled ("overruns", Unsigned_32 (Node.Overruns));
+      Put_Labelled ("sent", Unsigned_32 (Tally.Sent));
+      Put_Labelled ("received", Unsigned_32 (Tally.Received));
+      Put_Labelled ("bad", Unsigned_32 (Tally.Bad));
+      Put_Labelled ("scrapped", Unsigned_32 (Tally.Scrapped));
+      Put_Labelled ("resets", Unsigned_32 (Tally.Resets));
+      Put_Labelled ("stack", Targets.Stack_Used);
+      Put_Line;
+   end Put_Counts;
+
+end Node_Programs;

@@ -1,0 +1,84 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The machine that a node runs on (BRD-1). One specification; each folder
+--  of a machine has a body. Vectors, start-up and the places in memory are
+--  the machine's start.s and image.ld.
+--
+--  The machine calls the node at its interrupts, by the names below
+--  (Handlers). These calls do not interrupt each other.
+
+with Devices.AD_Board;
+with Devices.PWM_Board;
+with Interfaces; use Interfaces;
+with URVOS;      use URVOS;
+
+package Targets is
+
+   --  Lines, converter and servos are ready; the console is open. No
+   --  interrupt comes yet.
+   procedure Open;
+
+   --  The clock ticks each 2 ms from now on, and interrupts are taken.
+   procedure Start_Clock;
+
+   --  Handlers, which the node's main program exports:
+   --
+   --    urv_tick                           each 2 ms
+   --    urv_character_time                 each 96 us, before the next two
+   --    urv_character (Data, Damaged)      the line has brought a character;
+   --                                       Damaged: parity, framing, overrun
+   --    urv_free_sender                    each 96 us while the line's sender
+   --                                       takes a character
+   --    urv_converted (Value)              a conversion has ended
+
+   --  The interrupt mask. Each lock of a protected object uses it.
+
+   type Mask_State is new Integer_32;
+
+   function Mask return Mask_State
+   with Import, Convention => C, External_Name => "urv_mask_interrupts";
+
+   procedure Restore (Before : Mask_State)
+   with Import, Convention => C, External_Name => "urv_restore_interrupts";
+
+   --  Called once at power up: all variables have their first values, and
+   --  the next reset keeps the memory.
+   procedure Keep_Memory;
+
+   --  Sleeps until an interrupt is there, also one that is masked.
+   procedure Wait;
+
+   --  One undivided cycle reads the lock and takes it.
+
+   type Lock_Byte is new Unsigned_8 with Volatile;
+
+   Free : constant Lock_Byte := 0;
+
+   procedure Test_And_Set (Lock : in out Lock_Byte; Was_Free : out Boolean);
+
+   --  The telemetry line: 125 kbaud, 8 bits, even parity, 2 stop bits.
+
+   --  For urv_free_sender alone.
+   procedure Send (Data : Byte);
+
+   --  The analog board: 16 us after this comes the interrupt.
+   procedure Convert (Channel : Devices.AD_Board.Channel_Number);
+
+   --  The servos.
+   procedure Write_Servos (Area : Devices.PWM_Board.Data_Area);
+
+   procedure Put (Text : String);
+
+   --  The most bytes of the stack that were ever in use.
+   function Stack_Used return Unsigned_32;
+
+   --  The processor starts again in the middle of everything, as after an
+   --  unexpected interrupt. Memory and the node's clock stay.
+   procedure Restart_Processor (Reason : Unsigned_32)
+   with
+     Import,
+     Convention    => C,
+     External_Name => "urv_restart_processor",
+     No_Return;
+
+end Targets;
