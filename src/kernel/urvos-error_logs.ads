@@ -1,16 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  An error log: what went wrong, when and how often, in memory that never
---  grows (report, 3.5, and the sections "Error handling" of 4 and 5, which
---  leave the recording to a later version; EXT-1, SEM-2).
+--  An error log: the kinds of errors that occurred, their times and counts, in
+--  memory of constant size (report, 3.5, and the sections "Error handling" of
+--  4 and 5, which leave the recording to a later version; EXT-1, SEM-2).
 --
 --     Add (Log, Kind => No_Input, Now => 120, Detail => 0);
 --
---  The log keeps one history for each kind of error: the count, when it
---  came first and last, and a word of detail of the last time. So a flood
---  of one kind never hides another, and nothing is ever pushed out.
+--  The log keeps one history for each kind of error: the count, the first and
+--  the last time, and a word of detail of the last time. A flood of one kind
+--  therefore never hides another, and no entry is ever lost.
 --
---  A count that reaches its last value stays there: "at least that often".
+--  A count stops at its last value, which means "at least this number".
 
 with URVOS.Frames; use URVOS.Frames;
 
@@ -18,11 +18,11 @@ generic
    type Error_Kind is (<>);
 package URVOS.Error_Logs with Pure, SPARK_Mode is
 
-   --  How often something has happened that has happened.
+   --  A count of at least one.
    subtype Positive_Count is Count range 1 .. Count'Last;
 
-   --  Of one kind of error. What is said besides the count means something
-   --  only if that is not 0.
+   --  The history of one kind of error. The other components have a meaning
+   --  only if Occurrences is not 0.
    type History is record
       Occurrences : Count      := 0;
       First       : Clock_Tick := 0;
@@ -37,15 +37,15 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
    function History_Of (Log : Error_Log; Kind : Error_Kind) return History
    with Global => null;
 
-   --  The errors of all kinds together.
+   --  The number of errors of all kinds.
    function Total (Log : Error_Log) return Count
    with Global => null;
 
-   --  The kind that was added last, if any was.
+   --  The kind that was added last, or the first kind if none was.
    function Latest (Log : Error_Log) return Error_Kind
    with Global => null;
 
-   --  A log in which nothing has happened.
+   --  A log without errors.
    function Empty_Log return Error_Log
    with
      Global => null,
@@ -55,12 +55,12 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
        and then Total (Empty_Log'Result) = 0
        and then Latest (Empty_Log'Result) = Error_Kind'First;
 
-   --  Two counts together.
+   --  The sum of two counts, limited to the last value.
    function Sum (Left, Right : Count) return Count is
      (if Left > Count'Last - Right then Count'Last else Left + Right)
    with Global => null;
 
-   --  A history to which something was added.
+   --  The history after one more entry.
    function Extended
      (Before    : History;
       Now       : Clock_Tick;
@@ -73,7 +73,7 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
        Last_Detail => Detail))
    with Global => null;
 
-   --  An error of a kind has happened, or several of them at once.
+   --  Adds one error of a kind, or several at once.
    procedure Add
      (Log       : in out Error_Log;
       Kind      : Error_Kind;
@@ -83,7 +83,7 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
    with
      Global => null,
      Post   =>
-       --  Its own history goes on, all the others stay as they were.
+       --  The kind's own history grows; all others are unchanged.
        (for all Other in Error_Kind =>
           History_Of (Log, Other) =
             (if Other = Kind

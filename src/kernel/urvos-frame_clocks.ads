@@ -2,10 +2,11 @@
 
 --  A clock whose major frames may be a tick shorter or longer (FRM-6).
 --
---  The last minor frame of a major frame, in which no task is released,
---  lasts no tick of the oscillator, one or two. All others last one. So for
---  the kernel and the tasks a major frame still has ten minor frames, each
---  release comes once, and only how long the last minor frame lasts changes.
+--  No task is released in the last minor frame of a major frame. This minor
+--  frame lasts zero, one or two ticks of the oscillator; all others last one.
+--  For the kernel and the tasks each major frame still has ten minor frames,
+--  and each release comes once. Only the duration of the last minor frame
+--  changes.
 
 with URVOS.Frames; use URVOS.Frames;
 
@@ -17,8 +18,8 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
 
    Usual_Length : constant Frame_Length := Ticks_Per_Major_Frame;
 
-   --  What somebody wants: that the frame that begins with this tick lasts
-   --  so long. Others last as long as ever.
+   --  A request that the frame that begins with tick Frame has this length.
+   --  All other frames have the usual length.
    type Frame_Request is record
       Frame  : Clock_Tick   := 0;
       Length : Frame_Length := Usual_Length;
@@ -26,13 +27,13 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
 
    No_Request : constant Frame_Request := (others => <>);
 
-   --  Since somebody last looked.
+   --  The number of ticks since the last look.
    subtype Tick_Count is Natural range 0 .. 1;
 
    type Frame_Clock is record
       Now  : Clock_Tick := 0;
 
-      --  The last minor frame lasts for its second tick.
+      --  The last minor frame is in its second tick.
       Held : Boolean    := False;
    end record;
 
@@ -41,7 +42,7 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
      (Now - Now mod Ticks_Per_Major_Frame)
    with Global => null;
 
-   --  How long the present frame is to last.
+   --  The length of the present frame.
    function Length_Of
      (Now     : Clock_Tick;
       Request : Frame_Request) return Frame_Length

@@ -1,44 +1,42 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Keeps a node's frames in step with those of the node that it hears
+--  Keeps a node's frames in step with those of the node from which it receives
 --  (FRM-6).
 --
---  Each tick tells whether a message waits to be taken. A message that has
---  waited for one tick when it is taken came where it should: between one and
---  two ticks before. One that came later must not become late, one that came
---  earlier is older than it need be: when so many fresh messages after each
---  other did, the frame in which the last of them was taken is made a tick
---  longer or shorter. A frame without a fresh message tells nothing, and
---  lasts as long as ever.
+--  At each tick the caller says whether a message waits to be taken. A message
+--  came on time if it has waited one tick when it is taken, that is, one to
+--  two ticks. A later message risks being missed; an earlier one is older than
+--  necessary. After four fresh messages in a row off time, the frame in which
+--  the fourth was taken becomes a tick longer or shorter. A frame without a
+--  fresh message changes nothing and has the usual length.
 
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frames;       use URVOS.Frames;
 
 package URVOS.Frame_Locks with Pure, SPARK_Mode is
 
-   --  Ticks that a message has waited for; the last stands for more.
+   --  The ticks that a message has waited. The last value means 11 or more.
    type Wait_Count is range 0 .. 11;
 
-   --  So many messages that do not come where they should, and the frame is
-   --  changed.
+   --  Fresh messages in a row off time before the frame is corrected.
    Patience : constant := 4;
 
    type Out_Count is range 0 .. Patience - 1;
 
    type Lock_State is record
-      --  A message waits, and since when.
+      --  A message waits, and for how many ticks.
       Is_Waiting  : Boolean    := False;
       Waited      : Wait_Count := 0;
 
-      --  The fresh messages since the last one that came where it should, or
-      --  since a frame was changed.
+      --  The fresh messages off time since the last one on time, or since the
+      --  last correction of a frame.
       Out_Of_Step : Out_Count  := 0;
 
       Request : Frame_Request;
 
-      --  For who watches: messages come where they should, or at the tick
-      --  beside, since the frame that began with this tick; and how many
-      --  frames were changed.
+      --  For monitors: fresh messages come on time, or one tick beside it,
+      --  since the frame that began with tick Since; and the numbers of frames
+      --  shortened and lengthened.
       Is_In_Step  : Boolean    := False;
       Since       : Clock_Tick := 0;
       Shortened   : Count      := 0;
@@ -47,7 +45,8 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
 
    At_Start : constant Lock_State := (others => <>);
 
-   --  Nothing is known of the messages. Frames stay as they were to be.
+   --  The state after a start: nothing is known of the messages. The request
+   --  for the present frame remains.
    function Restarted (This : Lock_State) return Lock_State is
      ((This with delta
          Is_Waiting  => False,
@@ -56,7 +55,7 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
          Is_In_Step  => False))
    with Global => null;
 
-   --  The clock ticks, and there is a message to be taken, or none.
+   --  The clock ticks; Available says whether a message waits.
    function Ticked
      (This      : Lock_State;
       Available : Boolean) return Lock_State
@@ -69,8 +68,8 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
             else 0)))
    with Global => null;
 
-   --  The length that brings a message that has waited so long nearer: the
-   --  shorter way round.
+   --  The frame length that brings a message with this wait nearer to its
+   --  time, the shorter way round.
    function Length_For (Waited : Wait_Count) return Frame_Length is
      (case Waited is
          when 1      => Usual_Length,
@@ -78,7 +77,7 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
          when others => Frame_Length'Last)
    with Global => null;
 
-   --  A message is taken now, and is fresh: how long the frame is to last.
+   --  The frame length requested when a fresh message is taken now.
    function Length_Asked (This : Lock_State) return Frame_Length is
      (if This.Out_Of_Step = Out_Count'Last then Length_For (This.Waited)
       else Usual_Length)
@@ -91,8 +90,8 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
       else This.Out_Of_Step + 1)
    with Global => null;
 
-   --  The task that takes messages has run in this frame, and found a fresh
-   --  one or none.
+   --  The task that takes messages has run in this frame. Fresh says whether
+   --  it found a fresh one.
    function Taken
      (This  : Lock_State;
       Fresh : Boolean;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  An error log between all who report to it, tasks, interrupt handlers and
---  kernel, and those who read it (EXT-1, SEM-2).
+--  An error log that tasks, interrupt handlers and the kernel write, and that
+--  monitors read (EXT-1, SEM-2).
 --
 --  A report goes into the log at once, stamped with the tick the log was
 --  last told: so none is lost when the processor restarts before anybody
@@ -24,7 +24,7 @@ package URVOS.Shared_Error_Logs with SPARK_Mode is
       --  An error has happened.
       procedure Report (Error : Logs.Error_Kind; Detail : Word);
 
-      --  Several errors of a kind have been counted by someone else.
+      --  Several errors of a kind, which the caller has counted.
       procedure Report_Several
         (Error     : Logs.Error_Kind;
          How_Often : Logs.Positive_Count;
@@ -33,10 +33,10 @@ package URVOS.Shared_Error_Logs with SPARK_Mode is
       --  Nothing has happened yet.
       procedure Clear;
 
-      --  The log as it stands, at one instant.
+      --  The whole log, read at one instant.
       function Contents return Logs.Error_Log;
 
-      --  What the clock has shown last.
+      --  The tick of the last Set_Time.
       function Time return Clock_Tick;
 
    private

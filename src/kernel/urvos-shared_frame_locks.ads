@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What keeps a node's frames in step, for its clock and its tasks (FRM-6).
---  Unless it is switched on each frame lasts as long as ever.
+--  The lock that keeps a node's frames in step, shared by its clock and its
+--  tasks (FRM-6). While it is off, each frame has the usual length.
 
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 with URVOS.Frame_Locks;  use URVOS.Frame_Locks;
@@ -14,7 +14,7 @@ package URVOS.Shared_Frame_Locks with SPARK_Mode is
       --  Before the node is switched on.
       procedure Set (On : Boolean);
 
-      --  The node starts.
+      --  The node starts: see URVOS.Frame_Locks.Restarted.
       procedure Begin_Anew;
 
       --  See URVOS.Frame_Locks.

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  For a node that follows nobody: each frame lasts as long as ever (FRM-6).
+--  For a node that follows no other: each frame has the usual length (FRM-6).
 
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 

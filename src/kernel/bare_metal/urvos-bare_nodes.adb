@@ -14,7 +14,7 @@ package body URVOS.Bare_Nodes
          (Executive.Task_Management, Clock, Chosen, Was_Up, Refused))
 is
 
-   --  Ticks that wait to be served; more are lost.
+   --  Ticks that wait to be served. Further ticks are lost.
    Most_Ticks : constant := 1_000;
    subtype Waiting_Ticks is Natural range 0 .. Most_Ticks;
 
@@ -24,7 +24,7 @@ is
 
       procedure Take_Ticks (Number : out Waiting_Ticks);
 
-      --  Whatever was under way is forgotten.
+      --  A request cancels a start that is under way.
       procedure Request (Condition : Start_Condition);
 
       procedure Look (Next_Order : out Order);
@@ -43,7 +43,7 @@ is
    Was_Up  : Boolean       := False;
    Refused : Boolean       := False;
 
-   --  One tick of the oscillator after another.
+   --  Advances the clock by each tick that waits.
    procedure Follow_Clock;
 
    procedure Read_Clock (Now : in out Clock_Tick);
@@ -51,10 +51,10 @@ is
    package Executive is
      new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
 
-   --  What is to be done before tasks run.
+   --  Carries out the orders that precede the tasks' steps.
    procedure Follow_Orders;
 
-   --  Until no task is due any more, or a start is wanted.
+   --  Runs steps until no task is due or a task runs on after EXIT.
    procedure Run_Steps;
 
    protected body Guard is
@@ -119,7 +119,7 @@ is
       Next_Order : Order;
       Passed     : Boolean;
    begin
-      --  A start is the order to begin and the order to load.
+      --  A start consists of two orders: begin, then load.
       for Number in 1 .. 2 loop
          Guard.Look (Next_Order);
          case Next_Order.Name is

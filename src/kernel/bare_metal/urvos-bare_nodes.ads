@@ -4,9 +4,9 @@
 --  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, FRM-6, KRN-6, BRD-1).
 --
 --  The timer's interrupt counts ticks. Outside interrupts the machine calls
---  Serve while there is work, and sleeps otherwise. A tick that comes while
---  a task runs is seen when the task's step ends, so an overrun is counted
---  as URVOS.Real_Time_Nodes counts it.
+--  Serve while there is work, and sleeps otherwise. A tick during a task's
+--  step is seen when the step ends. Overruns are counted as in
+--  URVOS.Real_Time_Nodes.
 
 with URVOS.Node_Software;
 with URVOS.Starts;       use URVOS.Starts;
@@ -22,9 +22,9 @@ package URVOS.Bare_Nodes
     Initializes    => (Events, Task_Management)
 is
 
-   --  Power up, the reset switch, or a restart of the processor in the middle
-   --  of anything: the next Serve starts the node. Until one start at power
-   --  up has ended, each start is one at power up.
+   --  Requests a start: at power up, at the reset switch, or when the
+   --  processor restarts at any point. The next Serve starts the node. Until
+   --  the first start has been ordered, every start is a cold start.
    procedure Begin_Start
      (Condition : Start_Condition;
       Schedule  : Schedule_Name := Report)
@@ -34,21 +34,21 @@ is
    procedure Clock_Interrupt
    with Global => (In_Out => Events);
 
-   --  A tick has not been served, or a start is wanted.
+   --  A tick has not been served, or a start is requested.
    function Has_Work return Boolean
    with
      Volatile_Function,
      Global => (Input => Events);
 
-   --  Follows the clock by all ticks since the last call, and runs the tasks
+   --  Advances the clock by all ticks since the last call, and runs the tasks
    --  that are due.
    procedure Serve;
 
-   --  An interrupt has been handled, between two ticks: a task that looks
-   --  for its result, with EXIT between its looks, looks again.
+   --  Called after an interrupt, between two ticks. A task that calls EXIT
+   --  while it waits for the interrupt's result looks again.
    procedure Look_Again;
 
-   --  How often a task has overrun.
+   --  The number of overruns of all tasks.
    function Overruns return Count
    with Global => (Input => Task_Management);
 

@@ -1,9 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A node in real time (report, sections 2.2, 2.3 and 3.1 to 3.3; FRM-1,
---  FRM-4, KRN-1 to KRN-6, EXT-4, D-9): what URVOS.Virtual_Nodes is, on the
---  machine's clock. Each of its processors is an Ada task, named here for
---  Ravenscar; those that the node does not have are never switched on.
+--  FRM-4, KRN-1 to KRN-6, EXT-4, D-9). It does on the machine's clock what
+--  URVOS.Virtual_Nodes does in virtual time. Each processor is an Ada task.
+--  Ravenscar demands that all four are declared here; the node switches on
+--  only those that it has.
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with URVOS.Frames;       use URVOS.Frames;
@@ -31,13 +32,13 @@ is
       Schedule : Schedule_Name := Report)
    with Global => (In_Out => Processors);
 
-   --  A reset or an exception: the node starts again when the tasks that
-   --  now run have ended their steps, at the next tick after that. Of
-   --  several requests the last one counts.
+   --  A reset or an exception. The node starts again at the first tick after
+   --  all running tasks have ended their steps. The last of several requests
+   --  counts.
    procedure Request_Start (Condition : Start_Condition)
    with Global => (In_Out => Processors);
 
-   --  For whoever watches over the node
+   --  For monitors of the node
 
    procedure Inspect_Overruns (Number : out Count)
    with Global => (Input => Processors);
@@ -45,7 +46,7 @@ is
    procedure Inspect_Clock (Now : out Clock_Tick)
    with Global => (Input => Processors);
 
-   --  When tick 0 was, as the present frame has it: see URVOS.Shared_Nodes.
+   --  The time of tick 0 by the present frame; see URVOS.Shared_Nodes.
    procedure Inspect_Beginning (At_Time : out Time)
    with Global => (Input => Processors);
 

@@ -17,18 +17,19 @@ is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
 
-   --  A task that calls EXIT and runs on looks again so much later.
+   --  The delay before a task that called EXIT and runs on looks again.
    Look_Time : constant Time_Span := Microseconds (50);
 
-   --  Opened by the power switch.
+   --  The power switch opens it.
    Switch : Suspension_Object;
 
-   --  The processor's clock, and when it ticks next.
+   --  The processor's clock, and the time of its next tick.
    Now       : Clock_Tick := 0;
    Next_Tick : Time       := Time_First;
 
-   --  Looks whether the clock has ticked. The master's lateness is observed,
-   --  except after a self-test, which takes longer than a tick.
+   --  Checks whether the clock has ticked. Observed is False after a
+   --  self-test, which takes longer than a tick; the master's lateness is then
+   --  not reported.
    procedure Follow_Clock (Observed : Boolean);
 
    procedure Read_Clock (Present : in out Clock_Tick);
@@ -36,14 +37,15 @@ is
    package Executive is
      new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
 
-   --  At the ceiling of what it shares: none of its calls changes priorities.
+   --  The priority is the ceiling of the shared objects, so calls to them
+   --  change no priorities.
    task Processor with Priority => System.Priority'Last;
 
-   --  What is to be done at a tick.
+   --  Carries out the order for this tick.
    procedure Follow_Orders (Next_Order : out Order);
 
-   --  Until the clock ticks, no task is due any more, or somebody wants the
-   --  node to start again.
+   --  Runs steps until the clock ticks, no task is due, or a start is
+   --  requested.
    procedure Run_Steps;
 
    procedure Follow_Clock (Observed : Boolean) is

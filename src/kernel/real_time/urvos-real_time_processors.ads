@@ -3,10 +3,9 @@
 --  One processor of a node in real time, as an Ada task (report, sections
 --  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, KRN-1 to KRN-6, D-9, D-23).
 --
---  At each tick of 2 ms the tasks that are due become ready; between two
---  ticks they run, step by step, and none preempts another. A tick that
---  comes late by whole ticks is the tick that it should have been, so that
---  lateness is seen as what it is.
+--  At each tick of 2 ms the due tasks become ready. Between two ticks they
+--  run, step by step, and none preempts another. A tick that comes late by
+--  whole ticks keeps its own number, so the true lateness shows.
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with URVOS.Node_Software;

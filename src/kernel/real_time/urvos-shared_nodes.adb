@@ -4,7 +4,7 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
 
    Tick_Time : constant Time_Span := Microseconds (Microseconds_Per_Tick);
 
-   --  So many missed ticks are made up for at once.
+   --  The largest number of missed ticks that one call makes up for.
    Most_Missed : constant := 100;
 
    protected body Node is

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the processors of a node share: how they start together, and what
---  each says of its clock and its tasks (KRN-5, FRM-4, EXT-4).
+--  The data that the processors of a node share: the state of a common start,
+--  the clock, and each processor's overruns (KRN-5, FRM-4, EXT-4).
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
@@ -16,15 +16,14 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
    protected type Node is
 
-      --  Power up: of so many processors, at this time of tick 0, with that
-      --  schedule.
+      --  Power up with this number of processors, time of tick 0 and schedule.
       procedure Switch_On
         (Processors : Processor_Number;
          At_Time    : Time;
          Schedule   : Schedule_Name := Report);
 
-      --  A reset or an exception: the node starts again when the tasks that
-      --  now run have ended their steps, at the next tick after that.
+      --  A reset or an exception. The node starts again at the first tick
+      --  after all running tasks have ended their steps.
       procedure Request (Condition : Start_Condition);
 
       procedure Look (Who : Seat; Next_Order : out Order);
@@ -32,17 +31,17 @@ package URVOS.Shared_Nodes with SPARK_Mode is
       --  Phases 1 and 2 are over; the master has given these numbers.
       procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
 
-      --  The clock has ticked for the processor, and so many of its tasks
-      --  have overrun since power up.
+      --  The processor's clock has ticked. Overruns is the number of overruns
+      --  of its tasks since power up.
       procedure Note_Tick (Who : Seat; Now : Clock_Tick; Overruns : Count);
 
       function Is_Start_Wanted return Boolean;
 
       function Processors return Processor_Number;
 
-      --  The clock of all processors ticks as often as it has to, up to
-      --  now; so many missed ticks are made up for at once. Then it shows
-      --  this tick, and ticks next at that time.
+      --  Advances the common clock to the time Present, by at most 100 missed
+      --  ticks a call. Now is the tick that the clock then shows; Next_Tick is
+      --  the time of the next tick.
       procedure Follow
         (Present   : Time;
          Request   : Frame_Request;
@@ -51,8 +50,8 @@ package URVOS.Shared_Nodes with SPARK_Mode is
 
       function Switched_On_At return Time;
 
-      --  When the clock showed tick 0, had all frames lasted as long as ever
-      --  and been as the present one is.
+      --  The time at which the clock would have shown tick 0 if all frames had
+      --  the usual length and the present frame's phase.
       function Counted_From return Time;
 
       function Schedule return Schedule_Name;

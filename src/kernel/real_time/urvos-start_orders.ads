@@ -3,25 +3,25 @@
 --  How the processors of a node start together (report, section 3.1; INI-2,
 --  KRN-5, KRN-6, EXT-4, D-23).
 --
---  Somebody asks for a start. Each processor looks here at each tick: it
---  ends the step that it is in and stands still. When all do, the master has
---  the node tested and prepared, and gives each a number. Then each loads the
---  tasks of its number, and goes on.
+--  A caller requests a start. Each processor looks here at each tick, ends its
+--  current step and stops. When all have stopped, the master has the node
+--  tested and prepared, and gives each processor a number. Each then loads the
+--  tasks of its number and continues.
 
 with URVOS.Starts;     use URVOS.Starts;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package URVOS.Start_Orders with Pure, SPARK_Mode is
 
-   --  A processor by its place in the node. The master is the first. Which
-   --  tasks it has follows from its number alone.
+   --  A processor by its place in the node. The master has the first place. A
+   --  processor's number alone decides which tasks it has.
    type Seat is new Processor_Number;
 
    Master : constant Seat := 1;
 
    type Order_Name is
-     (Carry_On,      --  the clock has ticked for the tasks, as ever
-      Stand_Still,   --  no step is to be run
+     (Carry_On,      --  the clock has ticked for the tasks
+      Stand_Still,   --  run no step
       Begin_Start,   --  phases 1 and 2, for the master alone
       Load_Tasks);   --  phase 3
 
@@ -30,11 +30,12 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    type Order is record
       Name      : Order_Name       := Stand_Still;
 
-      --  For Begin_Start; Present are the processors that stand still.
+      --  For Begin_Start. Present marks the processors that have stopped.
       Condition : Start_Condition  := Cold_Start;
       Present   : Seat_Flags       := (others => False);
 
-      --  For Load_Tasks: whether there are tasks, after phase 1, and which.
+      --  For Load_Tasks: the self-test's result, and the number of the task
+      --  set.
       Passed    : Boolean          := False;
       Number    : Processor_Number := 1;
    end record;
@@ -44,15 +45,15 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    --  The processors' numbers, as the master gives them (report, section 3.1).
    type Number_List is array (Seat) of Processor_Number;
 
-   --  One if a processor is there, before another one.
+   --  1 if the processor Which is present and precedes Who, else 0.
    function Ahead (Present : Seat_Flags; Which, Who : Seat) return Natural is
      (if Which < Who and then Present (Which) then 1 else 0)
    with
      Global => null,
      Post   => Ahead'Result <= 1;
 
-   --  The master gives itself number 1, and the next ones to the processors
-   --  that are there, in the order of their places.
+   --  The master gives itself number 1, and the next numbers to the processors
+   --  that are present, in the order of their places.
    function Numbers_For (Present : Seat_Flags) return Number_List is
      ((for Who in Seat =>
          Processor_Number
@@ -72,7 +73,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
                   and then Present (Other)
                 then Numbers_For'Result (One) /= Numbers_For'Result (Other))))
 
-       --  And every number up to theirs is given.
+       --  Every number up to the highest is given.
        and then
          (for all Who in Seat =>
             Numbers_For'Result (Who) = 1
@@ -90,18 +91,18 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       Passed     : Boolean          := False;
       Numbers    : Number_List      := (others => 1);
 
-      --  Who has stopped, or loaded its tasks.
+      --  The processors that have stopped, or have loaded their tasks.
       Done       : Seat_Flags       := (others => False);
    end record
    with Predicate => (if Doing = Stopping then Is_Wanted);
 
-   --  All seats that are taken.
+   --  All seats of the node's processors are done.
    function All_Done (State : Node_State) return Boolean is
      (for all Which in Seat =>
         State.Done (Which) or else Which > Seat (State.Processors))
    with Global => null;
 
-   --  Of several requests the last one counts.
+   --  The last of several requests counts.
    function Requested
      (State     : Node_State;
       Condition : Start_Condition) return Node_State
@@ -122,22 +123,22 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
          Done    => (others => False)))
    with Global => null;
 
-   --  A processor looks what it has to do.
+   --  The steps of Look
 
-   --  A request is heard when all run.
+   --  The node takes up a request when all processors run.
    function Heard (State : Node_State) return Node_State is
      (if State.Doing = Running and then State.Is_Wanted
       then (State with delta Doing => Stopping, Done => (others => False))
       else State)
    with Global => null;
 
-   --  With a processor that has stopped, or loaded.
+   --  The state after this processor has stopped, or has loaded its tasks.
    function With_Done (State : Node_State; Who : Seat) return Node_State is
      ((State with delta
          Done => (for Each in Seat => Each = Who or else State.Done (Each))))
    with Global => null;
 
-   --  For a state in which a request has been heard.
+   --  For a state in which a request has been taken up.
 
    function Order_For (State : Node_State; Who : Seat) return Order is
      (case State.Doing is
@@ -182,8 +183,8 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
        Next_Order = Order_For (Heard (State'Old), Who)
        and then State = State_After (Heard (State'Old), Who)
 
-       --  Nobody runs a step from the time when all stand still until the
-       --  start's phases 1 and 2 are over.
+       --  No processor runs a step from the moment all have stopped until
+       --  phases 1 and 2 of the start are over.
        and then
          (if Next_Order.Name = Begin_Start
           then Who = Master
@@ -197,7 +198,7 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
          (if State'Old.Doing = Testing
           then Next_Order.Name = Stand_Still and then State = State'Old)
 
-       --  Each loads its tasks once, those of the number that it was given.
+       --  Each processor loads its tasks once, those of its given number.
        and then
          (if Next_Order.Name = Load_Tasks
           then State'Old.Doing = Loading
@@ -207,13 +208,14 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
             and then Next_Order.Number = State'Old.Numbers (Who))
        and then State.Numbers = State'Old.Numbers
 
-       --  A request is granted by phases 1 and 2, and not lost before.
+       --  A request lasts until phases 1 and 2 grant it.
        and then
          State.Is_Wanted =
            (State'Old.Is_Wanted and then Next_Order.Name /= Begin_Start)
        and then State.Wanted = State'Old.Wanted
 
-       --  Whoever is told to carry on has tasks, and no start is under way.
+       --  A processor with the order to carry on has tasks. Its own part of a
+       --  start is over.
        and then
          (if Next_Order.Name = Carry_On
           then State.Doing in Running | Loading

@@ -12,11 +12,11 @@ is
    Tasks : Scheduler;
    Late  : Count := 0;
 
-   --  Between two ticks each task sleeps once at the most, and gives way to
-   --  each higher one once at the most before one of them sleeps.
+   --  Between two ticks each task sleeps at most once, and before one of them
+   --  sleeps it gives way at most once to each task of higher priority.
    Steps_Per_Tick : constant := Number_Of_TCBs * (Number_Of_TCBs + 1);
 
-   --  The scheduler has counted an overrun of that task, or none.
+   --  Reports an overrun if the scheduler has counted one since Before.
    procedure Note_Overrun (Before : Count; Who : Task_Id);
 
    --  Gives an idle processor to the next task.
@@ -62,7 +62,7 @@ is
       Id     : Task_Id;
       Call   : Kernel_Call;
 
-      --  The caller sleeps.
+      --  The caller sleeps until this tick.
       procedure Put_To_Sleep (Until_Tick : Tick)
       with Pre => not Is_Idle (Tasks);
 

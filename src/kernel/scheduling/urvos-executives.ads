@@ -3,18 +3,18 @@
 --  Runs the tasks of one processor (report, sections 2.2 and 3.3; FRM-2 to
 --  FRM-4, KRN-1 to KRN-4, D-25).
 --
---  A task is run in steps, each up to its next kernel call. The scheduler
---  says which task is next; here its step is run to the end. Who drives the
---  executive tells it when the clock has ticked, and has it run steps
---  between the ticks: URVOS.Virtual_Nodes, URVOS.Real_Time_Nodes.
+--  A task runs in steps, each up to its next kernel call. The scheduler
+--  chooses the next task, and the executive runs its step to the end. The
+--  caller (URVOS.Virtual_Nodes, URVOS.Real_Time_Nodes, URVOS.Bare_Nodes)
+--  reports each clock tick and has steps run between ticks.
 
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
 
 generic
-   --  The next step of a task, and the call that it ends with. The first
-   --  step of a task that was loaded is its initialisation.
+   --  Runs a task's next step and gives the call that ends it. The first step
+   --  of a loaded task is its initialisation.
    with procedure Step
      (Who       : Task_Id;
       First_Run : Boolean;
@@ -24,7 +24,8 @@ generic
    --  A task was released late, or ran into its next release (FRM-4).
    with procedure Report_Overrun (Who : Task_Id);
 
-   --  Now is what the clock shows, should it have moved since a step began.
+   --  Sets Now to the clock's tick if the clock has moved since the step
+   --  began.
    with procedure Read_Clock (Now : in out Clock_Tick) is null;
 package URVOS.Executives
   with
@@ -48,13 +49,13 @@ is
    --  Runs_On tells that this task called EXIT and has the processor again.
    procedure Run_Step (Runs_On : out Boolean);
 
-   --  Runs what is due. In virtual time nothing happens to the tasks between
-   --  two ticks but what an interrupt brings. So one that calls EXIT and gets
-   --  the processor back runs on when this is called again: at the next tick,
-   --  or behind an interrupt.
+   --  Runs all due steps. In virtual time only an interrupt changes a task's
+   --  inputs between two ticks. A task that calls EXIT and keeps the processor
+   --  therefore continues in the next call: at the next tick or after an
+   --  interrupt.
    procedure Run_Until_Idle;
 
-   --  How often a task has overrun, since the program began.
+   --  The number of overruns since the program began.
    function Overruns return Count
    with Global => Task_Management;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The calls with which a task gives the processor away (report, section 3.3;
+--  The calls by which a task gives up the processor (report, section 3.3;
 --  KRN-2 to KRN-4, FRM-3, D-25).
 
 with URVOS.Frames; use URVOS.Frames;

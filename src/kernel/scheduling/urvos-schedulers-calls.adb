@@ -2,7 +2,7 @@
 
 package body URVOS.Schedulers.Calls with SPARK_Mode is
 
-   --  A TCB has a new value and goes to the back.
+   --  Gives a TCB a new value and the last turn.
    procedure Queue
      (S     : in out Scheduler;
       Which : TCB_Number;
@@ -15,7 +15,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
               Running => (if Which = S'Old.Running then No_TCB
                           else S'Old.Running));
 
-   --  The task of a TCB runs.
+   --  Runs the task of a TCB.
    procedure Switch_To (S : in out Scheduler; Which : TCB_Number)
    with
      Pre  => S.TCBs (Which).Id /= No_Task,

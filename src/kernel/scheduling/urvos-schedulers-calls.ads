@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The calls of a scheduler (report, sections 3.2 and 3.3; KRN-1 to KRN-4,
---  FRM-4), in place: each does what its model in URVOS.Schedulers says.
+--  FRM-4), in place. Each does the same as its model in URVOS.Schedulers.
 
 package URVOS.Schedulers.Calls with Pure, SPARK_Mode is
 
-   --  Loads the tasks of a tree, and the first task runs.
+   --  Loads the tasks of a tree and runs the first task.
    procedure Start (S : out Scheduler; Tree : Task_Tree; Now : Clock_Tick)
    with
      Global => null,

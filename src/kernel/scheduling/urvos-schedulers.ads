@@ -1,19 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which task runs (report, sections 3.2 and 3.3; KRN-1 to KRN-4, FRM-4).
+--  The choice of the running task (report, sections 3.2 and 3.3; KRN-1 to
+--  KRN-4, FRM-4).
 --
 --  A scheduler is the task management of one processor: task control blocks
 --  (TCBs), the clock, and the running task. It works for any task tree. There
---  is no preemption: the running task gives the processor away by EXIT,
---  SLEEP or TERMINATE.
+--  is no preemption: the running task gives up the processor by EXIT, SLEEP or
+--  TERMINATE.
 --
---  The queues are not kept in order. Each TCB has the tick at which its task
---  is ready, and its turn among tasks with the same tick; each choice looks
---  at all TCBs. The clock alone wakes a sleeping task: its tick has come.
+--  The queues are not sorted. Each TCB holds the tick at which its task is
+--  ready, and its turn among tasks of the same tick. Each choice searches all
+--  TCBs. The clock alone wakes a sleeping task.
 --
---  Each call is here a function from one scheduler to the next: the model. It
---  is for contracts and theorems. The procedures of URVOS.Schedulers.Calls do
---  the same in place.
+--  Each call is modelled here as a function from one scheduler to the next,
+--  for contracts and theorems. URVOS.Schedulers.Calls does the same in place.
 
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
@@ -46,11 +46,11 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      (S : Scheduler; Which : TCB_Number) return Task_Control_Block
    with Global => null;
 
-   --  The time that the scheduler was given last.
+   --  The latest time that the scheduler was given.
    function Clock (S : Scheduler) return Clock_Tick
    with Global => null;
 
-   --  How often a task was released late, or ran into its next release.
+   --  The number of tasks released late or still running at the next release.
    function Overruns (S : Scheduler) return Count
    with Global => null;
 
@@ -68,7 +68,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    type Queue_Name is (Running, Ready, Timer, Free);
 
-   --  The queue of a TCB. Running is a queue of one at most.
+   --  The queue of a TCB. The queue Running has at most one TCB.
    function Queue_Of (S : Scheduler; Which : TCB_Number) return Queue_Name is
      (if Which = Running_TCB (S) then Running
       elsif TCB (S, Which).Id = No_Task then Free
@@ -76,13 +76,13 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
       else Timer)
    with Global => null;
 
-   --  Of two TCBs that were queued at the same tick, the first came first.
+   --  First was queued before Other. It decides between TCBs of one tick.
    function Came_First
      (S : Scheduler; First, Other : TCB_Number) return Boolean
    with Global => null;
 
-   --  Of two ready tasks, or two free TCBs, the first is chosen before the
-   --  other: it has a higher priority, or came earlier.
+   --  First is chosen before Other, both ready or both free: it has the higher
+   --  priority, or came earlier.
    function Is_Ahead (S : Scheduler; First, Other : TCB_Number) return Boolean
    is
      (if TCB (S, First).Priority /= TCB (S, Other).Priority
@@ -92,8 +92,8 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
       else Came_First (S, First, Other))
    with Global => null;
 
-   --  Among the TCBs up to Last, none is in the queue, or Head is and is
-   --  ahead of all others that are.
+   --  Among the TCBs up to Last, Head is in the queue and ahead of all others
+   --  in it; Head is No_TCB if the queue is empty.
    function Is_Head
      (S     : Scheduler;
       Queue : Queue_Name;
@@ -108,7 +108,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
             then Head /= No_TCB and then Is_Ahead (S, Head, Other))))
    with Ghost, Global => null;
 
-   --  The TCB to be chosen of the ready or the free queue, or No_TCB.
+   --  The next TCB of the ready or the free queue, or No_TCB.
    function Head_Of (S : Scheduler; Queue : Queue_Name) return TCB_Count
    with
      Global => null,
@@ -129,7 +129,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      Global => null,
      Pre    => not Is_Idle (S);
 
-   --  The running task still runs although its next release, a major frame
+   --  The running task has not ended although its next release, a major frame
    --  after the last one, has come.
    function Has_Overrun (S : Scheduler) return Boolean is
      (Clock (S) >= Ticks_Per_Major_Frame
@@ -141,12 +141,12 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    --  Starting
 
-   --  The scheduler with the tasks of a tree: one TCB for each header, in
-   --  their order. No task runs yet.
+   --  The scheduler after the tasks of a tree are loaded: one TCB for each
+   --  header, in order. No task runs yet.
    function Loaded_Tree (Tree : Task_Tree; Now : Clock_Tick) return Scheduler
    with Global => null;
 
-   --  The first free TCB is given to the task of a header.
+   --  Gives the first free TCB to the task of a header.
    function After_Load
      (S : Scheduler; Header : Task_Header) return Scheduler
    with
@@ -154,14 +154,14 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      Global => null,
      Pre    => Header.Id /= No_Task and then Has_Free_TCB (S);
 
-   --  An idle processor is given to the best ready task, if there is one. A
-   --  task that gets it after the tick of its release has overrun.
+   --  Gives an idle processor to the best ready task, if any. A task that gets
+   --  it after the tick of its release has overrun.
    function After_Dispatch (S : Scheduler) return Scheduler
    with Ghost, Global => null;
 
    --  The clock
 
-   --  The time is Now: sleeping tasks whose tick has come are ready.
+   --  The time is Now. Sleeping tasks whose tick has come are ready.
    function After_Wake (S : Scheduler; Now : Clock_Tick) return Scheduler
    with
      Ghost,
@@ -170,24 +170,24 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    --  The calls of the running task
 
-   --  EXIT: the caller gives the processor to the best ready task, if that
-   --  has a higher priority. Otherwise the caller runs on.
+   --  EXIT: the caller gives the processor to the best ready task if that has
+   --  a higher priority. Otherwise the caller continues.
    function After_Exit (S : Scheduler) return Scheduler
    with
      Ghost,
      Global => null,
      Pre    => not Is_Idle (S);
 
-   --  SLEEP until a tick, or until the next one if that tick has passed. The
-   --  processor is idle: see Dispatch.
+   --  SLEEP until a tick, or until the next tick if that one has passed. The
+   --  processor becomes idle; see Dispatch.
    function After_Sleep (S : Scheduler; Until_Tick : Tick) return Scheduler
    with
      Ghost,
      Global => null,
      Pre    => not Is_Idle (S);
 
-   --  TERMINATE, or the end of a task's statements: the caller's TCB is
-   --  free, the last to be used again. The processor is idle.
+   --  TERMINATE, or the end of a task's statements. The caller's TCB becomes
+   --  the last free one. The processor becomes idle.
    function After_Terminate (S : Scheduler) return Scheduler
    with
      Ghost,
@@ -196,7 +196,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
 private
 
-   --  A place in the order in which TCBs were queued. No two have the same.
+   --  A place in the order of queued TCBs. No two TCBs have the same.
    type Turn is range 1 .. Number_Of_TCBs with Size => 8;
 
    type Turn_Table is array (TCB_Number) of Turn
@@ -234,7 +234,7 @@ private
      (S : Scheduler; First, Other : TCB_Number) return Boolean
    is (S.Turns (First) < S.Turns (Other));
 
-   --  One TCB goes to the back; those that were behind it move up.
+   --  Moves one TCB to the end; those after it move up by one.
    function With_Last
      (Turns : Turn_Table; Which : TCB_Number) return Turn_Table
    is
@@ -243,8 +243,8 @@ private
          elsif Each /= Which then Turns (Each)
          else Turn'Last));
 
-   --  A TCB has a new value and goes to the back. Running is the TCB of the
-   --  running task after it.
+   --  Gives a TCB a new value and the last turn. Running is the TCB of the
+   --  running task afterwards.
    function Queued
      (S       : Scheduler;
       Which   : TCB_Number;
@@ -265,7 +265,7 @@ private
    function Is_Late (S : Scheduler; Which : TCB_Number) return Boolean is
      (S.TCBs (Which).New_Release and then S.TCBs (Which).Release < S.Clock);
 
-   --  The task of a TCB runs.
+   --  Runs the task of a TCB.
    function Switched_To (S : Scheduler; Which : TCB_Number) return Scheduler is
      ((S with delta
          TCBs     => (S.TCBs with delta
@@ -278,7 +278,7 @@ private
      Ghost,
      Pre => S.TCBs (Which).Id /= No_Task;
 
-   --  The TCB of a task that is loaded now.
+   --  The TCB of a newly loaded task.
    function Loaded
      (Header : Task_Header; Now : Clock_Tick) return Task_Control_Block
    is
@@ -291,7 +291,7 @@ private
    with
      Pre => Header.Id /= No_Task;
 
-   --  The TCB of a task that sleeps.
+   --  The TCB of a sleeping task.
    function Slept
      (Item       : Task_Control_Block;
       Until_Tick : Tick;

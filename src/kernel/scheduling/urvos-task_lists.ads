@@ -1,13 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The list of a node's tasks (report, sections 2.2, 3.1 and 3.2; FRM-2,
---  FRM-5, SET-1, KRN-1, KRN-5, D-46): the one place that says which tasks
---  there are. Identifications, headers and task trees follow from it.
+--  FRM-5, SET-1, KRN-1, KRN-5, D-46). It is the one place that names the
+--  tasks. Identifications, headers and task trees follow from it.
 --
---  The names stand in order of priority: of tasks due at the same tick the
---  first named has the highest. A table without a row for a name does not
---  compile; one of more tasks than there are task control blocks does not
---  prove.
+--  The names are in order of priority: the first has the highest. A table
+--  without a row for a name does not compile. A list of more tasks than task
+--  control blocks does not prove.
 
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
@@ -40,16 +39,16 @@ package URVOS.Task_Lists with SPARK_Mode is
    is (Next_Release (Now, Table (Who) (Schedule).Offset))
    with Global => null;
 
-   --  The header of a task that begins at once, with its initialisation.
+   --  The header of a task that begins at once with its initialisation.
    function Header (Who : Task_Name; Now : Clock_Tick) return Task_Header is
      ((Id               => Id_Of (Who),
        Start_Time       => Now,
        Initial_Priority => Priority'Last - Task_Name'Pos (Who)))
    with Global => null;
 
-   --  Which of a node's processors runs the task: that of the table, counted
-   --  round where there are fewer. On two processors 1 has the tasks of 1 and
-   --  3, and 2 those of 2 and 4.
+   --  The processor that runs the task: the table's, counted round if the node
+   --  has fewer. On two processors, 1 has the tasks of 1 and 3, and 2 those of
+   --  2 and 4.
    function Processor_Of
      (Who        : Task_Name;
       Processors : Processor_Number;
@@ -59,7 +58,7 @@ package URVOS.Task_Lists with SPARK_Mode is
      Global => null,
      Post   => Processor_Of'Result <= Processors;
 
-   --  How many tasks of a processor the names up to Who are.
+   --  The number of tasks of processor Which among the names up to Who.
    function Number_Upto
      (Who        : Task_Name;
       Processors : Processor_Number;
@@ -76,7 +75,7 @@ package URVOS.Task_Lists with SPARK_Mode is
      Subprogram_Variant => (Decreases => Task_Name'Pos (Who));
 
    --  The tree of a processor: each of its tasks once, in the order of the
-   --  names, and no other.
+   --  names, and no other task.
    function Tree_Of
      (Processors : Processor_Number;
       Which      : Processor_Number;

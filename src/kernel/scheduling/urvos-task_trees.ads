@@ -1,15 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the application tells the operating system of its tasks (report,
---  section 3.2; KRN-1).
+--  The application's description of its tasks for the operating system
+--  (report, section 3.2; KRN-1).
 --
---  A task tree is a list of task headers, ended by a null header or by its
---  last place. It has as many places as there are task control blocks, so
---  no tree is too long.
+--  A task tree is a list of task headers. A null header or the last place ends
+--  it. It has one place for each task control block, so no tree is too long.
 --
 --  The report's header holds the task's starting address. Here the
---  identification number stands for it: the application runs the task of
---  that number when it is told to (D-40).
+--  identification number replaces the address: the application runs the task
+--  of a given number (D-40).
 
 with URVOS.Frames; use URVOS.Frames;
 
@@ -29,7 +28,7 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
 
    No_Task : constant Task_Id := 0;
 
-   --  The higher, the sooner.
+   --  A task with a higher number is chosen first.
    type Priority is range 0 .. 31;
 
    type Task_Header is record
@@ -44,7 +43,7 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
 
    Empty_Tree : constant Task_Tree := (others => (others => <>));
 
-   --  A header that has no null header at or before it.
+   --  No header up to this one is a null header.
    function Is_In_Tree
      (Tree  : Task_Tree;
       Which : TCB_Number) return Boolean
@@ -53,22 +52,23 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
         Tree (Earlier).Id /= No_Task)
    with Global => null;
 
-   --  A node has one to four processors (D-46); the master is number 1. At
-   --  each start each loads the tasks of its number (KRN-5, EXT-4, D-23).
+   --  A node has one to four processors (D-46); the master has number 1. At
+   --  each start each processor loads the tasks of its number (KRN-5, EXT-4,
+   --  D-23).
    type Processor_Number is range 1 .. 4;
 
-   --  When and where tasks run: as the report says (FRM-2), or so that what
-   --  they pass on is soon where it belongs (FRM-5).
+   --  The schedule of the tasks: the report's (FRM-2), or one in which each
+   --  task follows closely after the task that feeds it (FRM-5).
    type Schedule_Name is (Report, Fast);
 
-   --  When a task is released in each major frame, and on which processor of
-   --  four. URVOS.Task_Lists deals them to fewer.
+   --  A task's release within each major frame, and its processor among four.
+   --  URVOS.Task_Lists deals the tasks to fewer.
    type Task_Place is record
       Offset    : Minor_Frame;
       Processor : Processor_Number;
    end record;
 
-   --  What a node's list says of a task.
+   --  A task's place in each schedule.
    type Task_Attributes is array (Schedule_Name) of Task_Place;
 
 end URVOS.Task_Trees;

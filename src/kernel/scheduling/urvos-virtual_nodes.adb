@@ -17,7 +17,7 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
    package Processor_4 is
      new URVOS.Executives (Software.Step, Software.Report_Overrun);
 
-   --  The last of the processors that the node has.
+   --  The last processor that the node has.
    Last : Seat := Master;
 
    procedure Load (Which : Seat; Tree : Task_Tree; Now : Clock_Tick);
@@ -68,7 +68,7 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
       Last := Seat (Processors);
       Software.Begin_Again (Condition, Now, Passed);
 
-      --  All processors stand still, and the master gives them their numbers.
+      --  All processors have stopped; the master gives them their numbers.
       Numbers := Numbers_For ((for Which in Seat => Which <= Last));
       for Which in Master .. Last loop
          Load

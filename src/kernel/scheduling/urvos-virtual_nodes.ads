@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A node in virtual time: whoever drives it tells it when the clock ticks
---  (KRN-1 to KRN-6, EXT-4, D-23).
+--  A node in virtual time: the caller supplies each clock tick (KRN-1 to
+--  KRN-6, EXT-4, D-23).
 --
---  A step takes no time. So one processor's tasks run to their ends before
---  the next one's, and what they do is the same each time.
+--  A step takes no time. All steps of one processor run before those of the
+--  next, so each run gives the same results.
 
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Node_Software;
@@ -15,8 +15,8 @@ generic
    with package Software is new URVOS.Node_Software (<>);
 package URVOS.Virtual_Nodes with SPARK_Mode is
 
-   --  The node starts. Its tasks begin with the next major frame; after a
-   --  failed self-test there are none.
+   --  Starts the node. Its tasks are loaded unless the self-test has failed.
+   --  They run from the next clock interrupt or Look_Again.
    procedure Start
      (Condition  : Start_Condition;
       Now        : Clock_Tick;
@@ -26,11 +26,11 @@ package URVOS.Virtual_Nodes with SPARK_Mode is
    --  The clock has ticked, for every processor.
    procedure Clock_Interrupt (Now : Clock_Tick);
 
-   --  An interrupt has been handled, between two ticks: a task that looks for
-   --  what it brought, with EXIT between its looks, looks again.
+   --  Called after an interrupt, between two ticks. A task that calls EXIT
+   --  while it waits for the interrupt's result looks again.
    procedure Look_Again;
 
-   --  How often a task has overrun, on any processor.
+   --  The number of overruns of all tasks on all processors.
    function Overruns return Count;
 
 end URVOS.Virtual_Nodes;

@@ -5,14 +5,13 @@
 --  1EDC6F41h.
 --
 --  The image keeps its own sum in its last four bytes, low byte first and
---  complemented. The register that has taken all bytes, those four among
---  them, is then Good_Image, whatever the image is. So nothing but the
---  image has to be known to check it.
+--  complemented. After all bytes, including those four, the register is
+--  Good_Image for every sound image. A check therefore needs the image alone.
 --
---  Every change within one byte, and every burst of up to 32 bits, changes
---  the register (Theorems.Self_Test proves the first). The polynomial has
---  the factor x + 1 and a period of 2**31 - 1 bits, so that up to three
---  wrong bits anywhere in an image are found too.
+--  The register detects every change within one byte, which Theorems.Self_Test
+--  proves, and every burst of up to 32 bits. The polynomial has the factor x +
+--  1 and a period of 2**31 - 1 bits, so the register also detects up to three
+--  wrong bits anywhere in an image.
 
 with Interfaces;
 
@@ -20,8 +19,8 @@ with URVOS.Memories; use URVOS.Memories;
 
 package URVOS.Image_Sums with Pure, SPARK_Mode is
 
-   --  GNAT 12 crashes when it has to check a variant at run time here. That
-   --  the recursion below ends is proven.
+   --  GNAT 12 crashes when it checks a variant at run time here. The proof
+   --  shows that the recursion below ends.
    pragma Assertion_Policy (Subprogram_Variant => Ignore);
 
    type Sum is new Interfaces.Unsigned_32;
@@ -30,8 +29,8 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
 
    Good_Image : constant Sum := 16#B798_B438#;
 
-   --  What four bits that leave the register give back to it. A table of
-   --  256 for whole bytes would be faster and fills 1 KiB.
+   --  The value that the register takes up for the four bits that leave it. A
+   --  table of 256 values for whole bytes is faster but fills 1 KiB.
    subtype Four_Bits is Sum range 0 .. 15;
 
    Given_Back : constant array (Four_Bits) of Sum :=
@@ -65,8 +64,8 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
      Subprogram_Variant => (Decreases => Length),
      Pre                => Item'First = 0 and then Length <= Item'Length;
 
-   --  What an image keeps in its last four bytes when its register without
-   --  them is Register.
+   --  The byte at each place of the image's last four, where Register is the
+   --  sum of the bytes before them.
 
    type Sum_Place is range 0 .. 3;
 

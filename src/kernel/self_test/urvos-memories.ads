@@ -1,21 +1,21 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How the self-test addresses a processor's memories (report, 2.4; TST-1):
---  the ROM byte by byte, the RAM word by word.
+--  The addresses by which the self-test reaches a processor's memories
+--  (report, 2.4; TST-1): the ROM by bytes, the RAM by words.
 
 package URVOS.Memories with Pure, SPARK_Mode is
 
-   --  The address bus is 24 bits wide. Addresses count from the memory's
-   --  own first byte or word.
+   --  The address bus is 24 bits wide. Addresses count from the first byte or
+   --  word of each memory.
    type Byte_Address is range 0 .. 2 ** 24 - 1;
 
    type Word_Address is range 0 .. 2 ** 23 - 1;
 
-   --  How many bytes of an image.
+   --  The number of bytes of an image.
    type Image_Length is range 0 .. 2 ** 24;
 
-   --  A whole image. Contracts and tests speak of it; the flight software
-   --  reads byte by byte.
+   --  A whole image. Contracts and tests use it; the flight software reads
+   --  byte by byte.
    type Image is array (Byte_Address range <>) of Byte;
 
 end URVOS.Memories;

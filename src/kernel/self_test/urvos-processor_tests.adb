@@ -6,8 +6,8 @@ package body URVOS.Processor_Tests with SPARK_Mode is
 
    type Long is new Interfaces.Unsigned_32;
 
-   --  The tests by name; see docs/self-test.md. The numbers they compare
-   --  with are worked out for the known operands.
+   --  The tests by name; see docs/self-test.md. The expected numbers are
+   --  computed by hand from the known operands.
 
    function Data_Movement_Passes (Given : Operands) return Boolean
    with Post => (if Given = Known_Operands then Data_Movement_Passes'Result);
@@ -39,9 +39,9 @@ package body URVOS.Processor_Tests with SPARK_Mode is
    function Registers_Pass (Given : Operands) return Boolean
    with Post => (if Given = Known_Operands then Registers_Pass'Result);
 
-   --  Comparisons that the compiler does not see through: had it seen one
-   --  result compared, it would know the operand in what follows, and compute
-   --  the rest itself.
+   --  Comparisons that the compiler cannot see through. Otherwise the first
+   --  comparison would fix the operand, and the compiler would compute the
+   --  rest itself.
 
    function Is_Same (Actual, Expected : Long) return Boolean is
      (Actual = Expected)
@@ -91,12 +91,12 @@ package body URVOS.Processor_Tests with SPARK_Mode is
    end Data_Movement_Passes;
 
    function Arithmetic_Passes (Given : Operands) return Boolean is
-      --  Within 14 bits, so that no product is too large.
+      --  Limited to 14 bits, so that no product overflows.
       Few     : constant Integer := Integer (Given (Seven) and 16#3FFF#);
       Many    : constant Integer := Integer (Given (Thousand) and 16#3FFF#);
       All_One : constant Word := Given (Ones);
    begin
-      --  No division by a broken seven.
+      --  A defect that yields zero for seven must not divide by zero.
       if Few = 0 then
          return False;
       end if;
@@ -115,7 +115,7 @@ package body URVOS.Processor_Tests with SPARK_Mode is
         and then Is_Same
           (Long (Given (Zero)) - Long (Given (One)), 16#FFFF_FFFF#)
 
-        --  With signs.
+        --  With signs
         and then Is_Same (-Many - Few, -1_007)
         and then Is_Same (Few - Many, -993)
         and then Is_Same ((-Many) * Few, -7_000)
@@ -193,7 +193,7 @@ package body URVOS.Processor_Tests with SPARK_Mode is
 
    function Program_Control_Passes (Given : Operands) return Boolean is
 
-      --  A call with a choice in it.
+      --  A call that contains a choice.
       function Chosen (Selector : Word) return Word is
         (case Selector and 3 is
             when 0      => 11,
@@ -229,7 +229,7 @@ package body URVOS.Processor_Tests with SPARK_Mode is
          First, Second : Word;
       end record;
 
-      --  Through the addresses of two variables.
+      --  Exchanges two variables through their addresses.
       procedure Exchange (Left, Right : in out Word)
       with
         No_Inline,
@@ -246,8 +246,7 @@ package body URVOS.Processor_Tests with SPARK_Mode is
       Table  : Square := (others => (others => Given (Zero)));
       Couple : Pair := (First => Given (One), Second => Given (Seven));
    begin
-      --  An index that is known, one that is computed, both forwards and
-      --  backwards.
+      --  Constant and computed indices, forwards and backwards.
       Table (0) (1) := Given (Seven);
       Table (Index) (Index) := Given (Pattern);
       Table (3 - Index) (Index) := Given (Stripes);
@@ -268,8 +267,8 @@ package body URVOS.Processor_Tests with SPARK_Mode is
 
       Taken : constant Byte := 16#80#;
 
-      --  What the instruction does; that its cycle is not divided cannot
-      --  be said here.
+      --  The effect of a test-and-set instruction. Ada cannot express that its
+      --  bus cycle is indivisible.
       procedure Claim (Lock : in out Byte; Was_Free : out Boolean)
       with
         No_Inline,
@@ -293,8 +292,8 @@ package body URVOS.Processor_Tests with SPARK_Mode is
       return First and then not Second and then Third and then Lock = Taken;
    end Test_And_Set_Passes;
 
-   --  More values at once than a processor of this kind has data registers
-   --  or a compiler leaves in them.
+   --  This test holds more values at once than such a processor has data
+   --  registers or a compiler keeps in them.
    function Registers_Pass (Given : Operands) return Boolean is
       Base : constant Long := Joined (Given (Pattern), Given (Stripes));
 
@@ -349,7 +348,7 @@ package body URVOS.Processor_Tests with SPARK_Mode is
          when Data_Movement    => Data_Movement_Passes (Given),
          when Arithmetic       => Arithmetic_Passes (Given),
 
-         --  Where it is used; it is not.
+         --  The report tests it only if it is used; URV does not use it.
          when Floating_Point   => True,
          when Logical          => Logical_Passes (Given),
          when Shift_And_Rotate => Shift_And_Rotate_Passes (Given),

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The tests of the processor, as far as an Ada program can state them
---  (report, 2.4; TST-2). docs/self-test.md says what each would find.
+--  The processor's tests, as far as an Ada program can express them (report,
+--  2.4; TST-2). docs/self-test.md lists the faults that each finds.
 --
---  A compiler computes at once what it knows. So each test works on operands
---  that it is given by another unit, and units are compiled one by one; and
---  results are compared by functions that are not expanded in line, since
---  the first comparison would tell the compiler the operand. The
---  instructions are really there; which ones is the compiler's choice.
+--  A compiler evaluates known expressions itself. Each test therefore works on
+--  operands from another unit, which is compiled apart. Functions that are not
+--  expanded in line compare the results, since the first comparison would
+--  disclose the operand. The compiled code thus contains real instructions;
+--  the compiler chooses which.
 
 with URVOS.Self_Tests; use URVOS.Self_Tests;
 
@@ -29,8 +29,8 @@ package URVOS.Processor_Tests with Pure, SPARK_Mode is
 
    subtype Processor_Test is Test_Name range Data_Movement .. Registers;
 
-   --  Runs one test. A processor that does what Ada says passes them all;
-   --  with other operands a test may fail, so that it can be seen to look.
+   --  Runs one test. A processor that follows Ada's rules passes all tests.
+   --  With other operands a test may fail; this shows that it does compare.
    function Passes (Test : Processor_Test; Given : Operands) return Boolean
    with
      No_Inline,

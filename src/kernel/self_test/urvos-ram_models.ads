@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the proof of the RAM test may know of a memory (TST-1).
+--  The proof's knowledge of a memory under the RAM test (TST-1).
 
 with URVOS.Memories; use URVOS.Memories;
 
 package URVOS.RAM_Models with Pure, SPARK_Mode is
 
-   --  Of a real memory nothing is known.
+   --  The proof knows nothing of a real memory.
    function Not_Known
      (Unused_Where : Word_Address;
       Unused_Data  : Word) return Boolean

@@ -11,8 +11,8 @@ package body URVOS.RAM_Tests with SPARK_Mode is
    Backgrounds : constant array (Background_Number) of Word :=
      (16#5555#, 16#3333#, 16#0F0F#, 16#00FF#);
 
-   --  The steps of the test. Each goes through the whole memory in the order
-   --  that its name says, and ends at the first word with a fault.
+   --  The steps of the test. Each runs through the whole memory in the
+   --  direction of its name, and ends at the first faulty word.
 
    procedure Fill (Data : Word)
    with

@@ -1,16 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A test of RAM that finds stuck cells, cells that cannot change, cells that
+--  A RAM test that finds stuck cells, cells that cannot change, cells that
 --  disturb each other, and wrong address decoding (report, 2.4; TST-1, D-17).
 --
---  The test is March LR (14 accesses a word) over all zeros, which treats
---  each bit of the memory as a cell of its own; and before it, for bits of
---  one word, which that march always writes alike, five accesses a word with
---  each of four backgrounds. Any two bits of a word differ in one of them.
---  That makes 34 accesses a word.
+--  The main part is March LR, 14 accesses a word, over all zeros; it treats
+--  each bit as a cell of its own. It always writes the bits of one word alike.
+--  Before it, therefore, each word gets five accesses with each of four
+--  backgrounds; any two bits of a word differ in one of them. The total is 34
+--  accesses a word.
 --
---  It destroys what was in the RAM and leaves it all zeros. It ends at the
---  first fault.
+--  The test destroys the RAM's contents and leaves zeros. It ends at the first
+--  fault.
 
 with URVOS.Memories; use URVOS.Memories;
 with URVOS.RAM_Models;
@@ -21,15 +21,15 @@ generic
    with procedure Write (Where : Word_Address; Data : Word);
    with procedure Read (Where : Word_Address; Data : out Word);
 
-   --  For proof alone: whether Write and Read are those of a sound memory,
-   --  and that a word of it holds some data. An instance for a real memory
-   --  leaves both out: nothing is known of it.
+   --  For proof alone: Is_Model says that Write and Read are those of a sound
+   --  memory, and Holds that a word has this value. An instance for a real
+   --  memory omits both.
    Is_Model : Boolean := False;
    with function Holds (Where : Word_Address; Data : Word) return Boolean
      is RAM_Models.Not_Known;
 package URVOS.RAM_Tests with SPARK_Mode is
 
-   --  Where is the word at which the first fault showed.
+   --  Where is the first faulty word.
    procedure Run (Sound : out Boolean; Where : out Word_Address)
    with
      Post =>

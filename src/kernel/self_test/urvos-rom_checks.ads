@@ -1,31 +1,31 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A check of the program image that goes on byte by byte, in slices of any
---  length (report, 2.4; TST-1, TST-3). It only reads.
+--  A check of the program image, byte by byte, in slices of any length
+--  (report, 2.4; TST-1, TST-3). It only reads.
 --
 --     Read (Check.Position, Data);
 --     Take_Byte (Check, Data, Outcome);
 --
---  After the last byte the pass is counted, as good or bad, and the next one
---  begins at the first byte. A sum tells that some byte of the whole image
---  is wrong, not which.
+--  After the last byte the pass is counted as good or bad, and the next one
+--  begins at the first byte. A wrong sum shows that some byte is wrong, not
+--  which.
 
 with URVOS.Image_Sums; use URVOS.Image_Sums;
 with URVOS.Memories;   use URVOS.Memories;
 
 generic
-   --  The last byte of the image, its sum included.
+   --  The last byte of the image, including its sum.
    Last : Byte_Address;
 package URVOS.ROM_Checks with Pure, SPARK_Mode is
 
    subtype Place is Byte_Address range 0 .. Last;
 
    type Check is record
-      --  The byte that is wanted next, and the sum of those before it.
+      --  The next byte to read, and the sum of those before it.
       Position : Place := 0;
       Register : Sum   := First_Value;
 
-      --  How many passes found the image right, and wrong.
+      --  The numbers of passes with a right and a wrong image.
       Good_Passes : Count := 0;
       Bad_Passes  : Count := 0;
    end record;
@@ -34,7 +34,7 @@ package URVOS.ROM_Checks with Pure, SPARK_Mode is
 
    type Outcome_Kind is (Under_Way, Found_Good, Found_Bad);
 
-   --  What one more byte brings.
+   --  The outcome of one more byte.
    function Outcome_Of (This : Check; Data : Byte) return Outcome_Kind is
      (if This.Position < Last then Under_Way
       elsif Next (This.Register, Data) = Good_Image then Found_Good

@@ -1,20 +1,20 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The tests of the self-test and what it finds (report, 2.4; TST-1, TST-2,
+--  The parts of the self-test and its result (report, 2.4; TST-1, TST-2,
 --  TST-4). The numbers are the report's.
 
 with URVOS.Memories; use URVOS.Memories;
 
 package URVOS.Self_Tests with Pure, SPARK_Mode is
 
-   --  Floating point is tested where it is used; this software uses none.
+   --  Floating point is tested only if it is used; this software uses none.
    type Test_Name is
      (ROM, RAM, Data_Movement, Arithmetic, Floating_Point, Logical,
       Shift_And_Rotate, Bit_Manipulation, Program_Control, Addressing,
       Test_And_Set, Registers);
 
-   --  Failed and Where have a meaning only if a test failed, Where only for
-   --  the RAM; else they are the first of their kind.
+   --  Failed has a meaning only if a test failed, and Where only if the RAM's
+   --  did. Otherwise both have their first value.
    type Test_Result is record
       Passed : Boolean      := True;
       Failed : Test_Name    := ROM;
@@ -29,10 +29,10 @@ package URVOS.Self_Tests with Pure, SPARK_Mode is
    is ((Passed => False, Failed => Of_Test, Where => Where))
    with Global => null;
 
-   --  The result in one word, as it stands in CORE memory: 0 when all is
-   --  well, else the test's number in the high four bits and in the low
-   --  twelve the failing RAM word's block of 16 words, FFFh for the last
-   --  block that fits and all beyond.
+   --  The result as one word of CORE memory: 0 if all tests passed. Otherwise
+   --  the high four bits hold the test's number. The low twelve hold the
+   --  failing RAM word's block of 16 words, FFFh for the last block that fits
+   --  and all later ones.
 
    Words_Per_Block : constant := 16;
 

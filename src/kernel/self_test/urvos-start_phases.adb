@@ -20,7 +20,7 @@ package body URVOS.Start_Phases with SPARK_Mode is
          end case;
       end if;
 
-      --  After a cold start, which clears CORE memory and the log.
+      --  Recorded after a cold start, which clears CORE memory and the log.
       Record_Start (Condition, Result);
       if not Passed then
          Refuse;

@@ -1,14 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Phase one of every start: the self-test (report, 2.4, 3.1; INI-2, TST-1,
---  TST-2). ROM first, since the rest is no better than the program; then
---  RAM; then the processor. It ends at the first test that fails.
+--  TST-2). It tests the ROM first, since every later test depends on the
+--  program, then the RAM, then the processor. It ends at the first test that
+--  fails.
 --
 --  A processor restart happens in flight. It tests the processor alone: no
 --  memory fault keeps a flying aircraft from its controller (SAF-12, D-34).
 --
---  What was in the RAM is lost. The memory that Read_RAM and Write_RAM reach
---  is therefore not the memory of what survives a restart.
+--  The test destroys the RAM's contents. Data that survives a restart is
+--  therefore in another memory than the one that Read_RAM and Write_RAM reach.
 
 with URVOS.Memories;   use URVOS.Memories;
 with URVOS.Self_Tests; use URVOS.Self_Tests;
@@ -32,8 +33,8 @@ package URVOS.Start_Tests with SPARK_Mode is
        --  A processor restart always reaches phase two.
        and then (if Condition = Processor_Restart then Result.Passed)
 
-       --  Only these can fail: the processor's tests pass on a processor
-       --  that does what Ada says.
+       --  Only these can fail in the proof's model: a processor that follows
+       --  Ada's rules passes its tests.
        and then
          (if not Result.Passed then Result.Failed in ROM | RAM)
        and then (if Result.Failed /= RAM then Result.Where = 0)

@@ -1,18 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A mailbox: one message that one producer leaves for one consumer (report,
---  section 3.4; MBX-1 to MBX-4, D-21).
+--  A mailbox: one message from one producer to one consumer (report, section
+--  3.4; MBX-1 to MBX-4, D-21).
 --
 --     Send    (Box, Command, Success);
 --     Receive (Box, Command, Fresh);
 --
 --  The producer flag counts the messages produced, the consumer flag those
---  consumed. They differ, by one, exactly while the message in the box has
---  not been received. A message that overwrites an unconsumed one takes its
---  place without being counted again.
+--  consumed. They differ, by one, exactly while the message in the box has not
+--  been received. A message that overwrites an unconsumed one is not counted
+--  again.
 --
---  The size of the data is that of its type, so that a message that does
---  not fit the box is a compile error.
+--  The message type fixes the size of the data. A message that does not fit
+--  the box does not compile.
 --
 --  The counting flags wrap round; only whether they differ matters. The
 --  count of misses stops at its last value.
@@ -20,7 +20,7 @@
 generic
    type Message is private;
 
-   --  What a consumer gets that receives before anything was sent (INI-8).
+   --  The message that a consumer gets before any was sent (INI-8).
    Neutral : Message;
 package URVOS.Mailboxes with Pure, SPARK_Mode is
 
@@ -37,7 +37,7 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
    function Consumed (Box : Mailbox) return Flag
    with Global => null;
 
-   --  How often Receive found nothing new.
+   --  The number of Receives that found nothing new.
    function Misses (Box : Mailbox) return Count
    with Global => null;
 
@@ -48,7 +48,7 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
      Global => null,
      Post   => Is_Fresh'Result = (Produced (Box) = Consumed (Box) + 1);
 
-   --  A box in its known first state.
+   --  A box in its defined first state.
    function Empty_Mailbox return Mailbox
    with
      Global => null,
@@ -58,8 +58,8 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Consumed (Empty_Mailbox'Result) = 0
        and then Misses (Empty_Mailbox'Result) = 0;
 
-   --  A box after a warm start: flags and count as in its first state, the
-   --  message left as an acceptable previous one (INI-8).
+   --  A box after a warm start: flags and count as in the first state; the old
+   --  message remains as an acceptable previous one (INI-8).
    function Restarted (Box : Mailbox) return Mailbox
    with
      Global => null,
@@ -69,8 +69,8 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Consumed (Restarted'Result) = 0
        and then Misses (Restarted'Result) = 0;
 
-   --  Leaves Item in the box. Success is False when it replaced a message
-   --  that nobody had received.
+   --  Leaves Item in the box. Success is False if it replaced a message that
+   --  the consumer had not received.
    procedure Send
      (Box     : in out Mailbox;
       Item    : Message;
@@ -82,14 +82,14 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Is_Fresh (Box)
        and then Success = not Is_Fresh (Box'Old)
 
-       --  The flag advances only for a message that takes no other's place.
+       --  The flag advances only if the message replaces no unconsumed one.
        and then Produced (Box) =
          (if Success then Produced (Box'Old) + 1 else Produced (Box'Old))
        and then Consumed (Box) = Consumed (Box'Old)
        and then Misses (Box) = Misses (Box'Old);
 
-   --  Gives the message in the box, as Receive does, but counts no miss: a
-   --  look that is not the last one of a RECV that waits (MBX-3).
+   --  Gives the message in the box, as Receive does, but counts no miss. A
+   --  RECV that waits uses it for all looks but the last (MBX-3).
    procedure Look
      (Box   : in out Mailbox;
       Item  : out Message;
@@ -105,8 +105,8 @@ package URVOS.Mailboxes with Pure, SPARK_Mode is
        and then Consumed (Box) = Produced (Box)
        and then Misses (Box) = Misses (Box'Old);
 
-   --  Gives the message in the box. Fresh tells whether it is one that was
-   --  not given before; if not, the miss is counted.
+   --  Gives the message in the box. Fresh is True if the message was not given
+   --  before. If it was, the miss is counted.
    procedure Receive
      (Box   : in out Mailbox;
       Item  : out Message;

@@ -6,11 +6,11 @@
 --     --  In this step and, after EXIT, in those that follow:
 --     Receive_Step (Now, Patience, Command, Fresh, Look_Again);
 --
---  Each step looks into a mailbox; while nothing new is there the task ends
---  the step with EXIT and looks again in the next, until the wait is over.
---  The last look is a plain Receive: if it is in vain it gives the old
---  message and counts the miss. So there is one miss, however often it
---  looked, and a wait of 0 ticks looks once.
+--  Each step looks into a mailbox. While it holds nothing new, the task ends
+--  the step with EXIT and looks again in the next step, until the wait is
+--  over. The last look is a plain Receive: without a new message it gives the
+--  old one and counts the miss. One RECV thus counts at most one miss, and a
+--  wait of 0 ticks looks once.
 
 with URVOS.Frames; use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
@@ -22,8 +22,8 @@ generic
 package URVOS.Receive_Calls with SPARK_Mode is
 
    --  One look of a RECV whose wait has begun. Look_Again is False when the
-   --  RECV has ended, with a fresh message or without. It looks Ticks *
-   --  100,000 + 1 times at most; when the clock stands still, 100,001 times.
+   --  RECV has ended, with or without a fresh message. A RECV looks at most
+   --  Ticks * 100,000 + 1 times, and 100,001 times if the clock has stopped.
    procedure Receive_Step
      (Now        : Clock_Tick;
       Patience   : in out Wait;

@@ -8,9 +8,9 @@
 --     --  The resource is used, claimed or not.
 --     Release (Caller, Released);
 --
---  P tries, once a step; between tries the task ends its step with EXIT, so
---  that whoever has the semaphore can run. After two ticks it tries for the
---  last time and goes on, without the semaphore if need be, which is then
+--  P tries once a step. Between tries the task ends its step with EXIT, so
+--  that the semaphore's owner can run. After two ticks it tries for the last
+--  time and continues, if necessary without the semaphore, which is then
 --  reported.
 
 with URVOS.Frames;            use URVOS.Frames;
@@ -22,19 +22,19 @@ with URVOS.Waits;             use URVOS.Waits;
 generic
    Resource : in out Flag;
 
-   --  Caller's P went on without the semaphore, Holder's.
+   --  Caller's P continued without the semaphore; Holder owns it.
    with procedure Report_Not_Claimed (Caller, Holder : Claimant);
 
-   --  Caller's V has released nothing. Holder has the semaphore.
+   --  Caller's V released nothing; Holder owns the semaphore.
    with procedure Report_Not_Owned (Caller : Claimant; Holder : Task_Id);
 package URVOS.Semaphore_Calls with SPARK_Mode is
 
-   --  How long a P waits.
+   --  The wait of a P.
    Claim_Wait : constant Wait_Ticks := 2;
 
-   --  One try of a P whose wait was begun with Claim_Wait ticks. Try_Again
-   --  is False when the P has ended, with the semaphore or without. It tries
-   --  200,001 times at most; when the clock stands still, 100,001 times.
+   --  One try of a P whose wait was begun with Claim_Wait ticks. Try_Again is
+   --  False when the P has ended, with or without the semaphore. A P tries at
+   --  most 200,001 times, and 100,001 times if the clock has stopped.
    procedure Claim_Step
      (Caller    : Claimant;
       Now       : Clock_Tick;

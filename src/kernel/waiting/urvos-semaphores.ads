@@ -1,25 +1,24 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A semaphore that knows who has claimed it (report, section 3.5; SEM-1,
---  SEM-2).
+--  A semaphore that records its owner (report, section 3.5; SEM-1, SEM-2).
 --
---  P gives up waiting after a while and goes on without the semaphore. The
---  V that belongs to it comes all the same. So that this V does not release
---  another task's claim, only the owner's V releases.
+--  P waits for a limited time and then continues without the semaphore. The
+--  matching V follows in any case. Only the owner's V releases, so this V
+--  cannot release another task's claim.
 --
---  A task that claims what it owns already is told like any other that it
---  is not available.
+--  A task that claims its own semaphore again gets the same answer as any
+--  other: not available.
 
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package URVOS.Semaphores with Pure, SPARK_Mode is
 
-   --  Who can claim.
+   --  The tasks that can claim.
    subtype Claimant is Task_Id range No_Task + 1 .. Task_Id'Last;
 
    type Semaphore is private;
 
-   --  The task whose claim it is, No_Task when it is available.
+   --  The task that has claimed it, or No_Task if it is available.
    function Owner (This : Semaphore) return Task_Id
    with Global => null;
 
@@ -33,8 +32,8 @@ package URVOS.Semaphores with Pure, SPARK_Mode is
      Global => null,
      Post   => Is_Available (Available_Semaphore'Result);
 
-   --  One try of a P. Holder is the owner, whether it is the caller now or
-   --  somebody has come before.
+   --  One try of a P. Holder is the owner after the try: the caller, or the
+   --  task that claimed it earlier.
    procedure Try_Claim
      (This    : in out Semaphore;
       Caller  : Claimant;
@@ -49,8 +48,8 @@ package URVOS.Semaphores with Pure, SPARK_Mode is
          (if Claimed then Caller else Owner (This'Old))
        and then Holder = Owner (This);
 
-   --  V. Of somebody who does not own it, it releases nothing. Holder is
-   --  the owner after it.
+   --  V. A caller that is not the owner releases nothing. Holder is the owner
+   --  afterwards.
    procedure Release
      (This     : in out Semaphore;
       Caller   : Claimant;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What one task keeps from a step to the next.
+--  The data that one task keeps from one step to the next.
 --
---  The protected object lets the task run on whichever processor its node's
---  list gives it: each start may give it another (EXT-4). Nobody else sees
+--  The protected object lets the task run on any processor that the node's
+--  list gives it; each start may give it another (EXT-4). No other task sees
 --  the data.
 
 generic

@@ -2,16 +2,16 @@
 
 --  A mailbox that two tasks share (report, section 3.4; MBX-1 to MBX-5).
 --
---  The protected object takes the place of the mailbox's semaphore: a
---  message is read and written whole, for any interleaving. Nobody waits
---  here for a message. What each operation does, URVOS.Mailboxes says.
+--  The protected object replaces the mailbox's semaphore: a message is read
+--  and written whole, for any interleaving. No task waits here for a message.
+--  URVOS.Mailboxes specifies each operation.
 
 with URVOS.Mailboxes;
 
 generic
    type Message is private;
 
-   --  What a consumer gets that receives before anything was sent (INI-8).
+   --  The message that a consumer gets before any was sent (INI-8).
    Neutral : Message;
 package URVOS.Shared_Mailboxes with SPARK_Mode is
 
@@ -21,7 +21,7 @@ package URVOS.Shared_Mailboxes with SPARK_Mode is
 
       procedure Send (Item : Message; Success : out Boolean);
 
-      --  Receive, except that a look in vain is not counted as a miss.
+      --  Receive, except that a look without a new message counts no miss.
       procedure Look (Item : out Message; Fresh : out Boolean);
 
       procedure Receive (Item : out Message; Fresh : out Boolean);
@@ -29,10 +29,10 @@ package URVOS.Shared_Mailboxes with SPARK_Mode is
       --  Puts the box in its first state (INI-8).
       procedure Reset;
 
-      --  Reset, except that the message stays: a warm start.
+      --  Reset, except that the message remains: a warm start.
       procedure Restart;
 
-      --  The box as it stands, for whoever watches over the node.
+      --  The present box, for monitors of the node.
       function Snapshot return Boxes.Mailbox;
 
    private

@@ -2,8 +2,8 @@
 
 --  A semaphore that tasks share (report, section 3.5; SEM-1, SEM-2).
 --
---  The protected object takes the place of the indivisible test-and-set.
---  Nobody waits here: URVOS.Semaphore_Calls does.
+--  The protected object replaces the indivisible test-and-set. No task waits
+--  here; URVOS.Semaphore_Calls waits.
 
 with URVOS.Semaphores; use URVOS.Semaphores;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
@@ -22,10 +22,10 @@ package URVOS.Shared_Semaphores with SPARK_Mode is
          Released : out Boolean;
          Holder   : out Task_Id);
 
-      --  Makes it available, whoever has claimed it (INI-8).
+      --  Makes it available, whichever task has claimed it (INI-8).
       procedure Reset;
 
-      --  The semaphore as it stands, for whoever watches over the node.
+      --  The present semaphore, for monitors of the node.
       function Snapshot return Semaphore;
 
    private

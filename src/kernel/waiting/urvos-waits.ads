@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A wait of some clock ticks (report, sections 3.4 and 3.5; MBX-3, MBX-5,
---  SEM-1, FRM-7): how long a task goes on looking for what is not there yet.
+--  SEM-1, FRM-7): the time for which a task goes on looking.
 --
 --     Patience := Begun (Now, 2);
 --     while not Is_Over (Patience, Now) loop
@@ -10,37 +10,36 @@
 --     end loop;
 --     --  Look for the last time.
 --
---  Every wait ends, whatever the clock does. At its last tick, where time
---  stands still for good, a wait is over. A clock that runs back is not
---  believed. A clock that has not moved for Most_Looks looks has stopped:
---  nobody looks and calls EXIT in 20 ns, so that in a tick there are fewer
---  looks than that.
+--  Every wait ends, whatever the clock does. At the clock's last tick, where
+--  time stops, a wait is over. A tick earlier than the last one seen is
+--  ignored. A clock that has not moved for Most_Looks looks has stopped: a
+--  look with its EXIT takes more than 20 ns, so a tick has fewer looks than
+--  that.
 
 with URVOS.Frames; use URVOS.Frames;
 
 package URVOS.Waits with Pure, SPARK_Mode is
 
-   --  How long to wait, in ticks: a minute at most.
+   --  The length of a wait, in ticks: one minute at most.
    Longest_Wait : constant := 60_000_000 / Microseconds_Per_Tick;
    type Wait_Ticks is range 0 .. Longest_Wait;
 
-   --  How often one may look while the clock stands still: for a tick with
-   --  20 ns a look.
+   --  The most looks while the clock does not move: one tick, 20 ns a look.
    Most_Looks : constant := Microseconds_Per_Tick * 50;
 
    type Look_Count is range 0 .. Longest_Wait * Most_Looks;
 
    type Wait is private;
 
-   --  What is left of the wait, from the tick that was last seen.
+   --  The ticks left of the wait, from the last tick seen.
    function Ticks_Left (This : Wait) return Wait_Ticks
    with Global => null;
 
-   --  The latest tick that was seen.
+   --  The latest tick seen.
    function Last_Seen (This : Wait) return Clock_Tick
    with Global => null;
 
-   --  How often somebody has looked since the clock moved.
+   --  The number of looks since the clock moved.
    function Looks (This : Wait) return Look_Count
    with
      Global => null,
@@ -48,7 +47,7 @@ package URVOS.Waits with Pure, SPARK_Mode is
        Looks'Result <= Most_Looks
        and then (if Ticks_Left (This) = 0 then Looks'Result = 0);
 
-   --  The wait is over: its ticks have passed, or there will be no more.
+   --  The wait is over: its ticks have passed, or the clock has stopped.
    function Is_Over (This : Wait; Now : Clock_Tick) return Boolean is
      (Now = Last_Tick
       or else
@@ -57,12 +56,12 @@ package URVOS.Waits with Pure, SPARK_Mode is
          else Ticks_Left (This) = 0 or else Looks (This) = Most_Looks))
    with Global => null;
 
-   --  How many looks are left, at the very most.
+   --  An upper limit of the remaining looks.
    function Looks_Left (This : Wait) return Look_Count is
      (Look_Count (Ticks_Left (This)) * Most_Looks - Looks (This))
    with Global => null;
 
-   --  A wait that begins now. Of 0 ticks it is over at once.
+   --  A wait that begins now. A wait of 0 ticks is over at once.
    function Begun (Now : Clock_Tick; Ticks : Wait_Ticks) return Wait
    with
      Global => null,
@@ -71,7 +70,7 @@ package URVOS.Waits with Pure, SPARK_Mode is
        and then Last_Seen (Begun'Result) = Now
        and then Looks (Begun'Result) = 0;
 
-   --  The wait after one more look in vain.
+   --  After is the wait Before, after one more look without success.
    function Is_A_Look_Later
      (Before, After : Wait;
       Now           : Clock_Tick) return Boolean
@@ -88,8 +87,8 @@ package URVOS.Waits with Pure, SPARK_Mode is
      Global => null,
      Pre    => not Is_Over (Before, Now);
 
-   --  Somebody has looked in vain, and the time is Now. So no wait is for
-   --  ever (MBX-5).
+   --  Records a look without success at the time Now. Each look leaves fewer
+   --  looks, so no wait is for ever (MBX-5).
    procedure Note_Look (This : in out Wait; Now : Clock_Tick)
    with
      Global => null,
