@@ -2,10 +2,10 @@
 
 --  The analog-to-digital board (report, 2.3.3, 4.1, 4.2).
 --
---  The controller writes a channel number; 16 us later the board has the
---  channel's value in its data register and interrupts the controller, if
---  the interrupt is enabled. Another channel number written meanwhile
---  abandons the conversion.
+--  The controller writes a channel number. 16 us later the board has the
+--  channel's value in its data register and, if the interrupt is enabled,
+--  interrupts the controller. A channel number written earlier abandons the
+--  conversion.
 
 with URVOS; use URVOS;
 
@@ -15,12 +15,12 @@ package Devices.AD_Board with Pure, SPARK_Mode is
 
    type Channel_Number is range 0 .. 31;
 
-   --  The interrupt vector that the controller gives the board. Whoever plays
-   --  the hardware calls the handler instead (D-42).
+   --  The interrupt vector that the controller gives the board. The simulated
+   --  hardware calls the handler instead (D-42).
    Interrupt_Vector : constant Byte := 16#40#;
 
-   --  Start_Wanted: a channel number has been written, and the hardware has
-   --  not seen it yet.
+   --  Start_Wanted: a channel number was written; the hardware has not yet
+   --  seen it.
    type Activity is (Idle, Start_Wanted, Converting);
 
    type Registers is record
@@ -38,7 +38,7 @@ package Devices.AD_Board with Pure, SPARK_Mode is
          Interrupt_Enabled => True,
          Doing             => Idle));
 
-   --  The controller has a channel converted.
+   --  The controller starts the conversion of a channel.
    function Started
      (Board   : Registers;
       Channel : Channel_Number) return Registers
@@ -51,8 +51,8 @@ package Devices.AD_Board with Pure, SPARK_Mode is
          Doing => (if Board.Doing = Start_Wanted
                    then Converting else Board.Doing)));
 
-   --  The hardware has converted the channel that it saw, unless that was
-   --  abandoned meanwhile.
+   --  The hardware has converted the channel that it saw, unless the
+   --  controller has abandoned this conversion.
    function Finished (Board : Registers; Value : Word) return Registers is
      (if Board.Doing = Converting
       then (Board with delta Data => Value, Doing => Idle)

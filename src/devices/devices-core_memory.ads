@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  CORE memory, where the ground station's displays and recorders find the
---  latest data (report, 2.3.4, 2.5, 4.3; BUF-4).
+--  CORE memory: the ground station's displays and recorders read the latest
+--  data here (report, 2.3.4, 2.5, 4.3; BUF-4).
 --
---  Each item is a word and the type code that says what it is. The status
---  area is for what the node has to say of itself; only a cold start clears
---  it, so that it tells of the warm ones (INI-6).
+--  Each item is a word and a type code that identifies it. The status area
+--  describes the node itself. Only a cold start clears it, so it also counts
+--  the warm starts (INI-6).
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
@@ -20,28 +20,28 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
      Word_Array (1 .. Uplink_Item'Pos (Uplink_Item'Last) + 1);
    subtype Downlink_Words is Word_Array (Item_Number);
 
-   --  The words of the status area. A count of one word stays at its last
-   --  value; of a pair the high word stands first.
+   --  The words of the status area. A count of one word stops at its last
+   --  value. In a pair the high word precedes the low word.
    type Status_Item is
 
-      --  Of the last start: 1 cold start, 2 warm reset, 3 processor restart;
-      --  and how often there was one.
+      --  The last start: 1 cold start, 2 warm reset, 3 processor restart; then
+      --  the number of starts of each kind.
      (Start_Condition,
       Cold_Starts,
       Warm_Resets,
       Processor_Restarts,
 
-      --  Of the last start; 0 when all was well.
+      --  The result of the last start's self-test; 0 if all tests passed.
       Self_Test_Result,
 
-      --  Of the check in flight: how often it went through the whole ROM,
-      --  and how often it found a difference.
+      --  The check in flight: the number of passes over the whole ROM, and the
+      --  number that found a difference.
       ROM_Passes,
       ROM_Failures,
 
-      --  From the error log: how many there were; the kind of the last one,
-      --  its place in the list of kinds, from 1; the major frame it was in.
-      --  All are 0 when there was none.
+      --  From the error log: the number of errors; the last one's kind, by its
+      --  place in the list of kinds from 1; and its major frame. All are 0 if
+      --  there was no error.
       Error_Total_High,
       Error_Total_Low,
       Last_Error,
@@ -52,10 +52,10 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
 
    subtype Status_Words is Status_Array (Status_Item);
 
-   --  The error logs: a row for each kind of error, in the order of the
-   --  kinds (EXT-1, SAF-7). All of it is 0 where there was none. Rows have
-   --  no type codes: their place says what they are. The last row of the
-   --  aircraft's is the control laws' (EXT-3).
+   --  The error logs: a row for each kind of error, in the order of the kinds
+   --  (EXT-1, SAF-7). A row without errors is all 0. Rows have no type codes;
+   --  their place identifies them. The last row of the aircraft's log belongs
+   --  to the control laws (EXT-3).
 
    type Log_Field is
      (Occurrences_High, Occurrences_Low,
@@ -78,7 +78,8 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
       Status_Codes   : Status_Words   := (others => 0);
       Status         : Status_Words   := (others => 0);
 
-      --  The node's own log; on the ground, what is known of the aircraft's.
+      --  The node's own log, and on the ground its knowledge of the aircraft's
+      --  log.
       Log            : Log_Rows       := (others => No_Errors);
       Aircraft_Log   : Log_Rows       := (others => No_Errors);
    end record;
@@ -93,11 +94,11 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
       Codes, Words : Downlink_Words;
    end record;
 
-   --  What a cold start leaves (INI-6).
+   --  The memory after a cold start (INI-6).
    Cleared : constant Memory := (others => <>);
 
-   --  What a warm start leaves: the words are of before it, and marked so in
-   --  their error/status words (SAF-5).
+   --  The memory after a warm start: the old words, marked as old in their
+   --  error/status words (SAF-5).
    function Marked_Old (Item : Memory) return Memory is
      ((Item with delta
          Uplink   =>
@@ -110,8 +111,8 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
                 Item.Downlink (Downlink_Words'Last) or Stale_Data)))
    with Global => null;
 
-   --  A memory with another row of the node's own log, or of the aircraft's.
-   --  All else stays.
+   --  The memory with another row of the node's own log, or of the aircraft's.
+   --  All else is unchanged.
 
    function With_Log
      (This : Memory; Which : Log_Row_Number; Row : Log_Row) return Memory
@@ -134,7 +135,7 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
        With_Aircraft_Log'Result.Aircraft_Log (Which) = Row
        and then With_Aircraft_Log'Result.Log = This.Log;
 
-   --  A count of one word after one more.
+   --  A count of one word after one more event.
    function Incremented (Value : Word) return Word is
      (if Value = Word'Last then Value else Value + 1)
    with Global => null;

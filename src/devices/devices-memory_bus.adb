@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Nothing of the memories is kept here.
+--  This body keeps no copy of the memories.
 
 package body Devices.Memory_Bus
   with

@@ -1,15 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The processor board's own ROM and RAM, each word or byte by its address
---  (TST-1).
+--  The processor board's own ROM and RAM. Addresses select bytes of the ROM
+--  and words of the RAM (TST-1).
 --
---  The memories are outside the flight software: what is imported here is
---  the bus. Simulated memories (Host.Memory_Hardware) are behind it on a
---  host; on a target, a read or write of the address. One program on a host
---  may hold several processor boards, each with its memories.
+--  The memories are outside the flight software; this package imports the bus
+--  to them. On a host the bus leads to simulated memories
+--  (Host.Memory_Hardware), on a target it reads and writes the address. One
+--  program on a host may hold several processor boards, each with its own
+--  memories.
 --
---  This is a boundary of the proof: of what is read nothing is known, and
---  that each cycle ends is taken for granted.
+--  This is a boundary of the proof. The proof knows nothing of the values
+--  read, and assumes that each bus cycle ends.
 
 with Devices.Memory_Sizes;
 with URVOS;          use URVOS;

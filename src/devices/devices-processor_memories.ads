@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The ROM and the RAM of one processor board, as its programs see them
---  (TST-1, TST-3, D-17).
+--  The ROM and the RAM of one processor board, for its programs (TST-1, TST-3,
+--  D-17).
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS;              use URVOS;

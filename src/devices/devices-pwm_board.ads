@@ -2,12 +2,12 @@
 
 --  The pulse width modulation board (report, 2.3.1, 4.8, INI-3).
 --
---  The board reads its data area all the time, on its own: one word a servo
+--  The board reads its data area continuously: one word for each servo
 --  channel, then the discretes.
 --
---  A timer on the board counts the ticks of the board's own clock since the
---  controller last touched the board (SAF-11, D-34). At 0.5 s it replaces the
---  words by those for an aircraft without a controller, until the
+--  A timer counts the ticks of the board's own clock since the controller last
+--  wrote to or touched the board (SAF-11, D-34). At 0.5 s the board replaces
+--  the words by those for an aircraft without a controller, until the
 --  controller writes again.
 
 with URVOS;        use URVOS;
@@ -23,7 +23,7 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
    --  The middle of a channel's range: a surface at zero degrees.
    Neutral : constant Word := 16#800#;
 
-   --  Ticks without a touch until the timer replaces the words: 0.5 s.
+   --  Ticks without a touch before the timer replaces the words: 0.5 s.
    Hold_Ticks : constant := 500_000 / Microseconds_Per_Tick;
 
    type Untouched_Ticks is range 0 .. Hold_Ticks;
@@ -33,7 +33,7 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
       Untouched : Untouched_Ticks := 0;
    end record;
 
-   --  The controller has touched the board, and left its words alone.
+   --  The controller has touched the board without changing its words.
    function Touched (This : Board_State) return Board_State is
      ((This with delta Untouched => 0))
    with Global => null;

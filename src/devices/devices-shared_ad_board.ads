@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  An analog-to-digital board between the controller and its hardware
---  (report, 4.1, 4.2; AD-1, ADI-1).
+--  An analog-to-digital board, shared by the controller and the board's
+--  hardware (report, 4.1, 4.2; AD-1, ADI-1).
 
 with URVOS;            use URVOS;
 with Devices.AD_Board; use Devices.AD_Board;
@@ -10,7 +10,7 @@ package Devices.Shared_AD_Board with SPARK_Mode is
 
    protected type Board is
 
-      --  The controller's side.
+      --  The controller's side
 
       procedure Initialise;
 
@@ -18,18 +18,18 @@ package Devices.Shared_AD_Board with SPARK_Mode is
 
       function Data return Word;
 
-      --  The hardware's side.
+      --  The hardware's side
 
-      --  Wanted tells whether a conversion was started since this was last
-      --  asked, and of which channel.
+      --  Wanted is True if a conversion of Channel was started since the last
+      --  call.
       procedure Take_Start
         (Wanted  : out Boolean;
          Channel : out Channel_Number);
 
-      --  The conversion is done; Interrupt tells whether the controller is
-      --  interrupted. It is not, and the value is nobody's, when the
-      --  controller has abandoned that conversion, of which the hardware may
-      --  not know yet.
+      --  The conversion is done; Interrupt says whether to interrupt the
+      --  controller. If the controller has abandoned this conversion, which
+      --  the hardware may not know yet, it is not interrupted and the value is
+      --  discarded.
       procedure Finish (Value : Word; Interrupt : out Boolean);
 
    private

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A CORE memory between the controller and its readers (report, 4.3;
+--  A CORE memory, shared by the controller and the readers (report, 4.3;
 --  COR-1).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
@@ -9,7 +9,7 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
 
    protected type Board is
 
-      --  The controller's side.
+      --  The controller's side
 
       procedure Clear;
 
@@ -20,7 +20,7 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
          Downlink_Codes : Downlink_Words;
          Status_Codes   : Status_Words);
 
-      --  What stands in an area, and beside it.
+      --  The contents of an area, with its type codes
 
       function Uplink_Area return Coded_Uplink;
 
@@ -30,8 +30,8 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Write_Downlink (Words : Downlink_Words);
 
-      --  Writes the words of the status area that are given, at one instant;
-      --  the others stay.
+      --  Writes the given words of the status area at one instant; the others
+      --  are unchanged.
       procedure Write_Status (Words : Status_Array);
 
       --  A row of the node's own log, or of the aircraft's.
@@ -40,7 +40,7 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row);
 
-      --  The readers' side: all of it, at one instant.
+      --  The readers' side: the whole memory, at one instant.
       function Contents return Memory;
 
    private

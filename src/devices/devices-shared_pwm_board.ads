@@ -1,32 +1,33 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A pulse width modulation board between the controller and the servos
+--  A pulse width modulation board, shared by the controller and the servos
 --  (report, 4.8; PWM-1, D-13), with its hold timer (SAF-11, D-34).
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 
 generic
-   --  What the board holds from power up until it is first written (SAF-1).
+   --  The words from power up to the first write (SAF-1).
    Power_Up : Data_Area;
 
-   --  What it holds without a controller, after these words (SAF-11).
+   --  The words without a controller, if the last ones were Words (SAF-11).
    with function Unattended (Words : Data_Area) return Data_Area;
 package Devices.Shared_PWM_Board with SPARK_Mode is
 
    protected type Board is
 
-      --  The controller's side: the whole area at once, or only the sign
-      --  that a controller is there.
+      --  The controller's side: writes the whole area at once, or only shows
+      --  that a controller is present.
       procedure Write (Area : Data_Area);
       procedure Touch;
 
       --  The board's clock ticks.
       procedure Tick;
 
-      --  The servos' side.
+      --  The servos' side
       function Contents return Data_Area;
 
-      --  The timer has replaced the words, and no controller has come since.
+      --  The timer has replaced the words, and the controller has not written
+      --  or touched the board since.
       function Is_Unattended return Boolean;
 
    private
