@@ -10,7 +10,8 @@ package body Telemetry.Boards with SPARK_Mode is
       This.Control.Round_Trip := Time;
    end Set_Round_Trip;
 
-   --  A message that has come to its end went no further: it is good or bad.
+   --  No further character came after the end of the message: it is judged
+   --  good or bad.
    procedure Judge (This : in out Board)
    with
      Global => null,
@@ -25,19 +26,19 @@ package body Telemetry.Boards with SPARK_Mode is
          (Control_Of (This'Old).Receiver, Receive_Pair (This'Old))
        and then Transmit_Pair (This) = Transmit_Pair (This'Old);
 
-   --  What is rare stands apart, so that the compiler makes short work of
-   --  what comes with every character. Accept_Other and Begin_Or_Reply have no
-   --  contract: they are proved where they are called.
+   --  Rare paths are out of line, so that the common path for each character
+   --  stays short. Accept_Other and Begin_Or_Reply have no contract; they are
+   --  proved at their calls.
 
-   --  A character has come that is no byte of a block: see Accept_Character.
+   --  Accepts a character that is not a byte of a block; see Accept_Character.
    procedure Accept_Other
      (This         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    with No_Inline;
 
-   --  The next character: see Next_Character. Nothing that is received has a
-   --  part in it.
+   --  Gives the next character; see Next_Character. It does not touch the
+   --  receiving side.
    procedure Speak
      (Item   : in out Turns.Control;
       Blocks : in out Buffer_Pair;
@@ -65,7 +66,7 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Data = Output (Prepared (Item'Old, Blocks'Old), Blocks)
        and then Send = Item.Line_Taken;
 
-   --  The same of a board that neither sends a block nor waits.
+   --  The same for a board that neither sends a block nor waits.
    procedure Begin_Or_Reply
      (Item   : in out Turns.Control;
       Blocks : in out Buffer_Pair;
@@ -73,7 +74,7 @@ package body Telemetry.Boards with SPARK_Mode is
       Data   : out Byte)
    with No_Inline;
 
-   --  The board has waited for too long, and resets itself.
+   --  The board has waited too long and resets itself.
    procedure Break_Off (This : in out Board; Time : Character_Times)
    with
      No_Inline,

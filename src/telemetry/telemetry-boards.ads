@@ -26,14 +26,14 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    function Transmit_Pair (This : Board) return Buffer_Pair
    with Global => null;
 
-   --  For those who know of boards only.
+   --  The name for units that use only boards.
    subtype Statistics is Telemetry.Statistics;
 
    function Tally (This : Board) return Statistics is (Control_Of (This).Tally)
    with Global => null;
 
-   --  The board may have a character to send: nothing but its own turn
-   --  keeps it from speaking, or the short wait at the end of a message.
+   --  The board may have a character to send: it does not wait, or only for
+   --  the short time at the end of a message.
    function May_Speak (This : Board) return Boolean is
      (not Is_Waiting (Control_Of (This))
       or else Control_Of (This).Receiver.State = At_End)
@@ -43,8 +43,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      (Time_Left (Control_Of (This)))
    with Global => null;
 
-   --  A transmit buffer is busy while its block is on its way, and only
-   --  then. Elsewhere a full one has been transmitted once at the most.
+   --  A transmit buffer is busy exactly while its block is on its way. Any
+   --  other full buffer was transmitted at most once.
    function Holds (Blocks : Buffer_Pair; Item : Control) return Boolean
    is
      (for all Which in Slot =>
@@ -56,8 +56,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
            and then Blocks.Slots (Which).Attempts < 2))
    with Global => null;
 
-   --  The board holds together. True of every board that the operations
-   --  below have made, whatever came in.
+   --  The board is consistent. All boards are, whatever operations below made
+   --  them and whatever characters arrived.
    function Is_Sound (This : Board) return Boolean is
      (Is_Sound (Control_Of (This))
       and then Fits
@@ -67,8 +67,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
       and then Fits (Control_Of (This), Transmit_Pair (This)))
    with Global => null;
 
-   --  A new board. The lengths are those of the blocks that it sends and is
-   --  sent.
+   --  A new board. The lengths are those of the blocks that it sends and
+   --  receives.
    function New_Board
      (Role            : Station;
       Transmit_Length : Block_Length;
@@ -77,8 +77,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Global => null,
      Post   => Is_Sound (New_Board'Result);
 
-   --  How slow the line is (LNK-11). Both boards are told, before they start;
-   --  a new board takes it for a wire.
+   --  Sets the round trip of the line (LNK-11). Call it for both boards before
+   --  they start. A new board has a round trip of 0, that of a wire.
    procedure Set_Round_Trip (This : in out Board; Time : Round_Trip_Time)
    with
      Global => null,
@@ -90,7 +90,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Receive_Pair (This) = Receive_Pair (This'Old)
        and then Transmit_Pair (This) = Transmit_Pair (This'Old);
 
-   --  What a character brings to a board that listens.
+   --  The event that a character causes for a board that listens.
    function Heard
      (This         : Board;
       Data         : Byte;
@@ -103,8 +103,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
      Ghost,
      Global => null;
 
-   --  A character has arrived. While the board talks it hears nothing; in
-   --  its reset, nothing but that the line is not silent.
+   --  A character has arrived. A talking board ignores it. A board in its
+   --  reset only notes that the line is not silent.
    procedure Accept_Character
      (This         : in out Board;
       Data         : Byte;
@@ -150,8 +150,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
                then Control_Of (This'Old)
                else (Control_Of (This'Old) with delta Silence => 0)));
 
-   --  The transmitter is empty: Data is the next character if Send is True,
-   --  else there is none now.
+   --  The transmitter is empty. Data is the next character if Send is True;
+   --  otherwise the board has none now.
    procedure Next_Character
      (This : in out Board;
       Send : out Boolean;
@@ -180,8 +180,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
           Transmit_Pair (This))
        and then Send = Control_Of (This).Line_Taken;
 
-   --  Time has passed. A board that has waited for too long resets itself;
-   --  one that waits at the end of a message judges it.
+   --  Time has passed. A board that has waited too long resets itself. A board
+   --  that waits at the end of a message judges the message.
    procedure Elapse (This : in out Board; Time : Character_Times)
    with
      Inline,
@@ -211,8 +211,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             Receive_Pair (This) = Receive_Pair (This'Old)
             and then Transmit_Pair (This) = Transmit_Pair (This'Old));
 
-   --  The controller takes the newest block received, if there is one.
-   --  Ever_Received tells that there has been any since the board started.
+   --  The controller takes the newest block received, if any. Ever_Received
+   --  says whether a block was received since the board started.
    procedure Take
      (This          : in out Board;
       Data          : out Block_Data;
@@ -230,8 +230,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Transmit_Pair (This) = Transmit_Pair (This'Old)
        and then Control_Of (This) = Control_Of (This'Old);
 
-   --  The controller gives a block to transmit. Overwrote tells that it
-   --  replaced one that was still waiting.
+   --  The controller gives a block to transmit. Overwrote is True if it
+   --  replaced one that still waited.
    procedure Put
      (This      : in out Board;
       Data      : Block_Data;
@@ -247,8 +247,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Receive_Pair (This) = Receive_Pair (This'Old)
        and then Control_Of (This) = Control_Of (This'Old);
 
-   --  The controller's part of the start: transmit buffers empty, flags
-   --  empty, semaphores available (INI-4).
+   --  The controller's part of the start: empties the transmit buffers and
+   --  their flags, and frees their semaphores (INI-4).
    procedure Clear_Transmit_Half (This : in out Board)
    with
      Global => null,
@@ -260,8 +260,8 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Control_Of (This) =
          Turns.Starts.Cleared (Control_Of (This'Old));
 
-   --  The board's own start, but for its transmit buffers, which are the
-   --  controller's (INI-4).
+   --  The board's own start. The transmit buffers are the controller's and
+   --  stay (INI-4).
    procedure Start (This : in out Board)
    with
      Global => null,

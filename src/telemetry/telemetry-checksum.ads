@@ -4,36 +4,36 @@
 --  x^8 + x^5 + x^4 + x^3 + 1, first value 0, low bit first, over the header
 --  and the data (LNK-3, D-7).
 --
---  Bits are taken in the order in which they are on the line, so every burst
---  of up to eight data bits changes it, and so does every error within one
---  character: see docs/link.md for what it does not detect. The polynomial
---  has no factor x + 1, which would only find again what parity finds.
+--  Bits are taken in their order on the line. Every burst of up to eight data
+--  bits therefore changes the checksum, as does every error within one
+--  character. docs/link.md lists the errors that it does not detect. The
+--  polynomial has no factor x + 1; it would only detect again the errors that
+--  parity detects.
 
 package Telemetry.Checksum with Pure, SPARK_Mode is
 
-   --  GNAT 12 crashes when it has to check a variant at run time here. That
-   --  the recursion below ends is proven.
+   --  GNAT 12 crashes when it checks a variant at run time here. The proof
+   --  shows that the recursion below ends.
    pragma Assertion_Policy (Subprogram_Variant => Ignore);
 
    First_Value : constant Byte := 0;
 
-   --  A byte is a polynomial with x^0 in its high bit, so that x times it is
-   --  a shift to the right, and x^8 is x^5 + x^4 + x^3 + 1.
+   --  A byte is a polynomial with x^0 in its high bit. A shift to the right
+   --  thus multiplies by x, and x^8 equals x^5 + x^4 + x^3 + 1.
 
-   --  Value times that, but for what it has beyond x^7.
+   --  Value times x^8, without its part beyond x^7.
    function Times_Kept (Value : Byte) return Byte is
      (Value xor Shift_Right (Value, 3) xor Shift_Right (Value, 4)
       xor Shift_Right (Value, 5))
    with Global => null;
 
-   --  What it has beyond x^7, divided by x^8.
+   --  That part beyond x^7, divided by x^8.
    function Times_Lost (Value : Byte) return Byte is
      (Shift_Left (Value, 5) xor Shift_Left (Value, 4)
       xor Shift_Left (Value, 3))
    with Global => null;
 
-   --  Value times x^8, modulo the polynomial. What is lost twice is lost no
-   --  third time.
+   --  Value times x^8, modulo the polynomial. Two reductions are enough.
    function Times_X8 (Value : Byte) return Byte is
      (Times_Kept
         (Value xor Times_Lost (Value) xor Times_Lost (Times_Lost (Value))))
@@ -45,7 +45,7 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
    with Global => null;
 
    --  The checksum of a header and the first Length bytes of a block. Only
-   --  contracts call it: the board sums up byte by byte.
+   --  contracts call it; the board computes the sum byte by byte.
    function Of_Message
      (Header : Byte;
       Data   : Block_Data;
@@ -57,7 +57,7 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
      Global             => null,
      Subprogram_Variant => (Decreases => Length);
 
-   --  It depends on nothing but the header and those bytes.
+   --  The checksum depends only on the header and those bytes.
    procedure Same_Bytes_Same_Sum
      (Header      : Byte;
       Left, Right : Block_Data;

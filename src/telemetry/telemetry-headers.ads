@@ -1,19 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The first byte of a message, which tells what the message is (LNK-3,
---  D-6).
+--  The first byte of a message, which gives its kind (LNK-3, D-6).
 --
---  The bytes are words of the extended Hamming code (8, 4): any two differ
---  in at least four bits, and each has an even number of ones. So up to
---  three wrong bits in a character, its parity bit included, never turn one
+--  The bytes are words of the extended Hamming code (8, 4): any two differ in
+--  at least four bits, and each has an even number of ones. Therefore up to
+--  three wrong bits in a character, including its parity bit, never turn one
 --  header into another.
 
 package Telemetry.Headers with Pure, SPARK_Mode is
 
    type Header_Kind is (Command_To_Downlink, Status, Data);
 
-   --  The block lengths that have a header: the byte count of a data
-   --  message is its header.
+   --  The block lengths that have a header. The header of a data message
+   --  replaces its byte count.
    subtype Block_Length is Byte_Count
    with
      Static_Predicate =>
@@ -35,8 +34,8 @@ package Telemetry.Headers with Pure, SPARK_Mode is
    end record;
 
    --  The other six code words (00, 66, 78, AA, E1 and FF, hexadecimal) have
-   --  no meaning yet. Blocks of 1, 2 and 4 bytes serve to try the protocol in
-   --  full with short messages.
+   --  no meaning. Blocks of 1, 2 and 4 bytes serve to test the whole protocol
+   --  with short messages.
 
    function Is_Valid (Value : Byte) return Boolean is
      (Value in 16#1E# | 16#2D# | 16#33# | 16#4B# | 16#55#
@@ -78,7 +77,7 @@ package Telemetry.Headers with Pure, SPARK_Mode is
      Pre    => Is_Valid (Value),
      Post   => Encode (Decode'Result) = Value;
 
-   --  A header comes back as it was sent.
+   --  A decoded header is the one that was encoded.
    procedure Round_Trip (Item : Header)
    with
      Ghost,

@@ -3,9 +3,9 @@
 --  The board's dual-ported memory, which it shares with the controller
 --  (report, appendix A.2, A.3, figure A-5; LNK-4, LNK-7, D-18, D-20).
 --
---  There are two receive and two transmit buffers, each with a full flag
---  and a busy semaphore. A pair remembers which of its buffers was filled
---  last, so that nobody is ever given an older block after a newer one.
+--  There are two receive and two transmit buffers, each with a full flag and a
+--  busy semaphore. A pair records which of its buffers was filled last, so no
+--  reader ever gets an older block after a newer one.
 
 package Telemetry.Memory with Pure, SPARK_Mode is
 
@@ -15,7 +15,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      (if Which = First then Second else First)
    with Global => null;
 
-   --  How often a block was transmitted. The second time is the last.
+   --  The number of transmissions of a block. The second is the last.
    type Attempt_Count is range 0 .. 2;
 
    type Buffer is record
@@ -25,9 +25,9 @@ package Telemetry.Memory with Pure, SPARK_Mode is
       Data     : Block_Data    := (others => 0);
    end record;
 
-   --  What the type's own would be. As a function it is a name to provers,
-   --  where the type's own is a quantifier within one in all that is about
-   --  pairs.
+   --  The same relation as the type's own equality. As a function it is one
+   --  name for the provers; the type's own is a quantifier nested in every
+   --  statement about pairs.
    overriding function "=" (One, Another : Buffer) return Boolean is
      (One.Full = Another.Full
       and then One.Busy = Another.Busy
@@ -52,8 +52,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      (Pair.Slots (First).Full and then Pair.Slots (Second).Full)
    with Global => null;
 
-   --  Which buffer to fill: one that is not full; if both are, one that is
-   --  not busy, the older one first; if both are busy too, the older one.
+   --  The buffer to fill: one that is not full; if both are full, one that is
+   --  not busy, the older first; if both are busy too, the older one.
    function To_Fill (Pair : Buffer_Pair) return Slot is
      (if not Pair.Slots (Other (Pair.Newest)).Full
       then Other (Pair.Newest)
@@ -72,7 +72,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
         elsif Pair.Slots (To_Fill'Result).Busy
         then Pair.Slots (Other (To_Fill'Result)).Busy);
 
-   --  The newest block there is.
+   --  The newest full buffer.
    function Newest_Full (Pair : Buffer_Pair) return Slot is
      (if Pair.Slots (Pair.Newest).Full then Pair.Newest
       else Other (Pair.Newest))
@@ -81,17 +81,17 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Pre    => Any_Full (Pair),
      Post   => Pair.Slots (Newest_Full'Result).Full;
 
-   --  What becomes of a pair. These functions are the code: what takes a
-   --  turn of the protocol assigns their results.
+   --  The changes of a pair. The operations of the protocol assign the results
+   --  of these functions.
 
-   --  Nobody holds a buffer any more.
+   --  No buffer is busy any more.
    function Released (Pair : Buffer_Pair) return Buffer_Pair is
      ((Pair with delta
          Slots =>
            (for Each in Slot => (Pair.Slots (Each) with delta Busy => False))))
    with Global => null;
 
-   --  The block in one buffer is done with.
+   --  The block in one buffer is finished.
    function Emptied (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
      ((Pair with delta
          Slots => (Pair.Slots with delta
@@ -99,7 +99,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
              Full => False, Busy => False, Attempts => 0))))
    with Global => null;
 
-   --  How the transmission of a block ended, if it has.
+   --  The outcome of a block's transmission; Open before it has ended.
    type Fate is (Open, Confirmed, Failed);
 
    --  A block that failed twice is scrapped (LNK-6).
@@ -112,8 +112,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
       and then Pair.Slots (Which).Attempts = Attempt_Count'Last)
    with Global => null;
 
-   --  The block in one buffer was transmitted. If it failed once it stays,
-   --  to be tried again.
+   --  The transmission of the block in one buffer has ended. A block that
+   --  failed once stays for another try.
    function Settled
      (Pair  : Buffer_Pair;
       Which : Slot;
@@ -128,8 +128,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
              Which => (Pair.Slots (Which) with delta Busy => False))))
    with Global => null;
 
-   --  The block in one buffer is transmitted once more; the other is
-   --  cleared if it is full (LNK-7).
+   --  Another transmission of the block in one buffer begins. The other buffer
+   --  is cleared if it is full (LNK-7).
    function Begun (Pair : Buffer_Pair; Which : Slot) return Buffer_Pair is
      ((Pair with delta
          Slots => (Pair.Slots with delta
@@ -164,8 +164,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
            (Full => True, Busy => False, Attempts => 0, Data => Data))))
    with Global => null;
 
-   --  The block that the controller takes from a receive pair: the newest,
-   --  or zeros if there is none. An older one is dropped.
+   --  The block that the controller takes from a receive pair: the newest, or
+   --  zeros if there is none. An older one is discarded.
    function Contents (Pair : Buffer_Pair) return Block_Data is
      (if Any_Full (Pair) then Pair.Slots (Newest_Full (Pair)).Data
       else (others => 0))

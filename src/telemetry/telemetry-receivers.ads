@@ -3,16 +3,16 @@
 --  The receiving half of the board's software: one character in, one event
 --  out (report, appendix A.2; LNK-3 to LNK-5, D-27).
 --
---  A data message goes, byte by byte, into the receive buffer that was
---  chosen when its header came. That buffer is busy until the message ends;
---  it becomes full only if the checksum matched, no character had a parity
---  error, and none came after the checksum until the board judged it.
+--  The data of a message goes, byte by byte, into the receive buffer that was
+--  chosen at its header. That buffer is busy until the message ends. It
+--  becomes full only if the checksum matched, no character had a parity error,
+--  and no character followed the checksum until the board judged the message.
 --
---  After a first byte that is no header the receiver is out of step: it can
---  not know where the next message begins, and listens to nothing until the
---  board puts it back at the start.
+--  After a first byte that is no header the receiver is out of step. It cannot
+--  know where the next message begins, so it ignores all characters until the
+--  board resets it to the start.
 --
---  These functions are the code: Accept_Character assigns their results.
+--  Accept_Character assigns the results of these functions.
 
 with Telemetry.Checksum;
 with Telemetry.Headers; use Telemetry.Headers;
@@ -23,17 +23,17 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
    type Receiver_State is
      (At_Start,
       In_Data,
-      At_End,        --  the checksum has come; the message may yet go on
+      At_End,        --  the checksum has come; characters may follow
       Out_Of_Step);
 
    type Receiver is record
       State    : Receiver_State := At_Start;
 
-      --  Where the data goes, and how many bytes of it have come.
+      --  The buffer for the data, and the number of bytes received.
       Target   : Slot       := First;
       Received : Byte_Count := 0;
 
-      --  The checksum so far; something was wrong with this message.
+      --  The checksum so far; Damaged if any error was found in this message.
       Sum      : Byte    := 0;
       Damaged  : Boolean := False;
    end record;
@@ -42,14 +42,13 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      (Encode ((Kind => Data, Length => Length)))
    with Global => null;
 
-   --  A data message has begun that is not judged yet.
+   --  A data message has begun and is not judged yet.
    function Has_Message (This : Receiver) return Boolean is
      (This.State in In_Data | At_End)
    with Global => null;
 
-   --  The receiver and its buffers fit together: within a message, the
-   --  buffer is claimed and not full, and the checksum is that of the bytes
-   --  in it.
+   --  The receiver agrees with its buffers: within a message, the buffer is
+   --  claimed and not full, and Sum is the checksum of the bytes in it.
    function Fits
      (This   : Receiver;
       Pair   : Buffer_Pair;
@@ -70,12 +69,12 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
 
    type Event_Kind is
      (Nothing,
-      Lost_Step,     --  a first byte that is no header, or none wanted now
+      Lost_Step,     --  a first byte that is no header or not wanted now
       Command,       --  command to downlink
       Status,        --  see the other components of Event
       Block_Begun,   --  the header of a data message
       Block_Whole,   --  its last character: the checksum matched
-      Block_Spoilt); --  it did not, or this is one more
+      Block_Spoilt); --  the checksum was wrong, or a character follows it
 
    type Event is record
       Kind           : Event_Kind := Nothing;
@@ -83,7 +82,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Wants_Downlink : Boolean    := False;
    end record;
 
-   --  What a first byte means.
+   --  The meaning of a first byte.
    function Meaning
      (Data         : Byte;
       Parity_Error : Boolean;
@@ -105,12 +104,12 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
                others => False)))
    with Global => null;
 
-   --  What a character brings. Between messages it is a header or nothing;
-   --  after the data it is the checksum, and the receiver has that of the
-   --  header and the data (see Fits); after that there must be none; out of
-   --  step it is noise. Length is
-   --  that of the blocks this board is sent; a data message is taken only
-   --  when the board wants one.
+   --  The event that a character causes. Between messages it is a header, or
+   --  the receiver loses step. After the data it is the checksum, which the
+   --  receiver compares with its own (see Fits). After the checksum no
+   --  character may follow. Out of step it is noise. Length is that of the
+   --  blocks sent to this board. A data message is accepted only if the board
+   --  wants one.
    function Outcome_Of
      (This         : Receiver;
       Length       : Block_Length;
@@ -140,7 +139,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      (This.State = In_Data and then Outcome = Nothing)
    with Global => null;
 
-   --  The receiver after a character that brought this.
+   --  The receiver after a character with this outcome.
    function Receiver_After
      (This         : Receiver;
       Pair         : Buffer_Pair;
@@ -173,8 +172,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      Pre    =>
        (if Is_Stored (This, Outcome) then This.Received < Longest_Block);
 
-   --  Its buffers after anything but a byte of the block. One is claimed
-   --  when a message begins: it is busy, and no longer full.
+   --  The buffers after any character but a byte of the block. A message that
+   --  begins claims a buffer: it is busy and no longer full.
    function Pair_After
      (Pair : Buffer_Pair; Outcome : Event_Kind) return Buffer_Pair
    is
@@ -187,8 +186,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
          when others      => Pair)
    with Global => null;
 
-   --  And when the message is judged: only now, after a good one, it is full
-   --  again.
+   --  The buffers when the message is judged. Only now, after a good message,
+   --  does the buffer become full.
    function Pair_Judged (This : Receiver; Pair : Buffer_Pair)
      return Buffer_Pair
    is
@@ -198,7 +197,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
            Busy => False, Full => not This.Damaged))))
    with Global => null;
 
-   --  And after a byte of the block.
+   --  The buffers after a byte of the block.
    function Pair_With_Byte
      (This : Receiver;
       Pair : Buffer_Pair;
@@ -225,7 +224,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      (This.State = In_Data and then This.Received < Length)
    with Global => null;
 
-   --  It has come: what most characters are, so it is done in place.
+   --  Accepts such a byte. Most characters are of this kind, so it works in
+   --  place.
    procedure Store_Byte
      (This         : in out Receiver;
       Pair         : in out Buffer_Pair;
@@ -242,7 +242,7 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
          (This'Old, Pair'Old, Nothing, Data, Parity_Error)
        and then Pair = Pair_With_Byte (This'Old, Pair'Old, Data);
 
-   --  A character has come.
+   --  Accepts any character.
    procedure Accept_Character
      (This         : in out Receiver;
       Pair         : in out Buffer_Pair;

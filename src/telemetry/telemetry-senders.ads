@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The transmitting half of the board's software, for one block: header,
---  data, checksum, character by character (report, appendix A.3;
---  LNK-3). These functions are the code: the board assigns their results.
+--  The transmitting half of the board's software, for one block: header, data
+--  and checksum, character by character (report, appendix A.3; LNK-3). The
+--  board assigns the results of these functions.
 
 with Telemetry.Checksum;
 with Telemetry.Headers; use Telemetry.Headers;
@@ -25,8 +25,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
      (Character_Count (Length) + 2)
    with Global => null;
 
-   --  The message is not finished, and the checksum is that of its part
-   --  already sent.
+   --  The message is not finished, and Sum is the checksum of the part already
+   --  sent.
    function Fits
      (This   : Sender;
       Data   : Block_Data;
@@ -41,7 +41,7 @@ package Telemetry.Senders with Pure, SPARK_Mode is
                  Byte_Count (This.Sent - 1))))
    with Global => null;
 
-   --  The next character of the message: its header, its data, and last the
+   --  The next character of the message: the header, the data, and last the
    --  checksum of both.
    function Next_Byte
      (This   : Sender;
@@ -61,7 +61,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
         then Next_Byte'Result = Checksum.Of_Message
           (Encode ((Headers.Data, Length)), Data, Length));
 
-   --  The sender after it: it sums up the header and the data as they go.
+   --  The sender after that character. It adds the header and the data to the
+   --  checksum as they are sent.
    function Advanced
      (This   : Sender;
       Data   : Block_Data;

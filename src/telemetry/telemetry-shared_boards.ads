@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A telemetry board between its controller, its interrupt handler, its main
---  program and its timer (report, appendix A; LNK-1, D-24).
+--  A telemetry board, shared by its controller, its interrupt handler, its
+--  main program and its timer (report, appendix A; LNK-1, D-24).
 --
---  Each operation of Telemetry.Boards is one protected action here. The
---  board's own side tells how much time has passed since it last did.
+--  Each operation of Telemetry.Boards is one protected action here. Each call
+--  from the board's own side gives the time since the call before it.
 
 with Telemetry.Boards;  use Telemetry.Boards;
 with Telemetry.Headers; use Telemetry.Headers;
@@ -20,7 +20,7 @@ package Telemetry.Shared_Boards with SPARK_Mode is
       Receive_Length  : Block_Length)
    is
 
-      --  The controller's side: see Telemetry.Boards.
+      --  The controller's side; see Telemetry.Boards
 
       procedure Take
         (Data          : out Block_Data;
@@ -31,25 +31,25 @@ package Telemetry.Shared_Boards with SPARK_Mode is
 
       procedure Clear_Transmit_Half;
 
-      --  What was received up to now is not acted on (SAF-4).
+      --  The controller will ignore all blocks received up to now (SAF-4).
       procedure Discard_Received;
 
-      --  The board's side.
+      --  The board's side
 
-      --  Before it starts: see Telemetry.Boards.
+      --  Call it before the board starts; see Telemetry.Boards.
       procedure Set_Round_Trip (Time : Round_Trip_Time);
 
       procedure Start;
 
-      --  May_Speak tells whether Next_Character may now give a character; if
-      --  not, the board waits for more characters or for its time-out.
+      --  May_Speak is True if Next_Character may now give a character. If it
+      --  is False, the board waits for more characters or for its time-out.
       procedure Accept_Character
         (Elapsed      : Character_Times;
          Data         : Byte;
          Parity_Error : Boolean;
          May_Speak    : out Boolean);
 
-      --  Time_Left is how long the board will wait if nothing happens.
+      --  Time_Left is the longest time that the board waits without an event.
       procedure Next_Character
         (Elapsed   : Character_Times;
          Send      : out Boolean;
@@ -59,7 +59,7 @@ package Telemetry.Shared_Boards with SPARK_Mode is
       --  A block has been received and waits to be taken.
       function Has_Received return Boolean;
 
-      --  For whoever watches over the link.
+      --  For monitors of the link.
       function Tally return Statistics;
 
    private

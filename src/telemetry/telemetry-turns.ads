@@ -1,16 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whose turn it is on the link, and what follows from it: the protocol
---  (report, appendix A; LNK-2, LNK-3, LNK-6 to LNK-10, D-18, D-20, D-22).
+--  The protocol: which board may talk on the link, and what it sends (report,
+--  appendix A; LNK-2, LNK-3, LNK-6 to LNK-10, D-18, D-20, D-22).
 --
---  Control is all that a board knows, but for the blocks in its buffers.
---  These functions are the code: Telemetry.Boards assigns their results.
+--  Control is the whole state of a board except for the blocks in its buffers.
+--  Telemetry.Boards assigns the results of these functions.
 --
---  When a board that waits hears nothing for the dead space it resets
---  itself. The ground, before it starts afresh, stays idle until it has
---  heard nothing for longer than that: by then the aircraft has reset itself
---  too (LNK-9, D-7; docs/link.md has the argument). Both waits are longer by
---  the round trip of the line (LNK-11, D-38).
+--  A waiting board that hears nothing for the dead space resets itself. The
+--  ground then idles until it has heard nothing for a longer time: by then the
+--  aircraft has reset itself too (LNK-9, D-7; docs/link.md has the argument).
+--  The round trip of the line extends both waits (LNK-11, D-38).
 
 with Telemetry.Headers;   use Telemetry.Headers;
 with Telemetry.Memory;    use Telemetry.Memory;
@@ -20,16 +19,16 @@ with Telemetry.Senders;   use Telemetry.Senders;
 package Telemetry.Turns with Pure, SPARK_Mode is
 
    type Turn is
-     (Ready,             --  nothing of ours is on its way
+     (Ready,             --  no message of this board is on its way
       Sending,           --  a data message
-      Awaiting_Status,   --  the answer to our data message
+      Awaiting_Status,   --  the answer to this board's data message
       Awaiting_Data,     --  ground: the answer to a command to downlink
       Idling);           --  ground: in its reset
 
    --  The answer owed to a data message.
    type Reply is (None, Good, Bad);
 
-   --  A ground that knows of a waiting downlink asks for it twice at most.
+   --  A ground that knows of a waiting downlink requests it at most twice.
    type Turn_Count is range 0 .. 2;
 
    --  After two data messages the ground idles before the next (D-28).
@@ -56,7 +55,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       Tally           : Statistics;
    end record;
 
-   --  It holds together. An answer is owed only between messages.
+   --  The control is consistent. An answer is owed only between messages.
    function Is_Sound (This : Control) return Boolean is
      ((if This.Owed /= None
        then This.State = Ready and then This.Receiver.State = At_Start)
@@ -72,25 +71,25 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            and then This.In_A_Row = 0))
    with Global => null;
 
-   --  The board has something on the line or is about to: the link is half
-   --  duplex, so it hears nothing meanwhile.
+   --  The board has something on the line or will have it next. The link is
+   --  half duplex, so the board hears nothing meanwhile.
    function Is_Talking (This : Control) return Boolean is
      (This.Line_Taken or else This.Owed /= None or else This.State = Sending)
    with Global => null;
 
-   --  Ready for whatever comes next: a message, a command, a block to send.
+   --  Ready for a message, a command, or a block to send.
    function Is_At_Rest (This : Control) return Boolean is
      (This.State = Ready
       and then This.Owed = None
       and then This.Receiver.State = At_Start)
    with Global => null;
 
-   --  The board waits for the other one, and not for ever.
+   --  The board waits for the other one, for a limited time.
    function Is_Waiting (This : Control) return Boolean is
      (not Is_Talking (This) and then not Is_At_Rest (This))
    with Global => null;
 
-   --  A block of ours is on its way: its buffer is busy.
+   --  A block of this board is on its way; its buffer is busy.
    function Has_Block_Out (This : Control) return Boolean is
      (This.State in Sending | Awaiting_Status)
    with Global => null;
@@ -101,9 +100,10 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       else Dead_Space_On (This.Round_Trip))
    with Global => null;
 
-   --  Time. Blocks is the transmit pair.
+   --  Passing time. Blocks is the transmit pair.
 
-   --  What becomes of our block in a reset: it is tried again or scrapped.
+   --  The outcome of this board's block in a reset: it is tried again or
+   --  scrapped.
    function Fate_In_Reset (This : Control) return Fate is
      (if Has_Block_Out (This) then Failed else Open)
    with Global => null;
@@ -112,8 +112,8 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      (if This.Role = Ground then Idling else Ready)
    with Global => null;
 
-   --  After the reset (LNK-9) nothing is coming in and no block is on its
-   --  way. A ground goes into its idle time first, and from there to Ready.
+   --  The state after a reset (LNK-9): no message is arriving and no block is
+   --  on its way. The ground idles first, and then becomes Ready.
    function Reset (This : Control; Blocks : Buffer_Pair) return Control is
      ((This with delta
          Receiver => (This.Receiver with delta State => At_Start),
@@ -130,8 +130,8 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Resets   => Counted (This.Tally.Resets, This.State /= Idling))))
    with Global => null;
 
-   --  How long until the board judges a message or resets itself if nothing
-   --  happens; the last value if it never does.
+   --  The time until the board judges a message or resets itself if nothing
+   --  happens; the last value if it does neither.
    function Time_Left (This : Control) return Character_Times is
      (if not Is_Waiting (This) then Character_Times'Last
       elsif This.Silence >= Patience (This) then 0
@@ -143,13 +143,13 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      (Is_Waiting (This) and then Time >= Time_Left (This))
    with Global => null;
 
-   --  A message that went no further than its end is judged.
+   --  A message is judged when no character followed its end.
    function Is_Judged_After
      (This : Control; Time : Character_Times) return Boolean is
      (Is_Over_After (This, Time) and then This.Receiver.State = At_End)
    with Global => null;
 
-   --  Any other board that has waited for too long resets itself.
+   --  Any other board that has waited too long resets itself.
    function Is_Reset_After
      (This : Control; Time : Character_Times) return Boolean is
      (Is_Over_After (This, Time) and then This.Receiver.State /= At_End)
@@ -164,9 +164,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       else This)
    with Global => null, Pre => not Is_Judged_After (This, Time);
 
-   --  What is heard
+   --  Received characters
 
-   --  In its reset a board hears only that the line is not silent.
+   --  A board in its reset notes only that the line is not silent.
    function Is_Listening (This : Control) return Boolean is
      (not Is_Talking (This) and then This.State /= Idling)
    with Global => null;
@@ -175,9 +175,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      (This.Role = Aircraft or else This.State = Awaiting_Data)
    with Global => null;
 
-   --  What becomes of our block when this comes. It did not arrive if the
-   --  answer says so, if the ground speaks of other things, or if what
-   --  comes makes no sense to the ground.
+   --  The outcome of this board's block after an event. The block has failed
+   --  if the answer says so, if the ground sends another message, or if the
+   --  ground receives an invalid character.
    function Fate_After (This : Control; What : Event) return Fate is
      (if This.State /= Awaiting_Status
       then Open
@@ -192,9 +192,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
             when others                => Open))
    with Global => null;
 
-   --  The receiver has taken a character that brought this. What makes no
-   --  sense to the ground sends it into its idle time at once; the aircraft
-   --  waits for silence as it is.
+   --  The state after the receiver's event. An invalid character sends the
+   --  ground into its idle time at once. The aircraft continues to wait for
+   --  silence.
    function Informed
      (This : Control; What : Event; Blocks : Buffer_Pair) return Control
    is
@@ -212,7 +212,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
               then (if What.Wants_Downlink then Turn_Count'Last else 0)
               else This.Downlink_Turns),
 
-           --  The ground needs no permission and disregards it (LNK-3).
+           --  The ground needs no permission and ignores it (LNK-3).
            Clear_To_Send  => This.Clear_To_Send
              or else (What.Kind = Command and then This.Role = Aircraft),
            Tally          => (This.Tally with delta
@@ -222,8 +222,8 @@ package Telemetry.Turns with Pure, SPARK_Mode is
                   (Blocks, This.Sender.Source, Fate_After (This, What))))))
    with Global => null;
 
-   --  The message that has come to its end went no further: it is judged,
-   --  and an answer is owed. Received is the receive pair after it.
+   --  No character followed the end of the message: it is judged, and an
+   --  answer is owed. Received is the receive pair afterwards.
    function Judged (This : Control; Received : Buffer_Pair) return Control is
      ((This with delta
          Receiver       => (This.Receiver with delta State => At_Start),
@@ -243,9 +243,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    with Global => null,
      Post => (if Is_Sound (This) then Is_Sound (Judged'Result));
 
-   --  What is said
+   --  Sent characters
 
-   --  The block on its way fits what was sent of it.
+   --  The block on its way agrees with the characters already sent.
    function Fits (This : Control; Blocks : Buffer_Pair) return Boolean is
      (if This.State = Sending
       then Fits
@@ -264,9 +264,9 @@ package Telemetry.Turns with Pure, SPARK_Mode is
       and then Any_Full (Blocks))
    with Global => null;
 
-   --  A block that begins is the newest, and is alone (LNK-7). A permission
-   --  that finds no block lapses. A ground that has said all, or enough,
-   --  idles (D-28).
+   --  The board begins with the newest block, and clears the other (LNK-7). A
+   --  permission without a block lapses. A ground idles when it has nothing
+   --  more to send, or has sent two messages (D-28).
    function Prepared (This : Control; Blocks : Buffer_Pair) return Control is
      (if May_Begin_Block (This, Blocks)
       then
@@ -288,13 +288,13 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    with Global => null,
      Post => (if Is_Sound (This) then Is_Sound (Prepared'Result));
 
-   --  The ground, without a block of its own, lets the aircraft send one
-   --  (LNK-8).
+   --  The ground has no block of its own to send and lets the aircraft send
+   --  one (LNK-8).
    function May_Command (This : Control) return Boolean is
      (Is_At_Rest (This) and then This.Downlink_Turns > 0)
    with Global => null;
 
-   --  What a prepared board sends, an owed answer first; 0 if nothing.
+   --  The next character of a prepared board, an owed answer first; 0 if none.
    function Output (This : Control; Blocks : Buffer_Pair) return Byte is
      (if This.Owed /= None
       then Encode
@@ -330,7 +330,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            This.Owed /= None or else This.State = Sending
            or else May_Command (This),
 
-         --  Dead space begins when our last character has left.
+         --  Dead space begins when this board's last character has left.
          Silence        => (if This.Line_Taken then 0 else This.Silence),
          Downlink_Turns =>
            This.Downlink_Turns - (if May_Command (This) then 1 else 0)))

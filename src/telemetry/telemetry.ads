@@ -2,20 +2,20 @@
 
 --  The telemetry board's software (report, appendix A).
 --
---  This package has the bytes of a block, the unit of the board's timer,
---  who is who on the link, and what a board counts.
+--  This package defines the bytes of a block, the unit of the board's timer,
+--  the two stations, and the board's counts.
 
 with URVOS;        use URVOS;
 with URVOS.Frames; use URVOS.Frames;
 
 package Telemetry with Pure, SPARK_Mode is
 
-   --  The ground's board is bus master; the aircraft's answers (LNK-2).
+   --  The ground's board is bus master; the aircraft's board answers (LNK-2).
    type Station is (Ground, Aircraft);
 
-   --  The bytes of a block's data, without the header before and the checksum
-   --  behind it: two for each word of the buffer (D-3, D-5). URV.Codecs does
-   --  not compile if they are not.
+   --  The bytes of a block's data, without header and checksum: two for each
+   --  word of the buffer (D-3, D-5). URV.Codecs does not compile if they
+   --  differ.
    Uplink_Length   : constant := 28;
    Downlink_Length : constant := 56;
    Longest_Block   : constant := Downlink_Length;
@@ -34,29 +34,31 @@ package Telemetry with Pure, SPARK_Mode is
 
    type Character_Times is range 0 .. 1_000;
 
-   --  How long a board waits at the end of a data message: longer than one
-   --  character, so that a message with one more is bad (LNK-5, D-27).
+   --  The wait of a board at the end of a data message. It is longer than one
+   --  character, so a message with an extra character is bad (LNK-5, D-27).
    Guard_Time : constant Character_Times := 2;
 
-   --  The characters that a major frame has room for, and those of an
-   --  exchange without faults: both data messages with header, checksum and
-   --  guard time, both answers and the command (LNK-2, FRM-1).
+   --  The characters that fit in a major frame, and those of an exchange
+   --  without faults: both data messages with header, checksum and guard time,
+   --  both answers and the command (LNK-2, FRM-1).
    Room_In_Frame : constant :=
      Ticks_Per_Major_Frame * Microseconds_Per_Tick
      / Microseconds_Per_Character;
    Exchange      : constant :=
      Uplink_Length + Downlink_Length + 2 * (2 + Guard_Time) + 3;
 
-   --  How long the line must be silent before the ground starts afresh, as
-   --  it is behind each exchange (D-28); shorter where the frame is. A board
-   --  waits for the other one less long (LNK-9).
+   --  The silence after which the ground starts again, also after each
+   --  exchange (D-28). It is shorter if the frame is shorter. The dead space,
+   --  a board's wait for the other board, is shorter than the idle time
+   --  (LNK-9).
    Idle_Time  : constant Character_Times :=
      Character_Times'Min (24, Room_In_Frame - Exchange - 1);
    Dead_Space : constant Character_Times := Idle_Time * 5 / 6;
 
-   --  A line slower than a wire (LNK-11): an answer comes its round trip
-   --  later. Both boards wait that much longer, and an exchange has two round
-   --  trips, so that three are in a frame, with the idle time. D-38 has why.
+   --  For a line slower than a wire (LNK-11), an answer comes later by its
+   --  round trip. Both boards then wait longer by that time. An exchange has
+   --  two round trips and the idle time one, so a frame must have room for
+   --  three. D-38 gives the reasons.
    Longest_Round_Trip : constant :=
      (Room_In_Frame - Exchange - 1 - Idle_Time) / 3;
    type Round_Trip_Time is range 0 .. Longest_Round_Trip;
@@ -69,7 +71,7 @@ package Telemetry with Pure, SPARK_Mode is
      (Idle_Time + Character_Times (Line))
    with Global => null;
 
-   --  How long a character takes at most from one board to the other, in
+   --  The longest time of a character from one board to the other, in
    --  microseconds, after its last bit has left: 0 to 1,392.
    subtype Line_Delay is Integer range
      0 .. Longest_Round_Trip * Microseconds_Per_Character / 2;
@@ -87,17 +89,18 @@ package Telemetry with Pure, SPARK_Mode is
    type Statistics is record
       Sent      : Count := 0;   --  data messages, retries included
       Received  : Count := 0;   --  data messages with a good checksum
-      Bad       : Count := 0;   --  data messages that came bad or cut short
+      Bad       : Count := 0;   --  data messages that were bad or cut short
       Scrapped  : Count := 0;   --  blocks given up after two transmissions
       Cleared   : Count := 0;   --  blocks cleared for a newer one
       Resets    : Count := 0;   --  dead space resets
 
-      --  Blocks received that the controller had not taken when the next
-      --  one came. It never will: of two full buffers it gets the newer.
+      --  Blocks received that the controller had not taken when the next one
+      --  came. They are lost: of two full buffers the controller gets the
+      --  newer.
       Not_Taken : Count := 0;
    end record;
 
-   --  Value, one higher if something is so.
+   --  Value, incremented if the condition holds.
    function Counted (Value : Count; If_So : Boolean) return Count is
      (if If_So then Incremented (Value) else Value)
    with Global => null;
