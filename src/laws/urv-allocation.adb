@@ -52,7 +52,7 @@ package body URV.Allocation with SPARK_Mode is
          return Result;
       end if;
 
-      --  One aileron has failed: the other's travel may not be enough.
+      --  If one aileron has failed, the travel of the other may not suffice.
       if Now.Failed (Left_Aileron) /= Now.Failed (Right_Aileron) then
          Goal :=
            (if Now.Failed (Left_Aileron)

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Servo words of the commands, with surfaces that have failed (EXT-6).
+--  The servo words for the commands, also with failed surfaces (EXT-6).
 --
---  With all surfaces well they are figure 13's. A failed one stands where it
---  was measured and not where figure 13 wants it: what is missing of its
---  moments is given to the others, by a weighted pseudo-inverse for each
---  failure, computed off line (URV.Allocation_Table). What an aileron cannot
---  do beyond half its travel, the flaps of one side do slowly.
+--  Without failures they are those of figure 13. A failed surface rests at its
+--  measured position, not at that of figure 13. The other surfaces supply the
+--  moments that it lacks, by a weighted pseudo-inverse for each failure,
+--  computed off line (URV.Allocation_Table). If an aileron would have to move
+--  beyond half its travel, the flaps of one side slowly supply the rest.
 
 with URVOS;                use URVOS;
 with URV.Allocation_Table; use URV.Allocation_Table;
@@ -17,7 +17,7 @@ with URV.Surfaces;         use URV.Surfaces;
 
 package URV.Allocation with Pure, SPARK_Mode is
 
-   --  What has failed, and where each surface was measured.
+   --  The failed surfaces, and the measured position of each surface.
    type Health is record
       Failed : Surface_Flags   := None;
       Places : Surface_Demands := (others => 0);
@@ -26,12 +26,12 @@ package URV.Allocation with Pure, SPARK_Mode is
    All_Well : constant Health :=
      (Failed => (others => False), Places => (others => 0));
 
-   --  What the PWM task is told: nothing is made up for unless a law flies.
+   --  The failures that the PWM task makes up for: none unless a law flies.
    function Told_Of (Now : Health; By_Law : Boolean) return Health is
      (if By_Law then Now else All_Well)
    with Global => null;
 
-   --  What is missing of where a failed surface should be.
+   --  The part of a failed surface's demand that is missing.
    subtype Lack is Number range -4_095 .. 4_095;
 
    type Lacks is array (Surface) of Lack;
@@ -44,7 +44,7 @@ package URV.Allocation with Pure, SPARK_Mode is
          else 0))
    with Global => null;
 
-   --  A surface's part of what is missing. The sum over all ten is within
+   --  A surface's share of the missing part. The sum of all ten is within
    --  Number.
    subtype Part is Number range -20_000 .. 20_000;
 
@@ -54,14 +54,14 @@ package URV.Allocation with Pure, SPARK_Mode is
      (Gains (Failed) (Helper) * Missing / Unit)
    with Global => null;
 
-   --  What a surface has to do for all that have failed.
+   --  A surface's contribution for all failed surfaces.
    subtype Help is Number range -200_000 .. 200_000;
 
    function Help_Of (Helper : Surface; Missing : Lacks) return Help
    with Global => null;
 
-   --  Words of an aileron in place of which the flaps are moved, and how far
-   --  they are: left ones down, right ones up.
+   --  The largest demand on an aileron. For the excess the flaps move: left
+   --  ones down, right ones up.
    Aileron_Share : constant := 1_000;
 
    function Beyond_Share (Wanted : Number) return Number is
@@ -85,20 +85,20 @@ package URV.Allocation with Pure, SPARK_Mode is
               else Demands'Result (Item) in
                      Lowest (Item) .. Highest (Item))));
 
-   --  All 14 outputs.
+   --  The words of all 14 outputs.
    function Servos (Commands : Uplink_Buffer; Now : Health) return PWM_Buffer
    with
      Global => null,
      Post   =>
-       --  Figure 13, bit for bit.
+       --  Without failures it is figure 13, bit for bit.
        (if Now.Failed = None then Servos'Result = Transform (Commands))
 
-       --  Limits are kept.
+       --  All servo words are within the converter's range.
        and then
          (for all Item in Servo_Item =>
             Servos'Result (Item) in Converter_Value)
 
-       --  What is no aerodynamic surface stays figure 13's.
+       --  The other outputs are always figure 13's.
        and then Servos'Result (Steering) = Transform (Commands) (Steering)
        and then Servos'Result (Throttle) = Transform (Commands) (Throttle)
        and then Servos'Result (Brake) = Transform (Commands) (Brake)

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the ground may set while the aircraft is switched on: the table of
---  gains that the control laws fly with, and when a lost link means what
---  (EXT-2, FRM-7, D-26). It comes up in the place of a frame's commands, as a
---  block of its own kind:
+--  The settings that the ground may change while the aircraft is switched on:
+--  the control laws' table of gains, and the times of the link-loss rule
+--  (EXT-2, FRM-7, D-26). The uplink carries them in place of a frame's
+--  commands, as a block of its own kind:
 --
 --     word 1         the kind, 0400h
 --     words 2 .. 5   the items, codes 0401h onward
@@ -14,9 +14,9 @@
 --
 --  No word has more than 12 bits, so that both message formats carry it.
 --
---  It is taken whole or not at all: when its words agree, its values are in
---  range, the laws are there, and the aircraft is not flown by them. What is
---  not taken changes nothing.
+--  The aircraft takes it whole or not at all. It takes it if its words agree,
+--  its values are in range, the laws are on, and no law flies the aircraft. A
+--  rejected configuration changes nothing.
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
@@ -28,16 +28,16 @@ with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.Configurations with Pure, SPARK_Mode is
 
-   --  Serial tells one configuration from another. Times are in tenths of a
-   --  second since the last uplink: until Orbit_From what flew is held, then
-   --  comes the orbit, until End_From.
+   --  Serial distinguishes configurations. Times are in tenths of a second
+   --  since the last uplink. Until Orbit_From the laws hold the flight as it
+   --  was; then they orbit until End_From.
    type Setting_Item is (Serial, Gains, Orbit_From, End_From);
 
    subtype Field is Word range 0 .. 16#FFF#;
 
    type Configuration is array (Setting_Item) of Field;
 
-   --  What may be set.
+   --  Permitted values
 
    subtype Serial_Number is Field range 1 .. Field'Last;
 
@@ -67,7 +67,7 @@ package URV.Configurations with Pure, SPARK_Mode is
    function Inverted (Value : Field) return Field is (Field'Last - Value)
    with Global => null;
 
-   --  Each weight is odd: one bit wrong in both forms of an item changes the
+   --  Each weight is odd, so a wrong bit in both forms of an item changes the
    --  sum.
    function Sum_Of (Source : Configuration) return Field is
      ((Source (Serial) + 3 * Source (Gains) + 5 * Source (Orbit_From)
@@ -109,7 +109,7 @@ package URV.Configurations with Pure, SPARK_Mode is
      Global => null,
      Pre    => Has_Items (Block);
 
-   --  All of a block's words agree: a configuration, not in range perhaps.
+   --  All words of a block agree. The configuration may still be out of range.
    function Is_Whole (Block : Uplink_Buffer) return Boolean is
      (Is_Other_Kind (Block)
       and then Kind_Of (Block) = Configuration_Kind
@@ -122,7 +122,7 @@ package URV.Configurations with Pure, SPARK_Mode is
 
    --  In the aircraft
 
-   --  The last that was taken, if any was.
+   --  The configuration that was taken last, if any.
    type Setting is record
       Is_Set : Boolean := False;
       Item   : Configuration := (others => 0);
@@ -133,7 +133,8 @@ package URV.Configurations with Pure, SPARK_Mode is
      (Is_Set => False, Item => (others => 0))
    with Global => null;
 
-   --  What the laws fly with: what was set, else what the node is set to.
+   --  The settings in force: the configuration if one was taken, else the
+   --  node's.
    function In_Force (Set : Settings; Now : Setting) return Settings is
      (if Now.Is_Set
       then (On    => Set.On,
@@ -142,8 +143,8 @@ package URV.Configurations with Pure, SPARK_Mode is
       else Set)
    with Global => null;
 
-   --  No law flies the aircraft: it stands on the ground, or all outputs
-   --  are the sticks'.
+   --  No law flies the aircraft: it is on the ground, or all outputs are the
+   --  sticks'.
    function May_Be_Set (Flown : Laws.Memory) return Boolean is
      (not Flown.Is_Flying
       or else (Flown.Flown = All_Direct and then Is_All_Stick (Flown)))
@@ -151,10 +152,10 @@ package URV.Configurations with Pure, SPARK_Mode is
 
    type Answer is
      (Taken,
-      Not_Whole,      --  its words do not agree
-      Not_In_Range,   --  a value is none that may be set
-      Law_Flies,      --  a control law flies the aircraft
-      No_Laws);       --  there are none
+      Not_Whole,      --  its words disagree
+      Not_In_Range,   --  a value is not permitted
+      Law_Flies,      --  a law flies the aircraft
+      No_Laws);       --  the laws are off
 
    subtype Refused is Answer range Not_Whole .. No_Laws;
 
@@ -180,8 +181,8 @@ package URV.Configurations with Pure, SPARK_Mode is
       else Now)
    with Global => null;
 
-   --  For the ground, in the row of the laws: the number above four bits
-   --  of the table; 0 when none was taken.
+   --  The ground's report in the row of the laws: the serial number above four
+   --  bits with the table; 0 if none was taken.
    function Told (Now : Setting) return Word is
      (if Now.Is_Set then Now.Item (Serial) * 16 + Now.Item (Gains) else 0)
    with Global => null;

@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the ground's converter gives the node when the pilot's console falls
+--  The ground converter's input to the node when the pilot's console falls
 --  silent (SAF-10, FRM-7, D-33).
 --
 --  A lost console in flight has the same effect as a lost link. The converter
---  brings no scan, so GDCOUT marks the uplink as old, and the aircraft holds,
---  orbits and glides as its link-loss rule says (EXT-5). On the ground the
---  safe words go up: throttle idle, brake on, switches off.
+--  delivers no scan, so GDCOUT marks the uplink as old, and the aircraft
+--  holds, orbits and glides by its link-loss rule (EXT-5). On the ground the
+--  uplink carries the safe words: throttle idle, brake on, switches off.
 --
---  A frame is silent when no console input came in it. An aircraft of which
---  the ground does not know that it is on the ground is flying.
+--  A frame is silent if no console input came in it. Unless the ground knows
+--  that the aircraft is on the ground, the aircraft counts as flying.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
@@ -25,11 +25,11 @@ package URV.Console_Watch with Pure, SPARK_Mode is
    --  Safe_Words  the scan has the safe words, Neutral_Stick_Words (D-13)
    type Converter_Input is (Live, Held, Safe_Words);
 
-   --  Silent frames in a row; the last value also stands for more.
+   --  Silent frames in a row. The last value means that number or more.
    type Frame_Count is range 0 .. 1_000_000;
 
-   --  Silent frames until the console is lost, 0.5 s, and until the safe words
-   --  may go up, 2 s.
+   --  Silent frames before the console is lost, 0.5 s, and before the safe
+   --  words may be sent, 2 s.
    Lost_After : constant Frame_Count := 5 * Frames_Per_Tenth;
    Safe_After : constant Frame_Count := 2 * Frames_Per_Second;
 
@@ -37,23 +37,23 @@ package URV.Console_Watch with Pure, SPARK_Mode is
      (Silent >= Lost_After)
    with Global => null;
 
-   --  What the ground knows of the aircraft's sensors from the downlinks
-   --  shown in CORE, and what the converter gives the node. At the start no
-   --  sensor is believed.
+   --  The ground's checks of the aircraft's sensors, from the downlinks in
+   --  CORE, and the converter's input to the node. At the start no sensor is
+   --  valid.
    type Watch is record
       Checks : Check_Table;
       Input  : Converter_Input := Held;
    end record;
 
-   --  The downlink as CORE shows it. One that is still cleared says nothing:
-   --  it is as old.
+   --  The downlink in CORE. A cleared one counts as marked old.
    function Downlink_Of (Area : Downlink_Words) return Downlink_Buffer is
      (if (for all Item of Area => Item = 0) then Neutral_Downlink
       else URV.CORE_Layout.To_Buffer (Area))
    with Global => null;
 
-   --  A frame: Silent counts up to this frame, Downlink is the latest one,
-   --  marked as old unless it came in the last frame.
+   --  The watch after a frame. Silent counts the frames up to this one.
+   --  Downlink is the latest downlink, marked as old unless it came in the
+   --  last frame.
    function Next
      (This     : Watch;
       Silent   : Frame_Count;

@@ -1,16 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the engine follows its throttle (EXT-6, FRM-7, D-32). Nothing
---  measures where the throttle is. The engine turns a fixed propeller, and its
---  speed shows it.
+--  Detects an engine that does not follow its throttle (EXT-6, FRM-7, D-32).
+--  No sensor measures the throttle's position. The engine drives a fixed
+--  propeller, so its speed shows it.
 --
---  Two bounds hold the speed that the throttle's last words ask for, with the
---  dead band of its servo. They go out to a new one at once, and come in
---  slower than a sound engine does. An engine that is outside of them by more
---  than an allowance for half a second does not follow. Nothing is reported on
---  the ground, nor with sensors that are not valid, nor as long as the
---  measured speed has never moved: a running engine's speed always moves, and
---  a word that is held (by the bench, by a sensor that is not connected) shows
+--  Two bounds enclose the speeds that the last throttle words demand, with the
+--  dead band of the servo. A bound widens to a new demand at once, and narrows
+--  more slowly than a sound engine. An engine fails when its speed is outside
+--  the bounds by more than the allowance for half a second. The monitor
+--  reports nothing on the ground or with invalid sensors, nor before the
+--  measured speed has moved. A running engine's speed always varies; a
+--  constant word (from the bench, or from an unconnected sensor) shows
 --  nothing.
 
 with URV.Frame_Times; use URV.Frame_Times;
@@ -18,8 +18,8 @@ with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Engine_Monitor with Pure, SPARK_Mode is
 
-   --  The word of the engine's speed at 70 kt, for each eighth of the
-   --  throttle's travel: of the aircraft of sim/jsbsim.
+   --  The word of the engine speed at 70 kt for each eighth of the throttle's
+   --  travel, for the aircraft of sim/jsbsim.
    subtype Eighth is Number range 0 .. 8;
    Per_Eighth : constant := 512;
 
@@ -40,12 +40,12 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
          0, Level'Last))
    with Global => null;
 
-   --  One per cent of the throttle's travel, in words: its servo may rest
-   --  that far on either side of its word.
+   --  One per cent of the throttle's travel, in words. The servo may rest that
+   --  far on either side of its word.
    Dead_Band : constant := 41;
 
-   --  An engine follows the airspeed as Steady says, or not at all: at idle
-   --  in a dive it does not.
+   --  The engine follows the airspeed as in Steady, or not at all. At idle in
+   --  a dive it does not.
 
    function Least_Asked (Power : Lever; Airspeed : Level) return Level is
      (Steady
@@ -59,22 +59,23 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
          Integer'Max (Airspeed, Cruise)))
    with Global => null;
 
-   --  16 rev/min: how far the measured speed has to move to be a measurement.
+   --  The measured speed must move this far, 16 rev/min, to count as a
+   --  measurement.
    Movement : constant := 8;
 
-   --  How much a bound comes in a second, and in a frame: the whole range in
-   --  ten seconds. A sound engine, throttled back bit by bit in turbulence,
-   --  changed by 550.
+   --  The narrowing of a bound in a second and in a frame: the whole range
+   --  takes ten seconds. A sound engine, slowly throttled back in turbulence,
+   --  changed by 550 a second.
    Narrowing_Rate : constant := 400;
    Narrowing      : constant := Narrowing_Rate / Frames_Per_Second;
 
-   --  500 rev/min: what a hot day, a hill of air and a poor sensor change.
+   --  The effect of a hot day, air density and a poor sensor: 500 rev/min.
    Allowance : constant := 250;
 
-   --  0.5 s, in frames.
+   --  The time outside the bounds before a failure: 0.5 s, in frames.
    Certainty : constant := 5 * Frames_Per_Tenth;
 
-   --  50 kt.
+   --  The lowest airspeed at which the engine is monitored: 50 kt.
    Slowest : constant := 1_600;
 
    subtype Doubt_Level is Number range 0 .. Certainty;
@@ -85,7 +86,7 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
       Doubt  : Doubt_Level := 0;
       Failed : Boolean     := False;
 
-      --  The first speed that was measured, and whether another one was.
+      --  The first measured speed, and whether the speed has moved from it.
       Is_Seen   : Boolean := False;
       First     : Level   := 0;
       Has_Moved : Boolean := False;
@@ -95,7 +96,7 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
      (Speed < This.Least - Allowance or else Speed > This.Most + Allowance)
    with Global => null;
 
-   --  The bounds with the speeds that are asked for in this frame.
+   --  The bounds after the speeds demanded in this frame.
    function Narrowed
      (This : Monitor; Least_Goal, Most_Goal : Level) return Monitor
    is
@@ -107,12 +108,12 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
                     (Most_Goal, Integer'Max (This.Most - Narrowing, 0))))
    with Global => null;
 
-   --  Nothing is known of this frame: the bounds are anywhere.
+   --  Nothing is known of this frame: the bounds are as wide as possible.
    function Unknown (This : Monitor) return Monitor is
      ((This with delta Least => 0, Most => Level'Last, Doubt => 0))
    with Global => null;
 
-   --  With a valid measurement of the speed.
+   --  After a valid measurement of the speed.
    function Seen (This : Monitor; Speed : Level) return Monitor is
      ((This with delta
          Is_Seen   => True,
@@ -123,7 +124,8 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
                     and then abs (Speed - This.First) >= Movement)))
    with Global => null;
 
-   --  A frame in flight. An engine whose speed has never moved is well.
+   --  After a frame in flight. An engine whose speed has never moved counts as
+   --  sound.
    function Judged
      (This     : Monitor;
       Power    : Lever;
@@ -142,7 +144,7 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
            Failed => This.Failed or else This.Doubt + 1 >= Certainty))
    with Global => null;
 
-   --  Power is the throttle's word in the last frame.
+   --  Power is the throttle's word of the last frame.
    function Next
      (This     : Monitor;
       Power    : Lever;
@@ -156,8 +158,8 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
    with
      Global => null,
      Post   =>
-       --  A failure is not forgotten, and seen only after half a second
-       --  outside, in a speed that has moved.
+       --  A failure lasts. It appears only after half a second outside the
+       --  bounds, with a speed that has moved.
        (if This.Failed then Next'Result.Failed)
        and then
          (if Next'Result.Failed and then not This.Failed

@@ -7,18 +7,18 @@
 --       (Trim, Error_Share (Error, Most_Learnt, Gain, Unit),
 --        Saturation_Of (Wanted, -Authority, Authority), -Most, Most);
 --
---  An integrator moves with the sign of its error. It stands still in one
---  case only: its output, or the next limit in the chain, is saturated, and
---  the error would drive it further into that saturation. A rate limit is
---  not a saturation, and a large error never stops an integrator: it moves
---  as for the largest error that it learns from.
+--  An integrator moves with the sign of its error. It stops in one case only:
+--  its output, or the next limit in the chain, is saturated, and the error
+--  would drive it further into that saturation. A rate limit is not a
+--  saturation. A large error never stops an integrator; it moves as for the
+--  largest error that it integrates.
 
 with URV.Law_Units; use URV.Law_Units;
 
 package URV.Integrators with Pure, SPARK_Mode is
 
-   --  The limits that an output has reached. Both may hold at once, where
-   --  one limit in the chain is above another.
+   --  The limits that an output has reached. Both may hold at once if one
+   --  limit in the chain is above another.
    type Saturation is record
       Is_High, Is_Low : Boolean := False;
    end record;
@@ -29,14 +29,14 @@ package URV.Integrators with Pure, SPARK_Mode is
      (Is_High => Wanted > Most, Is_Low => Wanted < Least)
    with Global => null;
 
-   --  A reference that is still on its way to its target leads the aircraft
-   --  by what that lags: an error that no integrator should remove. It gets
-   --  there, so that this ends.
+   --  A reference that still moves to its target leads the aircraft by the
+   --  aircraft's lag. No integrator should remove this error. The reference
+   --  reaches its target, so this state ends.
    function On_The_Way (Reference, Target : Number) return Saturation is
      (Is_High => Target > Reference, Is_Low => Target < Reference)
    with Global => null;
 
-   --  Two limits, one after the other.
+   --  The saturation of two limits in series.
    function "or" (Left, Right : Saturation) return Saturation is
      (Is_High => Left.Is_High or else Right.Is_High,
       Is_Low  => Left.Is_Low or else Right.Is_Low)
@@ -51,9 +51,9 @@ package URV.Integrators with Pure, SPARK_Mode is
    subtype Error_Range is Number range -200_000 .. 200_000;
    subtype Gain_Range is Integer range 0 .. 1_000;
 
-   --  How far an error moves an integrator in a frame: Gain for each Unit of
-   --  the error, and no more than for the error Most. With a gain for a second
-   --  the unit has the frames of a second as a factor.
+   --  An integrator's change in a frame: Gain for each Unit of the error, and
+   --  no more than for the error Most. For a gain per second, Unit contains
+   --  the frames of a second as a factor.
    function Error_Share
      (Error : Error_Range;
       Most  : Error_Range;
@@ -69,7 +69,7 @@ package URV.Integrators with Pure, SPARK_Mode is
        and then (if Error <= 0 then Error_Share'Result <= 0)
        and then abs Error_Share'Result <= Most * Gain;
 
-   --  The integrator a frame later, within its own limits.
+   --  The integrator after a frame, within its own limits.
    function Integrated
      (Item   : Number;
       Change : Number;
@@ -97,7 +97,8 @@ package URV.Integrators with Pure, SPARK_Mode is
        and then (if Change >= 0 then Integrated'Result >= Item)
        and then (if Change <= 0 then Integrated'Result <= Item)
 
-       --  And always with it, by all of the change, or to its own limit.
+       --  Otherwise it moves with its error, by the whole change or to its own
+       --  limit.
        and then
          (if Change > 0 and then not Output.Is_High
           then Integrated'Result = Integer'Min (Item + Change, Most))
@@ -105,7 +106,7 @@ package URV.Integrators with Pure, SPARK_Mode is
          (if Change < 0 and then not Output.Is_Low
           then Integrated'Result = Integer'Max (Item + Change, Least));
 
-   --  What holds of every integrator's step from Before to After: never
+   --  Every integrator's step from Before to After has this property: never
    --  against the sign of the error, never further into saturation.
    function Follows
      (Before, After, Error : Number; Output : Saturation) return Boolean

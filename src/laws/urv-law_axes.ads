@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The control laws' arithmetic, an axis at a time (EXT-3, EXT-8, D-31).
+--  The control laws' arithmetic, one axis at a time (EXT-3, EXT-8, D-31).
 --
---  Each law makes of what was measured a target for its output. The output
---  goes there no faster than its rate limit. URV.Integrators says when an
---  integrator moves, and which way.
+--  Each law computes a target for its output from the measurements. The output
+--  moves to the target within its rate limit. URV.Integrators says when an
+--  integrator moves, and in which direction.
 
 with URV.Integrators; use URV.Integrators;
 with URV.Law_Gains;   use URV.Law_Gains;
@@ -12,14 +12,14 @@ with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Law_Axes with Pure, SPARK_Mode is
 
-   --  What the sensors say.
+   --  The sensors' values.
    type Readings is record
       Bank, Pitch                    : Angle;
       Roll_Rate, Pitch_Rate, Yaw_Rate : Rate;
       Altitude, Airspeed             : Level;
    end record;
 
-   --  Integrators.
+   --  Integrators
    subtype Roll_Trim is Number range -Roll_Trim_Most .. Roll_Trim_Most;
    subtype Pitch_Trim is Number range -Pitch_Trim_Most .. Pitch_Trim_Most;
    subtype Height_Trim is Number range -Height_Trim_Most .. Height_Trim_Most;
@@ -32,11 +32,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    subtype Nose is Number range Lowest_Pitch .. Highest_Pitch;
    subtype Climb is Number range -Most_Climb .. Most_Climb;
 
-   --  Each output's target, and where the law would have it: what is beyond
-   --  the target's limits is saturation.
+   --  The output that a law computes before limits. The part beyond the limits
+   --  of its target is saturation.
    subtype Unlimited is Number range -200_000 .. 200_000;
 
-   --  Bank as the laws reckon with it, and what a level turn with it needs.
+   --  Bank, limited to the laws' range, and the rates and load of a level turn
+   --  with it
 
    function Reckoned_Of (Bank : Angle) return Reckoned is
      (Within (Bank, -Reckoned_Bank, Reckoned_Bank))
@@ -62,7 +63,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Squared (Bank) / Square_Per_Load)
    with Global => null;
 
-   --  Rate damping: a word less for so much rate, within its authority.
+   --  Rate damping: a demand against the rate, within its authority
 
    subtype Damping is Number range -Damping_Authority .. Damping_Authority;
 
@@ -86,12 +87,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Damped (Now.Yaw_Rate - Turn_Rate (Now.Bank), Yaw_Damping))
    with Global => null;
 
-   --  A stick with damping.
+   --  A stick's demand plus damping.
    function Plus (Stick : Demand; Extra : Damping) return Demand is
      (Within (Stick + Extra, Demand'First, Demand'Last))
    with Global => null;
 
-   --  Bank: the reference goes to what is asked for; the ailerons follow.
+   --  Bank: the reference moves to the wanted bank, and the ailerons follow it
 
    function Bank_Error (Reference : Reckoned; Now : Readings) return Number is
      (Within (Reference - Now.Bank, -Reckoned_Bank, Reckoned_Bank))
@@ -115,12 +116,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Stick * (Most_Bank / 8) / 256)
    with Global => null;
 
-   --  At 3 deg/s, to the right.
+   --  The bank for a right turn at 3 deg/s.
    function Orbit_Bank_At (Airspeed : Level) return Reckoned is
      (Within (Airspeed, Least_Speed, Orbit_Fastest) * Orbit_Bank / 100)
    with Global => null;
 
-   --  Pitch: the same.
+   --  Pitch, in the same way as bank
 
    function Pitch_Error (Reference : Nose; Now : Readings) return Number is
      (Within (Reference - Now.Pitch, -Reckoned_Bank, Reckoned_Bank))
@@ -150,13 +151,13 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (As_Nose (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
    with Global => null;
 
-   --  The glide, with an airspeed and without.
+   --  The glide, with a valid airspeed
 
    function Glide_Nose (Airspeed : Level) return Nose is
      (As_Nose (Glide_Pitch + (Airspeed - Glide_Speed) * Glide_Gain))
    with Global => null;
 
-   --  Altitude.
+   --  Altitude
 
    function Wanted_Climb (Target : Level; Now : Readings) return Climb is
      (Within
@@ -178,7 +179,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Post   => Climb_Rate'Result in -30_000 .. 30_000;
 
-   --  Where the altitude's law would have the nose, without any limit.
+   --  The pitch that the altitude law demands, before limits.
    function Unlimited_Nose
      (Wanted : Climb;
       Rising : Number;
@@ -193,13 +194,13 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Global => null,
      Pre    => Rising in -30_000 .. 30_000;
 
-   --  The nose is not above this, so that the speed stays.
+   --  The upper limit of pitch that protects the airspeed
 
    function Guard (Airspeed : Level) return Nose is
      (As_Nose (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain))
    with Global => null;
 
-   --  Throttle.
+   --  Throttle
 
    function Held_Speed (Airspeed : Level; Moved : Number) return Level is
      (Within
@@ -218,8 +219,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       + Trim / 1_000)
    with Global => null;
 
-   --  Integrators. Each moves with the sign of its error, unless its output
-   --  is saturated that way. The least error that counts is named with each.
+   --  Integrators: each moves with the sign of its error, unless its output is
+   --  saturated in that direction. Each postcondition gives the least error
+   --  that moves it.
 
    function Next_Roll_Trim
      (Trim : Roll_Trim; Error : Number; Output : Saturation; By : Gain)
@@ -263,8 +265,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
             and then Error < 0 and then Trim > Pitch_Trim'First
           then Next_Pitch_Trim'Result < Trim);
 
-   --  Of the climb rate: wanted, less what there is. An altitude's own error
-   --  would wind it up for as long as a large one takes to fly away.
+   --  Its error is the wanted climb rate minus the measured one. With the
+   --  altitude error as input it would wind up throughout a large change of
+   --  altitude.
    function Next_Height_Trim
      (Trim : Height_Trim; Error : Number; Output : Saturation)
       return Height_Trim

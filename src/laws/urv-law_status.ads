@@ -1,21 +1,20 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the ground is told of the control laws (EXT-3, EXT-5): a row of the
---  aircraft's log that is not an error's. It goes down as the log does, a
---  byte a downlink (SAF-7), and stands in the ground's CORE memory.
+--  The control laws' report to the ground (EXT-3, EXT-5): a row of the
+--  aircraft's log that belongs to no error. It is sent like the log, a byte a
+--  downlink (SAF-7), and appears in the ground's CORE memory.
 --
---  word 1  what flies: lateral, vertical, power, each in four bits from the
+--  word 1  active modes: lateral, vertical, power, each in four bits from the
 --          lowest, then the link's state; places in their lists, from 0
---  word 2  sensors that are not valid, the first 16 of the downlink, the
---          first in bit 0
+--  word 2  invalid sensors, the first 16 of the downlink, the first in bit 0
 --  word 3  the other sensors
---  word 4  how many silent frames the link has had, at most 65535
+--  word 4  the link's silent frames, at most 65535
 --
---  word 5  surfaces that have failed, in the order of URV.Surfaces, the first
---          in bit 0; the throttle in bit 10
+--  word 5  failed surfaces, in the order of URV.Surfaces, the first in bit 0;
+--          the throttle in bit 10
 --
---  word 6  the node's age: major frames since its cold start, in 16s, modulo
---          65536 (GND-45)
+--  word 6  the node's age: major frames since its cold start, divided by 16,
+--          modulo 65536 (GND-45)
 --
 --  word 7  the serial number of the configuration that was taken last, above
 --          four bits with its table of gains (EXT-2); 0 for none

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the control laws reckon in: whole numbers, so that the same words
+--  The units of the control laws. All are whole numbers, so the same words
 --  give the same outputs on every machine (EXT-3).
 --
 --  Angles are in thousandths of a degree, rates in thousandths of a degree a
---  second. Altitude and airspeed stay in their words: half a foot, and a
---  32nd of a knot. A servo's demand is its word less the neutral one: 0.01
---  degrees of aileron, 0.0125 of elevator and rudder. docs/items.md has the
---  scales of all words.
+--  second. Altitude and airspeed keep the units of their words: half a foot,
+--  and a 32nd of a knot. A servo's demand is its word minus the neutral word:
+--  0.01 degrees of aileron, 0.0125 of elevator and rudder. docs/items.md has
+--  the scales of all words.
 
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
@@ -20,10 +20,10 @@ package URV.Law_Units with Pure, SPARK_Mode is
    subtype Angle is Number range -180_000 .. 180_000;
    subtype Rate is Number range -103_000 .. 103_000;
 
-   --  Altitude and airspeed, as their words.
+   --  Altitude and airspeed in the units of their words.
    subtype Level is Number range 0 .. 4_095;
 
-   --  A word less the neutral one; the throttle's word.
+   --  A word minus the neutral word; the throttle's word.
    subtype Demand is Number range -2_048 .. 2_047;
    subtype Lever is Number range 0 .. 4_095;
 
@@ -36,7 +36,7 @@ package URV.Law_Units with Pure, SPARK_Mode is
      Post   => Within'Result in Least .. Most
        and then (if Value in Least .. Most then Within'Result = Value);
 
-   --  One step from a value to another, no longer than a limit.
+   --  One step from a value towards another, no longer than a limit.
    function Stepped (From, To, Longest : Number) return Number is
      (if To - From > Longest then From + Longest
       elsif From - To > Longest then From - Longest
@@ -52,7 +52,8 @@ package URV.Law_Units with Pure, SPARK_Mode is
        and then abs (Stepped'Result - From) <= Longest
        and then (if abs (To - From) <= Longest then Stepped'Result = To);
 
-   --  From words. One beyond the converter's range counts as its end.
+   --  Conversion from words. A word beyond the converter's range counts as its
+   --  end.
 
    function Level_Of (Value : Word) return Level is
      (if Value in Converter_Value then Number (Value) else Level'Last)
@@ -74,12 +75,12 @@ package URV.Law_Units with Pure, SPARK_Mode is
      (Demand_Of (Value) * 50)
    with Global => null;
 
-   --  Of pitch and yaw.
+   --  Rates of pitch and yaw.
    function Slow_Rate_Of (Value : Word) return Rate is
      (Demand_Of (Value) * 25)
    with Global => null;
 
-   --  And back.
+   --  Conversion to words
 
    function Lever_Word_Of (Value : Lever) return Converter_Value is
      (Converter_Value (Value))

@@ -81,7 +81,7 @@ package body URV.Laws.Flying with SPARK_Mode is
       Wanted : Unlimited;
       Output : Saturation;
 
-      --  Where the mode would have the nose, and the highest that it may be.
+      --  The pitch that the mode demands, and its upper limit.
       Aim     : Unlimited := Level_Pitch;
       Ceiling : Nose      := Highest_Pitch;
       Bounded : Nose      := Level_Pitch;

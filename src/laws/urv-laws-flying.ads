@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How the laws fly each axis in a frame whose modes are decided (EXT-3,
+--  The flight of each axis in a frame, after the modes are decided (EXT-3,
 --  EXT-8): its target, its output, its integrator. URV.Laws.Next calls Fly.
 
 private package URV.Laws.Flying with Pure, SPARK_Mode is
@@ -15,8 +15,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       Airspeed   => Level_Of (Word_Of (Checks, Airspeed)))
    with Global => null;
 
-   --  The sticks as a law reads them: at rest while the link is lost, the
-   --  rudder held as a trim.
+   --  The sticks as input of the laws. While the link is lost they are at
+   --  rest, with the rudder held as a trim.
    type Sticks is record
       Is_Pilot         : Boolean;
       Roll, Pitch, Yaw : Demand;
@@ -40,9 +40,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             Throttle => Level_Of (Commands (Throttle))))
    with Global => null;
 
-   --  An axis that is the stick's stays so. One that a law has let go
-   --  becomes so when its output has come to the stick. None is while the
-   --  link is lost.
+   --  The stick keeps an axis that it has. An axis released by a law returns
+   --  to the stick when its output equals the stick's word. No axis is the
+   --  stick's while the link is lost.
    function Is_Stick_Again
      (Was, Is_Direct, Is_Pilot : Boolean; Last, Stick : Number)
       return Boolean
@@ -50,7 +50,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
    with Global => null;
 
-   --  Flying changes nothing of what was decided before.
+   --  Flying changes no earlier decision of the frame.
    function Decides_The_Same (Before, After : Memory) return Boolean is
      (After.Link = Before.Link
       and then After.Checks = Before.Checks
@@ -59,7 +59,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       and then After.Is_Flying = Before.Is_Flying)
    with Ghost, Global => null;
 
-   --  Of what a frame decides a law has flown one axis, and nothing else.
+   --  Only one axis has changed.
    function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
    is
      (Decides_The_Same (Before, After)
@@ -212,7 +212,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
                  (This.Speed_Held, Hand.Throttle - This.Lever_Held),
                Measured => Now.Airspeed));
 
-   --  All four, and nothing else.
+   --  Flies all four axes.
    procedure Fly
      (This   : in out Memory;
       Was    : Modes;

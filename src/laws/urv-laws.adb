@@ -39,7 +39,7 @@ package body URV.Laws with SPARK_Mode is
          else Allowed
            (Wanted (After.Link.State, Heard, After.Is_Flying), Checks));
 
-      --  Above all else.
+      --  The disconnect has priority over all else.
       if Is_Disconnected (Commands) or else After.Link.State = Waiting then
          After.Is_Stick := (Axis => True);
          Hand := Sticks_Of (Heard, Linked);

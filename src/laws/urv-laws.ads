@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The control laws: what stands between the pilot's commands and the servos
---  (EXT-3, EXT-5, EXT-8). docs/control-laws.md says how they fly.
+--  The control laws, between the pilot's commands and the servos (EXT-3,
+--  EXT-5, EXT-8). docs/control-laws.md describes their flight.
 --
 --     After := Next (Before, Commands, Sensors, By);
 --     Flown := Output (After, Commands);
 --
 --  A law replaces four of the commands: roll, pitch, yaw, throttle. Figure 13
---  makes servo words of what comes out, as of the pilot's own commands. The
---  brake and the switches, with them flaps and discretes, are those of the
+--  converts the result to servo words, as it does the pilot's own commands.
+--  The brake and the switches, including flaps and discretes, come from the
 --  last commands that were not marked as old.
 
 with URVOS;             use URVOS;
@@ -23,16 +23,15 @@ with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Laws with Pure, SPARK_Mode is
 
-   --  What the node is set to: whether the laws are there at all, when a
-   --  lost link means what, and with which gains they fly.
+   --  The node's settings: whether the laws are on, the times of the link-loss
+   --  rule, and the table of gains.
    type Settings is record
       On    : Boolean := False;
       By    : Times;
       Table : Table_Number := 0;
    end record;
 
-   --  What flies each axis. Direct is the stick itself. Yaw goes with
-   --  Lateral.
+   --  The mode of each axis. Direct is the stick itself. Yaw follows Lateral.
    type Lateral_Mode is (Direct, Damping, Bank_By_Stick, Wings_Level, Orbit);
    type Vertical_Mode is
      (Direct, Damping, Pitch_By_Stick, Hold_Altitude, Glide);
@@ -55,7 +54,7 @@ package URV.Laws with Pure, SPARK_Mode is
       Throttle         : Lever  := 0;
    end record;
 
-   --  Which outputs are the stick's own word again, after a law has let go.
+   --  The outputs that are the stick's own words again after a law has ended.
    type Axis is (Roll_Axis, Pitch_Axis, Yaw_Axis, Throttle_Axis);
    type Axis_Flags is array (Axis) of Boolean;
 
@@ -66,13 +65,14 @@ package URV.Laws with Pure, SPARK_Mode is
       Is_Stick : Axis_Flags := (others => True);
       Last     : Outputs;
 
-      --  The commands that were last not marked as old.
+      --  The last commands that were not marked as old.
       Heard    : Uplink_Buffer := Neutral_Uplink;
 
-      --  It flies: a lost link lets it fly on. On the ground it idles.
+      --  The aircraft flies. If the link is lost it flies on; on the ground it
+      --  idles.
       Is_Flying : Boolean := False;
 
-      --  References and integrators of the laws.
+      --  References and integrators of the laws
       Bank_Wanted  : Reckoned    := 0;
       Pitch_Wanted : Nose        := Level_Pitch;
       Height_Held  : Level       := 0;
@@ -85,7 +85,7 @@ package URV.Laws with Pure, SPARK_Mode is
       Smoothed     : Smooth      := 0;
    end record;
 
-   --  After a cold start; and what the node is set to unless it is told.
+   --  The state after a cold start, and the default settings
 
    function At_Start return Memory is
      (Link         => (State => Waiting, others => 0),
@@ -125,17 +125,17 @@ package URV.Laws with Pure, SPARK_Mode is
       Table => 0)
    with Global => null;
 
-   --  No law flies.
+   --  No law flies the aircraft.
    function Is_All_Stick (This : Memory) return Boolean is
      (for all Which in Axis => This.Is_Stick (Which))
    with Global => null;
 
-   --  The pilot's disconnect: direct, above all else.
+   --  The pilot's disconnect switch: direct, with priority over all else.
    function Is_Disconnected (Commands : Uplink_Buffer) return Boolean is
      (not Is_Old (Commands) and then Is_On (Commands (Switch_7)))
    with Global => null;
 
-   --  What the switches ask for, while the pilot flies.
+   --  The modes that the switches demand while the pilot flies.
    function Asked (Commands : Uplink_Buffer) return Modes is
      (if Is_On (Commands (Switch_7)) then All_Direct
       else
@@ -160,7 +160,7 @@ package URV.Laws with Pure, SPARK_Mode is
             else Direct)))
    with Global => null;
 
-   --  What a state of the link asks for.
+   --  The modes that the link's state demands.
    function Wanted
      (Link : Link_State; Commands : Uplink_Buffer; Is_Flying : Boolean)
       return Modes
@@ -179,8 +179,8 @@ package URV.Laws with Pure, SPARK_Mode is
             else (Direct, Direct, Idle)))
    with Global => null;
 
-   --  What can be flown with the sensors that are valid: each law needs its
-   --  own, and falls back to one that needs less.
+   --  The modes that the valid sensors permit. Each law needs its own sensors,
+   --  and falls back to one that needs fewer.
 
    function Can_Damp_Roll (Checks : Check_Table) return Boolean is
      (Checks (Roll_Rate).Is_Valid)
@@ -248,7 +248,7 @@ package URV.Laws with Pure, SPARK_Mode is
        and then (if Allowed'Result.Power = Hold_Airspeed
                  then Checks (Airspeed).Is_Valid);
 
-   --  A frame: what is remembered after it. All that a law does is in it.
+   --  The memory after a frame. All of a law's work is in it.
    function Next
      (This     : Memory;
       Commands : Uplink_Buffer;
@@ -277,16 +277,16 @@ package URV.Laws with Pure, SPARK_Mode is
                 Next'Result.Is_Flying),
              Sensor_Checks.Next (This.Checks, Sensors)))
 
-       --  Disconnected: the stick's own words, at once.
+       --  After a disconnect the outputs are the stick's own words at once.
        and then (if Is_Disconnected (Commands)
                  then Is_All_Stick (Next'Result))
 
-       --  Before the first commands nobody flies.
+       --  Before the first commands no law flies.
        and then (if Next'Result.Link.State = Waiting
                  then Is_All_Stick (Next'Result))
 
-       --  Where an output is the law's, it has moved no further than its
-       --  rate limit, whatever the modes were.
+       --  A law's output has moved within its rate limit, whatever the modes
+       --  were.
        and then
          (if not Next'Result.Is_Stick (Roll_Axis)
           then abs (Next'Result.Last.Roll - This.Last.Roll) <= Roll_Step)
@@ -301,8 +301,7 @@ package URV.Laws with Pure, SPARK_Mode is
           then abs (Next'Result.Last.Throttle - This.Last.Throttle) <=
                  Throttle_Step)
 
-       --  A law that flies bank or pitch is within its authority, or on the
-       --  way there.
+       --  A law of bank or pitch is within its authority, or moves towards it.
        and then
          (if Next'Result.Flown.Lateral in Banked
           then abs Next'Result.Last.Roll <=
@@ -314,9 +313,9 @@ package URV.Laws with Pure, SPARK_Mode is
                  Integer'Max
                    (Pitch_Authority, abs This.Last.Pitch - Pitch_Step));
 
-   --  The commands as the law would have them: those of the pilot where an
-   --  axis is his. When all are, the very message, with its mark; else
-   --  one that is not marked as old.
+   --  The commands after the laws, with the pilot's own words on each axis
+   --  that is the stick's. If all are, it is the same message with its mark;
+   --  otherwise it is a message that is not marked as old.
    function Output (This : Memory; Commands : Uplink_Buffer)
                     return Uplink_Buffer
    is

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the aircraft does about a lost link, as a state machine (EXT-5).
+--  The aircraft's reaction to a lost link, as a state machine (EXT-5).
 --
 --      Waiting --fresh--> Linked --0.5 s--> Holding --5 s--> Orbiting
 --                           ^                  |                | 120 s
@@ -8,7 +8,7 @@
 --                           |                                   v
 --                           +------the ground's order---- Terminated
 --
---  A frame is silent when it has brought no fresh uplink. Once the link is
+--  A frame is silent if it has brought no fresh uplink. After the link is
 --  lost, silent frames are counted until it is back.
 --
 --  A lost link returns on a proportion of fresh frames (D-35). Each fresh
@@ -18,16 +18,16 @@
 --  of its frames or more does not return. A gap that would lose a link, 25
 --  silent frames, always clears the count.
 --
---  The way out of Terminated is an order that no fault gives: fresh uplinks
---  with the disconnect switch off up to such a count of 50, then with the
---  switch on up to another.
+--  Only an order that no fault imitates ends Terminated: fresh uplinks with
+--  the disconnect switch off up to a count of 50, then with the switch on up
+--  to a second count of 50.
 
 with URV.Law_Gains; use URV.Law_Gains;
 
 package URV.Link_Loss with Pure, SPARK_Mode is
 
    type Link_State is
-     (Waiting,      --  nothing was ever received: nobody flies
+     (Waiting,      --  nothing was received yet; no law flies
       Linked,       --  the pilot flies
       Holding,      --  wings level, altitude and airspeed held
       Orbiting,     --  the same in a standard-rate turn
@@ -39,7 +39,8 @@ package URV.Link_Loss with Pure, SPARK_Mode is
    type Frame_Count is range 0 .. Longest;
    subtype Return_Count is Frame_Count range 0 .. Return_After;
 
-   --  How many silent frames lead to each state. No state is passed over.
+   --  The numbers of silent frames that lead to each state. No state is
+   --  skipped.
    type Times is record
       Hold      : Frame_Count := Hold_After;
       Orbit     : Frame_Count := Orbit_After;
@@ -53,18 +54,17 @@ package URV.Link_Loss with Pure, SPARK_Mode is
    type Link_Memory is record
       State  : Link_State   := Waiting;
 
-      --  Silent frames: one after the other while linked, all of them since
-      --  while lost.
+      --  Silent frames: in a row while linked, all since the loss while lost.
       Silent : Frame_Count  := 0;
 
-      --  The count of the link's return, while it is lost; those of the
-      --  order's first half and its second, while terminated.
+      --  The count for the link's return while it is lost; the counts of the
+      --  order's first and second half while terminated.
       Fresh  : Return_Count := 0;
       Off    : Return_Count := 0;
       On     : Return_Count := 0;
    end record;
 
-   --  A count of frames stops at its last.
+   --  A count of frames stops at its last value.
    function More (Item : Frame_Count) return Frame_Count is
      (if Item = Frame_Count'Last then Item else Item + 1)
    with Global => null;
@@ -73,7 +73,7 @@ package URV.Link_Loss with Pure, SPARK_Mode is
      (if Item = Return_Count'Last then Item else Item + 1)
    with Global => null;
 
-   --  A silent frame takes away what two fresh ones have added.
+   --  A silent frame removes the count of two fresh ones.
    function Less_Of_Return (Item : Return_Count) return Return_Count is
      (if Item > Silence_Cost then Item - Silence_Cost else 0)
    with Global => null;
@@ -102,7 +102,7 @@ package URV.Link_Loss with Pure, SPARK_Mode is
         (if This.State in Holding | Orbiting
          then Less_Of_Return (This.Fresh) else 0),
 
-      --  The order loses from the half that is under way.
+      --  A silent frame reduces the count of the order's present half.
       Off    =>
         (if This.State /= Terminated then 0
          elsif This.On > 0 then This.Off
@@ -111,7 +111,7 @@ package URV.Link_Loss with Pure, SPARK_Mode is
         (if This.State = Terminated then Less_Of_Return (This.On) else 0))
    with Global => null;
 
-   --  The ground's order is complete with a frame more.
+   --  The ground's order is complete with this frame.
    function Is_Ordered
      (This : Link_Memory; Disconnect : Boolean) return Boolean
    is
@@ -120,7 +120,7 @@ package URV.Link_Loss with Pure, SPARK_Mode is
       and then This.On >= Return_After - 1)
    with Global => null;
 
-   --  A frame with a fresh uplink, and its disconnect switch.
+   --  A frame with a fresh uplink, and the state of its disconnect switch.
    function After_Uplink
      (This : Link_Memory; Disconnect : Boolean) return Link_Memory
    is
@@ -156,7 +156,7 @@ package URV.Link_Loss with Pure, SPARK_Mode is
      Global => null,
      Post   =>
 
-       --  Nothing is skipped.
+       --  No state is skipped.
        (if Next'Result.State /= This.State
         then (case Next'Result.State is
                  when Waiting    => False,
@@ -165,8 +165,8 @@ package URV.Link_Loss with Pure, SPARK_Mode is
                  when Orbiting   => This.State = Holding,
                  when Terminated => This.State = Orbiting))
 
-       --  After a loss the count begins at 0, and the link returns at its
-       --  end alone.
+       --  After a loss the count begins at 0. Only a full count returns the
+       --  link.
        and then
          (if This.State = Linked and then Next'Result.State = Holding
           then Next'Result.Fresh = 0)
@@ -175,12 +175,12 @@ package URV.Link_Loss with Pure, SPARK_Mode is
             and then Next'Result.State = Linked
           then This.Fresh >= Return_After - 1)
 
-       --  A link that has returned is like one that was never lost.
+       --  A returned link has the same state as one that was never lost.
        and then
          (if This.State /= Linked and then Next'Result.State = Linked
           then Next'Result = Linked_Again)
 
-       --  Out of termination by the ground's order alone.
+       --  Only the ground's order ends termination.
        and then
          (if This.State = Terminated and then Next'Result.State /= Terminated
           then Is_Fresh and then Is_Ordered (This, Disconnect));

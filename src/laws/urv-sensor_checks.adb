@@ -4,12 +4,12 @@ with URV.Frame_Times; use URV.Frame_Times;
 
 package body URV.Sensor_Checks with SPARK_Mode is
 
-   --  Not in the specification: a prover that sees a table of so many rules
-   --  takes seconds for each goal.
+   --  The table is in the body: a prover that sees all its rules takes seconds
+   --  for each goal.
    type Rule_Table is array (Law_Item) of Rule;
 
-   --  How far a word moves from scan to scan, from its words a second, rounded
-   --  up.
+   --  The largest movement of a word between scans, from words a second,
+   --  rounded up.
    Add : constant := Frames_Per_Second - 1;
 
    Flap_Step           : constant := (10_000 + Add) / Frames_Per_Second;
@@ -25,9 +25,9 @@ package body URV.Sensor_Checks with SPARK_Mode is
    Airspeed_Step       : constant := (16_000 + Add) / Frames_Per_Second;
    Altitude_Step       : constant := (3_000 + Add) / Frames_Per_Second;
 
-   --  Surfaces move 100 deg/s at most, flaps 5; engine and electrics change
-   --  slowly, but their ends are the converter's own. The ends of the
-   --  attitude and the rates are not believed: 4095 and 0 are a broken wire.
+   --  Surfaces move at most 100 deg/s, flaps 5. Engine and electrics change
+   --  slowly, but some of their limits are the converter's own. The end values
+   --  of attitude and rates are invalid: 4095 and 0 mean a broken wire.
    Rules : constant Rule_Table :=
      (Right_Flap_1  => (1, Any, Flap_Step, Right_Flap_1, Any),
       Left_Flap_1   => (1, Any, Flap_Step, Left_Flap_1, Any),

@@ -1,18 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which sensors can be believed (EXT-3, FRM-7): each word is looked at in
---  each scan, for three things.
+--  The validity of each sensor (EXT-3, FRM-7). Each scan checks each word in
+--  three ways.
 --
---  range  the word is one that the sensor can give
---  rate   it has not moved further since the last good one than it can
---  stuck  it has not stood still while its witness, another sensor that
---         cannot move alone, went away
+--  range  the sensor can give this word
+--  rate   since the last good word it moved no further than the sensor can
+--  stuck  it moved while that of its witness, a related sensor, moved away
 --
---  A sensor is not valid after 0.06 s of bad scans one after the other, three
---  in frames of 20 ms, or when it is stuck; and valid again after a second of
---  good ones. A scan that did
---  not come is a bad one of every sensor. Until it is found not valid the
---  last good word stands for it.
+--  A sensor becomes invalid after 0.06 s of bad scans in a row, which is three
+--  in frames of 20 ms, or when it is stuck. It is valid again after one second
+--  of good scans. A missing scan is a bad scan of every sensor. Until the
+--  sensor is invalid, its last good word replaces bad ones.
 
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
@@ -20,8 +18,8 @@ with URV.Law_Gains; use URV.Law_Gains;
 
 package URV.Sensor_Checks with Pure, SPARK_Mode is
 
-   --  What a sensor's words are held to. A witness that is the sensor
-   --  itself is none.
+   --  The limits for a sensor's words. A sensor that is its own witness has no
+   --  witness.
    type Rule is record
       Least, Most : Converter_Value;
       Step        : Converter_Value;
@@ -31,10 +29,10 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
 
    Any : constant Converter_Value := Converter_Value'Last;
 
-   --  What a control law or a monitor may read: each has a rule of its own.
+   --  The sensors that a control law or a monitor may read; each has a rule.
    subtype Law_Item is Sensor_Item range Right_Flap_1 .. Altitude;
 
-   --  Of a sensor behind them every word of the converter is good.
+   --  For later sensors every word of the converter is good.
    function Rule_Of (Item : Sensor_Item) return Rule
    with
      Inline,
@@ -47,9 +45,9 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    subtype Good_Count is Natural range 0 .. Good_Scans;
    subtype Stuck_Count is Natural range 0 .. Stuck_Scans;
 
-   --  What is known of a sensor: its last good word, how many scans were
-   --  bad, then good; since when it has not moved, and where its witness
-   --  was then.
+   --  The state of a sensor: its last good word; the numbers of bad and of
+   --  good scans in a row; the word at which it last moved, its witness's word
+   --  then, and the stuck scans since.
    type Check is record
       Is_Seen    : Boolean         := False;
       Is_Valid   : Boolean         := False;
@@ -64,7 +62,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
 
    type Check_Table is array (Sensor_Item) of Check;
 
-   --  The word that stands for a sensor: the last good one.
+   --  The word used for a sensor: the last good one.
    function Word_Of (Items : Check_Table; Item : Law_Item)
                      return Converter_Value
    is
@@ -83,8 +81,9 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
      ((1 + Bad_Scans) * 4_095 > 65_535,
       "so many bad scans overflow the word in Is_Slow");
 
-   --  From the last good word while the sensor is valid, so that what has
-   --  jumped away stays away; else from the last one.
+   --  For a valid sensor the distance is from the last good word, so a word
+   --  that has jumped remains bad. For an invalid one it is from the last
+   --  word.
    function Is_Slow (This : Check; Value : Word; By : Rule) return Boolean is
      (Distance
         (Value, (if This.Is_Valid then This.Used else This.Last)) <=
@@ -95,7 +94,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    is (Distance (Witness, This.Witnessed) > By.Travel)
    with Global => null;
 
-   --  Scans in which the witness was away and this did not move.
+   --  Scans in a row in which the witness was away and this word did not move.
    function Next_Stuck
      (This : Check; Value, Witness : Word; By : Rule) return Stuck_Count
    is
@@ -107,7 +106,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       else This.Stuck + 1)
    with Global => null;
 
-   --  Nothing bad about the word.
+   --  The word passes all three checks.
    function Is_Good
      (This : Check; Value, Witness : Word; By : Rule) return Boolean
    is
@@ -116,7 +115,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       and then Next_Stuck (This, Value, Witness, By) < Stuck_Scans)
    with Global => null;
 
-   --  What is known after a frame without a scan, and with one.
+   --  The check after a frame without a scan, and after one with a scan
 
    function After_Gap (This : Check) return Check is
      ((This with delta
@@ -155,7 +154,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       Stuck     => Next_Stuck (This, Value, Witness, By))
    with Global => null;
 
-   --  All of a scan, or without one.
+   --  All checks after a frame, with or without a scan
 
    function Next (Items : Check_Table; Scan : Downlink_Buffer)
                   return Check_Table
@@ -175,7 +174,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
              or else Next'Result (Item).Good = Good_Scans));
 
    --  The aircraft is known to be on the ground: it is slow and low, and both
-   --  sensors are valid. Whatever is not known counts as flying (EXT-5,
+   --  sensors are valid. In all other cases it counts as flying (EXT-5,
    --  SAF-10).
    function Is_On_Ground (Items : Check_Table) return Boolean is
      (Items (Airspeed).Is_Valid
@@ -184,8 +183,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       and then Word_Of (Items, Altitude) < Flying_Height)
    with Global => null;
 
-   --  A bit for each sensor that is not valid, the first in bit 0, in two
-   --  words.
+   --  A bit for each invalid sensor, the first in bit 0, in two words
 
    type Half is range 0 .. 1;
 

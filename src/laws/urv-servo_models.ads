@@ -1,18 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where a sound servo may have its surface (EXT-6, FRM-7, D-32): between two
---  bounds.
+--  The positions of a surface with a sound servo (EXT-6, FRM-7, D-32), as a
+--  range between two bounds.
 --
---  A servo follows its word with a lag, no faster than its rate limit, and
---  rests within a dead band around the word. The aircraft's servos have a lag
---  of 0.1 s and the rates below. No servo is exactly like that, so nothing
---  here trusts one servo model: the bounds go out to a new word at once, as
---  the quickest servo would, and come in as the slowest sound servo does, with
---  half as much lag again and half the rate. Theorems.Surfaces proves that
---  they hold every servo in between.
+--  A servo follows its word with a lag, within its rate limit, and rests
+--  within a dead band around the word. The aircraft's servos have a lag of 0.1
+--  s and the rates below. No real servo behaves exactly so; the bounds
+--  therefore rely on no single servo model. They widen at once to a new word,
+--  like the fastest servo. They narrow like the slowest sound servo, with half
+--  as much lag again and half the rate. Theorems.Surfaces proves that they
+--  contain every servo between these.
 --
---  Which word a servo has at a scan depends on the schedule: the bounds hold
---  for every word of the last three frames.
+--  The schedule decides which word a servo has at a scan. The bounds therefore
+--  allow for every word of the last three frames.
 
 with URV.Frame_Times; use URV.Frame_Times;
 with URV.Law_Units;   use URV.Law_Units;
@@ -20,7 +20,8 @@ with URV.Surfaces;    use URV.Surfaces;
 
 package URV.Servo_Models with Pure, SPARK_Mode is
 
-   --  Places in 64ths of a word, a dead band beyond the words' range.
+   --  Positions in 64ths of a word, including a dead band beyond the words'
+   --  range.
    Per_Word : constant := 64;
    subtype Fine is Number range -2_100 * Per_Word .. 2_100 * Per_Word;
 
@@ -30,7 +31,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
 
    Anywhere : constant Bounds := (Least => Fine'First, Most => Fine'Last);
 
-   --  Five steps are a frame: one is 4 ms of a frame of 20 ms.
+   --  A frame has five steps, of 4 ms in a frame of 20 ms.
    Steps_Per_Frame       : constant := 5;
    Microseconds_Per_Step : constant :=
      Microseconds_Per_Frame / Steps_Per_Frame;
@@ -53,7 +54,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    Slowest_Tail    : constant := 4_000;
    Slowest_Flap    : constant := 341;
 
-   --  For a step, rounded down.
+   --  The limits for a step, rounded down.
    Per_Step : constant := 1_000_000 / Per_Word;
    subtype Rate_Limit is Number range
      1 .. Slowest_Aileron * Microseconds_Per_Step / Per_Step;
@@ -69,7 +70,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
            Slowest_Flap * Microseconds_Per_Step / Per_Step)
    with Global => null;
 
-   --  One per cent of the travel, in words: a servo may rest that far on
+   --  One per cent of the travel, in words. A servo may rest that far on
    --  either side of its word.
    function Dead_Band (Item : Surface) return Demand is
      (if Item in Flap then 21 else 40)
@@ -80,8 +81,8 @@ package URV.Servo_Models with Pure, SPARK_Mode is
       First, Before, Last : Demand := 0;
    end record;
 
-   --  Where these words may send a sound servo. A word beyond a stop of the
-   --  linkage may be followed beyond it or not.
+   --  The range to which these words may send a sound servo. A servo may or
+   --  may not follow a word beyond the linkage's stop.
    function Goals_Of (Which : Surface; Words : Word_History) return Bounds is
      (Least => Per_Word *
         (Integer'Min
@@ -101,7 +102,8 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      Global => null,
      Post   => Goals_Of'Result.Least <= Goals_Of'Result.Most;
 
-   --  A bound after a step: out to the goal at once, or in towards it.
+   --  A bound after a step: it widens to the goal at once, or narrows towards
+   --  it
 
    function Most_After
      (From, Goal : Fine; Slowest : Rate_Limit) return Fine
@@ -134,7 +136,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      (After_Step (After_Step (From, Goals, Slowest), Goals, Slowest))
    with Global => null;
 
-   --  From one scan to the next.
+   --  The bounds at the next scan.
    function After_Frame
      (Which : Surface; From : Bounds; Words : Word_History) return Bounds
    is
@@ -146,9 +148,9 @@ package URV.Servo_Models with Pure, SPARK_Mode is
          Goals_Of (Which, Words), Slowest_Rate (Which)))
    with Global => null;
 
-   --  How far a measured place is outside the bounds, in words; none within
-   --  them. A surface at a stop is measured there, wherever its servo would
-   --  have it.
+   --  The distance of a measured position from the bounds, in words; 0 within
+   --  them. A surface at its stop is measured there, even if its servo would
+   --  go further.
    subtype Distance is Number range 0 .. 4_200;
 
    function At_Stops (Which : Surface; Place : Fine) return Fine is

@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which surfaces do not follow their servos' words (EXT-6, FRM-7): each frame
---  the measured position is compared with the bounds of every sound servo
---  (URV.Servo_Models).
+--  Detects surfaces that do not follow their servos' words (EXT-6, FRM-7).
+--  Each frame compares the measured positions with the bounds of every sound
+--  servo (URV.Servo_Models).
 --
---  Doubt grows by the distance outside the bounds, less an allowance for the
---  sensor, limited for each frame; it shrinks when the distance is smaller. A
---  surface that has failed stays so until the next cold start. After a start
---  nothing is known, and the bounds are anywhere. docs/surfaces.md has the
---  times in which failures are identified.
+--  Doubt grows by the distance outside the bounds, minus an allowance for the
+--  sensor, limited for each frame. It shrinks if the distance is below the
+--  allowance. A failure lasts until the next cold start. After a start nothing
+--  is known, and the bounds are as wide as possible. docs/surfaces.md has the
+--  detection times.
 
 with URVOS;            use URVOS;
 with URV.Buffers;      use URV.Buffers;
@@ -21,17 +21,17 @@ with URV.Surfaces;     use URV.Surfaces;
 
 package URV.Surface_Monitor with Pure, SPARK_Mode is
 
-   --  In words: 0.4 degrees of an aileron. A sensor may be off by that much.
+   --  The sensor's possible error in words: 0.4 degrees of an aileron.
    Allowance : constant := 40;
 
-   --  How much of a distance counts in a frame, and the doubt that is a
-   --  failure: 0.1 s of a large distance, 0.24 s of one of 60 words.
+   --  The largest distance that counts in a frame, and the doubt that is a
+   --  failure: after 0.1 s of a large distance, or 0.24 s of 60 words.
    Most_Off  : constant := 88;
    Certainty : constant := (Most_Off - Allowance) * Frames_Per_Tenth;
 
    subtype Doubt_Level is Number range 0 .. Certainty;
 
-   --  Frames after a start in which the servos may have words that the
+   --  The frames after a start in which the servos may have words that the
    --  monitor does not know.
    subtype Unknown_Frames is Number range 0 .. 3;
 
@@ -44,13 +44,13 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       Failed : Surface_Flags   := None;
       Places : Surface_Demands := (others => 0);
 
-      --  What the servos were given in the last three frames.
+      --  The servos' words of the last three frames.
       Sent, Sent_Before, Sent_First : Surface_Demands := (others => 0);
 
-      --  How many of these frames are not known.
+      --  The number of these frames that are unknown.
       Unknown : Unknown_Frames := Unknown_Frames'Last;
 
-      --  Of the engine, and what its throttle was given in the last frame.
+      --  The engine's monitor, and the throttle's word of the last frame.
       Engine : Engine_Monitor.Monitor := (others => <>);
       Power  : Lever := 0;
    end record;
@@ -80,7 +80,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
         (Which, This.Ranges (Which), Words_Of (This, Which)))
    with Global => null;
 
-   --  How far a surface is measured outside of them.
+   --  The distance of a measured surface from its bounds.
    function Off_Now
      (This : Monitor; Sensors : Downlink_Buffer; Which : Surface)
       return Distance
@@ -89,7 +89,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
         (Which, Bounds_After (This, Which), Places_Of (Sensors) (Which)))
    with Global => null;
 
-   --  Sensors are in. Old ones show nothing.
+   --  The monitor after the sensors of a frame. Old sensors show nothing.
    function Next (This : Monitor; Sensors : Downlink_Buffer) return Monitor
    with
      Global => null,
@@ -102,12 +102,12 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
          (for all Which in Surface =>
             Next'Result.Ranges (Which) = Bounds_After (This, Which)
 
-            --  A failure is not forgotten.
+            --  A failure lasts.
             and then
               (if This.Failed (Which) then Next'Result.Failed (Which))
 
-            --  It is seen in fresh sensors only, outside the bounds now and
-            --  before.
+            --  Only fresh sensors show a failure, and only after an earlier
+            --  distance.
             and then
               (if Next'Result.Failed (Which) and then not This.Failed (Which)
                then not Is_Old (Sensors)
@@ -127,7 +127,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
                       and then This.Doubts (Which) < Certainty
                     then Next'Result.Failed (Which))));
 
-   --  The servos are given these words in this frame.
+   --  The servos get these words in this frame.
    function With_Sent
      (This : Monitor; Sent : Surface_Demands) return Monitor
    is
@@ -138,14 +138,14 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
          Unknown     => Integer'Max (This.Unknown - 1, 0)))
    with Global => null;
 
-   --  The servos are given nothing in this frame, and keep what they have.
+   --  The servos get no words in this frame, and keep theirs.
    function With_None_Sent (This : Monitor) return Monitor is
      ((This with delta
          Sent_Before => This.Sent,
          Sent_First  => This.Sent_Before))
    with Global => null;
 
-   --  The engine was looked at; its throttle is given Power in this frame.
+   --  The engine was checked; its throttle gets Power in this frame.
    function With_Engine
      (This : Monitor; Engine : Engine_Monitor.Monitor; Power : Lever)
       return Monitor
@@ -153,8 +153,8 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
      ((This with delta Engine => Engine, Power => Power))
    with Global => null;
 
-   --  After frames that nobody watched: a surface may be anywhere; one that
-   --  has failed is still known.
+   --  After unmonitored frames: each surface may be anywhere; known failures
+   --  remain.
    function Restarted (This : Monitor) return Monitor is
      ((This with delta
          Ranges  => (others => Anywhere),
@@ -163,8 +163,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
          Engine  => Engine_Monitor.Unknown (This.Engine)))
    with Global => null;
 
-   --  A bit for each surface that has failed, in their order, the first in
-   --  bit 0.
+   --  A bit for each failed surface, in their order, the first in bit 0.
    function Bits_Of (Failed : Surface_Flags) return Word is
      ((if Failed (Left_Aileron)   then 1   else 0)
       + (if Failed (Right_Aileron)  then 2   else 0)
@@ -178,7 +177,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       + (if Failed (Right_Flap_2)   then 512 else 0))
    with Global => null;
 
-   --  The same with the throttle, which the engine does not follow, in bit 10.
+   --  The same, with bit 10 for a throttle that the engine does not follow.
    Throttle_Bit : constant Word := 1_024;
 
    function Failed_Bits (This : Monitor) return Word is

@@ -1,10 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The ten aerodynamic surfaces: those whose positions are measured, whose
---  failure is told and made up for by the others (EXT-6).
+--  The ten aerodynamic surfaces. Their positions are measured, and the other
+--  surfaces make up for one that fails (EXT-6).
 --
---  Their demands and positions are a word less the neutral one, in the same
---  scale.
+--  Demands and positions are words minus the neutral word, in the same scale.
 
 with URV.Buffers;   use URV.Buffers;
 with URV.Law_Units; use URV.Law_Units;
@@ -51,7 +50,7 @@ package URV.Surfaces with Pure, SPARK_Mode is
          when Right_Flap_2   => Right_Flap_2)
    with Global => null;
 
-   --  The linkages' stops. A flap does not go up beyond its rest.
+   --  The linkages' stops. A flap does not move up beyond its rest position.
 
    function Lowest (Item : Surface) return Demand is
      (if Item in Flap then 0 else -2_000)
@@ -68,7 +67,7 @@ package URV.Surfaces with Pure, SPARK_Mode is
      Global => null,
      Post   => Reachable'Result in Lowest (Item) .. Highest (Item);
 
-   --  Of servo words and of sensor words.
+   --  From servo words and from sensor words
 
    function Demands_Of (Servos : PWM_Buffer) return Surface_Demands is
      (for Item in Surface => Demand_Of (Servos (Servo_Of (Item))))
