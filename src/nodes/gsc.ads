@@ -2,8 +2,9 @@
 
 --  GSC: the ground station core (report, section 5, figure 2).
 --
---  This is the wiring: the boards, the variables between the tasks, and for
---  each task which of them it consumes and produces (SET-2).
+--  This package wires the node: it declares the boards and the variables
+--  between the tasks, and connects each task to those that it consumes and
+--  produces (SET-2).
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
@@ -62,8 +63,8 @@ package GSC with SPARK_Mode is
    Downlink_Variable : For_Downlink.Variable;
    TELOUT_Variable   : For_Uplink.Variable;
 
-   --  What the console has ordered besides the sticks: the latest block of
-   --  another kind (EXT-2).
+   --  The console's orders besides the sticks: the latest block of another
+   --  kind (EXT-2).
    Console_Orders : For_Uplink.Variable;
 
    Errors : URV.Shared_Errors.Shared_Log;
@@ -115,11 +116,11 @@ package GSC with SPARK_Mode is
       Read_ROM        => Memories.Read_ROM);
 
    --  The tasks, in order of priority: when they run, and on which of four
-   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
-   --  schedule the converter's task is on the first, data collection on the
-   --  second, the link's on the third, CORE's on the fourth. In the fast one
-   --  who consumes runs right behind who produces, on the same processor; in
-   --  the last minor frame nobody is released.
+   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's schedule
+   --  the converter's task is on the first processor, data collection on the
+   --  second, the link's on the third, CORE's on the fourth. In the fast
+   --  schedule each consumer runs right after its producer, on the same
+   --  processor. No task is released in the last minor frame.
 
    type Task_Name is
      (AD_Task,
@@ -146,28 +147,29 @@ package GSC with SPARK_Mode is
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);
 
-   --  A task's next step: its initialisation, or the transaction of a frame.
-   --  Then it sleeps until its offset in the next major frame (FRM-3).
+   --  Runs a task's next step: its initialisation, or the transaction of a
+   --  frame. The task then sleeps until its offset in the next major frame
+   --  (FRM-3).
    procedure Run_Step
      (Who       : Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call);
 
-   --  How the node starts.
+   --  The start of the node
 
    procedure Reset_Variables;
 
    procedure Restart_Variables;
 
-   --  CORE's status is on the ground already (TST-4).
+   --  The ground reads CORE's status directly (TST-4).
    procedure Say_Refused is null;
 
    package Starts is new URV.Start_Routines
      (Memories, AD_Board, CORE_Memory, Telemetry_Board, Sealing, Errors,
       Status, Reset_Variables, Restart_Variables, Say_Refused);
 
-   --  For the kernel: the time of what is reported, and what it reports.
+   --  For the kernel: sets the time of reports, and reports an overrun.
 
    procedure Tell_Time (Now : Clock_Tick)
    with Global => (In_Out => Errors);

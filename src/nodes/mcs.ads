@@ -3,8 +3,9 @@
 --  MCS: the multiprocessor control system on board the aircraft (report,
 --  section 4, figure 2).
 --
---  This is the wiring: the boards, the variables between the tasks, and for
---  each task which of them it consumes and produces (SET-2).
+--  This package wires the node: it declares the boards and the variables
+--  between the tasks, and connects each task to those that it consumes and
+--  produces (SET-2).
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
@@ -86,8 +87,8 @@ package MCS with SPARK_Mode is
    --  When the tasks run: set before the node is switched on (FRM-5).
    Schedule : URV.Shared_Schedules.Store;
 
-   --  Keeps the frames in step with the ground's, if it is set on before
-   --  (FRM-6).
+   --  Keeps the frames in step with the ground's if it was switched on before
+   --  the start (FRM-6).
    Frame_Lock : URVOS.Shared_Frame_Locks.Lock;
 
    --  The control laws: off unless they are set on before a start (EXT-3).
@@ -153,12 +154,12 @@ package MCS with SPARK_Mode is
       Read_ROM        => Memories.Read_ROM);
 
    --  The tasks, in order of priority: when they run, and on which of four
-   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's
-   --  schedule the converter's and the servos' tasks are on the first, data
+   --  processors (FRM-2, FRM-5, SET-1, KRN-5, EXT-4). In the report's schedule
+   --  the converter's and the servos' tasks are on the first processor, data
    --  collection and the laws on the second, the link's on the third, CORE's
-   --  on the fourth. In the fast one who consumes runs right behind who
-   --  produces, on the same processor; in the last minor frame nobody is
-   --  released.
+   --  on the fourth. In the fast schedule each consumer runs right after its
+   --  producer, on the same processor. No task is released in the last minor
+   --  frame.
 
    type Task_Name is
      (AD_Task,
@@ -189,36 +190,38 @@ package MCS with SPARK_Mode is
    package Tasks is
      new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);
 
-   --  A task's next step: its initialisation, or the transaction of a frame.
-   --  Then it sleeps until its offset in the next major frame (FRM-3).
+   --  Runs a task's next step: its initialisation, or the transaction of a
+   --  frame. The task then sleeps until its offset in the next major frame
+   --  (FRM-3).
    procedure Run_Step
      (Who       : Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call);
 
-   --  How the node starts.
+   --  The start of the node
 
-   --  The servos are safe after a cold start (D-13), and stay as they are at
-   --  a warm one (SAF-6).
+   --  A cold start sets the servos to safe positions (D-13). A warm start
+   --  leaves them as they are (SAF-6).
 
    procedure Reset_Variables;
 
    procedure Restart_Variables;
 
-   --  One last downlink tells the ground that the node stays silent (TST-4).
+   --  One last downlink reports to the ground that the node stays silent
+   --  (TST-4).
    procedure Say_Refused;
 
    package Starts is new URV.Start_Routines
      (Memories, AD_Board, CORE_Memory, Telemetry_Board, Sealing, Errors,
       Status, Reset_Variables, Restart_Variables, Say_Refused);
 
-   --  For the clock: it has ticked so often since it last looked, once at
-   --  most, and this is what is requested of the present frame (FRM-6).
+   --  For the clock. Ticks is the number of ticks since the last call, at most
+   --  one. Request is the length requested for the present frame (FRM-6).
    procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request)
    with Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
 
-   --  For the kernel: the time of what is reported, and what it reports.
+   --  For the kernel: sets the time of reports, and reports an overrun.
 
    procedure Tell_Time (Now : Clock_Tick)
    with Global => (In_Out => Errors);

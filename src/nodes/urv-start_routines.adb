@@ -56,8 +56,8 @@ package body URV.Start_Routines with SPARK_Mode is
       Restart_Variables;
    end Warm_Start;
 
-   --  Commands of before are not sent any more (SAF-4). CORE's status is on
-   --  the ground (TST-4).
+   --  Discards earlier commands unsent (SAF-4). CORE's status is on the ground
+   --  (TST-4).
    procedure Refuse is
    begin
       Telemetry_Board.Clear_Transmit_Half;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a node starts (report, sections 2.3 and 3.1; INI-1 to INI-8, SAF-4,
+--  The start of a node (report, sections 2.3 and 3.1; INI-1 to INI-8, SAF-4,
 --  SAF-6, TST-4). The telemetry board starts by itself.
 --
---  Power up clears CORE and the error log, and nothing has been sent or
---  received. After the reset switch or an unexpected exception CORE, the
---  error log and the last messages stay, all flags and counts start anew
---  (D-41).
---  What the telemetry board received before a start is not acted on.
+--  A cold start, at power up, clears CORE and the error log, and empties all
+--  variables. A warm start, at the reset switch or an unexpected exception,
+--  keeps CORE, the error log and the last messages. It resets all flags and
+--  counts (D-41). No start acts on blocks that the telemetry board received
+--  earlier.
 
 with Devices.Processor_Memories;
 with Devices.Shared_AD_Board;
@@ -28,17 +28,19 @@ generic
    Errors          : in out Shared_Log;
    Node_Status     : in out Status;
 
-   --  What else a cold start puts in its first state, and what begins anew
-   --  at a warm one: the variables, and in the aircraft the servos.
+   --  The node's own part: a cold start puts its variables in their first
+   --  state, and a warm start restarts them. In the aircraft the servos are
+   --  included.
    with procedure Reset_Variables;
    with procedure Restart_Variables;
 
-   --  A failed self-test: the node stays silent, but for what it says here.
+   --  Called after a failed self-test. The node then stays silent except for
+   --  this report.
    with procedure Say_Refused;
 package URV.Start_Routines with SPARK_Mode is
 
-   --  Phases 1 and 2: self-test and the controller's routine of the start
-   --  condition. Passed tells whether there are tasks to be loaded.
+   --  Phases 1 and 2: the self-test, and the controller's routine for the
+   --  start condition. If Passed is False, no tasks are loaded.
    procedure Begin_Again
      (Condition : Start_Condition;
       Now       : Clock_Tick;

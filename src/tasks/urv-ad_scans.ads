@@ -2,8 +2,8 @@
 
 --  One scan of the 32 channels (report, 4.2, figure 6; ADI-1, D-19, SAF-2).
 --
---  The interrupt handler stores a word and learns what to do next. Between
---  scans no interrupt is expected; one that comes stores nothing.
+--  The interrupt handler stores a word and gets its next action. Between scans
+--  no interrupt is expected; an unexpected one stores nothing.
 
 with Devices.AD_Board; use Devices.AD_Board;
 with URVOS;            use URVOS;
@@ -12,11 +12,11 @@ with URV.Buffers;      use URV.Buffers;
 
 package URV.AD_Scans with Pure, SPARK_Mode is
 
-   --  The channel being converted; after the last the scan is complete.
+   --  The channel under conversion. After the last channel the scan is
+   --  complete.
    type Channel_Count is range 0 .. Channel_Words'Length;
 
-   --  Scans made one behind the other, and how many of them are over within a
-   --  tick.
+   --  The number of scans in a row, and the number that fit in a tick.
 
    type Scan_Count is range 0 .. 7;
 
@@ -33,14 +33,14 @@ package URV.AD_Scans with Pure, SPARK_Mode is
      (This.Current = Channel_Count'Last)
    with Global => null;
 
-   --  The scan begins again with channel 0; the words stay until they are
-   --  stored anew.
+   --  The scan begins again with channel 0. Each word remains until its
+   --  channel is stored again.
    function Restarted (This : Scan) return Scan is
      ((This with delta Current => 0))
    with Global => null;
 
    type Next_Step is
-     (Start_Channel,   --  have the board convert the current channel
+     (Start_Channel,   --  start the conversion of the current channel
       Send_Words,      --  all channels have been stored
       Ignore);         --  the interrupt was not expected
 

@@ -9,13 +9,15 @@ package body URV.AD_Task with SPARK_Mode is
 
    procedure Hand_On (Item : Channel_Words; Fresh : Boolean);
 
-   --  Begins a scan. Of the frame before there was none, or one.
+   --  Begins a frame's first scan. Had_None reports that the frame before had
+   --  no scan.
    procedure Begin_First_Scan (Had_None : Boolean);
 
-   --  Of a scan that ends later than its minor frame the words are too old.
+   --  Discards a scan that ended after its minor frame; its words are too old.
    procedure Discard_Late_Scan;
 
-   --  The report's transaction: the last frame's scan, and the next one.
+   --  The report's transaction: sends on the last frame's scan and begins the
+   --  next.
    procedure Take_Last_Scan;
 
    --  One step of a frame in the fast schedule.

@@ -1,16 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  AD task: hands on the scan of the last frame and begins the next one
---  (report, 4.1, table 1; AD-1). Released at minor frame 0.
+--  AD task: sends on the scan of the last frame and begins the next (report,
+--  4.1, table 1; AD-1). Released at minor frame 0.
 --
 --  Consumes ADINT_variable, produces AD_variable. A frame without a scan
---  passes on the words of the one before, with the error word set.
+--  passes on the last words, with the error word set.
 --
---  In the fast schedule (FRM-5) it begins a scan and waits for it: RECV with
---  a wait of a tick. It has so many scans made one after the other and hands
---  on the last, or the newest that came within the tick. So its words are
---  less than a tick old, and those of the tasks behind it run at the same
---  tick. A scan that ends later is handed on by nobody.
+--  In the fast schedule (FRM-5) it begins a scan and waits for it: RECV with a
+--  wait of one tick. It makes up to Fast_Scans scans in a row, and sends on
+--  the newest that ended within the tick. Its words are therefore less than a
+--  tick old, and the consumers run at the same tick. A scan that ends later is
+--  discarded.
 
 with URVOS.Frames;          use URVOS.Frames;
 with URVOS.Kernel_Calls;    use URVOS.Kernel_Calls;
@@ -34,11 +34,11 @@ generic
    Schedule       : in out URV.Shared_Schedules.Store;
    with procedure Begin_Scan (Reached : out Channel_Count);
 
-   --  How many scans it has made in a frame of the fast schedule.
+   --  The number of scans in a frame of the fast schedule.
    Fast_Scans : Scan_Count;
 package URV.AD_Task with SPARK_Mode is
 
-   --  So many scans a frame.
+   --  The same number, for theorems.
    function Scans return Scan_Count is (Fast_Scans)
    with Ghost, Global => null;
 
@@ -65,7 +65,7 @@ package URV.AD_Task with SPARK_Mode is
 
    procedure Run_Transaction (Now : Clock_Tick);
 
-   --  A task that waits for a scan ends its step with EXIT instead.
+   --  A task that waits for a scan ends its step with EXIT.
    procedure Await_Scan (Call : in out Kernel_Call)
    with Global => (Input => Present);
 

@@ -26,8 +26,8 @@ package URV.ADINT_Handler
     Initializes    => Current_Scan
 is
 
-   --  Begins a scan with channel 0. Reached is how many channels the scan
-   --  before had converted.
+   --  Begins a scan with channel 0. Reached is the number of channels that the
+   --  last scan converted.
    procedure Begin_Scan (Reached : out Channel_Count)
    with Global => (In_Out => (Current_Scan, AD_Board));
 

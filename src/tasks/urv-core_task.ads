@@ -4,12 +4,12 @@
 --  3; COR-1). Released at minor frame 4.
 --
 --  Consumes uplink_variable and downlink_variable, produces the CORE uplink
---  and downlink areas. What has not arrived anew is not written again. The
---  type codes are written when the task first runs (INI-7).
+--  and downlink areas. It writes only messages of this frame. It writes the
+--  type codes when it first runs (INI-7).
 --
---  Each word is stored where its type code stands in the area (EXT-2). A
---  place whose code nobody knows is not written, and reported; the codes are
---  then written anew in the next frame.
+--  Each word goes to the place of its type code in the area (EXT-2). A place
+--  with an unknown code is not written but reported; all codes are written
+--  again in the next frame.
 
 with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Shared_Data;
@@ -25,7 +25,7 @@ package URV.CORE_Task with SPARK_Mode is
 
    package Flags is new URVOS.Shared_Data (Boolean, Initial => True);
 
-   --  The type codes are still to be written.
+   --  The type codes must still be written.
    Codes_Wanted : Flags.Store;
 
    procedure Initialise

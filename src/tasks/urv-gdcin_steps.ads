@@ -13,8 +13,8 @@ with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.GDCIN_Steps with Pure, SPARK_Mode is
 
-   --  The message as it is. Last is the one that CORE has: it is given
-   --  again, marked as old, when the block is of another kind.
+   --  The message as received. If the block is of another kind, it is instead
+   --  the last message of CORE, marked as old.
    function Passed_On
      (Item  : Downlink_Buffer;
       Fresh : Boolean;
@@ -25,26 +25,26 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
       else As_Old (Item))
    with Global => null;
 
-   --  The message as CORE gets it: without the log's fragment.
+   --  The message for CORE: without the log's fragment.
    function For_CORE (Message : Downlink_Buffer) return Downlink_Buffer is
      ((Message with delta
          Error_Status => Without_Piece (Message (Error_Status))))
    with Global => null;
 
-   --  A fragment of the log is taken once, when it comes.
+   --  A fragment of the log is taken once, in the frame of its arrival.
    function Has_Piece (Message : Downlink_Buffer) return Boolean is
      (not Is_Old (Message))
    with Global => null;
 
-   --  No task of the ground takes a block of another kind, which is an
-   --  error. An old one was reported when it came.
+   --  A block of another kind is an error, since no task of the ground takes
+   --  one. An old block was reported when it came.
    function Is_Unknown
      (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
    is
      (Fresh and then Is_Other_Kind (Item) and then not Is_Old (Item))
    with Global => null;
 
-   --  The place of the first new sensor that is out of range, from 1; 0 when
+   --  The place of the first new sensor that is out of range, from 1; 0 if
    --  there is none.
    function Place_Out_Of_Range
      (Item : Downlink_Buffer; Fresh : Boolean) return Routing.Place_Count

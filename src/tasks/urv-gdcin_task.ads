@@ -3,12 +3,12 @@
 --  GDCIN task: gives the aircraft's messages to CORE (report, 5.5, table 9;
 --  GDI-1, D-11, D-14). Released at minor frame 1.
 --
---  Consumes TELIN_variable, produces downlink_variable; the fragment of the
---  aircraft's error log goes to the log's receiver (SAF-7). A frame with
---  nothing new passes on the message before, marked as old.
+--  Consumes TELIN_variable, produces downlink_variable. The fragment of the
+--  aircraft's error log goes to the log's receiver (SAF-7). A frame without a
+--  new message passes on the last one, marked as old.
 --
---  A block of another kind is reported, and goes nowhere (EXT-2). CORE gets
---  the message before, marked as old.
+--  A block of another kind is reported and discarded (EXT-2). CORE gets the
+--  last message, marked as old.
 
 with URVOS.Shared_Data;
 with URV.Buffers;       use URV.Buffers;
@@ -26,8 +26,8 @@ package URV.GDCIN_Task with SPARK_Mode is
    package Stores is
      new URVOS.Shared_Data (Downlink_Buffer, Neutral_Downlink);
 
-   --  The message that CORE was given last: kept over a warm start, neutral
-   --  after a cold one.
+   --  The last message for CORE. It survives a warm start and is neutral after
+   --  a cold start.
    Previous : Stores.Store;
 
    procedure Reset

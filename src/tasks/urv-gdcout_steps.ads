@@ -13,8 +13,8 @@ with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.GDCOUT_Steps with Pure, SPARK_Mode is
 
-   --  The message for CORE, with the node's own status bits. A frame without
-   --  a new image has that of before, marked as old.
+   --  The message for CORE, with the node's own status bits. A frame without a
+   --  new image uses the last one, marked as old.
    function Message_Of
      (Image : AD_Image;
       Fresh : Boolean;
@@ -25,8 +25,8 @@ package URV.GDCOUT_Steps with Pure, SPARK_Mode is
       else As_Old (Marked (Commands_Of (Image, Codes), Bits)))
    with Global => null;
 
-   --  The message for the aircraft. A block of another kind that the console
-   --  has ordered goes up in the place of a frame's commands.
+   --  The message for the aircraft. A console order of another kind replaces a
+   --  frame's commands.
    function For_Link
      (Message    : Uplink_Buffer;
       Order      : Uplink_Buffer;

@@ -3,13 +3,13 @@
 --  GDCOUT task: gives the sticks to CORE and to the aircraft (report, 5.6,
 --  table 10; GDO-1, D-3, D-14). Released at minor frame 1.
 --
---  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A
---  frame with nothing new passes on the data before, marked as old. The
---  node's own bits are added to the error/status word (TST-4). A block of
---  another kind that the console has ordered goes up in their place (EXT-2).
+--  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A frame
+--  without a new image passes on the last data, marked as old. The node's own
+--  bits are added to the error/status word (TST-4). A console order of another
+--  kind replaces the commands on the uplink (EXT-2).
 --
 --  Each channel's word goes to the item of its type code. A channel with an
---  unknown code is reported, and its word goes nowhere (EXT-2).
+--  unknown code is reported, and its word is discarded (EXT-2).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;

@@ -40,7 +40,7 @@ package body URV.LAW_Steps with SPARK_Mode is
            and then Checks (Airspeed).Is_Valid))
    with Global => null;
 
-   --  With the words that the servos are given in this frame.
+   --  The monitor after the servos' words of this frame.
    function With_Message
      (Watched  : Monitor;
       Engine   : Engine_Monitor.Monitor;

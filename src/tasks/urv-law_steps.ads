@@ -5,8 +5,9 @@
 --  The task receives, calls this decision, sends and reports; Theorems.Safety
 --  calls the same decision.
 --
---  It takes three steps, each by a package of its own (D-43): a configuration
---  from the ground, the control laws, and the watch over surfaces and engine.
+--  The decision has three parts, each in a package of its own (D-43): a
+--  configuration from the ground, the control laws, and the monitor of
+--  surfaces and engine.
 
 with URVOS;               use URVOS;
 with URV.Allocation;      use URV.Allocation;
@@ -20,8 +21,8 @@ with URV.Surfaces;        use URV.Surfaces;
 
 package URV.LAW_Steps with Pure, SPARK_Mode is
 
-   --  What the task keeps from frame to frame: the memory of the laws, what
-   --  the ground has set, and the watch over the surfaces.
+   --  The task's memory from frame to frame: the laws' memory, the ground's
+   --  settings, and the surfaces' monitor.
    type Kept is record
       Flown   : Laws.Memory;
       Set     : Setting;
@@ -38,8 +39,8 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Has_Commands : Boolean;
    end record;
 
-   --  The laws' part: what they remember, the message for the PWM task, and
-   --  whether it is sent. By_Law: a law flies.
+   --  The laws' part: their memory, the message for the PWM task, and whether
+   --  it is sent. By_Law: a law flies.
    type Flight is record
       After   : Laws.Memory;
       Message : Uplink_Buffer;
@@ -47,13 +48,13 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       By_Law  : Boolean;
    end record;
 
-   --  The surfaces' part. Reported: those that others make up for.
+   --  The surfaces' part. Reported: the failures that others make up for.
    type Surface_Part is record
       Watched  : Monitor;
       Reported : Health;
    end record;
 
-   --  All that comes of a frame.
+   --  The whole result of a frame.
    type Decision is record
       Flown    : Flight;
       Set      : Setting;
@@ -72,7 +73,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
 
    --  Configuration
 
-   --  Usual is what the node is set to.
+   --  Usual are the node's own settings.
    function Set_After
      (Before : Kept; Usual : Settings; Got : Inputs) return Setting
    is
@@ -81,7 +82,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       else Before.Set)
    with Global => null;
 
-   --  The answer to a configuration; Taken when none has come.
+   --  The answer to a configuration; Taken if none has come.
    function Answer_Of
      (Before : Kept; Usual : Settings; Got : Inputs) return Answer
    is
@@ -91,9 +92,9 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
 
    --  Control laws
 
-   --  With the laws off new commands are passed on as they are. A law that
-   --  flies marks none as old, and leaves brake and switches to the pilot.
-   --  None flies before the first commands, nor when the pilot disconnects.
+   --  With the laws off, new commands pass unchanged. A law that flies marks
+   --  no commands as old, and leaves brake and switches to the pilot. No law
+   --  flies before the first commands, nor after the pilot's disconnect.
    function Is_Flight
      (Item   : Flight;
       Before : Laws.Memory;
@@ -132,10 +133,10 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
 
    --  Surfaces and engine
 
-   --  The sensors show how surfaces and engine have followed; then they have
-   --  the words that the PWM task makes of the message. Others make up for a
-   --  surface that has failed only while a law flies. With the laws off all
-   --  is kept.
+   --  The sensors show how surfaces and engine have followed. The monitor then
+   --  takes the words that the PWM task makes of the message. Other surfaces
+   --  make up for a failed one only while a law flies. With the laws off the
+   --  monitor is unchanged.
    function Surfaces_After
      (Before : Monitor; On : Boolean; Flown : Flight; Got : Inputs)
       return Surface_Part
@@ -145,7 +146,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
        (if not On or else not Flown.By_Law
         then Surfaces_After'Result.Reported.Failed = None);
 
-   --  All of it
+   --  The whole decision
 
    function Decided
      (Before : Kept; Usual : Settings; Got : Inputs) return Decision

@@ -1,20 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  LAW task: the control laws, between MDCIN and PWM (EXT-3, EXT-5; the
---  report leaves them for later versions). Released at minor frame 1, after
---  those that it consumes from.
+--  LAW task: the control laws, between MDCIN and PWM (EXT-3, EXT-5; the report
+--  leaves them for later versions). Released at minor frame 1, after the tasks
+--  that produce its inputs.
 --
 --  Consumes commands_variable and sensors_variable, produces PWM_variable.
---  With the laws off it passes the commands on as they are. What happens to
---  the link, a sensor that is no longer valid, and a surface that has failed
---  are reported. While a law flies, the other surfaces make up for one that
---  has failed (EXT-6).
+--  With the laws off it passes the commands on unchanged. It reports changes
+--  of the link, invalid sensors, and failed surfaces. While a law flies, the
+--  other surfaces make up for a failed one (EXT-6).
 --
---  What the ground has sent to be set is taken, or refused and reported,
---  before the laws fly with it (EXT-2).
+--  A configuration from the ground is taken, or refused and reported, before
+--  the laws use it (EXT-2).
 --
---  These are several jobs, each a package of its own (D-43); the decision of
---  all of them is in URV.LAW_Steps.
+--  Each of these jobs has a package of its own (D-43). URV.LAW_Steps has the
+--  decision of all of them.
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The aircraft's error log as it comes to the ground, a piece a downlink
---  (SAF-7). A row that is whole is written.
+--  Receives the aircraft's error log on the ground, a fragment a downlink
+--  (SAF-7). A complete row is written.
 
 with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Shared_Data;
@@ -14,7 +14,7 @@ package URV.Log_Receivers with SPARK_Mode is
    package Receivers is
      new URVOS.Shared_Data (Receiver, Initial => (others => <>));
 
-   --  The row that is on its way.
+   --  The row under reception.
    Incoming : Receivers.Store;
 
    procedure Take_Piece (Item : Piece)

@@ -10,7 +10,7 @@ with URV.Surface_Monitor;
 
 package body URV.Log_Senders with SPARK_Mode is
 
-   --  The next kind that has happened, round the list.
+   --  Selects the next kind that has occurred, round the list.
    procedure Go_On (Line : in out Outgoing; Log : Error_Log)
    with Global => null;
 
@@ -39,7 +39,7 @@ package body URV.Log_Senders with SPARK_Mode is
       Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
    begin
-      --  After a row, and when the log was cleared.
+      --  The laws' row follows each row, and is sent when the log is empty.
       if Set.On
         and then not Line.Is_Laws
         and then (Is_Empty or else Line.Sent = Place'Last)

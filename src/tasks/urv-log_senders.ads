@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The aircraft's error log on its way to the ground (SAF-7): a piece a
---  frame, a row after the other, the rows of errors that have happened over
---  and over again. With an empty log there is no piece.
---  While the control laws are on, their row goes after each (EXT-3, EXT-5).
+--  Sends the aircraft's error log to the ground (SAF-7): a fragment a frame,
+--  row after row, repeatedly, the rows of all errors that have occurred. An
+--  empty log has no fragment. While the control laws are on, their row follows
+--  each row (EXT-3, EXT-5).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS.Shared_Data;
@@ -21,7 +21,7 @@ generic
    Surface_Memory : in out URV.Shared_Surfaces.Monitors.Store;
 package URV.Log_Senders with SPARK_Mode is
 
-   --  The row that is on its way, and how many of its pieces have gone.
+   --  The row being sent, and the number of its fragments already sent.
    type Outgoing is record
       Kind    : Error_Kind  := Error_Kind'Last;
       Is_Laws : Boolean     := False;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  LOG task: keeps the error log complete and its sums in CORE memory
---  (EXT-1; the report names the task in 4.3.3 and leaves it for later).
---  Released at minor frame 5, after all tasks that report.
+--  LOG task: keeps the error log complete and its sums in CORE memory (EXT-1;
+--  the report names the task in 4.3.3 and leaves it for later). Released at
+--  minor frame 5, after all tasks that report.
 --
---  Everyone else reports to the log as it happens. The telemetry board can
---  not: this task reads its statistics and logs what is new in them, in the
---  frame in which it finds it. Produces the log's words of CORE's status, and
---  a row a frame of the log in CORE, all rows in turn (SAF-7).
+--  All other units report to the log directly. The telemetry board cannot:
+--  this task reads its statistics and logs any increase in the same frame. It
+--  produces the log's words of CORE's status, and one row a frame of the log
+--  in CORE, all rows in turn (SAF-7).
 
 with Devices.Shared_CORE_Memory;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -33,8 +33,9 @@ package URV.LOG_Task with SPARK_Mode is
 
    Seen : Stores.Store;
 
-   --  After a cold start, which leaves no restart in the log, and after no
-   --  other: what the board has counted up to now is nothing new.
+   --  After a cold start, which leaves no restart in the log, the board's
+   --  counts up to now are not new errors. Any other start keeps the counts
+   --  seen before.
    procedure Initialise
    with
      Global => (Input => (Telemetry_Board, Errors), In_Out => Seen);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The variables between the tasks, one kind for each kind of message
+--  The variables between the tasks, one package for each type of message
 --  (report, section 2.5; MBX-1). Each is a mailbox that two tasks share.
 
 with URV.Buffers; use URV.Buffers;
@@ -8,7 +8,7 @@ with URVOS.Shared_Mailboxes;
 
 package URV.Mailboxes with SPARK_Mode is
 
-   --  The ground's converter has the sticks, the aircraft's the sensors.
+   --  The ground's converter reads the sticks, the aircraft's the sensors
 
    package For_Stick_Words is
      new URVOS.Shared_Mailboxes (Channel_Words, Neutral_Stick_Words);

@@ -13,8 +13,8 @@ with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.MDCIN_Steps with Pure, SPARK_Mode is
 
-   --  The message for CORE and the laws. Last is the one before: it is given
-   --  again, marked as old, when the block is of another kind.
+   --  The message for CORE and the laws. If the block is of another kind, it
+   --  is instead the last message, marked as old.
    function Passed_On
      (Item  : Uplink_Buffer;
       Fresh : Boolean;
@@ -25,30 +25,30 @@ package URV.MDCIN_Steps with Pure, SPARK_Mode is
       else As_Old (Item))
    with Global => null;
 
-   --  A block of another kind that has just come. An old one was taken, or
-   --  reported, when it came.
+   --  A new block of another kind. An old one was taken or reported when it
+   --  came.
    function Is_New_Kind
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
      (Fresh and then Is_Other_Kind (Item) and then not Is_Old (Item))
    with Global => null;
 
-   --  The block is for the laws.
+   --  The block is a configuration for the laws.
    function Is_Configuration
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
      (Is_New_Kind (Item, Fresh) and then Kind_Of (Item) = Configuration_Kind)
    with Global => null;
 
-   --  The block is for no task, which is an error.
+   --  The block is for no task; this is an error.
    function Is_Unknown
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
      (Is_New_Kind (Item, Fresh) and then Kind_Of (Item) /= Configuration_Kind)
    with Global => null;
 
-   --  The place of the first new command that is out of range, from 1; 0
-   --  when there is none.
+   --  The place of the first new command that is out of range, from 1; 0 if
+   --  there is none.
    function Place_Out_Of_Range
      (Item : Uplink_Buffer; Fresh : Boolean) return Place_Count
    is

@@ -4,11 +4,11 @@
 --  table 6; MDI-1, D-11, D-14). Released at minor frame 1.
 --
 --  Consumes TELIN_variable, produces uplink_variable and commands_variable. A
---  frame with nothing new passes on the message before, marked as old.
+--  frame without a new message passes on the last one, marked as old.
 --
---  A configuration goes to the laws (EXT-2). A block of a kind that no task
---  takes is reported, and goes nowhere. In both cases CORE and the laws get
---  the message before, marked as old.
+--  A configuration goes to the laws (EXT-2). A block of any other kind is
+--  reported and discarded. In both cases CORE and the laws get the last
+--  message, marked as old.
 
 with URVOS.Shared_Data;
 with URV.Buffers;       use URV.Buffers;
@@ -25,8 +25,8 @@ package URV.MDCIN_Task with SPARK_Mode is
 
    package Stores is new URVOS.Shared_Data (Uplink_Buffer, Neutral_Uplink);
 
-   --  The message that CORE and the laws were given last: kept over a warm
-   --  start, neutral after a cold one.
+   --  The last message for CORE and the laws. It survives a warm start and is
+   --  neutral after a cold start.
    Previous : Stores.Store;
 
    procedure Reset

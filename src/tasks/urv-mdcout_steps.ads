@@ -14,7 +14,7 @@ with URV.Type_Codes; use URV.Type_Codes;
 package URV.MDCOUT_Steps with Pure, SPARK_Mode is
 
    --  The message for CORE and the laws, with the node's own status bits. A
-   --  frame without a new image has that of before, marked as old.
+   --  frame without a new image uses the last one, marked as old.
    function Message_Of
      (Image : AD_Image;
       Fresh : Boolean;
@@ -25,7 +25,7 @@ package URV.MDCOUT_Steps with Pure, SPARK_Mode is
       else As_Old (Marked (Sensors_Of (Image, Codes), Bits)))
    with Global => null;
 
-   --  The message for the ground: with a fragment of the error log.
+   --  The message for the ground, with a fragment of the error log.
    function For_Link
      (Message : Downlink_Buffer; Next : Piece) return Downlink_Buffer
    is

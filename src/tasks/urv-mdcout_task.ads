@@ -4,12 +4,12 @@
 --  (report, 4.7, table 7; MDO-1, D-1, D-14). Released at minor frame 1.
 --
 --  Consumes AD_variable, produces downlink_variable, sensors_variable and
---  TELOUT_variable. A frame with nothing new passes on the data before,
+--  TELOUT_variable. A frame without a new image passes on the last data,
 --  marked as old. The node's own bits are added to the error/status word
---  (TST-4). A fragment of the error log goes down along with it (SAF-7).
+--  (TST-4). The downlink also carries a fragment of the error log (SAF-7).
 --
 --  Each channel's word goes to the item of its type code. A channel with an
---  unknown code is reported, and its word goes nowhere (EXT-2).
+--  unknown code is reported, and its word is discarded (EXT-2).
 
 with URV.Log_Pieces;    use URV.Log_Pieces;
 with URV.Mailboxes;     use URV.Mailboxes;

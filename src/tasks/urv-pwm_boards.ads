@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The pulse width modulation boards of this vehicle: from power up on they
---  hold the safe words (SAF-1, D-13), without a controller the unattended ones
---  (SAF-11, D-34).
+--  The pulse width modulation boards of this vehicle. From power up they hold
+--  the safe words (SAF-1, D-13); without a controller they hold the unattended
+--  words (SAF-11, D-34).
 
 pragma SPARK_Mode;
 

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  PWM task: gives the servos the pilot's commands (report, 4.8, table 8;
+--  PWM task: writes the pilot's commands to the servos (report, 4.8, table 8;
 --  PWM-1). Released at minor frame 2.
 --
---  Consumes PWM_variable, produces the data area of the PWM board. When
---  nothing new has come, or commands that are marked as old, it leaves the
---  board's words alone (SAF-2, SAF-3, D-14). Whoever marked them has reported
---  why. The board's timer is touched in every frame (SAF-11).
---  Surfaces that have failed are made up for by the others (EXT-6).
+--  Consumes PWM_variable, produces the data area of the PWM board. Without new
+--  commands, or with commands marked as old, it leaves the board's words
+--  unchanged (SAF-2, SAF-3, D-14). The task that marked them has reported the
+--  reason. It touches the board's timer in every frame (SAF-11). The other
+--  surfaces make up for failed ones (EXT-6).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Boards;

@@ -9,8 +9,8 @@ package body URV.Self_Test_Task with SPARK_Mode is
 
    use Checks;
 
-   --  A pass has ended: how many found the image right since the start, and
-   --  how many found it wrong.
+   --  Records the end of a pass: the numbers of passes since the start that
+   --  found the image right and wrong.
    procedure Write_Result (Good_Passes, Bad_Passes : Count);
 
    procedure Write_Result (Good_Passes, Bad_Passes : Count) is

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Self-test task: checks the program memory in flight (report, 2.4; TST-3,
---  TST-4). Released at minor frame 6, below all others in priority.
+--  TST-4). Released at minor frame 6, with the lowest priority.
 --
---  Consumes the program memory, Bytes_Per_Frame bytes a major frame, and
---  produces the result of each pass in CORE's status; a difference sets the
---  node's bit of the error/status word. It only reads, and a frame's work is
---  always the same. An image of 64 KiB takes 1024 frames at 64 bytes, which
---  is 20.48 s.
+--  Consumes Bytes_Per_Frame bytes of the program memory in each major frame,
+--  and produces the result of each pass in CORE's status. A difference sets
+--  the node's bit of the error/status word. The task only reads, and its work
+--  is the same in each frame. An image of 64 KiB takes 1024 frames at 64
+--  bytes, which is 20.48 s.
 
 with Devices.Shared_CORE_Memory;
 with URVOS;             use URVOS;
@@ -37,7 +37,7 @@ package URV.Self_Test_Task with SPARK_Mode is
 
    Progress : Stores.Store;
 
-   --  At the first byte, with nothing counted.
+   --  Restarts at the first byte, with all counts 0.
    procedure Initialise
    with Global => (In_Out => Progress);
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The error log of a node between all who report to it and those who read
---  it (EXT-1, SEM-2): see URV.Errors for the kinds and their details.
+--  A node's error log, shared by all units that report and read (EXT-1,
+--  SEM-2). URV.Errors has the kinds of errors and their details.
 
 pragma SPARK_Mode;
 

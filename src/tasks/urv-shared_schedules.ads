@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which schedule a node keeps (FRM-2, FRM-5): set before it is switched on.
+--  The node's schedule (FRM-2, FRM-5), set before it is switched on.
 
 pragma SPARK_Mode;
 

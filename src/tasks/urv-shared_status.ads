@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What a node adds to the error/status word of what it sends (TST-4): the
---  check of the program memory in flight has found a difference. The bits
---  stand in URV.Buffers.
+--  The node's own bits of the error/status word in its messages (TST-4): the
+--  check of the program memory in flight has found a difference. URV.Buffers
+--  defines the bits.
 
 with URVOS; use URVOS;
 with URVOS.Shared_Data;

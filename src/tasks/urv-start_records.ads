@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is kept of a start, for later analysis (report, 2.3.4; INI-6,
---  TST-4): CORE's status says which starts there were and what the last
---  one's self-test found; the error log has the warm ones and the failures.
+--  Records each start for later analysis (report, 2.3.4; INI-6, TST-4). CORE's
+--  status has the number of starts of each kind, and the last self-test's
+--  result. The error log has the warm starts and the failures.
 
 with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Self_Tests;           use URVOS.Self_Tests;

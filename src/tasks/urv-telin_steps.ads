@@ -18,14 +18,14 @@ generic
    with function Decode (Data : Block_Data) return Message;
 package URV.TELIN_Steps with SPARK_Mode is
 
-   --  The message that the task keeps from frame to frame, if there is one.
+   --  The message that the task keeps from frame to frame, if any.
    type Kept_Message is record
       Buffer      : Message := Neutral;
       Has_Message : Boolean := False;
    end record;
 
-   --  The message of a block that the seal opened; else the one before,
-   --  marked as old.
+   --  The message of a block that the seal opened. Without one it is the last
+   --  message, marked as old.
    function Next
      (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
       return Kept_Message
@@ -40,19 +40,19 @@ package URV.TELIN_Steps with SPARK_Mode is
      (Kept.Has_Message)
    with Global => null;
 
-   --  The kept message is of this frame, and the sender's data was.
+   --  The kept message came in this frame, and its sender's data was new.
    function Is_New (Kept : Kept_Message) return Boolean is
      (Kept.Has_Message and then not Is_Old (Kept.Buffer))
    with Global => null;
 
-   --  An error: no block has come, though there were some before.
+   --  It is an error if no block came although there was an earlier one.
    function Is_Missed
      (Result : Outcome; Ever_Received : Boolean) return Boolean
    is
      (Result not in Taken and then Ever_Received)
    with Global => null;
 
-   --  The detail of the error block_refused, from 1.
+   --  The detail of the error block_refused: the reason, counted from 1.
    function Reason (Result : Refused) return Word is
      (Word (Outcome'Pos (Result) - Outcome'Pos (Refused'First) + 1))
    with Global => null;

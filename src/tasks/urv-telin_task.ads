@@ -1,15 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  TELIN task: takes what the telemetry board received (report, 4.4, table 4;
+--  TELIN task: takes blocks from the telemetry board (report, 4.4, table 4;
 --  TIN-1, D-14). Released at minor frame 0.
 --
 --  Consumes the board's receive buffers, produces TELIN_variable. A frame
---  with nothing new passes on the message before, marked as old (SAF-5).
---  Nothing is sent until the board has received its first message, nor
---  after a restart until a message has come: the one before the restart is
---  lost, and what stands for it would reach the servos.
+--  without a new message passes on the last one, marked as old (SAF-5). After
+--  any start it sends nothing until a message has come. A restart loses the
+--  last message, and its substitute must not reach the servos.
 --
---  A block that the seal does not open is none (SEC-1).
+--  A block that the seal does not open is ignored (SEC-1).
 
 with Telemetry.Shared_Boards;
 with URVOS.Frames;      use URVOS.Frames;
@@ -37,7 +36,7 @@ package URV.TELIN_Task with SPARK_Mode is
    procedure Initialise
    with Global => (In_Out => Previous);
 
-   --  Is_New: a message of this frame has come, not marked as old.
+   --  Is_New: a message came in this frame and is not marked as old.
    procedure Run_Transaction (Now : Clock_Tick; Is_New : out Boolean)
    with
      Global =>

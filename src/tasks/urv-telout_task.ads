@@ -3,9 +3,9 @@
 --  TELOUT task: gives the telemetry board a block to transmit (report, 4.5,
 --  table 5; TOU-1). Released at minor frame 2.
 --
---  Consumes TELOUT_variable, produces the board's transmit buffers. When no
---  buffer is available the newest data overwrites; when nothing new has
---  come nothing is written. The block is sealed first (SEC-1).
+--  Consumes TELOUT_variable, produces the board's transmit buffers. If no
+--  buffer is free, the newest data overwrites older data. Without a new
+--  message it writes nothing. The block is sealed first (SEC-1).
 
 with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
