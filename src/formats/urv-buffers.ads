@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The messages that tasks pass on: converter images, uplink and downlink
+--  The messages between the tasks: converter images, uplink and downlink
 --  buffers, servo commands (report, section 2.5, figures 4 and 13, D-15).
 --
---  A buffer is an array over the names of its words, so that the order of
---  the names is the order on the wire (BUF-1, BUF-2).
+--  A buffer is an array over the names of its words. The order of the names is
+--  the order on the wire (BUF-1, BUF-2).
 
 with Devices.AD_Board;
 with URVOS; use URVOS;
@@ -18,22 +18,22 @@ package URV.Buffers with Pure, SPARK_Mode is
    --  zero degrees.
    Neutral_Value : constant Converter_Value := 16#800#;
 
-   --  The bits of the error/status word. The first says that the words
-   --  before it are those of an earlier frame (report, 4.1.3; SAF-5): set
-   --  where they were last scanned, or by whoever passes them on once more.
-   --  The next two are the node's that sends them (TST-4). The last says
-   --  that an uplink is no commands, but of another kind (EXT-2).
+   --  The bits of the error/status word. Stale_Data: the words are those of an
+   --  earlier frame (report, 4.1.3; SAF-5); a task sets it when it has no new
+   --  scan, or passes on old words. ROM_Differs and Self_Test_Failed concern
+   --  the node that sends the message (TST-4). Other_Kind: an uplink carries
+   --  no commands, but a block of another kind (EXT-2).
    No_Error         : constant Word := 0;
    Stale_Data       : constant Word := 1;
    ROM_Differs      : constant Word := 2;
    Self_Test_Failed : constant Word := 4;
    Other_Kind       : constant Word := 8;
 
-   --  What the analog-to-digital board samples in one scan.
+   --  The words that the analog-to-digital board samples in one scan.
    type Channel is new Devices.AD_Board.Channel_Number;
    type Channel_Words is array (Channel) of Word;
 
-   --  33 words: one a channel, then the error/status word.
+   --  33 words: one for each channel, then the error/status word.
    type AD_Image is record
       Words        : Channel_Words;
       Error_Status : Word;
@@ -68,8 +68,8 @@ package URV.Buffers with Pure, SPARK_Mode is
 
    type Downlink_Buffer is array (Downlink_Item) of Word;
 
-   --  What the pulse width modulation board is given (figure 13b): 13
-   --  servo commands and the eight discretes, switch n in bit n - 1.
+   --  The words for the pulse width modulation board (figure 13b): 13 servo
+   --  commands and the eight discretes, with switch n in bit n - 1.
    type PWM_Item is
      (Left_Aileron, Right_Aileron, Left_Elevator, Right_Elevator,
       Left_Rudder, Right_Rudder, Steering, Throttle, Brake,
@@ -80,19 +80,19 @@ package URV.Buffers with Pure, SPARK_Mode is
 
    type PWM_Buffer is array (PWM_Item) of Word;
 
-   --  The safe words (SAF-1, D-13): what the outputs hold from power up
-   --  until the first commands of a scan arrive. Throttle idle, brake full
-   --  on, the rest at zero degrees, the switches off.
+   --  The safe words (SAF-1, D-13), which the outputs hold from power up until
+   --  the first commands arrive: throttle idle, brake full on, all else at
+   --  zero degrees, the switches off.
    Safe_Outputs : constant PWM_Buffer :=
      (Throttle  => Converter_Value'First,
       Brake     => Converter_Value'Last,
       Discretes => 0,
       others    => Neutral_Value);
 
-   --  Acceptable "previous values" for a consumer that has not received
-   --  anything yet (INI-8, D-13), with the error word set because nothing
-   --  of it was ever measured: commands that mean the safe outputs, sensors
-   --  at the middle of their range.
+   --  The "previous values" for a consumer that has not received a message
+   --  (INI-8, D-13). The error word is set because nothing was measured. The
+   --  commands mean the safe outputs; the sensors are at the middle of their
+   --  range.
    Neutral_Uplink : constant Uplink_Buffer :=
      (Throttle     => Converter_Value'First,
       Brake        => Converter_Value'Last,

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The two buffers on the wire, each the length of a block (BUF-1, BUF-2,
---  D-3, D-5).
+--  The two buffers on the wire, each as long as a block (BUF-1, BUF-2, D-3,
+--  D-5).
 
 with Telemetry;
 with URV.Buffers; use URV.Buffers;

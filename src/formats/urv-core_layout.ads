@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where the buffers stand in CORE memory, and the type codes of their
---  items (report, 2.5; BUF-4): 0101h onward for the uplink, 0201h onward
---  for the downlink, in the order of the buffers, 0301h onward for the
---  status area. A word is stored where its item's code stands (EXT-2). And
---  what the error log says there (EXT-1).
+--  The places of the buffers in CORE memory, and the type codes of their items
+--  (report, 2.5; BUF-4): 0101h onward for the uplink and 0201h onward for the
+--  downlink, in the order of the buffers; 0301h onward for the status area. A
+--  word is stored at the place of its item's code (EXT-2). The error log's
+--  words and rows are also defined here (EXT-1).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
@@ -68,9 +68,9 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
        (for all Item in Downlink_Item =>
           To_Words'Result (Place (Item)) = Source (Item));
 
-   --  What an area holds when a buffer is stored by the codes that stand in
-   --  it: each word is that of its code. Where there is a code that no item
-   --  of the buffer has, the word stays.
+   --  The words of an area after a buffer is stored by the area's codes: each
+   --  word is that of its code. A place with a code that no item of the buffer
+   --  has keeps its word.
 
    function Stored
      (Codes  : Uplink_Words;
@@ -98,7 +98,7 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
              then Source (Downlink_Item_Of (Codes (Where)))
              else Before (Where)));
 
-   --  The first place whose code no item of the area has; 0 is none.
+   --  The first place with an unknown code; 0 if there is none
 
    type Place_Or_None is
      range 0 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
@@ -125,7 +125,7 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
         else Codes (Item_Number (First_Unknown_Downlink'Result))
                not in Downlink_Code);
 
-   --  For the readers of CORE memory.
+   --  For the readers of CORE memory
 
    function To_Buffer (Source : Uplink_Words) return Uplink_Buffer
    with
@@ -141,12 +141,12 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
        (for all Item in Downlink_Item =>
           To_Buffer'Result (Item) = Source (Place (Item)));
 
-   --  A count in one word: its last value also stands for more.
+   --  A count in one word. The last value means that number or more.
    function To_Word (Value : Count) return Word is
      (if Value > Count (Word'Last) then Word'Last else Word (Value))
    with Global => null;
 
-   --  A number in two words; the largest also stands for more.
+   --  A number in two words. The largest value means that number or more.
 
    type Long_Count is range 0 .. 2 ** 32 - 1;
 
@@ -170,7 +170,7 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      (Frame_Of (Logs.History_Of (Log, Logs.Latest (Log)).Last))
    with Global => null;
 
-   --  What the error log says in the status area.
+   --  The error log's words in the status area
 
    subtype Log_Item is
      Status_Item range Error_Total_High .. Last_Error_Frame_Low;
@@ -188,7 +188,7 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
          Last_Error_Frame_Low  => Low_Word (Last_Frame (Log))))
    with Global => null;
 
-   --  The log's rows (SAF-7).
+   --  The log's rows (SAF-7)
 
    function Row_Of (Kind : Error_Kind) return Log_Row_Number is
      (Error_Kind'Pos (Kind) + 1)

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The error cases of a node and the log of them (report, the sections
---  "Error handling" of 4 and 5, 3.5, appendix A; EXT-1, SEM-2).
+--  The kinds of errors of a node, and their log (report, the sections "Error
+--  handling" of 4 and 5, 3.5, appendix A; EXT-1, SEM-2).
 --
---  A kind says what went wrong and who saw it. Each report brings a word of
---  detail; what it holds stands below, and where nothing is said it is 0.
+--  A kind names the fault and the unit that detected it. Each report carries a
+--  word of detail, described below; without a description it is 0.
 --  docs/error-log.md has the report's sections for each kind.
 
 with URVOS.Error_Logs;
@@ -13,8 +13,8 @@ package URV.Errors with Pure, SPARK_Mode is
 
    type Error_Kind is
 
-      --  Tasks. Detail of the first: how many channels the converter had
-      --  done; of the second: the word it gave.
+      --  Tasks. Detail of the first: the number of channels converted; of the
+      --  second: the converter's word.
      (AD_No_Scan,              --  no complete scan for this frame
       AD_Unexpected_Interrupt, --  the board interrupted outside a scan
       Scan_Not_Consumed,       --  ADINT_variable was overwritten
@@ -23,11 +23,11 @@ package URV.Errors with Pure, SPARK_Mode is
       Input_Not_Consumed,      --  TELIN_variable was overwritten
       No_Input,                --  nothing new in TELIN_variable
 
-      --  A word that exceeds 12 bits (D-11). Detail: its place in the
-      --  buffer, from 1; of several the first.
+      --  A word beyond 12 bits (D-11). Detail: the place of the first such
+      --  word in the buffer, from 1.
       Input_Out_Of_Range,
 
-      --  Detail: 0, or that of the laws, below.
+      --  Detail: 0, or No_Image_For_Laws, below.
       No_Image,                --  nothing new in AD_, sensors_variable
       Uplink_Not_Consumed,     --  uplink_variable was overwritten
       Downlink_Not_Consumed,   --  downlink_variable was overwritten
@@ -39,8 +39,8 @@ package URV.Errors with Pure, SPARK_Mode is
       CORE_No_Uplink,          --  nothing new in uplink_variable
       CORE_No_Downlink,        --  nothing new in downlink_variable
 
-      --  Telemetry board; the log task looks once a frame. Detail: how many
-      --  there were since it last did.
+      --  Telemetry board; the log task looks once a frame. Detail: the number
+      --  of events since its last look.
       Link_Block_Bad,          --  wrong checksum, or cut short
       Link_Block_Not_Taken,    --  both receive buffers were full
       Link_Block_Scrapped,     --  not confirmed in two transmissions
@@ -50,10 +50,10 @@ package URV.Errors with Pure, SPARK_Mode is
       --  Kernel. Detail: the identification of the task.
       Task_Overrun,            --  released late, or still running
       Semaphore_Not_Claimed,   --  P went on without it after two ticks
-      Semaphore_Not_Owned,     --  V of what someone else has claimed
+      Semaphore_Not_Owned,     --  V of another task's claim
 
-      --  Starts. Detail of the third: the result word; of the last: how
-      --  many checks have found a difference.
+      --  Starts. Detail of the third: the result word; of the last: the number
+      --  of checks that have found a difference.
       Warm_Reset,              --  the reset switch
       Processor_Restart,       --  an unexpected exception
       Self_Test_Failed,        --  before the start
@@ -62,20 +62,21 @@ package URV.Errors with Pure, SPARK_Mode is
       --  Control laws. Detail of the first: the place of the state in
       --  URV.Link_Loss.Link_State, from 0; of the second: the sensor's place
       --  in the downlink, from 1.
-      Link_Loss_State,         --  the link was lost for so long, or is back
+      Link_Loss_State,         --  the link was lost, or is back
       Sensor_Not_Valid,        --  range, rate or stuck
 
-      --  Sealed link. Detail: why, as URV.Seals.Refused has it, from 1.
-      Block_Refused,           --  a block came that is not the peer's
+      --  Sealed link. Detail: the reason, by its place in URV.Seals.Refused,
+      --  from 1.
+      Block_Refused,           --  a block that is not the peer's
 
-      --  Detail: the surface's place in the downlink, from 1; of the throttle
-      --  that of the engine's speed.
+      --  Detail: the surface's place in the downlink, from 1; for the
+      --  throttle, that of the engine's speed.
       Surface_Failed,          --  it does not follow its servo's words
 
-      --  Type codes (EXT-2). Detail of the first: the code; of the second:
-      --  why, as URV.Configurations.Refused has it, from 1.
-      Unknown_Code,            --  nobody knows what it is: it goes nowhere
-      Configuration_Refused);  --  one that the ground sent
+      --  Type codes (EXT-2). Detail of the first: the code; of the second: the
+      --  reason, by its place in URV.Configurations.Refused, from 1.
+      Unknown_Code,            --  an unknown code; its word is discarded
+      Configuration_Refused);  --  a configuration from the ground
 
    --  The detail of a No_Image of the laws.
    No_Image_For_Laws : constant := 1;

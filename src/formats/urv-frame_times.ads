@@ -2,9 +2,9 @@
 
 --  Times as numbers of major frames (FRM-7, D-75).
 --
---  The kernel says how long a frame is. Every time that the flight software
---  counts in frames is written in seconds where it is declared, and every rate
---  is written for a second. The factors below derive them for the frame:
+--  The kernel defines the length of a frame. The flight software declares its
+--  times in seconds and its rates per second. The factors below convert them
+--  to frames:
 --
 --     Hold_After : constant := 5 * Frames_Per_Tenth;
 --     Roll_Step  : constant := Roll_Rate_Limit / Frames_Per_Second;

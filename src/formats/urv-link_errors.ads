@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which errors the telemetry board counts for the log (EXT-1; report,
+--  The errors that the telemetry board counts for the log (EXT-1; report,
 --  appendix A).
 
 with Telemetry.Boards; use Telemetry.Boards;
@@ -20,8 +20,8 @@ package URV.Link_Errors with Pure, SPARK_Mode is
          when Link_Reset           => Tally.Resets)
    with Global => null;
 
-   --  How much a count has grown. One that has become less has begun anew:
-   --  the board was switched off in between.
+   --  The increase of a count. A lower count has started again from 0: the
+   --  board was switched off meanwhile.
    function New_Since (Before, Now : Count) return Count is
      (if Now < Before then Now else Now - Before)
    with Global => null;

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a node's error log goes to the other one, a byte a message (SAF-7,
---  D-15): a row of it in 15 pieces, first its number, then the bytes of its
---  words, the high one first.
+--  The transfer of a node's error log to the other node, a byte a message
+--  (SAF-7, D-15). A row has 15 fragments: first its number, then the bytes of
+--  its words, the high byte first.
 --
---  A piece has 12 bits: the place, 1 to 15, and the byte. 0 is no piece.
---  Whoever receives takes a row when all of its pieces have come, one after
---  the other; one that is missed comes again with its row.
+--  A fragment has 12 bits: the place, 1 to 15, and the byte. 0 is no fragment.
+--  The receiver takes a row after all its fragments have come in order. A
+--  missed fragment comes again with its row.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
@@ -20,8 +20,8 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
    type Place_Count is range 0 .. 15;
    subtype Place is Place_Count range 1 .. 15;
 
-   --  On the way down a piece stands in the error/status word, above its
-   --  four flags. CORE has the flags alone.
+   --  In a downlink the fragment is in the error/status word, above its four
+   --  flags. CORE gets the flags alone
 
    Piece_Unit : constant Word := 16;
 
@@ -36,8 +36,8 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      (Status mod Piece_Unit)
    with Global => null;
 
-   --  The field that a place after the first is of, and whether it is the
-   --  field's high byte.
+   --  The field at a place after the first, and whether the place holds its
+   --  high byte
 
    function Field_At (Where : Place) return Log_Field is
      (Log_Field'Val (Integer (Where) / 2 - 1))
@@ -69,15 +69,15 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Global => null,
      Post   => Piece_At'Result /= No_Piece;
 
-   --  The row that is coming in: its number, and how many of its pieces have
-   --  come.
+   --  The row under reception: its number, and the number of its fragments
+   --  received.
    type Receiver is record
       Got   : Place_Count    := 0;
       Which : Log_Row_Number := 1;
       Row   : Log_Row        := No_Errors;
    end record;
 
-   --  The row with one more byte.
+   --  The row after one more byte.
    function Extended
      (Row   : Log_Row;
       Where : Place;
@@ -92,14 +92,14 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Global => null,
      Pre    => Where > 1 and then Value <= 255;
 
-   --  The piece is the next of the row that is coming in.
+   --  The fragment is the next one of the row under reception.
    function Is_Next (This : Receiver; What : Piece) return Boolean is
      (This.Got in 1 .. Place'Last - 1
       and then What / 256 = Word (This.Got) + 1)
    with Global => null;
 
-   --  A piece has come, or none. Complete tells that it was the last of a
-   --  row. One that is not the next of its row ends the row.
+   --  Takes a fragment, or none. Complete is True after a row's last one. A
+   --  fragment out of order ends the row.
    procedure Take
      (This     : in out Receiver;
       What     : Piece;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Where the outputs stand in the data area of the PWM board (report, 4.8,
---  figure 13b; PWM-2, D-13): the servos in their order, then the discretes.
+--  The places of the outputs in the data area of the PWM board (report, 4.8,
+--  figure 13b; PWM-2, D-13): the servos in order, then the discretes.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URVOS;             use URVOS;
@@ -25,15 +25,13 @@ package URV.PWM_Layout with Pure, SPARK_Mode is
             (if Unused > Channel_Of (PWM_Item'Last)
              then To_Data_Area'Result (Unused) = Neutral));
 
-   --  What the board holds from power up until the first commands (INI-3,
-   --  SAF-1).
+   --  The board's words from power up until the first commands (INI-3, SAF-1).
    function Safe_Area return Data_Area is (To_Data_Area (Safe_Outputs))
    with Global => null;
 
-   --  What the board holds when no controller has touched it for 0.5 s
-   --  (SAF-11, D-34): the safe words, but the brake as it was. In flight it
-   --  was off, and a wheel that is locked upsets the landing; before a flight
-   --  it was on.
+   --  The board's words when no controller has touched it for 0.5 s (SAF-11,
+   --  D-34): the safe words, with the brake unchanged. In flight the brake was
+   --  off; a locked wheel would upset the landing. Before a flight it was on.
    function Unattended_Area (Words : Data_Area) return Data_Area is
      ((Safe_Area with delta Channel_Of (Brake) => Words (Channel_Of (Brake))))
    with Global => null;

@@ -13,7 +13,7 @@ package URV.PWM_Transform with Pure, SPARK_Mode is
      (Switch >= Neutral_Value)
    with Global => null;
 
-   --  What the board is given of a command that exceeds 12 bits (D-11).
+   --  The board's word for a command that may exceed 12 bits (D-11).
    function Clipped (Command : Word) return Converter_Value is
      (if Command in Converter_Value then Command else Converter_Value'Last)
    with Global => null;

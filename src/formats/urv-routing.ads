@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Which part of the converter image each node passes on (report, 4.7, 5.6,
---  D-14, D-15): each channel goes to the item of its type code (EXT-2).
+--  The part of the converter image that each node passes on (report, 4.7, 5.6,
+--  D-14, D-15). Each channel goes to the item of its type code (EXT-2).
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
@@ -9,8 +9,7 @@ with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.Routing with Pure, SPARK_Mode is
 
-   --  The channel that carries an item: the first channel the first item,
-   --  and so on.
+   --  The channel of an item: the first channel has the first item, and so on.
    function Channel_Of (Item : Command_Item) return Channel is
      (Channel (Command_Item'Pos (Item)))
    with Global => null;
@@ -20,7 +19,8 @@ package URV.Routing with Pure, SPARK_Mode is
    with Global => null;
 
    --  The commands and, as 14th word, the error/status word (GDO-1). An item
-   --  that no channel has is neutral; of two channels the later counts.
+   --  without a channel is neutral. If two channels have the same item, the
+   --  later one counts.
    function Commands_Of
      (Image : AD_Image; Codes : Channel_Codes) return Uplink_Buffer
    with
@@ -56,7 +56,7 @@ package URV.Routing with Pure, SPARK_Mode is
              then Sensors_Of'Result (Item) = Neutral_Downlink (Item)))
        and then Sensors_Of'Result (Error_Status) = Image.Error_Status;
 
-   --  With each node's own codes that is what the channels' order says.
+   --  With the node's own codes, each item has the channel of its order
 
    function To_Uplink (Image : AD_Image) return Uplink_Buffer
    with
@@ -78,7 +78,7 @@ package URV.Routing with Pure, SPARK_Mode is
           To_Downlink'Result (Item) = Image.Words (Channel_Of (Item)))
        and then To_Downlink'Result (Error_Status) = Image.Error_Status;
 
-   --  The first channel whose code nobody knows, from 1; 0 is none.
+   --  The first channel with an unknown code, from 1; 0 if there is none
 
    type Unknown_Count is range 0 .. Channel'Pos (Channel'Last) + 1;
 
@@ -124,7 +124,7 @@ package URV.Routing with Pure, SPARK_Mode is
          else Source (Item)))
    with Global => null;
 
-   --  A buffer marked as of an earlier frame, and whether one is (SAF-5).
+   --  A buffer marked as of an earlier frame; whether one is so marked (SAF-5)
 
    function As_Old (Source : Uplink_Buffer) return Uplink_Buffer is
      (Marked (Source, Stale_Data))
@@ -142,7 +142,8 @@ package URV.Routing with Pure, SPARK_Mode is
      ((Source (Error_Status) and Stale_Data) /= 0)
    with Global => null;
 
-   --  The image of a scan, stamped with whether it is of this frame (AD-1).
+   --  The image of a scan, with the mark of an earlier frame unless Fresh
+   --  (AD-1).
    function Stamped
      (Words : Channel_Words;
       Fresh : Boolean) return AD_Image
@@ -151,7 +152,7 @@ package URV.Routing with Pure, SPARK_Mode is
       Error_Status => (if Fresh then No_Error else Stale_Data))
    with Global => null;
 
-   --  A word of a 12-bit converter that no converter can have given (D-11).
+   --  A word beyond the range of a 12-bit converter (D-11).
    function Is_Out_Of_Range (Value : Word) return Boolean is
      (Value not in Converter_Value)
    with Global => null;
@@ -164,11 +165,11 @@ package URV.Routing with Pure, SPARK_Mode is
      (for some Item in Sensor_Item => Is_Out_Of_Range (Source (Item)))
    with Global => null;
 
-   --  A word's place in its buffer, from 1; 0 is none.
+   --  A word's place in its buffer, from 1; 0 means none.
    type Place_Count is
      range 0 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
 
-   --  Where the first word that is out of range stands.
+   --  The place of the first word that is out of range
 
    function First_Out_Of_Range (Source : Uplink_Buffer) return Place_Count
    with

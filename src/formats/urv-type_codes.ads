@@ -3,17 +3,16 @@
 --  Type codes (report, 2.5, 4.3.1; BUF-4, EXT-2): the high byte of a code
 --  names a kind of message, the low byte an item of it, from 1.
 --
---  They say where data goes. A channel of the converter goes to the item
---  whose code the node's list has for it. A block from the other node is of
---  the kind that it says, and goes to those who use that kind. A word of
---  CORE memory is of the item whose code stands beside it. What has a code
---  that nobody knows goes nowhere.
+--  Type codes direct the data. A converter channel goes to the item of its
+--  code in the node's list. A block from the other node goes to the users of
+--  its kind. A word of CORE memory belongs to the item of the code beside it.
+--  Data with an unknown code is discarded.
 --
---  The line has no room for a code beside each word. A block says its kind
---  once, in its error/status word; one that says nothing is commands on the
---  way up, sensors on the way down. On the way up one bit says that the
---  first word is the kind. On the way down the kind's high byte stands in
---  the place of a piece of the log (D-26).
+--  The line has no room for a code beside each word. A block gives its kind
+--  once, in its error/status word. Without a kind, an uplink carries commands
+--  and a downlink sensors. In an uplink, one bit says that the first word is
+--  the kind. In a downlink, the kind's high byte replaces the fragment of the
+--  log (D-26).
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
@@ -21,7 +20,7 @@ with URV.Log_Pieces; use URV.Log_Pieces;
 
 package URV.Type_Codes with Pure, SPARK_Mode is
 
-   --  A channel that carries nothing.
+   --  A channel without an item.
    No_Code : constant Word := 0;
 
    Commands_Kind      : constant Word := 16#0100#;
@@ -65,8 +64,8 @@ package URV.Type_Codes with Pure, SPARK_Mode is
      Global => null,
      Post   => Code_Of (Downlink_Item_Of'Result) = Code;
 
-   --  What the channels of a node's converter are, as they are wired (D-47).
-   --  No item has two. No code selects an item of the control laws (D-48).
+   --  The items of the converter's channels, as wired (D-47). No item has two
+   --  channels. No code selects an item of the control laws (D-48)
 
    type Channel_Codes is array (Channel) of Word;
 
@@ -89,8 +88,8 @@ package URV.Type_Codes with Pure, SPARK_Mode is
             then Codes (One) /= Codes (Other))))
    with Global => null;
 
-   --  The kind that a block says it is of. One that is of another kind than
-   --  its direction's own is never taken for that, whatever its first word.
+   --  The kind that a block gives. A block of another kind is never taken for
+   --  its direction's own kind, whatever its first word
 
    function Is_Other_Kind (Source : Uplink_Buffer) return Boolean is
      ((Source (Error_Status) and Other_Kind) /= 0)

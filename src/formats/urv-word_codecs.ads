@@ -14,7 +14,7 @@ package URV.Word_Codecs with Pure, SPARK_Mode is
    Block_Length : constant Byte_Count :=
      2 * (Item'Pos (Item'Last) - Item'Pos (Item'First) + 1);
 
-   --  Where the high byte of a word is.
+   --  The place of a word's high byte.
    function Place (Which : Item) return Byte_Index is
      (Byte_Index (2 * (Item'Pos (Which) - Item'Pos (Item'First)) + 1))
    with
@@ -55,14 +55,14 @@ package URV.Word_Codecs with Pure, SPARK_Mode is
           Decode'Result (Which) =
             To_Word (Source (Place (Which)), Source (Place (Which) + 1)));
 
-   --  What was encoded comes back.
+   --  Decoding restores an encoded buffer.
    procedure Round_Trip (Source : Buffer)
    with
      Ghost,
      Global => null,
      Post   => Decode (Encode (Source)) = Source;
 
-   --  And so do the bytes.
+   --  Encoding restores the bytes of a decoded block.
    procedure Round_Trip_Of_Bytes (Source : Block_Data; I : Byte_Index)
    with
      Ghost,

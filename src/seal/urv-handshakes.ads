@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How two nodes come to a session (SEC-3, FRM-7), and what a node knows of
---  its sealed link.
+--  The handshake by which two nodes start a session (SEC-3, FRM-7), and a
+--  node's state of its sealed link.
 --
 --     ground                                    aircraft
 --     hello (G)              ------------>      keeps G, takes a new A
@@ -9,8 +9,8 @@
 --     sealed blocks 1, 2 ... ------------>      both know that both know
 --                            <------------      sealed blocks 1, 2 ...
 --
---  A node without a session says hello. One that hears its peer's sealed
---  blocks disregards a hello.
+--  A node without a session sends a hello. A node that receives its peer's
+--  sealed blocks ignores a hello.
 
 with Telemetry;       use Telemetry;
 with URV.Frame_Times; use URV.Frame_Times;
@@ -26,17 +26,17 @@ package URV.Handshakes with Pure, SPARK_Mode is
      (if This = Ground then Aircraft else Ground)
    with Global => null;
 
-   --  The node. Silence counts the frames since a block opened.
+   --  A node. Silence counts the frames since a block was opened
 
    Patience : constant := 3;
 
-   --  A minute.
+   --  One minute.
    Longest_Silence : constant := 60 * Frames_Per_Second;
    subtype Frame_Count is Counter range 0 .. Longest_Silence;
 
-   --  Sessions that the aircraft has answered a hello with, and of which no
-   --  block has come yet. Several, so that recorded hellos do not displace the
-   --  ground's own.
+   --  The sessions that the aircraft has offered in answer to a hello, and
+   --  from which no block has come. There are four, so that recorded hellos do
+   --  not displace the ground's own.
    type Pending_Place is range 1 .. 4;
    type Pending_List is array (Pending_Place) of Session;
 
@@ -48,25 +48,25 @@ package URV.Handshakes with Pure, SPARK_Mode is
       Format   : Format_Number := 1;
       Keys     : Key_List;
 
-      --  The nonce of the next call or answer.
+      --  The nonce of the next hello.
       Own      : Nonce         := 0;
       Active   : Session;
 
-      --  The aircraft's; the place of the newest, and from where on it looks
-      --  for one to answer.
+      --  The aircraft's offered sessions; the place of the newest; the place
+      --  at which it begins to look for one to answer.
       Pending  : Pending_List  := [others => (others => <>)];
       Latest   : Pending_Place := 1;
       Turn     : Pending_Place := 1;
 
-      --  The ground has a session, but has heard a hello instead of its
-      --  blocks: it calls in every second block.
+      --  The ground has a session but received a hello instead of its blocks.
+      --  It then sends a hello in every second block.
       Doubts   : Boolean       := False;
 
       Silence  : Frame_Count   := 0;
    end record;
 
-   --  As a node is configured before it is switched on. Start is a nonce
-   --  that it has never begun with before.
+   --  A node's state before it is switched on. Start must be a nonce with
+   --  which this node has never begun.
    function New_Seal
      (Role   : Station;
       Format : Format_Number;
@@ -85,7 +85,8 @@ package URV.Handshakes with Pure, SPARK_Mode is
        Silence  => 0))
    with Global => null;
 
-   --  Sessions are forgotten: a cold start, or the end of their numbers.
+   --  The state without sessions: after a cold start, or at the end of a
+   --  session's numbers.
    function Begun_Anew (This : Seal) return Seal is
      ((This with delta
          Own     => This.Own + 1,
@@ -94,13 +95,13 @@ package URV.Handshakes with Pure, SPARK_Mode is
          Doubts  => False))
    with Global => null;
 
-   --  What has become of a block.
+   --  The outcome of a block.
    type Outcome is
      (Nothing_Came,
       Opened,
       Opened_Anew,         --  the first of a session
       Hello_Taken,
-      Hello_Repeated,      --  known already, or in answer to nothing
+      Hello_Repeated,      --  known already, or answers no present hello
 
       --  Refused
       Wrong_Format,
@@ -112,7 +113,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
    subtype Taken is Outcome range Opened .. Opened_Anew;
    subtype Refused is Outcome range Wrong_Format .. Too_Late;
 
-   --  A hello that came
+   --  A hello that was received
 
    function Hello_Number (Block : Block_Data) return Key_Number is
      (Key_Number (Block (2)))
@@ -133,7 +134,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
                Other (This.Role)))))
    with Global => null;
 
-   --  The ground calls: an answer is one to the nonce that it calls with.
+   --  The ground calls: it sends a hello and accepts an answer to its nonce
 
    function Calls (This : Seal) return Boolean is
      (not This.Active.Is_Present or else This.Doubts)
@@ -161,10 +162,10 @@ package URV.Handshakes with Pure, SPARK_Mode is
       else Hello_Taken)
    with Global => null;
 
-   --  The aircraft answers. It answers a call for so many frames; the same
-   --  call is a new one after that, since a block that closes the exchange
-   --  would be too late. In these frames each pending session has its turn,
-   --  even if every second block is a sealed one.
+   --  The aircraft answers a call for 8 frames. Later the same call counts as
+   --  a new one, since the block that closes the exchange would be too late.
+   --  In these frames each pending session has its turn, even if every second
+   --  block is a sealed one
 
    Answer_Lasts : constant := 8;
 
@@ -199,13 +200,14 @@ package URV.Handshakes with Pure, SPARK_Mode is
      Global => null,
      Post   => Outcome_Of_Hello'Result not in Opened | Opened_Anew;
 
-   --  What the node knows then.
+   --  The node's state after a hello
 
    function Next_Place (Item : Pending_Place) return Pending_Place is
      (if Item = Pending_Place'Last then Pending_Place'First else Item + 1)
    with Global => null;
 
-   --  The aircraft has a pending session more, in the place of the oldest.
+   --  The aircraft's state with one more pending session, in the place of the
+   --  oldest.
    function With_Pending (This : Seal; Item : Session) return Seal is
      ((This with delta
          Own      => This.Own + 1,

@@ -73,7 +73,7 @@ package body URV.Seal_Blocks with SPARK_Mode is
       return Result;
    end Unpacked;
 
-   --  It takes as long wherever the tag is wrong (SEC-2).
+   --  The comparison takes the same time wherever the tag is wrong (SEC-2).
    function Has_Tag
      (Block  : Block_Data;
       Sender : Station;

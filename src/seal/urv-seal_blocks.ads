@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Message format 2: what the bytes of a block are (SEC-1). It is as long as
---  in format 1.
+--  Message format 2: the bytes of a block (SEC-1). A block is as long as in
+--  format 1.
 --
 --                  uplink        downlink
 --     mark         byte 1        byte 1        high half; low half: flags
@@ -10,18 +10,17 @@
 --     echo         last field    byte 44       the byte before the number
 --     tag          bytes 23..28  bytes 49..56  the last
 --
---  The fields are the block's words but the last, which is the error/status
---  word: its four flags stand in byte 1, the log's piece above them is the
---  last field of a downlink (D-15). A word that exceeds 12 bits goes as
---  0FFFh, as which it would reach a servo (D-11).
+--  The fields are the block's words except the last, the error/status word.
+--  Its four flags are in byte 1. The log's fragment above them is the last
+--  field of a downlink (D-15). A word beyond 12 bits is sent as 0FFFh, the
+--  value that would reach a servo (D-11).
 --
---  The number is the frame of the session in which the sender sealed the
---  block. The echo is the number of the newest block that the sender had
---  taken by then. An uplink carries 6 bits of each; the tag covers both whole
---  (SEC-4).
+--  The number is the session's frame in which the sender sealed the block. The
+--  echo is the number of the newest block that the sender had taken by then.
+--  An uplink carries 6 bits of each; the tag covers both in full (SEC-4).
 --
---  A hello has another mark; its bytes are a key's number and two nonces.
---  In format 1 the first byte's high half is 0, unless a converter gives
+--  A hello has another mark; its bytes are a key's number and two nonces. In
+--  format 1 the high half of the first byte is 0, unless a converter gives
 --  more than 12 bits.
 
 with Interfaces;   use Interfaces;
@@ -59,7 +58,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (if Sender = Ground then Uplink_Tag else Downlink_Tag)
    with Global => null;
 
-   --  What the tag is of.
+   --  The bytes that the tag covers.
    Uplink_Covered   : constant := Uplink_Length - Uplink_Tag;
    Downlink_Covered : constant := Downlink_Length - Downlink_Tag;
 
@@ -67,10 +66,10 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (if Sender = Ground then Uplink_Covered else Downlink_Covered)
    with Global => null;
 
-   --  The byte before a downlink's number; it holds the echo.
+   --  The byte before a downlink's number. It holds the echo.
    Before_Counter : constant := Downlink_Covered - 4;
 
-   --  A further word may not fit: each needs a byte and a half.
+   --  Each further word needs a byte and a half and may not fit
    pragma Compile_Time_Error
      (1 + (3 * Uplink_Words + 1) / 2 > Uplink_Covered,
       "in format 2 the fields of an uplink reach into its tag");
@@ -83,7 +82,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Downlink_Covered + 8 > Message_Index'Last,
       "in format 2 a downlink exceeds URV.Sip_Hash.Message");
 
-   --  Frames of a session: blocks' numbers, and 0 for none.
+   --  The frames of a session: the numbers of blocks; 0 means none.
    type Counter is range 0 .. 2 ** 31 - 1;
 
    --  A word of format 1.
@@ -97,8 +96,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Word'Min (Value, Field'Last))
    with Global => null;
 
-   --  The last field of an uplink: the number's remainder, and the echo's
-   --  code. The code is a remainder, too, or says that there is no echo.
+   --  The last field of an uplink: the number's remainder and the echo's code.
+   --  The code is also a remainder, or No_Echo
 
    Numbers_Told : constant := 2 ** 6;
    Echoes_Told  : constant := 2 ** 6 - 1;
@@ -125,8 +124,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => Which <= Words_Of (Sender);
 
-   --  Where a field stands: the first of its pair in a byte and the high
-   --  half of the next, the second in the low half of that and a byte.
+   --  The value of a field. The first of a pair takes one byte and the high
+   --  half of the next, the second takes the low half and one more byte.
    function Field_At (Block : Block_Data; Which : Word_Place) return Field is
      (if Which mod 2 = 1
       then Word (Block (3 * (Which / 2) + 2)) * 16
@@ -145,7 +144,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => Where <= 4;
 
-   --  A downlink's number. One that is too high is that of no block.
+   --  A downlink's number. A number that is too high belongs to no block.
    function Number_At (Block : Block_Data) return Counter is
      (if Block (Before_Counter + 1) > 127 then 0
       else Counter (Block (Before_Counter + 1)) * 2 ** 24
@@ -186,7 +185,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
                Packed'Result (Before_Counter + Where) =
                  Byte_Of (Number, Where)));
 
-   --  The words of a block of format 2.
+   --  A word of a block in format 2.
    function Told
      (Block  : Block_Data;
       Sender : Station;
@@ -199,7 +198,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => Which <= Words_Of (Sender);
 
-   --  A block of format 2 in format 1.
+   --  Converts a block of format 2 to format 1.
    function Unpacked
      (Block  : Block_Data;
       Sender : Station) return Block_Data
@@ -211,8 +210,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
            then Word_At (Unpacked'Result, Which) =
                   Told (Block, Sender, Which)));
 
-   --  Nonces: of a node's start, and one further with each session. The
-   --  high byte first.
+   --  Nonces: each node starts with one and advances it with each session. The
+   --  high byte comes first.
    type Nonce is new Unsigned_64;
 
    function Byte_Of (Item : Nonce; Where : Byte_Index) return Byte is
@@ -236,8 +235,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => First <= Byte_Index'Last - 7;
 
-   --  A hello, without its tag: the sender's nonce, and the one of the other
-   --  node that it answers, or 0. An uplink's answers none.
+   --  A hello without its tag: the sender's nonce, and the other node's nonce
+   --  that it answers, or 0. An uplink answers none
 
    type Key_Number is range 0 .. 255;
 
@@ -259,8 +258,9 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  The tag
 
-   --  The number and the echo of the block, of which an uplink carries only
-   --  the remainders, and the bytes before the tag.
+   --  The message under the tag: the full number and echo of the block, of
+   --  which an uplink carries only the remainders, and the bytes before the
+   --  tag.
    function Message_Of
      (Block  : Block_Data;
       Sender : Station;
@@ -286,7 +286,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    is (Tag (Message_Of (Block, Sender, Number, Echo), With_Key))
    with Global => null;
 
-   --  Its low byte first; an uplink has the first six.
+   --  A byte of the tag, the low byte first. An uplink has the first six.
    function Tag_Byte (Item : Unsigned_64; Where : Byte_Index) return Byte is
      (Byte (Shift_Right (Item, 8 * (Integer (Where) - 1)) and 16#FF#))
    with

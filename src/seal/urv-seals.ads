@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What becomes of a block on a sealed link (SEC-1 to SEC-5, FRM-7). TELOUT
---  closes each block, TELIN opens each one that came. The functions are the
---  code: Pass, Open and Close assign their results.
+--  The life of a block on a sealed link (SEC-1 to SEC-5, FRM-7). TELOUT closes
+--  each block; TELIN opens each one received. Pass, Open and Close assign the
+--  results of the functions here.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
@@ -13,7 +13,7 @@ with URV.Sessions;    use URV.Sessions;
 
 package URV.Seals with Pure, SPARK_Mode is
 
-   --  The first pending session that a sealed block opens, 0 when none.
+   --  The first pending session that a sealed block opens, or 0.
    type Pending_Count is range 0 .. Pending_Place'Last;
 
    function Opened_Place (This : Seal; Block : Block_Data)
@@ -26,7 +26,8 @@ package URV.Seals with Pure, SPARK_Mode is
       else 0)
    with Global => null;
 
-   --  Any block. In format 1 all are taken but those marked as of the other.
+   --  The outcome of any block. Format 1 takes all blocks except those with a
+   --  mark of format 2.
    function Outcome_Of
      (This  : Seal;
       Block : Block_Data;
@@ -46,8 +47,8 @@ package URV.Seals with Pure, SPARK_Mode is
       else Wrong_Format)
    with Global => null;
 
-   --  With a block of its session a node keeps what is pending: an answer may
-   --  be on its way to a ground that gives this session up.
+   --  A block of the active session does not clear the pending ones: an answer
+   --  may be on its way to a ground that gives this session up.
    function With_Active (This : Seal; Item : Session; Pending : Pending_List)
      return Seal
    is
@@ -85,8 +86,8 @@ package URV.Seals with Pure, SPARK_Mode is
      Pre    => What = Outcome_Of (This, Block, True)
        or else What = Nothing_Came;
 
-   --  A node with a session that has to say hello, too, does both in turn; it
-   --  answers nobody in a frame in which a block of the session has come.
+   --  A node that has a session and must also send a hello alternates between
+   --  them. It answers no call in a frame in which a block of the session came
 
    function To_Answer (This : Seal) return Pending_Place is
      (if Is_Answered (This.Pending (This.Turn)) then This.Turn
@@ -109,10 +110,10 @@ package URV.Seals with Pure, SPARK_Mode is
            (This.Doubts or else (Answers (This) and then This.Silence > 0))))
    with Global => null;
 
-   --  Frames pass; in the first of them the node has said what it says. The
-   --  ground gives up a session of which no block has come for 0.5 s, the
-   --  aircraft its pending ones, and a session of which no block has come for
-   --  a minute.
+   --  Frames pass; in the first of them the node has sent its block. The
+   --  ground gives up a session without a block for 0.5 s. So does the
+   --  aircraft with its pending sessions. It gives up its active session after
+   --  a minute without a block
 
    Handshake_Lasts : constant := 5 * Frames_Per_Tenth;
 
@@ -151,8 +152,8 @@ package URV.Seals with Pure, SPARK_Mode is
      Global => null,
      Post   => This = After_Frames (This'Old, Frames);
 
-   --  A block has come in this frame, or none. It is then one of format 1,
-   --  or zeros.
+   --  Opens a block, if one came in this frame. Block is then a block of
+   --  format 1, or zeros.
    procedure Open
      (This  : in out Seal;
       Block : in out Block_Data;
@@ -202,7 +203,8 @@ package URV.Seals with Pure, SPARK_Mode is
             Key_Of (Inside, Sender))))
    with Global => null;
 
-   --  Before a block is sent: the numbers may be used up.
+   --  Renews the state before a block is sent if the session's numbers are
+   --  used up.
    function Renewed (This : Seal) return Seal is
      (if This.Active.Is_Present and then This.Active.Age = Last_Age
       then Begun_Anew (This)

@@ -3,15 +3,17 @@
 --  The keys of a sealed link, its sessions, and the age of their blocks
 --  (SEC-3 to SEC-5).
 --
---  A session is a key and two nonces, one of each node that it never used
---  before; its two keys, up and down, are made of these.
+--  A session has a key and two nonces, one from each node, which that node
+--  never used before. The two keys of the session, up and down, are derived
+--  from these.
 --
---  Each node counts the frames of a session from the frame in which it made
---  the session: the session's age. A block's number is that age of its
---  sender. A receiver knows two bounds on when a block was sealed, in its own
---  frames: not before the block whose number it echoes, and not before an
---  earlier block plus the frames between their numbers, less the drift of
---  the clocks. A block that may be older than Most_Age is refused.
+--  Each node counts the frames since it made the session; this is its age of
+--  the session. A block's number is the sender's age. A receiver has two
+--  bounds on the time of sealing, in its own frames. A block was sealed no
+--  earlier than the block whose number it echoes. It was also sealed no
+--  earlier than an earlier block plus the frames between their numbers, minus
+--  the drift of the clocks. A block that may be older than Most_Age is
+--  refused.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
@@ -20,8 +22,8 @@ with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package URV.Sessions with Pure, SPARK_Mode is
 
-   --  The keys of a key file. The first is the one to call with; the other
-   --  is good, too, while one is changed.
+   --  The keys of a key file. The node sends hellos with the first. The other
+   --  is also valid while keys are changed
 
    No_Key : constant Key := (K0 => 0, K1 => 0);
 
@@ -44,12 +46,12 @@ package URV.Sessions with Pure, SPARK_Mode is
       else Keys (Second).Value)
    with Global => null;
 
-   --  Keys made of a key: for hellos of a node, for its blocks in a session.
+   --  Keys derived from a key: for a node's hellos, and for its blocks in a
+   --  session
 
    type Use_Of_Key is (Hello_Up, Hello_Down, Blocks_Up, Blocks_Down);
 
-   --  What is hashed: the use, which half of the key it becomes, and the
-   --  nonces.
+   --  The hashed bytes: the use, the half of the derived key, and the nonces
 
    function Derivation_Byte
      (Where          : Message_Index;
@@ -104,15 +106,16 @@ package URV.Sessions with Pure, SPARK_Mode is
       Up_Key         : Key         := No_Key;
       Down_Key       : Key         := No_Key;
 
-      --  Frames since this node made the session, and one.
+      --  Frames since this node made the session, plus one.
       Age            : Session_Age := 1;
 
-      --  The number of the newest block taken, and this node's age then.
+      --  The number of the newest block taken, and this node's age at that
+      --  time.
       Newest         : Counter     := 0;
       Taken_At       : Session_Age := 1;
 
       --  The peer sealed block Reference no earlier than this node's age
-      --  Not_Before; with Reference = 0 this node knows of no such block.
+      --  Not_Before. If Reference is 0, this node knows no such block.
       Reference      : Counter     := 0;
       Not_Before     : Session_Age := 1;
    end record
@@ -125,9 +128,8 @@ package URV.Sessions with Pure, SPARK_Mode is
 
    No_Session : constant Session := (others => <>);
 
-   --  The ground makes its session after the aircraft has made its own, so
-   --  that the aircraft knows of number 1 that it comes no earlier than age
-   --  1.
+   --  The ground makes its session after the aircraft has made its own. The
+   --  aircraft therefore knows that number 1 comes no earlier than age 1.
    function New_Session
      (Keys           : Key_List;
       Number         : Key_Number;
@@ -154,7 +156,7 @@ package URV.Sessions with Pure, SPARK_Mode is
      (if Sender = Ground then This.Up_Key else This.Down_Key)
    with Global => null;
 
-   --  The session some frames later.
+   --  The session after some frames.
    function Older (This : Session; Frames : Counter) return Session is
      ((This with delta
          Age =>
@@ -162,9 +164,9 @@ package URV.Sessions with Pure, SPARK_Mode is
             then This.Age + Frames else Last_Age)))
    with Global => null;
 
-   --  Clocks: each is within 200 ppm of its rate. So of Frames whole frames
-   --  of one node the other counts as many, but for two and for one in 2,400
-   --  (Theorems.Seals.Clocks_Keep_Step).
+   --  Each clock is within 200 ppm of its rate. During Frames whole frames of
+   --  one node, the other counts the same number within two and one in 2,400
+   --  (Theorems.Seals.Clocks_Keep_Step)
 
    function Drift (Frames : Counter) return Counter is (Frames / 2_400 + 2)
    with Global => null;
@@ -181,7 +183,7 @@ package URV.Sessions with Pure, SPARK_Mode is
      Global => null,
      Post   => Latest'Result <= Counter'Last - Numbers_Told;
 
-   --  The greatest number up to Most that has this remainder; 0 is none.
+   --  The greatest number up to Most that has this remainder, or 0.
    function Last_With
      (Remainder : Counter;
       Modulus   : Counter;
@@ -197,7 +199,7 @@ package URV.Sessions with Pure, SPARK_Mode is
      Pre    => Modulus in 1 .. Numbers_Told and then Remainder < Modulus
        and then Most <= Counter'Last - Numbers_Told;
 
-   --  An uplink's number: the latest up to Most with its 6 bits.
+   --  An uplink's number: the greatest up to Most with its 6 bits.
    function Uplink_Number (Block : Block_Data; Most : Counter) return Counter
    is
      (Last_With
@@ -207,7 +209,7 @@ package URV.Sessions with Pure, SPARK_Mode is
      Global => null,
      Pre    => Most <= Counter'Last - Numbers_Told;
 
-   --  The echo, which is no later than Now; 0 is none.
+   --  The echo, no later than Now, or 0.
    function Echo_At
      (Block  : Block_Data;
       Sender : Station;
@@ -238,8 +240,8 @@ package URV.Sessions with Pure, SPARK_Mode is
      Global => null,
      Post   => Echo_Of'Result <= This.Age;
 
-   --  The block has the tag of the session, of that sender, and is newer
-   --  than all that was taken.
+   --  The block has the tag of the session and the sender, and is newer than
+   --  all blocks taken.
    function Is_Sealed
      (Block  : Block_Data;
       Sender : Station;
@@ -255,8 +257,8 @@ package URV.Sessions with Pure, SPARK_Mode is
             Echo_Of (Block, Sender, This), Key_Of (This, Sender))))
    with Global => null;
 
-   --  This node's age at which a block with this number was sealed at the
-   --  earliest, by the reference alone; 0 when nothing is known.
+   --  This node's earliest age at which a block with this number can have been
+   --  sealed, by the reference alone; 0 if nothing is known.
    function By_Reference (This : Session; Number : Counter) return Counter is
      (if This.Reference = 0 then 0
       elsif Number >= This.Reference
@@ -274,7 +276,7 @@ package URV.Sessions with Pure, SPARK_Mode is
      Global => null,
      Pre    => Number <= Last_Age and then Echo <= This.Age;
 
-   --  0.24 s: transit, one repetition, and what the bounds leave open.
+   --  0.24 s: transit, one repetition, and the uncertainty of the bounds.
    Most_Age : constant := 12;
 
    function Is_Timely
@@ -286,8 +288,8 @@ package URV.Sessions with Pure, SPARK_Mode is
      Global => null,
      Pre    => Number <= Last_Age and then Echo <= This.Age;
 
-   --  The block is one of the session, newer than all that was taken, and no
-   --  older than Most_Age.
+   --  The block belongs to the session, is newer than all blocks taken, and is
+   --  no older than Most_Age.
    function Opens
      (Block  : Block_Data;
       Sender : Station;
@@ -299,7 +301,8 @@ package URV.Sessions with Pure, SPARK_Mode is
          Echo_Of (Block, Sender, This)))
    with Global => null;
 
-   --  An echo that says more than the reference becomes the reference.
+   --  An echo that gives a later bound than the reference becomes the
+   --  reference.
    function With_Newest
      (This   : Session;
       Block  : Block_Data;
@@ -326,8 +329,8 @@ package URV.Sessions with Pure, SPARK_Mode is
        With_Newest'Result.Newest = Number_Of (Block, Sender, This)
        and then With_Newest'Result.Newest > This.Newest;
 
-   --  The echo of a block that is sealed now: the newest number taken, unless
-   --  that was so long ago that six bits might be read as another one.
+   --  The echo of a block that is sealed now: the newest number taken, or 0 if
+   --  that was so long ago that its six bits are ambiguous
 
    Echo_Lasts : constant := 30;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A node's seal between TELIN, TELOUT and whoever starts the node (SEC-1).
+--  A node's seal, shared by TELIN, TELOUT and the node's start (SEC-1).
 
 with Telemetry;       use Telemetry;
 with URVOS.Frames;    use URVOS.Frames;
@@ -10,7 +10,7 @@ with URV.Sessions;    use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
 
-   --  Whole frames between two times; one when the clock was set back.
+   --  Whole frames between two times; 1 if the clock was set back.
    function Frames_Between (Before, Now : Clock_Tick) return Counter is
      (if Now < Before then 1
       else Counter
@@ -21,17 +21,17 @@ package URV.Shared_Seals with SPARK_Mode is
 
    protected type Shared_Seal (Role : Station) is
 
-      --  Before the node is switched on. Without it, it has format 1.
+      --  Call it before the node is switched on. Without it the format is 1.
       procedure Configure
         (Format : Format_Number;
          Keys   : Key_List;
          Start  : Nonce);
 
-      --  At a cold start.
+      --  Called at a cold start.
       procedure Begin_Anew;
 
-      --  The node's clock: before each Open, and before a Close that follows
-      --  none.
+      --  Sets the node's time: before each Open, and before each Close in a
+      --  frame without an Open.
       procedure Set_Time (Now : Clock_Tick);
 
       procedure Open

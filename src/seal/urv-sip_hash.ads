@@ -1,11 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  SipHash-2-4 (Aumasson and Bernstein, 2012), a keyed hash of short
---  messages: the tag of a sealed block, and what session keys are made with
---  (SEC-2).
+--  SipHash-2-4 (Aumasson and Bernstein, 2012), a keyed hash of short messages.
+--  It computes the tags of sealed blocks and derives session keys (SEC-2).
 --
---  Round, Absorbed and Reference are the paper, as functions. Tag is the
---  code, and is proved to be Reference.
+--  Round, Absorbed and Reference state the paper's definition as functions.
+--  Tag is the implementation, proved equal to Reference.
 
 with Interfaces; use Interfaces;
 with URVOS;      use URVOS;
@@ -18,7 +17,7 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
       K1 : Unsigned_64;
    end record;
 
-   --  A message of up to 63 bytes; those behind Length do not matter.
+   --  A message of up to 63 bytes. Bytes after Length have no effect.
    type Message_Length is range 0 .. 63;
    subtype Message_Index is Message_Length range 1 .. Message_Length'Last;
    type Octets is array (Message_Index) of Byte;
@@ -88,7 +87,7 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
      (Crossed (Half_Round (Crossed (Half_Round (S, 13, 16)), 17, 21)))
    with Ghost, Global => null;
 
-   --  From the key to the tag.
+   --  From the key to the tag
 
    function Initial (With_Key : Key) return State is
      ((V0 => With_Key.K0 xor 16#736F6D6570736575#,
@@ -97,7 +96,7 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
        V3 => With_Key.K1 xor 16#7465646279746573#))
    with Global => null;
 
-   --  Two rounds a word.
+   --  Two rounds for each word.
    function Absorbed (S : State; Data : Unsigned_64) return State is
      ((Round (Round ((S with delta V3 => S.V3 xor Data)))
        with delta V0 =>
@@ -117,7 +116,7 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
      Global             => null,
      Subprogram_Variant => (Decreases => Number);
 
-   --  Four at the end.
+   --  Four rounds at the end.
    function Finished (S : State) return State is
      (Round (Round (Round (Round ((S with delta V2 => S.V2 xor 16#FF#))))))
    with Ghost, Global => null;
