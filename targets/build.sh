@@ -5,8 +5,8 @@
 #
 #   targets/build.sh cortex_m mcs|gsc
 #
-# It comes to obj/targets/cortex_m/NODE.bin, with the sum of the program in
-# its last four bytes; NODE.elf has the names.
+# The image is obj/targets/cortex_m/NODE.bin, with the program's sum in its
+# last four bytes. NODE.elf has the symbols.
 
 set -eu
 cd "$(dirname "$0")/.."
@@ -29,7 +29,7 @@ folder=$root/obj/targets/$machine
 mkdir -p "$folder/$node"
 cd "$folder"
 
-# The run-time system, again when the compiler or its switches are others.
+# Rebuild the run-time system if the compiler or its switches have changed.
 stamp="$("${prefix}gcc-12" -v 2>&1 | tail -n 1) $switches"
 if [ "$(cat runtime/stamp 2>/dev/null)" != "$stamp" ]; then
    # shellcheck disable=SC2086 # a list of switches
@@ -50,7 +50,7 @@ optimise="$optimise -fno-tree-loop-distribute-patterns"
 optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatwe -gnatyg -gnatyM79 -g"
 
-# Objects are common to both nodes.
+# Both nodes share the objects.
 mkdir -p objects
 cd objects
 # shellcheck disable=SC2086

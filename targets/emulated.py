@@ -24,8 +24,8 @@ TICK_MS = 2
 CHANNELS = 32
 TAPE_ADDRESS = 0x08080000
 
-# An instruction takes 8 ns of the emulator's time, that is 1.344 of the 168
-# million cycles of a second.
+# An instruction takes 8 ns of the emulator's time, which is 1.344 cycles at
+# 168 million cycles a second.
 ICOUNT_SHIFT = 3
 CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
 
@@ -33,13 +33,13 @@ WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
 
 LAWS_ON = 1
 
-# The words of a row, in this order.
+# The number of words in each part of a row, in order.
 UPLINK, DOWNLINK, STATUS, PWM = 14, 28, 12, 14
 
 FRAME_MS = 20
 FRAMES_PER_S = 1000 // FRAME_MS
 
-# Of a joined flight: the line's quantum, and the aircraft's lag in ticks.
+# For a joined flight: the line's quantum, and the aircraft's lag in ticks.
 QUANTUM = 8
 LAG = 3
 

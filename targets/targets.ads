@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The machine that a node runs on (BRD-1). One specification; each folder
---  of a machine has a body. Vectors, start-up and the places in memory are
---  the machine's start.s and image.ld.
+--  The machine of a node (BRD-1). Each machine's folder has a body of this
+--  specification. Its start.s and image.ld have the vectors, the start-up and
+--  the memory map.
 --
 --  The machine calls the node at its interrupts, by the names below
 --  (Handlers). These calls do not interrupt each other.
@@ -14,11 +14,11 @@ with URVOS;      use URVOS;
 
 package Targets is
 
-   --  Lines, converter and servos are ready; the console is open. No
+   --  Makes lines, converter and servos ready and opens the console. No
    --  interrupt comes yet.
    procedure Open;
 
-   --  The clock ticks each 2 ms from now on, and interrupts are taken.
+   --  From now on the clock ticks every 2 ms, and interrupts are taken.
    procedure Start_Clock;
 
    --  Handlers, which the node's main program exports:
@@ -41,14 +41,14 @@ package Targets is
    procedure Restore (Before : Mask_State)
    with Import, Convention => C, External_Name => "urv_restore_interrupts";
 
-   --  Called once at power up: all variables have their first values, and
-   --  the next reset keeps the memory.
+   --  Called once, at power up: all variables have their first values, and the
+   --  next reset keeps the memory.
    procedure Keep_Memory;
 
-   --  Sleeps until an interrupt is there, also one that is masked.
+   --  Sleeps until an interrupt is pending, masked or not.
    procedure Wait;
 
-   --  One undivided cycle reads the lock and takes it.
+   --  One indivisible cycle reads the lock and takes it
 
    type Lock_Byte is new Unsigned_8 with Volatile;
 
@@ -56,24 +56,25 @@ package Targets is
 
    procedure Test_And_Set (Lock : in out Lock_Byte; Was_Free : out Boolean);
 
-   --  The telemetry line: 125 kbaud, 8 bits, even parity, 2 stop bits.
+   --  The telemetry line: 125 kbaud, 8 bits, even parity, 2 stop bits
 
-   --  For urv_free_sender alone.
+   --  Only urv_free_sender may call it.
    procedure Send (Data : Byte);
 
-   --  The analog board: 16 us after this comes the interrupt.
+   --  Starts a conversion of the analog board. Its interrupt comes 16 us
+   --  later.
    procedure Convert (Channel : Devices.AD_Board.Channel_Number);
 
-   --  The servos.
+   --  Writes the servos' words.
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area);
 
    procedure Put (Text : String);
 
-   --  The most bytes of the stack that were ever in use.
+   --  The largest number of stack bytes ever in use.
    function Stack_Used return Unsigned_32;
 
-   --  The processor starts again in the middle of everything, as after an
-   --  unexpected interrupt. Memory and the node's clock stay.
+   --  Restarts the processor at any point, as after an unexpected interrupt.
+   --  Memory and the node's clock are kept.
    procedure Restart_Processor (Reason : Unsigned_32)
    with
      Import,

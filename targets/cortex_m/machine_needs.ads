@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the compiler needs on this machine, for the linker.
+--  Makes the linker include the routines that the compiler calls here.
 
 with Memory_Operations;
 pragma Unreferenced (Memory_Operations);

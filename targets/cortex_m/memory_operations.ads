@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The functions of C's library that the compiler calls; memcpy is in start.s.
+--  The functions of C's library that the compiler calls, except memcpy, which
+--  is in start.s.
 
 with Interfaces; use Interfaces;
 with System;     use System;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Registers of the STM32F405 (reference manual RM0090) and of its Cortex-M4
---  (ARMv7-M): those that this program uses, at their addresses (BRD-3).
+--  The registers of the STM32F405 (reference manual RM0090) and its Cortex-M4
+--  (ARMv7-M) that this program uses, at their addresses (BRD-3).
 
 with Interfaces;              use Interfaces;
 with System.Storage_Elements; use System.Storage_Elements;
@@ -10,7 +10,7 @@ package Registers is
 
    type Register is new Unsigned_32 with Volatile_Full_Access;
 
-   --  SysTick: the processor's timer counts down from Reload to 0.
+   --  SysTick: the processor's timer, which counts down from Reload to 0
 
    type Timer is limited record
       Control : Register;
@@ -25,14 +25,14 @@ package Registers is
    SysTick : Timer
    with Import, Volatile, Address => To_Address (16#E000_E010#);
 
-   --  Interrupt control: bit 26 is set while SysTick's is pending.
+   --  Interrupt control. Bit 26 is set while SysTick's interrupt is pending.
    Interrupt_State : Register
    with Import, Address => To_Address (16#E000_ED04#);
 
    SysTick_Pending : constant Register := 2 ** 26;
 
-   --  Interrupts by number, a bit each: enables 0 to 31 and 32 to 63;
-   --  disables the latter, or clears them. Any number is made pending.
+   --  Interrupts by number, one bit each. Enable 0 to 31 and 32 to 63; disable
+   --  or clear 32 to 63; make any number pending
 
    Interrupt_Enable_1 : Register
    with Import, Address => To_Address (16#E000_E100#);

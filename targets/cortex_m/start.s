@@ -37,7 +37,7 @@ urv_reset:
 	cmp	r0, r1
 	beq	4f
 
-	@ Power up: variables get their first values.
+	@ Power up: give variables their first values.
 	ldr	r0, =urv_data_load
 	ldr	r1, =urv_data_start
 	ldr	r2, =urv_data_end
@@ -56,7 +56,7 @@ urv_reset:
 	str	r3, [r4, #4]
 	str	r3, [r4, #12]
 
-	@ A pattern, by which the depth of the stack is seen.
+	@ Fill the stack with a pattern that shows its depth.
 	ldr	r1, =urv_stack_bottom
 	mov	r2, sp
 	ldr	r3, =0x5aa55aa5
@@ -67,7 +67,7 @@ urv_reset:
 	bl	main
 	b	urv_unexpected
 
-	@ Memory is kept: 1 is the reset switch, 2 a restart.
+	@ Memory is kept. Condition 1 is the reset switch, 2 a restart.
 4:	ldr	r0, [r4, #4]
 	ldr	r1, =restart
 	cmp	r0, r1
@@ -79,7 +79,7 @@ urv_reset:
 	bl	urv_run
 	b	urv_unexpected
 
-@ An interrupt that nobody has asked for, or an exception.
+@ An unexpected interrupt or an exception.
 	.globl	urv_unexpected
 	.thumb_func
 urv_unexpected:
@@ -121,7 +121,7 @@ urv_wait:
 	wfi
 	bx	lr
 
-@ Ada's Test_And_Set: r0 is the byte, the result whether it was free.
+@ Ada's Test_And_Set. r0 is the byte; the result is 1 if it was free.
 	.globl	urv_test_and_set
 	.thumb_func
 urv_test_and_set:
@@ -136,8 +136,8 @@ urv_test_and_set:
 	movne	r0, #0
 	bx	lr
 
-@ 64-bit divisions of the compiler: quotient in r0 and r1, remainder in r2
-@ and r3. Wide_Division has the algorithm.
+@ 64-bit divisions for the compiler: quotient in r0 and r1, remainder in r2 and
+@ r3. Wide_Division has the algorithm.
 	.macro	division name, ada
 	.globl	\name
 	.thumb_func
@@ -155,7 +155,7 @@ urv_test_and_set:
 	division __aeabi_uldivmod, urv_divide_64
 	division __aeabi_ldivmod, urv_divide_64_signed
 
-@ Word by word: the Cortex-M4 reads and writes words at any address.
+@ Copies word by word: the Cortex-M4 accesses words at any address.
 	.globl	memcpy
 	.thumb_func
 memcpy:

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Divisions of 64 bits, which the compiler calls by way of start.s.
+--  64-bit divisions, which the compiler calls through start.s.
 
 with Interfaces; use Interfaces;
 
@@ -13,7 +13,7 @@ package Wide_Division is
    procedure Divide (A, B : Unsigned_64; R : out Result)
    with Export, Convention => C, External_Name => "urv_divide_64";
 
-   --  Both numbers in two's complement.
+   --  Both numbers are in two's complement.
    procedure Divide_Signed (A, B : Unsigned_64; R : out Result)
    with Export, Convention => C, External_Name => "urv_divide_64_signed";
 

@@ -7,11 +7,11 @@ with Interfaces; use Interfaces;
 
 package Bare_MCS is
 
-   --  1 is the reset switch, 2 a restart of the processor.
+   --  Condition is 1 for the reset switch, 2 for a restart of the processor.
    procedure Run (Condition : Integer_32)
    with Export, Convention => C, External_Name => "urv_run", No_Return;
 
-   --  Power up.
+   --  Starts the node at power up.
    procedure Start with No_Return;
 
 private
@@ -31,8 +31,8 @@ private
    procedure On_Converted (Value : Unsigned_32)
    with Export, Convention => C, External_Name => "urv_converted";
 
-   --  For the emulator: settings before the start, a row of words at the
-   --  end of a major frame, and what was counted.
+   --  For the emulator: settings before the start, a row of words at the end
+   --  of a major frame, and the counts
 
    procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32)
    with Export, Convention => C, External_Name => "urv_configure";

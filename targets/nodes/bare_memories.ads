@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The processor board's ROM and RAM behind Devices.Memory_Bus: the linker's
---  image.ld says where they are (TST-1, BRD-3).
+--  The processor board's ROM and RAM for Devices.Memory_Bus. The linker's
+--  image.ld gives their addresses (TST-1, BRD-3).
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS;              use URVOS;

@@ -5,7 +5,8 @@ with Targets;
 
 package body Last_Chance is
 
-   --  256 and more are lines; less are numbers of exceptions.
+   --  A reason of 256 or more contains a line number. Lower ones are numbers
+   --  of exceptions.
    procedure Handle (File : System.Address; Line : Integer) is
       pragma Unreferenced (File);
    begin

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A run-time check has failed: the processor restarts (KRN-6, BRD-2).
+--  Handles a failed run-time check: the processor restarts (KRN-6, BRD-2).
 
 with System;
 

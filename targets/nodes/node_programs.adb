@@ -9,27 +9,27 @@ with Telemetry.Boards;
 
 package body Node_Programs is
 
-   --  Character times since the clock began, and up to where the telemetry
-   --  board's timer was told. Both wrap.
+   --  Character times since the clock began, and the last one reported to the
+   --  telemetry board's timer. Both wrap round.
    Character_Count : Unsigned_32 := 0 with Volatile;
    Told            : Unsigned_32 := 0 with Volatile;
 
-   --  When the telemetry board wants to be asked again.
+   --  The character time of the telemetry board's next turn.
    Next_Turn : Unsigned_32 := 0 with Volatile;
 
    --  A conversion is under way.
    Is_Converting : Boolean := False with Volatile;
 
-   --  The last interrupt of a scan has come.
+   --  The last interrupt of a scan has been handled.
    Scan_Ended : Boolean := False with Volatile;
 
-   --  Character times since the telemetry board was last told.
+   --  Character times since the last report to the telemetry board.
    procedure Elapse (Elapsed : out Character_Times);
 
-   --  Passes on the start of a conversion that the controller has asked for.
+   --  Starts the conversion that the controller has requested, if any.
    procedure Serve_Converter;
 
-   --  The telemetry board takes its turn at the next character time.
+   --  Gives the telemetry board its turn at the next character time.
    procedure Hurry;
 
    procedure Sleep;
@@ -86,7 +86,7 @@ package body Node_Programs is
       Data      : Byte;
       Time_Left : Character_Times;
    begin
-      --  The count may have passed the turn, and may wrap.
+      --  The count may be beyond the turn, and may wrap round.
       if Character_Count - Next_Turn < 2 ** 31 then
          Elapse (Elapsed);
          Telemetry_Board.Next_Character (Elapsed, Send, Data, Time_Left);
@@ -135,8 +135,8 @@ package body Node_Programs is
             when Warm_Reset        => " warm reset",
             when Processor_Restart => " processor restart");
 
-      --  The clock begins when the self-test at power up has ended, and runs
-      --  through all other starts.
+      --  The clock begins after the self-test at power up, and runs on through
+      --  all later starts.
       Begin_Start (Condition);
       if Condition = Cold_Start then
          Node.Serve;

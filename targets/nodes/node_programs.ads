@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A node's program on a bare machine (BRD-1): what the partitions are on a
---  host. The main program of a node has one instance, and exports the
+--  A node's program on a bare machine (BRD-1), in place of a host's
+--  partitions. The main program of a node has one instance and exports the
 --  handlers of targets.ads.
 
 with Devices.Shared_AD_Board;
@@ -20,15 +20,15 @@ generic
 
    with procedure AD_Interrupt;
 
-   --  A tick of the clocks of the boards that have one, and the output of
-   --  the words that the tasks have written.
+   --  A clock tick of the boards that have a clock, and the output of the
+   --  words that the tasks have written.
    with procedure Tick_Boards is null;
    with procedure Write_Outputs is null;
 package Node_Programs is
 
    procedure Run (Condition : Start_Condition) with No_Return;
 
-   --  The handlers.
+   --  The handlers
 
    procedure On_Tick;
 
@@ -40,7 +40,7 @@ package Node_Programs is
 
    procedure On_Converted (Value : Word);
 
-   --  What was counted, as a line of text.
+   --  Writes the counts as a line of text.
    procedure Put_Counts;
 
 end Node_Programs;

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 
-# Makes a small run-time system, without tasks and without an operating
-# system, from the sources that the installed compiler brings along (D-80).
+# Makes a small run-time system, without tasks and without an operating system,
+# from the sources that come with the installed compiler (D-80).
 #
 #   targets/runtime/build_runtime.sh PREFIX FOLDER SWITCH...
 #
-# PREFIX is the compiler's, for example arm-linux-gnueabihf-.
+# PREFIX is the compiler's prefix, for example arm-linux-gnueabihf-.
 
 set -eu
 prefix=$1

@@ -2,7 +2,7 @@
 
 package body System.Tasking.Protected_Objects is
 
-   --  The target's, see targets.ads.
+   --  The target's operations; see targets.ads
 
    function Mask return Integer
    with Import, Convention => C, External_Name => "urv_mask_interrupts";

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The tape of an emulated flight, at a place of the ROM where the emulator
---  loads it: settings, then the words that the converter reads from a tick
---  on, and faults of the processor.
+--  The tape of an emulated flight, at an address of the ROM where the emulator
+--  loads it: settings, the converter's words from given ticks on, and faults
+--  of the processor.
 
 with Interfaces;              use Interfaces;
 with System.Storage_Elements; use System.Storage_Elements;
@@ -23,14 +23,14 @@ package Tapes is
 
    type Event is (None, Illegal_Instruction, Unexpected_Interrupt);
 
-   --  The clock has come to this tick.
+   --  Moves the tape to this tick of the clock.
    procedure Advance (Tick : Unsigned_32);
 
-   --  What a channel reads.
+   --  The present word of a channel.
    function Word_Now (Channel : Natural) return Unsigned_16
    with Pre => Channel < 32;
 
-   --  A fault that waits to happen.
+   --  A fault that is due but has not happened yet.
    function Event_Now return Event;
 
    procedure Forget_Event;

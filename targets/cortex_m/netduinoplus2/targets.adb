@@ -1,15 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The STM32F405 as QEMU emulates it (-M netduinoplus2, D-82). Its processor,
---  memory, SysTick and serial ports are there. Its serial ports send a
---  character in no time, and its converter reads nothing; so here SysTick
---  gives the line its character times and the converter its conversions.
+--  The STM32F405 as QEMU emulates it (-M netduinoplus2, D-82): processor,
+--  memory, SysTick and serial ports. The emulated serial ports send a
+--  character in no time, and the emulated converter reads nothing. Here
+--  SysTick therefore times the line's characters and the converter's
+--  conversions.
 --
---  The words that the converter reads come from a tape in ROM. Two emulators
---  are joined by their serial ports 2 and fly in lock-step: each Quantum of
---  character times they exchange the characters of the last one, and time
---  stops until they have. So the line delays each character by Quantum - 1
---  character times, and the flight is the same on every machine.
+--  The converter's words come from a tape in ROM. The serial ports 2 join two
+--  emulators, which fly in lock-step: after each Quantum of character times
+--  they exchange the characters of that quantum, while time stops. The line
+--  therefore delays each character by Quantum - 1 character times, and the
+--  flight is the same on every machine.
 
 with Machine_Texts; use Machine_Texts;
 with Registers;     use Registers;
@@ -17,7 +18,7 @@ with Tapes;         use Tapes;
 
 package body Targets is
 
-   --  The handlers, see targets.ads.
+   --  The handlers; see targets.ads
 
    procedure On_Tick
    with Import, Convention => C, External_Name => "urv_tick";
@@ -54,24 +55,24 @@ package body Targets is
 
    Memory_Is_Kept : constant Unsigned_32 := 16#5450_454B#;   --  "KEPT"
 
-   --  Time, in microseconds: character times and ticks begin together.
+   --  Time, in microseconds; character times and ticks begin together
 
    Cycles_Per_Microsecond : constant := 168;
    Character_Period       : constant := 96;
    Tick_Period            : constant := 2_000;
 
-   --  The next of each, and when it begins.
+   --  The next character time and the next tick, with their times.
    Next_Character : Unsigned_32 := Character_Period;
    Next_Tick      : Unsigned_32 := 0;
    Characters     : Unsigned_32 := 0;
    Ticks          : Unsigned_32 := 0;
 
-   --  The period that SysTick is in, and the one after it.
+   --  The time of SysTick's present period, and of the next one.
    Has_Begun : Boolean     := False;
    Now       : Unsigned_32 := 0;
    Then_Time : Unsigned_32 := 0;
 
-   --  A quantum of the line: what was sent, and what the other has sent.
+   --  A quantum of the line: the characters sent, and those received
 
    type Slot is record
       Is_There : Boolean     := False;
@@ -83,7 +84,7 @@ package body Targets is
 
    Sent, Heard : Slots;
 
-   --  The conversion under way.
+   --  The conversion under way, if any.
    Is_Converting : Boolean                         := False;
    Channel       : Devices.AD_Board.Channel_Number := 0;
 
@@ -105,13 +106,13 @@ package body Targets is
    procedure Stop_Time;
    procedure Resume_Time;
 
-   --  When the next period ends that begins at this time.
+   --  The end of the period that begins at this time.
    function Next_Event (After : Unsigned_32) return Unsigned_32;
 
    procedure Put_On_Line (Data : Unsigned_32);
    function Take_From_Line return Unsigned_32;
 
-   --  The end of a quantum.
+   --  Exchanges the characters at the end of a quantum.
    procedure Exchange;
 
    procedure Begin_Character;
@@ -183,8 +184,8 @@ package body Targets is
       USART_2.Data := Register (Data);
    end Put_On_Line;
 
-   --  Sleeps until there is one, for the emulator has other work meanwhile.
-   --  The interrupt wakes the processor and is never taken.
+   --  Sleeps until a byte comes, since the emulator has other work meanwhile.
+   --  The interrupt wakes the processor but is never taken.
    function Take_From_Line return Unsigned_32 is
       Before : constant Mask_State := Mask;
    begin
@@ -200,7 +201,7 @@ package body Targets is
       end return;
    end Take_From_Line;
 
-   --  A byte has a bit for each character that was sent; they follow.
+   --  The first byte has a bit for each character sent. The characters follow.
    procedure Exchange is
       Bits : Unsigned_32 := 0;
    begin
@@ -262,7 +263,7 @@ package body Targets is
       Busy : constant Unsigned_32 :=
         Tick_Period * Cycles_Per_Microsecond - Idle;
    begin
-      --  Not the frame in which the run begins.
+      --  Omit the frame in which the run begins.
       if Ticks > 10 then
          Most_Busy := Unsigned_32'Max (Most_Busy, Busy);
          All_Busy := All_Busy + Busy / 16;
@@ -286,8 +287,8 @@ package body Targets is
       On_Tick;
    end Begin_Tick;
 
-   --  SysTick has already reloaded the period that begins now. What is
-   --  written here is the one after it.
+   --  SysTick has already reloaded the period that begins now. This value sets
+   --  the one after it.
    procedure On_SysTick is
    begin
       Now := Then_Time;
