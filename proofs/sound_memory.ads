@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A memory without faults, for the proof that the RAM test raises no false
---  alarm (TST-1): an array of 16 KiB. Nothing runs.
+--  A memory without faults: an array of 16 KiB. With it GNATprove shows that
+--  the RAM test raises no false alarm (TST-1). It is never run.
 
 with URVOS;          use URVOS;
 with URVOS.Memories; use URVOS.Memories;
@@ -40,7 +40,7 @@ package Sound_Memory with SPARK_Mode is
       Is_Model => True,
       Holds    => Holds);
 
-   --  The test passes it, whatever was in it, and leaves zeros.
+   --  The test passes for any contents of the memory, and leaves zeros.
    procedure Passes (Sound : out Boolean; Where : out Word_Address)
    with
      Global => (In_Out => Cells),

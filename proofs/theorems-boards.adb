@@ -4,7 +4,7 @@ with Telemetry.Headers; use Telemetry.Headers;
 
 package body Theorems.Boards with SPARK_Mode is
 
-   --  Which buffers become full with a character, and which no longer are.
+   --  The buffers that a character fills, and those that it empties.
    procedure Full_And_Empty
      (Item          : Receiver;
       Length        : Block_Length;
@@ -56,7 +56,7 @@ package body Theorems.Boards with SPARK_Mode is
       end if;
    end Full_And_Empty;
 
-   --  What a character that ends a message says of it.
+   --  The events of a character that ends a message.
    procedure Ends_Whole
      (Item         : Receiver;
       Length       : Block_Length;
@@ -86,7 +86,7 @@ package body Theorems.Boards with SPARK_Mode is
       What         : Event)
    is null;
 
-   --  What a character may do to the receive pair.
+   --  The possible effects of a character on the receive pair.
    procedure Hear
      (Item         : in out Board;
       Data         : Byte;
@@ -147,7 +147,7 @@ package body Theorems.Boards with SPARK_Mode is
       Hear (Item, Data, Parity_Error);
    end Whole_Only_When_Right;
 
-   --  A message that is judged stays as it is, and only it becomes full.
+   --  Judging leaves a message unchanged; only its buffer becomes full.
    procedure Judged_As_It_Is
      (Item : Receiver; Before, After : Buffer_Pair)
    with
@@ -171,7 +171,7 @@ package body Theorems.Boards with SPARK_Mode is
            Before.Slots (Other (Item.Target)));
    end Judged_As_It_Is;
 
-   --  What becomes of a board that has heard one character more.
+   --  The state of a board after one more character.
    procedure Goes_On
      (Item   : Control;
       What   : Event;
@@ -202,7 +202,7 @@ package body Theorems.Boards with SPARK_Mode is
       After  : Control)
    is null;
 
-   --  What is owed and counted when it is judged.
+   --  The answer owed and the count after a bad message is judged.
    procedure Judged_Bad
      (Item : Control; Received : Buffer_Pair; After : Control)
    with
@@ -215,7 +215,7 @@ package body Theorems.Boards with SPARK_Mode is
      (Item : Control; Received : Buffer_Pair; After : Control)
    is null;
 
-   --  When a message is judged.
+   --  A message is judged after its wait is over.
    procedure Waited_To_Judge (Item : Control; Time : Character_Times)
    with
      Global => null,
@@ -252,7 +252,7 @@ package body Theorems.Boards with SPARK_Mode is
       end if;
    end Full_Only_When_Right;
 
-   --  From then on.
+   --  From then on the message ends as bad.
    procedure Ends_Bad (Item : in out Board; After : Character_Times)
    with
      Global => null,

@@ -1,8 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What follows from what a telemetry board does: when a buffer becomes full
---  and when it is overwritten (LNK-4 to LNK-7, LNK-10). Each theorem is
---  about any sound board, whatever happens to it.
+--  The telemetry board never gives its controller a wrong or an incomplete
+--  block, as far as checksum and parity can detect it, and overwrites blocks
+--  only by the report's rules (LNK-4 to LNK-7, LNK-10). This holds for both
+--  boards in every state that they can reach, whatever characters, silence and
+--  calls come. Errors that the checksum cannot detect are excluded; see
+--  Theorems.Link.
 
 with Telemetry;           use Telemetry;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -20,7 +23,7 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
    is
      (After.Slots (Which).Full and then not Before.Slots (Which).Full);
 
-   --  Nothing has been put into a buffer, and no block has come back.
+   --  No block was put into a buffer, and none has come back.
    function Nothing_Put (Before, After : Buffer_Pair) return Boolean is
      (for all Which in Slot =>
         After.Slots (Which).Data = Before.Slots (Which).Data
@@ -30,13 +33,13 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
              and then After.Slots (Which).Attempts =
                Before.Slots (Which).Attempts));
 
-   --  A data message has come to its end, and all of it was right so far.
+   --  A data message has ended, and no error was found in it.
    function Is_Whole (Item : Board) return Boolean is
      (Control_Of (Item).Receiver.State = At_End
       and then not Control_Of (Item).Receiver.Damaged);
 
-   --  A message comes to its end and is right only with the checksum of its
-   --  header and of what is in its buffer. The buffer is not full yet.
+   --  A message ends without an error only with the checksum of its header and
+   --  of the bytes in its buffer. The buffer is not yet full.
    procedure Whole_Only_When_Right
      (Item         : in out Board;
       Data         : Byte;
@@ -61,10 +64,10 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
                  (Control_Of (Item).Receiver.Target).Data,
                Control_Of (Item).Receive_Length));
 
-   --  A receive buffer becomes full only with a message that was right to
-   --  its end, and after which nothing came for the guard time; that one is
-   --  counted, and owed a good status. One that nobody took in time is
-   --  counted when the newer one is full.
+   --  A receive buffer becomes full only after a message without errors, when
+   --  no character came for the guard time. This message is counted, and a
+   --  good status is owed. If both buffers are then full, the untaken block is
+   --  counted.
    procedure Full_Only_When_Right
      (Item : in out Board; Time : Character_Times)
    with
@@ -83,7 +86,7 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
              and then Receive_Pair (Item).Newest = Which
              and then Control_Of (Item).Owed = Good))
 
-       --  The counters count exactly those.
+       --  The counters count exactly these events.
        and then Control_Of (Item).Messages =
          (if (for some Which in Slot =>
                 Is_Filled
@@ -96,10 +99,10 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
           then Incremented (Tally (Item'Old).Not_Taken)
           else Tally (Item'Old).Not_Taken);
 
-   --  A message with one character more is never taken (D-27): when another
-   --  comes within the guard time of what seemed its end, as the last
-   --  character of a message does in which one was doubled or inserted,
-   --  nothing becomes full, however right it seemed, and the answer is bad.
+   --  A message with one character more is never taken (D-27). If another
+   --  character comes within the guard time after the apparent end, no buffer
+   --  becomes full, even if the checksum was right, and the answer is bad. A
+   --  doubled or inserted character has this effect.
    procedure One_Character_More_Is_Bad
      (Item         : in out Board;
       Before       : Character_Times;
@@ -128,8 +131,8 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
             and then Control_Of (Item).Receiver.Damaged
             and then not Is_Talking (Control_Of (Item)));
 
-   --  A block that the controller has not taken is overwritten only when
-   --  both buffers are full, and then it is the older one (LNK-4).
+   --  An untaken block is overwritten only if both buffers are full, and then
+   --  it is the older one (LNK-4).
    procedure Older_Is_Overwritten
      (Item         : in out Board;
       Data         : Byte;
@@ -144,8 +147,8 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
            then Both_Full (Receive_Pair (Item'Old))
              and then Which = Other (Receive_Pair (Item'Old).Newest)));
 
-   --  Nothing is ever put into a transmit buffer but by the controller: what
-   --  was scrapped does not come back. Not by a character,
+   --  Only the controller puts blocks into transmit buffers, so a scrapped
+   --  block does not come back. No character puts one,
    procedure Character_Puts_Nothing
      (Item         : in out Board;
       Data         : Byte;
@@ -155,15 +158,15 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
      Pre    => Is_Sound (Item),
      Post   => Nothing_Put (Transmit_Pair (Item'Old), Transmit_Pair (Item));
 
-   --  nor by time.
+   --  nor does time.
    procedure Time_Puts_Nothing (Item : in out Board; Time : Character_Times)
    with
      Global => null,
      Pre    => Is_Sound (Item),
      Post   => Nothing_Put (Transmit_Pair (Item'Old), Transmit_Pair (Item));
 
-   --  The block that the controller puts is the newest, and the block on
-   --  its way stays as it is (LNK-7).
+   --  The controller's new block is the newest, and the block on its way is
+   --  unchanged (LNK-7).
    procedure Put_Is_Newest (Item : in out Board; Data : Block_Data)
    with
      Global => null,
@@ -180,9 +183,9 @@ package Theorems.Boards with Pure, SPARK_Mode, Ghost is
              then Transmit_Pair (Item).Slots (Which) =
                Transmit_Pair (Item'Old).Slots (Which)));
 
-   --  Buffers are the same only if all that they have is: what a contract
-   --  says of a pair, it says of every byte. A component more does not
-   --  compile here.
+   --  Two buffers are equal only if all components are equal. A contract about
+   --  a pair therefore covers every byte. This procedure does not compile if a
+   --  component is added.
    procedure The_Same_In_All
      (One        : Buffer;
       Full, Busy : Boolean;

@@ -1,7 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A configuration from the ground is taken whole or not at all (EXT-2,
---  D-26). That one never moves a servo by itself is in Theorems.Safety.
+--  A configuration from the ground takes effect as a whole or not at all
+--  (EXT-2, D-26). The aircraft refuses every configuration with one wrong
+--  word, with a value out of range, or during flight by a law; a refused one
+--  changes nothing. This holds for all settings and states of the laws. Blocks
+--  with several wrong words are not covered. Theorems.Safety shows that a
+--  configuration moves no servo by itself.
 
 with URV.Buffers;        use URV.Buffers;
 with URV.Configurations; use URV.Configurations;
@@ -14,7 +18,8 @@ with URVOS;              use URVOS;
 
 package Theorems.Configurations with SPARK_Mode, Ghost is
 
-   --  What is sent is what comes, in words of 12 bits.
+   --  The aircraft decodes the configuration that the ground has encoded, in
+   --  words of 12 bits.
    procedure What_Is_Sent_Comes (Source : Configuration)
    with
      Global => null,
@@ -26,7 +31,7 @@ package Theorems.Configurations with SPARK_Mode, Ghost is
          (for all Place in Command_Item =>
             Block_Of (Source) (Place) in Converter_Value);
 
-   --  With one word altered, whatever to, it is no configuration.
+   --  A block with one altered word is no valid configuration.
    procedure One_Wrong_Word_Is_Refused
      (Source : Configuration;
       Where  : Command_Item;
@@ -40,7 +45,8 @@ package Theorems.Configurations with SPARK_Mode, Ghost is
        Answer_To ((Block_Of (Source) with delta Where => Value), Set, Flown)
          = Not_Whole;
 
-   --  What is refused changes nothing; while a law flies all are.
+   --  A refused configuration changes nothing. All are refused while a law
+   --  flies.
    procedure A_Refused_One_Changes_Nothing
      (Now   : Setting;
       Block : Uplink_Buffer;
@@ -58,8 +64,8 @@ package Theorems.Configurations with SPARK_Mode, Ghost is
          (if Flown.Is_Flying and then not Is_All_Stick (Flown)
           then Answer_To (Block, Set, Flown) in Refused);
 
-   --  Whatever was taken, the times are in their range, and the laws are on
-   --  or off as the node is set.
+   --  After any configuration the times are in range, and the laws are on or
+   --  off as the node is set.
    procedure Times_Stay_In_Range (Set : Settings; Now : Setting)
    with
      Global => null,

@@ -1,8 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  From one end to the other: what goes in at a converter comes out at the
---  other node, through routing, codec, transform and layout (BUF-1, BUF-2,
---  PWM-2, D-2).
+--  Words arrive unchanged from end to end: each stick word reaches the servo
+--  of figure 13, and each sensor word the ground's CORE memory (BUF-1, BUF-2,
+--  PWM-2, D-2). This holds for every word of a converter, through routing,
+--  codec, transform and layout. It assumes that the block itself arrives
+--  intact, with the laws off and no failed surface.
 
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
@@ -14,13 +16,11 @@ with URV.Routing;       use URV.Routing;
 
 package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
 
-   --  What the aircraft decodes of the commands that the ground took from
-   --  its converter.
+   --  The aircraft's decoded commands from an image of the ground's converter.
    function Received_Commands (Image : AD_Image) return Uplink_Buffer is
      (Uplink.Decode (Uplink.Encode (To_Uplink (Image))));
 
-   --  What the ground decodes of the sensors that the aircraft took from
-   --  its converter.
+   --  The ground's decoded sensors from an image of the aircraft's converter.
    function Received_Sensors (Image : AD_Image) return Downlink_Buffer is
      (Downlink.Decode (Downlink.Encode (To_Downlink (Image))));
 
@@ -35,7 +35,7 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
        and then Received_Commands (Image) (Error_Status) =
                   Image.Error_Status;
 
-   --  And from there the servo that figure 13 says, clipped to 12 bits.
+   --  From there it reaches the servo of figure 13, limited to 12 bits.
    procedure Commands_Reach_The_Servos (Image : AD_Image)
    with
      Global => null,
@@ -60,8 +60,8 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
                 when Discretes =>
                   Packed_Switches (Received_Commands (Image))));
 
-   --  Every sensor word of the aircraft's converter reaches the ground's
-   --  CORE memory unchanged.
+   --  Every sensor word of the aircraft's converter reaches the ground's CORE
+   --  memory unchanged.
    procedure Sensors_Reach_CORE (Image : AD_Image)
    with
      Global => null,

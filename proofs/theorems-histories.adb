@@ -2,7 +2,7 @@
 
 package body Theorems.Histories with SPARK_Mode is
 
-   --  Nothing sent between two steps: the last one is the same.
+   --  If no step between two sends, the last sender is the same.
    procedure Same_Last_Sent (Item : History; Earlier, Later : Step_Count)
    with
      Global             => null,
@@ -26,7 +26,7 @@ package body Theorems.Histories with SPARK_Mode is
       Taken  : Step_Count := 0;
    begin
       Gave := (others => (False, 0));
-      --  What the first step finds; the provers want to be shown it.
+      --  The state before the first step; the provers need it shown.
       pragma Assert (Last_Sent (Item, 0) = 0);
       pragma Assert (Last_Consumed (Item, 0) = 0);
       for Now in Step range 1 .. Upto loop
@@ -128,7 +128,7 @@ package body Theorems.Histories with SPARK_Mode is
       if Gave (Now).Success then
          Taken := Now;
       else
-         --  Somebody has consumed since the last send.
+         --  The consumer has consumed since the last send.
          Last_Consumed_Is_The_Last (Item, Now - 1, Sent);
          None_Is_Lost_But_Overwritten (Item, Gave, Sent, Before, Taken);
       end if;

@@ -1,14 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The history of a mailbox: what comes out of any sequence of sends, looks
---  and receives (MBX-2 to MBX-4, D-21).
+--  A mailbox gives its consumer the newest message, each message once as
+--  fresh, in the order sent, and loses one only to a newer one (MBX-2 to
+--  MBX-4, D-21). This holds for the kernel's mailbox over any sequence of up
+--  to a million sends, looks and receives, from a new mailbox. The protected
+--  object of a shared mailbox puts all calls in such a sequence, so it holds
+--  for any interleaving of the tasks.
 --
---  Whoever share a mailbox, its protected object puts their calls in a
---  sequence: so what holds for any sequence holds for any interleaving.
---
---  The message that is sent is the place of its SEND in the sequence, so
---  that no two are alike. A mailbox does not look into its messages: what
---  holds for these holds for all.
+--  Here the message is the number of the SEND's step, so no two messages are
+--  equal. A mailbox does not look into its messages; a property of these
+--  therefore holds for all.
 
 with URVOS.Mailboxes;
 
@@ -16,11 +17,11 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
 
    Longest : constant := 1_000_000;
 
-   --  A step of the sequence; 0 is before all of them.
+   --  A step of the sequence; 0 is before all steps.
    type Step_Count is range 0 .. Longest;
    subtype Step is Step_Count range 1 .. Longest;
 
-   --  Looking is what RECV with a wait does before its last look.
+   --  A look is a RECV's look before its last one.
    type Operation is (Sends, Looks, Receives);
 
    type History is array (Step) of Operation;
@@ -28,8 +29,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
    package Boxes is new URVOS.Mailboxes (Message => Step_Count, Neutral => 0);
    use Boxes;
 
-   --  What a step gave: a send, that it replaced nothing; else that the
-   --  message was fresh, and which it was.
+   --  The result of a step. Success of a send: it replaced no message; of the
+   --  others: the message was fresh.
    type Outcome is record
       Success : Boolean;
       Message : Step_Count;
@@ -37,11 +38,11 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
 
    type Outcomes is array (Step) of Outcome;
 
-   --  A step that gives a message to the consumer.
+   --  The step gives a message to the consumer.
    function Consumes (What : Operation) return Boolean is (What /= Sends)
    with Global => null;
 
-   --  The last step up to a step that sent, 0 if none did.
+   --  The last step up to Upto that sent; 0 if none did.
    function Last_Sent
      (Item : History; Upto : Step_Count) return Step_Count
    is
@@ -53,7 +54,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Subprogram_Variant => (Decreases => Upto),
      Post               => Last_Sent'Result <= Upto;
 
-   --  The last step up to a step that consumed, 0 if none did.
+   --  The last step up to Upto that consumed; 0 if none did.
    function Last_Consumed
      (Item : History; Upto : Step_Count) return Step_Count
    is
@@ -65,7 +66,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Subprogram_Variant => (Decreases => Upto),
      Post               => Last_Consumed'Result <= Upto;
 
-   --  What a mailbox that is new at first gives at a step.
+   --  The result at a step of a mailbox that was new at first.
    function Is_Given
      (Item : History; Now : Step; Gave : Outcome) return Boolean
    is
@@ -77,7 +78,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
          else Last_Sent (Item, Now - 1) > Last_Consumed (Item, Now - 1)))
    with Global => null;
 
-   --  All steps up to one have given what a mailbox gives.
+   --  All steps up to one have a mailbox's results.
    function Is_Given_Upto
      (Item : History; Gave : Outcomes; Upto : Step_Count) return Boolean
    is
@@ -91,9 +92,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      (Consumes (Item (Now)) and then Gave (Now).Success)
    with Global => null;
 
-   --  A mailbox gives the newest message that was sent, and gives it as
-   --  fresh exactly when it was sent after the last message was taken: for
-   --  any sequence of operations, done with the mailbox of the kernel.
+   --  The kernel's mailbox gives the newest message, as fresh exactly if it
+   --  was sent after the last message was taken, for any sequence.
    procedure Mailbox_Gives_The_Newest
      (Item : History;
       Upto : Step_Count;
@@ -102,7 +102,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Global => null,
      Post   => Is_Given_Upto (Item, Gave, Upto);
 
-   --  The last step that sent is one that sent, and none since did.
+   --  Last_Sent is a step that sent, and no later one up to Upto did.
    procedure Last_Sent_Is_The_Last
      (Item : History; Upto : Step_Count; Since : Step)
    with
@@ -115,7 +115,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
        and then
          (if Since > Last_Sent (Item, Upto) then Item (Since) /= Sends);
 
-   --  None that consumes comes after the last step that consumed.
+   --  No step that consumes comes after Last_Consumed.
    procedure Last_Consumed_Is_The_Last
      (Item : History; Upto : Step_Count; Since : Step)
    with
@@ -129,8 +129,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
          (if Since > Last_Consumed (Item, Upto)
           then not Consumes (Item (Since)));
 
-   --  None is received that was not sent: a message that is received is the
-   --  neutral one, or one that was sent before; fresh, it was sent.
+   --  Each message received is the neutral one or was sent before. A fresh one
+   --  was sent before.
    procedure What_Is_Received_Was_Sent
      (Item : History;
       Gave : Outcomes;
@@ -146,8 +146,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
           then Item (Gave (Now).Message) = Sends)
        and then (if Gave (Now).Success then Gave (Now).Message > 0);
 
-   --  Each message is received fresh at most once, and in the order sent:
-   --  what comes fresh later is another message, and was sent later.
+   --  Each message is received fresh at most once, in the order sent: a later
+   --  fresh message is another one, sent later.
    procedure Fresh_Once_And_In_Order
      (Item           : History;
       Gave           : Outcomes;
@@ -163,9 +163,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
        Gave (Earlier).Message < Gave (Later).Message
        and then Gave (Later).Message > Earlier;
 
-   --  None is lost but by a newer one: if something was sent before a
-   --  receive, then that, or what was sent after it, was given fresh: at
-   --  this receive or at one between.
+   --  A message is lost only to a newer one: if one was sent before a receive,
+   --  then it or a later one was given fresh, at this receive or between.
    procedure None_Is_Lost_But_Overwritten
      (Item      : History;
       Gave      : Outcomes;
@@ -184,8 +183,8 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
        and then Is_Fresh_At (Item, Gave, Taken)
        and then Gave (Taken).Message >= Sent;
 
-   --  An old message that is given once more is the one that was given
-   --  last, or the neutral one before any was: nothing came between.
+   --  An old message given again is the last one given, or the neutral one
+   --  before any. No message came between.
    procedure Old_Is_The_Last_Given
      (Item           : History;
       Gave           : Outcomes;

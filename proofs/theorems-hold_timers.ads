@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The PWM board's hold timer (SAF-11, D-34), from any state of the board.
+--  Without a controller the servos go to safe words within 0.5 s: throttle
+--  idle, surfaces at zero, discretes off, the brake unchanged. With a
+--  controller the timer never interferes (SAF-11, D-34). Both hold for the PWM
+--  board from every state and for ever. The board's clock is assumed to tick.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URV.Buffers;       use URV.Buffers;
@@ -9,9 +12,9 @@ with URVOS;             use URVOS;
 
 package Theorems.Hold_Timers with SPARK_Mode, Ghost is
 
-   --  0.5 s without a touch, from any state: throttle idle, surfaces, flaps
-   --  and steering at zero, the discretes off, the brake as it was. More time
-   --  changes nothing.
+   --  After 0.5 s without a touch, from any state: throttle idle, surfaces,
+   --  flaps and steering at zero, the discretes off, the brake unchanged. More
+   --  time changes nothing.
    procedure Without_A_Controller_The_Outputs_Are_Safe
      (Item : in out Board_State; Ticks : Positive)
    with
@@ -24,12 +27,12 @@ package Theorems.Hold_Timers with SPARK_Mode, Ghost is
              then Item.Words'Old (Channel_Of (Brake))
              else Safe_Outputs (Servo)));
 
-   --  Ticks between one touch and the next.
+   --  The ticks between one touch and the next.
    type Gap is range 0 .. Hold_Ticks - 1;
    type Gap_List is array (Positive range <>) of Gap;
 
-   --  While the controller touches the board before 0.5 s are over, each time,
-   --  the words stay as it wrote them, for ever.
+   --  While the controller touches the board within every 0.5 s, its words
+   --  remain for ever.
    procedure With_A_Controller_Nothing_Moves
      (Item : in out Board_State; Gaps : Gap_List)
    with
@@ -37,7 +40,7 @@ package Theorems.Hold_Timers with SPARK_Mode, Ghost is
      Pre    => Item.Untouched = 0,
      Post   => Item = Item'Old;
 
-   --  What the controller writes is there at once, whatever the timer did.
+   --  The controller's words take effect at once, whatever the timer did.
    procedure A_Write_Is_Obeyed (Item : Board_State; Area : Data_Area)
    with
      Global => null,

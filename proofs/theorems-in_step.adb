@@ -2,9 +2,9 @@
 
 package body Theorems.In_Step with SPARK_Mode is
 
-   --  How far it is from being in step, the shorter way round, and less for
-   --  each uplink that has been counted: in quarters of microseconds. Each
-   --  uplink that is taken brings it Step nearer.
+   --  The distance from being in step, the shorter way round, reduced for each
+   --  counted uplink, in quarters of microseconds. Each uplink taken reduces
+   --  it by Step.
 
    Step      : constant := 1_375;
    For_Count : constant := 2_000;
@@ -26,7 +26,7 @@ package body Theorems.In_Step with SPARK_Mode is
      Global => null,
      Post   => Rank'Result in -3 * For_Count .. Farthest;
 
-   --  An uplink brings it nearer, or it is in step.
+   --  An uplink brings the frames nearer, or they are in step.
    procedure It_Comes_Nearer (Item : Situation; Apart : Drift)
    with
      Global => null,
@@ -35,7 +35,7 @@ package body Theorems.In_Step with SPARK_Mode is
        Is_In_Step (Next (Item, Apart))
        or else Rank (Next (Item, Apart)) <= Rank (Item) - Step;
 
-   --  So both, for one uplink after the other.
+   --  The same for one uplink after another.
    procedure It_Goes_On
      (Item  : Situation;
       Apart : Drift;

@@ -1,13 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Frames in step (FRM-6): the kernel's clock keeps its order and a frame
---  lasts 9, 10 or 11 ticks, whatever is requested; and the aircraft's frames
---  come in step with the ground's from any phase, and stay so, under any drift
---  up to 200 ppm and any pattern of lost blocks that leaves one in 25 frames.
+--  The aircraft's frames come in step with the ground's from any phase and
+--  stay in step, while both clocks are within 200 ppm and at least one uplink
+--  in 25 frames arrives (FRM-6). Whatever the lock requests, a frame has 9, 10
+--  or 11 ticks, and no release is skipped or repeated. Longer gaps between
+--  uplinks are outside this theorem.
 --
---  The model of the phase: times are microseconds of the aircraft's clock. An
---  uplink comes so long before the TELIN that takes it, the newest if several
---  do. Of a frame of 20,000 us 200 ppm are 4.
+--  The model of the phase: times are microseconds of the aircraft's clock.
+--  Before is the time from an uplink's arrival to the TELIN that takes it; if
+--  several arrive, the newest counts. 200 ppm of a frame of 20,000 us are 4
+--  us.
 
 with URVOS;              use URVOS;
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
@@ -18,8 +20,8 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
 
    --  The clock
 
-   --  It never runs back, and leaves out nothing but a last minor frame,
-   --  in which no task is released (Theorems.Order).
+   --  The clock never runs back. It skips at most a last minor frame, in which
+   --  no task is released (Theorems.Order).
    procedure The_Clock_Keeps_Its_Order
      (Clock   : Frame_Clock;
       Request : Frame_Request)
@@ -36,11 +38,11 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
          (if Ticked (Clock, Request).Now = Clock.Now + 2
           then Minor_Frame_Of (Clock.Now + 1) = Minor_Frame'Last);
 
-   --  What is requested at each tick of a frame.
+   --  The request at each tick of a frame.
    type Tick_Count is range 0 .. 11;
    type Request_List is array (Tick_Count range 1 .. 11) of Frame_Request;
 
-   --  The clock so many ticks after a frame began.
+   --  The clock this number of ticks after a frame began.
    function After
      (Start    : Clock_Tick;
       Requests : Request_List;
@@ -52,7 +54,8 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
      Global             => null,
      Subprogram_Variant => (Decreases => Ticks);
 
-   --  Whatever is requested, and however that changes.
+   --  A frame lasts 9 to 11 ticks, whatever is requested and however requests
+   --  change.
    procedure A_Frame_Lasts_9_To_11_Ticks
      (Start    : Clock_Tick;
       Requests : Request_List)
@@ -71,7 +74,7 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
               (if After (Start, Requests, 10).Now = Start + 9
                then After (Start, Requests, 11).Now = Start + 10));
 
-   --  A clock of which nothing is requested.
+   --  A clock without a request for its frame.
    procedure No_Request_No_Change (Clock : Frame_Clock)
    with
      Global => null,
@@ -80,8 +83,8 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
      Post   =>
        Ticked (Clock, No_Request) = (Advanced (Clock.Now), Held => False);
 
-   --  Without an uplink nothing is requested of a frame, and any request is of
-   --  the frame in which one was taken.
+   --  Without an uplink nothing is requested. A request is for the frame in
+   --  which an uplink was taken
 
    procedure Without_Uplink_No_Request (Item : Lock_State; Frame : Clock_Tick)
    with
@@ -103,11 +106,11 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
    Tick_Time  : constant := Microseconds_Per_Tick;
    Frame_Time : constant := Microseconds_Per_Tick * Ticks_Per_Major_Frame;
 
-   --  How long before TELIN the uplink comes.
+   --  The time from the uplink's arrival to TELIN.
    subtype Phase is Integer range 0 .. Frame_Time - 1;
 
-   --  What drifts apart between two uplinks that are taken, at most 25 frames
-   --  from each other: 200 ppm of these, with what rounds them up.
+   --  The largest drift between two uplinks that are taken at most 25 frames
+   --  apart: 200 ppm of these frames, rounded up.
    Most_Drift : constant := 25 * 4 + 1;
    subtype Drift is Integer range -Most_Drift .. Most_Drift;
 
@@ -116,7 +119,7 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
       Out_Of : Out_Count;
    end record;
 
-   --  What the lock finds when it takes the uplink.
+   --  The lock's state when it takes the uplink.
    function Found (Item : Situation) return Lock_State is
      ((Is_Waiting  => True,
        Waited      => Wait_Count (Item.Before / Tick_Time),
@@ -132,7 +135,7 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    => Distance in -Frame_Time .. 2 * Frame_Time - 1;
 
-   --  At the next uplink that is taken.
+   --  The situation at the next uplink that is taken.
    function Next (Item : Situation; Apart : Drift) return Situation is
      (Before =>
         In_Frame
@@ -142,15 +145,15 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
       Out_Of => Next_Out (Found (Item)))
    with Global => null;
 
-   --  In step: the uplink comes a tick to two ticks before TELIN, or as much
-   --  beside it as clocks drift apart before the lock answers.
+   --  In step: the uplink comes one to two ticks before TELIN, or beside this
+   --  by the drift before the lock answers.
    function Is_In_Step (Item : Situation) return Boolean is
      (Item.Before in
         Tick_Time - Most_Drift * (Integer (Item.Out_Of) + 1) ..
           2 * Tick_Time - 1 + Most_Drift * (Integer (Item.Out_Of) + 1))
    with Global => null;
 
-   --  So it comes 1.59 to 4.41 ms before it.
+   --  An uplink in step therefore comes 1.59 to 4.41 ms before TELIN.
    procedure In_Step_Is_In_Time (Item : Situation)
    with
      Global => null,
@@ -168,7 +171,7 @@ package Theorems.In_Step with Pure, SPARK_Mode, Ghost is
    type Uplink_Count is range 0 .. Uplinks;
    type Drift_List is array (Uplink_Count range 1 .. Uplinks) of Drift;
 
-   --  From any phase: one uplink after the other is taken.
+   --  From any phase, 40 uplinks bring the frames in step.
    procedure Hear_Uplinks (Item : in out Situation; Drifts : Drift_List)
    with
      Global => null,

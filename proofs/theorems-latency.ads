@@ -1,13 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How long a stick takes to the servos and a sensor to the ground's CORE, in
---  step and in the fast schedule, without faults: at most half a frame from
---  the scan that saw it, 30 ms from the change (FRM-5, FRM-6; docs/design.md,
---  Bounds). It follows from the lists of tasks, the lengths of messages, and
---  how long before TELIN an uplink comes (Theorems.In_Step).
+--  A stick reaches the servos and a sensor the ground's CORE within half a
+--  frame of the scan that read it, and within 30 ms of its change (FRM-5,
+--  FRM-6; docs/design.md, Bounds). This holds for both nodes in the fast
+--  schedule, with frames in step, on a wire and without faults; a slower line
+--  adds its delay. It follows from the task lists, the lengths of messages,
+--  and the phase of Theorems.In_Step.
 --
---  A task takes no time. Times are microseconds, of a frame from its
---  beginning; a drift within one frame is left out.
+--  A task is assumed to take no time. Times are microseconds from the
+--  beginning of a frame. Drift within one frame is ignored.
 
 with Devices.AD_Board; use Devices.AD_Board;
 with GSC;
@@ -27,8 +28,8 @@ package Theorems.Latency with SPARK_Mode, Ghost is
    function Time_Of (Offset : Minor_Frame) return Microseconds is
      (Integer (Offset) * Tick_Time);
 
-   --  When AD begins the scan that it hands on, and when it is over: the last
-   --  of as many as it has made.
+   --  The beginning and the end of the scan that AD sends on, the last of its
+   --  scans in the frame
 
    function Aircraft_Scan_Begins return Microseconds is
      (Time_Of (MCS.Task_List (MCS.AD_Task) (Fast).Offset)
@@ -44,10 +45,10 @@ package Theorems.Latency with SPARK_Mode, Ghost is
    function Ground_Scan_Ends return Microseconds is
      (Ground_Scan_Begins + Scan_Time);
 
-   --  From the scan's end, when TELOUT gives the ground's board the uplink,
-   --  until the aircraft's has it: header, data, checksum, and the guard time,
-   --  which is up to one count of the board's timer shorter. Line is the delay
-   --  of the line itself (LNK-11), 0 on a wire.
+   --  The time from TELOUT on the ground, at the scan's end, until the
+   --  aircraft's board has the uplink: header, data, checksum and guard time.
+   --  The guard time may be shorter by one count of the board's timer. Line is
+   --  the delay of the line itself (LNK-11), 0 on a wire
 
    function Most_On_Line (Line : Line_Delay) return Microseconds is
      ((Uplink_Length + 2 + Integer (Guard_Time)) * Microseconds_Per_Character
@@ -56,11 +57,11 @@ package Theorems.Latency with SPARK_Mode, Ghost is
    function Least_On_Line (Line : Line_Delay) return Microseconds is
      (Most_On_Line (Line) - Microseconds_Per_Character);
 
-   --  When in the aircraft's frame the uplink comes.
+   --  The uplink's arrival within the aircraft's frame.
    function Uplink_Comes (Item : Situation) return Microseconds is
      (Time_Of (MCS.Task_List (MCS.TELIN_Task) (Fast).Offset) - Item.Before);
 
-   --  All scans of a frame are over within their minor frame.
+   --  All scans of a frame end within their minor frame.
    procedure Scans_End_In_Their_Minor_Frame
    with
      Global => null,
@@ -71,29 +72,29 @@ package Theorems.Latency with SPARK_Mode, Ghost is
          Ground_Scan_Ends <=
            Time_Of (GSC.Task_List (GSC.AD_Task) (Fast).Offset) + Tick_Time;
 
-   --  When an uplink comes the downlink is there: the aircraft's board answers
-   --  that it wants to send it. So none is left out (LNK-7, docs/link.md, Two
-   --  clocks).
+   --  The downlink is ready when an uplink arrives, so the aircraft's board
+   --  announces it in its answer. No downlink is therefore skipped (LNK-7,
+   --  docs/link.md, Two clocks).
    procedure A_Downlink_Waits_For_Its_Uplink (Item : Situation)
    with
      Global => null,
      Pre    => Is_In_Step (Item),
      Post   => Aircraft_Scan_Ends < Uplink_Comes (Item);
 
-   --  When in the ground's frame the exchange is over: each of its first
+   --  The end of the exchange within the ground's frame: each of its first
    --  four messages has crossed the line.
    function Downlink_Comes (Line : Line_Delay) return Microseconds is
      (Ground_Scan_Ends + Exchange * Microseconds_Per_Character + 4 * Line);
 
-   --  By how much later than in that frame the ground's TELIN takes it.
+   --  The extra time until the ground's TELIN takes it.
    function Taken_Later (Line : Line_Delay) return Microseconds is
      (if Downlink_Comes (Line) <=
         Time_Of (GSC.Task_List (GSC.TELIN_Task) (Fast).Offset)
       then 0
       else Frame_Time);
 
-   --  On a wire, and up to a delay of 92 us, the exchange is over when the
-   --  ground's TELIN runs; by a slower line, before it runs again.
+   --  On a wire, and up to a delay of 92 us, the exchange ends before the
+   --  ground's TELIN runs; on a slower line, before it runs again.
    procedure A_Downlink_Comes_Before_TELIN (Line : Line_Delay)
    with
      Global => null,
@@ -111,7 +112,7 @@ package Theorems.Latency with SPARK_Mode, Ghost is
       + Time_Of (MCS.Task_List (MCS.PWM_Task) (Fast).Offset)
       - Time_Of (MCS.Task_List (MCS.TELIN_Task) (Fast).Offset));
 
-   --  From the scan until the uplink comes, and from there on.
+   --  From the scan until the uplink arrives, and on to CORE.
    function Sensor_To_CORE
      (Item : Situation; Line : Line_Delay) return Microseconds
    is
@@ -119,8 +120,9 @@ package Theorems.Latency with SPARK_Mode, Ghost is
       + Time_Of (GSC.Task_List (GSC.CORE_Task) (Fast).Offset)
       + Taken_Later (Line) - Ground_Scan_Ends - Least_On_Line (Line));
 
-   --  With the 20 ms that a change may wait for its scan, 28 and 30 ms on a
-   --  wire; by a line slower than 92 us a sensor takes a frame longer.
+   --  Together with the 20 ms that a change may wait for its scan, these are
+   --  28 and 30 ms on a wire. On a line slower than 92 us a sensor takes one
+   --  frame longer.
    procedure In_Step_Both_Are_Bounded (Item : Situation; Line : Line_Delay)
    with
      Global => null,

@@ -1,9 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the control laws never do and always do (EXT-3, EXT-5, EXT-8),
---  whatever the commands, the sensors and what they remember. The theorems are
---  about the code's own functions. That nothing in them overflows, and that
---  each output is in its converter's range, is proved with their bodies.
+--  The control laws obey the pilot's disconnect at once, keep their rate
+--  limits when modes change, keep their authority, never wind up, and follow
+--  the link-loss rule exactly (EXT-3, EXT-5, EXT-8). This holds for the code's
+--  own functions in the aircraft, for all commands, sensor words and states of
+--  the laws, valid or not. It says nothing about the aircraft's motion;
+--  flights in simulation test that. The proof of their bodies shows that
+--  nothing overflows and each output is in its converter's range.
 
 with URV.Buffers;       use URV.Buffers;
 with URV.Integrators;   use URV.Integrators;
@@ -19,8 +22,8 @@ with URVOS;             use URVOS;
 
 package Theorems.Laws with SPARK_Mode, Ghost is
 
-   --  With the disconnect switch on, the servos get what figure 13 makes of
-   --  the sticks, in the same frame.
+   --  With the disconnect switch on, the servos get figure 13's words of the
+   --  sticks in the same frame.
    procedure Disconnect_Is_Direct
      (Item     : Memory;
       Commands : Uplink_Buffer;
@@ -39,9 +42,8 @@ package Theorems.Laws with SPARK_Mode, Ghost is
            (Output (Next (Item, Commands, Sensors, By, Table), Commands)) =
              Transform (Commands);
 
-   --  The first frame of a mode is like any other: where a law has the
-   --  output, it is no further from the last one than the rate limit,
-   --  whatever flew before.
+   --  The first frame of a mode is like any other: an output of a law differs
+   --  from the last one by at most the rate limit, whatever flew before.
    procedure A_Change_Of_Mode_Is_Bumpless
      (Item     : Memory;
       Commands : Uplink_Buffer;
@@ -66,7 +68,7 @@ package Theorems.Laws with SPARK_Mode, Ghost is
           then abs (After.Last.Throttle - Item.Last.Throttle) <=
                  Throttle_Step);
 
-   --  What flies bank or pitch stays within its authority.
+   --  A law of bank or pitch stays within its authority.
    procedure Authority_Is_Kept
      (Item     : Memory;
       Commands : Uplink_Buffer;
@@ -86,15 +88,15 @@ package Theorems.Laws with SPARK_Mode, Ghost is
             and then abs Item.Last.Pitch <= Pitch_Authority
           then abs After.Last.Pitch <= Pitch_Authority);
 
-   --  Rate damping moves a stick's output by no more than its authority.
+   --  Rate damping changes a stick's output at most by its authority.
    procedure Damping_Is_Small (Stick : Demand; Extra : URV.Law_Axes.Damping)
    with
      Global => null,
      Post   => abs (Plus (Stick, Extra) - Stick) <= Damping_Authority;
 
-   --  Windup. An integrator whose output is saturated never moves further in,
-   --  whatever its state, and never against the sign of its error. What it
-   --  may hold is bounded by its type.
+   --  Windup. An integrator whose output is saturated never moves further into
+   --  saturation, whatever its state, and never against the sign of its error.
+   --  Its type limits its value.
    procedure Saturated_Trims_Never_Wind_Up
      (Roll   : Roll_Trim;
       Pitch  : Pitch_Trim;
@@ -117,11 +119,11 @@ package Theorems.Laws with SPARK_Mode, Ghost is
                          Error, Output);
 
    --  Recovery. However far an integrator is wound up, it leaves its limit in
-   --  the first frame of an error of the other sign, unless the output is
-   --  saturated that way too. It has unwound after the frames below of such
-   --  errors: roll, pitch and height are back at zero, power has gone from
-   --  either end of the throttle to the other. The errors are at least those
-   --  that it learns from at most; 10 kt for the airspeed.
+   --  the first frame with an error of the other sign, unless the output is
+   --  saturated in that direction too. After the numbers of frames below it
+   --  has unwound: roll, pitch and height to zero, power from one end of the
+   --  throttle to the other. The errors are at least the largest that it
+   --  integrates; 10 kt for the airspeed
 
    type Error_History is array (Positive range <>) of Number;
 
@@ -138,7 +140,7 @@ package Theorems.Laws with SPARK_Mode, Ghost is
          Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Angle))
    with Global => null;
 
-   --  250 and 500 frames.
+   --  250 frames with table 0, 500 with table 1.
    function Pitch_Frames (Table : Table_Number) return Positive is
      (Frames_For
         (Pitch_Trim_Most,
@@ -241,8 +243,8 @@ package Theorems.Laws with SPARK_Mode, Ghost is
             and then not Output.Is_High
           then After = Power_Trim'Last);
 
-   --  A reference that is on its way arrives, so that no integrator waits for
-   --  it longer: after 400 frames in bank, 113 in pitch.
+   --  A moving reference reaches its target after at most 400 frames in bank
+   --  and 113 in pitch. No integrator waits longer for it
 
    Bank_Frames : constant := 2 * Reckoned_Bank / Bank_Slew;
    Nose_Frames : constant :=
@@ -287,8 +289,8 @@ package Theorems.Laws with SPARK_Mode, Ghost is
        and then (if not After.Checks (Airspeed).Is_Valid
                  then After.Flown.Power /= Hold_Airspeed);
 
-   --  A sensor that is out of range, or without a scan, in three frames one
-   --  after the other is not valid.
+   --  A sensor that is out of range or without a scan in three frames in a row
+   --  is invalid.
    procedure Three_Bad_Scans_Are_Enough
      (Item : Check; One, Two, Three, Witness : Word; By : Rule)
    with
@@ -304,9 +306,8 @@ package Theorems.Laws with SPARK_Mode, Ghost is
           Three, Witness, By).Is_Valid
        and then not After_Gap (After_Gap (After_Gap (Item))).Is_Valid;
 
-   --  Loss of link. After so many silent frames one after the other, from
-   --  the last fresh uplink on, each state is reached in the very frame that
-   --  the times say.
+   --  Loss of link. Counted from the last fresh uplink, each state begins
+   --  exactly in the silent frame that the times give
 
    function State_After (Silent : Frame_Count; By : Times) return Link_State
    is
@@ -324,7 +325,7 @@ package Theorems.Laws with SPARK_Mode, Ghost is
      Global => null,
      Post   => After.State = State_After (Silent, By);
 
-   --  No state is skipped, and the link's own return is the only way back.
+   --  No state is skipped, and only the link's own return leads back.
    procedure Nothing_Is_Skipped
      (Item : Link_Memory; Is_Fresh, Disconnect : Boolean; By : Times)
    with
@@ -345,9 +346,9 @@ package Theorems.Laws with SPARK_Mode, Ghost is
              Next (Item, Is_Fresh, Disconnect, By).State in
                Terminated | Linked);
 
-   --  A lost link is back after a second of fresh uplinks without a gap. One
-   --  whose count begins at 0 is not back one frame earlier.
-   --  Theorems.Lost_Links says what gaps cost.
+   --  A lost link is back after one second of fresh uplinks without a gap. If
+   --  its count begins at 0, it is not back one frame earlier.
+   --  Theorems.Lost_Links shows the cost of gaps.
    procedure A_Second_Brings_It_Back
      (Item : Link_Memory; Fresh : Return_Count; After : out Link_Memory)
    with
@@ -359,9 +360,9 @@ package Theorems.Laws with SPARK_Mode, Ghost is
          (if Item.Fresh = 0 and then Fresh < Return_After
           then After.State = Item.State);
 
-   --  Out of termination: a frame whose uplink is fresh with the disconnect
-   --  switch on, the last of a count of 50 of such, after a count of 50 with
-   --  the switch off. No other frame changes the state.
+   --  End of termination. Only one kind of frame changes the state: a fresh
+   --  uplink with the disconnect switch on that completes a count of 50 such
+   --  frames, after a full count of 50 with the switch off.
    procedure Only_The_Order_Ends_Termination
      (Item : Link_Memory; Is_Fresh, Disconnect : Boolean; By : Times)
    with
@@ -376,9 +377,9 @@ package Theorems.Laws with SPARK_Mode, Ghost is
          (Next (Item, Is_Fresh, Disconnect, By).State in
             Linked | Terminated)
 
-       --  A silent frame takes 2 from the half that is under way. The switch
-       --  begins the order again when the count before was not full, and when
-       --  it goes back.
+       --  A silent frame takes 2 from the present half. The order begins again
+       --  if the switch turns on before the first count is full, or turns off
+       --  again.
        and then
          (if not Is_Fresh
           then Next (Item, Is_Fresh, Disconnect, By).On =

@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the header code and the checksum detect (D-6, D-7).
+--  Up to three wrong bits never turn one header into another. The checksum
+--  detects every message with one wrong byte, and every burst of up to eight
+--  data bits (D-6, D-7). This holds for all messages of both boards. Several
+--  separate wrong bytes may go undetected; see docs/link.md.
 
 with Telemetry;          use Telemetry;
 with Telemetry.Checksum; use Telemetry.Checksum;
@@ -28,7 +31,7 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
        Is_Valid (Left) and then Is_Valid (Right) and then Left /= Right,
      Post   => Weight (Left xor Right) >= 4;
 
-   --  The checksum step is the division by the polynomial, bit by bit.
+   --  One step of the division by the polynomial, which the checksum computes.
    function Shifted (Value : Byte) return Byte is
      (if (Value and 1) /= 0
       then Shift_Right (Value, 1) xor 16#9C#
@@ -44,8 +47,8 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
          Shifted (Shifted (Shifted (Shifted
            (Shifted (Shifted (Shifted (Shifted (Value))))))));
 
-   --  Different sums stay different when the same byte follows, and the
-   --  same sum becomes different when different bytes follow.
+   --  Different sums remain different after the same byte, and the same sum
+   --  becomes different after different bytes.
    procedure Step_Tells_Apart (Left, Right : Byte; Data : Byte)
    with
      Global => null,
@@ -54,9 +57,9 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
        Next (Left, Data) /= Next (Right, Data)
        and then Next (Data, Left) /= Next (Data, Right);
 
-   --  A burst of up to eight data bits that begins in one byte and ends in
-   --  the next: at most the 8 - Split last bits on the line of one, and the
-   --  Split first of the other.
+   --  A burst of up to eight data bits that begins in one byte and ends in the
+   --  next: at most the last 8 - Split bits of the first byte on the line, and
+   --  the first Split bits of the second.
    procedure Step_Tells_Bursts
      (Sum           : Byte;
       First, Second : Byte;
@@ -73,8 +76,8 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
        Next (Next (Sum, First xor Error_1), Second xor Error_2) /=
          Next (Next (Sum, First), Second);
 
-   --  A message in which exactly one byte of the data is wrong, in whatever
-   --  bits, has another checksum.
+   --  A message with exactly one wrong byte of data, in any bits, has another
+   --  checksum.
    procedure One_Wrong_Byte_Is_Detected
      (Header : Byte;
       Sent   : Block_Data;
@@ -92,7 +95,7 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
      Post               =>
        Of_Message (Header, Sent, Length) /= Of_Message (Header, Came, Length);
 
-   --  So has one whose header is wrong.
+   --  A message with a wrong header also has another checksum.
    procedure Wrong_Header_Is_Detected
      (Sent, Came : Byte;
       Data       : Block_Data;

@@ -2,7 +2,7 @@
 
 package body Theorems.Log_Pieces with SPARK_Mode is
 
-   --  A high byte and a low one are the word.
+   --  A high and a low byte make the word again.
    procedure Bytes_Make_The_Word (Value : Word)
    with
      Global => null,

@@ -1,7 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A row of the error log comes down as it is (SAF-7, D-15): of all that may
---  have come before, its 15 pieces make it, and no other row.
+--  A row of the error log arrives on the ground exactly as it was sent (SAF-7,
+--  D-15). Its 15 fragments in order make this row and no other, whatever
+--  fragments came before. The theorem assumes that each fragment arrives
+--  intact, as the checksum provides. A row with a missed fragment is not
+--  written until it comes again.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URVOS;               use URVOS;
@@ -18,8 +21,8 @@ package Theorems.Log_Pieces with Pure, SPARK_Mode, Ghost is
      Global => null,
      Post   => Whole and then Item.Which = Which and then Item.Row = Row;
 
-   --  A piece beside the flags of the error/status word comes out again, and
-   --  the flags are as they were.
+   --  A fragment above the flags of the error/status word is read back
+   --  unchanged, and so are the flags.
    procedure A_Piece_Beside_The_Flags (Status : Word; Item : Piece)
    with
      Global => null,

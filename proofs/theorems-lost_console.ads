@@ -1,7 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A lost console does not cost the aircraft (SAF-10, D-33). In flight it has
---  the same effect as a lost link; on the ground the safe words go up.
+--  A pilot's console that falls silent does not endanger the aircraft (SAF-10,
+--  D-33). In flight the aircraft acts as after a lost link; on the ground it
+--  gets the safe words: throttle idle, brake on, switches off. This holds for
+--  any history of console inputs and downlinks of up to a million frames. The
+--  ground must know from valid sensors that the aircraft is on the ground;
+--  otherwise it counts as flying.
 
 with URV.Buffers;       use URV.Buffers;
 with URV.Console_Watch; use URV.Console_Watch;
@@ -20,9 +24,9 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
    use For_Stick_Words.Boxes;
    use For_Uplink.Boxes;
 
-   --  In flight a lost console makes no fresh command: the converter gives no
-   --  scan, and what GDCOUT sends up in the frame is marked as old. An order
-   --  besides the sticks still goes up. No scan of before is pending.
+   --  In flight a lost console gives no fresh command: the converter delivers
+   --  no scan, and GDCOUT marks the uplink as old. A console order is still
+   --  sent. No earlier scan may be pending.
    procedure In_Flight_Nothing_Fresh_Goes_Up
      (Ground     : in out Ground_Way;
       Scans      : Scan_History;
@@ -45,7 +49,7 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
          (Is_Old (Contents (Ground.TELOUT))
           or else Is_Other_Kind (Contents (Ground.TELOUT)));
 
-   --  The console input and the downlink of each frame: anything.
+   --  The console input and the downlink of each frame, without restriction
 
    type Frame is record
       Has_Input : Boolean;
@@ -68,9 +72,9 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
             then not Frames (Each).Has_Input)))
    with Global => null;
 
-   --  Whatever the history: with a lost console something fresh goes up only
-   --  when the aircraft is known to be on the ground, and then it is the
-   --  safe words. While the console is not lost, its words go up.
+   --  For any history: with a lost console, fresh words are sent only if the
+   --  aircraft is known to be on the ground, and they are the safe words.
+   --  While the console is not lost, its own words are sent.
    procedure Any_History
      (Frames : Frame_History; Upto : Frame_Number; Item : out Watch)
    with
@@ -82,10 +86,9 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
             (if not Is_On_Ground (Item.Checks) then Item.Input = Held)
         else Item.Input = Live);
 
-   --  The aircraft cannot tell a lost console from a lost link: of two
-   --  commands that are marked as old, whoever marked them, it makes the same
-   --  silent frame. The link's state, the sensors, the commands heard, and
-   --  what flies each axis are the same.
+   --  The aircraft cannot distinguish a lost console from a lost link. Any two
+   --  commands marked as old cause the same silent frame: link state, sensors,
+   --  remembered commands and active modes are equal.
    procedure Same_Effect_As_A_Lost_Link
      (Before       : URV.Laws.Memory;
       From_Console : Uplink_Buffer;
@@ -108,8 +111,9 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
        and then One.Is_Flying = Other.Is_Flying
        and then One.Flown = Other.Flown;
 
-   --  On the ground the safe words go up as fresh commands from the frame on
-   --  that is 2 s silent: throttle idle, brake on, switches off.
+   --  On the ground the safe words are sent as fresh commands from the frame
+   --  in which the console has been silent for 2 s: throttle idle, brake on,
+   --  switches off.
    procedure On_The_Ground_The_Safe_Words_Go_Up
      (Item     : Watch;
       Silent   : Frame_Count;
@@ -127,7 +131,7 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
          Transform (To_Uplink (Stamped (Neutral_Stick_Words, Fresh => True)))
            = Safe_Outputs;
 
-   --  The console flies again with its first input.
+   --  The console has control again with its first input.
    procedure It_Is_Back_With_Its_First_Input
      (Item : Watch; Downlink : Downlink_Buffer)
    with

@@ -2,7 +2,7 @@
 
 package body Theorems.Lost_Links with SPARK_Mode is
 
-   --  The silent frames only become more.
+   --  The count of silent frames never decreases.
    procedure Prove_Growth
      (Frames : History; Silent : Silent_Counts; First, Last : Frame_Total)
    with

@@ -1,22 +1,25 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a lost link returns, over any history of frames (EXT-5, D-35): on a
---  proportion of fresh frames, on no smaller one, and without flapping.
+--  A lost link returns if, and only if, enough frames are fresh, and it does
+--  not flap (EXT-5, D-35). It is back within any n frames if at most (n - 50)
+--  / 3 are silent. This holds for the aircraft's rule over any history of
+--  frames, up to a million, before termination. After termination only the
+--  ground's order counts; its theorem is the last one here.
 
 with URV.Law_Gains; use URV.Law_Gains;
 with URV.Link_Loss; use URV.Link_Loss;
 
 package Theorems.Lost_Links with SPARK_Mode, Ghost is
 
-   --  What a frame has brought: no fresh uplink, or one with its disconnect
-   --  switch.
+   --  The content of a frame: no fresh uplink, or one with the switch off or
+   --  on.
    type Heard is (Nothing, Switch_Off, Switch_On);
 
    subtype Frame_Total is Natural range 0 .. Longest;
    subtype Frame_Number is Frame_Total range 1 .. Longest;
    type History is array (Frame_Number range <>) of Heard;
 
-   --  How many of a history's frames were silent, up to each.
+   --  The number of silent frames of a history up to each frame.
    type Silent_Counts is array (Frame_Total range <>) of Frame_Total;
 
    function Are_Counted
@@ -44,9 +47,9 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
          By         => By))
    with Global => null;
 
-   --  After any frames of which at most (n - 50) / 3 are silent, in any
-   --  order, the link has been back, if it was not terminated before. Back is
-   --  the number of frames that it took.
+   --  After any frames with at most (n - 50) / 3 silent ones, in any order,
+   --  the link has been back, unless it was terminated. Back is the number of
+   --  frames until its return.
    procedure A_Proportion_Brings_It_Back
      (Item   : Link_Memory;
       Frames : History;
@@ -66,10 +69,10 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
        Back <= Frames'Last
        and then After = Linked_Again;
 
-   --  The link returns after no fewer fresh frames: since a frame not later
-   --  than 50 before its return it has carried 50 fresh frames, and 2 more
-   --  for each silent one. Of n frames no more than (n - 50) / 3 were silent,
-   --  less than a third.
+   --  The link needs that many fresh frames. Since some frame at least 50
+   --  before its return it has carried 50 fresh frames, and 2 more for each
+   --  silent one. At most (n - 50) / 3 of n frames were silent, less than a
+   --  third.
    procedure A_Smaller_Proportion_Does_Not
      (Item   : Link_Memory;
       Frames : History;
@@ -96,9 +99,9 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
           else Last = Frames'Last
                or else After.State = Terminated);
 
-   --  A link that has returned is lost after By.Hold silent frames one after
-   --  the other, as ever, and by nothing else. From a loss its return takes
-   --  50 frames at least, so two losses are 50 + By.Hold frames apart.
+   --  A returned link is lost only after By.Hold silent frames in a row. From
+   --  a loss its return takes at least 50 frames, so two losses are at least
+   --  50 + By.Hold frames apart.
    procedure It_Does_Not_Flap
      (Frames : History;
       By     : Times;
@@ -133,9 +136,9 @@ package Theorems.Lost_Links with SPARK_Mode, Ghost is
        and then Frames'Last < Return_After,
      Post   => After.State in Holding .. Terminated;
 
-   --  The order that ends a termination has carried, without a frame of the
-   --  other kind between them, 50 fresh frames with the switch on at least,
-   --  and 2 more for each silent one among them.
+   --  The order that ends a termination contains at least 50 fresh frames with
+   --  the switch on, plus 2 for each silent one among them, and between them
+   --  no fresh frame with the switch off.
    procedure The_Order_Is_Held
      (Item   : Link_Memory;
       Frames : History;

@@ -1,13 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The order of a frame (report, section 2.2, figure 3; FRM-2, FRM-5, SET-1):
---  who consumes what another task has produced runs after it, in the same
---  frame, on any run that keeps the releases, on one processor to four, in
---  the report's schedule and in the fast one. Who runs at the same tick as
---  those it consumes from is on the same processor, which runs them first
---  because they stand first. In the report's schedule that is only LAW. In
---  the fast one a task behind AD runs when AD's scan has come, within the
---  minor frame: AD waits for it with EXIT, which lets no lower one run.
+--  In each frame every consumer runs after its producer, so data crosses a
+--  node within one frame (report, section 2.2, figure 3; FRM-2, FRM-5, SET-1).
+--  This holds for both nodes on one to four processors, in both schedules, for
+--  every run in which no task overruns. Overruns are detected and reported
+--  separately. A consumer at the same tick as its producer is on the same
+--  processor, which runs the producer first because it is earlier in the list.
+--  In the report's schedule only LAW is such a consumer. In the fast schedule
+--  each task after AD runs when AD's scan has come, within the minor frame. AD
+--  waits for the scan with EXIT, which lets no task of lower priority run.
 
 with GSC;
 with MCS;
@@ -16,17 +17,16 @@ with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package Theorems.Order with SPARK_Mode, Ghost is
 
-   --  The tick at which each task runs in one major frame, and hands on what
-   --  it produces.
+   --  The tick at which each task runs in one major frame and sends its
+   --  output.
    type MCS_Run is array (MCS.Task_Name) of Tick;
    type GSC_Run is array (GSC.Task_Name) of Tick;
 
    use type MCS.Task_Name;
    use type GSC.Task_Name;
 
-   --  No task has overrun: each runs in the minor frame in which it is
-   --  released, in the major frame that follows Now. Which of those that
-   --  share a minor frame runs first is left open.
+   --  No task has overrun: each runs in its minor frame of the major frame
+   --  after Now. Tasks that share a minor frame run in any order
 
    function Is_Legal
      (Run : MCS_Run;
@@ -44,9 +44,9 @@ package Theorems.Order with SPARK_Mode, Ghost is
      (for all Who in GSC.Task_Name =>
         Run (Who) = GSC.Tasks.Next_Release_Of (Who, Now, Set));
 
-   --  The variables between the tasks that pass within a frame: figure 2.
-   --  ADINT_variable is not one of them: in the report's schedule it passes
-   --  from frame to frame.
+   --  The variables that pass between tasks within a frame: figure 2.
+   --  ADINT_variable is not among them, since in the report's schedule it
+   --  passes from frame to frame
 
    function Consumes
      (Consumer, Producer : MCS.Task_Name) return Boolean
@@ -73,8 +73,8 @@ package Theorems.Order with SPARK_Mode, Ghost is
            Producer in GSC.GDCIN_Task | GSC.GDCOUT_Task,
          when others          => False);
 
-   --  Released at one tick, the producer is chosen first: on one processor,
-   --  by its priority, which is its place in the list.
+   --  If two tasks are released at one tick on one processor, the producer is
+   --  chosen first by its priority, which is its place in the list
 
    function Is_Chosen_First
      (Producer, Consumer : MCS.Task_Name;
@@ -92,8 +92,8 @@ package Theorems.Order with SPARK_Mode, Ghost is
         GSC.Task_List (Consumer) (Set).Processor
       and then Producer < Consumer);
 
-   --  Aircraft: every consumer runs at a later tick than its producer; in
-   --  the fast schedule, and the laws, no earlier, and after it.
+   --  Aircraft: every consumer runs at a later tick than its producer. In the
+   --  fast schedule, and for the laws, it may run at the same tick, after it.
    procedure Aircraft_Consumers_Follow_Producers
      (Run : MCS_Run;
       Now : Clock_Tick;
@@ -129,10 +129,10 @@ package Theorems.Order with SPARK_Mode, Ghost is
                    and then Run (Consumer) = Run (Producer)
                    and then Is_Chosen_First (Producer, Consumer, Set)))));
 
-   --  The fast schedule: in the minor frame in which they are scanned the
-   --  aircraft's sensors are with the telemetry board, so that an uplink that
-   --  comes one to two ticks before TELIN finds them there; commands are at
-   --  the servos at the tick that takes them from it.
+   --  The fast schedule: the aircraft's sensors reach the telemetry board in
+   --  the minor frame of their scan, so an uplink that comes one to two ticks
+   --  before TELIN finds them there. Commands reach the servos at the tick at
+   --  which TELIN takes them.
    procedure Aircraft_Is_Fast (Run : MCS_Run; Now : Clock_Tick)
    with
      Global => null,
@@ -143,8 +143,8 @@ package Theorems.Order with SPARK_Mode, Ghost is
        and then Run (MCS.PWM_Task) = Run (MCS.TELIN_Task)
        and then Run (MCS.CORE_Task) = Run (MCS.TELIN_Task);
 
-   --  The console's words are with the telemetry board in the minor frame in
-   --  which they are scanned; what comes from it is in CORE at the tick that
+   --  The console's words reach the telemetry board in the minor frame of
+   --  their scan. Data from the board reaches CORE at the tick at which TELIN
    --  takes it, five ticks after that minor frame began.
    procedure Ground_Is_Fast (Run : GSC_Run; Now : Clock_Tick)
    with
@@ -155,7 +155,7 @@ package Theorems.Order with SPARK_Mode, Ghost is
        and then Run (GSC.CORE_Task) = Run (GSC.TELIN_Task)
        and then Run (GSC.TELIN_Task) = Run (GSC.TELOUT_Task) + 5;
 
-   --  All of it is over before the last minor frame begins.
+   --  All tasks have run before the last minor frame begins
 
    procedure A_Frame_Is_Done_Within_It
      (Run : MCS_Run;

@@ -197,14 +197,14 @@ package body Theorems.Results with SPARK_Mode is
         and then Outcome = Its_Like;
    end Of_Accept_Character;
 
-   --  What is the same as a third is the same.
+   --  Two pairs equal to a third are equal.
    procedure Prove_Same_Pair (One, Other, What : Buffer_Pair)
    with
      Global => null,
      Pre    => One = What and then Other = What,
      Post   => One = Other;
 
-   --  So is a board, but for its control.
+   --  Boards with equal pairs are equal except for their control.
    procedure Prove_Same_Pairs
      (One, Other     : Board;
       Received, Sent : Buffer_Pair)
@@ -230,7 +230,7 @@ package body Theorems.Results with SPARK_Mode is
       Prove_Same_Pair (Transmit_Pair (One), Transmit_Pair (Other), Sent);
    end Prove_Same_Pairs;
 
-   --  What follows from equal parts is equal.
+   --  Boards with equal parts are equal.
    procedure Prove_Same_Board (One, Other : Board)
    with
      Global => null,

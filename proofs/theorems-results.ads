@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What an operation does follows from its contract alone (EVI-7): done
---  twice with the same inputs, it gives the same results. GNATprove knows of
---  a call nothing but the contract, so a postcondition that left something
---  open would not prove these.
+--  The contracts of the operations here are complete: they leave no result
+--  open (EVI-7). Done twice with the same inputs, an operation gives the same
+--  results. GNATprove knows only the contract of a call, so a postcondition
+--  with a gap would leave a theorem here unproved. A complete contract may
+--  still be wrong; tests and the other theorems address that.
 --
---  Of functions the same need not be said: a postcondition that is an
---  expression, or an equation for each part of the result, shows it. So does
---  the postcondition of a procedure that is an equation for what it changes
---  (URVOS.Schedulers.Calls).
+--  Functions need no such theorem: their postcondition is an expression, or an
+--  equation for each part of the result. The same holds for procedures whose
+--  postcondition is an equation (URVOS.Schedulers.Calls).
 
 with Telemetry;
 with Telemetry.Boards;

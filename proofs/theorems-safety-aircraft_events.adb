@@ -28,7 +28,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
        and then Item.Uplink_From = From
        and then Is_Fresh (Item.Commands);
 
-   --  What LAW decides, with the scans of what it remembers and gives.
+   --  LAW's decision, with the scans of its memory and its output.
    procedure Fly
      (Link       : in out Link_State;
       Heard      : in out Uplink_Buffer;
@@ -73,7 +73,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          (if not Usual.On
           then Is_Reported (Reported, By_Law => False));
 
-   --  What the PWM task writes; and of its contract what is needed here.
+   --  The PWM task's words, with the part of their contract that is needed
+   --  here.
    function Words_Of
      (Message : Uplink_Buffer; Reported : Health) return Data_Area
    with

@@ -1,7 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Events on the ground (SAF-2). A task's event receives, calls the task's
---  decision functions and sends, as the task does.
+--  The ground's events in the model of Theorems.Safety (SAF-2). Each event of
+--  a task receives, calls the task's own decision functions and sends, in the
+--  same order as the task. The tasks' shells that do this in flight are not
+--  proved equal to these; tests compare them.
 
 private package Theorems.Safety.Ground_Events with SPARK_Mode, Ghost is
 

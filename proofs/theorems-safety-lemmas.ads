@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Lemmas of Theorems.Safety (SAF-2).
+--  Intermediate steps for the proof of Theorems.Safety (SAF-2). They promise
+--  nothing to a user of the flight software.
 
 private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
 
-   --  What is of a scan has the outputs of the scan.
+   --  Commands of a scan have the outputs of the scan.
    procedure Same_Outputs
      (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    with
@@ -14,7 +15,7 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
        URV.PWM_Layout.To_Data_Area (Transform (Item)) =
          URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
 
-   --  So have the brake, the flaps and the discretes where a law flies.
+   --  The same for the brake, the flaps and the discretes while a law flies.
    procedure Same_Switches
      (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    with
@@ -25,7 +26,7 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
        (for all Name in PWM_Item range Brake .. Discretes =>
           Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
 
-   --  The same outputs are the same data area.
+   --  The same outputs give the same data area.
    procedure Same_Area (One, Other : PWM_Buffer)
    with
      Global => null,
@@ -42,7 +43,7 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
      Pre    => Area = URV.PWM_Layout.To_Data_Area (Outputs),
      Post   => Area (URV.PWM_Layout.Channel_Of (Name)) = Outputs (Name);
 
-   --  A data area of commands that a law may fly has the scan's brake, flaps
+   --  The data area of commands that a law may fly has the scan's brake, flaps
    --  and discretes.
    procedure Switches_Are_Out
      (Area  : Data_Area;
@@ -105,7 +106,7 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
      Post   =>
        URV.Laws.Is_Disconnected (One) = URV.Laws.Is_Disconnected (Other);
 
-   --  What is packed of a switch that is off.
+   --  The bit of a switch that is off is 0.
    procedure Bit_Is_Off
      (Discretes : Word; Commands : Uplink_Buffer; Switch : Switch_Item)
    with
@@ -115,7 +116,7 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
        and then not Is_On (Commands (Switch)),
      Post   => (Discretes and Switch_Bit (Switch)) = 0;
 
-   --  What was true with fewer scans is true with more.
+   --  A property with fewer scans also holds with more.
    procedure More_Scans
      (Line     : Line_Way;
       Aircraft : Aircraft_Way;

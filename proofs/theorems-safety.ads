@@ -1,16 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Nothing moves that was not asked for (SAF-1 to SAF-3, SAF-5, SAF-6,
---  SAF-10, D-13, D-14): the way of the commands from the ground's converter
---  to the servos and the aircraft's CORE memory, over any sequence of what
---  may happen on it.
+--  Nothing moves that the pilot did not command (SAF-1 to SAF-3, SAF-5, SAF-6,
+--  SAF-10, D-13, D-14). Every servo word is that of one real scan of the
+--  ground's converter, a control law's word while one flies, or the safe word.
+--  Old commands and warm starts move nothing. This holds over any sequence of
+--  scans, task runs, starts, and lost, late, repeated or reordered blocks, up
+--  to the limit Longest. A block altered without a wrong checksum is excluded
+--  (D-7), as are faults of the hardware.
 --
---  The way is made of the code's own mailboxes, routing, codec, transform
---  and layouts. Beside each place stands the scan that its words are of, 0
---  for the neutral words. What is proved is that they are, always.
---
---  A block may be lost, late, or come again and again, in any order; one
---  that was altered and has the right checksum is not in it (D-7).
+--  The model follows the commands from the ground's converter to the servos
+--  and the aircraft's CORE memory. It consists of the code's own mailboxes,
+--  decisions, routing, codec, transform and layouts. Beside each place it
+--  records the scan of its words, 0 for the neutral words. The theorems show
+--  that this record is always true.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
@@ -40,20 +42,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    Longest : constant := 1_000_000;
 
-   --  All that the ground's converter held, scan after scan: whatever it
-   --  was, in range or not.
+   --  All scans of the ground's converter, with any words, in range or not.
    type Scan_Count is range 0 .. Longest;
    subtype Scan_Number is Scan_Count range 1 .. Longest;
    type Scan_History is array (Scan_Number) of Channel_Words;
 
-   --  The words of a scan; before the first one the neutral ones.
+   --  The words of a scan; the neutral ones before the first scan.
    function Held (Scans : Scan_History; Scan : Scan_Count)
                   return Channel_Words
    is (if Scan = 0 then Neutral_Stick_Words else Scans (Scan))
    with Global => null;
 
-   --  The commands are those of the scan. Where there was none, they are
-   --  marked as old.
+   --  The commands are those of the scan. Without a scan they are marked as
+   --  old.
    function Is_Of
      (Item  : Uplink_Buffer;
       Scans : Scan_History;
@@ -64,8 +65,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then (if Scan = 0 then Is_Old (Item)))
    with Global => null;
 
-   --  The same of what is on the way up: a block of another kind than
-   --  commands is of no scan (EXT-2).
+   --  The same for an uplink: a block of another kind belongs to no scan
+   --  (EXT-2).
    function Is_Sent
      (Item  : Uplink_Buffer;
       Scans : Scan_History;
@@ -73,14 +74,14 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Is_Other_Kind (Item) or else Is_Of (Item, Scans, Scan))
    with Global => null;
 
-   --  What the servos make of a scan (figure 13).
+   --  The servo words for a scan (figure 13).
    function Outputs_Of
      (Scans : Scan_History; Scan : Scan_Count) return PWM_Buffer
    is (Transform (To_Uplink (Stamped (Held (Scans, Scan), Fresh => True))))
    with Global => null;
 
-   --  The same where a law may have put other words in the place of the four
-   --  that it flies. Where there was no scan no law flies.
+   --  The same with a law's words in place of the four that it flies. Without
+   --  a scan no law flies
 
    subtype Flown_Item is Command_Item range Roll .. Throttle;
 
@@ -96,8 +97,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then (if Scan = 0 then Is_Old (Item) and then not By_Law))
    with Global => null;
 
-   --  The same of a place on the way: the scan is one of those that there
-   --  have been, Done of them.
+   --  The same for a place on the path: its scan is one of the Done scans made
 
    function Comes_From
      (Item  : Uplink_Buffer;
@@ -124,7 +124,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Scan <= Done and then Is_Flown (Item, Scans, Scan, By_Law))
    with Global => null;
 
-   --  The blocks that the ground gave its telemetry board.
+   --  The blocks given to the ground's telemetry board.
    type Block_Count is range 0 .. Longest;
    subtype Block_Number is Block_Count range 1 .. Longest;
 
@@ -161,19 +161,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Is_Sent (Contents (Item.TELOUT), Scans, Item.TELOUT_From))
    with Global => null;
 
-   --  The same as one claim: who hands it on has not to show each place.
+   --  The same as a single claim, so that a proof need not repeat each place.
    function Is_Sound (Item : Ground_Way; Scans : Scan_History)
                       return Boolean
    is (Places_Are_Sound (Item, Scans))
    with Global => null;
 
-   --  The line: what was ever given to it.
+   --  The line: all blocks ever given to it.
    type Line_Way is record
       Given  : Block_Count;
       Blocks : Block_History;
    end record;
 
-   --  Done is how many scans there have been.
+   --  Done is the number of scans made.
    function Blocks_Are_Sound
      (Item  : Line_Way;
       Scans : Scan_History;
@@ -196,9 +196,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Blocks_Are_Sound (Item, Scans, Done))
    with Global => null;
 
-   --  The aircraft's part: the message that TELIN keeps, the variables, and
-   --  where the commands end: CORE memory, unless it is still cleared, and
-   --  the servos.
+   --  The aircraft's part: TELIN's kept message, the variables, and the ends
+   --  of the path, which are the servos and CORE memory unless that is still
+   --  cleared.
    type Aircraft_Way is record
       Kept        : URV.Uplink_Input.Kept_Message;
       Kept_From   : Scan_Count;
@@ -207,31 +207,31 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Uplink      : For_Uplink.Boxes.Mailbox;
       Uplink_From : Scan_Count;
 
-      --  The message that MDCIN keeps: what it gave last, of the same scan
-      --  as uplink_variable.
+      --  MDCIN's kept message: the last one sent, of the same scan as
+      --  uplink_variable.
       Given         : Uplink_Buffer;
       Commands      : For_Uplink.Boxes.Mailbox;
       Commands_From : Scan_Count;
 
-      --  Of what the laws remember: the link's state, the commands that they
-      --  heard last, and their scan.
+      --  The laws' memory as far as needed: the link's state, the last
+      --  commands that they used, and their scan.
       Law_Link    : Link_State;
       Heard       : Uplink_Buffer;
       Heard_From  : Scan_Count;
 
-      --  By_Law: a law may have put its own words in.
+      --  By_Law: a law may have set its own words.
       PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
       PWM_By_Law  : Boolean;
 
-      --  The surfaces that others make up for, as LAW has reported them.
+      --  The failed surfaces that others make up for, as reported by LAW.
       Reported    : Health;
       CORE        : Uplink_Words;
       CORE_From   : Scan_Count;
       Is_Cleared  : Boolean;
 
-      --  The servos' words, and the commands that they were made of.
-      --  Made_Up: surfaces make up for one that has failed.
+      --  The servos' words and their commands. Made_Up: other surfaces make up
+      --  for a failed one.
       Board         : Data_Area;
       Board_Made_Up : Boolean;
       Board_Of     : Uplink_Buffer;
@@ -239,9 +239,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Board_By_Law : Boolean;
    end record;
 
-   --  The servos' words are what figure 13 makes of the commands; where
-   --  surfaces make up for one that has failed, the brake and the discretes
-   --  are, and a law flies.
+   --  The servos' words are figure 13's of the commands. If surfaces make up
+   --  for a failed one, this holds for the brake and the discretes, and a law
+   --  flies.
    function Board_Is_Sound
      (Board    : Data_Area;
       Commands : Uplink_Buffer;
@@ -256,7 +256,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         Transform (Commands) (Discretes))
    with Global => null;
 
-   --  Others make up for a failed surface only where a law may fly.
+   --  Other surfaces make up for a failed one only if a law may fly.
    function Is_Reported (Reported : Health; By_Law : Boolean) return Boolean
    is (if Reported.Failed /= URV.Surfaces.None then By_Law)
    with Global => null;
@@ -326,8 +326,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    type Event_Number is range 1 .. Longest;
    type Event_History is array (Event_Number) of Event;
 
-   --  An event, as the tasks' bodies and the starts have it: wherever
-   --  commands stand, they are those of the scan that is said.
+   --  An event, as the tasks' bodies and the starts perform it. All commands
+   --  remain those of their recorded scan.
    procedure Happen
      (Ground   : in out Ground_Way;
       Line     : in out Line_Way;
@@ -345,8 +345,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then Is_Sound (Line, Scans, Ground.Done)
        and then Is_Sound (Aircraft, Scans, Ground.Done)
 
-       --  The servos move only with commands that are not marked as old,
-       --  when the PWM task runs; or to the safe words at power up.
+       --  The servos move only when the PWM task runs with commands that are
+       --  not marked as old, or to the safe words at power up.
        and then
          (if Now.Kind = Aircraft_Cold_Start
           then Aircraft.Board = URV.PWM_Layout.Safe_Area
@@ -355,7 +355,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
             or else Is_Old (Contents (Aircraft'Old.PWM))
           then Aircraft.Board = Aircraft'Old.Board);
 
-   --  From power up on all stands as said, over any sequence of events.
+   --  From power up the record is true, over any sequence of events.
    procedure Any_History
      (Scans    : Scan_History;
       Events   : Event_History;
@@ -382,10 +382,10 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then URV.PWM_Layout.Safe_Area =
          URV.PWM_Layout.To_Data_Area (Transform (Neutral_Uplink));
 
-   --  Each servo word is what figure 13 makes of the words of one scan that
-   --  the ground's converter held, or the safe word (SAF-2). Where a law
-   --  flies, this holds of the brake and the discretes, and of the flaps
-   --  unless they make up for a surface that has failed (EXT-6).
+   --  Each servo word is figure 13's of one scan of the ground's converter, or
+   --  the safe word (SAF-2). While a law flies, this holds for the brake and
+   --  the discretes, and for the flaps unless they make up for a failed
+   --  surface (EXT-6).
    procedure Servos_Were_Asked_For
      (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -406,9 +406,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
                 then Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
                   Outputs_Of (Scans, Item.Board_From) (Name))));
 
-   --  With the laws off no law flies, nor with the disconnect switch on in
-   --  commands that are not marked as old, whatever the laws remember and
-   --  the sensors say: what the PWM task is given is what MDCIN gave.
+   --  No law flies with the laws off, nor with the disconnect switch on in
+   --  commands that are not marked as old, whatever the laws' memory and the
+   --  sensors. The PWM task then gets MDCIN's message.
    procedure No_Law_Flies_Unless_Asked
      (Item  : in out Aircraft_Way;
       Scans : Scan_History;
@@ -428,9 +428,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        not Item.PWM_By_Law
        and then Contents (Item.PWM) = Contents (Item'Old.Commands);
 
-   --  A switch is off, at its discrete and at the flaps, until a scan says
-   --  that it is on (SAF-3). Flaps may make up for a surface that has failed
-   --  (EXT-6).
+   --  A switch is off, at its discrete and at the flaps, until a scan turns it
+   --  on (SAF-3). Flaps may make up for a failed surface (EXT-6).
    procedure Switches_Are_Off_Until_A_Scan_Says_On
      (Item   : Aircraft_Way;
       Scans  : Scan_History;
@@ -453,8 +452,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
             (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
                Item.Board (URV.PWM_Layout.Channel_Of (Flap)) = Flaps_Up));
 
-   --  Commands that are marked as old move nothing (SAF-3): those that the
-   --  PWM task is given. A law that flies marks none.
+   --  Commands marked as old move nothing when they reach the PWM task
+   --  (SAF-3). A law that flies marks none.
    procedure Old_Commands_Move_Nothing
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -471,8 +470,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Pre    => Is_Sound (Item, Scans, Done),
      Post   => Item.Board = Item'Old.Board;
 
-   --  What is passed on a second time is marked as old (SAF-5): without a
-   --  scan, an image, a block, or a message in TELIN_variable.
+   --  A second use of the same data is marked as old (SAF-5): a repeated scan,
+   --  image, block, or message in TELIN_variable
 
    procedure A_Repeated_Scan_Is_Marked
      (Item : in out Ground_Way; Scans : Scan_History)
@@ -536,9 +535,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        Is_Old (Contents (Item.Uplink))
        and then Is_Old (Contents (Item.Commands));
 
-   --  A block of another kind, a configuration or what nobody knows, is no
-   --  commands (EXT-2): CORE and the laws are given those of before, marked
-   --  as old.
+   --  A block of another kind, known or unknown, carries no commands (EXT-2).
+   --  CORE and the laws get the last ones, marked as old.
    procedure Another_Kind_Is_No_Commands
      (Item : in out Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -551,7 +549,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then Is_Old (Contents (Item.Commands))
        and then Item.Uplink_From = Item'Old.Uplink_From;
 
-   --  It moves no servo by itself: unless a law flies, the outputs stay.
+   --  Such a block moves no servo by itself: unless a law flies, the outputs
+   --  remain.
    procedure Another_Kind_Moves_Nothing
      (Item   : in out Aircraft_Way;
       Scans  : Scan_History;
@@ -567,8 +566,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then Is_Other_Kind (Contents (Item.TELIN)),
      Post   => (if not By_Law then Item.Board = Item'Old.Board);
 
-   --  A scan is whole: the words that are sent are those that were
-   --  converted since it began, one a channel; with the last they are sent.
+   --  A scan is complete: its words are those converted since it began, one
+   --  for each channel. The last conversion sends them.
    procedure A_Scan_Is_What_Was_Converted
      (Item : in out Scan; Values : Channel_Words; Next : out Next_Step)
    with

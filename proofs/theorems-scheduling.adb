@@ -2,7 +2,7 @@
 
 package body Theorems.Scheduling with SPARK_Mode is
 
-   --  A choice leaves all but the chosen task as they were.
+   --  A choice changes only the chosen task.
    procedure Prove_Choice (S : Scheduler)
    with
      Global => null,
@@ -18,8 +18,7 @@ package body Theorems.Scheduling with SPARK_Mode is
              then Running
              else Queue_Of (S, Which)));
 
-   --  From a first state to a middle one, and from there to a last one: from
-   --  the first to the last.
+   --  Composes two steps, from First to Middle and on to Last
 
    procedure Prove_Kept (First, Middle, Last : Scheduler)
    with

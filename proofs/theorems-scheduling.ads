@@ -1,11 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The scheduler over any sequence of calls, with any tasks (report, sections
---  3.2 and 3.3; KRN-1 to KRN-4).
+--  The scheduler never loses or doubles a task, wakes none early or late, and
+--  always runs a ready task of the highest priority, first come first served
+--  among equals (report, sections 3.2 and 3.3; KRN-1 to KRN-4). This holds for
+--  any tasks and any sequence of calls, on each processor. It does not limit
+--  the time that a task takes; overruns are counted when they happen.
 --
---  A TCB is in exactly one queue at any time: Queue_Of has one answer. What a
---  call gives follows from the scheduler and its parameters alone: each is a
---  function.
+--  A TCB is in exactly one queue at any time, since Queue_Of has one result.
+--  The result of a call depends only on the scheduler and the parameters,
+--  since each call is a function.
 
 with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Schedulers; use URVOS.Schedulers;
@@ -25,8 +28,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
 
    type Call_Sequence is array (Positive range <>) of Scheduler_Call;
 
-   --  The precondition of a call. Calls that are not allowed are never made;
-   --  in a sequence they do nothing.
+   --  The precondition of a call. In a sequence, a call that is not allowed
+   --  does nothing.
    function Is_Allowed (S : Scheduler; Call : Scheduler_Call) return Boolean
    is
      (case Call.Kind is
@@ -51,7 +54,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
 
    --  No task is lost or doubled
 
-   --  The tasks are the same as before, each in its own TCB, but for one TCB.
+   --  The tasks are the same as before, each in its own TCB, with one
+   --  exception.
    function Are_Kept
      (Before, After : Scheduler;
       Except        : TCB_Count := No_TCB) return Boolean
@@ -65,7 +69,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
                       TCB (Before, Which).Priority))
    with Global => null;
 
-   --  A sleeping task sleeps on if its tick has not come.
+   --  A sleeping task sleeps on until its tick.
    function Nobody_Is_Woken_Early (Before, After : Scheduler) return Boolean is
      (for all Which in TCB_Number =>
         (if Queue_Of (Before, Which) = Timer
@@ -75,8 +79,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
                       TCB (Before, Which).Ready_At))
    with Global => null;
 
-   --  A task sleeps until its release: nobody is woken late. By Queue_Of it is
-   --  in the timer queue while Ready_At has not come, and not longer.
+   --  A task sleeps no longer than until its release. By Queue_Of it is in the
+   --  timer queue exactly while Ready_At has not come.
    function Sleepers_Wait_For_Release (S : Scheduler) return Boolean is
      (for all Which in TCB_Number =>
         (if Queue_Of (S, Which) = Timer
@@ -84,9 +88,9 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
            and then TCB (S, Which).Release > Clock (S)))
    with Global => null;
 
-   --  One call. Only LOAD takes a TCB, the first of the free ones; only
-   --  TERMINATE gives one back, the caller's; every other task stays in its
-   --  own. Nobody is woken early or late.
+   --  One call. Only LOAD takes a TCB, the first free one. Only TERMINATE
+   --  frees one, the caller's. Every other task keeps its own. No task is
+   --  woken early or late.
    procedure One_Call (S : Scheduler; Call : Scheduler_Call)
    with
      Global => null,
@@ -107,7 +111,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
             and then Queue_Of (After (S, Call), Running_TCB (S)) = Free
           else Are_Kept (S, After (S, Call)));
 
-   --  The first Number calls of a sequence.
+   --  The scheduler after the first Number calls of a sequence.
    function After_All
      (S      : Scheduler;
       Calls  : Call_Sequence;
@@ -122,7 +126,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
      Subprogram_Variant => (Decreases => Number);
 
    --  Any sequence of calls. Without LOAD and TERMINATE the tasks remain the
-   --  same. A sleeper is in the timer queue until its release, and not longer.
+   --  same. A sleeping task is in the timer queue until its release, and no
+   --  longer.
    procedure Any_Calls (S : Scheduler; Calls : Call_Sequence)
    with
      Global => null,
@@ -172,8 +177,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    => not Is_Idle (S);
 
-   --  An idle processor is given to the head of the ready queue: a task of
-   --  the highest priority. It stays idle only if no task is ready.
+   --  An idle processor gets the head of the ready queue, a task of the
+   --  highest priority. It stays idle only if no task is ready.
    procedure Dispatch_Chooses_The_Best (S : Scheduler)
    with
      Global => null,
@@ -184,7 +189,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
         else Best_Runs (After_Dispatch (S))
           and then Running_TCB (After_Dispatch (S)) = Head_Of (S, Ready));
 
-   --  After EXIT too, whether another task runs then or the caller.
+   --  The same after EXIT, whether another task or the caller runs then.
    procedure Exit_Chooses_The_Best (S : Scheduler)
    with
      Global => null,
@@ -194,7 +199,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
 
    --  First come, first served among equals
 
-   --  A TCB is behind all of its queue that have its priority.
+   --  The TCB follows all TCBs of its queue that have its priority.
    function Is_Behind_Equals
      (S : Scheduler; Which : TCB_Number) return Boolean
    is
@@ -204,7 +209,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
                 (TCB (S, Other).Priority >= TCB (S, Which).Priority)))
    with Global => null;
 
-   --  TCBs that share a queue, but for the running one, keep their order.
+   --  TCBs that share a queue keep their order, with one exception.
    function Order_Is_Kept
      (Before, After : Scheduler;
       Except        : TCB_Count := No_TCB) return Boolean
@@ -217,8 +222,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
             then Is_Ahead (After, A, B) = Is_Ahead (Before, A, B))))
    with Global => null;
 
-   --  A task that becomes ready, or a TCB that becomes free, goes behind its
-   --  equals; all others keep their order.
+   --  A task that becomes ready, or a TCB that becomes free, follows its
+   --  equals. All others keep their order.
    procedure First_Come_First_Served (S : Scheduler; Call : Scheduler_Call)
    with
      Global => null,
@@ -244,8 +249,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
               Order_Is_Kept (S, After (S, Call), Running_TCB (S))
               and then Is_Behind_Equals (After (S, Call), Running_TCB (S)));
 
-   --  Sleeping tasks are woken in the order of their ticks, behind those of
-   --  their priority that were ready before.
+   --  Sleeping tasks are woken in the order of their ticks, after ready tasks
+   --  of the same priority.
    procedure Sleepers_Wake_In_Order (S : Scheduler; Now : Clock_Tick)
    with
      Global => null,

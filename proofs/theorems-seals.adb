@@ -4,7 +4,7 @@ with Interfaces; use Interfaces;
 
 package body Theorems.Seals with SPARK_Mode is
 
-   --  The tag stands behind what it covers.
+   --  The tag follows the bytes that it covers.
    procedure Tag_Leaves_The_Rest
      (Block  : Block_Data;
       Sender : Station;
@@ -43,8 +43,8 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Before = After);
    end Tag_Leaves_The_Rest;
 
-   --  Of so many numbers in a row each has a remainder of its own, so that
-   --  the latest with it is the number.
+   --  Consecutive numbers, up to the modulus, have different remainders, so
+   --  the latest with a remainder is the number.
    procedure The_Latest_Is_It (Number, Modulus, Most : Counter)
    with
      Global => null,
@@ -71,7 +71,7 @@ package body Theorems.Seals with SPARK_Mode is
          then Modulus * Of_Most = Modulus * Of_Number + Modulus);
    end The_Latest_Is_It;
 
-   --  Four bytes tell a number.
+   --  Four bytes hold a number.
    procedure Bytes_Tell (Number : Counter; Block : Block_Data)
    with
      Global => null,
@@ -132,8 +132,8 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure Halves_Of_A_Field (High, Low : Word) is null;
 
-   --  The number and the echo of an uplink, and of a downlink, are those that
-   --  it was sealed with.
+   --  The number and the echo of an uplink and of a downlink are those with
+   --  which it was sealed
 
    procedure Uplink_Tells
      (Block  : Block_Data;

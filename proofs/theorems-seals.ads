@@ -1,19 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The sealed link: what is sealed comes through, nothing is taken twice, and
---  nothing that was sealed more than a quarter of a second before, whatever
---  the line does (SEC-1, SEC-3, SEC-4).
+--  On the sealed link every sealed block opens, no block is taken twice, and
+--  none is taken that was sealed more than a quarter of a second earlier
+--  (SEC-1, SEC-3, SEC-4). This holds for both nodes and any line that loses,
+--  delays, repeats or reorders blocks, with clocks within 200 ppm. It does not
+--  show that an attacker without the key cannot forge a tag; this rests on the
+--  accepted strength of SipHash.
 --
---  How old a block may be is shown in three steps. Clocks_Keep_Step: two
---  clocks within 200 ppm agree on a number of frames, but for Drift.
---  A_Taken_Block_Is_Young: if the reference of a session is true, a block
---  that opens was sealed at most Most_Age frames ago.
---  The_Reference_Stays_True: after a block has opened, the reference is true
---  again. In the beginning it is true, since the ground makes its session
---  after the aircraft.
---
---  That nobody without the key finds a tag is not proved, here or anywhere:
---  it is what SipHash is believed to do.
+--  Three theorems limit a block's age. Clocks_Keep_Step: two clocks within 200
+--  ppm agree on a number of frames, within Drift. A_Taken_Block_Is_Young: if a
+--  session's reference is true, a block that opens was sealed at most Most_Age
+--  frames ago. The_Reference_Stays_True: after a block has opened, the
+--  reference is true again. It is true at first, since the ground makes its
+--  session after the aircraft.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
@@ -25,8 +24,8 @@ with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package Theorems.Seals with SPARK_Mode, Ghost is
 
-   --  A word of a block as its receiver has it: clipped to 12 bits (D-11);
-   --  of the last word up the flags, down all (D-15).
+   --  A received word of a block: limited to 12 bits (D-11); in the last word,
+   --  an uplink has the flags and a downlink all bits (D-15).
    function Carried
      (Data   : Block_Data;
       Sender : Station;
@@ -55,9 +54,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
           Which) =
        Carried (Data, Sender, Which);
 
-   --  A block opens for the node that has the session, if it is newer than
-   --  all that was taken, came in time, and its number and echo are among the
-   --  latest that its receiver's clock allows.
+   --  A block opens for a node with its session if it is newer than all blocks
+   --  taken, came in time, and has a number and echo among the latest that the
+   --  receiver's clock allows.
    procedure What_Is_Sealed_Opens
      (Data   : Block_Data;
       Sender : Station;
@@ -85,8 +84,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Opens
          (Sealed (Data, Sender, Number, Echo, Mine), Sender, Theirs);
 
-   --  Whatever comes, a block that is taken has a higher number than all
-   --  that its session has taken, and a session keeps its newest.
+   --  A block that is taken has a higher number than all blocks that its
+   --  session has taken, and the session records it as newest.
    procedure Nothing_Older_Is_Taken
      (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
@@ -105,15 +104,15 @@ package Theorems.Seals with SPARK_Mode, Ghost is
         elsif What /= Hello_Taken
         then Item.Active = Item'Old.Active);
 
-   --  Time: a frame of a clock within 200 ppm of its rate, in nanoseconds.
+   --  Time: the frame of a clock within 200 ppm of its rate, in nanoseconds
 
    type Nanoseconds is range 0 .. 2 ** 62;
 
    Shortest_Frame : constant := 20_000_000 - 4_000;
    Longest_Frame  : constant := 20_000_000 + 4_000;
 
-   --  The time between two events lies between the whole frames that a clock
-   --  counts between them, one fewer and one more.
+   --  The time between two events is within one frame of the whole frames that
+   --  a clock counts between them.
    function Can_Count (Frames : Counter; Time : Nanoseconds) return Boolean is
      (Time < (Nanoseconds (Frames) + 1) * Longest_Frame
       and then
@@ -121,8 +120,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
          or else Time > (Nanoseconds (Frames) - 1) * Shortest_Frame))
    with Global => null;
 
-   --  In a time in which the peer counts Theirs frames, this node counts
-   --  Least_Of (Theirs) or more.
+   --  While the peer counts Theirs frames, this node counts at least Least_Of
+   --  (Theirs).
    procedure Clocks_Keep_Step
      (Theirs : Counter; Mine : Counter; Time : Nanoseconds)
    with
@@ -133,19 +132,18 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Can_Count (Mine, Time),
      Post   => Mine >= Least_Of (Theirs);
 
-   --  This node's age, as nobody knows it, when the peer sealed a block:
-   --  Sealed_At is that of the block that came, Reference_At that of the
-   --  reference.
+   --  This node's age when the peer sealed a block; neither node knows it.
+   --  Sealed_At belongs to the block received, Reference_At to the reference
 
-   --  The reference says something true.
+   --  The reference is true.
    function Is_True
      (Item : Session; Reference_At : Counter) return Boolean
    is
      (Item.Reference = 0 or else Reference_At >= Item.Not_Before)
    with Global => null;
 
-   --  The peer is honest and its clock within bounds: it had taken what it
-   --  echoes, and has counted the frames between the two blocks.
+   --  The peer is honest and its clock is within bounds: it had taken the
+   --  block that it echoes, and has counted the frames between the two blocks.
    function Is_Honest
      (Item         : Session;
       Number       : Counter;
@@ -163,7 +161,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Number <= Last_Age;
 
-   --  For any line: what it delays, withholds or reorders is refused.
+   --  For any line: delayed, withheld and reordered blocks are refused if they
+   --  are too old.
    procedure A_Taken_Block_Is_Young
      (Item         : Session;
       Block        : Block_Data;
@@ -203,10 +202,10 @@ package Theorems.Seals with SPARK_Mode, Ghost is
         else Is_True (With_Newest (Item, Block, Sender), Reference_At));
 
    --  Three blocks that arrive make a session: a call, its answer, and a
-   --  sealed block; recorded calls between them, up to three, prevent
-   --  nothing. Each node needs a new nonce.
+   --  sealed block. Up to three recorded calls between them do not prevent it.
+   --  Each node needs a new nonce
 
-   --  A call is taken, and answered.
+   --  A call is taken and answered.
    procedure A_Call_Is_Answered
      (Item  : in out URV.Handshakes.Seal;
       Call  : in out Block_Data;
@@ -225,9 +224,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Item.Pending (Item.Latest).Ground_Nonce =
          Nonce_At (Call'Old, Own_Place);
 
-   --  Each answer has its turn: of the aircraft's hellos, every fourth or
-   --  sooner answers the session in this place, for as long as it is
-   --  answered.
+   --  Each answer has its turn: while the session in this place is to be
+   --  answered, at least every fourth of the aircraft's hellos answers it
 
    function Distance (From, To : Pending_Place) return Natural is
      ((Integer (To) - Integer (From)) mod Integer (Pending_Place'Last))
@@ -245,7 +243,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        or else
          Distance (Item.Turn, Which) < Distance (Item.Turn'Old, Which);
 
-   --  What was pending is still there after a call more, unless it is the
+   --  A pending session remains after one more call, unless that is the
    --  fourth.
    procedure A_Call_Displaces_The_Oldest
      (Item  : in out URV.Handshakes.Seal;
@@ -264,7 +262,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Item.Latest in
          Item'Old.Latest | Next_Place (Item'Old.Latest);
 
-   --  A sealed block of a pending session makes it the session.
+   --  A sealed block of a pending session makes it the active session.
    procedure A_Sealed_Block_Completes
      (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
@@ -290,7 +288,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
                   and then Item.Active.Aircraft_Nonce =
                     Item'Old.Pending (Each).Aircraft_Nonce));
 
-   --  What is refused changes nothing.
+   --  A refused block changes nothing.
    procedure What_Is_Refused_Changes_Nothing
      (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;
@@ -302,7 +300,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
         then Item = Item'Old
           and then (for all Each of Block => Each = 0));
 
-   --  A session is begun with a nonce of this node that it goes past.
+   --  A session begins with a nonce of this node that it does not use again.
    procedure Own_Nonces_Are_Used_Once
      (Item  : in out URV.Handshakes.Seal;
       Block : in out Block_Data;

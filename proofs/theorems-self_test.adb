@@ -4,7 +4,7 @@ package body Theorems.Self_Test with SPARK_Mode is
 
    procedure Step_Is_Polynomial_Division (Register : Sum) is null;
 
-   --  Half a step loses nothing.
+   --  Half a step keeps different registers different.
    procedure Half_A_Step_Tells_Apart (Left, Right : Sum)
    with
      Global => null,

@@ -1,7 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the self-test finds, and that it finds nothing where nothing is
---  wrong (TST-1, TST-3).
+--  The self-test's checksum finds every program image with one wrong byte, and
+--  accepts every image with its right sum (TST-1, TST-3). This holds for all
+--  images of any length, and for the check in flight of 64 KiB in slices of
+--  any size. Images with several wrong bytes may pass by chance, about once in
+--  four billion; see URVOS.Image_Sums.
 
 with URVOS;            use URVOS;
 with URVOS.Image_Sums; use URVOS.Image_Sums;
@@ -10,7 +13,7 @@ with URVOS.ROM_Checks;
 
 package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
 
-   --  The table's step is the division by the polynomial, bit by bit.
+   --  One step of the division by the polynomial, which the table computes.
    function Shifted (Register : Sum) return Sum is
      (if (Register and 1) /= 0
       then Shift_Right (Register, 1) xor 16#82F6_3B78#
@@ -23,8 +26,8 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
        Four_Bits_On (Register) =
          Shifted (Shifted (Shifted (Shifted (Register))));
 
-   --  Different registers stay different when the same byte follows, and
-   --  the same register becomes different when different bytes follow.
+   --  Different registers remain different after the same byte, and the same
+   --  register becomes different after different bytes.
    procedure Step_Tells_Apart
      (Left, Right     : Sum;
       Data_1, Data_2 : Byte)
@@ -33,7 +36,7 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
      Pre    => (Left = Right) /= (Data_1 = Data_2),
      Post   => Next (Left, Data_1) /= Next (Right, Data_2);
 
-   --  The register depends on nothing but the bytes that it has taken.
+   --  The register depends only on the bytes taken.
    procedure Same_Bytes_Same_Register
      (Left, Right : Image;
       Length      : Image_Length)
@@ -50,8 +53,8 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
      Post               =>
        Register_After (Left, Length) = Register_After (Right, Length);
 
-   --  An image in which exactly one byte is wrong, in whatever bits, has
-   --  another register in the end.
+   --  An image with exactly one wrong byte, in any bits, has another register
+   --  at the end.
    procedure One_Wrong_Byte_Is_Detected
      (Right, Spoilt : Image;
       Wrong         : Byte_Address;
@@ -71,8 +74,7 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
      Post               =>
        Register_After (Right, Length) /= Register_After (Spoilt, Length);
 
-   --  Any register ends as that of a good image when its own four bytes
-   --  follow.
+   --  After its own four bytes, any register is that of a good image.
    procedure Kept_Bytes_Make_Good (Register : Sum)
    with
      Global => null,
@@ -81,7 +83,7 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
          (Register, Kept_Byte (Register, 0)), Kept_Byte (Register, 1)),
           Kept_Byte (Register, 2)), Kept_Byte (Register, 3)) = Good_Image;
 
-   --  An image that keeps its sum in its last four bytes is a good one.
+   --  An image with its sum in its last four bytes is a good one.
    procedure Image_With_Its_Sum_Is_Good (Item : Image)
    with
      Global => null,
@@ -94,9 +96,9 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
                        (Register_After (Item, Item'Length - 4), Place)),
      Post   => Register_After (Item, Item'Length) = Good_Image;
 
-   --  A check of 64 KiB that takes an image from wherever it stands to the
-   --  end of the pass finds what the image is. In how many slices is all
-   --  one: a slice is some bytes taken, and nothing between them counts.
+   --  A check of 64 KiB finds the state of the image when it continues from
+   --  any byte to the end of the pass. The number of slices does not matter: a
+   --  slice only takes some bytes
 
    package Checks is new ROM_Checks (Last => 16#FFFF#);
    use Checks;
@@ -108,8 +110,8 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
    is
      (Item.Register = Register_After (Source, Image_Length (Item.Position)));
 
-   --  At the first byte it has, of any image; and one byte more leaves it
-   --  so, until the last one tells what the image is.
+   --  This holds at the first byte of any image. Each further byte keeps it
+   --  so, and the last byte gives the outcome for the image.
    procedure Check_Tells_What_The_Image_Is
      (Item    : in out Check;
       Source  : Checked_Image;

@@ -6,8 +6,8 @@ package body Theorems.Silence with SPARK_Mode is
 
    procedure No_State_Is_Far (Item : Board) is null;
 
-   --  A board that is not at rest comes closer to it with each character,
-   --  or waits.
+   --  A board that is not at rest comes closer to rest with each character, or
+   --  waits.
    procedure Speaks_Or_Waits
      (Item             : Control;
       Waiting, On_Line : Buffer_Pair;
@@ -28,8 +28,8 @@ package body Theorems.Silence with SPARK_Mode is
           else Is_Waiting (After)
             and then Distance (After) = Distance (Item));
 
-   --  A board that waits comes closer to rest with time; After is what its
-   --  control is then, and Pair the receive pair.
+   --  A waiting board comes closer to rest with time. After is its control
+   --  then, and Pair the receive pair.
    procedure Waits_Not_For_Ever
      (Item         : Control;
       Pair, Blocks : Buffer_Pair;

@@ -1,7 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A telemetry board left alone comes to rest: from whatever state, with a
---  silent line, it is back at the start within a bounded time (LNK-9, D-27).
+--  The link never hangs: on a silent line a telemetry board returns to rest
+--  within 102 character times, 9.8 ms on a wire, from every state (LNK-9,
+--  D-27). A slower line adds two round trips. This holds for both boards. It
+--  assumes that the board's timer runs, and says nothing about a line on which
+--  other characters keep coming.
 
 with Telemetry;           use Telemetry;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -12,7 +15,7 @@ with Telemetry.Turns;     use Telemetry.Turns;
 
 package Theorems.Silence with Pure, SPARK_Mode, Ghost is
 
-   --  What is left of a wait of which some silence has passed.
+   --  The rest of a wait after some silence.
    function Rest_Of (Wait : Character_Times; Item : Control) return Positive
    is
      (if Item.Line_Taken then Positive (Wait)
@@ -20,16 +23,16 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
       else Positive (Wait - Item.Silence))
    with Pre => Wait > 0;
 
-   --  The ground idles after it has waited.
+   --  The ground's idle time after its wait.
    function Idle_After (Item : Control) return Natural is
      (if Item.Role = Ground then Natural (Idle_Time_On (Item.Round_Trip))
       else 0);
 
-   --  How long it waits for the other board.
+   --  The wait for the other board.
    function Dead (Item : Control) return Character_Times is
      (Dead_Space_On (Item.Round_Trip));
 
-   --  How many character times of silence the board is from rest, at most.
+   --  The largest number of silent character times until the board is at rest.
    function Distance (Item : Control) return Natural is
      (case Item.State is
          when Ready =>
@@ -63,9 +66,9 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
    function At_Rest (Item : Board) return Boolean is
      (Is_At_Rest (Control_Of (Item)));
 
-   --  No state is farther away than a whole message, the dead space and the
+   --  No state is further away than a whole message, the dead space and the
    --  idle time: 102 character times, 9.8 ms, for the longest block on a wire,
-   --  and two round trips of a slower line (LNK-11).
+   --  plus two round trips of a slower line (LNK-11).
    procedure No_State_Is_Far (Item : Board)
    with
      Global => null,
@@ -75,8 +78,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
          Longest_Block + 2 + 44 + 2 * Natural (Control_Of (Item).Round_Trip)
        and then (Distance (Item) = 0) = At_Rest (Item);
 
-   --  One character time of silence: the main program has its turn, then
-   --  time passes.
+   --  One character time of silence: the main program has its turn, then time
+   --  passes.
    procedure Live_On (Item : in out Board)
    with
      Global => null,
@@ -84,7 +87,7 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
      Post   =>
        Is_Sound (Item) and then Distance (Item) < Distance (Item'Old);
 
-   --  In silence every board comes to rest, within the distance.
+   --  In silence every board comes to rest within this distance.
    procedure Comes_To_Rest (Item : in out Board; Times : out Natural)
    with
      Global             => null,
@@ -95,9 +98,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        and then At_Rest (Item)
        and then Times <= Distance (Item'Old);
 
-   --  When the ground has been silent for its idle time, an aircraft that
-   --  waits and has heard nothing for as long has been reset, or has answered
-   --  what it heard.
+   --  After the ground's idle time of silence, an aircraft that waits and has
+   --  also heard nothing has reset itself, or has answered its last message.
    procedure Ground_Outwaits_Aircraft
      (Item : in out Board; Times : out Natural)
    with
@@ -113,7 +115,7 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
          Natural (Idle_Time_On (Control_Of (Item'Old).Round_Trip));
 
    --  After two data messages the ground sends no third, whatever its
-   --  controller puts: it commands, or idles (D-28).
+   --  controller puts. It commands or idles (D-28).
    procedure No_Third_In_A_Row (Item : Control; Blocks : Buffer_Pair)
    with
      Global => null,
@@ -134,8 +136,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        Reset (Item, Blocks).In_A_Row = 0
        and then Reset (Item, Blocks).State in Ready | Idling;
 
-   --  It is free to send again only after its idle time of silence: time
-   --  takes the count back only into that, or at the end of it.
+   --  The ground may send again only after its idle time of silence: passing
+   --  time clears the count only as that begins or ends.
    procedure Free_After_Idle_Time
      (Item : Control; Time : Character_Times; Blocks : Buffer_Pair)
    with
@@ -156,9 +158,9 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
 
    --  A line slower than a wire (LNK-11)
 
-   --  A board whose last character has left is still waiting when the answer
-   --  comes: a round trip, the other board's guard time and the answer's first
-   --  character later.
+   --  A board still waits when the answer arrives: one round trip, the other
+   --  board's guard time and the answer's first character after its own last
+   --  character.
    procedure An_Answer_Is_Waited_For
      (Item   : Control;
       Line   : Line_Delay;
@@ -179,8 +181,8 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
        not Is_Over_After (Item, Time)
        and then Elapsed (Item, Time, Blocks).State = Item.State;
 
-   --  Whatever the line's delay, an exchange without faults and the ground's
-   --  idle time after it fit into a frame: it has two round trips (D-38).
+   --  For every delay of the line, an exchange without faults and the ground's
+   --  idle time fit in a frame, including two round trips (D-38).
    procedure An_Exchange_Fits_Into_A_Frame (Round_Trip : Round_Trip_Time)
    with
      Global => null,

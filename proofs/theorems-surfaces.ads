@@ -1,8 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is done about surfaces that fail, and when it is not (EXT-6),
---  whatever the commands and the sensors. They are about the code's own
---  functions; that nothing in them overflows is proved with their bodies.
+--  The flight software never reports a sound servo as failed, reports within
+--  half a second any surface that is half a degree of an aileron outside its
+--  bounds, and sends no sound surface beyond its stops (EXT-6). This holds for
+--  all commands, sensor words and servos within the limits of
+--  URV.Servo_Models, with sensor errors up to the allowance. The engine's
+--  monitor has similar theorems. How well the remaining surfaces fly the
+--  aircraft is not proved but flown in simulation. The proof of their bodies
+--  shows that nothing overflows.
 
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
@@ -17,8 +22,8 @@ with URVOS;               use URVOS;
 
 package Theorems.Surfaces with SPARK_Mode, Ghost is
 
-   --  Unless a surface was told to have failed, and unless a law flies, the
-   --  servos get what figure 13 makes of the commands, bit for bit.
+   --  Unless a surface was reported as failed and a law flies, the servos get
+   --  figure 13's words, bit for bit.
    procedure Nothing_Told_Is_Figure_13
      (Commands : Uplink_Buffer; Now : Health; By_Law : Boolean)
    with
@@ -27,9 +32,9 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
      Post   =>
        Servos (Commands, Told_Of (Now, By_Law)) = Transform (Commands);
 
-   --  Whatever has failed: the words are in the converter's range, no surface
-   --  that is well is sent beyond its stops, one that has failed gets what
-   --  figure 13 says, and so does what is no surface.
+   --  For any failures: the words are in the converter's range, no sound
+   --  surface is sent beyond its stops, and failed surfaces and other outputs
+   --  get figure 13's words.
    procedure Limits_Are_Kept
      (Commands : Uplink_Buffer; Now : Health; Given : PWM_Buffer)
    with
@@ -49,20 +54,20 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then Given (Brake) = Transform (Commands) (Brake)
        and then Given (Discretes) = Transform (Commands) (Discretes);
 
-   --  A servo, whatever its design: what it follows its word with, and where
-   --  its surface is.
+   --  A servo of any design: Lagged is its filtered word, and Place its
+   --  surface's position.
    type Servo is record
       Lagged, Place : Fine := 0;
    end record;
 
-   --  Lagged makes at least the slowest sound servo's share of the way to the
-   --  goal in a step, and goes no further than the goal.
+   --  In a step Lagged covers at least the slowest sound servo's share of the
+   --  distance to the goal, and stops at the goal.
    function Has_Followed (From, To, Goal : Fine) return Boolean is
      (if From >= Goal then To in Goal .. From - Part_Of (From - Goal)
       else To in From + Part_Of (Goal - From) .. Goal)
    with Global => null;
 
-   --  The surface goes after it, at the slowest rate limit or quicker, and no
+   --  The surface follows it, at least at the slowest rate limit, and no
    --  further.
    function Has_Moved (From, To, Goal : Fine; Slowest : Rate_Limit)
                        return Boolean
@@ -72,8 +77,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
       else To in Integer'Min (Goal, From + Slowest) .. Goal)
    with Global => null;
 
-   --  A sound servo in a step: a lag of 0 to 0.15 s, a rate limit of
-   --  the slowest one's or more, none at all too, each other in every step.
+   --  A step of a sound servo: a lag of 0 to 0.15 s, and a rate limit of at
+   --  least the slowest, or none. Both may differ in every step.
    function Is_Sound_Step
      (Before, After : Servo; Goal : Fine; Slowest : Rate_Limit)
       return Boolean
@@ -87,8 +92,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
       and then Item.Place in Range_Of.Least .. Range_Of.Most)
    with Global => null;
 
-   --  The bounds hold it in every step, wherever within its dead band around
-   --  whichever of its words it goes.
+   --  The bounds contain the servo in every step, for any goal within the dead
+   --  band around one of its words.
    procedure A_Sound_Servo_Stays_Within
      (Before, After : Servo;
       Range_Of      : Bounds;
@@ -104,12 +109,12 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then Is_Sound_Step (Before, After, Goal, Slowest),
      Post   => Is_Within (After, After_Step (Range_Of, Goals, Slowest));
 
-   --  From scan to scan: where the servo is and what it follows, step by step.
+   --  From scan to scan: the servo and its goal, step by step.
    type Servo_Steps is array (0 .. Steps_Per_Frame) of Servo;
    type Goal_Steps is array (1 .. Steps_Per_Frame) of Fine;
 
-   --  A sound servo in a frame. Its words are one of the last three in every
-   --  step, followed to within the dead band, beyond a stop or not.
+   --  A frame of a sound servo. In every step its word is one of the last
+   --  three, followed within the dead band, beyond a stop or not.
    function Is_Sound_Frame
      (Item  : Monitor;
       Which : Surface;
@@ -125,8 +130,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
            Slowest_Rate (Which)))
    with Global => null;
 
-   --  Measured, with the sensor's error within the allowance: the place of
-   --  the servo, or the stop that it is beyond.
+   --  The measured position is that of the servo, or the stop that it is
+   --  beyond, with the sensor's error within the allowance.
    function Is_Measured
      (Which : Surface; Place : Fine; Measured : Demand) return Boolean
    is
@@ -136,9 +141,9 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
    with Global => null;
 
    --  EXT-6, D-32: a sound servo is never reported as failed. If it is within
-   --  its bounds at a scan, it is at the next one, the doubt does not grow,
-   --  and it is not reported: whatever was commanded, whatever the sensors of
-   --  the others show. While words are not known it may be anywhere.
+   --  its bounds at one scan, it is at the next, the doubt does not grow, and
+   --  it is not reported, for all commands and all words of other sensors.
+   --  While words are unknown it may be anywhere.
    procedure A_Sound_Servo_Is_Never_Reported
      (Item    : Monitor;
       Which   : Surface;
@@ -161,8 +166,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then Next (Item, Sensors).Doubts (Which) <= Item.Doubts (Which)
        and then not Next (Item, Sensors).Failed (Which);
 
-   --  So it begins: after a cold start and after a warm one every servo is
-   --  within the bounds; and nothing that is sent puts one outside of them.
+   --  The induction begins here: after a cold or warm start every servo is
+   --  within the bounds, and no words sent put it outside.
    procedure A_Start_Holds_Every_Servo
      (Item  : Monitor;
       Which : Surface;
@@ -177,8 +182,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        and then With_Sent (Item, Sent).Ranges = Item.Ranges
        and then With_None_Sent (Item).Ranges = Item.Ranges;
 
-   --  A surface within the bounds of every sound servo and the allowance is
-   --  not reported; nor is any from old sensors, or while words are not known.
+   --  A surface within the bounds and the allowance is not reported. Old
+   --  sensors report no surface, nor does any frame with unknown words.
    procedure A_Surface_That_Follows_Is_Not_Reported
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
@@ -191,7 +196,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
           or else Off_Now (Item, Sensors, Which) <= Allowance),
      Post   => not Next (Item, Sensors).Failed (Which);
 
-   --  A failure that was reported stays after every frame and warm start.
+   --  A reported failure remains after every frame and warm start.
    procedure A_Failure_Is_Not_Forgotten
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
@@ -201,8 +206,8 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
        Next (Item, Sensors).Failed (Which)
        and then Restarted (Item).Failed (Which);
 
-   --  Half a degree of an aileron outside the bounds in each of 24 scans,
-   --  0.48 s, is certainty, however little doubt there was.
+   --  Half a degree of an aileron outside the bounds in each of 24 scans, 0.48
+   --  s, gives certainty, from any doubt.
    Seen_Off : constant := 50;
    Enough   : constant :=
      URV.Surface_Monitor.Certainty / (Seen_Off - Allowance);
@@ -215,7 +220,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
      Pre    => (for all Each of Off => Each >= Seen_Off),
      Post   => After = Certainty;
 
-   --  With certainty comes the report, in the same frame.
+   --  Certainty gives the report in the same frame.
    procedure Certainty_Is_Named
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface)
    with
@@ -228,9 +233,9 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
          (if Item.Doubts (Which) = Certainty then Item.Failed (Which)),
      Post   => Next (Item, Sensors).Failed (Which);
 
-   --  An engine within its bounds, or of which nothing is known, is not
-   --  reported; nor one whose speed has never moved, or that has not been
-   --  outside for half a second. A failure is not forgotten.
+   --  An engine within its bounds, or in an unknown state, is not reported. An
+   --  engine whose speed has never moved is not reported, nor one outside for
+   --  less than half a second. A failure lasts.
    procedure An_Engine_Within_Its_Bounds_Is_Not_Told
      (Item     : URV.Engine_Monitor.Monitor;
       Power    : Lever;
@@ -250,9 +255,9 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
         then not URV.Engine_Monitor.Next
           (Item, Power, Speed, Airspeed, Is_Known).Failed);
 
-   --  The bounds of the next frame hold the speed that is asked for at any
-   --  place of the throttle within its dead band, and so does every speed
-   --  between the bounds and there.
+   --  The bounds of the next frame contain the speed demanded at any throttle
+   --  position within its dead band, and every speed between the old bounds
+   --  and there.
    procedure A_Sound_Throttle_Is_Within
      (Item     : URV.Engine_Monitor.Monitor;
       Power    : Lever;

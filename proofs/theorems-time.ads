@@ -1,13 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The clock never runs backwards, never wraps round and stands still at its
---  last tick, for any flight (FRM-1 to FRM-3).
+--  The clock never runs backwards, never wraps round and stops at its last
+--  tick, after 697 years (FRM-1 to FRM-3). Each release of a task is in the
+--  next major frame, at its offset. This holds for every tick and every offset
+--  of both nodes. Theorems.In_Step covers frames that are made longer or
+--  shorter.
 
 with URVOS.Frames; use URVOS.Frames;
 
 package Theorems.Time with Pure, SPARK_Mode, Ghost is
 
-   --  A tick later it is one more, but at the very last tick.
+   --  Each tick adds one, except at the last tick.
    procedure Clock_Advances (Now : Clock_Tick)
    with
      Global => null,
@@ -15,7 +18,7 @@ package Theorems.Time with Pure, SPARK_Mode, Ghost is
        (if Now < Last_Tick then Advanced (Now) = Now + 1
         else Advanced (Now) = Now);
 
-   --  A release lies in the major frame that follows, at its offset.
+   --  A release is in the next major frame, at its offset.
    procedure Release_Is_In_Next_Frame (Now : Clock_Tick; Offset : Minor_Frame)
    with
      Global => null,
@@ -26,7 +29,7 @@ package Theorems.Time with Pure, SPARK_Mode, Ghost is
          (if Next_Release (Now, Offset) <= Last_Tick
           then Minor_Frame_Of (Next_Release (Now, Offset)) = Offset);
 
-   --  Within a major frame every tick has the same next frame.
+   --  All ticks of a major frame have the same next frame.
    procedure Frame_Has_One_Successor (Now : Clock_Tick)
    with
      Global => null,
@@ -34,8 +37,8 @@ package Theorems.Time with Pure, SPARK_Mode, Ghost is
        and then Minor_Frame_Of (Now) < Minor_Frame'Last,
      Post   => Next_Frame (Advanced (Now)) = Next_Frame (Now);
 
-   --  At its limit the clock stands still before the next frame begins, so
-   --  that no task is released again.
+   --  At its limit the clock stops before the next frame begins, so no task is
+   --  released again.
    procedure Nothing_Is_Released_After_The_Last_Tick (Offset : Minor_Frame)
    with
      Global => null,

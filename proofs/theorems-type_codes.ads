@@ -1,8 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Data goes where its type code says (EXT-2): with the codes that the nodes
---  have that is where its position said, and what has a code that nobody
---  knows goes nowhere.
+--  Data goes to the item of its type code, and nowhere else (EXT-2). With the
+--  nodes' own codes this gives the same result as the fixed positions of the
+--  report. A word with an unknown code is discarded. This holds for every
+--  word. The last theorems hold for any list of codes, if no two channels have
+--  the same one.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Buffers;         use URV.Buffers;
@@ -13,7 +15,7 @@ with URVOS;               use URVOS;
 
 package Theorems.Type_Codes with SPARK_Mode, Ghost is
 
-   --  A code names one item, and an item has one code.
+   --  A code identifies one item, and an item has one code.
    procedure A_Code_Is_Of_One_Item
      (Up : Uplink_Item; Down : Downlink_Item; Code : Word)
    with
@@ -28,7 +30,8 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
          (if Code in Downlink_Code
           then Code_Of (Downlink_Item_Of (Code)) = Code);
 
-   --  The nodes know the codes of all their channels, and no item has two.
+   --  The nodes know the codes of all their channels, and no item has two
+   --  channels.
    procedure No_Channel_Is_Unknown
    with
      Global => null,
@@ -38,7 +41,8 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
        and then First_Unknown_Command (Stick_Codes) = 0
        and then First_Unknown_Sensor (Sensor_Codes) = 0;
 
-   --  By code is by position: from the converter, and into CORE memory.
+   --  Routing by code equals routing by position, from the converter and into
+   --  CORE memory
 
    procedure From_The_Converter_By_Code (Image : AD_Image)
    with
@@ -74,8 +78,8 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
        Stored (Downlink_Type_Codes, Before, Source) = To_Words (Source)
        and then First_Unknown_Downlink (Downlink_Type_Codes) = 0;
 
-   --  A word whose code nobody knows changes nothing: two images that differ
-   --  in no other are the same commands, and the same sensors.
+   --  A word with an unknown code changes nothing: two images that differ only
+   --  in such words give the same commands and the same sensors.
    procedure An_Unknown_Channel_Goes_Nowhere
      (One, Other : AD_Image; Codes : Channel_Codes)
    with
@@ -92,7 +96,7 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
        Commands_Of (One, Codes) = Commands_Of (Other, Codes)
        and then Sensors_Of (One, Codes) = Sensors_Of (Other, Codes);
 
-   --  Nor is a place of CORE memory written whose code nobody knows.
+   --  A place of CORE memory with an unknown code is not written
 
    procedure An_Unknown_Place_Stays
      (Codes, Before : Uplink_Words;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  P, V and RECV with a wait, as a task has them, for the proof (SEM-1,
---  SEM-2, MBX-3, MBX-5): step after step, with EXIT between, each of them
---  ends, whatever a clock shows. Nothing runs.
+--  P, V and RECV with a wait, as tasks use them, for the proof (SEM-1, SEM-2,
+--  MBX-3, MBX-5). Step after step, with EXIT between steps, each of them ends,
+--  whatever the clock shows. They never run.
 
 with URVOS;            use URVOS;
 with URVOS.Frames;     use URVOS.Frames;
@@ -24,7 +24,7 @@ package Waiting_Instances with SPARK_Mode is
 
    Errors : URV.Shared_Errors.Shared_Log;
 
-   --  Whatever a clock shows: nothing is known of it, not even that it runs.
+   --  The clock's value. Nothing is known of it, not even that it advances.
    Shown : Clock_Tick := 0 with Volatile, Async_Writers;
 
    procedure Report_Not_Claimed (Caller, Holder : Claimant)

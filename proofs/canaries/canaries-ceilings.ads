@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A task above the ceiling of what it calls, and one that ends.
+--  A task whose priority is above the ceiling of the object that it calls, and
+--  a task that ends.
 
 with System;
 with URVOS; use URVOS;

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What a caller or a callee promises.
+--  False promises of callers and callees.
 
 with URVOS; use URVOS;
 
 package Canaries.Contracts with Pure, SPARK_Mode is
 
-   --  The middle of two neighbours is the lower one.
+   --  False: the middle of two neighbours is the lower one.
    function Middle (Low, High : Byte) return Byte is
      (Low + (High - Low) / 2)
    with
@@ -15,11 +15,11 @@ package Canaries.Contracts with Pure, SPARK_Mode is
        Middle'Result < High
        and then Middle'Result > Low;  --  VC_POSTCONDITION
 
-   --  The last half has no neighbour above.
+   --  False for 255: the last half has no higher neighbour.
    function Half (Value : Byte) return Byte is
      (Middle (Value / 2, Value));  --  VC_PRECONDITION
 
-   --  A count that has reached its last value stays there.
+   --  False for a full count, which keeps its last value.
    procedure Count_Up (Value : in out Count)
    with
      Global         => null,
@@ -27,7 +27,7 @@ package Canaries.Contracts with Pure, SPARK_Mode is
        (Value = 0 => Value = 1,
         Value > 0 => Value > Value'Old);  --  VC_CONTRACT_CASE
 
-   --  Both are true of 16.
+   --  Both cases hold for 16.
    procedure Keep_Low (Value : in out Byte)
    with
      Global         => null,
@@ -35,7 +35,7 @@ package Canaries.Contracts with Pure, SPARK_Mode is
        (Value <= 16 => Value = Value'Old,
         Value >= 16 => Value = 16);
 
-   --  None is true of 16.
+   --  Neither case holds for 16.
    procedure Keep_Away (Value : in out Byte)
    with
      Global         => null,
@@ -43,13 +43,14 @@ package Canaries.Contracts with Pure, SPARK_Mode is
        (Value < 16 => Value = 0,
         Value > 16 => Value = 255);
 
-   --  An even number is not always halved to an even one.
+   --  False: half of an even number may be odd.
    type Even is new Word with Predicate => Even mod 2 = 0;
 
    procedure Split (Value : in out Even)
    with Global => null;
 
-   --  Two counts, the first never ahead of the second.
+   --  Two counts, the first never higher than the second. The default value
+   --  breaks this.
    type Pair is record
       First  : Word := 1;
       Second : Word := 0;
@@ -59,7 +60,7 @@ package Canaries.Contracts with Pure, SPARK_Mode is
    procedure Make_Pair (Sum : out Word)
    with Global => null;
 
-   --  Halving odd and even numbers alike; the rank of 1 does not fall.
+   --  Odd and even numbers are halved alike. The rank of 1 does not fall.
    function Steps_To_Zero (Value : Byte) return Byte is
      (if Value = 0 then 0
       else 1 + Steps_To_Zero  --  VC_SUBPROGRAM_VARIANT
@@ -68,20 +69,19 @@ package Canaries.Contracts with Pure, SPARK_Mode is
      Subprogram_Variant => (Decreases => (Value + 1) / 2),
      Post               => Steps_To_Zero'Result <= 8;
 
-   --  Three times a byte is odd when the byte is, and not only then is it
-   --  above 255.
+   --  False: three times a byte is above 255 exactly if the byte is above 85.
    procedure Triple (Value : Byte)
    with
      Global => null;
 
-   --  A lemma of one line that is true but for the last value.
+   --  A lemma of one line that is false for the last value only.
    procedure Successor_Is_Larger (Value : Word)
    with
      Ghost,
      Global => null,
      Post   => Value + 1 > Value;  --  VC_POSTCONDITION
 
-   --  A lemma for all pairs of bytes, false of exactly one.
+   --  A lemma for all pairs of bytes that is false for exactly one pair.
    procedure Apart_From_One (Left, Right : Byte)
    with
      Ghost,

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What a subprogram reads, writes and derives from what, and the state
---  behind a package.
+--  False claims about inputs, outputs and dependencies of subprograms, and
+--  about the state of a package.
 
 with URVOS; use URVOS;
 
@@ -12,21 +12,21 @@ package Canaries.Data_Flow
     Initializes    => Memory
 is
 
-   --  Nothing is read when nothing is wanted.
+   --  Reads nothing if nothing is wanted; Value then has no value.
    procedure Read (Wanted : Boolean; Value : out Word)
    with Global => (Input => Memory);
 
-   --  A look that leaves a trace.
+   --  A look that changes the memory.
    procedure Peek (Value : out Word)
    with Global => (Input => Memory);  --  GLOBAL_MISSING
 
-   --  The higher of two words hangs on both.
+   --  The higher of two words depends on both.
    procedure Sort (Left, Right : Word; Low, High : out Word)
    with
      Global  => null,
      Depends => (Low => (Left, Right), High => Right);  --  DEPENDS_MISSING
 
-   --  The first of two sums hangs on one alone.
+   --  The first of two sums depends on one word alone.
    procedure Add_Up (Left, Right : Word; First, Last : out Word)
    with
      Global  => null,
@@ -34,7 +34,7 @@ is
 
    type Row is array (Byte) of Word;
 
-   --  Two places may be one and the same.
+   --  Two places may be the same.
    procedure Swap (Left, Right : in out Word)
    with Global => null;
 
@@ -46,7 +46,7 @@ is
    function Is_Empty return Boolean
    with Global => Memory;
 
-   --  Nobody outside sees that zero leaves it empty.
+   --  The body hides that zero leaves it empty.
    procedure Fill (Value : Word)
    with
      Global => (In_Out => Memory),

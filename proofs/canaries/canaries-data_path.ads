@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Claims about words on their way that are false of a few of them.
+--  Claims about words on their path that are false for a few words.
 
 with URVOS;             use URVOS;
 with URVOS.Frames;      use URVOS.Frames;
@@ -12,7 +12,7 @@ package Canaries.Data_Path with Pure, SPARK_Mode, Ghost is
 
    use URV.Codecs.Uplink;
 
-   --  Not the words that exceed 12 bits.
+   --  False for words beyond 12 bits.
    procedure Roll_Reaches_The_Aileron (Commands : Uplink_Buffer)
    with
      Global => null,
@@ -20,14 +20,14 @@ package Canaries.Data_Path with Pure, SPARK_Mode, Ghost is
        Transform (Commands) (Left_Aileron) =  --  VC_POSTCONDITION
          Commands (Roll);
 
-   --  The low byte comes second.
+   --  False: the low byte comes second.
    procedure Low_Byte_Comes_First (High, Low : Byte)
    with
      Global => null,
      Post   =>
        Low_Byte (To_Word (High, Low)) = High;  --  VC_POSTCONDITION
 
-   --  At its last tick the clock stands still.
+   --  False for the last tick, at which the clock stops.
    procedure Clock_Runs (Now : Clock_Tick)
    with
      Global => null,

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Claims about the real telemetry board that go one too far.
+--  Claims about the real telemetry board that exceed the truth by one step.
 
 with Telemetry;           use Telemetry;
 with Telemetry.Boards;    use Telemetry.Boards;
@@ -16,7 +16,7 @@ with URVOS;               use URVOS;
 
 package Canaries.Link with Pure, SPARK_Mode, Ghost is
 
-   --  Headers differ in four bits, some in no more.
+   --  False: headers differ in four bits, and some in no more.
    procedure Headers_Are_Farther_Apart (Left, Right : Byte)
    with
      Global => null,
@@ -24,7 +24,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        Is_Valid (Left) and then Is_Valid (Right) and then Left /= Right,
      Post   => Weight (Left xor Right) >= 5;  --  VC_POSTCONDITION
 
-   --  Two bytes can make up for each other.
+   --  False: two wrong bytes can cancel each other.
    procedure Two_Steps_Tell_Apart (Left, Right : Byte; Data, Other : Byte)
    with
      Global => null,
@@ -32,7 +32,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
      Post   =>
        Next (Left, Data) /= Next (Right, Other);  --  VC_POSTCONDITION
 
-   --  An aircraft that has waited for one character time less than its dead
+   --  False: an aircraft that has waited one character time less than its dead
    --  space still waits.
    procedure Ground_Need_Not_Wait (Item : in out Board)
    with
@@ -46,7 +46,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        Is_Sound (Item)
        and then At_Rest (Item);  --  VC_POSTCONDITION
 
-   --  A good checksum is no good after a parity error.
+   --  False: after a parity error a good checksum does not help.
    procedure Last_Byte_Fills_The_Buffer
      (Item         : in out Receiver;
       Pair         : in out Buffer_Pair;
@@ -63,8 +63,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        and then not Item.Damaged,
      Post   => Outcome.Kind = Block_Whole;  --  VC_POSTCONDITION
 
-   --  A character that comes when the guard time is over is not heard: it
-   --  makes nothing bad.
+   --  False: a character after the guard time is ignored.
    procedure Late_Character_Is_Bad
      (Item         : in out Board;
       Data         : Byte;
@@ -77,7 +76,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        and then not Is_Talking (Control_Of (Item)),
      Post   => Control_Of (Item).Owed = Bad;  --  VC_POSTCONDITION
 
-   --  The header comes first, and every byte of the data one place later.
+   --  False: the header comes first, and every byte of data one place later.
    procedure Every_Character_Is_Data
      (Item   : Sender;
       Data   : Block_Data;
@@ -93,14 +92,14 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
        Output = (if Item.Sent <= 1 then 16#1E#  --  VC_POSTCONDITION
                  else Data (Byte_Index (Item.Sent + 1)));
 
-   --  Of two full buffers, one is filled anew.
+   --  False: if both buffers are full, one of them is filled again.
    procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair)
    with
      Global => null,
      Pre    => not Pair.Slots (Pair.Newest).Busy,
      Post   => not Pair.Slots (To_Fill (Pair)).Full;  --  VC_POSTCONDITION
 
-   --  Of two blocks that are not taken, the older one gives way.
+   --  False: of two blocks not taken, the older is overwritten.
    procedure Nothing_Is_Overwritten
      (Item         : in out Board;
       Data         : Byte;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is so as a loop runs.
+--  False claims about running loops.
 
 with URVOS; use URVOS;
 
@@ -9,19 +9,19 @@ package Canaries.Loops with Pure, SPARK_Mode is
    type Place is range 1 .. 8;
    type Row is array (Place) of Byte;
 
-   --  Neither the first word nor any other has been seen before the loop.
+   --  False before the loop: it has seen no word.
    function Largest_Of (Source : Row) return Byte
    with Global => null;
 
-   --  A sum that wraps round may fall.
+   --  False: a sum that wraps round may fall.
    function Sum_Of (Source : Row) return Byte
    with Global => null;
 
-   --  A loop that stands still on its last step.
+   --  False: the last step of the loop does not decrease its variant.
    function Halvings (Value : Byte) return Word
    with Global => null;
 
-   --  An invariant that holds, and says too little.
+   --  A true invariant that is too weak for the postcondition.
    function Index_Of (Source : Row; Wanted : Byte) return Place
    with
      Global => null,

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Two tasks write one variable that nothing guards.
+--  Two tasks write one unprotected variable.
 
 with URVOS; use URVOS;
 

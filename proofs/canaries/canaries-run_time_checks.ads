@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What would raise an exception.
+--  Expressions that can raise an exception.
 
 with URVOS; use URVOS;
 
@@ -8,7 +8,7 @@ package Canaries.Run_Time_Checks with Pure, SPARK_Mode is
 
    subtype Percent is Word range 0 .. 100;
 
-   --  101 times 50 over 50.
+   --  101 times 50, divided by 50.
    function Share (Part, Whole : Word) return Percent is
      (Percent (Part / (Whole / 50 + 1)))  --  VC_RANGE_CHECK
    with Pre => Whole >= 1 and then Part <= 102 * (Whole / 50) and then
@@ -18,7 +18,7 @@ package Canaries.Run_Time_Checks with Pure, SPARK_Mode is
    function Next_Of (Value : Count) return Integer is
      (Integer (Value) + 1);  --  VC_OVERFLOW_CHECK
 
-   --  Zero when both are one apart.
+   --  The divisor is zero if the words differ by one.
    function Ratio (Left, Right : Word) return Word is
      (Left / (Left - Right - 1))  --  VC_DIVISION_CHECK
    with Pre => Left > Right;
@@ -27,12 +27,12 @@ package Canaries.Run_Time_Checks with Pure, SPARK_Mode is
 
    subtype Short_Row is Row (1 .. 8);
 
-   --  One beyond the last.
+   --  One place beyond the last.
    function Neighbour_Of (Source : Short_Row; I : Byte) return Word is
      (Source (I + 1))  --  VC_INDEX_CHECK
    with Pre => I in Source'Range;
 
-   --  Of eight words, nine.
+   --  Nine words for eight places.
    procedure Take (Source : Row; Target : out Short_Row)
    with
      Global => null,

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Claims about safety that are false of a few histories (SAF-1 to SAF-7).
+--  Claims about safety that are false for a few histories (SAF-1 to SAF-7).
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
@@ -14,8 +14,8 @@ with URV.Routing;         use URV.Routing;
 
 package Canaries.Safety with SPARK_Mode, Ghost is
 
-   --  The report's neutral word in the switches' channels: all are on. This
-   --  is what once stood at the servos.
+   --  False: the report's neutral word in the switches' channels turns all
+   --  switches on. Early versions sent this word to the servos.
    procedure Neutral_Words_Are_Safe
    with
      Global => null,
@@ -24,7 +24,7 @@ package Canaries.Safety with SPARK_Mode, Ghost is
          Transform
            (To_Uplink (Stamped (Neutral_Sensor_Words, Fresh => False)));
 
-   --  Not with commands that are not marked.
+   --  False for commands that are not marked as old.
    procedure The_Servos_Never_Move
      (Ground   : in out Ground_Way;
       Line     : in out Line_Way;
@@ -41,7 +41,7 @@ package Canaries.Safety with SPARK_Mode, Ghost is
      Post   =>
        Aircraft.Board = Aircraft'Old.Board;  --  VC_POSTCONDITION
 
-   --  Not of the scan that was completed last.
+   --  False: the servos need not have the scan that was completed last.
    procedure The_Servos_Have_The_Last_Scan
      (Item  : Aircraft_Way;
       Scans : Scan_History;
@@ -53,7 +53,7 @@ package Canaries.Safety with SPARK_Mode, Ghost is
        Item.Board =  --  VC_POSTCONDITION
          URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Done));
 
-   --  Not when a scan said on before.
+   --  False if an earlier scan turned the switch on.
    procedure Switches_Are_Off
      (Item  : Aircraft_Way;
       Scans : Scan_History;
@@ -65,7 +65,7 @@ package Canaries.Safety with SPARK_Mode, Ghost is
        0 =  --  VC_POSTCONDITION
          Item.Board (URV.PWM_Layout.Channel_Of (Discretes));
 
-   --  Not one of whose pieces the first was missed.
+   --  False if the row's first fragment was missed.
    procedure Any_Last_Piece_Makes_A_Row
      (Item  : in out Receiver;
       Which : Log_Row_Number;

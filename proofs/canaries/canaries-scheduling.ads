@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Claims about the scheduler that go one too far.
+--  Claims about the scheduler that exceed the truth by one step.
 
 with Theorems.Scheduling; use Theorems.Scheduling;
 with URVOS;               use URVOS;
@@ -10,7 +10,7 @@ with URVOS.Task_Trees;    use URVOS.Task_Trees;
 
 package Canaries.Scheduling with Pure, SPARK_Mode, Ghost is
 
-   --  A clock that moves on may wake a task.
+   --  False: a clock that moves on may wake a task.
    procedure Nobody_Is_Woken (S : Scheduler; Now : Clock_Tick)
    with
      Global => null,
@@ -21,7 +21,7 @@ package Canaries.Scheduling with Pure, SPARK_Mode, Ghost is
            then Queue_Of  --  VC_POSTCONDITION
              (After_Wake (S, Now), Which) = Timer));
 
-   --  EXIT may give the processor away.
+   --  False: EXIT may give the processor to another task.
    procedure The_Caller_Runs_On (S : Scheduler)
    with
      Global => null,
@@ -29,14 +29,14 @@ package Canaries.Scheduling with Pure, SPARK_Mode, Ghost is
      Post   =>
        Running_TCB (After_Exit (S)) = Running_TCB (S);  --  VC_POSTCONDITION
 
-   --  TERMINATE takes the caller away.
+   --  False: TERMINATE removes the caller.
    procedure The_Caller_Is_Kept (S : Scheduler)
    with
      Global => null,
      Pre    => not Is_Idle (S),
      Post   => Are_Kept (S, After_Terminate (S));  --  VC_POSTCONDITION
 
-   --  A task that starts to run may be late.
+   --  False: a task that starts to run may be late.
    procedure Nobody_Is_Late (S : Scheduler)
    with
      Global => null,

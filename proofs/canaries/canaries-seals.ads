@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Claims about the sealed link that go one too far.
+--  Claims about the sealed link that exceed the truth by one step.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
@@ -10,7 +10,8 @@ with URV.Sip_Hash;    use URV.Sip_Hash;
 
 package Canaries.Seals with Pure, SPARK_Mode, Ghost is
 
-   --  A number as far back as there are remainders is another one.
+   --  False: a number as many places back as there are remainders reads as
+   --  another number.
    procedure One_More_May_Be_Lost (Number, Most : Counter)
    with
      Global => null,
@@ -22,7 +23,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
        Last_With  --  VC_POSTCONDITION
          (Number mod Numbers_Told, Numbers_Told, Most) = Number;
 
-   --  Not the words that exceed 12 bits.
+   --  False for words beyond 12 bits.
    procedure All_Words_Come_Through
      (Data : Block_Data; Number, Echo : Counter)
    with
@@ -32,7 +33,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
          (Packed (Data, Ground, Number, Echo), 3) =
        Word_At (Data, 3);
 
-   --  Not the newest itself.
+   --  False for the newest block itself.
    procedure The_Newest_Opens_Again (Item : Session; Block : Block_Data)
    with
      Global => null,
@@ -45,7 +46,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
      Post   =>
        Opens (Block, Aircraft, Item);  --  VC_POSTCONDITION
 
-   --  A block may be as old as Most_Age, by the reference that is at hand.
+   --  False: a block may be exactly Most_Age old, by the receiver's reference.
    procedure Every_Block_Is_A_Frame_Younger
      (Item : Session; Number, Echo, Sealed_At : Counter)
    with
@@ -59,7 +60,7 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
        Item.Age <= Sealed_At  --  VC_POSTCONDITION
        or else Item.Age - Sealed_At <= Most_Age - 1;
 
-   --  Nor one without its first byte of the tag.
+   --  False: all eight bytes of the tag count.
    procedure Seven_Bytes_Are_Enough
      (Block : Block_Data; With_Key : Key)
    with

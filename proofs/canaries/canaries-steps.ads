@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Decisions of the tasks with one field or one condition in another's place.
---  Each claim is what Theorems.Safety needs of the decision, and is proved of
---  the true one.
+--  Decisions of the tasks with one field or condition exchanged.
+--  Theorems.Safety needs the claim of the true decision, for which it is
+--  proved. It is false for the wrong one.
 
 with Telemetry;        use Telemetry;
 with URV.Buffers;      use URV.Buffers;
@@ -20,7 +20,7 @@ with URVOS;            use URVOS;
 
 package Canaries.Steps with SPARK_Mode, Ghost is
 
-   --  TELIN passes on the message before as a new one.
+   --  TELIN passes on the last message as a new one.
    function As_New (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
                     return Kept_Message
    is (if Result in URV.Handshakes.Taken
@@ -38,7 +38,7 @@ package Canaries.Steps with SPARK_Mode, Ghost is
        and then
          Is_Old (As_New (Kept, Result, Data).Buffer);  --  VC_POSTCONDITION
 
-   --  MDCIN passes on a block of another kind in the place of the commands.
+   --  MDCIN passes on a block of another kind in place of the commands.
    function With_Item (Item : Uplink_Buffer; Fresh : Boolean)
                        return Uplink_Buffer
    is (URV.MDCIN_Steps.Passed_On (Item, Fresh, Last => Item))
@@ -57,7 +57,7 @@ package Canaries.Steps with SPARK_Mode, Ghost is
        and then With_Item (Item, Fresh) (Which) =  --  VC_POSTCONDITION
          Last (Which);
 
-   --  PWM writes all that has come.
+   --  PWM writes every message of this frame, also an old one.
    function Is_Written_If_Fresh (Item : Uplink_Buffer; Fresh : Boolean)
                                  return Boolean
    is (URV.PWM_Steps.Is_Written (Item, Fresh)
@@ -74,7 +74,7 @@ package Canaries.Steps with SPARK_Mode, Ghost is
        and then
          not Is_Written_If_Fresh (Item, Fresh);  --  VC_POSTCONDITION
 
-   --  LAW takes what has not come in this frame as new.
+   --  LAW takes a command that has not come in this frame as new.
    function All_New (Got : Inputs) return Inputs is
      ((Got with delta Has_Commands => True))
    with Global => null;
@@ -88,7 +88,7 @@ package Canaries.Steps with SPARK_Mode, Ghost is
        Result.Flown.By_Law  --  VC_POSTCONDITION
        or else Is_Old (Result.Flown.Message);
 
-   --  GDCOUT sends an image that has come before as a new one.
+   --  GDCOUT sends an earlier image as a new one.
    procedure An_Image_Of_Before_Is_Old (Image : AD_Image; Bits : Word)
    with
      Global => null,
