@@ -40,7 +40,7 @@ package body AD_Tests is
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
 
-   --  What the handler and the task are between.
+   --  The handler's and the task's surroundings
 
    Board : Devices.Shared_AD_Board.Board;
 
@@ -54,7 +54,7 @@ package body AD_Tests is
    package Handler is new URV.ADINT_Handler
      (For_Sensor_Words, Board, ADINT_Variable, Errors);
 
-   --  How often the task has begun a scan, and does so in a frame of the fast
+   --  The scans that the task has begun, and the number in a frame of the fast
    --  schedule.
    Scans_Begun : Natural := 0;
    Scans_Made  : constant := 3;
@@ -68,14 +68,14 @@ package body AD_Tests is
    --  Nothing sent, nothing reported, no conversion wanted.
    procedure Clear;
 
-   --  The board wants a conversion of this channel, once.
+   --  Expects that the board wants a conversion of this channel, once.
    procedure Expect_Start (Number : Channel);
    procedure Expect_No_Start (What : String);
 
-   --  The board converts, and interrupts the processor.
+   --  The board converts and interrupts the processor.
    procedure Convert (Value : Word);
 
-   --  A whole scan, after one that had come so far.
+   --  Makes a whole scan after one that had reached this channel.
    procedure Whole_Scan (Reached : Channel_Count);
 
    procedure Counted_Begin_Scan (Reached : out Channel_Count) is
@@ -188,7 +188,7 @@ package body AD_Tests is
    procedure Whole_Scan is
       Unused_Reached : Channel_Count;
    begin
-      --  Whatever was before, a scan that is done comes first.
+      --  A complete scan comes first, whatever preceded it.
       Clear;
       Handler.Begin_Scan (Unused_Reached);
       for Number in Channel loop
@@ -212,7 +212,7 @@ package body AD_Tests is
    procedure Broken_Off_Scan is
       Unused_Reached : Channel_Count;
    begin
-      --  The board stalls at any channel; the next scan is whole.
+      --  The board stalls at any channel; the next scan is complete.
       for Stall in Channel loop
          Clear;
          Handler.Begin_Scan (Unused_Reached);
@@ -290,11 +290,11 @@ package body AD_Tests is
    procedure Fast_Scans is
       Begun : Natural := 0;
 
-      --  Steps of the AD task at this tick. It ends them with EXIT or sleeps
-      --  until the next frame.
+      --  Runs the AD task's steps at this tick. It ends them with EXIT, or
+      --  sleeps until the next frame.
       procedure Run (What : String; Now : Clock_Tick; Waits : Boolean);
 
-      --  It has begun another scan.
+      --  Expects that the task has begun another scan.
       procedure Expect_Begun (What : String);
 
       --  The board converts it.
@@ -348,7 +348,8 @@ package body AD_Tests is
       Expect
         ("does not wait at first", Unused_Call.Name = Next_Frame_Call, True);
 
-      --  As many scans as fit a minor frame, the last handed on.
+      --  The task makes all scans that fit in a minor frame, and sends on the
+      --  last.
       for Frame in Word range 1 .. 2 loop
          Run ("frame", 10 * Tick (Frame), Waits => True);
          for Number in Word range 1 .. Scans_Made loop
@@ -370,7 +371,7 @@ package body AD_Tests is
         ("scans received", ADINT_Variable, 2 * Scans_Made,
          2 * Scans_Made);
 
-      --  The tick is over before the second: the first is what there is.
+      --  The tick ends before the second scan: the first is sent on.
       Run ("one scan", 30, Waits => True);
       Expect_Begun ("one scan");
       Scan (16#301#);
@@ -384,7 +385,7 @@ package body AD_Tests is
         ("one missed", ADINT_Variable, 2 * Scans_Made + 1,
          2 * Scans_Made + 1, Misses => 1);
 
-      --  None that ends in time.
+      --  No scan ends in time.
       Expect_Start (1);
       Run ("no scan", 40, Waits => True);
       Expect_Begun ("no scan");
@@ -398,7 +399,7 @@ package body AD_Tests is
       Expect_Begun ("the frame after");
       Expect_Errors ("no scan", Errors, (1 => AD_No_Scan), Detail => 1);
 
-      --  One that ends too late is not taken for the next frame's.
+      --  A scan that ends too late does not count for the next frame.
       Run ("none in time again", 51, Waits => False);
       Expect_Image ("without a scan", 16#301#, Stale_Data);
       for Number in Channel loop
@@ -411,7 +412,7 @@ package body AD_Tests is
       Expect_Errors
         ("none in time", Errors, (1 => AD_No_Scan), Detail => 32);
 
-      --  One that is there when the time is over is taken, the last.
+      --  A scan that is complete when the time is over is taken as the last.
       Run ("a late look", 70, Waits => True);
       Expect_Errors
         ("none the frame before", Errors, (1 => AD_No_Scan), Detail => 0);
@@ -421,7 +422,7 @@ package body AD_Tests is
       Expect_Number ("no other is begun", Scans_Begun, Begun);
       Expect_Image ("the late one", 16#600#, No_Error);
 
-      --  A start of the node's tasks begins anew.
+      --  A start of the node's tasks restarts the AD task.
       Run ("scanning", 80, Waits => True);
       AD.Initialise;
       AD.Await_Scan (Unused_Call);
@@ -471,7 +472,7 @@ package body AD_Tests is
       Expect ("started anew", Board.Doing, Start_Wanted);
       Expect_Number ("channel", Integer (Board.Channel), 4);
 
-      --  Whose value comes when the hardware has not seen that yet.
+      --  The value comes before the hardware has seen the new start.
       Board := Finished (Board, 16#123#);
       Expect ("still wanted", Board.Doing, Start_Wanted);
       Expect ("no data of the abandoned", Board.Data, 16#ABC#);

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  ADI-1, AD-1, INI-5: the scan of the converter's channels, its interrupt
---  handler, and the task that passes it on.
+--  handler, and the task that sends it on.
 
 with AUnit.Test_Suites;
 

@@ -102,7 +102,7 @@ package body All_Tests is
       Nodes_Tests.Add_To (Result);
       Starts_Tests.Add_To (Result);
 
-      --  These take the longest.
+      --  These tests take the longest.
       if not Briefly then
          In_Flight_Tests.Add_To (Result);
       end if;

@@ -6,10 +6,9 @@ with AUnit.Test_Suites;
 
 package All_Tests is
 
-   --  Briefly: for a build that executes contracts without optimisation.
-   --  Without those that fly for long or start often, and without those of a
-   --  node on the machine's clock: it would have each tick's work to do in a
-   --  tick.
+   --  Briefly is for a build that executes contracts without optimisation. It
+   --  omits tests with long flights or many starts, and those of a node on the
+   --  machine's clock, whose work must fit in each tick.
    function Suite (Briefly : Boolean)
      return AUnit.Test_Suites.Access_Test_Suite;
 

@@ -27,7 +27,7 @@ package body Bare_Nodes_Tests is
 
    procedure Expect is new Expect_Value (Start_Condition);
 
-   --  Two tasks, of minor frames 0 and 4.
+   --  Two tasks, at minor frames 0 and 4
 
    type Task_Name is (Early, Late);
    type Task_Table is array (Task_Name) of Task_Attributes;
@@ -36,16 +36,15 @@ package body Bare_Nodes_Tests is
       Late  => (Report => (4, 1), Fast => (4, 1)));
    package Tasks is new URVOS.Task_Lists (Task_Name, Task_Table, Table);
 
-   --  What happened.
+   --  The events of the test.
    Runs          : array (Task_Name) of Natural;
    Starts        : Natural;
    Last_Start    : Start_Condition;
    Overruns_Seen : Natural;
    Time_Told     : Clock_Tick;
 
-   --  What is to happen: ticks during the next step of a task, the result
-   --  of the self-test, how often the early task calls EXIT, the length of
-   --  the present frame.
+   --  The plan: the ticks during a task's next step, the self-test's result,
+   --  the EXITs of the early task, and the length of the present frame.
    Ticks_In_Step : Natural;
    Test_Passes   : Boolean;
    Exits         : Natural;
@@ -76,10 +75,10 @@ package body Bare_Nodes_Tests is
    --  The node is switched on, again: its clock runs on.
    procedure Start (Condition : Start_Condition := Warm_Reset);
 
-   --  So many ticks, each served at once.
+   --  Makes this number of ticks, each served at once.
    procedure Tick (Number : Positive := 1);
 
-   --  Up to the beginning of a major frame, when the early task runs.
+   --  Runs up to the start of a major frame, when the early task runs.
    procedure Tick_To_Frame;
 
    procedure Run_Step
@@ -168,7 +167,7 @@ package body Bare_Nodes_Tests is
       end loop;
    end Tick_To_Frame;
 
-   --  The first of all tests: no node was switched on before.
+   --  It must be the first test, since no node has been switched on before.
    procedure Begins_Cold is
    begin
       Expect ("work before power up", Node.Has_Work, False);

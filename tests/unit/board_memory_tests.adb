@@ -20,7 +20,7 @@ package body Board_Memory_Tests is
 
    procedure Expect is new Expect_Value (Slot);
 
-   --  What a board does with its buffers for the controller.
+   --  The board's operations on its buffers for the controller.
    procedure Take
      (Item  : in out Buffer_Pair;
       Data  : out Block_Data;
@@ -30,7 +30,7 @@ package body Board_Memory_Tests is
       Data      : Block_Data;
       Overwrote : out Boolean);
 
-   --  Something to recognise a block by.
+   --  A recognisable block.
    function Block (Mark : Byte) return Block_Data is ((others => Mark));
 
    --  A pair with these flags; its buffers hold blocks marked 1 and 2.
@@ -75,7 +75,7 @@ package body Board_Memory_Tests is
       F : constant Boolean := False;
 
       Table : constant array (Positive range <>) of Row :=
-        --  One is not full: that one, whoever is busy.
+        --  One is not full: that one is filled, whichever is busy.
         ((F, T, F, F, Second, First),
          (F, T, F, T, Second, First),
          (T, F, F, F, First,  Second),
@@ -83,7 +83,7 @@ package body Board_Memory_Tests is
          (F, T, F, F, First,  First),
          (T, F, F, F, Second, Second),
 
-         --  Both full: the one that is not busy.
+         --  Both are full: the one that is not busy.
          (T, T, T, F, First,  Second),
          (T, T, T, F, Second, Second),
          (T, T, F, T, First,  First),
@@ -165,7 +165,8 @@ package body Board_Memory_Tests is
       Data      : Block_Data;
       Flag      : Boolean;
    begin
-      --  However many are put in between, the last one comes out, once.
+      --  However many blocks are put in between, only the last one comes out,
+      --  once.
       for Puts in Byte range 1 .. 5 loop
          for Number in 1 .. Puts loop
             Put (Item, Block (10 * Puts + Number), Flag);
@@ -185,7 +186,7 @@ package body Board_Memory_Tests is
       Item : Buffer_Pair := Pair (True, False, True, False, First);
       Flag : Boolean;
    begin
-      --  While the first is being sent, three more blocks come.
+      --  Three more blocks come while the first is sent.
       for Mark in Byte range 11 .. 13 loop
          Put (Item, Block (Mark), Flag);
          Expect ("block" & Mark'Image & " overwrote", Flag, Mark > 11);

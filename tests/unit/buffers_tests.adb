@@ -20,7 +20,7 @@ package body Buffers_Tests is
    procedure Neutral_Values;
    procedure PWM_Layout;
 
-   --  The lists of the requirements, a name a word, in order.
+   --  The lists of the requirements: one word for each name, in order.
    Uplink_Names : constant String :=
      "roll pitch yaw throttle brake switch_1 switch_2 switch_3 switch_4 "
      & "switch_5 switch_6 switch_7 switch_8 error_status ";

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A test is a name and a procedure: the name says the requirement and the
---  behaviour, the procedure fails through Expectations.
+--  A test is a name and a procedure. The name gives the requirement and the
+--  behaviour; the procedure fails through Expectations.
 
 with AUnit.Test_Suites;
 

@@ -17,7 +17,7 @@ package body Checksum_Tests is
    --  bit by bit, low bit first.
    function By_Division (Data : Byte_Array) return Byte;
 
-   --  The checksum of some bytes, as a board forms it.
+   --  The checksum of some bytes, as a board computes it.
    function By_Board (Data : Byte_Array) return Byte;
 
    --  A message of the longest kind: header, data, and then its checksum.
@@ -47,8 +47,8 @@ package body Checksum_Tests is
    end By_Board;
 
    procedure Known_Answer is
-      --  The check value of this CRC in the catalogues: that of the digits
-      --  1 to 9 in ASCII.
+      --  The catalogues' check value of this CRC: the checksum of the digits 1
+      --  to 9 in ASCII.
       Digits_1_To_9 : constant Byte_Array (1 .. 9) :=
         (16#31#, 16#32#, 16#33#, 16#34#, 16#35#, 16#36#, 16#37#, 16#38#,
          16#39#);
@@ -70,9 +70,8 @@ package body Checksum_Tests is
    procedure Every_Burst is
       Right : constant Byte := By_Board (Sample);
 
-      --  Errors within two neighbouring bytes; the checksum is the last. The
-      --  mask's low byte is the first on the line, its low bit before all.
-      --  The line takes the low bit of a byte first.
+      --  Errors within two neighbouring bytes; the checksum is the last byte.
+      --  The mask's low byte is first on the line, with its low bit first.
       procedure Try (First : Byte_Index; Mask : Word);
 
       procedure Try (First : Byte_Index; Mask : Word) is
@@ -89,7 +88,7 @@ package body Checksum_Tests is
       end Try;
 
    begin
-      --  Bursts of up to eight bits, beginning with any bit of any byte.
+      --  Bursts of up to eight bits from any bit of any byte.
       for First in Message'Range loop
          for Shift in 0 .. 7 loop
             for Burst in Word range 1 .. 255 loop

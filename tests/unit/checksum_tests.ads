@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  D-7: what the checksum is, and which errors change it.
+--  D-7: the checksum's definition, and the errors that change it.
 
 with AUnit.Test_Suites;
 

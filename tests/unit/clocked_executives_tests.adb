@@ -44,21 +44,20 @@ package body Clocked_Executives_Tests is
    package Executive is
      new URVOS.Executives (Step, Report_Overrun, Read_Clock);
 
-   --  The clock, as the hardware has it, and how many ticks the next step
-   --  takes.
+   --  The hardware's clock, and the number of ticks that the next step takes.
    Time  : Clock_Tick := 0;
    Takes : Tick       := 0;
 
-   --  The step that was run last: whose, when it began.
+   --  The last step that ran: its task and the tick of its beginning.
    Ran           : Task_Id    := No_Task;
    Was_First_Run : Boolean    := False;
    Began         : Clock_Tick := 0;
 
-   --  What the next step of the first task ends with, if it is no wish for
-   --  its next frame.
+   --  The call that ends the first task's next step, by default until its next
+   --  frame.
    First_Call : Kernel_Call := (Name => Next_Frame_Call, others => <>);
 
-   --  Who has overrun, in order, since it was last asked.
+   --  The tasks that have overrun since the last look, in order.
    type Id_List is array (Positive range <>) of Task_Id;
    Nobody  : constant Id_List := (1 .. 0 => No_Task);
    Told    : Id_List (1 .. 10);
@@ -71,13 +70,13 @@ package body Clocked_Executives_Tests is
    function Alone (Now : Clock_Tick) return Task_Tree is
      (1 => (First, Now, 9), others => Null_Header);
 
-   --  The pair is loaded at tick 0 and has initialised.
+   --  Loads the pair at tick 0 and runs its initialisations.
    procedure Begin_Pair;
 
    --  The clock ticks.
    procedure Wake (Now : Clock_Tick);
 
-   --  A step is run, of this task, at this tick.
+   --  Runs a step, which must be this task's at this tick.
    procedure Run (Who : Task_Id; At_Tick : Clock_Tick; Ticks : Tick := 0);
 
    procedure Expect_Idle (What : String);
@@ -166,7 +165,7 @@ package body Clocked_Executives_Tests is
       Expect_Idle ("before the frame");
       Wake (10);
 
-      --  While it runs nobody else does. The second task is due when the
+      --  While it runs no other task does. The second task is due when the
       --  first one's step ends.
       Run (First, At_Tick => 10, Ticks => 4);
       Run (Second, At_Tick => 14);
@@ -199,7 +198,7 @@ package body Clocked_Executives_Tests is
       Run (Second, At_Tick => 14);
       Expect ("the second initialises again", Was_First_Run, False);
 
-      --  After a start both do, whoever has run by then.
+      --  After a start both run, whichever ran before.
       Executive.Start (Pair (20), 20);
       Time := 20;
       Run (First, At_Tick => 20);
@@ -227,7 +226,7 @@ package body Clocked_Executives_Tests is
       Expect_Idle ("both have run");
       Expect ("overruns", Executive.Overruns, Before + 2);
 
-      --  Next time both are where they should be.
+      --  In the next frame both are on time.
       Wake (20);
       Run (First, At_Tick => 20);
       Wake (24);
@@ -238,7 +237,7 @@ package body Clocked_Executives_Tests is
    procedure Long_Step is
       Before : Count;
    begin
-      --  A tick less than a frame is none too many for the first; the
+      --  One tick less than a frame is not too long for the first task. The
       --  second is late.
       Begin_Pair;
       Before := Executive.Overruns;
@@ -256,7 +255,7 @@ package body Clocked_Executives_Tests is
       Expect_Late ("ran into its next release", (First, Second));
       Expect ("overruns", Executive.Overruns, Before + 3);
 
-      --  That release is gone: the next one is that of the next frame.
+      --  This release is lost; the next one is in the next frame.
       Run (Second, At_Tick => 40);
       Expect_Idle ("both have run");
       Wake (50);
@@ -269,8 +268,8 @@ package body Clocked_Executives_Tests is
    procedure Late_By_An_Exit is
       Before : Count;
    begin
-      --  The polite task's step lasts until the first has been due for two
-      --  ticks. Then its EXIT lets the first run.
+      --  The polite task's step lasts until the first task has been due for
+      --  two ticks. Its EXIT then lets the first run.
       Begin_Pair;
       Executive.Start
         (((Polite, 0, 1), (First, 10, 9), others => Null_Header), 0);
@@ -288,7 +287,8 @@ package body Clocked_Executives_Tests is
       Executive.Start
         (((Polite, 0, 1), (First, 10, 9), others => Null_Header), 0);
 
-      --  With nobody above it that is due it runs on, whatever the time.
+      --  Without a due task of higher priority it continues, whatever the
+      --  time.
       for Now in Clock_Tick range 0 .. 9 loop
          Takes := (if Now < 9 then 1 else 0);
          Executive.Run_Step (Runs_On);
@@ -330,8 +330,8 @@ package body Clocked_Executives_Tests is
 
    procedure Sleeps is
    begin
-      --  SLEEP until a tick that has passed when the step ends is SLEEP
-      --  until the next one; another is kept.
+      --  SLEEP until a tick that has passed when the step ends is SLEEP until
+      --  the next tick. A later tick is kept.
       for Ends in Clock_Tick range 100 .. 109 loop
          Begin_Pair;
          Executive.Start (Alone (100), 100);
@@ -374,7 +374,7 @@ package body Clocked_Executives_Tests is
       Expect_Idle ("at tick 10 again");
       Wake (14);
 
-      --  Nor when it is read after a step.
+      --  The same when it is read after a step.
       Time := 5;
       Run (Second, At_Tick => 14);
       Expect_Idle ("both have run");
@@ -397,7 +397,7 @@ package body Clocked_Executives_Tests is
       Executive.Run_Until_Idle;
       Expect ("who runs", Ran, No_Task);
 
-      --  A start replaces tasks that are due, too.
+      --  A start also replaces tasks that are due.
       Executive.Start (Pair (10), 10);
       Executive.Start (Empty_Tree, 10);
       Expect_Idle ("after a start without tasks");

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  FRM-1, FRM-4, KRN-1 to KRN-3: when tasks run whose steps take time.
+--  FRM-1, FRM-4, KRN-1 to KRN-3: the times at which tasks run if their steps
+--  take time.
 
 with AUnit.Test_Suites;
 

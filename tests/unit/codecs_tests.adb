@@ -23,7 +23,7 @@ package body Codecs_Tests is
    procedure Out_Of_Range;
    procedure Passed_On_Whole;
 
-   --  An image whose words all differ: channel n holds 100h + n.
+   --  An image whose words all differ. Channel n holds 100h + n.
    function Numbered_Image (Error : Word) return AD_Image;
 
    function Numbered_Image (Error : Word) return AD_Image is
@@ -189,7 +189,7 @@ package body Codecs_Tests is
             (if Item = Error_Status then 0
              else Uplink_Item'Pos (Item) + 1));
 
-         --  Of several the first counts.
+         --  The first of several counts.
          Up (Switch_8) := 16#1000#;
          Expect_Number
            ("the first is not switch 8 with " & Item'Image,

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  BUF-1 to BUF-3, D-1, D-3: names, words, wire bytes, and the way from a
+--  BUF-1 to BUF-3, D-1, D-3: names, words, wire bytes, and the path from a
 --  converter image to a buffer.
 
 with AUnit.Test_Suites;

@@ -28,10 +28,10 @@ package body Console_Watch_Tests is
    No_Downlink : constant Downlink_Buffer :=
      (Standing with delta Error_Status => Stale_Data);
 
-   --  After a second of these sensors, in which the console was there.
+   --  The watch after one second of these sensors with a live console.
    function After_A_Second (Sensors : Downlink_Buffer) return Watch;
 
-   --  What the converter gives in the frame behind it.
+   --  The converter's input in the frame after it.
    function Input_Of
      (Silent : Frame_Count; Sensors : Downlink_Buffer) return Converter_Input
    is
@@ -83,7 +83,7 @@ package body Console_Watch_Tests is
    procedure Not_Known is
       Item : Watch;
    begin
-      --  The first scan tells where the sensors are; a second of good ones
+      --  The first scan sets the sensors' words. One second of good scans
       --  follows.
       for Frame in 1 .. Good_Scans loop
          Item := Next (Item, Frame_Count'Last, Standing);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  SAF-10: what the ground's converter gives for a silent console.
+--  SAF-10: the ground converter's input for a silent console.
 
 with AUnit.Test_Suites;
 

@@ -20,7 +20,7 @@ package body CORE_Tests is
    procedure Codes;
    procedure Cold_Memory;
 
-   --  What the task is between.
+   --  The task's surroundings
 
    Uplink   : For_Uplink.Variable;
    Downlink : For_Downlink.Variable;
@@ -30,7 +30,7 @@ package body CORE_Tests is
    package Under_Test is new URV.CORE_Task
      (Uplink, Downlink, Board, Errors);
 
-   --  Nothing written yet.
+   --  Starts a test with an unwritten memory.
    procedure Begin_Test;
 
    procedure Begin_Test is
@@ -69,7 +69,7 @@ package body CORE_Tests is
 
    procedure One_Is_New is
 
-      --  What only somebody else can have written.
+      --  Words that only another writer can have written.
       Foreign_Up   : constant Uplink_Words   := (others => 16#500#);
       Foreign_Down : constant Downlink_Words := (others => 16#600#);
 
@@ -115,7 +115,8 @@ package body CORE_Tests is
       Seen : Seen_Codes := (others => False);
       CORE : Memory;
 
-      --  Whether a transaction writes the codes, over what is there.
+      --  Runs a transaction over other codes, and expects whether it writes
+      --  the codes.
       procedure Expect_Written (What : String; Expected : Boolean);
 
       procedure Expect_Written (What : String; Expected : Boolean) is
@@ -141,7 +142,7 @@ package body CORE_Tests is
       Begin_Test;
       Expect_Written ("written at first", True);
 
-      --  Each item has a code of its own, and none has the cleared one.
+      --  Each item has its own code, and none has the cleared one.
       for Code of CORE.Uplink_Codes loop
          Expect ("code" & Code'Image & " is taken", Seen (Code), False);
          Seen (Code) := True;

@@ -28,7 +28,7 @@ package body Error_Log_Tests is
 
    procedure Expect is new Expect_Value (Colour);
 
-   --  One kind's history, and of the shell's kinds likewise.
+   --  Expects one kind's history; below, the same for the shell's kinds.
    procedure Expect_History
      (What        : String;
       Actual      : History;
@@ -150,7 +150,7 @@ package body Error_Log_Tests is
       Expect_History ("red", History_Of (Log, Red), 1, 1, 1, 0);
       Expect ("total", Total (Log), Count'Last);
 
-      --  At the last tick too.
+      --  The same at the last tick.
       Add (Log, Blue, Last_Tick, Word'Last);
       Expect_History
         ("blue", History_Of (Log, Blue), 1, Last_Tick, Last_Tick, Word'Last);
@@ -159,7 +159,8 @@ package body Error_Log_Tests is
    procedure Clock_Set_Back is
       Log : Error_Log := Empty_Log;
    begin
-      --  A restart may begin to count anew; the log says what it was told.
+      --  A restart may count from 0 again; the log keeps the times that it was
+      --  given.
       Add (Log, Red, 1_000, 0);
       Add (Log, Red, 3, 0);
       Expect_History ("red", History_Of (Log, Red), 2, 1_000, 3, 0);
@@ -185,7 +186,7 @@ package body Error_Log_Tests is
    procedure Shell_Keeps is
       use URV.Errors;
    begin
-      --  Every kind has a place of its own.
+      --  Every kind has its own place.
       Shell.Clear;
       for Kind in Error_Kind loop
          Shell.Set_Time (100 + Error_Kind'Pos (Kind));
@@ -202,7 +203,7 @@ package body Error_Log_Tests is
          Expect_In_Shell (Kind'Image & " cleared", Kind, 0, 0, 0, 0);
       end loop;
 
-      --  The time goes on.
+      --  Time goes on.
       Shell.Report (Warm_Reset, 0);
       Expect_In_Shell
         ("after", Warm_Reset, 1, 100 + Error_Kind'Pos (Error_Kind'Last),

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-1: the error log and the shell that guards a node's one.
+--  EXT-1: the error log, and the shell that guards a node's log.
 
 with AUnit.Test_Suites;
 

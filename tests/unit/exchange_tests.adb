@@ -25,11 +25,11 @@ package body Exchange_Tests is
    procedure Ground_In_Too_Large;
    procedure Ground_Out;
 
-   --  Both nodes' variables, logs and status as new; no piece of a log is
-   --  on its way.
+   --  Both nodes' variables, logs and status are new; no fragment of a log is
+   --  under way.
    procedure Clear;
 
-   --  What the aircraft's tasks have produced.
+   --  The outputs of the aircraft's tasks
    procedure Expect_Commands_Sent (What : String; Expected : Uplink_Buffer);
 
    procedure Clear is
@@ -113,7 +113,7 @@ package body Exchange_Tests is
             Detail => Command_Item'Pos (Which) + 1);
       end loop;
 
-      --  The error word may hold anything.
+      --  The error word may hold any value.
       Clear;
       Item := Uplink_Of (16#100#);
       Item (Error_Status) := 16#FFFF#;
@@ -153,8 +153,8 @@ package body Exchange_Tests is
          Down.Taken ("to TELOUT", MCS.TELOUT_Variable) (Error_Status),
          16#F#);
 
-      --  The log's pieces go down, and not to CORE: the number of the row,
-      --  then its words.
+      --  The log's fragments are sent to the ground but not to CORE: the
+      --  number of the row, then its words.
       MCS.Errors.Report (No_Input, 0);
       for Piece in Word range 1 .. 2 loop
          Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 16#7#));
@@ -189,7 +189,7 @@ package body Exchange_Tests is
       Expect ("to TELOUT", To_Ground (Altitude), 16#119#);
       Expect ("the mark", To_CORE (Error_Status), Stale_Data);
 
-      --  The error itself goes down as a piece of the log.
+      --  The error itself is sent as a fragment of the log.
       Expect
         ("the mark, down", Without_Piece (To_Ground (Error_Status)),
          Stale_Data);
@@ -208,8 +208,8 @@ package body Exchange_Tests is
    procedure Ground_In is
       Item : Downlink_Buffer := Downlink_Of (16#200#);
 
-      --  A message comes, with such an error/status word, and CORE gets it
-      --  with its flags.
+      --  Receives a message with this error/status word, and expects it in
+      --  CORE with these flags.
       procedure Receive (Error : Word; Flags : Word);
 
       procedure Expect_Pieces (What : String; Number : Word);
@@ -238,7 +238,7 @@ package body Exchange_Tests is
       Down.Expect_Counts ("sent", GSC.Downlink_Variable, 1, 1);
       Expect_Pieces ("no piece", 0);
 
-      --  A piece of the log is taken out, unless it came before.
+      --  A fragment of the log is taken out, unless it came before.
       Receive (Error => 16#1074#, Flags => 4);
       Expect_Pieces ("the first piece", 1);
       Expect

@@ -22,8 +22,8 @@ package body Executives_Tests is
    procedure Gives_Way;
    procedure Ends;
 
-   --  Three tasks that sleep as the nodes' do, one that calls EXIT three
-   --  times in a frame, one that ends.
+   --  Three tasks that sleep like those of the nodes, one that calls EXIT
+   --  three times in a frame, and one that ends.
    Early  : constant Task_Id := 1;
    Late   : constant Task_Id := 2;
    Later  : constant Task_Id := 3;
@@ -47,18 +47,18 @@ package body Executives_Tests is
 
    procedure Expect is new Expect_Value (Task_Id);
 
-   --  What ran since it was last looked at, in order.
+   --  The tasks that ran since the last look, in order.
    type Id_List is array (1 .. 100) of Task_Id;
    History : Id_List;
    Ran     : Natural := 0;
 
    Last_Overrun : Task_Id := No_Task;
 
-   --  Tasks are loaded, or the clock ticks, and what is due runs.
+   --  Loads tasks, or ticks the clock, and runs the due tasks.
    procedure Start (Tree : Task_Tree; Now : Clock_Tick);
    procedure Clock_Interrupt (Now : Clock_Tick);
 
-   --  The three tasks, loaded at a tick.
+   --  Loads the three tasks at a tick.
    procedure Start (Now : Clock_Tick);
 
    procedure Step
@@ -106,8 +106,8 @@ package body Executives_Tests is
 
    procedure Offsets is
 
-      --  The table of FRM-2. The tasks that the report leaves for later, the
-      --  log, the check of the program memory and any other, are released
+      --  The table of FRM-2. The tasks that the report leaves for later (the
+      --  log, the check of the program memory and any other) are released
       --  after those.
 
       Of_The_Log   : constant Minor_Frame := 5;
@@ -160,7 +160,7 @@ package body Executives_Tests is
 
    procedure Fast_Offsets is
 
-      --  The table of FRM-5.
+      --  The table of FRM-5
 
       function Is_Right
         (Who    : MCS.Task_Name;
@@ -184,8 +184,8 @@ package body Executives_Tests is
               | GSC.CORE_Task                       => Offset = 5,
             when others                             => Offset in 7 .. 8);
 
-      --  The log and the check of the program memory have the second
-      --  processor for themselves.
+      --  The log and the check of the program memory are alone on the second
+      --  processor.
       use type MCS.Task_Name;
       use type GSC.Task_Name;
    begin
@@ -257,8 +257,8 @@ package body Executives_Tests is
       Expect_Number ("in time", Ran, 2);
       Expect_Overruns (1);
 
-      --  It was busy for more than a frame: each task runs once, late, and
-      --  then in its place again. Each has also missed its next release.
+      --  It was busy for more than a frame. Each task runs once, late, and
+      --  then on time again. Each has also missed its next release.
       Ran := 0;
       Clock_Interrupt (37);
       Expect_Number ("released late", Ran, 3);
@@ -276,7 +276,7 @@ package body Executives_Tests is
       Clock_Interrupt (10);
       Expect_Number ("runs", Ran, 1);
 
-      --  Nor does a clock that runs back release anybody.
+      --  A clock that runs back releases no task either.
       Clock_Interrupt (3);
       Clock_Interrupt (10);
       Expect_Number ("runs", Ran, 1);
@@ -297,8 +297,8 @@ package body Executives_Tests is
 
    procedure Gives_Way is
    begin
-      --  The polite task has the lowest priority: with nobody above it that
-      --  is ready it has the processor back, at the next tick.
+      --  The polite task has the lowest priority. Without a ready task of
+      --  higher priority it keeps the processor, at the next tick.
       Start
         (((Polite, 0, 1), (Early, 0, 3), others => Null_Header), 0);
       Exits := 0;
@@ -310,7 +310,7 @@ package body Executives_Tests is
       Clock_Interrupt (11);
       Expect_Number ("runs on at tick 11", Ran, 3);
 
-      --  It still polls when the other is due again, and gives way to it.
+      --  It still polls when the other task is due again, and gives way.
       Ran := 0;
       Clock_Interrupt (20);
       Expect_Number ("runs at tick 20", Ran, 3);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  FRM-2 to FRM-4: when the tasks of a node run.
+--  FRM-2 to FRM-4: the times at which the tasks of a node run.
 
 with AUnit.Test_Suites;
 

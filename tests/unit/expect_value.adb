@@ -17,8 +17,8 @@ is
    end Numeral;
 
 begin
-   --  The message is made only when needed: some tests expect millions of
-   --  things.
+   --  The message is made only when needed, since some tests expect millions
+   --  of values.
    if Actual /= Expected then
       Assert
         (False,

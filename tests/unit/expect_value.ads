@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Expects a number or a name. A failure says what it is of and tells both
---  values and the test's line; it ends the test.
+--  Expects a number or a name. A failure reports its subject, both values and
+--  the test's line; it ends the test.
 
 with GNAT.Source_Info;
 

@@ -7,7 +7,7 @@ package body Expectations is
    function Contracts_Are_Executed return Boolean is
       Executed : Boolean := False;
 
-      --  An assertion that notes that it is looked at.
+      --  An assertion that records its own evaluation.
       function Noted return Boolean;
 
       function Noted return Boolean is

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  How a test says what it expects. Tests of a type of their own instantiate
+--  The expectations of tests. Tests of a type of their own instantiate
 --  Expect_Value.
 
 with GNAT.Source_Info;
@@ -11,7 +11,7 @@ with URVOS.Frames; use URVOS.Frames;
 
 package Expectations is
 
-   --  Words that a test takes one after the other.
+   --  Words that a test takes in order.
    type Word_List is array (Positive range <>) of Word;
 
    procedure Expect is new Expect_Value (Word);
@@ -23,16 +23,16 @@ package Expectations is
    --  Lengths, positions and other plain numbers.
    procedure Expect_Number is new Expect_Value (Integer);
 
-   --  That something raises an exception, a contract for one: Action is
-   --  expected not to return.
+   --  Expects that Action raises an exception, for example by a contract, and
+   --  does not return.
    procedure Expect_Refusal
      (What   : String;
       Action : not null access procedure;
       Source : String   := GNAT.Source_Info.File;
       Line   : Positive := GNAT.Source_Info.Line);
 
-   --  What is done many times is done less often where contracts take a
-   --  hundred times as long as the rest.
+   --  Contracts take a hundred times as long as the code. Tests with many
+   --  repetitions make fewer where contracts are executed.
    function Contracts_Are_Executed return Boolean;
 
 end Expectations;

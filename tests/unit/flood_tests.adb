@@ -15,13 +15,13 @@ package body Flood_Tests is
    procedure No_More_Than_A_Line;
    procedure The_Line_After_It;
 
-   --  Any time will do: a guard knows differences only.
+   --  Any time will do: a guard uses only differences.
    Began : constant Time := Time_Of (1_000, Time_Span_Zero);
 
    Character_Time : constant Time_Span :=
      Microseconds (Telemetry.Microseconds_Per_Character);
 
-   --  What a line has brought up to then.
+   --  The amount that a line has brought up to then.
    function Brought (Since : Time_Span) return Amount is
      (Amount (Since / Character_Time));
 
@@ -53,8 +53,8 @@ package body Flood_Tests is
       Item     : Guard;
       Is_Flood : Boolean;
    begin
-      --  A second of a line, found after a second, is cut by whoever looks:
-      --  there is room for a burst.
+      --  One second of a line, found after one second, is cut at the look:
+      --  there is room for a burst only.
       Start (Item, Began);
       Take (Item, Began + Seconds (1), Burst, Is_Flood);
       Expect ("a burst is a flood", Is_Flood, False);
@@ -101,7 +101,7 @@ package body Flood_Tests is
       end loop;
       Expect ("it is a flood", Is_Flood, True);
 
-      --  The first look finds what is left, or the line alone.
+      --  The first look finds the rest, or the line alone.
       Now := Now + Rest;
       Take (Item, Now, Brought (Rest) + 1, Is_Flood);
       for Look in 1 .. 1_000 loop

@@ -25,7 +25,7 @@ package body Frame_Locks_Tests is
    begin
       for Length in Frame_Length loop
          for Frame in Clock_Tick range 6 .. 8 loop
-            --  Only a wish for this frame counts.
+            --  Only a request for this frame counts.
             Clock := (Start, False);
             for Ticks in Tick range 1 .. 8 loop
                Clock := Ticked (Clock, (Frame * 10, Length));
@@ -55,7 +55,7 @@ package body Frame_Locks_Tests is
       end loop;
    end Last_Ticks;
 
-   --  A message that has waited for so many ticks is taken in that frame.
+   --  Takes a message that has waited this number of ticks, in that frame.
    procedure Take
      (Item  : in out Lock_State;
       Ticks : Natural;
@@ -120,7 +120,7 @@ package body Frame_Locks_Tests is
    procedure Patient is
       Item : Lock_State;
    begin
-      --  One that comes where it should forgives those before.
+      --  A message on time clears the count of those before.
       for Round in 1 .. 3 loop
          for Number in 1 .. 3 loop
             Take (Item, 0, 10);
@@ -130,7 +130,7 @@ package body Frame_Locks_Tests is
       end loop;
       Expect ("in step", Item.Is_In_Step, True);
 
-      --  A frame without a fresh message tells nothing, old ones neither.
+      --  A frame without a fresh message changes nothing; nor do old messages.
       for Number in Clock_Tick range 1 .. 3 loop
          Take (Item, 0, 10);
          for Lost in 1 .. 20 loop
@@ -144,7 +144,7 @@ package body Frame_Locks_Tests is
       Take (Item, 0, 40);
       Expect_Request ("the fourth", Item, 40, 11);
 
-      --  A start forgets all but what was wished.
+      --  A start clears all but the request.
       Take (Item, 3, 50);
       Item := Restarted (Item);
       Expect_Request ("of before", Item, 50, 10);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  FRM-6: frames of 9 to 11 ticks, and what keeps them in step.
+--  FRM-6: frames of 9 to 11 ticks, and the lock that keeps them in step.
 
 with AUnit.Test_Suites;
 

@@ -79,7 +79,7 @@ package body Frames_Tests is
         ((0, 10), (1, 10), (9, 10), (10, 20), (11, 20), (19, 20),
          (123_456, 123_460), (123_459, 123_460), (123_460, 123_470),
 
-         --  Beyond 16 and 32 bits.
+         --  Numbers beyond 16 and 32 bits
          (65_535, 65_540), (65_536, 65_540),
          (2 ** 31 - 1, 2_147_483_650), (2 ** 32, 4_294_967_300),
          (Last_Frame - 1, Last_Frame), (Last_Frame, Last_Frame + 10));
@@ -106,8 +106,8 @@ package body Frames_Tests is
    procedure One_Frame is
       Release : Tick := 4;
    begin
-      --  A task with offset 4 that runs when released comes back every
-      --  10 ticks, also when it runs up to the last tick of its frame.
+      --  A task with offset 4 that runs when released returns every 10 ticks,
+      --  even if it runs up to the last tick of its frame.
       for Delay_Ticks in Tick range 0 .. 5 loop
          Expect ("release", Release, 4 + 10 * Delay_Ticks);
          Release := Next_Release (Release + Delay_Ticks, 4);
@@ -174,8 +174,8 @@ package body Frames_Tests is
             In_A_Second);
       end Expect_Rate;
 
-      --  Rounded down for a step of a frame: a servo a little slower passes
-      --  for sound, never the reverse.
+      --  The rate for a step is rounded down: a slightly slower servo counts
+      --  as sound, never the reverse.
       procedure Expect_Servo (Item : Surface; Words_A_Second : Natural);
 
       procedure Expect_Servo (Item : Surface; Words_A_Second : Natural) is
@@ -189,7 +189,7 @@ package body Frames_Tests is
             Derived in Words_A_Second * 49 / 50 .. Words_A_Second, True);
       end Expect_Servo;
 
-      --  Of a full unit of error.
+      --  For a full unit of error.
       Unit : constant := 1_000_000;
    begin
       Expect_Rate ("roll output", Roll_Step, 7_500);

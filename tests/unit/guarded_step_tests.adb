@@ -34,8 +34,8 @@ package body Guarded_Step_Tests is
    procedure Interrupts;
    procedure Broken_Starts;
 
-   --  A task that counts what it does, and fails when it is told to; and one
-   --  whose transaction takes its time.
+   --  A task that counts its steps and fails on request, and one whose
+   --  transaction takes a set time.
    type Task_Name is (Counting, Busy);
 
    procedure Run_Step
@@ -50,7 +50,7 @@ package body Guarded_Step_Tests is
 
    Is_Broken : Boolean := False;
 
-   --  The node has stood still.
+   --  The node has stopped for a while.
    Is_Late : Boolean := False;
 
    function Has_Stood_Still return Boolean is (Is_Late);
@@ -198,8 +198,8 @@ package body Guarded_Step_Tests is
         ("response measured", Responses (Counting).Summed_Up.Number = 3, True);
    end Whole_Steps;
 
-   --  Not less than the transaction takes, not more than who calls it sees:
-   --  on a machine of any speed.
+   --  The time measured is at least the transaction's, and at most the
+   --  caller's, on a machine of any speed.
    procedure Times_Taken is
       Tick : Time;
       Call : Kernel_Call;
@@ -287,7 +287,7 @@ package body Guarded_Step_Tests is
       Expect_Step ("a step", First_Run => False, Failed => True);
       Expect_Number ("transactions", Run, Before_Run);
 
-      --  The first step passes nothing on.
+      --  The first step sends nothing on.
       Expect_Step ("a first step", First_Run => True, Failed => False);
       Expect_Number ("initialised", Begun, Before_Begun + 1);
       Is_Late := False;
@@ -310,7 +310,7 @@ package body Guarded_Step_Tests is
       Expect_Number ("handled again", Run, Before + 2);
    end Interrupts;
 
-   --  Nothing answers a read of the self-test. A processor restart reads no
+   --  The memory does not answer the self-test. A processor restart reads no
    --  memory (SAF-12).
    procedure Broken_Starts is
       Told   : constant URVOS.Count := Partitions.Exceptions.Number;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  KRN-6: what a partition makes of an exception in a task's step.
+--  KRN-6: the partition's reaction to an exception in a task's step.
 
 with AUnit.Test_Suites;
 

@@ -22,7 +22,7 @@ package body Headers_Tests is
       Name  : String (1 .. 16);
    end record;
 
-   --  Every message there is.
+   --  Every possible message.
    Table : constant array (Positive range <>) of Row :=
      (((Kind => Command_To_Downlink),         "command         "),
       ((Status, Good => True,  Wants_Downlink => False), "good            "),
@@ -35,7 +35,7 @@ package body Headers_Tests is
       ((Data, Length => Uplink_Length),       "data of uplink  "),
       ((Data, Length => Downlink_Length),     "data of downlink"));
 
-   --  How many bits of a byte are ones.
+   --  The number of ones in a byte.
    function Ones (Value : Byte) return Natural;
 
    procedure Expect is new Expect_Value (Header_Kind);

@@ -24,22 +24,22 @@ package body In_Flight_Tests is
    procedure Results_In_CORE;
    procedure Late_Tasks;
 
-   --  How many bytes of the ROM are checked a frame, and in how many frames
-   --  all of them.
+   --  The bytes of the ROM checked in a frame, and the frames for the whole
+   --  ROM.
    Bytes_A_Frame : constant := 64;
    Frames_A_Pass : constant := 16#1_0000# / Bytes_A_Frame;
 
-   --  The bit of the error/status word that says it.
+   --  The bit of the error/status word for a ROM difference.
    ROM_Bit : constant Word := 2;
 
-   --  Both nodes' tasks for some frames; the boards' hardware stands still.
+   --  Runs both nodes' tasks for some frames while the boards' hardware stops.
    procedure Run_Tasks (Frames : Positive);
 
-   --  A pass but for its last two frames. All tasks run in its first ones;
-   --  the thousand after them are the self test's alone.
+   --  Runs a pass except for its last two frames. All tasks run in the first
+   --  frames; in the other thousand only the self-test does.
    procedure Run_Most_Of_A_Pass;
 
-   --  What a node adds to its error/status word.
+   --  The node's own bits in its error/status word.
    function Status_Of (Node : Station) return Word is
      (case Node is
          when Ground   => GSC.Status.Contents,
@@ -132,7 +132,7 @@ package body In_Flight_Tests is
             1);
       end loop;
 
-      --  The other node's CORE has it in the error/status word.
+      --  The other node's CORE shows it in the error/status word.
       Fly (4);
       Expect
         ("the ground's, in the air",
@@ -141,7 +141,7 @@ package body In_Flight_Tests is
         ("the aircraft's, on the ground",
          CORE_Of_GSC.Downlink (Downlink_Words'Last), ROM_Bit);
 
-      --  A start forgets it until the next pass.
+      --  A start clears it until the next pass.
       Host.Memory_Hardware.Repair (1);
       Host.Memory_Hardware.Repair (2);
       for Node in Station loop
@@ -160,11 +160,11 @@ package body In_Flight_Tests is
 
    procedure Results_In_CORE is
 
-      --  How far the tasks are when they have two slices left.
+      --  The tasks' state with two slices left.
       Ground_Check   : GSC.SELF_TEST.Checks.Check;
       Aircraft_Check : MCS.SELF_TEST.Checks.Check;
 
-      --  A good pass ends, after so many.
+      --  Expects that a good pass ends after this number of frames.
       procedure Expect_Written
         (Good, Bad : Count; Good_Word, Bad_Word, Bits : Word);
 
@@ -191,7 +191,7 @@ package body In_Flight_Tests is
       Ground_Check := GSC.SELF_TEST.Progress.Contents;
       Aircraft_Check := MCS.SELF_TEST.Progress.Contents;
 
-      --  A count is kept in one word, and stays at its last value.
+      --  A count is one word and stops at its last value.
       Expect_Written (2, 0, 3, 0, 0);
       Expect_Written (0, 1, 1, 1, ROM_Bit);
       Expect_Written (65_533, 65_535, 65_534, 65_535, ROM_Bit);
@@ -203,8 +203,8 @@ package body In_Flight_Tests is
    procedure Late_Tasks is
       Before, Late : Count;
    begin
-      --  The clock of both jumps by more than a frame: each task is late,
-      --  and has missed the next release.
+      --  Both clocks jump by more than a frame: each task is late and has
+      --  missed its next release.
       Switch_On;
       Before := GSC.Virtual_Time.Overruns;
       GSC.Virtual_Time.Clock_Interrupt (37);
@@ -218,8 +218,7 @@ package body In_Flight_Tests is
          Logs.History_Of (Log_Of (Ground), Task_Overrun).Last_Detail,
          Word (GSC.Tasks.Id_Of (GSC.Task_Name'Last)));
 
-      --  However many processors share the aircraft's tasks, as many are
-      --  late.
+      --  The number of processors does not change the number of late tasks.
       for Processors in Processor_Number loop
          Switch_On (Processors);
          Before := MCS.Virtual_Time.Overruns;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Tests of what the nodes find out about themselves in flight: the check of
---  the program memory, tasks that come late.
+--  The nodes' own checks in flight: the program memory and late tasks.
 
 with AUnit.Test_Suites;
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the tests of the control laws have in common: a flight in which
---  nothing happens, and the aircraft's LAW task in it.
+--  A common basis for tests of the control laws: an undisturbed flight, and
+--  the aircraft's LAW task in it.
 
 with URV.Buffers; use URV.Buffers;
 
@@ -23,7 +23,8 @@ package Law_Rig is
       Error_Status => No_Error,
       others       => Neutral_Value);
 
-   --  So many frames of the task, laws on; then they are off.
+   --  Runs the task for this number of frames with the laws on; then they are
+   --  off.
    procedure Fly
      (Frames   : Positive;
       Sensors  : Downlink_Buffer := Level;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-3, MBX-2: what the LAW task reports, and when.
+--  EXT-3, MBX-2: the LAW task's reports and their times.
 
 with AUnit.Test_Suites;
 

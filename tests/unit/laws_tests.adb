@@ -54,24 +54,24 @@ package body Laws_Tests is
 
    procedure Expect_State is new Expect_Value (Link_State);
 
-   --  So many frames alike.
+   --  Flies this number of equal frames.
    procedure Fly
      (Item     : in out URV.Laws.Memory;
       Frames   : Natural;
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer := Level);
 
-   --  What the ground is told of it.
+   --  The ground's report of it.
    function Status_Of (Item : URV.Laws.Memory) return Log_Row is
      (URV.Law_Status.To_Row
         (Item, 0, URV.Configurations.Nothing_Set));
 
-   --  After a second and more of good scans.
+   --  After more than one second of good scans.
    function Warm
      (Commands : Uplink_Buffer := Sticks;
       Sensors  : Downlink_Buffer := Level) return URV.Laws.Memory;
 
-   --  The same commands with a switch on, or marked as old.
+   --  The same commands with a switch on, or marked as old
 
    function With_On
      (Which : Switch_Item; Commands : Uplink_Buffer := Sticks)
@@ -137,7 +137,7 @@ package body Laws_Tests is
       Fly (Item, 1, Stick, Rolling);
       Expect ("the sticks in one frame", Output (Item, Stick) = Stick, True);
 
-      --  The link was lost for long: it holds nevertheless.
+      --  The link was lost for a long time; the laws still hold.
       Item := Warm (Sticks, Rolling);
       Fly (Item, 7_000, Old, Rolling);
       Expect_State ("after long", Item.Link.State, Terminated);
@@ -145,7 +145,7 @@ package body Laws_Tests is
       Expect ("the sticks again", Output (Item, Stick) = Stick, True);
       Expect_State ("but not yet ordered out", Item.Link.State, Terminated);
 
-      --  In a gap the switches are as last heard.
+      --  In a gap the last switches remain in force.
       Item := Warm (With_On (Switch_7, With_On (Switch_4)), Rolling);
       Fly (Item, 1, Old, Rolling);
       Expect_State ("a gap", Item.Link.State, Linked);
@@ -172,7 +172,8 @@ package body Laws_Tests is
 
    procedure Signs is
 
-      --  The output against what the sensor says, after some frames.
+      --  Expects the output to act against the sensor's deviation after some
+      --  frames.
       procedure Expect_Against
         (What    : String;
          Switch  : Switch_Item;
@@ -261,7 +262,7 @@ package body Laws_Tests is
       Expect ("without both the stick", Item.Flown =
                 (Direct, Direct, Hold_Airspeed), True);
 
-      --  While a law has the lever, the sticks have their axes.
+      --  While a law has the lever, the sticks have the other axes.
       Fly (Item, 100, (Commands with delta Roll => 2_500, Pitch => 1_900),
            Measuring (Roll_Rate, 0, Measuring (Roll_Attitude, 0)));
       Expect ("roll is the stick's",
@@ -322,7 +323,7 @@ package body Laws_Tests is
               Item.Checks (Uplink_Signal_Strength).Is_Valid, False);
    end No_Rule;
 
-   --  One mistyped is noticed here, and by no flight.
+   --  A mistyped rule is detected here, and by no flight.
    procedure Each_Rule is
    begin
       for Item in Law_Item loop
@@ -389,7 +390,7 @@ package body Laws_Tests is
       Scan  : Downlink_Buffer := Level;
       Count : Natural := 0;
    begin
-      --  The bank goes away, the roll rate says that nothing rolls.
+      --  The bank moves away while the roll rate reads zero.
       while Item.Checks (Roll_Rate).Is_Valid and then Count < 100 loop
          Count := Count + 1;
          Scan (Roll_Attitude) := Neutral_Value + Word (Count) * 20;
@@ -470,15 +471,15 @@ package body Laws_Tests is
       Fly (Item, 1, Sticks);
       Expect_State ("50 after it", Item.Link.State, Linked);
 
-      --  Nothing was ever heard.
+      --  Nothing was ever received.
       Item := (others => <>);
       Fly (Item, 7_000, Old);
       Expect_State ("nobody has ever flown", Item.Link.State, Waiting);
       Expect ("so nothing flies", Output (Item, Old) = Old, True);
    end Way_Back;
 
-   --  A link that brings Good frames, then loses Bad, again and again: the
-   --  frames until it is back, or Most.
+   --  A link that repeatedly brings Good frames and then loses Bad: the number
+   --  of frames until it is back, at most Most.
    function Frames_Until_Back (Good, Bad, Most : Natural) return Natural;
 
    function Frames_Until_Back (Good, Bad, Most : Natural) return Natural is
@@ -580,8 +581,8 @@ package body Laws_Tests is
    procedure In_The_Air is
       Item : URV.Laws.Memory := Warm;
    begin
-      --  Slow, but not low: it stalls, it has not landed. Then low, and the
-      --  speed is not known.
+      --  Slow but not low: it stalls and has not landed. Then low, with an
+      --  unknown speed.
       Fly (Item, 60, Sticks, Measuring (Airspeed, 0));
       Expect ("slow and high", Item.Is_Flying, True);
       Fly (Item, 60, Sticks, Measuring (Altitude, 4));
@@ -611,7 +612,7 @@ package body Laws_Tests is
       Other : constant Uplink_Buffer :=
         (Brake => On_Word, Error_Status => Stale_Data, others => 0);
    begin
-      --  The ground has started anew: its old words are others.
+      --  The ground has restarted: its old words differ.
       Fly (Item, 60, Other);
       Expect_State ("the link is lost", Item.Link.State, Holding);
       Expect ("the brake as last heard", Output (Item, Other) (Brake),
@@ -633,7 +634,7 @@ package body Laws_Tests is
       Expect ("silent frames",
               Status_Of (Item) (First_Frame_Low), 303);
 
-      --  More than a word can tell; and no more than is counted.
+      --  The count exceeds a word, and then its own limit.
       Item.Link.Silent := Frame_Count (Word'Last) + 1;
       Expect ("silent for long", Status_Of (Item) (First_Frame_Low),
               Word'Last);
@@ -644,7 +645,7 @@ package body Laws_Tests is
          Integer (Frame_Count'Last));
    end Told;
 
-   --  The state of one integrator, by what its law measures.
+   --  The state of one integrator, by the measurement of its law
 
    type Trimmed is (By_Bank, By_Pitch, By_Altitude, By_Airspeed);
 
@@ -662,18 +663,18 @@ package body Laws_Tests is
       By_Altitude => Altitude,
       By_Airspeed => Airspeed);
 
-   --  What flies it, and nothing that is in its way.
+   --  The command for this law alone.
    function Holding (Which : Trimmed) return Uplink_Buffer is
      (With_On (if Which = By_Pitch then Switch_2 else Switch_3));
 
-   --  In level flight, with its sensor so much beside its target.
+   --  In level flight, with its sensor this far from its target.
    function Beside (Which : Trimmed; Words : Integer) return Downlink_Buffer
    is
      (Measuring
         (Measures (Which),
          Word (Integer (Level (Measures (Which))) + Words)));
 
-   --  What a law reads in level flight: the nose 2.4 degrees up.
+   --  The laws' pitch in level flight: 2.4 degrees up.
    Nose_Up : constant Word := 2_048 + 55;
 
    procedure Integrators_Follow is
@@ -691,7 +692,7 @@ package body Laws_Tests is
                             (if Which = By_Pitch
                              then Word (Integer (Nose_Up) + Words)
                              else Nose_Up));
-            --  The first frames of an altitude are a climb.
+            --  The first frames of an altitude law are a climb.
             Fly (Item, 100, Holding (Which), Sensors);
             if Which = By_Altitude then
                Before := Trim_Of (Item, Which);
@@ -710,15 +711,15 @@ package body Laws_Tests is
       Item : URV.Laws.Memory;
    begin
       for Which in Trimmed loop
-         --  Wound up to its limit, as after a long time with the surface in
-         --  saturation; then the error changes its sign.
+         --  The integrator is at its limit, as after a long time with a
+         --  saturated surface; then the error changes its sign.
          Item := Warm (Holding (Which), Measuring (Pitch_Attitude, Nose_Up));
          Item.Roll_Trim := URV.Law_Axes.Roll_Trim'Last;
          Item.Pitch_Trim := URV.Law_Axes.Pitch_Trim'Last;
          Item.Height_Trim := URV.Law_Axes.Height_Trim'Last;
          Item.Power_Trim := URV.Law_Axes.Power_Trim'Last;
-         --  An altitude does not jump further, it would not be valid; the
-         --  target of the airspeed is moved by the lever.
+         --  A larger jump of altitude would be invalid. The lever moves the
+         --  target of the airspeed.
          Fly (Item, (if Which = By_Altitude then 1_400 else 900),
               (Holding (Which) with delta
                  Throttle => (if Which = By_Airspeed then 1_248 else 2_048)),
@@ -739,7 +740,7 @@ package body Laws_Tests is
       Item   : URV.Laws.Memory;
       Before : Integer;
 
-      --  100 ft lower, 5 ft at a time; then for so long.
+      --  100 ft lower, 5 ft at a time; then this number of frames.
       procedure Sink (Speed : Word; Frames : Positive);
 
       procedure Sink (Speed : Word; Frames : Positive) is
@@ -761,11 +762,11 @@ package body Laws_Tests is
       end Sink;
 
    begin
-      --  The nose is where it is wanted, and the climb is not there.
+      --  The pitch is as wanted, but the climb is not.
       Sink (Speed => 2_240, Frames => 1);
       Expect ("learns from 100 ft", Item.Height_Trim > Before, True);
 
-      --  Below the guard's speed the nose is lowered: no more of it.
+      --  Below the guard's speed the nose is lowered: the integrator stops.
       Sink (Speed => 1_500, Frames => 500);
       Expect_Number ("too slow to climb", Item.Height_Trim, Before);
    end Large_Errors_Count;

@@ -10,11 +10,11 @@ package body Link_Rig is
    --  Every byte differs from its neighbours.
    function Block (Mark : Byte) return Block_Data;
 
-   --  Notes a character for the trace.
+   --  Records a character in the trace.
    procedure Note (This : in out Link; Sender : Station);
 
-   --  Lets the other station hear what arrives of a character, if one comes,
-   --  and before it what the line has added to the last one.
+   --  Delivers a sender's character to the other station, if it arrives, and
+   --  before it any character that the line has added.
    procedure Deliver
      (This   : in out Link;
       Sender : Station;

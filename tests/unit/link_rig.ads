@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Two telemetry boards and the line between them, in character times. A
---  test may spoil any character on the line, or add one, which is heard a
---  character time after it: the last of a message comes after its end then.
+--  Two telemetry boards and the line between them, in character times. A test
+--  may spoil or add any character on the line. An added character is heard one
+--  character time later, so one added to a message's last comes after its end.
 
 with URVOS;            use URVOS;
 with Telemetry;        use Telemetry;
@@ -10,7 +10,7 @@ with Telemetry.Boards; use Telemetry.Boards;
 
 package Link_Rig is
 
-   --  What arrives in place of a character that was sent.
+   --  The character that arrives in place of the one sent.
    type Arrival is
      (Whole,
       Changed,      --  other bits, parity right
@@ -18,7 +18,8 @@ package Link_Rig is
       Lost,
       Doubled);     --  the character, then it again, changed
 
-   --  Decides what arrives of a sender's Number-th character, counted from
+   --  Decides the arrival of a sender's Number-th character, counted from 1.
+   --  Mask gives the bits to change.
    --  1. The bits to change are in Mask.
    type Fault_Procedure is access procedure
      (Sender : Station;
@@ -28,12 +29,11 @@ package Link_Rig is
 
    type Character_Counts is array (Station) of Natural;
 
-   --  Blocks are known by a mark from 1. The last one that was given is kept,
-   --  and the last one that came out at the other end, so that none may come
-   --  out that is older.
+   --  Blocks carry marks from 1. The rig keeps the last mark given and the
+   --  last one delivered, so that no older block may be delivered.
    type Last_Marks is array (Station) of Byte;
 
-   --  Who sent how many characters in a row.
+   --  The number of characters that a station sent in a row.
    type Transmission is record
       Sender : Station;
       Length : Natural;
@@ -49,8 +49,8 @@ package Link_Rig is
    end record;
    type Added_Characters is array (Station) of Added_Character;
 
-   --  A line slower than a wire: what is on its way, the next one first. It
-   --  is as slow as the nodes' frame leaves room for, or slower.
+   --  A line slower than a wire: the characters under way, the next one first.
+   --  Its delay is up to the room in the nodes' frame, or more.
    type Line_Time is range 0 .. 14;
 
    type Coming is record
@@ -73,28 +73,28 @@ package Link_Rig is
       Given          : Last_Marks := (others => 0);
       Came_Out       : Last_Marks := (others => 0);
 
-      --  What the line has added and each sender's listener is yet to hear:
-      --  a character time later than the one before it.
+      --  The characters that the line has added and the listener has not
+      --  heard; each comes a character time after the one before.
       Added          : Added_Characters;
 
-      --  How many character times a character takes, one way.
+      --  The time of a character one way, in character times.
       One_Way        : Line_Time := 0;
       On_Its_Way     : Ways;
 
-      --  The turns since the link was made, as many as there is room for.
+      --  The turns since the link was made, as far as there is room.
       Trace          : Trace_List;
       Turns          : Natural := 0;
    end record;
 
-   --  Character times of the report's major frame (D-4). A frame of these
-   --  tests is as long whatever the nodes' is: a retry has room in it.
+   --  The character times of the report's major frame (D-4). Frames of these
+   --  tests have this length whatever the nodes' length, so a retry has room.
    Frame : constant := 20_000 / Microseconds_Per_Character;
 
    --  Dead space resets of both boards.
    function Resets (This : Link) return Count is
      (Tally (This.Ground_Board).Resets + Tally (This.Aircraft_Board).Resets);
 
-   --  A link with so slow a line, of which both boards are told or not.
+   --  A link with this slow line. If Told is True, both boards know its delay.
    function Slow_Link (One_Way : Line_Time; Told : Boolean := True)
      return Link;
 
@@ -107,9 +107,9 @@ package Link_Rig is
    --  A station's controller gives its board a block.
    procedure Give (This : in out Link; From : Station; Mark : Byte);
 
-   --  A station's controller takes the block that came in; Mark is 0 if
-   --  there is none. The test fails if the block is not one that was given,
-   --  or older than the one before.
+   --  A station's controller takes the block that came in; Mark is 0 if there
+   --  is none. The test fails if the block was never given, or is older than
+   --  the one before.
    procedure Take (This : in out Link; At_Station : Station; Mark : out Byte);
 
 end Link_Rig;

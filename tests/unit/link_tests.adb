@@ -49,19 +49,19 @@ package body Link_Tests is
    procedure Expect is new Expect_Value (Station);
    procedure Expect is new Expect_Value (Character_Times);
 
-   --  The turns of the line so far: who, and how many characters.
+   --  The turns of the line so far: the sender and the number of characters.
    type Turns is array (Positive range <>) of Transmission;
    procedure Expect_Turns (Item : Link; Expected : Turns);
 
-   --  What a station takes.
+   --  Expects the block that a station takes.
    procedure Expect_Block
      (Item       : in out Link;
       At_Station : Station;
       Expected   : Byte);
 
-   --  Frames in which both stations give a block, the aircraft's Phase
-   --  character times later, and take what came at the frame's end. Marks
-   --  begin with First.
+   --  Flies frames in which both stations give a block, the aircraft's Phase
+   --  character times later, and take the received one at the frame's end.
+   --  Marks begin with First.
    procedure Fly
      (Item   : in out Link;
       Frames : Positive;
@@ -69,8 +69,8 @@ package body Link_Tests is
       Phase  : Natural;
       Fault  : Fault_Procedure := null);
 
-   --  After two frames to find together again, three frames must bring
-   --  each block across, once, and no reset.
+   --  After two frames to recover, three frames must deliver each block, once,
+   --  without a reset.
    procedure Expect_Recovered (What : String; Item : in out Link);
 
    --  The fault under test, for the library-level procedures below.
@@ -94,8 +94,8 @@ package body Link_Tests is
       What   : out Arrival;
       Mask   : out Byte);
 
-   --  Spoils one message in three or so, in one character: what a single
-   --  byte of checksum is made for.
+   --  Spoils about every third message, in one character; a single byte of
+   --  checksum is meant for such errors.
    procedure Rain
      (Sender : Station;
       Number : Positive;
@@ -106,7 +106,7 @@ package body Link_Tests is
    type Random_State is mod 2 ** 32;
    Drops : Random_State := 1;
 
-   --  So many characters stay as they are before the next drop.
+   --  The number of characters that pass unchanged before the next drop.
    Dry : Natural := 0;
 
    procedure Expect_Turns (Item : Link; Expected : Turns) is
@@ -267,8 +267,8 @@ package body Link_Tests is
    procedure Any_Phase is
       Frames : constant := 8;
    begin
-      --  There is a phase in which the aircraft's block comes just after
-      --  it was asked for one. Then two frames make one message.
+      --  In some phase the aircraft's block comes just after the request. Two
+      --  frames then make one message.
       for Phase in 0 .. Frame - 1 loop
          declare
             Item : Link;
@@ -343,8 +343,8 @@ package body Link_Tests is
    procedure No_Answer is
       Item : Link;
    begin
-      --  The aircraft's first answer is lost: dead space, then the ground's
-      --  idle time, then the same block.
+      --  The aircraft's first answer is lost: dead space and the ground's idle
+      --  time follow, then the same block.
       Spoilt_Sender := Aircraft;
       First_Spoilt  := 1;
       Last_Spoilt   := 1;
@@ -380,7 +380,7 @@ package body Link_Tests is
       Expect ("scrapped", Tally (Item.Ground_Board).Scrapped, 1);
       Expect ("full", Any_Full (Transmit_Pair (Item.Ground_Board)), False);
 
-      --  The next block goes as if nothing had been.
+      --  The next block is sent as usual.
       Give (Item, Ground, 2);
       Run (Item, Frame);
       Expect_Block (Item, Aircraft, 2);
@@ -390,7 +390,7 @@ package body Link_Tests is
    procedure Scrap_Downlink is
       Item : Link;
    begin
-      --  Character 1 of the aircraft is its status, those after it its data.
+      --  Character 1 of the aircraft is its status, the later ones its data.
       Spoilt_Sender := Aircraft;
       First_Spoilt  := 10;
       Last_Spoilt   := 10;
@@ -407,7 +407,7 @@ package body Link_Tests is
       Expect_Block (Item, Ground, 9);
       Expect ("scrapped", Tally (Item.Aircraft_Board).Scrapped, 0);
 
-      --  Now twice.
+      --  The same twice.
       Give (Item, Ground, 2);
       Give (Item, Aircraft, 10);
       First_Spoilt := Item.Sent (Aircraft) + 10;
@@ -433,7 +433,7 @@ package body Link_Tests is
       Give (Item, Ground, 1);
       Give (Item, Aircraft, 9);
 
-      --  The second transmission has begun, and will come bad, too.
+      --  The second transmission has begun, and will also be bad.
       Run (Item, 96, Spoil'Access);
       First_Spoilt  := 68;
       Last_Spoilt   := 68;
@@ -466,8 +466,8 @@ package body Link_Tests is
       Item : Link;
       Mark : Byte;
    begin
-      --  Nobody takes the first block, nor the second: each newer one finds
-      --  one that will never be taken.
+      --  No controller takes the first block, nor the second: each newer one
+      --  finds one that will never be taken.
       for Block in Byte range 1 .. 3 loop
          Give (Item, Ground, Block);
          Run (Item, Frame);
@@ -479,7 +479,7 @@ package body Link_Tests is
       Take (Item, Aircraft, Mark);
       Expect ("the newest", Mark, 3);
 
-      --  One that was taken in time is not counted.
+      --  A block that was taken in time is not counted.
       Give (Item, Ground, 4);
       Run (Item, Frame);
       Expect ("not taken", Tally (Item.Aircraft_Board).Not_Taken, 2);
@@ -499,7 +499,7 @@ package body Link_Tests is
          end loop;
          Expect_Number ("busy buffers at" & Time'Image, Busy, 1);
 
-         --  What the controller gives meanwhile never gets mixed in.
+         --  The controller's new data is never mixed in.
          Give (Item, Ground, 2);
       end loop;
       Run (Item, 2);
@@ -511,12 +511,12 @@ package body Link_Tests is
    procedure Permission is
       Item : Link;
    begin
-      --  Without a word from the ground the aircraft is silent.
+      --  Without a message from the ground the aircraft is silent.
       Give (Item, Aircraft, 1);
       Run (Item, 10 * Frame);
       Expect_Number ("characters down", Item.Sent (Aircraft), 0);
 
-      --  With one it asks, is told, and sends.
+      --  With one it asks, gets permission, and sends.
       Give (Item, Ground, 2);
       Run (Item, Frame);
       Expect_Block (Item, Ground, 1);
@@ -531,8 +531,8 @@ package body Link_Tests is
       Data : Byte;
       Lost : Boolean;
    begin
-      --  The ground lets it send, and a block of the ground's comes before
-      --  it does.
+      --  The ground permits a block, but sends a block of its own before the
+      --  aircraft uses the permission.
       Put (Item, (others => 0), Lost);
       Accept_Character
         (Item, Headers.Encode ((Kind => Headers.Command_To_Downlink)),
@@ -544,7 +544,7 @@ package body Link_Tests is
       end loop;
       Elapse (Item, Guard_Time);
 
-      --  It answers first. Then it sends, as it may.
+      --  The aircraft answers first. Then it sends, as permitted.
       Next_Character (Item, Send, Data);
       Expect ("an answer", Send, True);
       Expect ("it is good", Headers.Decode (Data).Good, True);
@@ -574,7 +574,7 @@ package body Link_Tests is
    procedure Retry_Priority is
       Item : Link;
    begin
-      --  The retry goes before the downlink that was asked for.
+      --  The retry precedes the requested downlink.
       Spoilt_Sender := Ground;
       First_Spoilt  := 8;
       Last_Spoilt   := 8;
@@ -592,7 +592,7 @@ package body Link_Tests is
    procedure Nothing_To_Send is
       Item : Link;
    begin
-      --  A silent link is no error.
+      --  A silent link is not an error.
       Run (Item, 100 * Frame);
       Expect_Number ("up", Item.Sent (Ground), 0);
       Expect_Number ("down", Item.Sent (Aircraft), 0);
@@ -603,7 +603,7 @@ package body Link_Tests is
    procedure Idles is
       Item : Link;
    begin
-      --  The exchange is over with the aircraft's status, after 33 or 34.
+      --  The exchange ends with the aircraft's status, after 33 or 34.
       Give (Item, Ground, 1);
       Run (Item, 36);
       Expect
@@ -617,7 +617,7 @@ package body Link_Tests is
    end Idles;
 
    procedure Puts_Always is
-      --  Two messages with their answers take 66 characters at least.
+      --  Two messages with their answers take at least 66 characters.
       Most : constant Positive :=
         2 * (5 * Frame / (66 + Positive (Idle_Time)) + 1);
       Item : Link;
@@ -637,12 +637,12 @@ package body Link_Tests is
    end Puts_Always;
 
    procedure Told_Before is
-      --  The longest waits announced.
+      --  The longest announced waits.
       type Longest_Waits is array (Station) of Character_Times;
       Idle : Character_Times := 0;
       Dead : Longest_Waits   := (others => 0);
 
-      --  What a board announces is what it does.
+      --  Expects that a board keeps the wait that it announced.
       procedure Expect_Kept (What : String; Now : Board);
 
       procedure Expect_Kept (What : String; Now : Board) is
@@ -681,7 +681,7 @@ package body Link_Tests is
       Give (Item, Ground, 1);
       Give (Item, Aircraft, 1);
       for Time in 1 .. Frame loop
-         --  From the middle of the downlink on the line is cut.
+         --  The line is cut from the middle of the downlink on.
          Run (Item, 1, (if Time > Frame / 3 then Cut'Access else null));
          Expect_Kept ("the ground at" & Time'Image, Item.Ground_Board);
          Expect_Kept ("the aircraft at" & Time'Image, Item.Aircraft_Board);
@@ -718,8 +718,8 @@ package body Link_Tests is
       type Mask_List is array (Positive range <>) of Byte;
       Masks : constant Mask_List := (1, 16#C0#, 16#FF#);
    begin
-      --  Each character of a frame in turn, spoilt in each way. The third
-      --  frame is spoilt, when the exchange is regular.
+      --  Each character of a frame is spoilt in turn, in each way. It is the
+      --  third frame, when the exchange is regular.
       for Sender in Station loop
          for Number in
            1 .. (if Sender = Ground then Up_Data + 2 else Down_Data + 1)
@@ -750,22 +750,22 @@ package body Link_Tests is
    procedure One_More is
       Tried : Natural := 0;
 
-      --  One character more than a message has, whichever.
+      --  A message with one extra character, of any value.
       type Byte_Set is array (Byte) of Boolean;
       Every : constant Byte_Set := (others => True);
 
-      --  Contracts know no value of a character but whether it is a header
-      --  or the checksum: where they are executed, which takes a hundred
-      --  times as long, none, each and all of its bits change.
+      --  Contracts distinguish only whether a character is a header or the
+      --  checksum. If they are executed, which takes a hundred times as long,
+      --  only these changes are tried: no bit, each bit, and all bits.
       Some_Of_Them : constant Byte_Set :=
         (0 | 1 | 2 | 4 | 8 | 16 | 32 | 64 | 128 | 255 => True,
          others                                       => False);
       Masks : constant Byte_Set :=
         (if Contracts_Are_Executed then Some_Of_Them else Every);
    begin
-      --  Every character of a data message, either way, comes with one more
-      --  behind it: never is the block taken before it is sent again, and
-      --  never a wrong one (Take tells).
+      --  Every character of a data message, either way, is followed by one
+      --  more. The block is never taken before it is sent again, and never
+      --  wrong (Take checks this).
       for Sender in Station loop
          for Number in
            1 .. (if Sender = Ground then Up_Data else Down_Data)
@@ -806,7 +806,7 @@ package body Link_Tests is
       Lengths : constant Length_List :=
         (1, 2, 20, 24, 40, 300);
    begin
-      --  Cut at any time of a frame, for a while or for long.
+      --  The line is cut at any time of a frame, for a short or a long time.
       for Start in 0 .. Frame - 1 loop
          for Length of Lengths loop
             declare
@@ -851,7 +851,7 @@ package body Link_Tests is
                Give (Item, Aircraft, 2);
                Run (Item, Time);
                if Who = Ground then
-                  --  A board that starts is silent for a while.
+                  --  A board that starts is silent for its idle time.
                   Elapse (Item.Aircraft_Board, Idle_Time);
                   Start (Item.Ground_Board);
                   Expect

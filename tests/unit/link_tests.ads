@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  LNK-2 to LNK-10: two boards and a line between them that can be cut,
---  and whose characters can be changed, lost, doubled and invented.
+--  LNK-2 to LNK-10: two boards and the line between them. The line can be cut,
+--  and its characters can be changed, lost, doubled and invented.
 
 with AUnit.Test_Suites;
 

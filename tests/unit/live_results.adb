@@ -4,7 +4,7 @@ with Ada.Text_IO; use Ada.Text_IO;
 
 package body Live_Results is
 
-   --  The result goes out before the next test begins.
+   --  Writes the result before the next test begins.
    procedure Put_Result (Outcome : String; Test_Name : Message_String);
 
    --  The number as a numeral without a leading blank.

@@ -1,8 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Tells the result of each test in one line, as soon as it is known, so
---  that a program that dies shows how far it came. The last line is the
---  totals.
+--  Writes the result of each test in one line at once, so the output of a
+--  program that dies shows its last test. The last line has the totals.
 
 with AUnit;              use AUnit;
 with AUnit.Options;
@@ -27,7 +26,7 @@ package Live_Results is
       Failure      : Test_Failure;
       Elapsed      : Time);
 
-   --  An exception that the test did not expect.
+   --  An unexpected exception in the test.
    overriding procedure Add_Error
      (R            : in out Live_Result;
       Test_Name    : Message_String;

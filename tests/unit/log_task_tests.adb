@@ -38,8 +38,8 @@ package body LOG_Task_Tests is
    procedure No_Such_Row;
    procedure Age_Of_Node;
 
-   --  What the task is between. The board is an aircraft's, and has counted
-   --  what the tests before had it count.
+   --  The task's surroundings. The board is an aircraft's, and keeps the
+   --  counts of earlier tests.
 
    Board : Telemetry.Shared_Boards.Shared_Board
      (Role => Aircraft, Transmit_Length => 4, Receive_Length => 2);
@@ -47,7 +47,7 @@ package body LOG_Task_Tests is
    Errors : URV.Shared_Errors.Shared_Log;
    CORE   : Devices.Shared_CORE_Memory.Board;
 
-   --  Both ends of the log's way.
+   --  Both ends of the log's path
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
    Law_Memory   : URV.Shared_Laws.Memories.Store;
@@ -59,7 +59,7 @@ package body LOG_Task_Tests is
 
    package Log_Receiver is new URV.Log_Receivers (CORE);
 
-   --  What comes down in a frame: a piece, or nothing new.
+   --  The fragment received in a frame, or none.
    Piece_Sent : Piece   := No_Piece;
    Is_Lost    : Boolean := False;
 
@@ -67,7 +67,7 @@ package body LOG_Task_Tests is
 
    package Under_Test is new URV.LOG_Task (Board, CORE, Errors);
 
-   --  What happens to the board.
+   --  Events at the board
 
    procedure Hear (Value : Byte);
    procedure Speak;
@@ -75,17 +75,17 @@ package body LOG_Task_Tests is
    procedure Take_Block;
    procedure Put_Block;
 
-   --  The block on hand goes out and is answered.
+   --  Sends the waiting block and answers it.
    procedure Send_Block (Is_Confirmed : Boolean);
 
-   --  The board loses step, and resets itself.
+   --  The board loses step and resets itself.
    procedure Lose_Step;
 
-   --  A block of the ground's is cut short: it is bad, and the board resets
+   --  A block of the ground is cut short: it is bad, and the board resets
    --  itself.
    procedure Cut_Block_Short;
 
-   --  All as after a cold start.
+   --  Restores the state after a cold start.
    procedure Begin_Test;
 
    function Status (Item : Status_Item) return Word is
@@ -275,7 +275,7 @@ package body LOG_Task_Tests is
    procedure Board_Off_And_On is
       Seen : Under_Test.Progress;
    begin
-      --  The task has seen more than the board has counted.
+      --  The task has seen higher counts than the board has now.
       Link_Kinds;
       Seen := Under_Test.Seen.Contents;
       Seen.Seen_Tally.Bad := Board.Tally.Bad + 100;
@@ -285,7 +285,7 @@ package body LOG_Task_Tests is
         ("bad", History (Link_Block_Bad).Occurrences, 2 + Board.Tally.Bad);
       Expect ("resets", History (Link_Reset).Occurrences, 6);
 
-      --  From there on it counts what is new.
+      --  From there on it counts new events.
       Hear_Block (Is_Good => False);
       Under_Test.Run_Transaction;
       Expect
@@ -295,7 +295,7 @@ package body LOG_Task_Tests is
 
    procedure Cold_Only is
    begin
-      --  What the board has counted before a cold start is not logged.
+      --  The board's counts before a cold start are not logged.
       Begin_Test;
       for Time in 1 .. 10 loop
          Hear_Block (Is_Good => False);
@@ -307,7 +307,7 @@ package body LOG_Task_Tests is
       Under_Test.Run_Transaction;
       Expect ("bad after it", History (Link_Block_Bad).Occurrences, 1);
 
-      --  What it counts before a warm start is.
+      --  The board's counts before a warm start are logged.
       for Time in 1 .. 2 loop
          Hear_Block (Is_Good => False);
       end loop;
@@ -404,11 +404,11 @@ package body LOG_Task_Tests is
    begin
       Begin_Test;
 
-      --  Nothing has happened, nothing is sent.
+      --  Nothing has happened, so nothing is sent.
       Fly_Frame;
       Expect ("no piece", Piece_Sent, 0);
 
-      --  Each kind, another number of times, at other times.
+      --  Each kind occurs a different number of times, at different times.
       for Kind in Error_Kind loop
          Errors.Set_Time (Clock_Tick (1 + Error_Kind'Pos (Kind)) * 700_000);
          Errors.Report (Kind, 1);
@@ -419,7 +419,7 @@ package body LOG_Task_Tests is
             16#ABC0# + Error_Kind'Pos (Kind));
       end loop;
 
-      --  15 pieces a kind, and those of the round that had begun.
+      --  15 fragments for each kind, and those of the round already begun.
       for Frame in 1 .. 16 * (Error_Kind'Pos (Error_Kind'Last) + 2) loop
          Fly_Frame;
       end loop;
@@ -453,8 +453,8 @@ package body LOG_Task_Tests is
    procedure Pieces_Lost is
       Snapshot : Memory;
    begin
-      --  Every fourth downlink is lost until the row has been sent some
-      --  times: never is a row taken that has a hole. Then it comes whole.
+      --  Every fourth downlink is lost until the row has been sent several
+      --  times. A row with a gap is never taken. Then it arrives complete.
       Begin_Test;
       Errors.Report (No_Input, 16#1234#);
       for Frame in 1 .. 100 loop
@@ -496,7 +496,7 @@ package body LOG_Task_Tests is
    procedure Age_Of_Node is
       Off : constant URV.Laws.Settings := Law_Settings.Contents;
 
-      --  The age that the ground has, after a row of it has come.
+      --  Expects the ground's age of the node after a row of it has come.
       procedure Expect_Age (Frame : Clock_Tick; Age : Word);
 
       procedure Expect_Age (Frame : Clock_Tick; Age : Word) is

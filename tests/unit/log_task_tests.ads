@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-1, INI-6, TST-4: the log task and the words it leaves in CORE.
+--  EXT-1, INI-6, TST-4: the log task and its words in CORE.
 
 with AUnit.Test_Suites;
 

@@ -28,7 +28,7 @@ package body Mailboxes_Tests is
 
    procedure Expect is new Expect_Value (Flag);
 
-   --  The state of a box, all of it.
+   --  Expects the whole state of a box.
    procedure Expect_State
      (When_It_Was        : String;
       Box                : Mailbox;
@@ -36,22 +36,22 @@ package body Mailboxes_Tests is
       Producer, Consumer : Flag;
       Missed             : Count);
 
-   --  Receives, and expects this outcome.
+   --  Receives and expects this outcome.
    procedure Expect_Receive
      (When_It_Was : String;
       Box         : in out Mailbox;
       Data        : Word;
       Fresh       : Boolean);
 
-   --  Sends, and expects this outcome.
+   --  Sends and expects this outcome.
    procedure Expect_Send
      (When_It_Was : String;
       Box         : in out Mailbox;
       Data        : Word;
       Success     : Boolean);
 
-   --  A message long enough to be seen half written, and a box of it
-   --  between two tasks.
+   --  A message that is long enough to be caught half written, and a box for
+   --  it between two tasks.
    type Long_Message is array (1 .. 256) of Count;
 
    package For_Long is
@@ -104,7 +104,7 @@ package body Mailboxes_Tests is
    procedure First_State is
       Box : constant Mailbox := Empty_Mailbox;
 
-      --  What a box is that nobody has initialised.
+      --  A box that was not initialised.
       Default : Mailbox;
       pragma Warnings (Off, Default, Reason => "its defaults are meant");
    begin
@@ -162,7 +162,7 @@ package body Mailboxes_Tests is
    procedure Same_Again is
       Box : Mailbox := Empty_Mailbox;
    begin
-      --  Freshness is that of the message, not of its value.
+      --  Freshness belongs to the message, not to its value.
       Expect_Send ("neutral", Box, Neutral, Success => True);
       Expect_Receive ("neutral", Box, Neutral, Fresh => True);
       Expect_Send ("the same", Box, Neutral, Success => True);
@@ -172,13 +172,13 @@ package body Mailboxes_Tests is
    procedure Model is
       Box : Mailbox := Empty_Mailbox;
 
-      --  What is known of the box: who is to come next, and what.
+      --  The expected next events of the box.
       Last       : Word    := Neutral;
       Waiting    : Boolean := False;
       Sent, Came : Flag    := 0;
       Missed     : Count   := 0;
 
-      --  A fixed row of sends and receives, as good as random.
+      --  A fixed, pseudo-random series of sends and receives.
       Random : Flag := 1;
    begin
       for Step in 1 .. 20_000 loop

@@ -9,10 +9,10 @@ with URV.CORE_Layout; use URV.CORE_Layout;
 
 package body Node_Rig is
 
-   --  How far the aircraft's clock is behind.
+   --  The lag of the aircraft's clock.
    Lag : constant Clock_Tick := 3;
 
-   --  All conversions that a node asks for.
+   --  Makes all conversions that a node requests.
    procedure Convert;
 
    --  A character time of the line.

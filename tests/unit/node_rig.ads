@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Both nodes as they are wired, between the hardware's sides of their
---  boards: converters, serial line, clocks. Time goes by in ticks.
+--  Both nodes with their real wiring, between the hardware sides of their
+--  boards: converters, serial line, clocks. Time passes in ticks.
 
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
@@ -16,11 +16,11 @@ with URV.Errors;          use URV.Errors;
 
 package Node_Rig is
 
-   --  What the converters of the nodes see.
+   --  The words of the nodes' converters
    Console : Channel_Words;
    Sensors : Channel_Words;
 
-   --  The world outside the nodes.
+   --  The world outside the nodes
    Now         : Clock_Tick := 0;
    Link_Is_Cut : Boolean    := False;
    MCS_Stalls  : Boolean    := False;
@@ -29,21 +29,21 @@ package Node_Rig is
    --  memories. The console and the sensors are neutral.
    procedure Switch_On (Processors : Processor_Number := 1);
 
-   --  A node's clock: the aircraft's is three ticks behind the ground's.
+   --  A node's clock. The aircraft's is three ticks later than the ground's.
    function Clock_Of (Node : Station) return Clock_Tick;
 
-   --  A node that has been switched on starts again, in no time. A reset
-   --  starts its telemetry board, too.
+   --  Restarts a node that was switched on, in no time. A reset also starts
+   --  its telemetry board.
    procedure Start_Again
      (Node : Station; Condition : Starts.Start_Condition);
 
-   --  One tick of both nodes, and what the boards and the line do in it.
+   --  One tick of both nodes, with the work of boards and line in it.
    procedure Clock_Tick_Of_Both;
 
    --  Character times since the last character on the line.
    Silence : Natural := 0;
 
-   --  Both nodes for some major frames.
+   --  Runs both nodes for some major frames.
    procedure Fly (Frames : Positive);
 
    function CORE_Of (Node : Station) return Memory;
@@ -52,15 +52,15 @@ package Node_Rig is
    function Log_Of (Node : Station) return Error_Log;
    function Servos return Data_Area is (MCS.PWM_Board.Contents);
 
-   --  What the servos hold at power up (SAF-1): throttle idle, brake full
-   --  on, switches off, all else in the middle.
+   --  The servos' words at power up (SAF-1): throttle idle, brake full on,
+   --  switches off, all else in the middle.
    Safe_Words : constant Data_Area :=
      (8 => 0, 9 => 16#FFF#, 14 => 0, others => 16#800#);
 
-   --  A number for each channel: the first word and on.
+   --  A different number for each channel, from the first word on.
    function Numbered (First : Word) return Channel_Words;
 
-   --  Words as they stand in both CORE memories and at the servos.
+   --  Expects these words in both CORE memories and at the servos.
    procedure Expect_Commands (What : String; First, Error : Word);
    procedure Expect_Sensors (What : String; First, Error : Word);
 

@@ -46,7 +46,7 @@ package body Nodes_Tests is
       Expect_Commands ("flight", 16#100#, No_Error);
       Expect_Sensors ("flight", 16#500#, No_Error);
 
-      --  Figure 13, by channel of the board.
+      --  Figure 13, by channel of the board
       Expect ("left aileron", Servos (1), 16#100#);
       Expect ("right aileron", Servos (2), 16#100#);
       Expect ("left elevator", Servos (3), 16#101#);
@@ -160,7 +160,7 @@ package body Nodes_Tests is
    procedure Cold_Start is
       Before, After : Memory;
    begin
-      --  A flight first, so that there is something to forget.
+      --  A flight first, so that there is state to clear.
       Switch_On;
       Console := Numbered (16#100#);
       Sensors := Numbered (16#500#);
@@ -188,7 +188,7 @@ package body Nodes_Tests is
 
    procedure New_Variables is
 
-      --  Nothing produced, consumed or missed.
+      --  Expects nothing produced, consumed or missed.
       generic
          with package Messages is new URVOS.Shared_Mailboxes (<>);
       procedure Expect_New (What : String; Variable : Messages.Variable);
@@ -213,7 +213,7 @@ package body Nodes_Tests is
    begin
       Switch_On;
 
-      --  Ended between tasks, so that the variables hold something new.
+      --  Stops between tasks, so that the variables hold new messages.
       Fly (6);
       for Ticks in 1 .. 5 loop
          Clock_Tick_Of_Both;
@@ -252,7 +252,7 @@ package body Nodes_Tests is
       function Misses is new Misses_Of (For_Uplink);
       function Misses is new Misses_Of (For_Downlink);
 
-      --  As many as the log has of a kind, and at least one.
+      --  Expects the log's count of a kind, at least one.
       procedure Expect_Told
         (Node : Station; Kind : Error_Kind; Missed : Count);
 
@@ -272,8 +272,8 @@ package body Nodes_Tests is
          Switch_On;
          Fly (6);
 
-         --  Once more, the consumer of each variable before its producer.
-         --  Twice where the producer may have run before.
+         --  The same with the consumer of each variable before its producer;
+         --  twice if the producer may have run before.
          MCS.CORE.Run_Transaction;
          MCS.TELOUT.Run_Transaction;
          MCS.PWM.Run_Transaction;
@@ -318,8 +318,8 @@ package body Nodes_Tests is
 
    procedure Controller_Alone is
    begin
-      --  Only the controllers start anew: their boards have received
-      --  messages before, and have nothing now.
+      --  Only the controllers restart: their boards have received messages
+      --  before, but none now.
       Data_Through;
       Link_Is_Cut := True;
       Fly (4);
@@ -342,8 +342,8 @@ package body Nodes_Tests is
    procedure First_Frames is
       CORE : Memory;
    begin
-      --  An aircraft that hears nothing: what reaches its CORE and its
-      --  servos is neutral and says that it is stale, whatever was before.
+      --  The aircraft receives nothing: the words in its CORE and at its
+      --  servos are neutral and marked stale, whatever they were before.
       Data_Through;
       Switch_On;
       Link_Is_Cut := True;
@@ -408,8 +408,8 @@ package body Nodes_Tests is
         ("no resets before",
          Logs.History_Of (Log, Link_Reset).Occurrences, 0);
 
-      --  The cut begins with frame 6 of the ground, before its data, and
-      --  breaks nothing off: answers come at once.
+      --  The cut begins with frame 6 of the ground, before its data. It
+      --  interrupts nothing, since answers come at once.
       for Number in 1 .. Ticks_Per_Major_Frame loop
          exit when Silence > 2;
          Clock_Tick_Of_Both;

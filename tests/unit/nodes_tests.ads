@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  SET-1, SET-2, INI-3 to INI-8: both nodes as they are wired, between the
---  hardware's sides of their boards.
+--  SET-1, SET-2, INI-3 to INI-8: both nodes with their real wiring, between
+--  the hardware sides of their boards.
 
 with AUnit.Test_Suites;
 

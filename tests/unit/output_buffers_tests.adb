@@ -11,7 +11,7 @@ package body Output_Buffers_Tests is
    procedure The_Newest_Version;
    procedure Closed_When_Written;
 
-   --  Far too long for the stack.
+   --  Far too large for the stack.
    Item : array (1 .. 3) of Buffer;
 
    Text       : Block;
@@ -22,11 +22,10 @@ package body Output_Buffers_Tests is
    procedure In_Order_And_Whole is
       This : Buffer renames Item (1);
 
-      --  As long as a row, and of a length that meets every place of the
-      --  buffer's end.
+      --  A row's length such that rows end at every place of the buffer's end.
       Row_Length : constant := 997;
 
-      --  Row number N is all of one character.
+      --  Row number N consists of one character.
       function Mark (Number : Natural) return Character is
         (Character'Val (32 + Number mod 90));
 
@@ -44,7 +43,7 @@ package body Output_Buffers_Tests is
          Expect
            ("it is full", Capacity - This.Waiting < Row_Length, True);
 
-         --  All but a little, each time.
+         --  Nearly all, each time.
          for Block in 1 .. Capacity / Block_Length - 1 loop
             This.Take (Text, Length, Is_Version, Is_Over);
             for Place in 1 .. Length loop
@@ -74,7 +73,7 @@ package body Output_Buffers_Tests is
       Expect_Number
         ("it waits until it is written", This.Waiting, Length);
 
-      --  One that comes meanwhile waits for the next time.
+      --  An item that comes meanwhile waits for the next time.
       This.Replace ("third");
       This.Done;
       This.Take (Text, Length, Is_Version, Is_Over);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  RTP-10: outputs that nobody waits for.
+--  RTP-10: outputs for which no task waits.
 
 with AUnit.Test_Suites;
 

@@ -87,7 +87,7 @@ package body Peer_Watch_Tests is
    procedure Another_Key is
       Item : Watch;
    begin
-      --  A peer that was heard comes back with another key.
+      --  A known peer returns with another key.
       for Frame in Number range 0 .. 100 loop
          Look (Item, Count (Frame), 0, Frame);
       end loop;

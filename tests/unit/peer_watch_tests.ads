@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  RTP-7: the peer is heard when its blocks are taken.
+--  RTP-7: the peer counts as heard when its blocks are taken.
 
 with AUnit.Test_Suites;
 

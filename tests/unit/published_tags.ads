@@ -11,8 +11,8 @@ package Published_Tags is
    Count_Key : constant Key :=
      (K0 => 16#0706050403020100#, K1 => 16#0F0E0D0C0B0A0908#);
 
-   --  What the paper's authors publish: for the key 00 01 .. 0F the tags of
-   --  the messages of 0, 1, 2 .. 63 bytes that are 00 01 02 ..
+   --  The paper's authors publish these tags: for the key 00 01 .. 0F, of the
+   --  messages of 0, 1, 2 .. 63 bytes 00 01 02 ..
    Published : constant array (Message_Length) of Unsigned_64 :=
      (16#726FDB47DD0E0E31#, 16#74F839C593DC67FD#, 16#0D6C8009D9A94F5A#,
       16#85676696D7FB7E2D#, 16#CF2794E0277187B7#, 16#18765564CD99A68D#,

@@ -40,7 +40,7 @@ package body PWM_Tests is
       Switch_Item  => 0,
       Error_Status => No_Error);
 
-   --  Which command each servo follows; the flaps follow none.
+   --  The command that each servo follows; the flaps follow none.
    type Servo_Source is array (Left_Aileron .. Brake) of Command_Item;
    Source : constant Servo_Source :=
      (Left_Aileron | Right_Aileron          => Roll,
@@ -51,7 +51,7 @@ package body PWM_Tests is
 
    subtype Flap is PWM_Item range Left_Flap_1 .. Right_Flap_2;
 
-   --  What the task is between.
+   --  The task's surroundings
 
    Variable : For_Uplink.Variable;
    Health   : URV.Shared_Surfaces.Healths.Store;
@@ -60,7 +60,7 @@ package body PWM_Tests is
 
    package PWM is new URV.PWM_Task (Variable, Health, Board, Errors);
 
-   --  What no task writes.
+   --  Words that no task writes.
    Foreign : constant Data_Area := (others => 16#ABC#);
 
    --  All outputs for a set of commands.
@@ -267,7 +267,7 @@ package body PWM_Tests is
          Expect ("not before 0.5 s", Board.Contents = Words, True);
          Expect ("attended", Board.Is_Unattended, False);
 
-         --  The task is there, without commands.
+         --  The task runs, without commands.
          PWM.Run_Transaction;
          Tick (Hold_Ticks - 1);
          Expect ("not while the task runs", Board.Contents = Words, True);
@@ -291,7 +291,7 @@ package body PWM_Tests is
             Board.Contents = To_Data_Area (Transform (Commands)), True);
       end loop;
 
-      --  From power up.
+      --  From power up
       declare
          New_Board : URV.PWM_Boards.Board;
       begin
@@ -306,7 +306,7 @@ package body PWM_Tests is
    procedure Marked_Commands is
       Item : Uplink_Buffer := (others => 16#FFF#);
    begin
-      --  Everything else than what stands there, switches on.
+      --  All words differ from the present ones, with switches on.
       Variable.Reset;
       Errors.Clear;
       for Error in Word range 0 .. 16#1F# loop

@@ -23,7 +23,7 @@ package body Real_Time_Nodes_Tests is
    procedure Wish_In_A_Start;
    procedure Wish_In_A_Step;
 
-   --  A task for each of four processors; on two, two for each.
+   --  A task for each of four processors; with two processors, two for each.
    type Task_Name is (Input, Collection, Output, Recording);
 
    type Task_Table is array (Task_Name) of Task_Attributes;
@@ -43,13 +43,13 @@ package body Real_Time_Nodes_Tests is
    type Condition_List is array (1 .. 10) of Start_Condition;
    type Processor_List is array (Processor_Number) of Ada_Task;
 
-   --  What a node does, as its tasks tell. Nothing here depends on how fast
-   --  it is.
+   --  The node's activity, as its tasks report it. No test depends on the
+   --  machine's speed.
    protected Witness is
 
       procedure Clear;
 
-      --  A processor is there.
+      --  A processor has appeared.
       procedure Meet (Processor : Ada_Task);
 
       procedure Begin_Step (Who : Task_Name; First_Run : Boolean);
@@ -60,13 +60,13 @@ package body Real_Time_Nodes_Tests is
 
       procedure Count_Overrun;
 
-      --  What is wished for by the next step of a transaction, or by the
-      --  next phase 1.
+      --  Plans a request for the next step of a transaction, or for the next
+      --  phase 1.
       procedure Plan (In_Step, In_Start : Boolean);
       procedure Take_Step_Plan (Is_Wanted : out Boolean);
       procedure Take_Start_Plan (Is_Wanted : out Boolean);
 
-      --  Whether the next tests pass.
+      --  Sets the results of the next self-tests.
       procedure Set_Test (Passes : Boolean);
       function Test_Passes return Boolean;
 
@@ -96,7 +96,7 @@ package body Real_Time_Nodes_Tests is
       Passes_Now  : Boolean := True;
    end Witness;
 
-   --  The node's own side.
+   --  The node's own side
 
    procedure Run_Step
      (Who       : Task_Name;
@@ -115,7 +115,7 @@ package body Real_Time_Nodes_Tests is
 
    procedure Observe_Tick (Late : Time_Span);
 
-   --  The node under test, for whoever wishes for a start and for who looks.
+   --  The node under test, for the requests and the monitors
 
    type Request_Access is access procedure (Condition : Start_Condition);
    type Count_Access is access function return Count;
@@ -125,20 +125,21 @@ package body Real_Time_Nodes_Tests is
    Node_Overruns : Count_Access   := null;
    Node_Clock    : Clock_Access   := null;
 
-   --  A node that lives as long as a test. The processors of a node run for
-   --  ever, so here they are aborted: by the names that they tell.
+   --  A node that lives as long as a test. A node's processors never end, so
+   --  the test aborts them, by the names that they report.
    generic
       with procedure Test;
    procedure With_Node (Processors : Processor_Number);
 
-   --  Until it is so; the test fails if it takes a minute.
+   --  Waits until the condition holds. The test fails after one minute.
    procedure Wait_For
      (What : String; Is_So : not null access function return Boolean);
 
-   --  Every task runs that many transactions more.
+   --  Waits until every task has run this number of further transactions.
    procedure Wait_For_Transactions (More : Positive);
 
-   --  That many starts have been made, the last of this condition.
+   --  Waits until this number of starts was made, the last with this
+   --  condition.
    procedure Wait_For_Start (Number : Positive; Condition : Start_Condition);
 
    protected body Witness is
@@ -170,7 +171,7 @@ package body Real_Time_Nodes_Tests is
          Machine (Processor_Number (Met)) := Processor;
       end Meet;
 
-      --  A task's first step after a start initialises, and no other does.
+      --  A task's first step after a start initialises; no other step does.
       procedure Begin_Step (Who : Task_Name; First_Run : Boolean) is
       begin
          Under_Way := Under_Way + 1;
@@ -264,7 +265,7 @@ package body Real_Time_Nodes_Tests is
          Request.all (Processor_Restart);
       end if;
 
-      --  Long enough for the other processor to come in between.
+      --  Long enough for the other processor to intervene.
       delay 0.000_5;
       Witness.End_Step;
       Call :=
@@ -281,7 +282,7 @@ package body Real_Time_Nodes_Tests is
    begin
       Witness.Begin_Start (Condition);
 
-      --  Some ticks.
+      --  Wait some ticks.
       delay 0.01;
       Witness.Take_Start_Plan (Wishes);
       if Wishes then
@@ -378,7 +379,7 @@ package body Real_Time_Nodes_Tests is
          function Are_There return Boolean is
            (Witness.Processors = Natural (Last));
       begin
-         --  One that was not switched on tells its name only then.
+         --  A processor that was not switched on reports its name only then.
          if Processors < Last then
             This_Node.Switch_On (Last, Clock);
          end if;
@@ -467,8 +468,8 @@ package body Real_Time_Nodes_Tests is
       Run (Processors => 2);
    end Two_Processors;
 
-   --  Each task runs on the processor of its row, counted round where there
-   --  are three.
+   --  Each task runs on the processor of its row, counted round if there are
+   --  three.
    procedure More_Processors is
 
       generic
@@ -528,7 +529,7 @@ package body Real_Time_Nodes_Tests is
          Request.all (Warm_Reset);
          Wait_For_Start (2, Warm_Reset);
 
-         --  From here on nobody runs.
+         --  From here on no task runs.
          Before := Witness.Transactions;
          Last_Tick := Node_Clock.all + 30;
          Wait_For ("three frames", Is_Later'Access);

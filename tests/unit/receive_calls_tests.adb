@@ -32,19 +32,19 @@ package body Receive_Calls_Tests is
 
    package Calls is new URVOS.Receive_Calls (Messages, Variable);
 
-   --  How often RECV has looked.
+   --  The number of looks of RECV.
    Looked : Count := 0;
 
-   --  RECV in steps, with an EXIT between any two.
+   --  RECV in steps, with an EXIT between two steps.
    procedure Receive_Within
      (Ticks : Wait_Ticks;
       Item  : out Word;
       Fresh : out Boolean);
 
-   --  A mailbox out of which this was received, no miss counted.
+   --  A mailbox from which this message was received, without a miss.
    procedure Begin_With (Old : Word);
 
-   --  RECV, with this outcome.
+   --  Expects this outcome of a RECV.
    procedure Expect_Receive
      (When_It_Was : String;
       Ticks       : Wait_Ticks;
@@ -55,7 +55,7 @@ package body Receive_Calls_Tests is
 
    procedure Send (Item : Word);
 
-   --  The producer, and when it sends what.
+   --  The producer: the EXIT at which it sends, and its message.
    Send_At_Exit : Natural := 0;
    To_Send      : constant Word := 77;
    procedure Producer_Sends;
@@ -196,7 +196,7 @@ package body Receive_Calls_Tests is
 
    procedure At_Any_Exit is
    begin
-      --  Twelve EXITs are three ticks; the last of them ends the wait.
+      --  Twelve EXITs are three ticks. The last one ends the wait.
       for Which in 1 .. 12 loop
          Begin_With (5);
          Begin_At (100, 4, Producer_Sends'Access);
@@ -234,7 +234,7 @@ package body Receive_Calls_Tests is
       Fresh    : Boolean;
       Again    : Boolean;
    begin
-      --  In virtual time there is a tick between two steps.
+      --  In virtual time two steps are one tick apart.
       Begin_With (5);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 4 loop
@@ -284,8 +284,8 @@ package body Receive_Calls_Tests is
 
    procedure Back_In_Time is
    begin
-      --  The clock shows 100 to 103, then 90 to 94 again and again. From
-      --  the look at 103 on it is as if it stood still.
+      --  The clock shows 100 to 103, then 90 to 94 repeatedly. From the look
+      --  at 103 on it counts as stopped.
       Begin_With (5);
       Begin_At (100, 1, Clock_Runs_Back'Access);
       Expect_Receive ("back in time", 20, 5, Fresh => False);
@@ -310,7 +310,7 @@ package body Receive_Calls_Tests is
             Note_Look (Patience, Shown);
             Expect ("fewer looks left", Looks_Left (Patience) < Before, True);
 
-            --  Mostly it stands still, now and then it runs back.
+            --  The clock mostly stops; now and then it runs back.
             Random := (Random * 171) mod 30_269;
             Shown  :=
               (case Random mod 8 is

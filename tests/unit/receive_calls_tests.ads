@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  MBX-3, MBX-5: RECV with a wait, and that every wait ends.
+--  MBX-3, MBX-5: RECV with a wait, and the end of every wait.
 
 with AUnit.Test_Suites;
 

@@ -32,14 +32,14 @@ package body Receivers_Tests is
    procedure Expect is new Expect_Value (Slot);
    procedure Expect is new Expect_Value (Receiver_State);
 
-   --  A receiver, its buffers, and what came out last.
+   --  A receiver, its buffers, and its last event.
    type Half is record
       Receiver : Receivers.Receiver;
       Pair     : Buffer_Pair;
       Outcome  : Event;
    end record;
 
-   --  One character.
+   --  Receives one character.
    procedure Hear
      (This         : in out Half;
       Data         : Byte;
@@ -49,11 +49,11 @@ package body Receivers_Tests is
    --  The board has waited at the end of the message.
    procedure Judge (This : in out Half);
 
-   --  The board gives up what was coming in.
+   --  The board abandons the message under reception.
    procedure Restart (This : in out Half);
 
-   --  A whole data message whose bytes are Mark, with this added to its
-   --  checksum, and a parity error in the Bad_Parity-th character.
+   --  Receives a data message whose bytes are Mark, with this value added to
+   --  its checksum, and a parity error in character number Bad_Parity.
    procedure Hear_Message
      (This       : in out Half;
       Mark       : Byte;
@@ -159,7 +159,7 @@ package body Receivers_Tests is
       Expect ("the next", This.Outcome.Kind, Block_Whole);
       Judge (This);
 
-      --  In the header it leaves the receiver out of step.
+      --  A parity error in the header leaves the receiver out of step.
       Hear (This, Header_Byte, Parity_Error => True);
       Expect ("header", This.Outcome.Kind, Lost_Step);
    end Parities;
@@ -193,7 +193,7 @@ package body Receivers_Tests is
    procedure One_More is
       This : Half;
    begin
-      --  Whatever comes after the end, and however much.
+      --  For any characters after the end, and any number of them.
       for More in 1 .. 3 loop
          for Value in Byte loop
             This := (others => <>);
@@ -257,8 +257,8 @@ package body Receivers_Tests is
       This   : Half;
       Target : Slot;
    begin
-      --  Nobody takes anything: the newest good block is there all the
-      --  same, and the buffer that is being filled is the other one.
+      --  No controller takes a block: the newest good block remains available,
+      --  and the buffer being filled is the other one.
       for Mark in Byte range 1 .. 20 loop
          Hear_Message (This, Mark);
          Judge (This);

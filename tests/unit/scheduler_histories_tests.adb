@@ -21,15 +21,15 @@ package body Scheduler_Histories_Tests is
 
    S : Scheduler;
 
-   --  Each procedure makes one call, or moves the clock; then an idle
-   --  processor is given to the next task. State and Late are expected after
-   --  it. A state is four lists:
+   --  Each procedure makes one call or moves the clock. Then an idle processor
+   --  gets the next task. State and Late are the expected results. A state has
+   --  four lists:
    --
    --     running task | ready tasks | sleeping tasks | next free TCB
    --
-   --  Tasks are numbers. The ready ones are in the order in which they will
-   --  run; the sleeping ones have their ticks, and are in the order of ticks,
-   --  then of TCBs. Late is the number of overruns so far.
+   --  Tasks are numbers. Ready tasks are in the order in which they will run.
+   --  Sleeping tasks have their ticks, and are in the order of ticks, then of
+   --  TCBs. Late is the number of overruns so far.
 
    procedure Starts
      (Tree  : Task_Tree;
@@ -68,7 +68,7 @@ package body Scheduler_Histories_Tests is
 
    procedure Expect (State : String; Late : Count; Line : Positive);
 
-   --  The list of a queue; of the free TCBs only the first.
+   --  The list of a queue; for the free TCBs only the first.
    function List_Of (Queue : Queue_Name) return String;
 
    function List_Of (Queue : Queue_Name) return String is
@@ -204,14 +204,15 @@ package body Scheduler_Histories_Tests is
       Ticks  (13,              "- | - | 3@14 1@20 2@22 | 4", 0);
       Ticks  (14,              "3 | - | 1@20 2@22 | 4",    0);
 
-      --  No preemption: a higher task waits until the running one calls.
+      --  No preemption: a task of higher priority waits until the running one
+      --  calls.
       Ticks  (20,              "3 | 1 | 2@22 | 4",         0);
       Sleeps (24,              "1 | - | 2@22 3@24 | 4",    0);
       Ticks  (22,              "1 | 2 | 3@24 | 4",         0);
       Ticks  (24,              "1 | 2 3 | - | 4",          0);
       Exits                   ("1 | 2 3 | - | 4",          0);
 
-      --  Task 2 was due at 22, and runs at 24: late.
+      --  Task 2 was due at 22 and runs at 24: late.
       Sleeps (30,              "2 | 3 | 1@30 | 4",         1);
       Sleeps (32,              "3 | - | 1@30 2@32 | 4",    1);
       Ends                    ("- | - | 1@30 2@32 | 4",    1);
@@ -234,7 +235,7 @@ package body Scheduler_Histories_Tests is
       Exits                   ("1 | 2 4 5 | 3@2 | 6",      0);
       Ticks  (2,               "1 | 3 2 4 5 | - | 6",      0);
 
-      --  The caller goes behind its equals, and before the lower task.
+      --  The caller follows its equals, and precedes the lower task.
       Exits                   ("3 | 2 4 1 5 | - | 6",      0);
       Sleeps (3,               "2 | 4 1 5 | 3@3 | 6",      1);
       Ticks  (3,               "2 | 3 4 1 5 | - | 6",      1);
@@ -265,8 +266,8 @@ package body Scheduler_Histories_Tests is
           5 => (5, 0, 4), 6 => (6, 0, 5), others => Null_Header),
          Now => 0,    State => "6 | 1 5 | 3@3 2@5 4@6 | 7", Late => 0);
 
-      --  Behind the ready ones of their priority, in the order of ticks,
-      --  although the clock was not looked at for a while.
+      --  They follow the ready tasks of their priority, in the order of ticks,
+      --  although the clock was not read for a while.
       Ticks  (7,               "6 | 4 1 5 3 2 | - | 7",    0);
       Sleeps (17,              "4 | 1 5 3 2 | 6@17 | 7",   1);
       Sleeps (16,              "1 | 5 3 2 | 4@16 6@17 | 7", 2);
@@ -288,7 +289,7 @@ package body Scheduler_Histories_Tests is
           others => Null_Header),
          Now => 5,    State => "9 | - | 8@7 | 3", Late => 1);
 
-      --  A task that was due before it is loaded comes behind its equals.
+      --  A task that was due before it is loaded follows its equals.
       Loads  ((6, 5, 3),       "9 | 6 | 8@7 | 4",          1);
       Loads  ((2, 0, 3),       "9 | 6 2 | 8@7 | 5",        1);
       Loads  ((5, 9, 3),       "9 | 6 2 | 8@7 5@9 | 6",    1);

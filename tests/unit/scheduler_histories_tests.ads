@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  KRN-1 to KRN-4, FRM-4: histories of calls, with the state after each as
---  the report's sections 3.2 and 3.3 give it. They were written by hand.
+--  KRN-1 to KRN-4, FRM-4: histories of calls, with the state after each call
+--  as the report's sections 3.2 and 3.3 define it. They were written by hand.
 
 with AUnit.Test_Suites;
 

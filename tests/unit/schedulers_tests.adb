@@ -37,11 +37,11 @@ package body Schedulers_Tests is
    procedure Expect is new Expect_Value (Task_Id);
    procedure Expect is new Expect_Value (TCB_Number);
 
-   --  Which task runs.
+   --  Expects this running task.
    procedure Expect_Running
      (When_It_Was : String; S : Scheduler; Id : Task_Id);
 
-   --  Some headers and nothing after them.
+   --  Some headers without any after them.
    type Headers is array (TCB_Number range <>) of Task_Header;
 
    function Tree_Of (First : Headers) return Task_Tree;
@@ -49,7 +49,7 @@ package body Schedulers_Tests is
    --  A scheduler that has just started these tasks.
    function Started (First : Headers; Now : Clock_Tick) return Scheduler;
 
-   --  Sleeps, then the next one runs.
+   --  The caller sleeps, then the next task runs.
    procedure Sleep_And_Dispatch (S : in out Scheduler; Until_Tick : Tick);
 
    procedure Expect_Running
@@ -241,7 +241,7 @@ package body Schedulers_Tests is
       Expect ("behind its equal", Is_Ahead (S, 2, 1), True);
       Expect ("before the lower", Is_Ahead (S, 1, 3), True);
 
-      --  All others in turn.
+      --  All others in order.
       for Id of Headers'
         ((Id => 4, others => <>), (Id => 2, others => <>),
          (Id => 1, others => <>), (Id => 3, others => <>))
@@ -284,7 +284,7 @@ package body Schedulers_Tests is
    end Sleeper_At_Its_Tick;
 
    procedure Woken_In_Order is
-      --  Four tasks of one priority, and when they are to wake.
+      --  Four tasks of one priority, and their ticks.
       Ticks : constant array (TCB_Number range 1 .. 4) of Tick :=
         (30, 10, 30, 20);
       Order : constant array (TCB_Number range 1 .. 4) of Task_Id :=
@@ -301,7 +301,7 @@ package body Schedulers_Tests is
       end loop;
       Expect ("all asleep", Is_Idle (S), True);
 
-      --  The clock was not looked at for a while.
+      --  The clock was not read for a while.
       Wake (S, 100);
       for Id of Order loop
          Dispatch (S);
@@ -421,13 +421,13 @@ package body Schedulers_Tests is
       Expect_Running ("at 10", S, 2);
       Expect ("at its tick again", Overruns (S), 0);
 
-      --  The other waits until 11.
+      --  The other task waits until 11.
       Wake (S, 11);
       Sleep_And_Dispatch (S, 20);
       Expect_Running ("at 11", S, 1);
       Expect ("one tick late", Overruns (S), 1);
 
-      --  Having run, it is not late again when it gives way.
+      --  After its run, it is not late again when it gives way.
       Wake (S, 20);
       Exit_Call (S);
       Expect_Running ("after EXIT", S, 2);
@@ -448,7 +448,7 @@ package body Schedulers_Tests is
             S           : constant Scheduler := Started (First, Now);
             When_It_Was : constant String := "started at" & Now'Image;
          begin
-            --  Those that wait are counted when they run.
+            --  Waiting tasks are counted when they run.
             Expect
               (When_It_Was & ": overruns", Overruns (S),
                (if Now > 4 then 1 else 0));

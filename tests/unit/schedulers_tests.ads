@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  KRN-1 to KRN-4, FRM-4: which task runs.
+--  KRN-1 to KRN-4, FRM-4: the choice of the running task.
 
 with AUnit.Test_Suites;
 

@@ -53,7 +53,7 @@ package body Seal_Tests is
    Keys_12 : constant Key_List := (Keys_1 (First), Keys_2 (First));
    Keys_21 : constant Key_List := (Keys_2 (First), Keys_1 (First));
 
-   --  Both ends of a link that a test may do anything to.
+   --  Both ends of a link with which a test may do anything.
    type Link is array (Station) of Seal;
 
    function New_Link
@@ -70,7 +70,7 @@ package body Seal_Tests is
    function Closed (Both : in out Link; From : Station; Mark : Word := 0)
                     return Block_Data;
 
-   --  Up to a session, with a sealed block each way.
+   --  Makes a session, with a sealed block each way.
    procedure Shake_Hands (Both : in out Link);
 
    procedure Expect_Opening
@@ -80,10 +80,10 @@ package body Seal_Tests is
       Block    : Block_Data;
       Expected : Outcome);
 
-   --  Frames pass at both ends.
+   --  Passes frames at both ends.
    procedure Pass (Both : in out Link; Frames : Counter := 1);
 
-   --  A frame passes; then one end sends a block to the other.
+   --  Passes a frame; then one end sends a block to the other.
    procedure Expect_Next
      (What     : String;
       Both     : in out Link;
@@ -91,8 +91,8 @@ package body Seal_Tests is
       Expected : Outcome;
       Mark     : Word := 0);
 
-   --  Frames in which both ends send: until both have taken a sealed block
-   --  of the other, which is to be within so many.
+   --  Passes frames in which both ends send, until both have taken a sealed
+   --  block of the other. This must happen within the given number of frames.
    procedure Expect_Session
      (What   : String;
       Both   : in out Link;
@@ -197,7 +197,7 @@ package body Seal_Tests is
            ("of" & Length'Image & " bytes", Tag (Item, Count_Key),
             Published (Length));
 
-         --  What is behind the message does not matter.
+         --  Bytes after the message have no effect.
          if Length < Message_Length'Last then
             Item.Bytes (Length + 1) := 16#FF#;
             Expect_Tag
@@ -246,7 +246,7 @@ package body Seal_Tests is
    begin
       Shake_Hands (Both);
 
-      --  All values of 16 bits; each comes to every place.
+      --  All values of 16 bits, each at every place.
       for Value in Word loop
          for From in Station loop
             Given := Data_Of (From, Value);
@@ -279,7 +279,7 @@ package body Seal_Tests is
    procedure Three_Steps is
       Both : Link := New_Link;
    begin
-      --  Nothing is taken before both have told their nonces.
+      --  No block is taken before both have exchanged their nonces.
       Expect_Next ("an answer to nothing", Both, Aircraft, Hello_Repeated);
       Shake_Hands (Both);
       for Number in Word range 1 .. 10 loop
@@ -287,7 +287,7 @@ package body Seal_Tests is
          Expect_Next ("down", Both, Aircraft, Opened, Number);
       end loop;
 
-      --  An answer that comes twice, or late, changes nothing.
+      --  A repeated or late answer changes nothing.
       Both := New_Link;
       Expect_Next ("call", Both, Ground, Hello_Taken);
       Expect_Next ("call again", Both, Ground, Hello_Repeated);
@@ -366,8 +366,8 @@ package body Seal_Tests is
       end loop;
    end Late_Blocks;
 
-   --  One block in three comes, and each that comes is the oldest that has
-   --  not: every line that is shorter than the blocks on it.
+   --  One block in three arrives, always the oldest that has not: the delay of
+   --  every line that has more blocks than it can carry.
    procedure A_Growing_Delay is
       Frames  : constant := 600;
       Both    : Link := New_Link;
@@ -484,8 +484,8 @@ package body Seal_Tests is
    procedure Key_Change is
       Both : Link;
    begin
-      --  The old key, then both in the aircraft, then the ground has the
-      --  new one first, then the new alone.
+      --  First the old key; then both in the aircraft; then the ground has the
+      --  new one first; then the new one alone.
       for Step in 1 .. 4 loop
          Both :=
            (case Step is
@@ -516,7 +516,7 @@ package body Seal_Tests is
         ("call under another key", Both, Aircraft, Closed (Other, Ground),
          Hello_Taken);
 
-      --  The second key may be all there is.
+      --  The second key may be the only one.
       Expect
         ("it is known",
          Is_Known ((First => (others => <>), Second => Keys_2 (First)), 2),
@@ -532,7 +532,7 @@ package body Seal_Tests is
       Both : Link := New_Link;
       That : Link := New_Link (Start => 7_000);
    begin
-      --  The aircraft's nonce is that of the session, the ground's is not.
+      --  The aircraft's nonce is that of the session; the ground's is not.
       Shake_Hands (Both);
       That (Aircraft) := New_Link (Aircraft);
       Expect_Next ("call", That, Ground, Hello_Taken);
@@ -550,7 +550,7 @@ package body Seal_Tests is
       Old := Closed (Both, Ground);
       Both (Ground) := New_Seal (Ground, 2, Keys_1, 9_000);
 
-      --  The aircraft has just heard its session, and waits.
+      --  The aircraft has just received a block of its session, and waits.
       Expect_Next ("too early", Both, Ground, Hello_Out_Of_Turn);
       Expect_Session ("again", Both, 6);
       Expect_Opening
@@ -572,7 +572,7 @@ package body Seal_Tests is
       Expect_Opening
         ("and the block", Both, Aircraft, Old, Not_Opened);
 
-      --  Its hellos are heeded when its blocks have stayed away.
+      --  Its hellos are accepted after its blocks have stopped.
       Expect_Next ("too early", Both, Aircraft, Hello_Out_Of_Turn);
       Expect_Session ("again", Both, 9);
    end Aircraft_Restarts;
@@ -594,7 +594,7 @@ package body Seal_Tests is
       Expect_Opening
         ("answer of before", Both, Ground, Hello_Down, Hello_Out_Of_Turn);
 
-      --  In a gap the call is answered, but the session stays as it is.
+      --  In a gap the call is answered, but the session is kept.
       Pass (Both, 5);
       Expect_Opening
         ("call of before", Both, Aircraft, Hello_Up, Hello_Taken);
@@ -602,8 +602,8 @@ package body Seal_Tests is
       Expect_Next ("down", Both, Aircraft, Opened);
    end Hellos_Are_Disregarded;
 
-   --  One recorded call behind every block of the ground, which has started
-   --  again.
+   --  One recorded call follows every block of the ground, which has
+   --  restarted.
    procedure Hellos_Lock_Nobody_Out is
       Both     : Link := New_Link;
       Recorded : array (1 .. 3) of Block_Data;
@@ -642,7 +642,7 @@ package body Seal_Tests is
       Expect_Session ("a new one", Both, 8);
    end Long_Silence;
 
-   --  Its clock goes on when it does.
+   --  Its clock continues when it does.
    procedure A_Node_Stands_Still is
       Stopped : constant Counter := 4_250;
       Both    : Link;

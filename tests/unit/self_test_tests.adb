@@ -42,11 +42,11 @@ package body Self_Test_Tests is
    procedure Failure_In_Flight;
    procedure Result_Words;
 
-   --  Board 1 is tested; the rest show that boards have nothing in common.
+   --  Board 1 is tested; the others show that boards are independent.
 
    package Memories is new Devices.Processor_Memories (Board => 1);
 
-   --  How often the RAM was read or written.
+   --  The number of accesses to the RAM.
    Accesses : Natural := 0;
 
    procedure Read_RAM (Where : Word_Address; Data : out Word);
@@ -57,7 +57,7 @@ package body Self_Test_Tests is
       Write => Write_RAM,
       Read  => Read_RAM);
 
-   --  Its first six words, for all pairs of cells.
+   --  The RAM's first six words, for all pairs of cells.
    Small_Last : constant RAM_Address := 5;
 
    package Small is new URVOS.RAM_Tests
@@ -72,7 +72,7 @@ package body Self_Test_Tests is
       Read_RAM  => Read_RAM,
       Write_RAM => Write_RAM);
 
-   --  What the in-flight tasks are between.
+   --  The surroundings of the tasks in flight
 
    CORE   : Devices.Shared_CORE_Memory.Board;
    Status : URV.Shared_Status.Status;
@@ -103,10 +103,10 @@ package body Self_Test_Tests is
       Errors          => Errors,
       Read_ROM        => Memories.Read_ROM);
 
-   --  Nothing found, nothing reported.
+   --  Clears all findings and reports.
    procedure Clear_Results;
 
-   --  What CORE says of the passes that have ended, and what the log does.
+   --  CORE's counts of the passes, and the log's count.
 
    function Good return Word is (CORE.Contents.Status (ROM_Passes));
    function Bad return Word is (CORE.Contents.Status (ROM_Failures));
@@ -116,7 +116,7 @@ package body Self_Test_Tests is
      (Logs.History_Of (Errors.Contents, ROM_Check_Failed));
    function Reports return Natural is (Natural (Failures.Occurrences));
 
-   --  The small memory with a fault, and with two.
+   --  The small memory with one fault, and with two.
    procedure Expect_Found (What : String; Planted : Fault);
    function Is_Found (First, Second : Fault) return Boolean;
 
@@ -160,7 +160,7 @@ package body Self_Test_Tests is
       Repair (1);
       Plant (1, Planted);
       Small.Run (Sound, Where);
-      --  The text is made only when needed: these are many.
+      --  The text is made only when needed, since there are many tests.
       if Sound then
          Expect
            (What & " at " & Text (Planted.Cell) & " from "
@@ -209,7 +209,7 @@ package body Self_Test_Tests is
    procedure Known_Answer is
       Register : Sum := First_Value;
    begin
-      --  The check value of this CRC in the catalogues, complemented.
+      --  The catalogues' check value of this CRC, complemented.
       for Digit in Byte range 16#31# .. 16#39# loop
          Register := Next (Register, Digit);
       end loop;
@@ -222,7 +222,7 @@ package body Self_Test_Tests is
       Right    : Small_Image;
       Register : Sum := First_Value;
 
-      --  Whether a whole pass finds it good.
+      --  A whole pass finds the image good.
       function Is_Good (Spoilt : Small_Image) return Boolean;
 
       function Is_Good (Spoilt : Small_Image) return Boolean is
@@ -261,15 +261,16 @@ package body Self_Test_Tests is
    end Every_Byte_Of_A_Small_Image;
 
    procedure Bytes_Of_The_Whole_Image is
-      --  The register before each byte; and after it, spoilt.
+      --  The register before each byte; and after it, if spoilt.
       Register : Sum := First_Value;
       Other    : Sum;
       Data     : Byte;
    begin
       Repair (1);
       for Where in ROM_Address loop
-         --  A step never makes two registers one (Theorems.Self_Test): what
-         --  it has told apart here stays apart. Some are followed to the end.
+         --  A step never makes two registers equal (Theorems.Self_Test):
+         --  registers that differ here stay different. Some are followed to
+         --  the end.
          for Flips in Byte range 1 .. 255 loop
             Other := Next (Register, Programmed (Where) xor Flips);
             if Other = Next (Register, Programmed (Where)) then
@@ -314,7 +315,7 @@ package body Self_Test_Tests is
    end Blank_Images;
 
    procedure Three_Wrong_Bits is
-      --  Where the wrong bits are: by a plain generator.
+      --  The places of the wrong bits, from a simple generator.
       State : Sum := 7;
       procedure Spoil;
 
@@ -391,12 +392,12 @@ package body Self_Test_Tests is
    end Coupled_Cells;
 
    procedure Linked_Cells is
-      --  One cell suffers from two changes, of one other cell or of two, on
-      --  either side of it, so that one fault may undo what the other did.
+      --  Two changes disturb one cell, by one other cell or by two, on either
+      --  side of it, so one fault may undo the effect of the other.
       Missed : Natural := 0;
       All_Of : Natural := 0;
 
-      --  Between the same bits of two words.
+      --  Between equal bits of two words.
       function Word_Fault
         (Kind         : Fault_Kind;
          Cell, Source : RAM_Address;
@@ -408,8 +409,8 @@ package body Self_Test_Tests is
 
       procedure Try (First, Second : Fault) is
       begin
-         --  Two that come from one change of one cell are one fault, which
-         --  may be none.
+         --  Two faults from one change of one cell are one fault, possibly
+         --  none.
          if First.Source /= Second.Source
            or else First.Edge /= Second.Edge
          then
@@ -488,7 +489,8 @@ package body Self_Test_Tests is
          end loop;
       end loop;
 
-      --  A broken address line; and cells that it would tell apart, coupled.
+      --  A broken address line, and coupled cells with addresses that this
+      --  line distinguishes.
       while Line <= Last_RAM_Word loop
          Expect_Found_In_All
            ("line", (Other_Cells, (Line, 0), (0, 0), 1, 0));
@@ -528,7 +530,7 @@ package body Self_Test_Tests is
    begin
       Repair (1);
 
-      --  A fault of another board is not this one's.
+      --  A fault of another board does not concern this one.
       Spoil_ROM (2, 100, 1);
       Plant (2, (Stuck, (7, 7), (0, 0), 1, 1));
       for Number in 1 .. 1_000 loop
@@ -587,8 +589,8 @@ package body Self_Test_Tests is
             Test /= Floating_Point);
       end loop;
 
-      --  A bit that is not cleared is seen even if it is set, changed and
-      --  found as it should be.
+      --  A bit that cannot be cleared is found even if it was set, changed and
+      --  read back correctly.
       Expect
         ("a bit that stays",
          Passes
@@ -610,7 +612,7 @@ package body Self_Test_Tests is
       Expect ("good passes", Good, 3);
       Expect ("bad passes", Bad, 0);
 
-      --  Whatever the slice: a pass ends with the last byte.
+      --  For any slice, a pass ends with the last byte.
       Clear_Results;
       Byte_By_Byte.Initialise;
       Odd.Initialise;
@@ -638,7 +640,7 @@ package body Self_Test_Tests is
             --  This pass is already beyond the byte.
             Spoil_ROM (1, 1_000, 1);
          elsif Frame = 4 * 512 then
-            --  And this one has already taken it.
+            --  This pass has already read it.
             Repair (1);
          end if;
          In_Flight.Run_Transaction;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  TST-1 to TST-4: what the self-test finds, and that it finds nothing where
---  nothing is wrong.
+--  TST-1 to TST-4: the faults that the self-test finds, and the absence of
+--  false alarms.
 
 with AUnit.Test_Suites;
 
 package Self_Test_Tests is
 
-   --  Briefly: without the thousand starts.
+   --  Briefly omits the thousand starts.
    procedure Add_To
      (Suite : AUnit.Test_Suites.Access_Test_Suite; Briefly : Boolean);
 

@@ -37,10 +37,10 @@ package body Semaphores_Tests is
 
    Resource : Flag;
 
-   --  How often P has tried.
+   --  The number of tries of P.
    Tries : Count := 0;
 
-   --  What was reported, and how often.
+   --  The reports, and their numbers.
    Not_Claimed, Not_Owned    : Count   := 0;
    Last_Caller, Last_Holder : Task_Id := No_Task;
 
@@ -52,24 +52,24 @@ package body Semaphores_Tests is
       Report_Not_Claimed => Report_Not_Claimed,
       Report_Not_Owned   => Report_Not_Owned);
 
-   --  P in steps, with an EXIT between any two.
+   --  P in steps, with an EXIT between two steps.
    procedure Claim (Who : Claimant; Claimed : out Boolean);
 
-   --  A semaphore that nobody has, or this task, and nothing reported.
+   --  A semaphore that is available or this task's, without reports.
    procedure Begin_With (Owner : Task_Id);
 
    procedure Expect_Owner (When_It_Was : String; Expected : Task_Id);
 
-   --  P by Caller, with this outcome.
+   --  Expects this outcome of P by Caller.
    procedure Expect_Claim (When_It_Was : String; Expected : Boolean);
 
-   --  V, with this outcome.
+   --  Expects this outcome of V.
    procedure Expect_Release
      (When_It_Was : String;
       Who         : Claimant;
       Expected    : Boolean);
 
-   --  When the other task is done with it, and that it then releases.
+   --  The EXIT at which the other task is finished and releases.
    Release_At_Exit : Natural := 0;
    procedure Other_Releases;
 
@@ -238,7 +238,7 @@ package body Semaphores_Tests is
 
    procedure Late_Release is
    begin
-      --  Eight EXITs are two ticks; the last of them ends the wait.
+      --  Eight EXITs are two ticks. The last one ends the wait.
       for Which in 1 .. 8 loop
          Begin_With (Other);
          Begin_At (100, 4, Other_Releases'Access);
@@ -263,7 +263,7 @@ package body Semaphores_Tests is
       Expect ("the clock", Now, 100);
       Expect ("tries", Tries, 100_001);
 
-      --  It stops when one tick has passed.
+      --  The clock stops after one tick.
       Begin_With (Other);
       Begin_At (100, Exits_Per_Tick => 70_000);
       Expect_Claim ("a slow clock", False);
@@ -305,7 +305,7 @@ package body Semaphores_Tests is
       Claimed   : Boolean;
       Try_Again : Boolean;
    begin
-      --  In virtual time there is a tick between two steps.
+      --  In virtual time two steps are one tick apart.
       Begin_With (Other);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 3 loop
@@ -345,7 +345,7 @@ package body Semaphores_Tests is
       Begin_At (100, Exits_Per_Tick => 1);
       Expect_Claim ("never released", False);
 
-      --  While Caller goes on without it, it passes from hand to hand.
+      --  While Caller continues without it, other tasks claim and release it.
       Expect_Release ("the owner's V", Other, True);
       Resource.Try_Claim (Third, Claimed, Holder);
       Expect ("a third claims", Claimed, True);
@@ -360,7 +360,7 @@ package body Semaphores_Tests is
 
       Shared : Flag;
 
-      --  Only who has the semaphore touches these.
+      --  Only the semaphore's owner accesses these.
       Inside : Count := 0 with Volatile;
       Total  : Count := 0 with Volatile;
       Broken : Count := 0 with Volatile;

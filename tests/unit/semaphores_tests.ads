@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  SEM-1, SEM-2: who has a semaphore, and how long a P waits for it.
+--  SEM-1, SEM-2: the owner of a semaphore, and the wait of a P.
 
 with AUnit.Test_Suites;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  LNK-3, D-5: a data message goes out, character by character.
+--  LNK-3, D-5: the board sends a data message, character by character.
 
 with AUnit.Test_Suites;
 

@@ -13,8 +13,8 @@ package body Serial_Line_Tests is
 
    Reader : Mark_Reader;
 
-   --  The device gives a byte; the character that it completes, if any, was
-   --  well received or was not.
+   --  The device gives a byte. Completes: it completes a character. Wrong:
+   --  that character was badly received.
    procedure Give (Data : Byte; Completes : Boolean; Wrong : Boolean);
 
    procedure Give (Data : Byte; Completes : Boolean; Wrong : Boolean) is

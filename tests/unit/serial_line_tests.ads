@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  RTP-1: what a serial device tells of a character.
+--  RTP-1: a serial device's report of a character.
 
 with AUnit.Test_Suites;
 

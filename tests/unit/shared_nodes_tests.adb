@@ -30,17 +30,17 @@ package body Shared_Nodes_Tests is
    First  : constant Task_Id := 3;
    Second : constant Task_Id := 7;
 
-   --  Of either processor: they sleep until minor frames 0 and 4.
+   --  For either processor: its tasks sleep until minor frames 0 and 4.
    function Pair (Now : Clock_Tick) return Task_Tree is
      ((First, Now, 9), (Second, Now, 8), others => Null_Header);
 
    This_Node : Node;
 
-   --  Who wishes for what during its next step.
+   --  The task that requests a start during its next step, and the condition.
    Wisher : Task_Id         := No_Task;
    Wish   : Start_Condition := Cold_Start;
 
-   --  Who ran since it was last asked, in order.
+   --  The tasks that ran since the last look, in order.
    History : array (1 .. 20) of Task_Id;
    Ran     : Natural := 0;
 
@@ -55,17 +55,17 @@ package body Shared_Nodes_Tests is
    package Processor_1 is new URVOS.Executives (Step, Report_Overrun);
    package Processor_2 is new URVOS.Executives (Step, Report_Overrun);
 
-   --  A processor of the node at a tick: it looks what it has to do, and
-   --  does it.
+   --  One tick of a processor of the node: it gets its order and carries it
+   --  out.
    generic
       Who : Seat;
       with package Executive is new URVOS.Executives (<>);
    procedure Processor_Tick (Now : Clock_Tick; Expected : Order_Name);
 
-   --  The master's test is over.
+   --  The master's test has ended.
    procedure End_Test (Condition : Start_Condition);
 
-   --  What the master was told to begin with.
+   --  The condition of the start that the master began.
    Begun : Start_Condition := Cold_Start;
 
    procedure Expect_Ran (What : String; Expected : Natural);
@@ -134,7 +134,7 @@ package body Shared_Nodes_Tests is
       Ran := 0;
    end Expect_Ran;
 
-   --  One processor, whose tasks are loaded at a tick and have initialised.
+   --  One processor, whose tasks were loaded at a tick and have initialised.
    procedure Begin_One (Now : Clock_Tick);
 
    procedure Begin_One (Now : Clock_Tick) is
@@ -156,8 +156,7 @@ package body Shared_Nodes_Tests is
       end loop;
       Expect_Ran ("before the frame", 0);
 
-      --  Of several wishes the last one counts, and nobody is resumed who
-      --  is due.
+      --  The last of several requests counts, and no due task is resumed.
       Expect ("wanted", This_Node.Is_Start_Wanted, False);
       This_Node.Request (Processor_Restart);
       This_Node.Request (Warm_Reset);
@@ -169,7 +168,7 @@ package body Shared_Nodes_Tests is
       Tick_1 (11, Load_Tasks);
       Expect_Ran ("initialised again", 2);
 
-      --  Once.
+      --  Only once.
       Tick_1 (12, Carry_On);
       Tick_1 (20, Carry_On);
       Expect_Ran ("at the frame", 1);
@@ -177,8 +176,8 @@ package body Shared_Nodes_Tests is
 
    procedure Request_During_Step is
    begin
-      --  The step is ended first; the second task, which is due as well,
-      --  does not begin its own.
+      --  The step ends first. The second task, which is due as well, does not
+      --  begin its own.
       Begin_One (0);
       Tick_1 (10, Carry_On);
       Expect_Ran ("the first", 1);
@@ -200,8 +199,8 @@ package body Shared_Nodes_Tests is
 
    procedure Failed_Step is
    begin
-      --  Whoever catches a step's exception wishes for a restart: be it in
-      --  an initialisation.
+      --  The code that catches a step's exception requests a restart, also
+      --  from an initialisation.
       Ran := 0;
       This_Node.Switch_On (1, Time_First);
       Tick_1 (0, Begin_Start);
@@ -215,7 +214,7 @@ package body Shared_Nodes_Tests is
       Tick_1 (2, Load_Tasks);
       Expect_Ran ("both initialise", 2);
 
-      --  Or in a transaction.
+      --  The same from a transaction.
       Wisher := Second;
       Tick_1 (10, Carry_On);
       Tick_1 (14, Carry_On);
@@ -240,8 +239,8 @@ package body Shared_Nodes_Tests is
       Tick_2 (2, Load_Tasks);
       Expect_Ran ("both initialise theirs", 4);
 
-      --  A step of the second one fails; the first one's task, which is due
-      --  at that tick, does not run any more.
+      --  A step of the second processor fails. The first one's task, due at
+      --  that tick, does not run any more.
       Tick_1 (10, Carry_On);
       Wisher := First;
       Wish := Processor_Restart;
@@ -289,8 +288,7 @@ package body Shared_Nodes_Tests is
       Lone       : Node;
       Next_Order : Order;
    begin
-      --  A seat that is not taken has nothing to do, and nobody waits for
-      --  it.
+      --  An unused seat has no work, and no processor waits for it.
       Lone.Switch_On (1, Time_First);
       Lone.Look (2, Next_Order);
       Expect ("before the start", Next_Order.Name, Stand_Still);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  INI-1, KRN-6, FRM-4: starts that are wished for while tasks run.
+--  INI-1, KRN-6, FRM-4: starts that are requested while tasks run.
 
 with AUnit.Test_Suites;
 

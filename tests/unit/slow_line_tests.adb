@@ -18,11 +18,12 @@ package body Slow_Line_Tests is
    procedure Expect is new Expect_Value (Character_Times);
    procedure Expect is new Expect_Value (Round_Trip_Time);
 
-   --  What the nodes' frame leaves room for.
+   --  The slowest line for which the nodes' frame has room.
    Slowest : constant Line_Time := Line_Time (Longest_Round_Trip / 2);
 
-   --  Frames in which both controllers give a block, the aircraft's Phase
-   --  character times later, and take what came at the frame's end.
+   --  Flies frames in which both controllers give a block, the aircraft's
+   --  Phase character times later, and take the received one at the frame's
+   --  end.
    procedure Fly
      (Item   : in out Link;
       Frames : Positive;
@@ -30,7 +31,7 @@ package body Slow_Line_Tests is
       Phase  : Natural;
       Fault  : Fault_Procedure := null);
 
-   --  One character in a hundred or so is lost, wrong or doubled.
+   --  About one character in a hundred is lost, wrong or doubled.
    procedure Rain
      (Sender : Station;
       Number : Positive;
@@ -116,7 +117,7 @@ package body Slow_Line_Tests is
 
    procedure Waits is
 
-      --  How long a board with this round trip waits.
+      --  Expects the waits of a board with this round trip.
       procedure Expect_Waits (Time : Round_Trip_Time);
 
       procedure Expect_Waits (Time : Round_Trip_Time) is
@@ -138,7 +139,7 @@ package body Slow_Line_Tests is
          Expect
            ("before it starts afresh", Time_Left (Item), Idle_Time_On (Time));
 
-         --  A start of the board forgets nothing of the line.
+         --  A start of the board keeps the line's delay.
          Start (Item);
          Expect ("after a start", Time_Left (Item), Idle_Time_On (Time));
          Expect ("told", Control_Of (Item).Round_Trip, Time);
@@ -163,8 +164,8 @@ package body Slow_Line_Tests is
       Flights : constant := 5;
       Mark    : Byte;
    begin
-      --  After a storm two frames find together again, and three bring each
-      --  uplink across, once.
+      --  After a storm the boards recover within two frames. Three frames then
+      --  deliver each uplink, once.
       Drops := 1;
       for One_Way in 0 .. Slowest loop
          for Flight in 1 .. Flights loop

@@ -19,13 +19,13 @@ package body Start_Orders_Tests is
    procedure Expect is new Expect_Value (Order_Name);
    procedure Expect is new Expect_Value (Start_Condition);
 
-   --  A processor looks, and this is what it has to do.
+   --  A processor looks and gets this order.
    procedure Expect_Order
      (State    : in out Node_State;
       Who      : Seat;
       Expected : Order_Name);
 
-   --  The master begins a start, of this condition.
+   --  The master begins a start with this condition.
    procedure Expect_Start
      (State     : in out Node_State;
       Condition : Start_Condition);
@@ -36,8 +36,8 @@ package body Start_Orders_Tests is
       Who    : Seat;
       Passed : Boolean);
 
-   --  Numbers that are no places: which tasks a processor has follows from
-   --  what the master gives it, and from nothing else.
+   --  Numbers that differ from the places: the master's number alone decides
+   --  which tasks a processor has.
    Given : constant Number_List := (1, 3, 4, 2);
 
    procedure Expect_Order
@@ -88,8 +88,7 @@ package body Start_Orders_Tests is
          Expect_Order (State, Master, Carry_On);
       end loop;
 
-      --  After a failed test there is nothing to load, until it is asked
-      --  again.
+      --  After a failed test there is nothing to load until the next request.
       State := Requested (State, Warm_Reset);
       Expect_Start (State, Warm_Reset);
       State := Tested (State, False, Given);
@@ -104,14 +103,15 @@ package body Start_Orders_Tests is
    procedure Two_Processors is
       State : Node_State := (Processors => 2, others => <>);
    begin
-      --  The master waits for the other one.
+      --  The master waits for the other processor.
       State := Requested (State, Cold_Start);
       Expect_Order (State, 1, Stand_Still);
       Expect_Order (State, 1, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
       Expect_Start (State, Cold_Start);
 
-      --  The other one waits for the test, and then each loads its tasks.
+      --  The other processor waits for the test, and then each loads its
+      --  tasks.
       Expect_Order (State, 2, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
       State := Tested (State, True, Given);
@@ -121,7 +121,7 @@ package body Start_Orders_Tests is
       Expect_Order (State, 1, Carry_On);
       Expect_Order (State, 2, Carry_On);
 
-      --  The other way round.
+      --  The same in the other order.
       State := Requested (State, Warm_Reset);
       Expect_Order (State, 2, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
@@ -135,7 +135,7 @@ package body Start_Orders_Tests is
    procedure Wishes is
       State : Node_State := (Processors => 2, others => <>);
    begin
-      --  Of several the last one counts, up to phase 1.
+      --  The last of several requests counts, up to phase 1.
       State := Requested (State, Cold_Start);
       State := Requested (State, Processor_Restart);
       Expect_Order (State, 1, Stand_Still);
@@ -143,7 +143,7 @@ package body Start_Orders_Tests is
       Expect_Order (State, 2, Stand_Still);
       Expect_Start (State, Warm_Reset);
 
-      --  One of later is kept until this start is over.
+      --  A later request is kept until this start is over.
       State := Requested (State, Processor_Restart);
       Expect_Order (State, 2, Stand_Still);
       State := Tested (State, True, Given);
@@ -154,7 +154,7 @@ package body Start_Orders_Tests is
       State := Tested (State, True, Given);
       Expect_Load (State, 1, Passed => True);
 
-      --  And one of while the tasks are loaded.
+      --  A request while the tasks are loaded is kept as well.
       State := Requested (State, Warm_Reset);
       Expect_Order (State, 1, Carry_On);
       Expect_Load (State, 2, Passed => True);
@@ -172,9 +172,9 @@ package body Start_Orders_Tests is
 
       type Last_Orders is array (Seat) of Order_Name;
 
-      --  A node, and what whoever watches knows of it: what each processor
-      --  does, who has loaded its tasks since the last start, and the wish
-      --  that is still to be granted.
+      --  A node and the monitor's knowledge of it: each processor's activity,
+      --  the processors that have loaded tasks since the last start, and the
+      --  pending request.
       type Watched is record
          State  : Node_State;
          Does   : Last_Orders := (others => Stand_Still);
@@ -190,13 +190,13 @@ package body Start_Orders_Tests is
 
       procedure Note (This : Watched);
 
-      --  The ways on from there.
+      --  The next steps from there
 
       procedure Wish (This : in out Watched; Condition : Start_Condition);
       procedure End_Test (This : in out Watched; Passed : Boolean);
       procedure Take_Turn (This : in out Watched; Who : Seat);
 
-      --  In turns, a node grants what is wished for and then runs its tasks.
+      --  In turns, a node grants the request and then runs its tasks.
       procedure Expect_Progress (From : Watched);
 
       procedure Note (This : Watched) is
@@ -331,7 +331,7 @@ package body Start_Orders_Tests is
       Number     : Processor_Number;
       List       : Number_List;
    begin
-      --  The master's order names who stands still.
+      --  The master's order names the processors that have stopped.
       State := Requested (State, Cold_Start);
       Expect_Order (State, 3, Stand_Still);
       Expect_Order (State, 2, Stand_Still);
@@ -341,8 +341,8 @@ package body Start_Orders_Tests is
            ("stands still:" & Who'Image, Next_Order.Present (Who), Who <= 3);
       end loop;
 
-      --  Of those that are there each gets the next number, in the order of
-      --  their places, wherever there are gaps.
+      --  Each processor present gets the next number, in the order of their
+      --  places, whatever places are empty.
       for Others_There in 0 .. 7 loop
          Present :=
            (True, Others_There mod 2 = 1, Others_There / 2 mod 2 = 1,

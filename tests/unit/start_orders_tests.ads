@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-4, INI-2, KRN-5: how the processors of a node start together.
+--  EXT-4, INI-2, KRN-5: the common start of a node's processors.
 
 with AUnit.Test_Suites;
 

@@ -31,7 +31,7 @@ package body Starts_Tests is
 
    use type Starts.Start_Condition;
    subtype Condition_Name is Starts.Start_Condition;
-   --  Only a processor restart leaves the memories untested.
+   --  Only a processor restart does not test the memories.
    subtype Fully_Tested is Condition_Name
      range Starts.Warm_Reset .. Starts.Warm_Reset;
    subtype Warm_Condition is Condition_Name
@@ -55,17 +55,17 @@ package body Starts_Tests is
    procedure Broken_Off;
    procedure More_Processors;
 
-   --  Both nodes have flown: commands from 100h, sensors from 500h. The link
-   --  has been cut since, so that the log has something of it.
+   --  Both nodes have flown: commands from 100h, sensors from 500h. Then the
+   --  link was cut, so the log has entries.
    procedure Fly_Before;
 
    function Occurrences (Node : Station; Kind : Error_Kind) return Count is
      (Logs.History_Of (Log_Of (Node), Kind).Occurrences);
 
-   --  Phases one and two of a start; the tasks are not loaded.
+   --  Runs phases one and two of a start; the tasks are not loaded.
    procedure Begin_Again (Node : Station; Condition : Condition_Name);
 
-   --  What a variable holds after such a start.
+   --  The contents of a variable after such a start.
    generic
       with package Messages is new URVOS.Shared_Mailboxes (<>);
       Variable : in out Messages.Variable;
@@ -282,7 +282,7 @@ package body Starts_Tests is
             end loop;
          end loop;
 
-         --  Power goes, and comes again.
+         --  Power fails and returns.
          Start_Again (Node, Starts.Cold_Start);
          Status := CORE_Of (Node).Status;
          Expect (Node'Image & ", condition", Status (Start_Condition), 1);
@@ -417,7 +417,7 @@ package body Starts_Tests is
    begin
       for Condition in Condition_Name loop
 
-         --  An aircraft that is not asked: both buffers are full.
+         --  The aircraft gets no permission: both buffers are full.
          Fly_Before;
          MCS.Telemetry_Board.Put
            (URV.Codecs.Downlink.Encode (Neutral_Downlink), Overwrote);
@@ -431,7 +431,7 @@ package body Starts_Tests is
                False);
          end loop;
 
-         --  The ground, likewise.
+         --  The same on the ground.
          for Buffer in 1 .. 3 loop
             GSC.Telemetry_Board.Put
               (URV.Codecs.Uplink.Encode (Neutral_Uplink), Overwrote);
@@ -481,7 +481,7 @@ package body Starts_Tests is
         (Telemetry.Checksum.Of_Message
            (Telemetry.Receivers.Data_Header (Length), Data, Length));
 
-      --  When the guard time is over it is taken, and the answer sent.
+      --  After the guard time the message is taken and answered.
       if Node = Ground then
          GSC.Telemetry_Board.Next_Character
            (Telemetry.Guard_Time, Answers, Status, Unused_Time);
@@ -595,8 +595,8 @@ package body Starts_Tests is
             Start_Again (Node, Condition);
          end loop;
 
-         --  Nothing comes from the ground: the tasks of the aircraft run,
-         --  and none of them has a command for the servos.
+         --  The ground sends nothing: the aircraft's tasks run, and none has a
+         --  command for the servos.
          for Tick in 1 .. 100 loop
             Clock_Tick_Of_Both;
             for Number in Channel_Number loop
@@ -618,7 +618,7 @@ package body Starts_Tests is
 
       Frames_To_Recover : constant := 5;
 
-      --  Where contracts are executed, the start is at every third tick.
+      --  With contracts executed, the start is at every third tick.
       Step : constant Positive := (if Contracts_Are_Executed then 3 else 1);
    begin
       --  At each tick of two frames, either node.
@@ -668,7 +668,7 @@ package body Starts_Tests is
             Sensors := Numbered (16#500#);
             Fly (6);
 
-            --  Both transmit buffers are full of what is old by now.
+            --  Both transmit buffers are full of data that is old by now.
             Link_Is_Cut := True;
             Fly (4);
             Overfull := Occurrences (Aircraft, TELOUT_Overwrote_Block);
@@ -685,7 +685,7 @@ package body Starts_Tests is
             Sensors := Numbered (16#600#);
             Fly (10);
 
-            --  It says why, and does nothing.
+            --  It reports the reason and does nothing else.
             Status := CORE_Of_MCS.Status;
             Expect
               (Condition'Image & ", result in CORE",
@@ -714,7 +714,7 @@ package body Starts_Tests is
               (Condition'Image & ", blocks overwritten",
                Occurrences (Aircraft, TELOUT_Overwrote_Block), Overfull);
 
-            --  The ground knows.
+            --  The ground shows it.
             Expect
               (Condition'Image & ", error word on the ground",
                CORE_Of_GSC.Downlink (Place (Downlink_Item'(Error_Status))),
@@ -749,7 +749,7 @@ package body Starts_Tests is
                Servos (Number), Held (Number));
          end loop;
 
-         --  Repaired, it starts.
+         --  After the repair it starts.
          Host.Memory_Hardware.Repair (1);
          Start_Again (Ground, Condition);
          Fly (5);
@@ -792,7 +792,7 @@ package body Starts_Tests is
       Sensors := Numbered (16#500#);
       Fly (6);
 
-      --  The self-test task is broken off in the midst of its turn.
+      --  The start interrupts the self-test task in its turn.
       for Node in Station loop
          Host.Memory_Hardware.Fail_Next_Read (if Node = Ground then 1 else 2);
          Raised := False;
@@ -833,7 +833,7 @@ package body Starts_Tests is
             Console := Numbered (Word (Frame) * 17);
             Sensors := Numbered (Word (Frame) * 23);
 
-            --  The link is cut for some frames, too.
+            --  The link is also cut for some frames.
             Link_Is_Cut := Frame in 10 .. 13;
             Fly (1);
             Servos_Of (Processors) (Frame) := Servos;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  INI-1 to INI-8, TST-4, KRN-5, KRN-6, EXT-4: how a node starts, and what
---  each kind of start clears and keeps.
+--  INI-1 to INI-8, TST-4, KRN-5, KRN-6, EXT-4: the start of a node, and the
+--  data that each kind of start clears and keeps.
 
 with AUnit.Test_Suites;
 

@@ -34,9 +34,9 @@ package body Surfaces_Tests is
    procedure Engine_Held;
    procedure Engine_Unknown;
 
-   --  A servo as a textbook has it: a lag of 0.1 s and a rate limit, in
-   --  steps of 2 ms. Its words of a frame act from 4 ms after the scan on.
-   --  It may be quicker or slower, and rest within a dead band.
+   --  A textbook servo: a lag of 0.1 s and a rate limit, in steps of 2 ms. Its
+   --  words of a frame act from 4 ms after the scan on. It may be faster or
+   --  slower, and rest within a dead band.
    type Exact is digits 12;
    type Servo_Kind is record
       Lag, Rate, Dead_Band : Exact;
@@ -62,8 +62,9 @@ package body Surfaces_Tests is
 
    Free : constant Surface_Flags := None;
 
-   --  In each frame the monitor sees the scan of a frame ago, then the servos
-   --  get their words. A stuck one stays; all sensors are off by Bias.
+   --  In each frame the monitor sees the scan of the frame before; then the
+   --  servos get their words. A stuck servo stays; all sensors are off by
+   --  Bias.
    procedure Fly
      (Plane  : in out Rig;
       Words  : Surface_Demands;
@@ -75,14 +76,15 @@ package body Surfaces_Tests is
    procedure Move
      (Plane : in out Rig; Stuck : Surface_Flags; Steps : Positive);
 
-   --  The way of a surface in 2 ms.
+   --  The longest movement of a surface in 2 ms.
    function Longest (Which : Surface) return Exact is
      (case Which is
          when Left_Aileron | Right_Aileron => 20.0,
          when Flap                         => 1.365,
          when others                       => 16.0);
 
-   --  Where a servo goes: nowhere within its dead band, a share of the travel.
+   --  The goal of a servo: none within its dead band, which is a share of the
+   --  travel.
    function Goal_Of (Plane : Rig; Which : Surface) return Exact is
      (if abs (Exact (Plane.Words (Which)) - Plane.Place (Which)) <=
            Plane.Kind.Dead_Band
@@ -96,7 +98,7 @@ package body Surfaces_Tests is
    function Image_Of (Places : Surface_Demands; Is_Old : Boolean)
                       return Downlink_Buffer;
 
-   --  So many failed, of a flag table.
+   --  The number of failures in a table of flags.
    function Count (Failed : Surface_Flags) return Natural;
 
    Commands : constant Uplink_Buffer :=
@@ -112,7 +114,7 @@ package body Surfaces_Tests is
      (Commands with delta
         Roll | Pitch | Yaw | Brake => Neutral_Value);
 
-   --  A surface stands at a place, the others where they should be.
+   --  One surface rests at a place, the others where they should be.
    function With_Failed
      (Which : Surface; Place : Demand; Wanted : Uplink_Buffer := Level)
       return Health
@@ -167,7 +169,7 @@ package body Surfaces_Tests is
       Frames : Positive      := 1) is
    begin
       for Frame in 1 .. Frames loop
-         --  The scan of a frame ago is what the node has now.
+         --  The node now has the scan of the frame before.
          Plane.Seen := Plane.Scanned;
          for Which in Surface loop
             Plane.Scanned (Which) := Within
@@ -194,7 +196,7 @@ package body Surfaces_Tests is
       Plane : Rig;
    begin
       for Frame in 1 .. 2_000 loop
-         --  Steps from stop to stop, quick ones and slow ones.
+         --  Steps from stop to stop, fast and slow.
          Fly (Plane,
               Everywhere
                 (if Frame < 60 then 0
@@ -222,8 +224,8 @@ package body Surfaces_Tests is
                          then 2_047 else -2_048),
          when others => Frame * 7_919 mod 4_001 - 2_000);
 
-   --  A lag and a rate limit of half to one and a half times the usual ones,
-   --  or no rate limit at all, and a dead band of up to 1 % of the travel.
+   --  A lag and a rate limit of half to one and a half times the usual, or no
+   --  rate limit, and a dead band of up to 1 % of the travel.
    procedure Quick_And_Slow_Ones is
       Lags  : constant array (1 .. 4) of Exact := (0.2, 0.5, 1.0, 1.5);
       Rates : constant array (1 .. 4) of Exact := (0.5, 1.0, 1.5, 1.0E6);
@@ -255,7 +257,7 @@ package body Surfaces_Tests is
    end Quick_And_Slow_Ones;
 
    procedure Stuck_Ones is
-      --  Until a flap's bounds have come in.
+      --  The frames until a flap's bounds have narrowed.
       Coming_In : constant := 400;
    begin
       for Which in Surface loop
@@ -308,7 +310,7 @@ package body Surfaces_Tests is
       Fly (Plane, Everywhere (0), Frames => 100);
       Fly (Plane, Everywhere (400),
            (Left_Rudder => True, others => False), Frames => 25);
-      --  The others went elsewhere while nobody watched.
+      --  The others moved while no monitor ran.
       Plane.Words := Everywhere (-700);
       Move (Plane, Free, 300);
       Plane.Watch := Restarted (Plane.Watch);
@@ -333,7 +335,7 @@ package body Surfaces_Tests is
         ((Left_Aileron, Right_Aileron), (Left_Elevator, Right_Elevator),
          (Left_Rudder, Right_Rudder));
    begin
-      --  The partner goes as far the other way, within a tenth.
+      --  The partner moves as far the other way, within a tenth.
       for One of Pairs loop
          declare
             After : constant Surface_Demands :=
@@ -353,7 +355,7 @@ package body Surfaces_Tests is
    end Partners;
 
    procedure Signs is
-      --  Down on the left: it rolls right, the ailerons roll left.
+      --  Left flap down: it rolls right, so the ailerons roll left.
       Left_Down : constant Surface_Demands :=
         Given (Level, With_Failed (Left_Flap_1, 2_047));
 
@@ -376,8 +378,8 @@ package body Surfaces_Tests is
                 Right_Flap_1 | Right_Flap_2 => First (Right_Flap_1)));
       Then_On : constant Surface_Demands := Given (Level, Down);
    begin
-      --  It rolls right: the other aileron all the way left, the right
-      --  flaps down. As these come, the aileron comes back.
+      --  The aircraft rolls right: the other aileron fully left, the right
+      --  flaps down. As these move down, the aileron returns.
       Expect ("aileron", First (Right_Aileron) < -1_800, True);
       Expect ("right flap 1", First (Right_Flap_1) > 1_000, True);
       Expect ("right flap 2", First (Right_Flap_2) > 1_000, True);
@@ -387,8 +389,8 @@ package body Surfaces_Tests is
       Expect_Number
         ("flap stays", Then_On (Right_Flap_1), First (Right_Flap_1));
 
-      --  One of them has failed where it is: what it rolls is shared
-      --  between the ailerons, and only one is left to do its part.
+      --  One flap has failed at its place. Its roll is shared between the
+      --  ailerons, and only one can do its part.
       Expect
         ("with a flap that stays down",
          Then_On (Right_Aileron)
@@ -430,7 +432,7 @@ package body Surfaces_Tests is
       end loop;
    end Stops;
 
-   --  An engine gets nearer to the speed of its throttle by a 25th a frame.
+   --  An engine approaches the speed of its throttle by a 25th a frame.
    type Engine_Rig is record
       Speed : Exact := 2_600.0;
       Watch : Engines.Monitor;
@@ -492,7 +494,7 @@ package body Surfaces_Tests is
    procedure Engine_Held is
       Engine : Engine_Rig;
    begin
-      --  As the bench holds it: the same word, whatever the throttle does.
+      --  The bench holds the same word, whatever the throttle does.
       Engine.Speed := 2_048.0;
       for Frame in 1 .. 1_000 loop
          Engine.Watch := Engines.Next
@@ -500,7 +502,7 @@ package body Surfaces_Tests is
             2_048, Engines.Cruise, Is_Known => True);
       end loop;
       Expect ("told of a speed that is held", Engine.Watch.Failed, False);
-      --  Once it has moved, it is a measurement.
+      --  Once the word has moved, it counts as a measurement.
       Run (Engine, 4_095, 0, 100);
       Expect ("told of one that has moved", Engine.Watch.Failed, True);
    end Engine_Held;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-6: a surface that fails is named, and the others make up for it.
+--  EXT-6: the monitor reports a failed surface, and the others make up for it.
 
 with AUnit.Test_Suites;
 

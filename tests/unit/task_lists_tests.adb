@@ -20,9 +20,9 @@ package body Task_Lists_Tests is
 
    procedure Expect is new Expect_Value (Task_Id);
 
-   --  However many processors there are, each task of a list is in one tree,
-   --  once, with its priority, and no tree has other tasks. A tree keeps the
-   --  order of the list, and has no gap.
+   --  For any number of processors, each task of a list is in exactly one
+   --  tree, once, with its priority; no tree has other tasks. A tree keeps the
+   --  order of the list and has no gap.
    generic
       with package Lists is new URVOS.Task_Lists (<>);
    procedure Expect_Whole_Trees (What : String);
@@ -81,7 +81,7 @@ package body Task_Lists_Tests is
       Of_Aircraft ("aircraft");
       Of_Ground ("ground");
 
-      --  On one processor that is all of them, and then the end.
+      --  On one processor the tree has all of them, and then ends.
       for Which in TCB_Number range 1 .. GSC.Task_List'Length loop
          Expect
            ("header" & Which'Image, GSC.Tasks.Tree_Of (1, 1, 0) (Which).Id,
@@ -97,7 +97,7 @@ package body Task_Lists_Tests is
       use type MCS.Task_Name;
       Number : Task_Id := 0;
    begin
-      --  From 1, in the order of the names.
+      --  Numbers from 1, in the order of the names.
       for Who in MCS.Task_Name loop
          Number := Number + 1;
          Expect (Who'Image, MCS.Tasks.Id_Of (Who), Number);
@@ -118,8 +118,8 @@ package body Task_Lists_Tests is
       use MCS;
       use GSC;
    begin
-      --  The boards' tasks on the first, data collection and CORE's on the
-      --  second.
+      --  The boards' tasks are on the first processor, data collection and
+      --  CORE's on the second.
       for Who in MCS.Task_Name loop
          Expect_Number
            ("aircraft, " & Who'Image,
@@ -152,7 +152,7 @@ package body Task_Lists_Tests is
 
    procedure Any_Lists is
 
-      --  As many tasks as there are task control blocks.
+      --  As many tasks as task control blocks.
       type Full_Name is range 1 .. Number_Of_TCBs;
       type Full_Table is array (Full_Name) of Task_Attributes;
 

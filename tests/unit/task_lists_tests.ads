@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Tests of the nodes' lists of tasks and of what follows from them.
+--  The nodes' lists of tasks, and the headers and trees made of them.
 
 with AUnit.Test_Suites;
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the tests of the tasks have in common: messages to recognise, the
---  other ends of the variables, what a task has reported.
+--  A common basis for tests of the tasks: recognisable messages, the other
+--  ends of the variables, and the tasks' reports.
 
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
@@ -18,8 +18,8 @@ package Task_Rig is
    package Up is new Variable_Ends (For_Uplink);
    package Down is new Variable_Ends (For_Downlink);
 
-   --  Exactly these errors are in the log, the last of them with this
-   --  detail, the others with 0. Then the log is cleared.
+   --  Expects exactly these errors in the log, the last one with this detail,
+   --  the others with 0. Then the log is cleared.
    type Error_List is array (Positive range <>) of Error_Kind;
    None : constant Error_List := (1 .. 0 => Error_Kind'First);
 
@@ -29,8 +29,7 @@ package Task_Rig is
       Expected : Error_List;
       Detail   : Word := 0);
 
-   --  Word n of a buffer with mark m is m + n, and its error/status word is
-   --  0.
+   --  A buffer with mark m: word n is m + n, and its error/status word is 0.
    function Uplink_Of (Mark : Word) return Uplink_Buffer;
    function Downlink_Of (Mark : Word) return Downlink_Buffer;
    function Image_Of (Mark : Word; Error : Word) return AD_Image;

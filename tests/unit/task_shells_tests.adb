@@ -30,7 +30,7 @@ package body Task_Shells_Tests is
    procedure LAW_Does_As_Decided;
    procedure PWM_Uses_The_Health;
 
-   --  Both nodes' variables, logs and status as new.
+   --  Clears both nodes' variables, logs and status.
    procedure Clear;
 
    procedure Clear is
@@ -53,7 +53,8 @@ package body Task_Shells_Tests is
         (Uplink_Of (16#F000#) with delta
            Roll => 16#500#, Error_Status => Other_Kind);
 
-      --  A block of another kind comes, and these are passed on.
+      --  Expects that a block of another kind comes and these commands are
+      --  passed on.
       procedure Expect_Kept (What : String; Kept : Uplink_Buffer);
 
       procedure Expect_Kept (What : String; Kept : Uplink_Buffer) is
@@ -77,7 +78,7 @@ package body Task_Shells_Tests is
       Unused := Up.Taken ("commands", MCS.Uplink_Variable);
       Unused := Up.Taken ("commands", MCS.Commands_Variable);
 
-      --  Nobody else's use of the variables changes what it keeps.
+      --  Other uses of the variables do not change the task's own message.
       Up.Give (MCS.Uplink_Variable, Uplink_Of (16#700#));
       Unused := Up.Taken ("a stranger's", MCS.Uplink_Variable);
       Expect_Kept ("another kind", Uplink_Of (16#100#));
@@ -118,7 +119,7 @@ package body Task_Shells_Tests is
       Down.Give (GSC.Downlink_Variable, Downlink_Of (16#700#));
       Unused := Down.Taken ("a stranger's", GSC.Downlink_Variable);
 
-      --  Its fragment of the log is not kept with it, nor taken again.
+      --  Its fragment of the log is neither kept with it nor taken again.
       Expect_Kept
         ("another kind", (First with delta Error_Status => 16#4#));
       Expect
@@ -186,7 +187,7 @@ package body Task_Shells_Tests is
             (if Is_There then Detail else 0));
       end Expect_Reported;
 
-      --  One frame, of which these have come.
+      --  Runs one frame with these inputs.
       procedure Expect_As_Decided
         (On, Has_Block, Has_Sensors, Has_Commands : Boolean);
 

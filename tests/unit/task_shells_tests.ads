@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The bodies of the tasks send, write and report what their decisions say
---  (SET-2): the decisions are proved, the bodies are not. Each test has
---  inputs that all differ, so that a variable in another's place, or one that
---  is forgotten, fails it.
+--  The bodies of the tasks send, write and report the results of their
+--  decisions (SET-2). The decisions are proved; the bodies are not. In each
+--  test all inputs differ, so a missing variable, or one in place of another,
+--  fails it.
 
 with AUnit.Test_Suites;
 

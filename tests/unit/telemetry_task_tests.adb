@@ -31,8 +31,8 @@ package body Telemetry_Task_Tests is
    procedure No_Output_Now;
    procedure No_Buffer;
 
-   --  What the tasks are between. The ground's board sends when it has
-   --  something, whatever its block's length.
+   --  The tasks' surroundings. The ground's board sends whenever it has a
+   --  block, whatever the block's length.
 
    Board_In : Telemetry.Shared_Boards.Shared_Board
      (Role            => Aircraft,
@@ -71,16 +71,16 @@ package body Telemetry_Task_Tests is
    --  A whole block arrives at the board.
    procedure Receive_Block (Item : Uplink_Buffer);
 
-   --  A frame of TELIN, and whether it says that a new message has come.
+   --  Runs a frame of TELIN and expects this Is_New.
    procedure Run_TELIN (What : String; Is_New : Boolean);
 
-   --  TELOUT's board begins to send this, and then waits for an answer.
+   --  TELOUT's board begins to send this block, and then waits for an answer.
    procedure Expect_Block (What : String; Expected : Downlink_Buffer);
 
    --  TELOUT's board has nothing to send.
    procedure Expect_No_Block (What : String);
 
-   --  It starts anew, and is not idle any more.
+   --  Restarts the board and ends its idle time.
    procedure Prepare_Board_Out;
 
    procedure Receive_Block (Item : Uplink_Buffer) is
@@ -106,7 +106,7 @@ package body Telemetry_Task_Tests is
       end loop;
       Hear (Checksum.Of_Message (Header, Data, Length));
 
-      --  When the guard time is over it answers, and the line is free again.
+      --  After the guard time it answers, and the line is free again.
       Board_In.Next_Character
         (Telemetry.Guard_Time, Unused_Send, Status, Unused_Time);
       Board_In.Next_Character (1, Unused_Send, Status, Unused_Time);
@@ -222,8 +222,8 @@ package body Telemetry_Task_Tests is
 
    procedure Cold_Again is
    begin
-      --  The board has received messages before, but the one before the
-      --  start is lost: nothing may go to the servos in its place.
+      --  The board has received messages before, but the start has lost the
+      --  last one: no substitute may reach the servos.
       New_Block;
       TELIN.Initialise;
       Run_TELIN ("after a start", Is_New => False);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Every so-maniest test, so that several processes can share all of them.
+--  Selects every n-th test, so that several processes can share all tests.
 
 with AUnit.Test_Filters;
 with AUnit.Tests;
@@ -12,7 +12,7 @@ package Test_Shares is
       Number    : Positive;   --  1 .. Of_Shares
    end record;
 
-   --  Asked once of each test, in the order in which they run.
+   --  Called once for each test, in the order in which they run.
    overriding function Is_Active
      (Filter : Share;
       T      : AUnit.Tests.Test'Class) return Boolean;

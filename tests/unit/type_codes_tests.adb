@@ -39,7 +39,7 @@ package body Type_Codes_Tests is
    procedure Starts;
    procedure Softer;
 
-   --  Turn after 2 s, glide after 9 s, the softer table.
+   --  Orbit after 2 s, glide after 9 s, the softer table.
    Softly : constant Configuration :=
      (Serial => 5, Gains => 1, Orbit_From => 20, End_From => 90);
 
@@ -59,8 +59,8 @@ package body Type_Codes_Tests is
       GSC.Status.Write (No_Error);
    end Clear;
 
-   --  A node whose first two channels have changed places, and whose third
-   --  nobody knows.
+   --  A node with its first two channels exchanged, and an unknown code on the
+   --  third
 
    Codes : constant Channel_Codes :=
      (Stick_Codes with delta 0 => 16#102#, 1 => 16#101#, 2 => 16#1234#);
@@ -128,7 +128,7 @@ package body Type_Codes_Tests is
         ("a command's code among sensors", Errors, (1 => Unknown_Code),
          Detail => 16#101#);
 
-      --  The codes are written anew, and all words have their places.
+      --  The codes are written again, and all words have their places.
       Up.Give (Uplink, Uplink_Of (16#500#));
       Down.Give (Downlink, Downlink_Of (16#600#));
       CORE_Under_Test.Run_Transaction;
@@ -144,8 +144,8 @@ package body Type_Codes_Tests is
    procedure Codes_Of_Nothing is
       type Place_List is array (Positive range <>) of Item_Number;
 
-      --  The code comes to a place of an area, and is told; the place keeps
-      --  its word, and its code comes back.
+      --  Writes the code to a place of an area and expects a report. The place
+      --  keeps its word, and its code is restored.
       procedure Expect_Kept
         (Code : Word; Is_Up : Boolean; Where : Item_Number := 5);
 
@@ -210,7 +210,7 @@ package body Type_Codes_Tests is
          Expect_Kept (Code, Is_Up => False);
       end loop;
 
-      --  At the first place and at the last.
+      --  At the first place and at the last one.
       for Where of Place_List'(1, Uplink_Words'Last) loop
          Expect_Kept (No_Code, Is_Up => True, Where => Where);
       end loop;
@@ -234,7 +234,7 @@ package body Type_Codes_Tests is
             True);
       end;
 
-      --  What is of no other kind is what it always was.
+      --  A block without another kind is as before.
       Expect ("commands", Kind_Of (Uplink_Of (16#100#)), Commands_Kind);
       Expect ("sensors", Kind_Of (Downlink_Of (16#100#)), Sensors_Kind);
    end Codes_Of_Nothing;
@@ -272,13 +272,14 @@ package body Type_Codes_Tests is
       Expect_Errors
         ("unknown", MCS.Errors, (1 => Unknown_Code), Detail => 16#500#);
 
-      --  A frame without a block passes it on as old: told once only.
+      --  A frame without a block passes it on as old; it is reported only
+      --  once.
       Up.Give (MCS.TELIN_Variable, As_Old (Item));
       MCS.MDCIN.Run_Transaction;
       Expect_Last ("old");
       Expect_Errors ("old", MCS.Errors, None);
 
-      --  Not even when it says that it is commands.
+      --  The same if it claims to be commands.
       Up.Give
         (MCS.TELIN_Variable, (Item with delta Roll => Commands_Kind));
       MCS.MDCIN.Run_Transaction;
@@ -335,7 +336,7 @@ package body Type_Codes_Tests is
             (if Frame = 1 then Order else Uplink_Of (16#300#)));
       end loop;
 
-      --  What is no block of another kind never takes the commands' place.
+      --  A block that is not of another kind never replaces the commands.
       GSC.Console_Orders.Send (Uplink_Of (16#700#), Success);
       Stick_Images.Give (GSC.AD_Variable, Image_Of (16#300#, Error => 0));
       GSC.GDCOUT.Run_Transaction;
@@ -358,7 +359,7 @@ package body Type_Codes_Tests is
       Expect_Errors ("delivered", MCS.Errors, None);
    end Delivered;
 
-   --  What the laws fly with, and what the ground is told.
+   --  The settings in force, and the ground's report.
    procedure Expect_Set (What : String; Is_Set : Boolean);
 
    procedure Expect_Set (What : String; Is_Set : Boolean) is
@@ -389,7 +390,7 @@ package body Type_Codes_Tests is
       Expect_Set ("standing", True);
       Expect_Errors ("standing", MCS.Errors, None);
 
-      --  In flight while all is direct.
+      --  In flight while all modes are direct.
       Clear;
       Fly (100, Level);
       Up.Give (MCS.Configuration_Variable, Block_Of (Softly));
@@ -457,8 +458,8 @@ package body Type_Codes_Tests is
       Bad := (Softly with delta End_From => 3_001);
       Expect_Refused ("too late", Block_Of (Bad), Not_In_Range);
 
-      --  One law alone: the bank's by its switch, the nose's and the
-      --  lever's for want of the other sensors.
+      --  Only one law flies: bank by its switch; pitch and the lever lack
+      --  their sensors.
       Fly (2, Level, Levelled);
       Expect_Refused
         ("bank alone", Block_Of (Softly), Law_Flies, Levelled);
@@ -477,7 +478,7 @@ package body Type_Codes_Tests is
       Fly (2, Level, Held);
       Expect_Refused ("a law flies", Block_Of (Softly), Law_Flies, Held);
 
-      --  The stick's word is not yet the axis' own.
+      --  The stick's word is not yet the axis's own.
       Fly
         (1, Level,
          (Held with delta Roll => 4_000, Switch_2 => 0));
@@ -510,7 +511,7 @@ package body Type_Codes_Tests is
       Levelled : constant Uplink_Buffer :=
         (Sticks with delta Switch_2 => 16#FFF#);
 
-      --  The roll output after some frames in a bank, sticks at rest.
+      --  The roll output after some frames with a bank, sticks at rest.
       function Roll_With (Table : URV.Law_Gains.Table_Number) return Integer;
 
       function Roll_With (Table : URV.Law_Gains.Table_Number) return Integer

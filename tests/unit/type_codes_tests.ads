@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  EXT-2: data goes where its type code says, and configurations from the
+--  EXT-2: data goes to the item of its type code, and configurations from the
 --  ground are taken whole or not at all.
 
 with AUnit.Test_Suites;

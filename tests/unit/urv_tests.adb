@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Runs the unit tests: one line a test, then the totals. The exit status
---  is that of success only if every test passed.
+--  Runs the unit tests: one line for each test, then the totals. The exit
+--  status is that of success only if every test passed.
 --
 --  urv_tests NUMBER SHARES [briefly]
---     every so-maniest of them, 1 2, 2 2; briefly: see All_Tests. Anything
---     else ends it with an exception.
+--     every SHARES-th test: 1 2, 2 2; briefly: see All_Tests. Any other
+--     arguments end it with an exception.
 
 with Ada.Command_Line; use Ada.Command_Line;
 with AUnit.Options;    use AUnit.Options;

@@ -11,14 +11,15 @@ with URVOS.Frames; use URVOS.Frames;
 
 package Waiting_Rig is
 
-   --  What the others do when they run.
+   --  The work of the other tasks when they run.
    type Action is access procedure;
 
-   --  The clock, and how often the task has called EXIT.
+   --  The clock, and the number of EXITs of the task.
    Now   : Clock_Tick := 0;
    Exits : Natural    := 0;
 
-   --  From here on the clock ticks at every so many EXITs, at 0 never.
+   --  Starts the clock. It ticks at every Exits_Per_Tick-th EXIT; at 0 it
+   --  never ticks.
    procedure Begin_At
      (Start          : Clock_Tick;
       Exits_Per_Tick : Natural;

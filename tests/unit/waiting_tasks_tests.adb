@@ -29,7 +29,7 @@ package body Waiting_Tasks_Tests is
 
    procedure Expect is new Expect_Value (Task_Id);
 
-   --  The processor of both tasks.
+   --  The processor of both tasks
 
    procedure Step
      (Who       : Task_Id;
@@ -47,13 +47,13 @@ package body Waiting_Tasks_Tests is
    --  The clock. It ticks whenever the waiting task has called EXIT.
    Time : Clock_Tick := 0;
 
-   --  What the waiting task waits for. Then it ends.
+   --  The waiting task's activity. After it the task ends.
    type Activity is (Claiming, Receiving, Done);
    Doing    : Activity := Done;
    Patience : Wait;
 
-   --  What came of it: at which tick it ended, who had the semaphore then,
-   --  before its V.
+   --  The result: the tick of its end, and the semaphore's owner then, before
+   --  its V.
    Ended_At  : Clock_Tick := 0;
    Claimed   : Boolean    := False;
    Owner_Was : Task_Id    := No_Task;
@@ -61,13 +61,12 @@ package body Waiting_Tasks_Tests is
    Item      : Word       := 0;
    Fresh     : Boolean    := False;
 
-   --  The steps of the waiting task, and the tick of the other one's.
+   --  The steps of the waiting task, and the tick of the other task.
    Steps     : Natural    := 0;
    Other_Ran : Clock_Tick := 0;
 
-   --  The waiting task of priority 5 waits. The other one sleeps with the
-   --  semaphore in its hands until a tick, then releases it, sends a message
-   --  and ends.
+   --  The waiting task has priority 5. The other one sleeps until a tick while
+   --  it holds the semaphore, then releases it, sends a message and ends.
    procedure Run_Tasks
      (What         : Activity;
       Wake_Up      : Clock_Tick;
@@ -91,7 +90,7 @@ package body Waiting_Tasks_Tests is
 
    package Variable_Calls is new URVOS.Receive_Calls (Messages, Variable);
 
-   --  A step of the waiting task, and whether it is to go on.
+   --  A step of the waiting task, and whether it continues.
    procedure Wait_Step (Now : Clock_Tick; Goes_On : out Boolean);
 
    procedure Give_Back;
@@ -239,8 +238,8 @@ package body Waiting_Tasks_Tests is
 
    procedure Lower_Holder is
    begin
-      --  EXIT is for those of higher priority only: a holder of a lower one
-      --  does not run, and the P goes on without the semaphore.
+      --  EXIT serves only tasks of higher priority: a holder of a lower one
+      --  does not run, and the P continues without the semaphore.
       for Its_Priority in Priority range 4 .. 5 loop
          Run_Tasks (Claiming, 101, Its_Priority);
          Expect ("claimed", Claimed, False);
@@ -249,7 +248,7 @@ package body Waiting_Tasks_Tests is
          Expect ("reports of the P and of the V", Resource_Reports, 2);
          Expect ("all the time", Owner_Was, Other);
 
-         --  It runs when the waiting task is gone.
+         --  It runs after the waiting task has ended.
          Executive.Run_Until_Idle;
          Expect ("the other has run at", Other_Ran, 102);
       end loop;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  SEM-1, SEM-2, MBX-3, KRN-2: two tasks under the real scheduler, one that
---  waits and one of higher priority that it waits for.
+--  SEM-1, SEM-2, MBX-3, KRN-2: two tasks under the real scheduler. One waits
+--  for another of higher priority.
 
 with AUnit.Test_Suites;
 
