@@ -34,8 +34,8 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
       --  The result of the last start's self-test; 0 if all tests passed.
       Self_Test_Result,
 
-      --  The check in flight: the number of passes over the whole ROM, and the
-      --  number that found a difference.
+      --  The check in flight: the number of passes that found the whole ROM
+      --  right, and of those that found a difference.
       ROM_Passes,
       ROM_Failures,
 

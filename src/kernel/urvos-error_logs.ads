@@ -8,7 +8,7 @@
 --
 --  The log keeps one history for each kind of error: the count, the first and
 --  the last time, and a word of detail of the last time. A flood of one kind
---  therefore never hides another, and no entry is ever lost.
+--  therefore never hides another, and no kind is ever displaced.
 --
 --  A count stops at its last value, which means "at least this number".
 

@@ -69,7 +69,7 @@ package URV.Engine_Monitor with Pure, SPARK_Mode is
    Narrowing_Rate : constant := 400;
    Narrowing      : constant := Narrowing_Rate / Frames_Per_Second;
 
-   --  The effect of a hot day, air density and a poor sensor: 500 rev/min.
+   --  The effect of a hot day, rising air and a poor sensor: 500 rev/min.
    Allowance : constant := 250;
 
    --  The time outside the bounds before a failure: 0.5 s, in frames.

@@ -98,8 +98,8 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    Square_Per_Rate : constant := 21;
    Square_Per_Load : constant := 657;
 
-   --  Lift in a turn: elevator and pitch for each thousandth of load factor
-   --  above one.
+   --  Lift in a turn: elevator and pitch for thousandths of load factor above
+   --  one.
    Per_Ten         : constant := 10;
    Stick_For_Load  : constant := 6;
    Pitch_For_Load  : constant := 63;

@@ -2,12 +2,12 @@
 
 @ Vectors and start-up of the Cortex-M4 (BRD-2, D-81).
 @
-@ The four words at urv_kept outlive a reset:
+@ The four words at urv_kept survive a reset:
 @    0  "KEPT" once a program has been elaborated: memory is worth keeping
 @    4  "STRT" when the processor restarts itself; any other reset is the
 @       reset switch, or power up without the first word
 @    8  the reason: the exception's number, or 256 plus a line of Ada
-@   12  how often
+@   12  the number of restarts
 
 	.syntax unified
 	.thumb

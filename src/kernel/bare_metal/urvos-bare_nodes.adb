@@ -24,7 +24,7 @@ is
 
       procedure Take_Ticks (Number : out Waiting_Ticks);
 
-      --  A request cancels a start that is under way.
+      --  A request abandons a start in progress.
       procedure Request (Condition : Start_Condition);
 
       procedure Look (Next_Order : out Order);

@@ -24,7 +24,7 @@ is
 
    --  Requests a start: at power up, at the reset switch, or when the
    --  processor restarts at any point. The next Serve starts the node. Until
-   --  the first start has been ordered, every start is a cold start.
+   --  phases 1 and 2 of the first start are over, every start is a cold start.
    procedure Begin_Start
      (Condition : Start_Condition;
       Schedule  : Schedule_Name := Report)

@@ -214,8 +214,8 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
            (State'Old.Is_Wanted and then Next_Order.Name /= Begin_Start)
        and then State.Wanted = State'Old.Wanted
 
-       --  A processor with the order to carry on has tasks. Its own part of a
-       --  start is over.
+       --  A processor with the order to carry on has loaded its tasks; its own
+       --  part of a start is over.
        and then
          (if Next_Order.Name = Carry_On
           then State.Doing in Running | Loading

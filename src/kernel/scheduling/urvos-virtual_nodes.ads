@@ -15,8 +15,9 @@ generic
    with package Software is new URVOS.Node_Software (<>);
 package URVOS.Virtual_Nodes with SPARK_Mode is
 
-   --  Starts the node. Its tasks are loaded unless the self-test has failed.
-   --  They run from the next clock interrupt or Look_Again.
+   --  Starts the node. Unless the self-test has failed, its tasks are loaded
+   --  and initialised at once. Their transactions begin with the next major
+   --  frame.
    procedure Start
      (Condition  : Start_Condition;
       Now        : Clock_Tick;
