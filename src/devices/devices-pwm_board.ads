@@ -15,7 +15,7 @@ with URVOS.Frames; use URVOS.Frames;
 
 package Devices.PWM_Board with Pure, SPARK_Mode is
 
-   --  16 channels, of which the vehicle uses the first 14.
+   --  16 channels; the vehicle uses the first 14.
    type Channel_Number is range 1 .. 16;
 
    type Data_Area is array (Channel_Number) of Word;

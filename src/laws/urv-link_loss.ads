@@ -12,11 +12,11 @@
 --  lost, silent frames are counted until it is back.
 --
 --  A lost link returns on a proportion of fresh frames (D-35). Each fresh
---  frame adds 1 to a count, each silent frame takes 2 from it, not below 0.
---  At 50 the link is back: after 50 fresh frames in a row, or after any n
---  frames of which at most (n - 50) / 3 are silent. A link that loses a third
---  of its frames or more does not return. A gap that would lose a link, 25
---  silent frames, always clears the count.
+--  frame adds 1 to a count; each silent frame takes 2 from it, not below 0. At
+--  50 the link is back: after 50 fresh frames in a row, or after any n frames
+--  with at most (n - 50) / 3 silent ones. A link that loses a third of its
+--  frames or more does not return. A gap that would lose a link, 25 silent
+--  frames, always clears the count.
 --
 --  Only an order that no fault imitates ends Terminated: fresh uplinks with
 --  the disconnect switch off up to a count of 50, then with the switch on up

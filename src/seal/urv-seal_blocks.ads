@@ -258,9 +258,9 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  The tag
 
-   --  The message under the tag: the full number and echo of the block, of
-   --  which an uplink carries only the remainders, and the bytes before the
-   --  tag.
+   --  The message under the tag: the full number and echo of the block, and
+   --  the bytes before the tag. An uplink carries only the remainders of both
+   --  numbers.
    function Message_Of
      (Block  : Block_Data;
       Sender : Station;

@@ -111,9 +111,9 @@ package URV.Seals with Pure, SPARK_Mode is
    with Global => null;
 
    --  Frames pass; in the first of them the node has sent its block. The
-   --  ground gives up a session without a block for 0.5 s. So does the
-   --  aircraft with its pending sessions. It gives up its active session after
-   --  a minute without a block
+   --  ground gives up a session without a block for 0.5 s, and the aircraft
+   --  its pending sessions. The aircraft gives up its active session after a
+   --  minute without a block
 
    Handshake_Lasts : constant := 5 * Frames_Per_Tenth;
 

@@ -330,7 +330,7 @@ package URV.Sessions with Pure, SPARK_Mode is
        and then With_Newest'Result.Newest > This.Newest;
 
    --  The echo of a block that is sealed now: the newest number taken, or 0 if
-   --  that was so long ago that its six bits are ambiguous
+   --  that is older than Echo_Lasts frames and its six bits would be ambiguous
 
    Echo_Lasts : constant := 30;
 

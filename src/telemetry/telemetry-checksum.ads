@@ -27,7 +27,7 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
       xor Shift_Right (Value, 5))
    with Global => null;
 
-   --  That part beyond x^7, divided by x^8.
+   --  The part of Value times x^8 beyond x^7, divided by x^8.
    function Times_Lost (Value : Byte) return Byte is
      (Shift_Left (Value, 5) xor Shift_Left (Value, 4)
       xor Shift_Left (Value, 3))

@@ -29,7 +29,7 @@ generic
      is RAM_Models.Not_Known;
 package URVOS.RAM_Tests with SPARK_Mode is
 
-   --  Where is the first faulty word.
+   --  Tests the RAM. Where becomes the first faulty word.
    procedure Run (Sound : out Boolean; Where : out Word_Address)
    with
      Post =>
