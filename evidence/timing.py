@@ -390,8 +390,8 @@ def main():
 
     text = (
         f"{chosen.seconds} s over UDP, {os.cpu_count()} processors, "
-        f"load {os.getloadavg()[0]:.1f}. Times in us unless it says ms.\n\n"
-        "What a transaction takes:\n\n" + cost_table(summaries)
+        f"load {os.getloadavg()[0]:.1f}. Times in us unless the text says ms.\n\n"
+        "Duration of a transaction:\n\n" + cost_table(summaries)
         + "\nUntil the last task of a minor frame has ended, after its tick;"
         f" {PERIOD_US} are allowed:\n\n" + response_table(summaries)
         + "\nHow late the clocks ticked:\n\n"
@@ -403,8 +403,8 @@ def main():
         found, known = deviations(ways, records), Pauses(pauses)
         text += (
             f"\nThe machine paused {len(pauses)} times for {SHORTEST_US} us or"
-            f" more, {known.longest} at the most. What was not as it should"
-            " be:\n\n" + pause_table(found, known)
+            f" more, {known.longest} at the most. Deviations:\n\n"
+            + pause_table(found, known)
         )
         unexplained = sum(
             sum(place[0] for place in places)
@@ -415,7 +415,7 @@ def main():
     if machine is None:
         print("cyclictest did not run: it needs rt-tests, and root")
     if pauses is None:
-        print("nobody watched for pauses of the machine: it needs root")
+        print("pauses of the machine were not recorded: that needs root")
     if unexplained:
         print(f"timing: {unexplained} of these without a pause of the machine")
     if chosen.renew:

@@ -289,20 +289,18 @@ def page(result, flown):
 `make -C evidence margins RENEW=--renew` writes this page. It needs `control`, of
 `evidence/laws/requirements.txt`.
 
-Each loop is cut where the law's output goes to the servo, the altitude's where
-it goes to the pitch attitude; the other loops stay closed. The gains are those of
-`URV.Law_Gains`, as they are in the flight software; table 1 is the softer one,
-which the ground may choose. The page is of gains and
-aircraft `{law_gains.mark()}`; a test fails when they are others.
+Each loop is cut at the law's output to the servo, the altitude loop at its output
+to the pitch attitude; the other loops stay closed. The gains are those of
+`URV.Law_Gains`. Table 1 is the softer one, which the ground may choose. The page
+is of gains and aircraft `{law_gains.mark()}`; a test fails when they differ.
 
-Linear models come from JSBSim: the aircraft settles, a pair of servos is
-given a pulse of one frame, and what the sensors then show, less what they show
-without it, is realised as a state-space model
-(`evidence/laws/identify.py`). So servos, engine, the words' hold of 20 ms and
-the scan 16 ms after it are in the model; the two frames from a scan to the
-servos' next words are in the law. Links carry no loop: the laws are aboard.
-The models are within {100 * max(result.misfits):.1f} % of the largest
-response of JSBSim's.
+Linear models come from JSBSim (`evidence/laws/identify.py`). The aircraft settles,
+and a pair of servos is given a pulse of one frame. The difference that the pulse
+makes to the sensors is realised as a state-space model. The model includes the
+servos, the engine, the words' hold of 20 ms and the scan 16 ms later. The law
+includes the two frames from a scan to the next servo words. Links carry no loop:
+the laws are aboard. The models are within {100 * max(result.misfits):.1f} % of
+JSBSim's largest response.
 
 ## Margins
 
@@ -320,15 +318,15 @@ At 200 lb, dB / degrees:
 
 ## Poles
 
-In 1/s, at 200 lb, those slower than 60. With the laws the altitude's and the
-integrators' poles come along.
+Poles slower than 60/s, in 1/s, at 200 lb. The laws add the poles of the altitude
+and of the integrators.
 
 {table_of_poles(result)}
 
 ## Fixed point beside the design
 
-Attitude hold at 70 kt: a step of the stick, as `bin/urv_sim` flies it, in whole
-numbers and with all limits, beside the linear law on the linear model.
+A step of the stick in attitude hold at 70 kt: `bin/urv_sim`, with whole numbers and
+all limits, beside the linear law on the linear model.
 
 {table_of_steps(flown)}
 """

@@ -278,19 +278,19 @@ def page(found, alarms, flights):
     missed = [case for case, each in due.items() if not each.is_flown]
     in_time, tellable, longest = named_in_time(found)
     wrong = wrongly_named(found)
-    return f"""# Surfaces that fail
+    return f"""# Failed surfaces
 
-`make -C evidence surfaces RENEW=--renew` writes this page; its last section
-`evidence/laws/surfaces.py --only-sound --sound 10000 --renew`, which goes on
-where it was interrupted.
+`make -C evidence surfaces RENEW=--renew` writes this page. Its last section is
+written by `evidence/laws/surfaces.py --only-sound --sound 10000 --renew`, which
+continues where it was interrupted.
 
 Each surface is stuck at {PLACES} places, from stop to stop, or floats, from
-{FAULT_MS // 1000} s of a flight of {SECONDS} s on. It is flown when from then on
+{FAULT_MS // 1000} s of a flight of {SECONDS} s on. A case is flown if from then on
 the bank stays within {MOST_BANK:.0f} degrees and the altitude within
 {MOST_OFF:.0f} ft. Conditions: calm; light turbulence in 10 kt of wind; 30 lb more,
-an inch aft. With the laws altitude and airspeed are held; direct, the
-simulated pilot flies level, and nobody makes up for anything.
-Flown were {len(laws)} of the grid's {len(cases()) // 2} cases{
+an inch aft. With the laws, altitude and airspeed are held. Direct, the simulated
+pilot flies level, without any allocation. The grid has {len(cases()) // 2} cases;
+{len(laws)} were flown{
     "" if len(found) == len(cases()) else ", drawn by lot"}, each both ways.
 
 | | flown with the laws | direct |
@@ -302,7 +302,7 @@ Flown were {len(laws)} of the grid's {len(cases()) // 2} cases{
     each for case, each in laws.items() if case.where == FLOATS])} | {share([
     each for case, each in found.items()
     if not case.laws and case.where == FLOATS])} |
-| where a tenth of the partner's authority is left | {share(
+| a tenth of the partner's authority left | {share(
     list(due.values()))} | {share([
         found[case._replace(laws=False)] for case in due])} |
 
@@ -315,14 +315,14 @@ Flown were {len(laws)} of the grid's {len(cases()) // 2} cases{
 
 {table(found)}
 
-## Named
+## Identification
 
-A surface can be identified once it is {OFF_WORDS} words off its own
-({OFF_WORDS / 100:.0f} degree of an aileron); one that is stuck where it is
-commanded cannot. Of {tellable} such flights
-{in_time} named it within {NAMED_MS / 1000} s of that
+A surface can be identified once it is {OFF_WORDS} words off its command
+({OFF_WORDS / 100:.0f} degree of an aileron); a surface stuck at its command
+cannot. {tellable} of these flights could be identified:
+{in_time} were within {NAMED_MS / 1000} s
 ({100 * in_time / max(1, tellable):.1f} %), the slowest after
-{longest / 1000:.2f} s. Another one than it was named in {len(wrong)}.
+{longest / 1000:.2f} s. A wrong surface was named in {len(wrong)}.
 
 {sound_section(flights, alarms)}"""
 

@@ -47,7 +47,7 @@ def browser():
 
 def pytest_sessionfinish(exitstatus):
     if exitstatus == 0 and os.environ.get("URV_RENEW"):
-        head = PAGE.read_text("utf-8").partition("| what |")[0]
+        head = PAGE.read_text("utf-8").partition("| trial |")[0]
         PAGE.write_text(
-            head + "| what | wanted | measured |\n|---|---|---|\n"
+            head + "| trial | required | measured |\n|---|---|---|\n"
             + "\n".join(LINES) + "\n", "utf-8")

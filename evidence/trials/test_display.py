@@ -138,7 +138,7 @@ def test_gnd34_missing_frames_are_told_at_once(tmp_path, found):
         assert took - waited <= LIMIT_MS, took_ms
     took_ms = sorted(took for took, _ in took_ms)
     assert took_ms[len(took_ms) // 2] <= LIMIT_MS
-    found("missing frames told by Yamcs as missing, each where the machine is"
+    found("delay of Yamcs's report of missing frames, each where the machine is"
           " not starved", f"{LIMIT_MS} ms",
           f"{took_ms[len(took_ms) // 2]:.0f} ms in the median of"
           f" {len(took_ms)}, {took_ms[-1]:.0f} at most")
@@ -192,5 +192,5 @@ def test_gnd32_the_display_shows_the_record(tmp_path, browser, found):
                 calibrated(column, row), abs=1e-4)
             compared += 1
     assert compared > 1000
-    found("values that Yamcs's display was shown as in the record", "100 %",
+    found("values in Yamcs's display equal to the record", "100 %",
           f"{compared:,} of {compared:,}")
