@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-3: the mutants of a package, and the report of their results."""
+"""EVI-3, EVI-7: the mutants of a package, and the report of their results."""
 
 import json
 import sys
