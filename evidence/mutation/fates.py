@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import ada_source  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-RESULTS = ROOT / "evidence" / "mutation" / "results.jsonl"
+RESULTS = ROOT / "mutation" / "results.jsonl"
 JUDGED = ROOT / "evidence" / "mutation" / "equivalent.toml"
 
 # What became of a mutant.

@@ -128,6 +128,7 @@ def main():
     every = mutants.Code(fates.ROOT).mutants()
     digests = {path: fates.digest(path)
                for path in {mutant.path for mutant in every}}
+    fates.RESULTS.parent.mkdir(exist_ok=True)
     before = fates.read(fates.RESULTS)
     picked = mutants.chosen(every, SEED, *SAMPLE, before)
     picked = [m for m in picked if arguments.only in m.path]
