@@ -45,7 +45,7 @@ SILENCE_S = 15.0
 # longest.
 SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
         "exploration", "faults", "flight", "fuzz", "link_cuts",
-        "link_theory", "lost_console", "mutants", "pilot", "planted",
+        "lost_console", "mutants", "pilot", "planted",
         "safety_mixes", "starts", "surfaces", "traceability", "truth")
 
 # The files of tests of the ground station in which time passes as it does.
@@ -135,8 +135,6 @@ def every_source():
     """Theorems too, which no program needs, and programs that no test runs."""
     return (1, 0, 0) if all([
         build("urv.gpr", "flight"),
-        build("evidence/bench/urv_bench.gpr", "flight"),
-        build("evidence/bench/queue/urv_bench_queue.gpr", "host"),
         build("sim/urv_sim.gpr", "test")]) else BROKEN
 
 

@@ -11,7 +11,7 @@ of altitude and airspeed, and direct, where the simulated pilot flies level.
 Flown is a flight whose bank stays within 15 degrees and whose altitude within
 100 ft. Then flights with sound servos (sound_flights.py): no surface may be
 named. --sample takes so many cases of the grid, drawn by lot; --only-sound none.
---renew writes docs/evidence/surfaces.md and surfaces.svg beside it; with
+--renew writes docs/evidence/surfaces.md; with
 --only-sound the page's last lines.
 """
 
@@ -35,7 +35,6 @@ import sound_flights  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "evidence" / "surfaces.md"
-PICTURE = PAGE.with_suffix(".svg")
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 FAULT_MS, SECONDS, FRAME_MS = 10_000, 60, 20
@@ -218,59 +217,6 @@ def wrongly_named(found):
             & ~(1 << allocation.SURFACES.index(case.surface))]
 
 
-def svg(found):
-    """A field for each surface and place, a mark for each condition."""
-    cell, left, top, gap = 34, 110, 60, 70
-    width = left + 2 * 10 * cell + gap + 20
-    height = top + 10 * cell + 60
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}"'
-        f' height="{height}" viewBox="0 0 {width} {height}"'
-        ' font-family="sans-serif" font-size="11">',
-        f'<rect width="{width}" height="{height}" fill="white"/>']
-    for panel, (laws, name) in enumerate(
-            ((True, "hold of altitude and airspeed"),
-             (False, "direct, the simulated pilot"))):
-        x0 = left + panel * (10 * cell + gap)
-        parts.append(f'<text x="{x0}" y="24" font-size="14">{name}</text>')
-        for column in range(10):
-            label = "float" if column == 9 else f"{column - 4:+d}/4"
-            parts.append(
-                f'<text x="{x0 + column * cell + cell / 2}" y="{top - 8}"'
-                f' text-anchor="middle">{label}</text>')
-        for row, surface in enumerate(allocation.SURFACES):
-            y0 = top + row * cell
-            if panel == 0:
-                parts.append(
-                    f'<text x="{left - 8}" y="{y0 + cell / 2 + 4}"'
-                    f' text-anchor="end">{surface}</text>')
-            for column, where in enumerate([*places(surface), FLOATS]):
-                x = x0 + column * cell
-                parts.append(
-                    f'<rect x="{x}" y="{y0}" width="{cell}" height="{cell}"'
-                    ' fill="none" stroke="#ccc"/>')
-                for place, condition in enumerate(CONDITIONS):
-                    cx, cy = x + 7 + 10 * place, y0 + cell / 2
-                    outcome = found.get(
-                        Case(surface, where, condition, laws))
-                    if outcome is None:
-                        continue
-                    parts.append(
-                        f'<circle cx="{cx}" cy="{cy}" r="4" fill="#2b7a3d"/>'
-                        if outcome.is_flown else
-                        f'<path d="M{cx - 4} {cy - 4}l8 8m0 -8l-8 8"'
-                        ' stroke="#c62828" stroke-width="2"/>')
-    parts.append(
-        f'<text x="{left}" y="{height - 34}">A dot: flown, within'
-        f' {MOST_BANK:.0f} degrees of bank and {MOST_OFF:.0f} ft. A cross:'
-        ' not. In each field, from the left: '
-        + ", ".join(CONDITIONS) + ".</text>")
-    parts.append(
-        f'<text x="{left}" y="{height - 16}">Places from one stop of the'
-        ' travel to the other in eighths; a flap\'s from up to down.</text>')
-    return "\n".join([*parts, "</svg>", ""])
-
-
 def page(found, alarms, flights):
     laws = {case: each for case, each in found.items() if case.laws}
     due = {case: each for case, each in laws.items() if must_be_flown(case)}
@@ -310,8 +256,6 @@ pilot flies level, without any allocation. The grid has {len(cases()) // 2} case
  if not missed else "Not flown, though a tenth of authority is left: "
  + ", ".join(f"{case.surface} at {title(case.where, case.surface)}"
              f" ({case.condition})" for case in missed) + "."}
-
-![Which are flown](surfaces.svg)
 
 {table(found)}
 
@@ -355,7 +299,7 @@ def sounded(jobs, number):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--renew", action="store_true",
-                        help="write docs/evidence/surfaces.md and .svg")
+                        help="write docs/evidence/surfaces.md")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--sound", type=int, default=100,
                         help="flights without a fault")
@@ -385,7 +329,6 @@ def main():
     print(text)
     if chosen.renew:
         PAGE.write_text(text, encoding="utf-8")
-        PICTURE.write_text(svg(found), encoding="utf-8")
     if alarms or wrongly_named(found):
         sys.exit("surfaces: a sound surface was named")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Small changes to the code of the flight software (EVI-3).
+"""Small changes to the code of the flight software (EVI-3, EVI-7).
 
 What is changed is code: statements, and the expressions of functions that
 code calls. Contracts, pragmas, ghosts, and functions that only contracts call

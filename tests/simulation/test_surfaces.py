@@ -3,10 +3,8 @@
 13 is what the servos get when no law flies. A small sample of the grid of
 evidence/laws/surfaces.py."""
 
-import re
 import subprocess
 import sys
-from xml.etree import ElementTree
 
 import pytest
 from conftest import (
@@ -182,34 +180,3 @@ def test_the_page_has_a_row_of_each_surface_s_own_cases():
     assert rows["left_rudder"] == [
         "1 of 1 (100 %)", "2 degrees, 4 ft", "none", "none flown"]
     assert rows["right_rudder"][0] == "none flown"
-
-
-def test_marks_stand_side_by_side_half_way_up_their_field():
-    surface = allocation.SURFACES[3]
-    where = surfaces.places(surface)[2]
-    found = {surfaces.Case(surface, where, condition, True): outcome(
-        condition != "heavy") for condition in surfaces.CONDITIONS}
-    picture = ElementTree.fromstring(surfaces.svg(found))
-    name = "{http://www.w3.org/2000/svg}"
-    fields = [(float(each.get("x")), float(each.get("y")),
-               float(each.get("width")))
-              for each in picture.iter(f"{name}rect") if each.get("x")]
-    assert len(fields) == 2 * 100
-    # Names stand as far to the left of the fields as above them.
-    texts = {each.text: each for each in picture.iter(f"{name}text")}
-    assert (fields[0][1] - float(texts["-4/4"].get("y"))
-            == fields[0][0] - float(texts["left_aileron"].get("x")) > 0)
-    # Row by row, the laws' first.
-    x, y, width = fields[3 * 10 + 2]
-    marks = [(float(each.get("cx")), float(each.get("cy")))
-             for each in picture.iter(f"{name}circle")]
-    crosses = [each.get("d") for each in picture.iter(f"{name}path")]
-    assert len(marks) == 2 and len(crosses) == 1
-    for at, height in marks:
-        assert x < at < x + width
-        assert height == y + width / 2
-    left, top = map(float, re.match(
-        r"M([-.\d]+) ([-.\d]+)l8 8", crosses[0]).groups())
-    assert x < left < left + 8 < x + width
-    assert top + 4 == y + width / 2
-    assert sorted([*(at for at, _ in marks), left + 4])[-1] == left + 4
