@@ -382,34 +382,3 @@ def test_sim3_each_pair_of_servos_moves_out_back_and_rests():
     assert rest == aircraft_steps.TRIM
     second = aircraft_steps.commands(aircraft_steps.TURN)
     assert (second["left_elevator"], second["left_aileron"]) == (3.0, 0.0)
-
-
-def test_sim3_the_table_of_steps_is_in_last_bits(monkeypatch, tmp_path):
-    """Each sensor is as far from the best as its step is, in halves."""
-    bits = {name: 0.5 for name in aircraft_steps.SHOWN}
-    monkeypatch.setattr(aircraft_steps, "last_bits", lambda: bits)
-    monkeypatch.setattr(aircraft_steps, "flown", lambda step: [
-        [sign * step / 1000] * len(bits) for sign in (1, 1)])
-    page = tmp_path / "aircraft.md"
-    page.write_text("before\n\n| sensor | old |\n|---|---|\n\nafter\n")
-    monkeypatch.setattr(aircraft_steps, "PAGE", page)
-    aircraft_steps.main(["--renew"])
-    text = page.read_text()
-    assert text.startswith("before\n\n| sensor | 1 ms | 2 ms | 4 ms |")
-    assert text.endswith("|\n\nafter\n")
-    assert "| rpm | 1.0 | 3.0 | 7.0 | 9.0 | 19.0 |" in text
-
-
-def test_sim3_steps_of_another_length_are_not_flown(monkeypatch):
-    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
-    times = plant.Times
-    monkeypatch.setattr(plant, "Times", lambda **given: times(
-        **{**given, "tick": given["tick"] // 2}))
-    with pytest.raises(AssertionError):
-        aircraft_steps.flown(2000)
-
-
-def test_sim3_steps_of_this_length_are_flown(monkeypatch):
-    monkeypatch.setattr(aircraft_steps, "FRAMES", 1)
-    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
-    assert len(aircraft_steps.flown(5000)) == 1

@@ -2,7 +2,6 @@
 """LNK-9, INI-1, SEC-1: the smallest campaign, and that its checker sees what it
 should."""
 
-import csv
 import subprocess
 import sys
 
@@ -223,42 +222,3 @@ def test_report_fails_when_a_check_did(
     assert f"tiny: 500 faults, {status} failures" in said
     assert ("FAILED" in said) == (status == 1)
     assert (tmp_path / "results.csv").exists()
-
-
-def test_the_table_has_the_sums_of_the_shards(monkeypatch, tmp_path):
-    monkeypatch.setattr(run, "RESULTS", tmp_path)
-    results = [shard_result(wrong=1, refused=2, came_twice=3)] * 2
-    run.report(results, "tiny", 1.0)
-    table = list(csv.reader((tmp_path / "results.csv").open(newline="")))
-    counts = {"cases": "200", "faults": "500", "frames": "2000",
-              "after 0": "0", "1": "100", "2": "100", "wrong": "2",
-              "refused": "4", "came twice": "6", "by theory": "2.0",
-              "failures": "0"}
-    for row, name in zip(table[1:], ("many", "all"), strict=True):
-        cells = dict(zip(table[0], row, strict=True))
-        assert cells[""] == name
-        assert {key: cells[key] for key in counts} == counts
-
-
-@pytest.mark.parametrize("arguments, said", [
-    (("mix", "7"), "has a folder"),
-    (("tiny", "--only", "no"), "no such group: no"),
-    (("shard",), "has a name"),
-    (("shard", "calm/0/1", "folder"), "has a folder"),
-])
-def test_a_mix_alone_has_a_folder_and_a_shard_a_name(
-        monkeypatch, capsys, arguments, said):
-    monkeypatch.setattr(sys, "argv", ["run.py", *arguments])
-    with pytest.raises(SystemExit):
-        run.main()
-    assert said in capsys.readouterr().err
-
-
-def test_a_mix_goes_into_its_folder(monkeypatch, tmp_path):
-    shown = []
-    monkeypatch.setattr(run, "show_mix", lambda *what: shown.append(what) or 0)
-    # As the command line gives them, not the script's own words.
-    words = f"run.py mix 7 {tmp_path} --format 2".split()
-    monkeypatch.setattr(sys, "argv", words)
-    assert run.main() == 0
-    assert shown == [(7, tmp_path, 2)]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """EVI-14: a flight does not become slower unnoticed."""
 
-import json
 import shutil
 import subprocess
 import sys
@@ -37,19 +36,3 @@ def test_evi14_three_per_cent_more_is_too_much(monkeypatch, capsys, more,
         lambda text: {"compiler": "one", "per_frame": agreed})
     assert instructions.main([]) == status
     assert f"{more:.3f}" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(("arguments", "agreed"), [([], 100),
-                                                   (["--renew"], 90)])
-def test_evi14_only_renew_agrees_to_other_counts(
-        monkeypatch, tmp_path, arguments, agreed):
-    file = tmp_path / "instructions.json"
-    file.write_text(json.dumps({"compiler": "one", "per_frame": dict.fromkeys(
-        instructions.FLIGHTS, 100)}), encoding="utf-8")
-    monkeypatch.setattr(instructions, "AGREED", file)
-    monkeypatch.setattr(instructions, "compiler", lambda: "one")
-    monkeypatch.setattr(instructions, "per_frame", lambda options: 90)
-    # As the command line gives them, a list of its own.
-    assert instructions.main([*arguments]) == 0
-    assert json.loads(file.read_text("utf-8"))["per_frame"] == dict.fromkeys(
-        instructions.FLIGHTS, agreed)

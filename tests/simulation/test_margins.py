@@ -43,16 +43,6 @@ def test_fixed_point_answers_as_designed():
     assert all(float(each) < 0.2 for each in differences)
 
 
-def test_numbers_are_read_as_ada_has_them(tmp_path):
-    (tmp_path / "gains.ads").write_text(
-        "   Frames : constant := 50;\n   Much   : constant := 1_000;\n"
-        "   Hold   : constant := Frames / 2;\n"
-        "   Speed  : constant := 60 * 32;\n   Low : constant := -12_000;\n")
-    assert vars(law_gains.gains(tmp_path / "gains.ads")) == {
-        "Frames": 50, "Much": 1000, "Hold": 25, "Speed": 1920,
-        "Low": -12000}
-
-
 def column(text, head, speed):
     """By name, what a table of the page says at a speed."""
     lines = text[text.index(head):].split("\n\n")[0].splitlines()
@@ -154,24 +144,6 @@ def test_a_model_is_realised_from_its_answers(laws):
     _, answers, inputs, outputs = made_up(laws, 1.0)
     model, _ = laws.identify.realised(answers, inputs, outputs, 2)
     assert laws.identify.misfit(model, answers, inputs, outputs) < 1e-6
-
-
-def test_a_step_is_seen_for_8_s_from_when_the_servo_first_has_it(
-        laws, monkeypatch, tmp_path):
-    """Also where the servo moved before."""
-    margins = laws.margins
-
-    def flown(*_, cwd, **__):
-        rows = [f"{max(0, frame - 1001)},{7 * (frame > 970) + (frame > 1002)}"
-                for frame in range(1500)]
-        (cwd / "record.csv").write_text("\n".join(
-            ["truth.bank_deg,pwm.left_aileron", *rows]) + "\n")
-    monkeypatch.setattr(margins.subprocess, "run", flown)
-    step = next(each for each in margins.steps(law_gains.gains())
-                if each.stick == "roll")
-    seen = margins.fly(step, tmp_path)
-    # The row before it, 1, is what it is counted from.
-    assert list(seen) == [float(frame) for frame in range(1, 401)]
 
 
 def test_each_loop_has_its_own_least_margins_on_the_page(laws):

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """EVI-3, EVI-7: the mutants of a package, and the report of their results."""
 
-import json
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -119,32 +117,6 @@ def test_contracts_and_proof_aids_are_left_alone(found):
             assert word not in line
 
 
-def test_a_mutant_has_as_many_lines(found):
-    for mutant in found:
-        source = (SPEC if mutant.path.endswith("ads") else BODY).encode()
-        changed = mutant.applied(source)
-        assert changed != source
-        assert changed.count(b"\n") == source.count(b"\n")
-
-
-def test_a_contract_is_no_part_of_a_mutant_s_name(found, tmp_path):
-    """Not of one in the middle of a file, either."""
-    spec = SPEC.replace("with Post => Is_Full'Result = (Item.Number > 4)",
-                        "with Global => null")
-    assert spec != SPEC
-    (tmp_path / "src" / "shop.ads").write_text(spec, encoding="utf-8")
-    again = mutants.Code(tmp_path).mutants()
-    assert {m.name for m in again} == {m.name for m in found}
-
-
-def test_names_are_unique_and_stay(found, tmp_path):
-    names = {m.name for m in found}
-    assert len(names) == len(found)
-    body = tmp_path / "src" / "shop.adb"
-    body.write_text("--  A line more.\n" + BODY, encoding="utf-8")
-    assert {m.name for m in mutants.Code(tmp_path).mutants()} == names
-
-
 def test_the_same_are_chosen_again(found):
     chosen = mutants.chosen(found, 1, 0.5, 3, 99)
     assert chosen == mutants.chosen(list(reversed(found)), 1, 0.5, 3, 99)
@@ -198,23 +170,3 @@ def test_evi3_a_survivor_is_judged_and_only_a_survivor():
             ({"b": one | {"reason": " "}}, 50, "without a reason")):
         found = list(report.problems(results, judgements, total, goal))
         assert len(found) == 1 and said in found[0]
-
-
-def test_the_last_result_of_a_mutant_counts(tmp_path):
-    file = tmp_path / "results.jsonl"
-    assert fates.read(file) == {}
-    file.write_text("".join(json.dumps(result("a", fate)) + "\n"
-                            for fate in (fates.SURVIVED, "tests")))
-    assert fates.read(file)["a"]["fate"] == "tests"
-    assert fates.digest("src/nodes/mcs.ads") != fates.digest("urv.gpr")
-
-
-def test_progress_tells_how_many_are_done_and_alive(capsys):
-    progress = fates.Progress(3)
-    for fate in ("tests", fates.SURVIVED, fates.PASSED):
-        progress.step(SimpleNamespace(path="sim/one.adb", line=7), fate)
-    lines = capsys.readouterr().out.splitlines()
-    assert [line.split("] ")[1].split(" alive")[0] for line in lines] == [
-        "1/3, 0", "2/3, 1", "3/3, 2"]
-    assert lines[2].startswith("[" + "#" * 30 + "]")
-    assert lines[0].endswith("one.adb:7 tests")

@@ -69,18 +69,3 @@ def test_every_kind_of_data_is_counted(tmp_path):
     both = node_size.section_sizes(objects)
     assert both == {"data": 2 * (96 + 16) + 32, "bss": 2 * (200 + 48),
                     "rodata": 32 + 64}
-
-
-def test_all_that_a_node_needs_is_counted_and_no_more(tmp_path, monkeypatch):
-    monkeypatch.setattr(node_size, "OBJECTS", tmp_path)
-    for name, lines in {
-        "mcs": ["W tasks%s tasks.ads tasks.ali", "Z boards%s b.adb boards.ali",
-                "W ada%s", "W system%s system.ads system.ali"],
-        "tasks": ["W mcs%s mcs.ads mcs.ali", "W deep%s deep.ads deep.ali"],
-        "boards": ["D boards.ads 2026 unused.ali"], "deep": [], "unused": [],
-        "gsc": [],
-    }.items():
-        (tmp_path / f"{name}.ali").write_text("\n".join(lines) + "\n")
-    found = [path.stem for path in node_size.closure("mcs")]
-    assert found == ["boards", "deep", "mcs", "tasks"]
-    assert [path.stem for path in node_size.closure("gsc")] == ["gsc"]

@@ -185,10 +185,3 @@ def test_other_checks_than_the_recorded_ones_are_reported(project):
     project.finds(lambda found: found["proof"].pop())
     reason, = project.reasons("check")
     assert reason.startswith("other checks than in proofs/record.json")
-
-
-def test_results_of_a_removed_unit_are_not_read(project):
-    old = {**all_proved(), "pragma_assume": [{"file": "a.adb", "line": 1}]}
-    project.write("obj/flight/gnatprove/gone.spark", json.dumps(old))
-    assert project.reasons("prove") == []
-    assert project.record()["checks"] == 3

@@ -70,57 +70,12 @@ def test_what_is_slow_and_what_failed_is_named_at_the_end(
     assert "only: 19 passed, 1 failed, 0 skipped, in 0 s" in lines
 
 
-def test_only_the_parts_that_were_asked_for_run(place, monkeypatch, capsys):
-    parts(monkeypatch, one=(1, 0, 0), other=(0, 1, 0), third=(1, 0, 0))
-    monkeypatch.setattr(sys, "argv", ["run_tests.py", "on", "th"])
-    assert run_tests.main() == 0
-    assert "other" not in capsys.readouterr().out
-    with pytest.raises(SystemExit, match="no part begins with x: one, other"):
-        run_tests.chosen(["x"])
-
-
 def test_a_part_that_raises_an_exception_has_failed(
         place, monkeypatch, capsys):
     monkeypatch.setattr(run_tests, "PARTS", {"real time": lambda: 1 / 0})
     monkeypatch.setattr(sys, "argv", ["run_tests.py"])
     assert run_tests.main() == 1
     assert "0 passed, 1 failed, 0 skipped" in capsys.readouterr().out
-
-
-def test_the_quick_parts_leave_out_only_what_is_slow():
-    quick = run_tests.chosen(["--quick"])
-    left_out = set(run_tests.PARTS) - set(quick)
-    assert left_out == {
-        "unit tests, contracts executed", "simulation", "real time",
-        "ground station", "ground station, live", "bare machines",
-        "likely changes",
-        "proof shows the recorded checks"}
-    for name in run_tests.SLOW:
-        assert (ROOT / "tests" / "simulation" / f"test_{name}.py").exists()
-
-
-def test_each_file_of_the_ground_runs_once_and_the_live_ones_apart(
-        place, monkeypatch):
-    folder = place / "tests" / "ground"
-    folder.mkdir(parents=True)
-    for name in (*run_tests.LIVE, "report", "convert"):
-        (folder / f"test_{name}.py").touch()
-        assert name == "convert" or (
-            ROOT / "tests" / "ground" / f"test_{name}.py").exists()
-    ran = []
-
-    def python_tests(_, name, without=(), at_once="auto", spread="loadfile",
-                     told=None):
-        ran.append((at_once, spread, sorted(
-            path.stem.removeprefix("test_")
-            for path in (place / "tests" / name).iterdir()
-            if path.stem.removeprefix("test_") not in without)))
-        return (1, 0, 0)
-    monkeypatch.setattr(run_tests, "python_tests", python_tests)
-    assert run_tests.live_ground_tests() == (1, 0, 0)
-    assert run_tests.ground_tests() == (1, 0, 0)
-    assert ran == [("3", "worksteal", sorted(run_tests.LIVE)),
-                   ("auto", "worksteal", ["convert", "report"])]
 
 
 PROGRAM = """\
@@ -154,20 +109,6 @@ def test_unit_tests_that_end_early_have_failed(place, end, capsys):
     assert "ended early" in run_tests.tests[-1].name
 
 
-def test_each_processor_has_its_share_of_the_unit_tests(place, monkeypatch):
-    monkeypatch.setattr(run_tests.os, "sched_getaffinity", lambda _: {0, 3, 5})
-    program = place / "bin" / "urv_tests_host"
-    program.write_text("#!/bin/sh\n[ $1 != 2 ] || sleep 0.1\n"
-                       "echo \"ok   MBX-1 $1 of $2\"\n"
-                       "[ $1 = 3 ] || echo '1 passed, 0 failed, 0 skipped'\n",
-                       encoding="utf-8")
-    program.chmod(0o755)
-    assert run_tests.unit_tests("host") == (2, 1, 0)
-    assert {test.name.partition(" ended")[0] for test in run_tests.tests} == {
-        "MBX-1 1 of 3", "MBX-1 2 of 3", "MBX-1 3 of 3",
-        "bin/urv_tests_host 3 3"}
-
-
 PYTHON_TESTS = """\
 import pytest
 def test_good(): pass
@@ -196,19 +137,6 @@ def test_python_tests_are_counted_and_failed_ones_named(place):
         "test_one.py::test_bad", "test_one.py::test_error"]
 
 
-@pytest.mark.parametrize(("ends", "kept"), [("pass", 0), ("assert False", 1)])
-def test_only_a_failed_test_leaves_its_folder(place, monkeypatch, ends, kept):
-    temporary = place / "temporary"
-    temporary.mkdir()
-    monkeypatch.setenv("TMPDIR", str(temporary))
-    python_tests(place, f"""\
-def test_that_writes(tmp_path):
-    (tmp_path / "written").write_text("x")
-    {ends}
-""")
-    assert len(list(temporary.rglob("written"))) == kept
-
-
 def test_python_tests_that_cannot_be_collected_have_failed(place):
     assert python_tests(place, "import nothing_of_this_name\n") in (
         run_tests.BROKEN, (1, 1, 0))
@@ -220,44 +148,6 @@ def test_what_does_not_build_has_failed(place, monkeypatch):
     assert run_tests.every_source() == run_tests.BROKEN
     assert run_tests.unit_tests("host") == run_tests.BROKEN
     assert run_tests.simulation_tests() == run_tests.BROKEN
-
-
-def test_a_build_that_fails_is_named(place, monkeypatch, capsys):
-    monkeypatch.undo()
-    monkeypatch.setattr(run_tests, "tests", [])
-    monkeypatch.setattr(run_tests, "GPRBUILD", ["false"])
-    assert not run_tests.build("some.gpr", "host")
-    assert run_tests.tests == [(0, True, "building some.gpr")]
-    assert capsys.readouterr().out == "building some.gpr\n"
-
-
-@pytest.mark.parametrize("status", [0, 1, -9])
-def test_a_part_of_one_command_fails_as_the_command(place, monkeypatch, status):
-    monkeypatch.setattr(run_tests, "run", lambda *_, **__: status)
-    assert run_tests.links() == (
-        (1, 0, 0) if status == 0 else run_tests.BROKEN)
-    (test,) = run_tests.tests
-    assert test.failed == (status != 0)
-    assert test.name == "scripts/trace/run.py check"
-
-
-def test_evi11_each_python_test_is_a_line_once(place, capsys):
-    python_tests(place, PYTHON_TESTS)
-    shown = capsys.readouterr().out
-    report = shown[:shown.index("= ERRORS =")]
-    for name, result in (("good", "PASSED"), ("bad", "FAILED"),
-                         ("left_out", "SKIPPED"), ("error", "ERROR")):
-        lines = [line for line in report.splitlines()
-                 if f"test_one.py::test_{name}" in line]
-        assert len(lines) == 1 and result in lines[0], lines
-
-
-def test_evi11_what_says_nothing_is_told_to_go_on(place, monkeypatch, capsys):
-    monkeypatch.setattr(run_tests, "SILENCE_S", 0.2)
-    assert run_tests.run("sh", "-c", "sleep 1; exit 3", what="sleeping") == 3
-    lines = capsys.readouterr().out.splitlines()
-    assert 1 <= len(lines) <= 5
-    assert all(line.startswith("... sleeping, ") for line in lines)
 
 
 def test_evi11_patience_says_that_a_command_goes_on(tmp_path):

@@ -54,21 +54,6 @@ def test_a_row_that_is_missing_is_found():
     }
 
 
-def test_overruns_are_found_from_a_frame_before():
-    records = flight()
-    for row in records["mcs"][7:]:
-        row["overruns"] = 3
-    assert found_in(records) == {"overruns": [(3, 100_000, 140_000)]}
-
-
-def test_link_errors_are_found_from_a_frame_before():
-    records = flight()
-    for row in records["gsc"][7:]:
-        row["link.gsc_resets"] = 1
-        row["link.downlink_bad"] = 1
-    assert found_in(records) == {"link errors": [(2, 100_000, 140_000)]}
-
-
 def test_a_change_out_of_bounds_is_found_either_way():
     least, most = (1_000 * each for each in timing.LATENCY_MS)
     edge = 1_000 * timing.LENIENCY_MS
@@ -143,12 +128,6 @@ def test_the_bounds_are_those_of_the_design():
     assert timing.FRAME_US == NUMBERS.frame_us
 
 
-@pytest.mark.parametrize("share, value", [
-    (0.5, 2), (0.51, 3), (0.9, 3), (0.99, 7), (1, 7)])
-def test_quantiles_of_a_histogram(share, value):
-    assert timing.quantile({7: 1, 1: 2, 3: 4, 2: 3}, share) == value
-
-
 def summary(node):
     tasks = {"mcs": ("ad_task", "pwm_task"), "gsc": ("ad_task",)}[node]
     four = {"min": 1, "median": 2, "p99": 3, "max": 4}
@@ -189,20 +168,7 @@ def test_what_no_pause_explains_fails(concluded, pauses, status):
     result, said = concluded(with_overrun(), pauses)
     assert result == status
     assert ("1 of these without a pause" in said) == (status == 1)
-    assert ("nobody watched for pauses" in said) == (pauses is None)
-
-
-def test_nothing_late_needs_no_pause(concluded):
-    assert concluded(flight(), [])[0] == 0
-
-
-def test_the_table_has_the_changes_percentiles(concluded):
-    ways = [(0, 50_000 + 100 * number) for number in range(200)]
-    _, said = concluded(flight(), [], ways)
-    assert "of 200 changes | 50.0 least, 60.0 median, 69.8 p99, 69.9 most" \
-        in said
-    # 70.2 and 1 more are allowed: all of them.
-    assert "within 50 to 70.2 ms, give or take 1 | 200 |" in said
+    assert ("pauses of the machine were not recorded" in said) == (pauses is None)
 
 
 # --- who watches for pauses ----------------------------------------------------
@@ -222,53 +188,3 @@ def test_a_late_wake_is_a_pause_and_a_punctual_one_is_none(monkeypatch):
     found = []
     machine_pauses.watch(0, os.SCHED_OTHER, 0.02, found)
     assert found == [(4_000, 4_500), (5_500, 25_500)]
-
-
-@pytest.mark.parametrize("codes, is_watched", [
-    ((0, 0), True), ((0, 1), False), ((1, 0), False), ((1, 1), False)])
-def test_a_watcher_that_could_not_watch_is_told(codes, is_watched):
-    class Watcher:
-        def __init__(self, exitcode):
-            self.exitcode = exitcode
-
-        def join(self):
-            pass
-
-    class Manager:
-        def shutdown(self):
-            pass
-
-    watchers = object.__new__(machine_pauses.Watchers)
-    watchers.manager, watchers.pauses = Manager(), [(5, 6), (1, 2)]
-    watchers.processes = [Watcher(code) for code in codes]
-    assert watchers.result() == ([(1, 2), (5, 6)] if is_watched else None)
-
-
-# --- what is flown, and the table of it ----------------------------------------
-
-def test_the_stick_moves_from_the_first_second_to_the_one_before_the_last(
-        tmp_path):
-    path = tmp_path / "sticks.csv"
-    changes = timing.write_sticks(path, 5)
-    times, words = zip(*changes)
-    assert list(times) == [*range(1_000_000, 4_000_000, timing.CHANGE_US)]
-    assert all(one != other for one, other in zip(words, words[1:]))
-    rows = [line.split(",") for line in path.read_text("utf-8").splitlines()]
-    assert rows[0] == ["time_ms", "roll"]
-    assert [(round(float(at) * 1000), int(word)) for at, word in rows[1:]] == (
-        changes)
-
-
-def test_the_table_of_a_flight_has_what_each_node_misses():
-    records = flight(10)
-    for row in records["mcs"] + records["gsc"]:
-        row |= {"link.uplink_sent": 21, "link.downlink_sent": 22}
-    summaries = {"mcs": {"frames": 14, "overruns": 5},
-                 "gsc": {"frames": 12, "overruns": 6}}
-    said = timing.flight_table(summaries, records, [])
-    for row in ("| major frames | 12 |",
-                "| without a row in the record, mcs and gsc | 3 and 1 |",
-                "| overruns, mcs and gsc | 5 and 6 |",
-                "| uplinks sent, received, bad, scrapped | 21, 0, 0, 0 |",
-                "| downlinks sent, received, bad, scrapped | 22, 0, 0, 0 |"):
-        assert row in said
