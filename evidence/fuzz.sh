@@ -21,8 +21,8 @@ inputs=${2:-}
 found=obj/afl/default
 
 case ${FUZZ:-board} in
-   board) program=urv_fuzz corpus=evidence/fuzz/corpus ;;
-   files) program=urv_file_fuzz corpus=evidence/fuzz/files ;;
+   board) program=urv_fuzz ;;
+   files) program=urv_file_fuzz ;;
    readers)
           URV_FUZZ_SECONDS=$seconds exec .venv/bin/python -B -m pytest -q -s \
              -p no:cacheprovider --tb=short tests/ground/test_fuzz_readers.py ;;
@@ -31,14 +31,15 @@ case ${FUZZ:-board} in
 esac
 
 gprbuild -q -p -P "evidence/fuzz/$program.gpr" -XURV_Fuzz=fuzz
-rm -rf obj/afl
+rm -rf obj/afl obj/afl-inputs
+python3 evidence/fuzz/inputs.py "${FUZZ:-board}" obj/afl-inputs
 # A busy machine may let an input wait for seconds: that is no hang.
 # The machine's core pattern and frequency governor are not ours to change.
 AFL_NO_UI=1 AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 \
    AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 \
    AFL_HANG_TMOUT=20000 \
    afl-fuzz -V "$seconds" ${inputs:+-E "$inputs"} -t 5000 \
-   -i "$corpus" -o obj/afl \
+   -i obj/afl-inputs -o obj/afl \
    -- "bin/fuzz/$program" >obj/afl.log 2>&1 || { cat obj/afl.log; exit 1; }
 
 figure ()

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 
-/* What ties the fuzzed program to AFL++. GCC calls __sanitizer_cov_trace_pc
+/* Connects the fuzzed program to AFL++. GCC calls __sanitizer_cov_trace_pc
    in every basic block; here it counts the edge in AFL++'s map, as its own
    instrumentation does. Without AFL++'s run-time library the weak names are
    null, and the program runs one input. */

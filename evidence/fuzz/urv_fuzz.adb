@@ -60,7 +60,7 @@ procedure URV_Fuzz is
       Data    : Byte;
       Block   : Block_Data;
 
-      --  The next byte of the input; 0 behind its end.
+      --  The next byte of the input; 0 after its end.
       procedure Read (Value : out Byte);
 
       procedure Read (Value : out Byte) is
