@@ -11,6 +11,7 @@ sys.path.insert(0, str(ROOT / "evidence"))
 
 import independence  # noqa: E402
 
+
 def test_bytes_of_flights_are_those_of_the_flights(monkeypatch):
     first = independence.bytes_of_flights(PROGRAM)
     assert first == independence.bytes_of_flights(PROGRAM)

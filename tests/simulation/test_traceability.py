@@ -51,11 +51,11 @@ PLANTED = {
         "src/tasks/urv-telin_task.ads", "TIN-1", "TIN-77",
         "src/tasks/urv-telin_task.ads: names TIN-77, which is no requirement"),
     "a test in Ada of nothing": (
-        "tests/unit/headers_tests.adb", '"D-6 ', '"',
+        "tests/unit/link_suite-headers_tests.adb", '"D-6 ', '"',
         "names no requirement"),
     "tests in Ada that are not run": (
         "tests/unit/all_tests.adb", "Headers_Tests.Add_To (Result);", "",
-        "tests/unit/headers_tests.adb: all_tests.adb does not run it"),
+        "tests/unit/link_suite-headers_tests.adb: all_tests.adb does not run it"),
     "a test in Python of no requirement": (
         "tests/simulation/test_wire.py", "def test_d5_", "def test_d555_",
         "names D-555, which is none"),
@@ -101,7 +101,7 @@ def test_strictdoc_shows_the_links_both_ways(tmp_path):
         capture_output=True, text=True, check=False)
     assert f"{html}/index.html shows" in result.stdout, result.stdout
     requirements = next(html.glob("*/requirements.html")).read_text("utf-8")
-    for link in ("src/tasks/urv-telin_task.ads", "tests/unit/ad_tests.adb",
+    for link in ("src/tasks/urv-telin_task.ads", "tests/unit/task_suite-ad_tests.adb",
                  "proofs/theorems-silence.ads", "tests/simulation/test_wire.py"):
         page = html / "_source_files" / f"{link}.html"
         assert link in requirements

@@ -1,52 +1,17 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with AD_Tests;
-with Bare_Nodes_Tests;
-with Board_Memory_Tests;
+with Kernel_Suite;  use Kernel_Suite;
+with Law_Suite;     use Law_Suite;
+with Link_Suite;    use Link_Suite;
+with Node_Suite;    use Node_Suite;
+with Task_Suite;    use Task_Suite;
 with Buffers_Tests;
-with Checksum_Tests;
-with Clocked_Executives_Tests;
-with Codecs_Tests;
-with Console_Watch_Tests;
-with CORE_Tests;
-with Error_Log_Tests;
 with Exchange_Tests;
-with Executives_Tests;
-with Flood_Tests;
-with Frame_Locks_Tests;
 with Frames_Tests;
-with Guarded_Step_Tests;
-with Headers_Tests;
-with In_Flight_Tests;
-with LAW_Task_Tests;
-with Laws_Tests;
-with Link_Tests;
-with LOG_Task_Tests;
-with Mailboxes_Tests;
 with Nodes_Tests;
-with Output_Buffers_Tests;
-with Peer_Watch_Tests;
-with PWM_Tests;
-with Real_Time_Nodes_Tests;
-with Receive_Calls_Tests;
-with Receivers_Tests;
-with Scheduler_Histories_Tests;
-with Schedulers_Tests;
-with Seal_Tests;
-with Self_Test_Tests;
-with Semaphores_Tests;
-with Senders_Tests;
-with Serial_Line_Tests;
-with Shared_Nodes_Tests;
-with Slow_Line_Tests;
-with Start_Orders_Tests;
-with Starts_Tests;
-with Surfaces_Tests;
-with Task_Lists_Tests;
 with Task_Shells_Tests;
 with Telemetry_Task_Tests;
 with Type_Codes_Tests;
-with Waiting_Tasks_Tests;
 
 package body All_Tests is
 

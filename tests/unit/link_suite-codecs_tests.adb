@@ -1,0 +1,272 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Checks;       use Checks;
+with Expectations; use Expectations;
+with URVOS;        use URVOS;
+with Telemetry;    use Telemetry;
+with URV.Buffers;  use URV.Buffers;
+with URV.Codecs;   use URV.Codecs;
+with URV.Routing;  use URV.Routing;
+with URV.Word_Codecs;
+
+separate (Link_Suite)
+package body Codecs_Tests is
+
+   --  The tests, in order.
+   procedure Wire_Lengths;
+   procedure Uplink_Bytes;
+   procedure Downlink_Bytes;
+   procedure Part_Of_A_List;
+   procedure Round_Trips;
+   procedure Image_Uplink;
+   procedure Image_Downlink;
+   procedure Stamps;
+   procedure Out_Of_Range;
+   procedure Passed_On_Whole;
+
+   --  An image whose words all differ. Channel n holds 100h + n.
+   function Numbered_Image (Error : Word) return AD_Image;
+
+   function Numbered_Image (Error : Word) return AD_Image is
+      Result : AD_Image := Neutral_Stick_Image;
+   begin
+      for Number in Channel loop
+         Result.Words (Number) := 16#100# + Word (Number);
+      end loop;
+      Result.Error_Status := Error;
+      return Result;
+   end Numbered_Image;
+
+   procedure Wire_Lengths is
+   begin
+      Expect_Number
+        ("bytes up", Integer (Uplink.Block_Length), Uplink_Length);
+      Expect_Number
+        ("bytes down", Integer (Downlink.Block_Length), Downlink_Length);
+   end Wire_Lengths;
+
+   procedure Uplink_Bytes is
+      Buffer : Uplink_Buffer;
+      Block  : Block_Data;
+   begin
+      --  Word n is 1n2n in hexadecimal: its high byte comes first.
+      for Item in Uplink_Item loop
+         Buffer (Item) :=
+           16#1020# + 16#101# * Word (Uplink_Item'Pos (Item));
+      end loop;
+      Block := Uplink.Encode (Buffer);
+      for I in Byte range 0 .. Uplink_Length / 2 - 1 loop
+         Expect
+           ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
+            16#10# + I);
+         Expect
+           ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
+      end loop;
+      for I in Uplink.Block_Length + 1 .. Byte_Index'Last loop
+         Expect ("unused byte", Block (I), 0);
+      end loop;
+   end Uplink_Bytes;
+
+   procedure Downlink_Bytes is
+      Buffer : Downlink_Buffer;
+      Block  : Block_Data;
+   begin
+      for Item in Downlink_Item loop
+         Buffer (Item) :=
+           16#1020# + 16#101# * Word (Downlink_Item'Pos (Item));
+      end loop;
+      Block := Downlink.Encode (Buffer);
+      for I in Byte range 0 .. Downlink_Length / 2 - 1 loop
+         Expect
+           ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
+            16#10# + I);
+         Expect
+           ("low byte" & I'Image, Block (2 * Byte_Index (I + 1)), 16#20# + I);
+      end loop;
+   end Downlink_Bytes;
+
+   subtype Switch_Part is Uplink_Item range Switch_1 .. Switch_3;
+   type Switch_Words is array (Switch_Part) of Word;
+   package Switch_Codec is new URV.Word_Codecs (Switch_Part, Switch_Words);
+
+   procedure Part_Of_A_List is
+      Block : constant Block_Data :=
+        Switch_Codec.Encode ((16#102#, 16#304#, 16#506#));
+   begin
+      Expect_Number ("bytes", Integer (Switch_Codec.Block_Length), 6);
+      for I in Byte_Index range 1 .. 6 loop
+         Expect ("byte" & I'Image, Block (I), Byte (I));
+      end loop;
+      Expect ("byte behind", Block (7), 0);
+   end Part_Of_A_List;
+
+   procedure Round_Trips is
+      Up        : Uplink_Buffer   := (others => 0);
+      Up_Back   : Uplink_Buffer;
+      Down      : Downlink_Buffer := (others => 0);
+      Down_Back : Downlink_Buffer;
+      Filler    : Word := 1;
+   begin
+      --  Each value of 16 bits, in each word, among changing others.
+      for Value in Word loop
+         Filler := 25_173 * Filler + 13_849;
+         Up := (others => Filler);
+         Up (Uplink_Item'Val (Value mod Uplink_Buffer'Length)) := Value;
+         Up_Back := Uplink.Decode (Uplink.Encode (Up));
+         for Item in Uplink_Item loop
+            Expect ("uplink " & Item'Image, Up_Back (Item), Up (Item));
+         end loop;
+
+         Down := (others => Filler);
+         Down (Downlink_Item'Val (Value mod Downlink_Buffer'Length)) := Value;
+         Down_Back := Downlink.Decode (Downlink.Encode (Down));
+         for Item in Downlink_Item loop
+            Expect ("downlink " & Item'Image, Down_Back (Item), Down (Item));
+         end loop;
+      end loop;
+   end Round_Trips;
+
+   procedure Image_Uplink is
+      Buffer : constant Uplink_Buffer :=
+        To_Uplink (Numbered_Image (Error => 16#ABCD#));
+   begin
+      for Item in Command_Item loop
+         Expect
+           (Item'Image, Buffer (Item),
+            16#100# + Word (Command_Item'Pos (Item)));
+      end loop;
+      Expect ("last word", Buffer (Uplink_Item'Last), 16#ABCD#);
+   end Image_Uplink;
+
+   procedure Image_Downlink is
+      Buffer : constant Downlink_Buffer :=
+        To_Downlink (Numbered_Image (Error => 16#ABCD#));
+   begin
+      for Item in Sensor_Item loop
+         Expect
+           (Item'Image, Buffer (Item),
+            16#100# + Word (Sensor_Item'Pos (Item)));
+      end loop;
+      Expect ("last word", Buffer (Downlink_Item'Last), 16#ABCD#);
+   end Image_Downlink;
+
+   procedure Stamps is
+      Image : AD_Image;
+   begin
+      for Fresh in Boolean loop
+         Image := Stamped (Numbered_Image (0).Words, Fresh);
+         Expect
+           ("error word, fresh is " & Fresh'Image, Image.Error_Status,
+            (if Fresh then No_Error else Stale_Data));
+         for Number in Channel loop
+            Expect
+              ("channel" & Number'Image, Image.Words (Number),
+               16#100# + Word (Number));
+         end loop;
+      end loop;
+   end Stamps;
+
+   procedure Out_Of_Range is
+      Up   : Uplink_Buffer;
+      Down : Downlink_Buffer;
+   begin
+      for Value in Word loop
+         Expect
+           ("word" & Value'Image & " is out of range",
+            Is_Out_Of_Range (Value), Value > 4_095);
+      end loop;
+
+      Expect
+        ("any of good commands", Any_Out_Of_Range (Neutral_Uplink), False);
+      for Item in Uplink_Item loop
+         Up := Neutral_Uplink;
+         Up (Item) := 16#1000#;
+         Expect
+           ("any with " & Item'Image, Any_Out_Of_Range (Up),
+            Item /= Error_Status);
+         Expect_Number
+           ("the first is " & Item'Image,
+            Integer (First_Out_Of_Range (Up)),
+            (if Item = Error_Status then 0
+             else Uplink_Item'Pos (Item) + 1));
+
+         --  The first of several counts.
+         Up (Switch_8) := 16#1000#;
+         Expect_Number
+           ("the first is not switch 8 with " & Item'Image,
+            Integer (First_Out_Of_Range (Up)),
+            Integer'Min
+              (Uplink_Item'Pos (Item), Uplink_Item'Pos (Switch_8)) + 1);
+      end loop;
+
+      Expect
+        ("any of good sensors", Any_Out_Of_Range (Neutral_Downlink), False);
+      for Item in Downlink_Item loop
+         Down := Neutral_Downlink;
+         Down (Item) := 16#1000#;
+         Expect
+           ("any with " & Item'Image, Any_Out_Of_Range (Down),
+            Item /= Error_Status);
+         Expect_Number
+           ("the first is " & Item'Image,
+            Integer (First_Out_Of_Range (Down)),
+            (if Item = Error_Status then 0
+             else Downlink_Item'Pos (Item) + 1));
+         Down (Altitude) := 16#1000#;
+         Expect_Number
+           ("the first is not altitude with " & Item'Image,
+            Integer (First_Out_Of_Range (Down)),
+            Integer'Min
+              (Downlink_Item'Pos (Item), Downlink_Item'Pos (Altitude)) + 1);
+      end loop;
+   end Out_Of_Range;
+
+   procedure Passed_On_Whole is
+      Image : AD_Image := Neutral_Stick_Image;
+   begin
+      Image.Words (0) := 16#FFFF#;
+      Image.Words (1) := 16#1000#;
+      Expect
+        ("roll to the wire and back",
+         Uplink.Decode (Uplink.Encode (To_Uplink (Image))) (Roll), 16#FFFF#);
+      Expect
+        ("left flap 1 to the wire and back",
+         Downlink.Decode (Downlink.Encode (To_Downlink (Image))) (Left_Flap_1),
+         16#1000#);
+   end Passed_On_Whole;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "D-3 two bytes a word go up and come down",
+         Wire_Lengths'Access);
+      Add
+        (Suite, "BUF-1 on the wire: in order, high byte first",
+         Uplink_Bytes'Access);
+      Add
+        (Suite, "BUF-2 on the wire: in order, high byte first",
+         Downlink_Bytes'Access);
+      Add
+        (Suite, "BUF-3 a part of a buffer has its first byte first, too",
+         Part_Of_A_List'Access);
+      Add
+        (Suite, "BUF-3 every word comes back from the wire as it was",
+         Round_Trips'Access);
+      Add
+        (Suite, "GDO-1 13 channels and the error word make an uplink",
+         Image_Uplink'Access);
+      Add
+        (Suite, "MDO-1 D-1 sensors and the error word make a downlink",
+         Image_Downlink'Access);
+      Add
+        (Suite, "AD-1 D-15 the error word says whether the scan is fresh",
+         Stamps'Access);
+      Add
+        (Suite, "D-11 words above 0FFFh are told from good ones",
+         Out_Of_Range'Access);
+      Add
+        (Suite, "D-11 words above 0FFFh are passed on unchanged",
+         Passed_On_Whole'Access);
+   end Add_To;
+
+end Codecs_Tests;

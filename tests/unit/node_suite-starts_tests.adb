@@ -1,0 +1,914 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+with Checks;              use Checks;
+with Devices.AD_Board;
+with Devices.CORE_Memory; use Devices.CORE_Memory;
+with Devices.PWM_Board;   use Devices.PWM_Board;
+with Expect_Value;
+with Expectations;        use Expectations;
+with GSC.Virtual_Time;
+with MCS.Virtual_Time;
+with Host.Memory_Hardware;
+with Node_Rig;            use Node_Rig;
+with Telemetry;           use Telemetry;
+with Telemetry.Checksum;
+with Telemetry.Headers;
+with Telemetry.Receivers;
+with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
+with URVOS.Self_Tests;    use URVOS.Self_Tests;
+with URVOS.Shared_Mailboxes;
+with URVOS.Start_Phases;
+with URVOS.Starts;
+with URVOS.Task_Trees;    use URVOS.Task_Trees;
+with URV.Buffers;         use URV.Buffers;
+with URV.Codecs;
+with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Errors;          use URV.Errors;
+with URV.Mailboxes;       use URV.Mailboxes;
+
+separate (Node_Suite)
+package body Starts_Tests is
+
+   use type Starts.Start_Condition;
+   subtype Condition_Name is Starts.Start_Condition;
+   --  Only a processor restart does not test the memories.
+   subtype Fully_Tested is Condition_Name
+     range Starts.Warm_Reset .. Starts.Warm_Reset;
+   subtype Warm_Condition is Condition_Name
+     range Starts.Warm_Reset .. Starts.Processor_Restart;
+
+   --  The tests, in order.
+   procedure Phases;
+   procedure Counted;
+   procedure Boards_Of_Aircraft;
+   procedure Variables_Of_Aircraft;
+   procedure Variables_Of_Ground;
+   procedure Transmit_Half;
+   procedure Receive_Half;
+   procedure Converters;
+   procedure Codes_Again;
+   procedure Servos_Held;
+   procedure Flight_Goes_On;
+   procedure Silent_Aircraft;
+   procedure Silent_Ground;
+   procedure Restarted_In_Flight;
+   procedure Broken_Off;
+   procedure More_Processors;
+
+   --  Both nodes have flown: commands from 100h, sensors from 500h. Then the
+   --  link was cut, so the log has entries.
+   procedure Fly_Before;
+
+   function Occurrences (Node : Station; Kind : Error_Kind) return Count is
+     (Logs.History_Of (Log_Of (Node), Kind).Occurrences);
+
+   --  Runs phases one and two of a start; the tasks are not loaded.
+   procedure Begin_Again (Node : Station; Condition : Condition_Name);
+
+   --  The contents of a variable after such a start.
+   generic
+      with package Messages is new URVOS.Shared_Mailboxes (<>);
+      Variable : in out Messages.Variable;
+   procedure Expect_Variable (What : String; Node : Station);
+
+   procedure Fly_Before is
+   begin
+      Switch_On;
+      Console := Numbered (16#100#);
+      Sensors := Numbered (16#500#);
+      Fly (6);
+      Link_Is_Cut := True;
+      Fly (2);
+      Clock_Tick_Of_Both;
+   end Fly_Before;
+
+   procedure Begin_Again (Node : Station; Condition : Condition_Name) is
+      Passed : Boolean;
+   begin
+      case Node is
+         when Ground =>
+            GSC.Starts.Begin_Again (Condition, Clock_Of (Node), Passed);
+         when Aircraft =>
+            MCS.Starts.Begin_Again (Condition, Clock_Of (Node), Passed);
+      end case;
+      Expect ("self-test passed", Passed, True);
+   end Begin_Again;
+
+   procedure Expect_Variable (What : String; Node : Station) is
+      use type Messages.Message;
+      Before, After : Messages.Boxes.Mailbox;
+   begin
+      for Condition in Condition_Name loop
+         declare
+            Where : constant String := Condition'Image & ", " & What;
+         begin
+            Fly_Before;
+            Before := Variable.Snapshot;
+            Expect
+              (Where & " holds something before",
+               Messages.Boxes.Contents (Before) /= Messages.Neutral,
+               True);
+            Expect
+              (Where & " has been used before",
+               Count (Messages.Boxes.Produced (Before)) > 0, True);
+
+            Begin_Again (Node, Condition);
+            After := Variable.Snapshot;
+            Expect
+              (Where & ", produced", Count (Messages.Boxes.Produced (After)),
+               0);
+            Expect
+              (Where & ", consumed", Count (Messages.Boxes.Consumed (After)),
+               0);
+            Expect (Where & ", misses", Messages.Boxes.Misses (After), 0);
+            Expect
+              (Where & ", message",
+               Messages.Boxes.Contents (After) =
+                 (if Condition = Starts.Cold_Start then Messages.Neutral
+                  else Messages.Boxes.Contents (Before)),
+               True);
+         end;
+      end loop;
+   end Expect_Variable;
+
+   procedure Phases is
+
+      type Step is
+        (Nothing, Time_Set, Tested, Cold_Routine, Reset_Routine,
+         Restart_Routine, Recorded, Refused);
+      type Step_List is array (1 .. 6) of Step;
+      procedure Expect is new Expect_Value (Step);
+
+      Done         : Step_List;
+      Length       : Natural;
+      Test_Passes  : Boolean;
+
+      procedure Note (What : Step);
+      procedure Test
+        (Unused_Condition : Condition_Name; Result : out Test_Result);
+      procedure Record_Start
+        (Condition : Condition_Name; Result : Test_Result);
+      procedure Refuse;
+      procedure Cold_Start;
+      procedure Warm_Reset;
+      procedure Processor_Restart;
+      procedure Set_Time (Unused_Now : Clock_Tick);
+
+      procedure Note (What : Step) is
+      begin
+         Length := Length + 1;
+         Done (Length) := What;
+      end Note;
+
+      procedure Test
+        (Unused_Condition : Condition_Name; Result : out Test_Result) is
+      begin
+         Note (Tested);
+         Result := (if Test_Passes then All_Passed else Failure (ROM));
+      end Test;
+
+      procedure Record_Start
+        (Condition : Condition_Name; Result : Test_Result)
+      is
+         pragma Unreferenced (Condition);
+      begin
+         Note (Recorded);
+         Expect ("result", Result.Passed, Test_Passes);
+      end Record_Start;
+
+      procedure Refuse is
+      begin
+         Note (Refused);
+      end Refuse;
+
+      procedure Cold_Start is
+      begin
+         Note (Cold_Routine);
+      end Cold_Start;
+
+      procedure Warm_Reset is
+      begin
+         Note (Reset_Routine);
+      end Warm_Reset;
+
+      procedure Processor_Restart is
+      begin
+         Note (Restart_Routine);
+      end Processor_Restart;
+
+      procedure Set_Time (Unused_Now : Clock_Tick) is
+      begin
+         Note (Time_Set);
+      end Set_Time;
+
+      package Recorded_Phases is new URVOS.Start_Phases
+        (Test, Record_Start, Refuse, Cold_Start, Warm_Reset,
+         Processor_Restart, Set_Time);
+
+      Passed   : Boolean;
+      Expected : Step_List;
+   begin
+      for Condition in Condition_Name loop
+         for Passes in Boolean loop
+            Length := 0;
+            Done := (others => Nothing);
+            Test_Passes := Passes;
+            Recorded_Phases.Run (Condition, 7, Passed);
+            Expect ("passed", Passed, Passes);
+
+            Expected :=
+              (if Passes
+               then
+                 (Time_Set, Tested,
+                  (case Condition is
+                      when Starts.Cold_Start        => Cold_Routine,
+                      when Starts.Warm_Reset        => Reset_Routine,
+                      when Starts.Processor_Restart => Restart_Routine),
+                  Recorded, Nothing, Nothing)
+               else (Time_Set, Tested, Recorded, Refused, Nothing, Nothing));
+            for Place in Done'Range loop
+               Expect
+                 (Condition'Image & ", test passes " & Passes'Image & ", step"
+                  & Place'Image,
+                  Done (Place), Expected (Place));
+            end loop;
+         end loop;
+      end loop;
+   end Phases;
+
+   procedure Counted is
+
+      --  Starts of each condition after the first cold start.
+      Made : constant array (1 .. 6) of Warm_Condition :=
+        (Starts.Warm_Reset, Starts.Processor_Restart,
+         Starts.Processor_Restart, Starts.Warm_Reset,
+         Starts.Processor_Restart, Starts.Processor_Restart);
+      Status : Status_Words;
+      Resets, Restarts : Word;
+   begin
+      for Node in Station loop
+         Switch_On;
+         Fly (3);
+         Resets := 0;
+         Restarts := 0;
+         for Condition of Made loop
+            if Condition = Starts.Warm_Reset then
+               Resets := Resets + 1;
+            else
+               Restarts := Restarts + 1;
+            end if;
+            Start_Again (Node, Condition);
+            Fly (1);
+            Status := CORE_Of (Node).Status;
+            Expect
+              (Node'Image & ", condition", Status (Start_Condition),
+               (if Condition = Starts.Warm_Reset then 2 else 3));
+            Expect (Node'Image & ", cold", Status (Cold_Starts), 1);
+            Expect (Node'Image & ", resets", Status (Warm_Resets), Resets);
+            Expect
+              (Node'Image & ", restarts", Status (Processor_Restarts),
+               Restarts);
+            Expect (Node'Image & ", self-test", Status (Self_Test_Result), 0);
+            Expect
+              (Node'Image & ", resets in the log",
+               Occurrences (Node, Warm_Reset), Count (Resets));
+            Expect
+              (Node'Image & ", restarts in the log",
+               Occurrences (Node, Processor_Restart), Count (Restarts));
+            for Kind in Error_Kind range Warm_Reset .. Processor_Restart loop
+               Expect
+                 (Node'Image & ", detail",
+                  Logs.History_Of (Log_Of (Node), Kind).Last_Detail, 0);
+            end loop;
+         end loop;
+
+         --  Power fails and returns.
+         Start_Again (Node, Starts.Cold_Start);
+         Status := CORE_Of (Node).Status;
+         Expect (Node'Image & ", condition", Status (Start_Condition), 1);
+         Expect (Node'Image & ", cold again", Status (Cold_Starts), 1);
+         Expect (Node'Image & ", resets again", Status (Warm_Resets), 0);
+         Expect
+           (Node'Image & ", restarts again", Status (Processor_Restarts), 0);
+         Expect
+           (Node'Image & ", log again", Logs.Total (Log_Of (Node)), 0);
+      end loop;
+   end Counted;
+
+   procedure Boards_Of_Aircraft is
+      Held_Servos : Data_Area;
+      CORE        : Memory;
+      Before      : Count;
+   begin
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.Status.Write (ROM_Differs);
+         Held_Servos := Servos;
+         CORE := CORE_Of_MCS;
+         Before := Logs.Total (Log_Of (Aircraft));
+         Expect ("servo 1 before", Held_Servos (1), 16#100#);
+         Expect ("sensor 1 before", CORE.Downlink (1), 16#500#);
+         Expect ("errors before", Before > 0, True);
+         Begin_Again (Aircraft, Condition);
+
+         for Number in Channel_Number loop
+            Expect
+              (Condition'Image & ", servo" & Number'Image, Servos (Number),
+               (if Condition = Starts.Cold_Start then Safe_Words (Number)
+                else Held_Servos (Number)));
+         end loop;
+
+         if Condition = Starts.Cold_Start then
+            CORE := Cleared;
+            Before := 0;
+         else
+            CORE.Uplink (Uplink_Words'Last) :=
+              CORE.Uplink (Uplink_Words'Last) or Stale_Data;
+            CORE.Downlink (Downlink_Words'Last) :=
+              CORE.Downlink (Downlink_Words'Last) or Stale_Data;
+         end if;
+         for Item in Item_Number loop
+            if Item in CORE.Uplink'Range then
+               Expect
+                 (Condition'Image & ", CORE uplink" & Item'Image,
+                  CORE_Of_MCS.Uplink (Item), CORE.Uplink (Item));
+               Expect
+                 (Condition'Image & ", CORE uplink code" & Item'Image,
+                  CORE_Of_MCS.Uplink_Codes (Item), CORE.Uplink_Codes (Item));
+            end if;
+            Expect
+              (Condition'Image & ", CORE downlink" & Item'Image,
+               CORE_Of_MCS.Downlink (Item), CORE.Downlink (Item));
+            Expect
+              (Condition'Image & ", CORE downlink code" & Item'Image,
+               CORE_Of_MCS.Downlink_Codes (Item),
+               CORE.Downlink_Codes (Item));
+         end loop;
+         Expect
+           (Condition'Image & ", CORE errors",
+            CORE_Of_MCS.Status (Error_Total_Low),
+            CORE.Status (Error_Total_Low));
+
+         --  A warm start adds itself to the log.
+         Expect
+           (Condition'Image & ", log", Logs.Total (Log_Of (Aircraft)),
+            (if Condition = Starts.Cold_Start then 0 else Before + 1));
+         Expect
+           (Condition'Image & ", status bits", MCS.Status.Contents,
+            No_Error);
+      end loop;
+   end Boards_Of_Aircraft;
+
+   procedure Variables_Of_Aircraft is
+      procedure ADINT is new Expect_Variable
+        (For_Sensor_Words, MCS.ADINT_Variable);
+      procedure AD is new Expect_Variable
+        (For_Sensor_Images, MCS.AD_Variable);
+      procedure TELIN is new Expect_Variable
+        (For_Uplink, MCS.TELIN_Variable);
+      procedure Uplink is new Expect_Variable
+        (For_Uplink, MCS.Uplink_Variable);
+      procedure Downlink is new Expect_Variable
+        (For_Downlink, MCS.Downlink_Variable);
+      procedure TELOUT is new Expect_Variable
+        (For_Downlink, MCS.TELOUT_Variable);
+      procedure Commands is new Expect_Variable
+        (For_Uplink, MCS.Commands_Variable);
+      procedure Measured is new Expect_Variable
+        (For_Downlink, MCS.Sensors_Variable);
+      procedure PWM is new Expect_Variable
+        (For_Uplink, MCS.PWM_Variable);
+   begin
+      ADINT ("ADINT_variable", Aircraft);
+      AD ("AD_variable", Aircraft);
+      TELIN ("TELIN_variable", Aircraft);
+      Uplink ("uplink_variable", Aircraft);
+      Downlink ("downlink_variable", Aircraft);
+      TELOUT ("TELOUT_variable", Aircraft);
+      Commands ("commands_variable", Aircraft);
+      Measured ("sensors_variable", Aircraft);
+      PWM ("PWM_variable", Aircraft);
+   end Variables_Of_Aircraft;
+
+   procedure Variables_Of_Ground is
+      procedure ADINT is new Expect_Variable
+        (For_Stick_Words, GSC.ADINT_Variable);
+      procedure AD is new Expect_Variable
+        (For_Stick_Images, GSC.AD_Variable);
+      procedure TELIN is new Expect_Variable
+        (For_Downlink, GSC.TELIN_Variable);
+      procedure Uplink is new Expect_Variable
+        (For_Uplink, GSC.Uplink_Variable);
+      procedure Downlink is new Expect_Variable
+        (For_Downlink, GSC.Downlink_Variable);
+      procedure TELOUT is new Expect_Variable
+        (For_Uplink, GSC.TELOUT_Variable);
+   begin
+      ADINT ("ADINT_variable", Ground);
+      AD ("AD_variable", Ground);
+      TELIN ("TELIN_variable", Ground);
+      Uplink ("uplink_variable", Ground);
+      Downlink ("downlink_variable", Ground);
+      TELOUT ("TELOUT_variable", Ground);
+   end Variables_Of_Ground;
+
+   procedure Transmit_Half is
+      Overwrote : Boolean;
+   begin
+      for Condition in Condition_Name loop
+
+         --  The aircraft gets no permission: both buffers are full.
+         Fly_Before;
+         MCS.Telemetry_Board.Put
+           (URV.Codecs.Downlink.Encode (Neutral_Downlink), Overwrote);
+         Expect ("full before", Overwrote, True);
+         Begin_Again (Aircraft, Condition);
+         for Buffer in 1 .. 2 loop
+            MCS.Telemetry_Board.Put
+              (URV.Codecs.Downlink.Encode (Neutral_Downlink), Overwrote);
+            Expect
+              (Condition'Image & ", full buffer" & Buffer'Image, Overwrote,
+               False);
+         end loop;
+
+         --  The same on the ground.
+         for Buffer in 1 .. 3 loop
+            GSC.Telemetry_Board.Put
+              (URV.Codecs.Uplink.Encode (Neutral_Uplink), Overwrote);
+         end loop;
+         Expect ("the ground's full before", Overwrote, True);
+         Begin_Again (Ground, Condition);
+         for Buffer in 1 .. 2 loop
+            GSC.Telemetry_Board.Put
+              (URV.Codecs.Uplink.Encode (Neutral_Uplink), Overwrote);
+            Expect
+              (Condition'Image & ", the ground's full buffer" & Buffer'Image,
+               Overwrote, False);
+         end loop;
+      end loop;
+   end Transmit_Half;
+
+   --  A whole message arrives at a node's telemetry board.
+   procedure Receive_Message (Node : Station; Data : Block_Data);
+
+   procedure Receive_Message (Node : Station; Data : Block_Data) is
+      Length : constant Telemetry.Headers.Block_Length :=
+        (if Node = Ground then URV.Codecs.Downlink.Block_Length
+         else URV.Codecs.Uplink.Block_Length);
+
+      Unused      : Boolean;
+      Answers     : Boolean;
+      Status      : Byte;
+      Unused_Time : Telemetry.Character_Times;
+
+      procedure Hear (Value : Byte);
+
+      procedure Hear (Value : Byte) is
+      begin
+         if Node = Ground then
+            GSC.Telemetry_Board.Accept_Character (1, Value, False, Unused);
+         else
+            MCS.Telemetry_Board.Accept_Character (1, Value, False, Unused);
+         end if;
+      end Hear;
+
+   begin
+      Hear (Telemetry.Receivers.Data_Header (Length));
+      for I in 1 .. Length loop
+         Hear (Data (I));
+      end loop;
+      Hear
+        (Telemetry.Checksum.Of_Message
+           (Telemetry.Receivers.Data_Header (Length), Data, Length));
+
+      --  After the guard time the message is taken and answered.
+      if Node = Ground then
+         GSC.Telemetry_Board.Next_Character
+           (Telemetry.Guard_Time, Answers, Status, Unused_Time);
+      else
+         MCS.Telemetry_Board.Next_Character
+           (Telemetry.Guard_Time, Answers, Status, Unused_Time);
+      end if;
+      Expect ("answers", Answers, True);
+   end Receive_Message;
+
+   procedure Receive_Half is
+      On    : constant Uplink_Buffer :=
+        (Error_Status => No_Error, others => 16#FFF#);
+      Data  : Block_Data;
+      Fresh : Boolean;
+      Ever  : Boolean;
+   begin
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.Telemetry_Board.Start;
+         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         MCS.Telemetry_Board.Take (Data, Fresh, Ever);
+         Expect ("a message comes in", Fresh and Ever, True);
+
+         MCS.Telemetry_Board.Start;
+         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         Begin_Again (Aircraft, Condition);
+         MCS.Telemetry_Board.Take (Data, Fresh, Ever);
+         Expect
+           (Condition'Image & ", what came before the start", Fresh, False);
+      end loop;
+   end Receive_Half;
+
+   procedure Converters is
+      Wanted, Interrupt : Boolean;
+      Channel           : Devices.AD_Board.Channel_Number;
+   begin
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.AD_Board.Start (9);
+         Begin_Again (Aircraft, Condition);
+         MCS.AD_Board.Take_Start (Wanted, Channel);
+         Expect (Condition'Image & ", a conversion is left", Wanted, False);
+         MCS.AD_Board.Start (9);
+         MCS.AD_Board.Take_Start (Wanted, Channel);
+         MCS.AD_Board.Finish (0, Interrupt);
+         Expect (Condition'Image & ", interrupt", Interrupt, True);
+
+         --  The AD task's initialisation begins a scan.
+         for Node in Station loop
+            Start_Again (Node, Condition);
+            if Node = Ground then
+               GSC.AD_Board.Take_Start (Wanted, Channel);
+            else
+               MCS.AD_Board.Take_Start (Wanted, Channel);
+            end if;
+            Expect (Condition'Image & ", " & Node'Image, Wanted, True);
+            Expect_Number
+              (Condition'Image & ", " & Node'Image & ", channel",
+               Integer (Channel), 0);
+         end loop;
+      end loop;
+   end Converters;
+
+   procedure Codes_Again is
+      CORE : Memory;
+   begin
+      for Condition in Condition_Name loop
+         Switch_On;
+         Fly (3);
+         MCS.CORE_Memory.Write_Codes
+           ((others => 16#102#), (others => 16#202#), (others => 0));
+         GSC.CORE_Memory.Write_Codes
+           ((others => 16#102#), (others => 16#202#), (others => 0));
+         Fly (3);
+         Expect
+           ("written once only", CORE_Of_MCS.Uplink_Codes (1), 16#102#);
+         for Node in Station loop
+            Start_Again (Node, Condition);
+         end loop;
+         Fly (2);
+         for Node in Station loop
+            CORE := CORE_Of (Node);
+            for Item in Uplink_Item loop
+               Expect
+                 (Condition'Image & ", " & Node'Image & ", " & Item'Image,
+                  CORE.Uplink_Codes (Place (Item)), Type_Code (Item));
+            end loop;
+            for Item in Downlink_Item loop
+               Expect
+                 (Condition'Image & ", " & Node'Image & ", " & Item'Image,
+                  CORE.Downlink_Codes (Place (Item)), Type_Code (Item));
+            end loop;
+            for Item in Status_Item loop
+               Expect
+                 (Condition'Image & ", " & Node'Image & ", " & Item'Image,
+                  CORE.Status_Codes (Item), Type_Code (Item));
+            end loop;
+         end loop;
+      end loop;
+   end Codes_Again;
+
+   procedure Servos_Held is
+      Held : Data_Area;
+   begin
+      for Condition in Warm_Condition loop
+         Fly_Before;
+         Held := Servos;
+         Console := Numbered (16#300#);
+         for Node in Station loop
+            Start_Again (Node, Condition);
+         end loop;
+
+         --  The ground sends nothing: the aircraft's tasks run, and none has a
+         --  command for the servos.
+         for Tick in 1 .. 100 loop
+            Clock_Tick_Of_Both;
+            for Number in Channel_Number loop
+               Expect
+                 (Condition'Image & ", tick" & Tick'Image & ", servo"
+                  & Number'Image,
+                  Servos (Number), Held (Number));
+            end loop;
+         end loop;
+         Link_Is_Cut := False;
+         Fly (5);
+         Expect (Condition'Image & ", new command", Servos (1), 16#300#);
+      end loop;
+   end Servos_Held;
+
+   procedure Flight_Goes_On is
+      GSC_Before : constant Count := GSC.Virtual_Time.Overruns;
+      MCS_Before : constant Count := MCS.Virtual_Time.Overruns;
+
+      Frames_To_Recover : constant := 5;
+
+      --  With contracts executed, the start is at every third tick.
+      Step : constant Positive := (if Contracts_Are_Executed then 3 else 1);
+   begin
+      --  At each tick of two frames, either node.
+      for Node in Station loop
+         for Condition in Warm_Condition loop
+            Switch_On;
+            Fly (6);
+            for At_Tick in 1 .. 20 when At_Tick mod Step = 0 loop
+               for Tick in 1 .. At_Tick loop
+                  Clock_Tick_Of_Both;
+               end loop;
+               Start_Again (Node, Condition);
+               Console := Numbered (Word (At_Tick) * 16);
+               Sensors := Numbered (Word (At_Tick) * 16 + 16#800#);
+               Fly (Frames_To_Recover);
+               Expect_Commands
+                 (Node'Image & " " & Condition'Image & At_Tick'Image,
+                  Word (At_Tick) * 16, No_Error);
+               Expect_Sensors
+                 (Node'Image & " " & Condition'Image & At_Tick'Image,
+                  Word (At_Tick) * 16 + 16#800#, No_Error);
+               Expect
+                 (Node'Image & " " & Condition'Image & At_Tick'Image
+                  & ", servo 1",
+                  Servos (1), Word (At_Tick) * 16);
+            end loop;
+         end loop;
+      end loop;
+      Expect ("overruns of GSC", GSC.Virtual_Time.Overruns, GSC_Before);
+      Expect ("overruns of MCS", MCS.Virtual_Time.Overruns, MCS_Before);
+   end Flight_Goes_On;
+
+   procedure Silent_Aircraft is
+      Held     : Data_Area;
+      CORE     : Memory;
+      Status   : Status_Words;
+      Overfull : Count;
+
+      --  The word of the result, for each fault.
+      In_ROM : constant Word := 16#1000#;
+      In_RAM : constant Word := 16#2000# + 16#123#;
+   begin
+      for Fault in Boolean loop
+         for Condition in Fully_Tested loop
+            Switch_On;
+            Console := Numbered (16#100#);
+            Sensors := Numbered (16#500#);
+            Fly (6);
+
+            --  Both transmit buffers are full of data that is old by now.
+            Link_Is_Cut := True;
+            Fly (4);
+            Overfull := Occurrences (Aircraft, TELOUT_Overwrote_Block);
+            Link_Is_Cut := False;
+            Held := Servos;
+            CORE := CORE_Of_MCS;
+            if Fault then
+               Host.Memory_Hardware.Spoil_ROM (2, 16#8000#, 1);
+            else
+               Host.Memory_Hardware.Stick_RAM (2, 16#1234#, 16#0400#);
+            end if;
+            Start_Again (Aircraft, Condition);
+            Console := Numbered (16#200#);
+            Sensors := Numbered (16#600#);
+            Fly (10);
+
+            --  It reports the reason and does nothing else.
+            Status := CORE_Of_MCS.Status;
+            Expect
+              (Condition'Image & ", result in CORE",
+               Status (Self_Test_Result), (if Fault then In_ROM else In_RAM));
+            Expect
+              (Condition'Image & ", start in CORE", Status (Start_Condition),
+               2);
+            Expect
+              (Condition'Image & ", in the log",
+               Occurrences (Aircraft, URV.Errors.Self_Test_Failed), 1);
+            Expect
+              (Condition'Image & ", result in the log",
+               Logs.History_Of
+                 (Log_Of (Aircraft), URV.Errors.Self_Test_Failed).Last_Detail,
+               (if Fault then In_ROM else In_RAM));
+            for Number in Channel_Number loop
+               Expect
+                 (Condition'Image & ", servo" & Number'Image,
+                  Servos (Number), Held (Number));
+            end loop;
+            Expect
+              (Condition'Image & ", CORE", CORE_Of_MCS.Uplink = CORE.Uplink
+               and then CORE_Of_MCS.Downlink = CORE.Downlink, True);
+
+            Expect
+              (Condition'Image & ", blocks overwritten",
+               Occurrences (Aircraft, TELOUT_Overwrote_Block), Overfull);
+
+            --  The ground shows it.
+            Expect
+              (Condition'Image & ", error word on the ground",
+               CORE_Of_GSC.Downlink (Place (Downlink_Item'(Error_Status))),
+               URV.Buffers.Self_Test_Failed + Stale_Data);
+         end loop;
+      end loop;
+   end Silent_Aircraft;
+
+   procedure Silent_Ground is
+      Held   : Data_Area;
+      Status : Status_Words;
+   begin
+      for Condition in Fully_Tested loop
+         Switch_On;
+         Console := Numbered (16#100#);
+         Fly (6);
+         Held := Servos;
+         Host.Memory_Hardware.Spoil_ROM (1, 0, 16#80#);
+         Start_Again (Ground, Condition);
+         Console := Numbered (16#200#);
+         Fly (10);
+         Status := CORE_Of_GSC.Status;
+         Expect
+           (Condition'Image & ", result in CORE", Status (Self_Test_Result),
+            16#1000#);
+         Expect
+           (Condition'Image & ", in the log",
+            Occurrences (Ground, URV.Errors.Self_Test_Failed), 1);
+         for Number in Channel_Number loop
+            Expect
+              (Condition'Image & ", servo" & Number'Image,
+               Servos (Number), Held (Number));
+         end loop;
+
+         --  After the repair it starts.
+         Host.Memory_Hardware.Repair (1);
+         Start_Again (Ground, Condition);
+         Fly (5);
+         Expect
+           (Condition'Image & ", passed again",
+            CORE_Of_GSC.Status (Self_Test_Result), 0);
+         Expect_Commands (Condition'Image & ", again", 16#200#, No_Error);
+      end loop;
+   end Silent_Ground;
+
+   procedure Restarted_In_Flight is
+      Held : Data_Area;
+   begin
+      for Fault in Boolean loop
+         Switch_On;
+         Console := Numbered (16#100#);
+         Fly (6);
+         Held := Servos;
+         if Fault then
+            Host.Memory_Hardware.Spoil_ROM (2, 16#8000#, 1);
+         else
+            Host.Memory_Hardware.Stick_RAM (2, 16#1234#, 16#0400#);
+         end if;
+         Start_Again (Aircraft, Starts.Processor_Restart);
+         Expect ("it moves nothing", Servos = Held, True);
+         Console := Numbered (16#200#);
+         Fly (10);
+         Expect
+           ("result in CORE", CORE_Of_MCS.Status (Self_Test_Result), 0);
+         Expect_Commands ("it flies on", 16#200#, No_Error);
+         Host.Memory_Hardware.Repair (2);
+      end loop;
+   end Restarted_In_Flight;
+
+   procedure Broken_Off is
+      Raised : Boolean;
+   begin
+      Switch_On;
+      Console := Numbered (16#100#);
+      Sensors := Numbered (16#500#);
+      Fly (6);
+
+      --  The start interrupts the self-test task in its turn.
+      for Node in Station loop
+         Host.Memory_Hardware.Fail_Next_Read (if Node = Ground then 1 else 2);
+         Raised := False;
+         for Tick in 1 .. 10 loop
+            begin
+               Clock_Tick_Of_Both;
+            exception
+               when Host.Memory_Hardware.Bus_Error =>
+                  Raised := True;
+                  Start_Again (Node, Starts.Processor_Restart);
+            end;
+         end loop;
+         Expect (Node'Image & ", exception", Raised, True);
+         Console := Numbered (16#200#);
+         Sensors := Numbered (16#600#);
+         Fly (5);
+         Expect_Commands (Node'Image & ", again", 16#200#, No_Error);
+         Expect_Sensors (Node'Image & ", again", 16#600#, No_Error);
+         Expect
+           (Node'Image & ", restarts",
+            CORE_Of (Node).Status (Processor_Restarts), 1);
+      end loop;
+   end Broken_Off;
+
+   procedure More_Processors is
+      Before : constant Count := MCS.Virtual_Time.Overruns;
+
+      Frames : constant := 40;
+      type Servo_Record is array (1 .. Frames) of Data_Area;
+      type CORE_Record is array (1 .. Frames) of Memory;
+
+      Servos_Of : array (Processor_Number) of Servo_Record;
+      COREs_Of  : array (Processor_Number) of CORE_Record;
+   begin
+      for Processors in Processor_Number loop
+         Switch_On (Processors);
+         for Frame in 1 .. Frames loop
+            Console := Numbered (Word (Frame) * 17);
+            Sensors := Numbered (Word (Frame) * 23);
+
+            --  The link is also cut for some frames.
+            Link_Is_Cut := Frame in 10 .. 13;
+            Fly (1);
+            Servos_Of (Processors) (Frame) := Servos;
+            COREs_Of (Processors) (Frame) := CORE_Of_MCS;
+         end loop;
+         Expect ("overruns", MCS.Virtual_Time.Overruns, Before);
+      end loop;
+      for Frame in 1 .. Frames loop
+         for Processors in Processor_Number loop
+            Expect
+              ("servos alike in frame" & Frame'Image & " on"
+               & Processors'Image,
+               Servos_Of (1) (Frame) = Servos_Of (Processors) (Frame), True);
+            Expect
+              ("CORE alike in frame" & Frame'Image & " on"
+               & Processors'Image,
+               COREs_Of (1) (Frame) = COREs_Of (Processors) (Frame), True);
+         end loop;
+      end loop;
+      Expect
+        ("the servos have moved", Servos_Of (2) (Frames) (1) > 16#200#, True);
+   end More_Processors;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add
+        (Suite, "INI-2 D-16 D-22 the test, then the condition's routine; none "
+         & "after a failed test", Phases'Access);
+      Add
+        (Suite, "INI-1 INI-6 CORE and log count each warm start",
+         Counted'Access);
+      Add
+        (Suite,
+         "INI-3 INI-6 SAF-5 servos, CORE and log stay but at a cold start",
+         Boards_Of_Aircraft'Access);
+      Add
+        (Suite, "INI-8 each start clears the aircraft's flags, a cold one "
+         & "messages", Variables_Of_Aircraft'Access);
+      Add
+        (Suite, "INI-8 each start clears the ground's flags, a cold one "
+         & "messages", Variables_Of_Ground'Access);
+      Add
+        (Suite, "INI-4 each start empties the transmit half",
+         Transmit_Half'Access);
+      Add
+        (Suite, "SAF-4 each start forgets what came in before it",
+         Receive_Half'Access);
+      Add
+        (Suite, "INI-5 each start prepares the converter",
+         Converters'Access);
+      Add
+        (Suite, "INI-7 the type codes are written again after each start",
+         Codes_Again'Access);
+      Add
+        (Suite, "INI-3 INI-8 after a warm start the servos hold until a "
+         & "command comes", Servos_Held'Access);
+      Add
+        (Suite, "INI-1 after a warm start at any tick all is well in five "
+         & "frames", Flight_Goes_On'Access);
+      Add
+        (Suite, "INI-2 TST-4 an aircraft that fails its test says so and "
+         & "does nothing", Silent_Aircraft'Access);
+      Add
+        (Suite, "INI-2 TST-4 a ground that fails its test is silent until "
+         & "mended", Silent_Ground'Access);
+      Add
+        (Suite, "D-34 a processor restart flies on with a failed memory",
+         Restarted_In_Flight'Access);
+      Add
+        (Suite, "KRN-6 a program that is broken off starts again",
+         Broken_Off'Access);
+      Add
+        (Suite, "KRN-5 EXT-4 two to four processors do what one does",
+         More_Processors'Access);
+   end Add_To;
+
+end Starts_Tests;
