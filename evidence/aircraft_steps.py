@@ -27,8 +27,8 @@ TICK_US = 500
 FRAME = 20_000 // TICK_US
 STEPS_US = (1000, 2000, 4000, 5000, 10_000)
 
-# Pairs of servos that move in turn, and how far: out, back beyond, and rest,
-# so many frames each.
+# Pairs of servos that move in turn, with their travel: out, back beyond the
+# centre, and to rest, with the frames of each.
 PULSES = ((("left_aileron", "right_aileron"), 6.0),
           (("left_elevator", "right_elevator"), 3.0),
           (("left_rudder", "right_rudder"), 5.0),
@@ -45,7 +45,7 @@ SHOWN = ("left_aileron", "left_elevator", "roll_rate", "pitch_rate",
 
 
 def last_bits():
-    """What one more of its word is of each sensor, in its unit."""
+    """The last bit of each sensor's word, in its unit."""
     text = subprocess.run([ROOT / "bin" / "urv_sim", "items"], check=True,
                           capture_output=True, text=True).stdout
     return {row["name"]: float(row["per_word"])

@@ -4,12 +4,12 @@
 
     evidence/attack.py [--flights N] [--seed N] [--jobs N]
 
-He has no key. In either direction he delays, withholds, drops, repeats and
-reorders blocks, and puts in those of sessions before; now and then a node
-starts cold, which ends a session. In every frame the pilot's roll stick and
-the measured altitude have words that they have in no other, so that the record
-shows how old each word is. In every tenth flight the line only loses half of
-the frames. A flight is well when
+The attacker has no key. In either direction he delays, withholds, drops,
+repeats and reorders blocks, and puts in those of sessions before; now and then
+a node starts cold, which ends a session. In every frame the pilot's roll stick
+and the measured altitude have words that they have in no other, so that the
+record shows how old each word is. In every tenth flight the line only loses
+half of the frames. A flight is well when
 
 * no word that reaches the servos, or the ground's memory, was sealed more than
   0.3 s before,
@@ -144,7 +144,7 @@ def taken(rows, way):
 
 
 def fly(number, seed, folder, extra=()):
-    """What is not well about a flight, and the age of the oldest word."""
+    """The faults of a flight, and the age of its oldest word."""
     faults, loses_half = script_of(number, seed)
     own = Path(tempfile.mkdtemp(dir=folder))
     (own / "faults.txt").write_text("\n".join(faults) + "\n", "utf-8")

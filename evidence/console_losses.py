@@ -6,7 +6,7 @@
 
 Each way to lose the console (`WAYS`) is flown N times, in turn in the standard
 flight and in the circuit, with the control laws on. The console is back after
-60 s. A flight is well when
+60 s. A flight is good if
 
 * it never banks more than 45 degrees while the console is lost,
 * it never comes below 200 ft; where the console was lost lower than 250 ft,
@@ -62,7 +62,7 @@ def losses(way, number, seed=1):
 
 
 def fly(loss):
-    """What is not well about a flight, as text; nothing when it is well."""
+    """The faults of a flight, as text; none in a good flight."""
     silent_ms = loss.at_ms + WAYS[loss.way]
     back_ms = loss.at_ms + AWAY_S * 1000
     rows = link_cuts.rows_from(
@@ -94,7 +94,7 @@ def rolling(rows, from_ms):
 
 
 def problems(rows, silent_ms, back_ms):
-    """What must not be, of the rows from the loss on."""
+    """The violations in the rows from the loss on."""
     lost = [row for row in rows if float(row["time_ms"]) < back_ms]
     height = [float(row["truth.altitude_ft"]) for row in lost]
     on_ground = (float(lost[0]["truth.airspeed_kt"]) < ON_GROUND_KT

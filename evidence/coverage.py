@@ -14,12 +14,12 @@ contracts use is entered here.
 A generic's text is merged over its instances: a line is reached when it is in
 any of them, and so is a branch.
 
-Each line that is not reached and each decision that goes one way only stands
-in docs/evidence/coverage.md with its reason; a text that ends in "..." is that of all
-lines that begin so. One that is not there fails, and so does one that is there
-without need, but for those that the machine's load decides: their reason begins
-with "Sometimes". The report as HTML is in coverage/; with --renew the result is
-written into docs/evidence/coverage.md.
+Each line that is not reached and each decision that goes one way only is
+listed in docs/evidence/coverage.md with its reason; a text that ends in "..."
+is that of all lines that begin so. One that is not there fails, and so does
+one that is there without need, but for those that the machine's load decides:
+their reason begins with "Sometimes". The report as HTML is in coverage/; with
+--renew the result is written into docs/evidence/coverage.md.
 """
 
 import concurrent.futures
@@ -81,8 +81,8 @@ def run(*command, **more):
 # --- counting --------------------------------------------------------------
 
 def folders(program):
-    """Where the objects are that have text of src: its own, and instances of
-    its generics in the tests and the simulation."""
+    """The folders of objects with text of src: its own, and instances of its
+    generics in the tests and the simulation."""
     _, mode, _ = PROGRAMS[program]
     return [ROOT / "obj" / where / f"coverage-{program}"
             for where in (mode, f"{mode}/unit", f"sim-{mode}", "real_time")]
@@ -165,7 +165,7 @@ def with_protected(notes):
 
 
 def counted(program):
-    """What gcov says of each source below src in each object."""
+    """The counts of gcov for each source below src in each object."""
     for folder in folders(program):
         for notes in sorted(folder.glob("*.gcno")):
             yield from counted_in(notes)
@@ -191,8 +191,8 @@ def counted_in(notes):
                 yield path.relative_to(ROOT).as_posix(), file
 
 
-# What the compiler makes of its own: elaboration, finalization, the
-# initialisation of types, their predicates and images.
+# Code that the compiler adds: elaboration, finalization, the initialisation of
+# types, their predicates and images.
 MADE_BY_COMPILER = re.compile(
     r"___elab[bs]$|___finalize|IP(__\d+)?$|(DIC|predicate|invariant)$"
     r"|put_image|(_|^)(read|write|input|output)__\d+$|S[ROIW]$|P\d+b$|Tmp$",
@@ -272,7 +272,7 @@ def one_sided(name, source):
 
 
 def findings(sources):
-    """What was not reached: file, kind, line number."""
+    """Places not reached: file, kind, line number."""
     found = []
     for name, source in sorted(sources.items()):
         found += [(name, "entry", start)
@@ -311,7 +311,7 @@ MISSED = {"entry": "never entered", "line": "never reached",
 
 
 def bodies():
-    """What is sure to have code: bodies with a subprogram in them."""
+    """Files that have code: bodies with a subprogram in them."""
     return {path.relative_to(ROOT).as_posix()
             for path in (ROOT / "src").rglob("*.adb")
             if re.search(r"^ *(procedure|function|entry|task) ",
@@ -372,7 +372,7 @@ WHAT = {"entry": "subprograms entered", "line": "lines reached",
 # --- HTML ------------------------------------------------------------------
 
 def tracefile(sources):
-    """What was merged, in gcovr's format."""
+    """The merged counts, in gcovr's format."""
     files = []
     for name, source in sorted(sources.items()):
         lines = []

@@ -32,7 +32,7 @@ IN_STEP_MS = 20_000
 # From the beginning of a scan to the servo, and to the ground's CORE, at most.
 BOUNDS_MS = {"report": {"servo": 35.475, "core": 59.428},
              "fast": {"servo": 7.987, "core": 9.892}}
-# Of the fast schedule, from the change.
+# For the fast schedule, from the change.
 MEDIAN_MS = 20
 # When in the ground's frame CORE has what TELIN took.
 CORE_MS = {"report": 8, "fast": 10}
@@ -67,8 +67,8 @@ def script(path, column, times):
 
 
 def core_latencies(record, times):
-    """Of sensors, to the ground's CORE, in ms, from the rows that show it
-    first."""
+    """Latency of sensors to the ground's CORE, in ms, from the rows that show
+    them first."""
     with record.open(encoding="utf-8") as file:
         rows = [(int(row["time_ms"]), int(row[f"gsc.downlink.{SENSOR}"]))
                 for row in csv.DictReader(file)]
@@ -134,7 +134,7 @@ def fly_long(phase, drift, schedule, frames, program=PROGRAM):
 
 
 def wrongs(found, schedule):
-    """What exceeds its bound."""
+    """Values above their bound."""
     bounds = BOUNDS_MS[schedule]
     if found.since_ms > IN_STEP_MS:
         yield f"in step since {found.since_ms / 1000} s"

@@ -41,7 +41,7 @@ NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf",
            "etc/ssl/certs/ca-certificates.crt",
            "usr/local/share/ca-certificates")
 
-# Where setup.sh names the command that root runs for a user.
+# setup.sh names here the command that root runs for a user.
 NAMED = re.compile(r"^    (apt-get update && apt-get install .+)$", re.M)
 
 # The switches come after those of urv.gpr, so that these count.
@@ -56,7 +56,7 @@ PLAIN = "as in urv.gpr"
 # flights are not flown then.
 SHORT_FLIGHTS = ("data_path", "events", "wire")
 
-# What is flown for its bytes.
+# Flights that are compared byte by byte.
 FAULTS = """\
 300 up flip 3 1
 500 cut 95.5
@@ -88,7 +88,7 @@ def run(*command, **more):
 # --- switches --------------------------------------------------------------
 
 def build(project, name, switches):
-    """Where the programs are. With contracts they are built as the tests
+    """The folder of the programs. With contracts they are built as the tests
     are."""
     place = "independence-" + re.sub(r"\W+", "-", name).strip("-").lower()
     pragmas = ([f"-gnatec={ROOT / 'tests' / 'urv_tests.adc'}"]
@@ -193,7 +193,7 @@ def must(result, what):
 
 
 def fresh(folder, debian):
-    """A bare Debian with git and make. What debootstrap made is kept, and
+    """A bare Debian with git and make. The result of debootstrap is kept, and
     copied."""
     suite = SUITES[debian]
     base, system = folder / f"{suite}-base", folder / suite
@@ -240,7 +240,7 @@ def in_system(system, who, command, **more):
 
 
 def check_out(home):
-    """What is in this repository as it stands."""
+    """The present files of this repository."""
     names = must(run("git", "ls-files", "-z", stdout=subprocess.PIPE), "git")
     for name in names.split("\0")[:-1]:
         if (ROOT / name).exists():
@@ -249,7 +249,8 @@ def check_out(home):
 
 
 def command_for_root(said):
-    """What a user is told to have run; nothing but one command."""
+    """The one command that root is to run for a user; None if there is none or
+    more."""
     commands = NAMED.findall(said)
     return commands[0] if len(commands) == 1 else None
 
@@ -331,7 +332,7 @@ def try_newcomers(folder, newcomers):
 
 
 def newcomers_table(page, rows):
-    """Rows that were not tried anew stay as the page has them."""
+    """Rows that were not tried again stay as on the page."""
     found = dict.fromkeys(map(tuple, (n.split("/") for n in NEWCOMERS)))
     for line in page.splitlines():
         row = [cell.strip() for cell in line.strip("|").split("|")]

@@ -25,7 +25,7 @@ SIMULATION = ROOT / "bin" / "urv_sim"
 SHORT_S, LONG_S = 2, 6
 MOST_MORE = 0.03
 
-# What a flight of them is: options of bin/urv_sim.
+# The flights: options of bin/urv_sim.
 FLIGHTS = {
     "bench": (),
     "two processors": ("--processors", "2"),
@@ -40,7 +40,7 @@ def compiler():
 
 
 def counted(options, seconds):
-    """Of a whole flight."""
+    """The instructions of a whole flight."""
     with tempfile.TemporaryDirectory(prefix="urv-instructions-") as folder:
         counts = Path(folder) / "counts"
         subprocess.run(

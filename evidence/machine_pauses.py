@@ -2,10 +2,10 @@
 """When the machine paused, and programs were not run in time (EVI-9).
 
 Watchers wait for the next millisecond and do nothing else; a pause is when one
-is woken late. Of each priority there is one on each processor: one that is
-higher than any other program's, late when the kernel or what is below it has
-the processor; and the usual one, late when another program has it. Only root
-may have the higher.
+is woken late. Each processor has two of them. One has a priority above every
+other program: it is late when the kernel or the hypervisor has the processor.
+One has the usual priority: it is late when another program has the processor.
+Only root may have the higher.
 """
 
 import bisect
@@ -15,12 +15,12 @@ import time
 
 PERIOD_US = 1_000
 
-# What is not called a pause: a program is woken in 0.1 ms without any.
+# The shortest pause. Without a pause a program is woken within 0.1 ms.
 SHORTEST_US = 500
 
 
 def now_us():
-    """Of the clock that the partitions have, too."""
+    """The time of the clock that the partitions use."""
     return time.clock_gettime_ns(time.CLOCK_MONOTONIC) // 1_000
 
 
@@ -43,7 +43,7 @@ def watch(processor, policy, seconds, pauses):
 
 
 class Watchers:
-    """On all processors, for so many seconds."""
+    """Watches all processors, for a number of seconds."""
 
     def __init__(self, seconds):
         self.manager = multiprocessing.Manager()

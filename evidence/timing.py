@@ -75,7 +75,7 @@ def offsets(node):
 
 
 def ordinary_user():
-    """What makes a command run as an ordinary user."""
+    """Options that make a command run as an ordinary user."""
     if os.getuid() != 0:
         return []
     who = [f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]
@@ -193,8 +193,8 @@ def fly(folder, seconds):
 
 
 def ways_of(changes, summaries, records):
-    """Of each change of the stick: when it was made, and when the servos had
-    it, or, if they never did, when the next was made."""
+    """For each change of the stick: its time, and the time when the servos had
+    it, or, if they never did, that of the next change."""
     began = summaries["gsc"]["switched_on_us"]
     rows = records["mcs"]
     times = [row["servos_us"] for row in rows]
@@ -300,8 +300,8 @@ def cost_table(summaries):
 
 def response_table(summaries):
     """The response time of a minor frame: the clock's lateness and all its
-    tasks one after another, for nobody preempts anybody. What a switch from
-    task to task costs is what is left of the medians."""
+    tasks one after another, for nobody preempts anybody. The rest of the
+    medians is the cost of a switch from task to task."""
     rows = []
     for node, summary in summaries.items():
         cost, response = summary["cost_us"], summary["response_us"]

@@ -53,7 +53,7 @@ def code_of(text):
 
 
 def end_of(code, start):
-    """Where the declaration or body that begins at `start` ends: at its
+    """The end of the declaration or body that begins at `start`: at its
     semicolon, for a body at the `end` of its indentation."""
     line_start = code.rfind("\n", 0, start) + 1
     indent = re.match(r" *", code[line_start:])[0]
@@ -78,8 +78,8 @@ def end_of(code, start):
 
 
 def declarations(code):
-    """Of a unit without comments, each name that it declares, in lower case,
-    with its first and last line."""
+    """Each name that a unit without comments declares, in lower case, with its
+    first and last line."""
     heading = UNIT.search(code)
     for match in DECLARATION.finditer(code, heading.end()):
         start = match.start("name" if match["name"] else "object")

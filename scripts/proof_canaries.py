@@ -28,7 +28,7 @@ def sources(root):
 
 
 def expected(root):
-    """Where which check must fail: file, line, check."""
+    """The place where each check must fail: file, line, check."""
     return {
         (path.name, number, mark[1])
         for path in sources(root)

@@ -38,7 +38,7 @@ TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$")
 UNIT_TEST = re.compile(r"^(ok  |FAIL) (.+)$")
 SLOWEST = 10
 
-# Nobody waits longer for a line.
+# The longest time without a line.
 SILENCE_S = 15.0
 
 # The files of tests of the simulation that `make check` leaves out: they take
@@ -48,13 +48,13 @@ SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
         "lost_console", "mutants", "pilot", "planted",
         "safety_mixes", "starts", "surfaces", "traceability", "truth")
 
-# The files of tests of the ground station in which time passes as it does.
+# The live tests of the ground station: they run in real time.
 LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
         "page", "station")
 
-# So many tests in which time passes as it does run at once, of any file. They
-# wait more than they work: two processors have time for more of them, and who
-# is kept waiting looks at frames, not at a clock.
+# This many live tests run at once, of any file. They wait more than they work:
+# two processors have time for more of them, and a test that is kept waiting
+# counts frames, not time.
 LIVE_AT_ONCE = {"at_once": "3", "spread": "worksteal"}
 
 BROKEN = (0, 1, 0)
@@ -71,7 +71,7 @@ tests = []
 
 
 class Screen:
-    """What is shown, a line at a time. After each SILENCE_S without one it says
+    """The output, a line at a time. After each SILENCE_S without one it says
     what goes on, and for how long."""
 
     def __init__(self):

@@ -40,7 +40,7 @@ case $debian in
    *)  debian= build='' aunit='' gcov='' bare='' ;;
 esac
 
-# What `make ground` wants besides what `make test` does.
+# The packages of `make ground` besides those of `make test`.
 more="default-jre-headless maven"
 
 case $target in
@@ -127,7 +127,7 @@ missing_packages ()
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-# What apt-get, pip and Python say of a network that is not there.
+# The messages of apt-get, pip and Python without a network.
 unreachable='Could not resolve|Temporary failure|Name or service not known'
 unreachable="$unreachable|[Nn]etwork is unreachable|No route to host"
 unreachable="$unreachable|[Cc]onnection (refused|timed out)|Could not connect"

@@ -11,8 +11,8 @@ CHANGED = re.compile(r"^\+\+\+ b/(\S+)", re.M)
 
 
 def git_apply(tree, patch, *options):
-    """What git says against it; nothing when it applies. The tree may lie
-    within another one's repository, which git must not look for."""
+    """The objections of git; none when it applies. The tree may lie within
+    another one's repository, which git must not look for."""
     surroundings = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     done = subprocess.run(
         ["git", "apply", *options, str(patch)], cwd=tree, env=surroundings,
@@ -49,9 +49,9 @@ def renew_copy(root, copy):
 
 
 def take_objects(root, copy, names):
-    """What is built of the tree need not be built again in a copy, but for what
-    a change of it touches. Where the configuration pragmas are is written in
-    what was built; a builder that misses them there builds everything again."""
+    """A copy needs to build again only the sources that its change touches.
+    The built files name the place of the configuration pragmas; a builder that
+    misses them there builds everything again."""
     for name in names:
         built, objects = root / "obj" / name, copy / "obj" / name
         if built.is_dir() and not objects.exists():

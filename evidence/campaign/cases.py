@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the campaign does to the link.
+"""The faults that the campaign injects into the link.
 
 A case is one or more faults close together, then calm: enough frames to
 recover in and to see that nothing comes after. A shard is as many cases as
@@ -36,7 +36,7 @@ CHARACTERS = {"up": NUMBERS.exchange_up_characters,
 PLACES = [(way, n + 1) for way, count in CHARACTERS.items()
           for n in range(count)]
 
-# What can happen to one character.
+# Each fault of a single character.
 HARMS = (["drop {n}", "dup {n}"]
          + [f"insert {{n}} {byte:02x}" for byte in range(256)]
          + [f"flip {{n}} {mask:x}" for mask in range(1, 512)])

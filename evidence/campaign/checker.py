@@ -38,8 +38,8 @@ LINK = slice(GSC_DOWNLINK.stop, GSC_DOWNLINK.stop + 10)
 NOTHING_YET = -1
 NEVER_SENT = -2
 
-# What a block's error word may be: words that did not come anew in a frame
-# say that they are old (SAF-5), as may the first ones after a start.
+# Error words that a block may have: words without an update in a frame are
+# marked as old (SAF-5), as may the first ones after a start.
 NO_ERROR, STALE = 0, 1
 
 MESSAGE_LENGTHS = {
@@ -67,9 +67,9 @@ class Wrong(NamedTuple):
 class Flight:
     """What a flight left: for each frame the age of what CORE holds, whether
     it says of itself that it is old, and what the link counted in it; when
-    each character was sent. What is wrong with the messages on the wire, or
-    with the counts beside them, is in wire_errors. Came_twice is how many
-    blocks a seal refuses because they are repeated."""
+    each character was sent. wire_errors lists wrong messages on the wire and
+    wrong counts of them. Came_twice is how many blocks a seal refuses because
+    they are repeated."""
 
     def __init__(self, record, wire, frames, message_format=1, phase=0):
         self.newest = {"up": [], "down": []}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words at the converters that tell when they were sampled.
+"""Words at the converters that show the time of their sample.
 
 Every frame has its own: the first two words are the frame's number, the
-others depend on it. So a block that arrives tells its age, and any block
-that never was sent is seen.
+others depend on it. A block that arrives shows its age, and a block that was
+never sent is detected.
 """
 
 import sys

@@ -4,8 +4,9 @@
 A mix's number is all that is needed to make it again. Half of them fly as the
 report has it; the others in the fast schedule, in step, with a clock that
 drifts, sealed, or with orders besides the sticks, or in several of these.
-Sticks and sensors stand for 40 ms at least, so that a word tells when it stood
-at the console. What must never happen is the safety monitor's to know.
+Sticks and sensors keep their words for at least 40 ms, so that a word shows
+its time at the console. The safety monitor knows the events that must never
+happen.
 """
 
 import random
@@ -22,7 +23,7 @@ WAYS = ("up", "down")
 
 MOST_DRIFT_PPM = 200
 KNOWN_KINDS = (0, 0x100, 0x200, 0x300, 0x400)
-# Not made anew for each flight: the same number leaves the same bytes.
+# The same for each flight: the same number leaves the same bytes.
 KEY = f"key 1 {'5a' * 16}\n"
 
 
@@ -119,8 +120,8 @@ def lost_consoles(chance, length_ms):
 
 
 def halts(chance, length_ms):
-    """In every fifth mix a node's processor stands still, the aircraft's more
-    often, and in half of these a reset ends it."""
+    """In every fifth mix a node's processor stops, the aircraft's more often,
+    and in half of these a reset ends it."""
     if chance.random() >= 0.2:
         return []
     node = chance.choice(("mcs", "mcs", "gsc"))
@@ -204,7 +205,7 @@ def of_number(number, message_format=1):
         files["faults"] += "".join(
             f"{line}\n" for line in lost_consoles(lost, length_ms))
         if lost.random() < 0.5:
-            # The aircraft stands on the ground.
+            # The aircraft is on the ground.
             files["sensors"] = "time_ms,airspeed,altitude\n0,0,0\n"
     if message_format == 2 and "key" not in more_files:
         more += ["--format", "2"]

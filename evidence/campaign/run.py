@@ -54,7 +54,7 @@ PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
 SHARDS = "shards.jsonl"
 
-# What travels to the workers.
+# The files for the workers.
 CARGO = ("bin/urv_sim", "evidence/campaign", "evidence/safety",
          "evidence/flight_numbers.py")
 
@@ -83,7 +83,7 @@ def fly(folder, phase, seed, frames, faults, message_format=1):
                           capture_output=True, text=True)
 
 
-# What a mix's files are called, by the option that names them.
+# The names of a mix's files, by their option.
 FILES = {"sticks": "sticks.csv", "sensors": "sensors.csv",
          "faults": "faults.txt", "orders": "orders.txt", "key": "key"}
 
@@ -99,8 +99,8 @@ def by_theory(name, flight):
 
     It finds whatever spoils one character, and one lost or added is found
     by the count. Two or more spoilt ones with even numbers of wrong bits, or
-    one lost and one added, it lets through 1 time in 256. Of pairs and triples
-    not all are of this kind, so there it is a bound.
+    one lost and one added, it lets through 1 time in 256. Not all pairs and
+    triples are of this kind, so there it is a bound.
     """
     group, *rest = name.split("/")
     if group == "many":
@@ -121,8 +121,8 @@ def by_theory(name, flight):
 
 
 def findings_in(folder, *flown):
-    """What the safety monitor finds in a flight of this folder, flown in
-    the report's schedule, without drift or lock unless it is told."""
+    """The safety monitor's findings in a flight of this folder. By default it
+    was flown in the report's schedule, without drift or lock."""
     return monitor.check(folder / "record.csv", folder / "sticks.csv",
                          folder / "sensors.csv", folder / "faults.txt",
                          *flown)
@@ -236,8 +236,8 @@ def run_shard(name, message_format=1):
         failures += [f"{name}: {what}"
                      for what in findings_in(folder).violations]
 
-    # A board that starts anew breaks its message off, so that the messages on
-    # the wire cannot be told apart and counted.
+    # A board that starts again breaks its message off, so that the messages on
+    # the wire cannot be separated and counted.
     failures += [f"{name}: {error}" for error in flight.errors]
     if group not in ("reset", "start"):
         failures += [f"{name}: {error}" for error in flight.wire_errors]
@@ -271,7 +271,7 @@ def run_shard(name, message_format=1):
     return result
 
 
-# Of these the checksum may let a wrong block through.
+# The checksum may let a wrong block of these through.
 CHANCE = ("many", "soak")
 
 
@@ -351,8 +351,8 @@ def report(results, size, seconds, message_format=1):
 
 
 def flown_before(program, message_format):
-    """What this program, with these scripts, has flown in this format: the
-    shards by name. A last line may have been broken off."""
+    """The shards, by name, that this program and these scripts have flown in
+    this format. A last line may have been broken off."""
     path = RESULTS / SHARDS
     found = {}
     if path.exists():
@@ -368,7 +368,7 @@ def flown_before(program, message_format):
 
 
 def keep(result, program, message_format):
-    """A line begins anew, wherever the last one was broken off."""
+    """Begin a new line, even after an incomplete one."""
     from urv import whole_files
 
     with open(RESULTS / SHARDS, "a", encoding="utf-8",

@@ -7,7 +7,7 @@ from cases import FRAME_US, NUMBERS
 
 SEALED, HELLO = 0xA, 0xB
 
-# An uplink tells as much of its number, which is a frame's.
+# An uplink has these low bits of its number, which is a frame's.
 TOLD = {"up": 1 << 6, "down": 1 << 32}
 
 # A good status of the node that received.
@@ -21,7 +21,7 @@ def number_of(block, way):
 
 
 def marked(blocks):
-    """Of format 1, which has 12 bits in a word."""
+    """Blocks of format 1, which has 12 bits in a word."""
     for block in blocks:
         if block[0] > 0xF:
             yield f"a block of format 1 begins with {block[0]:02x}"
@@ -29,8 +29,8 @@ def marked(blocks):
 
 
 def wrongs(blocks, way):
-    """What no line does to blocks as they are sent: hellos first, then only
-    sealed ones, each with a higher number, or the same one again."""
+    """Violations of the order in which blocks are sent: hellos first, then
+    only sealed ones, each with a higher number, or the same one again."""
     last = None
     for block in blocks:
         mark = block[0] >> 4

@@ -35,7 +35,7 @@ package body Explore.Link is
    --  How many sides there are of either that faults may lead to.
    Ups, Downs : Side := 0;
 
-   --  And how many there is room for. What is found later receives a message
+   --  And how many there is room for. States found later receive a message
    --  from its first character on, after the last fault.
    More                 : constant := 6_000;
    Ups_Room, Downs_Room : Side := 0;

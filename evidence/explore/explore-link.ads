@@ -30,7 +30,7 @@ package Explore.Link is
 
    procedure Find_Delivery (Way : Direction; Result : out Findings);
 
-   --  Of the last search that did not end always: the way it went.
+   --  The path of the last search that did not always end.
    procedure Print_Way;
 
 end Explore.Link;

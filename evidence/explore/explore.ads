@@ -13,7 +13,7 @@ package Explore is
    --  The bytes of a block, by who sends it.
    type Block_Lengths is array (Station) of Block_Length;
 
-   --  What the flight software has.
+   --  The flight software's values.
    Real_Lengths : constant Block_Lengths :=
      (Ground => Uplink_Length, Aircraft => Downlink_Length);
 
@@ -44,9 +44,9 @@ package Explore is
    function In_Step_Within return Positive is
      (4 * Exchange + 44 + 4 * Natural (Round_Trip));
 
-   --  What is on the line for a character time. A byte of a block, or its
-   --  checksum, may look like anything to who does not take it for that, so
-   --  which byte it is is no part of a state.
+   --  The line during a character time. A byte of a block, or its checksum,
+   --  may look like anything to who does not take it for that, so which byte
+   --  it is is no part of a state.
    type Symbol is
      (Silence,
       Data_Begins,   --  the first character of a data message
@@ -61,14 +61,14 @@ package Explore is
    --  they are found.
    type Side is new Natural;
 
-   --  What a controller does in a character time.
+   --  A controller's action in a character time.
    type Controller_Act is
      (Waits,        --  it gives no block
       Puts_Old,     --  a block that nobody follows
       Puts_Fresh,   --  a block to be followed to the other end
       Does_Either); --  it waits or puts an old block
 
-   --  Where a character time leads: Good tells that a message was received
+   --  The result of a character time: Good reports that a message was received
    --  whole, from its first character to its last.
    type Outcome is record
       To   : Side;

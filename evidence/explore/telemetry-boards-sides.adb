@@ -30,7 +30,7 @@ package body Telemetry.Boards.Sides is
    function Our_Header return Byte is (Data_Header (Length_Of (Role)));
    function Their_Header return Byte is (Data_Header (Length_Of (Peer)));
 
-   --  A number that tells normal boards apart.
+   --  A number that identifies a normal board.
    type Key is new Unsigned_64;
 
    function Hash (Value : Key) return Ada.Containers.Hash_Type is
@@ -77,8 +77,8 @@ package body Telemetry.Boards.Sides is
    function Side_Of (Item : Way) return Side;
    function With_Block (This : Board; Fresh : Boolean) return Board;
 
-   --  What it may lead to when a normal board hears this, on a line that
-   --  spoils nothing.
+   --  The possible results when a normal board hears this, on a line without
+   --  faults.
    type Hearing_Result is record
       To         : Board;
       Is_Aligned : Boolean;
@@ -88,7 +88,7 @@ package body Telemetry.Boards.Sides is
    function Hearings (This : Board; Heard : Symbol)
      return Result_Vectors.Vector;
 
-   --  A unit of the board's timer. Good tells that an aligned message was
+   --  A unit of the board's timer. Good reports that an aligned message was
    --  taken.
    procedure Let_Pass
      (This : in out Board; Is_Aligned : Boolean; Good : out Boolean);
@@ -292,7 +292,7 @@ package body Telemetry.Boards.Sides is
                 else Heard = Data_Begins)));
       end Hear;
 
-      --  What the sender of this has put on the line, if it is known.
+      --  The character that the sender of this has put on the line, if known.
       Data : constant Byte :=
         (case Heard is
             when Data_Begins         => Their_Header,
@@ -450,7 +450,7 @@ package body Telemetry.Boards.Sides is
                Note (Result, Here.Output);
                Note (With_Block (From, False), Here.Output);
 
-               --  What begins a message may now be the last of it.
+               --  A first character of a message may now be its last one.
                Cut_Off := (if Here.Output = Data_Begins then Data_Goes_On
                            else Here.Output);
                Result := From;
@@ -501,10 +501,10 @@ package body Telemetry.Boards.Sides is
       return Here.Control.Receiver.State = At_End;
    end Waits_At_End;
 
-   --  What happens in a character time: a unit of the board's timer, a
-   --  character heard, a block put. In any order, and the board polls
-   --  between them or not, but once at least in the end. It puts one
-   --  character on the line at most.
+   --  The events of a character time: a unit of the board's timer, a character
+   --  heard, a block put. In any order, and the board polls between them or
+   --  not, but once at least in the end. It puts one character on the line at
+   --  most.
    type Happening is (Timer, Hearing, Putting);
    type Happenings is array (Happening) of Boolean;
 

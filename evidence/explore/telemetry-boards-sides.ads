@@ -53,7 +53,7 @@ package Telemetry.Boards.Sides is
    --  Gives every board that Explore_Alone found a content by chance in all
    --  that Normal leaves out, Trials times, and verifies that nothing is lost
    --  by it: whatever an operation does to that board, with any byte, is
-   --  among what it does to the normal one. Calls tells how many there were.
+   --  among what it does to the normal one. Calls counts them.
    procedure Check_Normal
      (Trials : Positive; Calls : out Natural; Is_Exact : out Boolean);
 

@@ -25,7 +25,8 @@ TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 SERVOS = [(name, unit) for name, (unit, _) in plant.SERVOS.items()]
 NAMES = [name for name, _ in SERVOS]
 
-# Who moves together, and by how much for one frame: in degrees, per cent.
+# Servos that move together, with their pulse of one frame in degrees or per
+# cent.
 INPUTS = {
     "roll": (("left_aileron", "right_aileron"), 4.0),
     "pitch": (("left_elevator", "right_elevator"), 4.0),
@@ -43,7 +44,7 @@ SECONDS = 60
 
 
 class Condition(NamedTuple):
-    """Where the aircraft flies: knots, and pounds more or less."""
+    """A flight condition: knots, and pounds more or less."""
 
     speed: float
     ballast: float
@@ -82,7 +83,7 @@ def flown(condition, pulse=None):
 
 
 def responses(condition):
-    """Of each input: sensors by name for a unit pulse."""
+    """For each input, the sensors' answer to a unit pulse, by name."""
     still = flown(condition)
     found = {}
     for name, (_, size) in INPUTS.items():

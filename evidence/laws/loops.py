@@ -197,7 +197,7 @@ def broken(aircraft, law, where, omega, own=None):
 
 
 def closed_poles(aircraft, law):
-    """Of aircraft and law together, in the plane of s."""
+    """The poles of aircraft and law together, in the plane of s."""
     names = law.outputs
     K = law.system()
     measured = aircraft.C.shape[0]

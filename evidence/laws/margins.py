@@ -178,8 +178,8 @@ def designed(step, model, of, frames):
 
 
 def compared(of):
-    """Of each step: name, wanted, and of flight and design when nine tenths
-    are there, the most, the largest difference."""
+    """For each step: its name and size; the time of nine tenths and the
+    overshoot, of flight and design; the largest difference."""
     model, _ = identify.models(identify.Condition(70, 0))
     found = []
     for step in steps(of):
@@ -233,7 +233,7 @@ def table_of_loops(result):
 
 
 def table_by_speed(result):
-    """Of the loops that have the least: each speed, 200 lb."""
+    """The loops with the least margins, at each speed, 200 lb."""
     names = [name for name in dict.fromkeys(row.loop for row in result.rows)]
     lines = ["| loop | " + " | ".join(f"{speed} kt" for speed in SPEEDS)
              + " |", "|---" * (len(SPEEDS) + 1) + "|"]

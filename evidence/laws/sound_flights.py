@@ -40,7 +40,7 @@ FRAMES = SECONDS * 1000 // FRAME_MS
 FRAME_S = FRAME_MS / 1000
 MIDDLE, LARGEST = 2048, 4095
 
-# One flight in so many is with JSBSim.
+# One flight in this number is with JSBSim.
 JSBSIM_EVERY = 10
 
 # Per cent of the plant's lag: of JSBSim's 100 ms and the bench's 64 ms. Both
@@ -71,7 +71,7 @@ class Drawn(NamedTuple):
 
 
 class Flown(NamedTuple):
-    """What was reported, and when first; nothing of a sound flight."""
+    """The report and its first time; nothing in a sound flight."""
 
     seed: int
     reported: list
@@ -254,7 +254,7 @@ def flown(seed):
 # --- the campaign ------------------------------------------------------------
 
 def identity():
-    """Of all that a result depends on."""
+    """A hash of everything that a result depends on."""
     found = hashlib.sha256()
     for path in FLOWN_BY:
         found.update(path.read_bytes())
@@ -262,7 +262,7 @@ def identity():
 
 
 class Results:
-    """Of flights that were flown with this program, in a file."""
+    """Results of flights with this program, in a file."""
 
     def __init__(self, path, is_fresh=False):
         self.path, self.known = path, {}

@@ -8,11 +8,11 @@
 Each of the ten aerodynamic surfaces is stuck at nine places of its travel, or
 floats, in three conditions, 10 s after the beginning of a flight of 60 s: in hold
 of altitude and airspeed, and direct, where the simulated pilot flies level.
-Flown is a flight whose bank stays within 15 degrees and whose altitude within
+A flight is flown if its bank stays within 15 degrees and its altitude within
 100 ft. Then flights with sound servos (sound_flights.py): no surface may be
-named. --sample takes so many cases of the grid, drawn by lot; --only-sound none.
---renew writes docs/evidence/surfaces.md; with
---only-sound the page's last lines.
+named. --sample takes a number of cases of the grid, drawn by lot; --only-sound
+none. --renew writes docs/evidence/surfaces.md; with --only-sound the page's
+last lines.
 """
 
 import argparse
@@ -49,19 +49,19 @@ CONDITIONS = {
 # The laws' switch 3: altitude and airspeed held.
 STICKS = f"time_ms,throttle,switch3\n0,2048,4095\n{SECONDS}000,2048,4095\n"
 
-# Of the linkages, in words from neutral.
+# The linkages' travel, in words from neutral.
 LOWEST = {"aileron": -2000, "elevator": -2000, "rudder": -2000, "flap": 0}
 HIGHEST = {"aileron": 2000, "elevator": 2000, "rudder": 2000, "flap": 2047}
 PLACES = 9
 FLOATS = "float"
 
-# A surface that is further from its word than this can be told; it should be
-# named within so long.
+# A surface further from its word than this can be identified; it should be
+# named within this time.
 OFF_WORDS, NAMED_MS = 100, 500
 
 
 class Case(NamedTuple):
-    """Where is words from neutral, or FLOATS."""
+    """`where` is words from neutral, or FLOATS."""
 
     surface: str
     where: object
@@ -97,8 +97,8 @@ def places(surface):
 
 
 def cases(sample=None):
-    """Of the whole grid, or of so many drawn by lot; each with the laws and
-    direct."""
+    """Cases of the whole grid, or a number of them drawn by lot; each with the
+    laws and direct."""
     grid = [(surface, where, condition)
             for surface in allocation.SURFACES
             for where in [*places(surface), FLOATS]
@@ -197,8 +197,8 @@ def table(found):
 
 
 def named_in_time(found):
-    """Of the cases that could be told: how many were, in time, how many
-    late or never, and the longest time."""
+    """The cases that could be identified: the number named in time, the number
+    of all, and the longest time."""
     took = []
     for case, outcome in found.items():
         if case.laws and outcome.told_from is not None:
@@ -304,7 +304,7 @@ def main():
     parser.add_argument("--sound", type=int, default=100,
                         help="flights without a fault")
     parser.add_argument("--sample", type=int,
-                        help="so many cases of the grid")
+                        help="a number of cases of the grid")
     parser.add_argument("--only-sound", action="store_true",
                         help="no case of the grid")
     chosen = parser.parse_args()

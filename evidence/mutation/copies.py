@@ -18,14 +18,14 @@ COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "ground",
 # The folders that mutants change.
 CHANGING = ("src", "proofs")
 
-# A mutant may have a condition that is always true. What only helps to debug
-# would cost building time.
+# A mutant may have a condition that is always true. Debugging aids would cost
+# building time.
 RELAXED = [
     (r'Strict_Switches := \(.*?\);', 'Strict_Switches := ("-gnatws");'),
     (r'Debug_Switches  := \("-g"\);', 'Debug_Switches  := ("-g0");'),
 ]
 
-# Of one program under test; without a change none needs half of it.
+# The limits of one program under test; without a change none needs half of it.
 CPU_LIMIT_S = 240
 MEMORY_LIMIT = 4 * 2 ** 30
 
@@ -91,8 +91,8 @@ class Copy:
             self.synchronise(ROOT / name, self.original / name)
 
     def edit(self, name, changes):
-        """The repository's file with some changes, built anew only if it is
-        not as it was."""
+        """The repository's file with some changes, built again only if it
+        differs."""
         text = (ROOT / name).read_text(encoding="utf-8")
         for old, new in changes:
             text, number = re.subn(old, new, text, flags=re.S)

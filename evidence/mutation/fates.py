@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What became of the mutants: a line of a file for each (EVI-3).
+"""The results of the mutants: a line of a file for each (EVI-3).
 
 A mutant is tried again when the code of the file that it changes is another;
 comments and where the file lies do not matter.
@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "mutation" / "results.jsonl"
 JUDGED = ROOT / "evidence" / "mutation" / "equivalent.toml"
 
-# What became of a mutant.
+# The results of a mutant.
 INVALID = "does not build"
 EQUIVALENT = "same object code"
 PASSED = "passes the tests"
@@ -29,7 +29,7 @@ KILLED = ("tests", "simulation", "proof")
 
 
 def digest(path):
-    """Of a source's code."""
+    """A digest of a source's code."""
     code = ada_source.code_of((ROOT / path).read_text(encoding="utf-8"))
     return hashlib.sha256(code.encode()).hexdigest()[:16]
 

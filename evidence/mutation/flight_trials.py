@@ -98,8 +98,8 @@ class FlightTrial(Copy):
                 for path in sorted((self.root / folder).glob("*.o"))}
 
     def hash_of(self, path):
-        """Of an object file without debugging aids; known, if it was not
-        built since it was last asked for."""
+        """A digest of an object file without debugging aids; known, if it was
+        not built since it was last asked for."""
         built = path.stat().st_mtime_ns
         if self.hashes.get(path, (0, ""))[0] != built:
             copy = self.root / "obj" / "stripped.o"
@@ -110,8 +110,8 @@ class FlightTrial(Copy):
         return self.hashes[path][1]
 
     def same_object_code(self, mutant):
-        """Whether the mutant is the original in other words. What the
-        simulator does not have is looked for in the unit tests."""
+        """Whether the mutant is the original in other words. Units that the
+        simulator does not have are looked for in the unit tests."""
         every = Path(mutant.path).name not in self.in_simulator
         return self.object_code(every) == self.objects[every]
 
@@ -152,7 +152,7 @@ class FlightTrial(Copy):
         return failed[1] if failed else f"pytest ended with {status}"
 
     def failed_checks(self, units):
-        """What GNATprove finds that does not hold in some units."""
+        """The checks that GNATprove does not prove in some units."""
         if not units:
             return set()
         names = [file for unit in units for file in self.main_file(unit)]
@@ -200,7 +200,8 @@ class FlightTrial(Copy):
         return None
 
     def test(self, mutant):
-        """What becomes of a mutant short of the proof, and who said so."""
+        """The result of a mutant before the proof, and the test that gave
+        it."""
         self.put(mutant)
         every = needs_every_test(mutant)
         status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)

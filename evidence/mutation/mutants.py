@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Small changes to the code of the flight software (EVI-3, EVI-7).
 
-What is changed is code: statements, and the expressions of functions that
-code calls. Contracts, pragmas, ghosts, and functions that only contracts call
-are evidence; they are left alone. Sources are parsed with tree-sitter-ada.
+Only code is changed: statements, and the expressions of functions that code
+calls. Contracts, pragmas, ghosts, and functions that only contracts call are
+evidence; they are left alone. Sources are parsed with tree-sitter-ada.
 
 A mutant keeps its name as long as the statement or declaration that it changes
 stays the same but for its contract, wherever the line or the file moves to.
@@ -445,9 +445,9 @@ def ranked(mutants, seed):
 
 
 def chosen(mutants, seed, share, least, most, tried=()):
-    """Of each package a share of its mutants, so many at least, if it has
-    them, and so many at the most. Those whose names are tried before stay
-    chosen, whatever became of them."""
+    """A share of each package's mutants, within the least and the largest
+    number. Those whose names are tried before stay chosen, whatever became of
+    them."""
     by_package = {}
     for mutant in mutants:
         by_package.setdefault(package_of(mutant.path), []).append(mutant)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the mutants show: the table of docs/evidence/mutation.md, its check.
+"""The results of the mutants: the table of docs/evidence/mutation.md, and its
+check.
 
   table   writes the table into docs/evidence/mutation.md
   check   the same table must be there; every survivor is judged, and nothing
@@ -39,7 +40,7 @@ def judged(file):
 
 
 def column_of(result, equivalent):
-    """Where the table counts a result; nowhere if it does not build."""
+    """The table's column of a result; None if it does not build."""
     fate = result["fate"]
     if fate == fates.EQUIVALENT or result["name"] in equivalent:
         return "equivalent"

@@ -12,8 +12,8 @@ NODES = ("gsc", "mcs")
 WAYS = ("up", "down")
 ENDLESS = 1 << 60
 
-# A start takes so long; the tasks run from the next major frame on, and CORE
-# has the frame's words after so much of it (docs/starts.md).
+# The time of a start. The tasks run from the next major frame on, and CORE has
+# the frame's words after this part of it (docs/starts.md).
 START_US = 10_000
 CORE_US = 8_000
 ROM_READ_US = FRAME_US + 12_000
@@ -60,7 +60,8 @@ class Spans:
         return total
 
     def skipping(self, time, length):
-        """When so long has gone by since a time, the spans left out."""
+        """The time at which a duration has passed since a time, without the
+        spans."""
         for first, last in self:
             if last > time:
                 gone = max(0, first - time)
@@ -93,7 +94,7 @@ def servo_faults(path):
 
 
 class Disturbances:
-    """Of one flight.
+    """The disturbances of one flight.
 
     line[way]      characters of it may be altered
     stalls         a telemetry board stands still
@@ -131,7 +132,7 @@ class Disturbances:
                     (at, at + to_us(second) + 2 * FRAME_US))
             else:
                 events[subject].append((at, kind, first))
-                # A board that starts anew breaks off what it sends.
+                # A board that starts again breaks off its message.
                 if kind == "reset" and first != "processor":
                     for way in WAYS:
                         line[way].append((at, at + MESSAGE_US))
@@ -200,8 +201,8 @@ class Disturbances:
                                     or at <= tests_until):
                 tests_until = max(tests_until, at + (armed + 1) * START_US)
             if kind == "bus_error":
-                # At the next read of the ROM: when the next start tests
-                # itself, or the task does, so long after a start at most.
+                # At the next read of the ROM: the self-test of the next start,
+                # or the task, at most this time after a start.
                 armed += 1
                 spans[-1][1] += ROM_READ_US + START_US
                 if at <= tested_until and dead:

@@ -39,7 +39,7 @@ PULL_UP_S = 10
 TOLERANCE = {"bank": 3.0, "pitch": 2.0, "altitude": 8.0, "airspeed": 3.0}
 UNIT = {"bank": "deg", "pitch": "deg", "altitude": "ft", "airspeed": "kt"}
 
-# What measures each hold: column, of a word, and the word of zero.
+# The measurement of each hold: column, unit of a word, and the word of zero.
 MEASURED = {"bank": ("roll_attitude", 45 / 512, 2048),
             "pitch": ("pitch_attitude", 45 / 1024, 2048),
             "altitude": ("altitude", 0.5, 0),
@@ -153,7 +153,7 @@ def within(value, least, most):
 
 
 class Engaged:
-    """What was there when altitude and airspeed began to be held."""
+    """The words when the hold of altitude and airspeed began."""
 
     def __init__(self):
         self.altitude = self.airspeed = self.lever = None
@@ -172,7 +172,7 @@ class Engaged:
 
 
 def targets(row, sticks, engaged):
-    """Of each active hold that has one."""
+    """The violation of each active hold that has one."""
     lateral, vertical, power, _ = row.modes
     speed = row.measured["airspeed"]
     if lateral == BANK_BY_STICK:
@@ -242,7 +242,8 @@ class Window:
 
 
 def check(record, faults=None):
-    """Of a flight, from its record and the faults it was given, as paths."""
+    """The violations of a flight, from the paths of its record and its
+    faults."""
     text = Path(faults).read_text("utf-8-sig") if faults else ""
     return judge(rows_of(record), faults_of(text))
 

@@ -85,21 +85,22 @@ OWN_SCAN_US = {
     "fast": {"gsc": (20_000, 20_000 - SCAN_US),
              "mcs": (28_000, 6_000 - 3 * SCAN_US)}}
 
-# So long after a tick the aircraft's scans begin, one behind the other.
+# Times after a tick at which the aircraft's scans begin, one after the other.
 SCAN_OFFSETS_US = {"report": (0,), "fast": (0, SCAN_US, 2 * SCAN_US)}
 
-# A console is lost when nothing has come from it for so long; on the ground
-# the safe words go up after so long (GND-4). A frame may pass before the
-# ground's next scan. The aircraft flies when it is this fast or this high
+# A console is lost after this time without a packet; on the ground the safe
+# words go up after this time (GND-4). A frame may pass before the ground's
+# next scan. The aircraft flies when it is this fast or this high
 # (docs/items.md), whatever one of the two says.
 CONSOLE_LOST_US = 500_000
 CONSOLE_SAFE_US = 2_000_000
 FLYING_SPEED, FLYING_HEIGHT = 42 * 32, 100
 
 # The ground knows of the aircraft from downlinks that are this old at most,
-# and believes a sensor after a second of good ones. It must know, and the
-# safe words must be there, after so long on the ground with a calm link and
-# sensors that move less than this. Then a law has let go of the throttle.
+# and believes a sensor after a second of good ones. The loss must be known,
+# and the safe words must be there, after this time on the ground with a calm
+# link and sensors that move less than this. Then a law has let go of the
+# throttle.
 KNOWN_US = 300_000
 ON_GROUND_US = 3_000_000
 CALM_WORDS = 50
@@ -114,7 +115,7 @@ PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
 PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
 
 
-# Without a controller the outputs are safe after so long, and a frame until
+# Without a controller the outputs are safe after this time, and a frame until
 # the row. The controller may have touched the board a frame before it stopped.
 HOLD_US = 500_000
 
@@ -162,7 +163,7 @@ class Record:
         return self._more("frame", place) > 1
 
     def is_blurred_within(self, first, last):
-        """A row between these times, or the one behind them, is blurred."""
+        """A row between these times, or the next one, is blurred."""
         return any(map(self.is_blurred, range(
             bisect.bisect_left(self.times, first),
             min(bisect.bisect_right(self.times, last) + 1, len(self.times)))))
@@ -253,7 +254,7 @@ class Sent:
 
 
 class Checker:
-    """What is common to flights of the simulation and of the partitions."""
+    """Common to flights of the simulation and of the partitions."""
 
     def __init__(self):
         self.violations = []
@@ -267,9 +268,9 @@ class Checker:
             f"{ms(time)} ms: wrong block passed: {what}")
 
     def check_link(self, times, values, sent, window, excuse, name, names):
-        """What a node's CORE has as fresh of the other node's is what the
-        other had, and not older than what it replaces. The rows in which it
-        is a wrong block."""
+        """Fresh words of the other node in a node's CORE are words that the
+        other had, and not older than the words they replace. The rows in which
+        it is a wrong block."""
         wrong = set()
         floor = -ENDLESS
         before = (0,) * len(values[0])
@@ -311,9 +312,9 @@ class Checker:
                     is_blurred=lambda place: False,
                     between_rows=lambda place, words: False):
         """A message that says that it is old moves nothing: what the servos
-        do newly is what a message said that does not. CORE may have it
-        `after` so many rows, or have had it between two. What it had where
-        tasks ran late, nobody knows."""
+        do newly is what a message said that does not. CORE may have it after
+        `after` rows, or have had it between two. Its words while tasks ran
+        late are unknown."""
         times = record.times
         for place, before, words in changes(record.pwm, SAFE_ROW):
             near = record.mcs_uplink[place:place + after + 1]
@@ -389,7 +390,7 @@ class Flight(Checker):
 
     @classmethod
     def _sensors(cls, path):
-        """Of the sensors that the script gives; the bench or the aircraft
+        """For the sensors that the script gives; the bench or the aircraft
         moves the others."""
         if not path:
             return None
@@ -443,8 +444,8 @@ class Flight(Checker):
 
     def came_between_rows(self, place, words):
         """Two frames of the aircraft may end between two rows, for in step
-        they are shorter. Of what came in the first CORE may have no row: the
-        ground's does, where it says so unmarked."""
+        they are shorter. CORE may have no row of the words that came in the
+        first; the ground's row has them, unmarked."""
         return self.lock and any(
             transformed(message[:13]) == words and not is_stale(message)
             for message in self.fresh_uplinks.between(
@@ -452,8 +453,8 @@ class Flight(Checker):
 
     def window(self, time, calm_us, disturbed_us, sender):
         """From when on a scan may have begun whose words arrive newly at
-        this time. A telemetry board that stands still keeps its block; so
-        does one whose node is down and gives it no newer one."""
+        this time. A stalled telemetry board keeps its block; so does one whose
+        node is down and gives it no newer one."""
         faults = self.faults
         if not faults.any.touch(time - disturbed_us, time):
             return time - calm_us
@@ -488,8 +489,8 @@ class Flight(Checker):
             self.scan_offsets_us if node == "mcs" else (0,))
 
     def check_own(self, node, values, line):
-        """What CORE has of its own node as fresh is of the node's scan
-        before this one's; while the node is down it may stand."""
+        """Fresh words of its own node in CORE are of the node's scan before
+        this one's; while the node is down they may remain."""
         if line is None:
             return
         name = "gsc.uplink" if node == "gsc" else "mcs.downlink"
@@ -527,8 +528,8 @@ class Flight(Checker):
     def excuse_downlink(self, time, first, words, is_new):
         if not is_new and self.faults.silent["gsc"].touch(time, time):
             return "stands"
-        # Of a frame that ends between two rows, or before a start, the
-        # aircraft's CORE has no row.
+        # A frame that ends between two rows, or before a start, has no row of
+        # the aircraft's CORE.
         if self.lock or self.faults.starts["mcs"].touch(
                 first - 2 * FRAME_US, time):
             if self.sensors is None or self.sensors.earliest_scan(
@@ -538,9 +539,9 @@ class Flight(Checker):
         return "wrong" if self.faults.line["down"].touch(first, time) else None
 
     def is_of_lost_console(self, time, words):
-        """What goes up while the console is lost, but not yet for 0.5 s, is of
-        its last scan; after 2 s it may be the safe words. Whether they may go
-        up, check_lost_console says."""
+        """While the console is lost for less than 0.5 s, the words of its last
+        scan go up; after 2 s the safe words may go up. Whether they may go up,
+        check_lost_console says."""
         reach = self.own_scan_us["gsc"][0] + FRAME_US
         for first, last in self.faults.consoles:
             if first <= time < last + reach:
@@ -625,7 +626,8 @@ class Flight(Checker):
                      " reach the aircraft")
 
     def _sensors_before(self, place, length_us):
-        """The aircraft's sensors in the rows of so long until this one."""
+        """The aircraft's sensors in the rows of this duration until this
+        one."""
         first = bisect.bisect_left(self.record.times,
                                    self.record.times[place] - length_us)
         return self.record.mcs_downlink[first:place + 1]
@@ -636,7 +638,7 @@ class Flight(Checker):
                 or row[SENSORS.index("altitude")] >= FLYING_HEIGHT)
 
     def _is_calm_on_ground(self, place):
-        """For so long nothing has kept the ground from knowing it."""
+        """For this time nothing has kept the ground from knowing it."""
         time = self.record.times[place]
         if self.faults.any.touch(time - ON_GROUND_US, time) or any(
                 spans.touch(time - ON_GROUND_US, time)
@@ -678,8 +680,8 @@ class Flight(Checker):
                     break
 
     def check_servos(self, wrong):
-        """What the servos do newly a scan said within the window, and no
-        older one than what they did before."""
+        """New positions of the servos are of a scan within the window, not
+        older than that of the positions before."""
         times, uplink = self.record.times, self.record.mcs_uplink
         floor = -ENDLESS
         for place, before, words in changes(self.record.pwm, SAFE_ROW):
@@ -716,7 +718,7 @@ class Flight(Checker):
             self.say(time, what + ": " + self.why(orders, words, first, time))
 
     def why(self, orders, words, first, time):
-        """What is wrong with these outputs, as text."""
+        """The violation of these outputs, as text."""
         if orders is None:
             return "no commands give these outputs"
         until = self.orders.until(orders, time)
@@ -808,8 +810,8 @@ class Partitions(Checker):
                             if record))
 
     def excuse(self, sender, time, first, is_new):
-        """What stands while its node starts; what a node sent that started
-        before its CORE had it, or whose tasks ran late."""
+        """Words that remain while their node starts; words that a node sent
+        and then started before its CORE had them, or whose tasks ran late."""
         listener = "mcs" if sender == "gsc" else "gsc"
         if not is_new and self.starts[listener].touch(time, time):
             return "stands"
@@ -820,7 +822,7 @@ class Partitions(Checker):
         return "wrong" if self.disturbed.touch(first, time) else None
 
     def check_ground(self):
-        """What the ground's CORE has as fresh stood at its last scan."""
+        """Fresh words in the ground's CORE were at its last scan."""
         times = self.gsc.times
         before = (0,) * 14
         for place, (time, words) in enumerate(
@@ -831,7 +833,7 @@ class Partitions(Checker):
             first = self.window(time, PARTITION_SCAN_US)
             near = place
             while near >= 0 and times[near] >= first:
-                # What the console held in a row that is missing, who knows.
+                # The console's words in a missing row are unknown.
                 if (self.gsc.console[near] == words[:-1]
                         or self.gsc.lacks_rows(near)):
                     break

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the monitor knows of the words: their names and order, what the
-servos make of a command (PWM-2, figure 13), what they hold until then."""
+"""The monitor's knowledge of the words: their names and order, the servos'
+transform of a command (PWM-2, figure 13), their words until then."""
 
 COMMANDS = ("roll", "pitch", "yaw", "throttle", "brake",
             *(f"switch{n}" for n in range(1, 9)))
@@ -17,11 +17,11 @@ SERVOS = ("left_aileron", "right_aileron", "left_elevator", "right_elevator",
 
 MIDDLE, LARGEST = 0x800, 0xFFF
 
-# What a console without a script holds.
+# The words of a console without a script.
 NEUTRAL_STICKS = (MIDDLE,) * 5 + (0,) * 8
 NEUTRAL_SENSORS = (MIDDLE,) * 27
 
-# What each output holds from power up until the first commands (SAF-1):
+# The word of each output from power up until the first commands (SAF-1):
 # surfaces at zero, flaps up, the engine idle, brakes full on, all off.
 SAFE = {name: MIDDLE for name in SERVOS} | {
     "throttle": 0, "brake": LARGEST, "discretes": 0}
@@ -35,8 +35,8 @@ BRAKE = SERVOS.index("brake")
 
 
 def unattended(servos):
-    """What the outputs become when no controller has touched the board for
-    half a second (SAF-11): safe, the brake as it was."""
+    """The outputs when no controller has touched the board for half a second
+    (SAF-11): safe, the brake as it was."""
     return tuple(servos[BRAKE] if place == BRAKE else word
                  for place, word in enumerate(SAFE_ROW))
 
@@ -62,7 +62,7 @@ def transformed(commands):
 
 
 def orders_of(commands):
-    """What a command says to the servos: five words and eight switches."""
+    """The parts of a command: five words and eight switches."""
     return (*commands[:5], *map(is_on, commands[5:13]))
 
 

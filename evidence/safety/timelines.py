@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stood at a converter's channels when, and which scan may have seen
-it."""
+"""The words at a converter's channels over time, and the scans that may have
+seen them."""
 
 import bisect
 import csv
@@ -19,8 +19,8 @@ FRAME_US = NUMBERS.frame_us
 
 
 class Scan(NamedTuple):
-    """How long a scan takes at the most, and when it may begin: so long after
-    whole multiples of a time, or, about a start, at any."""
+    """The longest duration of a scan, and its possible beginnings: this time
+    after whole multiples of a time, or, about a start, any."""
 
     lasts_us: int
     grid_us: int

@@ -18,7 +18,7 @@ package body Seal_Tries is
    --  The other node opens it.
    procedure Exchange (From : Station; Block : out Block_Data);
 
-   --  Both nodes are switched on anew and have a session; its hellos are
+   --  Both nodes are switched on again and have a session; its hellos are
    --  recorded.
    procedure Begin_Session (Keys : Key_List);
 

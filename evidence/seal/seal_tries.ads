@@ -9,7 +9,7 @@ with URV.Handshakes;  use URV.Handshakes;
 package Seal_Tries is
 
    type Attack is
-     (Forged,           --  random bytes behind the right mark
+     (Forged,           --  random bytes after the right mark
       Forged_Hello,
       Altered,          --  of the newest block some bits
       Replayed,         --  the newest block again
@@ -23,7 +23,7 @@ package Seal_Tries is
 
    type Results is array (Attack, Outcome) of Total;
 
-   --  So many tries, drawn from the seed. A block that opens is Taken; so
+   --  A number of tries, drawn from the seed. A block that opens is Taken; so
    --  counts, as Opened, whatever the node's session or words show of it.
    procedure Try (Number : Total; Seed : Total; Found : out Results);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What takes minutes: trials of the whole station (make -C evidence trials).
+"""Trials of the whole station, which take minutes (make -C evidence trials).
 
     def test_something(found):
         found("frames in the archive", "all", "30,000 of 30,000")

@@ -23,7 +23,7 @@ VALUE = ("api/processors/urv/realtime/parameters/URV/gsc/downlink/airspeed")
 
 
 def value_of(port):
-    """What Yamcs shows of the airspeed, None while there is nothing."""
+    """Yamcs's value of the airspeed, None while there is none."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{port}/{VALUE}",
                                     timeout=5.0) as answer:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Yamcs's own display shows: the record's values, and missing frames as
-missing (GND-32, GND-34)."""
+"""Yamcs's own display shows the record's values, and missing frames as missing
+(GND-32, GND-34)."""
 
 import json
 import os
@@ -37,7 +37,8 @@ def value_of(value):
 
 
 class Updates:
-    """What a display's socket is told: for each update its values by name."""
+    """The messages to a display's socket: for each update its values by
+    name."""
 
     def __init__(self):
         self.names = {}
@@ -94,14 +95,14 @@ def waited_ms(process):
         try:
             waited += int(file.read_text().split()[1])
         except OSError:
-            # That one has ended.
+            # The first one has ended.
             continue
     return waited / 1e6
 
 
 def missing_after(watcher, process, yamcs):
-    """In ms, from when the process stands still; and how much of it the
-    machine may have kept Yamcs, and this program, from running."""
+    """The delay in ms from the stop of the process, and the part of it in
+    which the machine may have kept Yamcs and this program from running."""
     both = (yamcs, os.getpid())
     before = sum(map(waited_ms, both))
     began = time.monotonic()
@@ -145,7 +146,7 @@ def test_gnd34_missing_frames_are_told_at_once(tmp_path, found):
 
 
 def colour(page, place):
-    """Of the display, there."""
+    """The window of the display."""
     return tuple(page.locator("canvas").first.evaluate(
         """(one, [x, y]) => [...one.getContext("2d").getImageData(
             one.width * x, one.height * y, 1, 1).data].slice(0, 3)""",

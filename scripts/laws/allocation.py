@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who helps when a surface has failed: the gains of URV.Allocation (EXT-6).
+"""The surfaces that replace a failed one: the gains of URV.Allocation (EXT-6).
 
     scripts/laws/allocation.py renew     writes src/laws/urv-allocation_table.ads
     scripts/laws/allocation.py check     says whether it is of this aircraft
@@ -49,8 +49,8 @@ def coefficients(path=AIRCRAFT):
 
 
 def moments(path=AIRCRAFT):
-    """Of a degree of each surface: roll, pitch and yaw coefficients, the
-    pitch's of the chord in parts of the span's."""
+    """The moments of a degree of each surface: roll, pitch and yaw
+    coefficients, the pitch's of the chord in parts of the span's."""
     of = coefficients(path)
     chord = 1.75 / 14
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is missing or wrong between requirements, code, theorems and tests
+"""Missing or wrong links between requirements, code, theorems and tests
 (EVI-1).
 
-Each gap is one line that says where and what to do.
+Each gap is one line with its place and the remedy.
 """
 
 import re
@@ -20,7 +20,7 @@ PYTHON_TESTS = ("tests/simulation", "tests/real_time", "tests/ground",
 
 
 class Repository:
-    """What there is of each kind."""
+    """The contents of the repository, by kind."""
 
     def __init__(self, root):
         self.root = root

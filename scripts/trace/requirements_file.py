@@ -63,8 +63,8 @@ def unread(text):
 
 def with_links(text, links_of):
     """The same text with other links: `links_of` gives for a UID the names
-    of each of the fields CODE, THEOREMS and TESTS. What is Open and has
-    tests is Open no more, and needs no reason why."""
+    of each of the fields CODE, THEOREMS and TESTS. A requirement that is Open
+    and has tests is no longer Open, and needs no WHY."""
 
     def renewed(node):
         uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]

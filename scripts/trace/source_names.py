@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the sources name: Ada units and their declarations, tests, and the
+"""The names in the sources: Ada units and their declarations, tests, and the
 requirements that comments and tests' names speak of."""
 
 import ast
@@ -50,7 +50,7 @@ class Unit:
     is_empty: bool = True
 
     def places_of(self, declared):
-        """Where a name of it stands; '' is the unit itself."""
+        """The places of a name in it; '' is the unit itself."""
         return self.places.get(declared.lower(), [])
 
 
