@@ -15,7 +15,7 @@ with URV.Buffers;  use URV.Buffers;
 package Host is
 
    --  The program's version, as in alire.toml.
-   Version : constant String := "0.1.0-dev";
+   Version : constant String := "0.1.0";
 
    --  Since the ground node was switched on; in real time, since this node
    --  was.

@@ -32,8 +32,8 @@ def test_gnd10_without_a_command_the_choices_are_told(urv):
 
 
 def test_gnd10_version_is_the_product_s(urv):
-    assert urv("--version").stdout == "urv 0.1.0-dev\n"
-    assert 'version = "0.1.0-dev"' in (ROOT / "alire.toml").read_text("utf-8")
+    assert urv("--version").stdout == "urv 0.1.0\n"
+    assert 'version = "0.1.0"' in (ROOT / "alire.toml").read_text("utf-8")
 
 
 @pytest.mark.parametrize("arguments", [["flie"], ["--flie"], ["-q"],
