@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ports for tests that run at once, of TCP and UDP.
 
-A port that is found free is taken a little later only. So these are none that
-the system gives to who asks for any port, each worker has its own, and none is
-given twice before all of them were.
+A port that is found free is taken a little later only. The system gives none
+of these to a program that asks for any port, each worker has its own, and none
+is given twice before all of them were.
 """
 
 import itertools
@@ -19,7 +19,7 @@ IN_TURN = itertools.cycle(random.sample(PLACES, len(PLACES)))
 
 
 def free_ports(count):
-    """So many ports in a row that nobody has, 10 at most."""
+    """A number of free ports in a row, 10 at most."""
     for first in itertools.islice(IN_TURN, len(PLACES)):
         ports = range(first, first + count)
         held = []

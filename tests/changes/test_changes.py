@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a likely change costs (EVI-12): each patch beside this file is applied
+"""The cost of a likely change (EVI-12): each patch beside this file is applied
 to a copy of the tree, which is built, tested and flown.
 
 A patch may touch 4 files of the product, the requirements and one file of
@@ -31,7 +31,7 @@ PRODUCT = ("src/", "host/", "sim/", "real_time/", "ground/")
 REQUIREMENTS = "docs/requirements.sdoc"
 MOST = {"product": 4, "requirements": 1, "tests": 1, "else": 0}
 
-# What is built, and in which mode.
+# The projects to build, each with its mode.
 PROJECTS = {"tests/urv_tests.gpr": "host", "sim/urv_sim.gpr": "host",
             "urv.gpr": "flight", "real_time/urv_real_time.gpr": "flight"}
 OBJECTS = ("host", "host/unit", "host-host", "sim-host",
@@ -66,14 +66,14 @@ class Change:
         assert said == "", f"{self.path.name} no longer applies: {said}"
 
     def files(self):
-        """What it touches, by part."""
+        """The files that it touches, by part."""
         found = {part: [] for part in MOST}
         for name in tree_copy.CHANGED.findall(self.text):
             found[part_of(name)].append(name)
         return found
 
     def lines(self, name, sign):
-        """What it adds to a file (+), or takes away from it (-)."""
+        """The lines that it adds to a file (+), or removes from it (-)."""
         part = self.text.partition(f"+++ b/{name}\n")[2]
         part = part.partition("\n--- a/")[0].partition("\n--- /dev/null")[0]
         return [line[1:] for line in part.splitlines()
@@ -247,7 +247,7 @@ def task():
 
 
 def test_one_more_task(task):
-    """It tells the ground of what it sees in CORE."""
+    """It reports to the ground the words that it sees in CORE."""
     task.expect_cost()
     task.expect_built_and_tested()
     tables = task.run(sys.executable, "-B", "-m", "pytest", "-q",

@@ -23,7 +23,7 @@ SIMULATION = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 sys.path[:0] = [str(ROOT / "ground"), str(ROOT / "tests")]
 
-# What they assert is shown as a test's own is.
+# Their assertions are shown like a test's own.
 pytest.register_assert_rewrite("fake_node", "flight_rig", "station_rig")
 
 # Far longer than anything of the tests takes; a hung program is a failure.

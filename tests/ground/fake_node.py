@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stands for urv_gsc: replays a record as frame packets, hears a console.
+"""Replaces urv_gsc: replays a record as frame packets, hears a console.
 
     with FakeNode(record, to=("127.0.0.1", 6003)) as node:
         node.words["gsc.downlink.battery_volts"] = 2200
@@ -36,7 +36,7 @@ def read(record):
 
 
 def laws_row(*words):
-    """The laws' row of a log, of so many of its words; the others are 0."""
+    """The laws' row of a log, with some of its words; the others are 0."""
     words = [*words, *[0] * (7 - len(words))]
     return packets.LogRow(*(high << 16 | low for high, low in zip(
         words[0:6:2], words[1:6:2], strict=True)), words[6])
@@ -45,7 +45,7 @@ def laws_row(*words):
 class FakeNode(threading.Thread):
     """words replaces words of the record, cut stops the downlink, silent all
     packets; laws are words of the laws' row; refuses is why orders are refused,
-    None when they are lost; speed 0 stands still at a row. A packet leaves late_s
+    None when they are lost; speed 0 stops at a row. A packet leaves late_s
     after it was made. sent is the newest packet."""
 
     def __init__(self, record, to, console_port=0, row=0, pilot=False):

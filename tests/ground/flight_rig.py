@@ -35,7 +35,8 @@ class Ground:
     def __init__(self, folder, *options, most_bytes=None, terminal=None):
         self.folder = folder / "flight"
         self.options = options
-        # Of each file that it writes; and its standard output, else the log.
+        # The text of each file that it writes, and of its standard output,
+        # else the log.
         self.most_bytes = most_bytes
         self.terminal = terminal
         self.log = folder / "ground.log"
@@ -163,8 +164,8 @@ class Archive:
         return list(self.client.list_events(**self.span))
 
     def fetch(self, last, columns):
-        """Waits until the frame of that number is there. A busy machine's
-        Yamcs is far behind, and further when it is asked for everything."""
+        """Waits until the frame of that number is there. Yamcs on a busy
+        machine is late, and later when it is asked for everything."""
         until(lambda: self._newest() >= last, "the last frame",
               5 * PATIENCE_S, pause=0.5)
         self.stored = [(packet.sequence_number, packet.generation_time)
@@ -199,7 +200,7 @@ class Archive:
         sequences = sorted(sequence for sequence, _ in self.stored)
         assert sequences == [frame for frame in sorted(rows)
                              if frame <= sequences[-1]]
-        # Of two frames in one millisecond a list of values has one.
+        # A list of values has one of two frames in the same millisecond.
         times = Counter(time for _, time in self.stored)
         at = {time: sequence for sequence, time in self.stored
               if times[time] == 1}

@@ -121,7 +121,7 @@ class Station:
         return Console(self.port, **more)
 
     def lines(self):
-        """What the station has logged."""
+        """The station's log."""
         if not self.events.exists():
             return []
         return [json.loads(line)

@@ -39,8 +39,8 @@ class Node:
             "time_us": self.utc_us + sequence * packets.FRAME_US, **changes})
 
     def comes(self, sequence, late_s=0.0, sender=HERE, **changes):
-        """It arrives so long after it was made, and no earlier than what came
-        before."""
+        """It arrives this time after it was made, and not before an earlier
+        frame."""
         self.clock.now = max(self.clock.now, self.began + late_s
                              + sequence * FRAME_S)
         return self.seen.datagram(self.made(sequence, **changes).encode(),
@@ -107,7 +107,7 @@ def test_gnd56_a_station_s_own_lines_are_of_the_frame_that_the_node_is_in():
     node.come(100, 120, late_s=2.0)
     line = node.seen.note("info", "mark", "now")
     assert abs(line.frame - (119 + 100)) <= 1
-    # What a frame says is of that frame.
+    # The words of a frame are of that frame.
     assert node.seen.note("info", "error", "then", 5).frame == 119
 
 
@@ -135,7 +135,7 @@ def test_gnd56_yamcs_is_told_what_the_node_s_clock_shows():
     before = time.time()
     ahead_s = node.seen.clock_ahead_us() / 1e6
     after = time.time()
-    # By the test's clock frame 0 was made so long ago.
+    # The age of frame 0 by the test's clock.
     zero_s = node.utc_us / 1e6 + node.clock.now - node.began
     assert before - zero_s - 0.01 <= ahead_s <= after - zero_s + 0.01
 
@@ -274,7 +274,7 @@ def test_d60_lower_numbers_of_a_run_replace_what_has_stopped():
 
 
 def test_gnd57_a_bad_line_of_the_station_s_log_costs_itself(tmp_path, capsys):
-    """Of events.jsonl, which bin/urv report reads."""
+    """The lines of events.jsonl, which bin/urv report reads."""
     flight = ground.Flight(tmp_path, 1, 2, 3)
     good = {"number": 1, "time_us": 1, "frame": 50, "level": "info",
             "kind": "mark", "text": "gear"}

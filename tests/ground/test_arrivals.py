@@ -165,11 +165,11 @@ def test_gnd51_sticks_that_come_late_are_dropped_and_reported(station):
     assert {packet.words[0] for _, packet in station.node.heard} == {3000}
     state = station.wait(lambda state: not named(state, "OLD INPUT")[0][
         "active"], "its end")
-    # A machine that stands still makes several times of it.
+    # A machine that pauses makes several times of it.
     until(lambda: sum(int(found[1]) for line in station.lines() if (
         found := re.search(r"(\d+) messages dropped, up to \d", line["text"])))
         >= 30, "how many")
-    # What comes in time flies again.
+    # Frames in time are shown as flying again.
     console.late_s = 0.0
     until(lambda: console.sticks(2900) or station.node.heard[-1][
         1].words[0] == 2900, "sticks that come in time")

@@ -40,7 +40,7 @@ def folder(path):
 
 
 def addresses(client):
-    """Of the scheduler and its workers."""
+    """The certificates of the scheduler and its workers."""
     information = client.scheduler_info()
     return [client.scheduler.address, *information["workers"]]
 
@@ -69,7 +69,8 @@ def is_let_in(address, context):
 
 
 def context_of(path=None):
-    """Of a stranger who takes any certificate, and shows one or none."""
+    """The connection of a stranger, who takes any certificate and shows one or
+    none."""
     context = ssl.create_default_context()
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE

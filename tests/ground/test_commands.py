@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""GND-10: what bin/urv says to whom, and its exit status."""
+"""GND-10: the messages of bin/urv, and its exit status."""
 
 import io
 import os

@@ -27,7 +27,7 @@ HELD, LIVE, NEUTRAL = (packets.ConsoleState.HELD, packets.ConsoleState.LIVE,
 STALE = 1
 ROLL = 2500
 
-# The bench's sensors: it stands, or it flies at 64 kt and 1024 ft.
+# The bench's sensors: on the ground, or in flight at 64 kt and 1024 ft.
 SENSORS = {"flight": "time_ms,battery_volts\n0,2760\n",
            "ground": "time_ms,airspeed,altitude\n0,0,0\n"}
 
@@ -117,7 +117,7 @@ class Flight:
             return list(csv.DictReader(file))
 
     def logged(self):
-        """What the station has logged, as text."""
+        """The station's log, as text."""
         return [json.loads(line)["text"] for line in
                 (self.folder / "station.jsonl").read_text().splitlines()]
 

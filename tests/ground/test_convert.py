@@ -306,7 +306,7 @@ def test_gnd15_an_mcap_that_was_cut_short_is_read_as_far_as_it_is_whole(
 
 def test_d39_a_record_that_was_cut_short_is_converted(
         urv, tmp_path, standard):
-    """What kill -9 leaves of a record: its last line has no end."""
+    """A record after kill -9: its last line has no end."""
     record = (standard / "record.csv").read_bytes()
     (tmp_path / "cut.csv").write_bytes(record[:-50])
     lines = record.count(b"\n")
@@ -370,7 +370,7 @@ def test_gnd15_a_killed_conversion_leaves_nothing(
 
 
 def links(folder):
-    """Where the links of a folder that changes lead to."""
+    """The targets of the links of a folder that changes."""
     for name in os.listdir(folder):
         try:
             yield os.readlink(f"{folder}/{name}")
@@ -379,7 +379,7 @@ def links(folder):
 
 
 def test_gnd15_what_a_killed_program_left_is_removed(urv, tmp_path, spoilt):
-    """Where the file system has no files without a name."""
+    """On a file system without unnamed files."""
     (tmp_path / ".out.mcap.999999999.part").write_bytes(b"part")
     (tmp_path / f".out.mcap.{os.getpid()}.part").write_bytes(b"written")
     assert urv("convert", spoilt / "record.csv", "out.mcap").returncode == 0

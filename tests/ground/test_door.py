@@ -89,7 +89,7 @@ def test_sec11_sixteen_idle_pages_do_not_keep_another_one_out(
                 return station.console()
 
         pilot = until(opened, "a page", pause=0.5)
-        # Who holds the sticks stays, however quiet.
+        # The holder of the sticks stays, however quiet.
         pilot.until(lambda state: state["holder"]
                     == holder.number, "a state")
         station.logged("silent, and another page opens")
@@ -205,8 +205,8 @@ def test_sec11_tokens_cannot_be_tried_quickly(guarded):
         return ask(guarded, "/", STRANGER)[0] == 429
 
     until(limited, "no try left")
-    # Not even the right one is looked at. Who is in stays in, and others are
-    # not concerned.
+    # Not even the right one is looked at. A browser with a session stays in,
+    # and others are not concerned.
     assert 429 in [ask(guarded, "/api/state", STRANGER,
                        Authorization=f"Bearer {WORD}")[0],
                    ask(guarded, "/", STRANGER)[0]]

@@ -62,7 +62,7 @@ DECIMALS = {"truth.x": 3}
 
 
 def tried(name, examples, check, *inputs):
-    """Gives check some inputs: so many, or as many as there is time for."""
+    """Gives `check` a number of inputs, or as many as there is time for."""
     count = 0
 
     @settings(max_examples=examples, deadline=None, database=None,
@@ -477,7 +477,7 @@ def test_sec14_key_files(folder):
         path.write_bytes(data)
         path.chmod(0o600)
         if is_done("keygen", path, "--add"):
-            # What it leaves it reads.
+            # It reads its own files.
             assert is_done("keygen", path, "--add")
         assert path.stat().st_mode & 0o777 == 0o600
 
@@ -646,8 +646,8 @@ MESSAGES = some.lists(json_of(
 
 
 def test_sec14_messages_of_pages():
-    """What is understood is carried out, and goes to pages, file and archive;
-    nothing else."""
+    """Only an understood order is carried out, and goes to pages, file and
+    archive."""
     def told(line):
         json.dumps(line.shown(), allow_nan=False).encode("utf-8")
         assert line.text.isprintable()

@@ -58,7 +58,7 @@ class Pilot:
               f"{name} {word}")
 
     def stays(self, name, word, packets=25):
-        """For so many packets."""
+        """For a number of packets."""
         first = len(self.station.node.heard)
         until(lambda: len(self.station.node.heard) >= first + packets,
               "packets")
@@ -148,7 +148,7 @@ def test_gnd52_first_values_do_not_count(pilot):
         pilot.stays(name, word, 5)
     pilot.source("roll to the middle, pitch to the middle, yaw to the middle,"
                  " release the brake")
-    # What is no number never counts.
+    # A value that is no number never counts.
     pilot.do("pads[0].axes[2] = NaN").stays("roll", 2048)
     # From one side to the other it passes through the middle.
     pilot.do("pads[0].axes[2] = 0.5").stays("roll", 2048)
@@ -211,7 +211,7 @@ def test_gnd52_a_gamepad_without_mapping_is_used_when_mapped(pilot, pages):
 
 
 def test_gnd52_a_mapping_that_is_spoiled_is_none(pilot):
-    """What the browser remembers may be anything."""
+    """The browser's memory may hold anything."""
     for text in ("{", "[]", "7", '{"roll": 1}',
                  '{"roll": {"axis": 99, "sign": 1}, "pitch": {"axis": 0,'
                  ' "sign": 1}}', '{"roll": {"axis": 0, "sign": 5}}'):

@@ -133,9 +133,9 @@ def test_gnd54_a_stopped_ground_node_is_told_and_a_fault(tmp_path):
 
 
 def test_gnd53_a_full_disk_ends_no_flight(tmp_path):
-    """Of files at least: each may have so many bytes. The flight goes on, the
-    page and the terminal report each output, and the exit status does. The
-    reports do not go through the logs, which are full as well (D-56)."""
+    """A limit of files: each may have this number of bytes. The flight goes
+    on, the page and the terminal report each output, and the exit status does.
+    The reports do not go through the logs, which are full as well (D-56)."""
     limit = 40_000
     with Ground(tmp_path, "--no-yamcs", most_bytes=limit) as ground:
         state = shows_alert(ground, "MCS RECORD LOST")
@@ -385,15 +385,15 @@ def test_gnd32_the_display_shows_what_there_is():
 @needs_yamcs
 def test_gnd46_yamcs_shows_a_ground_that_starts_with_an_earlier_clock(
         tmp_path, standard):
-    """Its clock is an hour behind that of the run before. GND-56: Yamcs knows
-    how old its frames are all the same."""
+    """Its clock is an hour earlier than that of the run before. GND-56: Yamcs
+    knows how old its frames are all the same."""
     folder = tmp_path / "flight"
     folder.mkdir()
     flight = module.Flight(folder, free_ports(5)[0], *free_ports(2))
     url = flight.yamcs
 
     def shown(name, kind):
-        """What Yamcs shows."""
+        """The values that Yamcs shows."""
         try:
             with urllib.request.urlopen(
                     f"{url}/api/processors/urv/realtime/parameters/URV/"

@@ -394,7 +394,7 @@ def test_sec15_standard_output_may_be_an_output(tmp_path):
 
 
 def test_sec15_a_temporary_name_cannot_be_guessed(tmp_path, monkeypatch):
-    """Where there are no files without a name; it is made by nobody else."""
+    """On a file system without unnamed files; nobody else makes the name."""
     monkeypatch.setattr(whole_files, "_nameless", lambda _folder, _mode: None)
     names, precious = set(), tmp_path / "precious"
     precious.write_bytes(b"precious")

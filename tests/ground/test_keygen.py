@@ -76,7 +76,7 @@ def test_sec5_no_key_is_lost_or_made_readable(urv, tmp_path):
 
 def test_sec14_no_file_of_keys_is_a_pipe_long_or_without_sense(
         urv, tmp_path):
-    """What the nodes refuse is refused here, too."""
+    """A key that the nodes refuse is refused here, too."""
     key = f"key 1 {'0a' * 16}\n".encode()
     os.mkfifo(tmp_path / "pipe.key", 0o600)
     for name, data, said in (

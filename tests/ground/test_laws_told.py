@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""GND-7: what the aircraft's laws tell is what the station reads."""
+"""GND-7: the station reads the reports of the aircraft's laws."""
 
 import re
 from dataclasses import replace

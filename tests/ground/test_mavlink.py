@@ -136,7 +136,7 @@ class Clock:
 
 
 class Messages:
-    """Stands for the network: what was sent, as pymavlink reads it."""
+    """Replaces the network: the messages sent, as pymavlink reads them."""
 
     def __init__(self):
         self.all = []
@@ -488,7 +488,7 @@ def test_gnd40_an_aircraft_that_flies_is_armed(rows, bridge, sent):
         bridge.datagram(frame_of(row, sequence).encode())
         [beat] = sent.take("HEARTBEAT")
         assert (beat.base_mode & 128, beat.system_status) == (armed, state)
-    # What is not known is as it was.
+    # An unknown message changes nothing.
     bridge.datagram(frame_of(rows[0], 101).encode())
     bridge.datagram(frame_of(landed, 150, downlink_age=3).encode())
     [beat] = sent.take("HEARTBEAT")

@@ -52,7 +52,7 @@ class Watcher:
 
 @pytest.fixture
 def flight(standard):
-    """What the node would send of the record, and its bridge to a port."""
+    """The node's packets of the record, and its bridge to a port."""
     port = free_ports(1)[0]
     node = FakeNode(standard / "record.csv", None, row=500)
     bridge = subprocess.Popen(

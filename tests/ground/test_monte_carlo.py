@@ -47,7 +47,7 @@ def steady(result):
 
 @pytest.fixture(scope="module")
 def flown(sent, tmp_path_factory):
-    """What each of eight flights says, flown here one by one."""
+    """The results of eight flights, flown here one by one."""
     here = cargo.Cargo(sent.archive, cargo.fly)
     here.unpack(tmp_path_factory.mktemp("cargo"))
     return {job["seed"]: steady(here.do(job)) for job in jobs(8)}

@@ -59,7 +59,7 @@ RESTARTED = {"processor_restart": (1, 300, 300)}
     (RESTARTED, {"processor_restart": (3, 300, 900)},
      [("processor_restart", 2)]),
     ({}, {"warm_reset": (2, 300, 310)}, [("warm_reset", 2)]),
-    # A count that stands at its last value: the frame tells.
+    # A count at its last value: the frame number decides.
     ({"warm_reset": (2**31 - 1, 5, 70)}, {"warm_reset": (2**31 - 1, 5, 90)},
      [("warm_reset", 1)]),
     # A cold start clears the log, and the same restart comes again.
@@ -153,7 +153,7 @@ def test_gnd45_starts_by_chance_are_all_found():
                                   "processor_restart", COLD))
             if kind == COLD:
                 made[COLD] += 1
-                # What a start causes, in frames of its own.
+                # The effects of a start, in frames of its own.
                 at = 10 * made[COLD] + chance.randrange(10)
                 rows = {"telin_no_block": (1, at, at)}
             else:
@@ -172,13 +172,13 @@ def test_gnd45_starts_by_chance_are_all_found():
 
 
 def aged(sequence, age, rows=NO_LOG, **more):
-    """With the laws' row, in which the aircraft tells its age in frames."""
+    """With the laws' row, in which the aircraft reports its age in frames."""
     return frame_of(sequence, (*rows[:-1], laws_row(
         0x1000, 0, 0, 0, 0, age // 16 % 65536)), **more)
 
 
 def test_gnd45_a_cold_start_without_a_trace_is_found_by_the_age():
-    """Also behind a count of the age that has begun again."""
+    """Also after a count of the age that has begun again."""
     starts, at = Starts(), 16 * 65530
     for sequence in range(0, 400, 10):
         assert starts.look(aged(sequence, at + sequence)) == []

@@ -162,7 +162,7 @@ def test_sec10_workers_of_a_search_run_no_code_of_the_current_folder(
 
 def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
         hostile, tmp_path):
-    """Of a copy, whose results are its own."""
+    """The program of a copy, which has results of its own."""
     copy = tmp_path / "copy"
     for name in ("evidence/campaign", "evidence/safety", "ground/urv"):
         shutil.copytree(ROOT / name, copy / name)

@@ -111,7 +111,7 @@ def test_gnd1_a_frame_packet_stands_as_the_page_says(version, length):
 
 
 def test_gnd1_the_second_version_begins_as_the_first_does():
-    """Who reads the first finds all of it where it was."""
+    """A reader of the first format finds every word in its place."""
     first, second = some_frame(1).encode(), some_frame(2).encode()
     assert second[8:len(first)] == first[8:]
 

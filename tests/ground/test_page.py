@@ -136,7 +136,8 @@ def test_gnd25_every_value_on_the_page_is_the_records(station, pages):
 
 
 def test_gnd25_command_and_position_of_a_surface(station, pages):
-    """The mark of the command stands where the stick wants the surface."""
+    """The mark of the command is at the surface position that the stick asks
+    for."""
     page = pages.open()
     station.node.speed = 0
     for word in (2048, 3000, 100):
@@ -251,7 +252,7 @@ def test_gnd7_what_the_laws_tell_is_on_the_page(station, pages):
     for name in ("ALONE: HOLDING", "LEFT AILERON FAILED",
                  "AIRSPEED NOT VALID"):
         page.locator("#alert_list li", has_text=name).wait_for()
-    # What is old tells nothing.
+    # Old data shows nothing.
     station.node.cut = True
     page.wait_for_selector("body[data-down=lost]")
     until(lambda: page.locator(".doubt:visible, .has_failed").count() == 0
@@ -497,7 +498,7 @@ def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
     take_sticks(page)
     page.locator("#send_order:enabled").wait_for()
     page.locator("#gains").select_option("1")
-    # What is typed there moves no switch.
+    # Text typed there moves no switch.
     page.locator("#orbit_after").fill("")
     page.locator("#orbit_after").press_sequentially("2.5")
     page.locator("#end_after").fill("61")
@@ -513,7 +514,7 @@ def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
     page.locator("#send_order:enabled").click()
     page.locator("#ordered.caution",
                  has_text="refused by the aircraft: a control law").wait_for()
-    # Who watches sees it, and cannot order.
+    # A watcher sees it, and cannot order.
     other.keyboard.press("c")
     other.locator("#ordered.caution", has_text="refused").wait_for()
     assert other.locator("#send_order").is_disabled()
@@ -757,12 +758,12 @@ setInterval(() => {
 def test_gnd36_a_page_that_is_too_slow_says_so_and_shows_the_newest(
         station, pages):
     """Its thread is busy with something else nine tenths of the time."""
-    # What waits in its browser is older than two frames, and so dimmed
+    # Data that waits in its browser is older than two frames, and so dimmed
     # (GND-56).
     page = pages.open(script=BUSY, until="body[data-down=old]")
     slow = page.locator("#slow", has_text="left out")
     slow.wait_for()
-    # Of its first second a part was fast.
+    # A part of its first second was fast.
     until(lambda: number(slow.text_content()) < 25, "fewer pictures")
     # Not later and later: after 15 s it is what it was.
     first = station.state()["seq"]

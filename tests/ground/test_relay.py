@@ -24,7 +24,7 @@ LONG_S = 300.0
 
 
 class Yamcs:
-    """What a Yamcs says of itself."""
+    """The answer of a Yamcs about itself."""
 
     def __init__(self):
         self.state = "STARTING"

@@ -25,7 +25,7 @@ from urv.view import View
 
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 
-# What a machine brings about that runs the stand-in of the node late.
+# The effects of a machine that runs the stand-in of the node late.
 OF_THE_MACHINE = ("FRAMES", "NO FRAMES")
 
 
@@ -251,7 +251,7 @@ def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
                     if alert["name"] == name and alert["active"]]
     console.sticks()
     station.wait(over, "the end of it")
-    # Who has gone can be hidden no more.
+    # A node that has gone cannot be hidden any more.
     console.say({"t": "lost", "what": what})
     station.wait(lambda state: not over(state), "the caution again")
     console.close()
@@ -485,7 +485,7 @@ REFUSED_KIND = packets.KINDS.index("configuration_refused")
 
 
 def ordered(station, state):
-    """What the station says of the newest order, once it is so."""
+    """Wait for the station's message about the newest order."""
     return station.wait(
         lambda found: found["order"]["state"] == state, state)["order"]
 
@@ -803,8 +803,8 @@ def test_gnd24_a_page_that_takes_nothing_is_dropped(station):
 
 
 def test_gnd36_a_page_that_is_slow_gets_the_newest_and_not_what_was(station):
-    """It says which state it has drawn. What it is sent thereafter is of the
-    frames that the station had by then, however many it has left out."""
+    """It says which state it has drawn. Later messages are of the frames that
+    the station had by then, however many it left out."""
     station.wait(lambda state: state["rate"] >= 40, "frames")
     slow = station.console()
     first = last = slow.next("state")["number"]
@@ -814,7 +814,7 @@ def test_gnd36_a_page_that_is_slow_gets_the_newest_and_not_what_was(station):
         state = slow.next("state")
         assert state["number"] == last + 1
         last = state["number"]
-        # What was under way before its first word comes first.
+        # Data in transit before its first word comes first.
         if last - first > 8:
             assert state["seq"] >= known[last - 2] - 2
         left_out.append(state["left_out"])

@@ -134,7 +134,7 @@ def packet(seed, age, version=packets.WHOLE):
 
 
 def expected(frame):
-    """What the packet means, from urv.packets and urv.items."""
+    """The packet's fields, from urv.packets and urv.items."""
     values = {
         "magic": 0x55525646, "version": frame.version,
         "length": packets.LENGTHS[frame.version], "run": frame.run,
@@ -214,7 +214,7 @@ def test_gnd34_what_comes_no_more_is_told_within_half_a_second(
     out_of_date_s = 1.9 / float(rate.get("minimumValue"))
     trigger, = database.root.iterfind(
         ".//x:CustomAlgorithm//x:OnPeriodicRateTrigger", NAMESPACE)
-    # What is left is for the way to the eye.
+    # The rest of the time is for the path to the display.
     looks_s = float(trigger.get("fireRateInSeconds"))
     assert out_of_date_s + looks_s <= 0.4
     text = database.root.find(".//x:AlgorithmText", NAMESPACE).text

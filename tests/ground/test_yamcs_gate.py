@@ -395,8 +395,8 @@ def test_sec13_no_web_page_controls_a_flight_s_yamcs(flight):
         text for _, text in answers.values())
     assert not json.loads(answers["user"][1])["superuser"]
 
-    # Who knows the path controls nothing either; the station's own writes
-    # pass there alone.
+    # A client that knows the path controls nothing either; the station's own
+    # writes pass there alone.
     answers = {(method, path): own.ask(f"{secret}/api/{path}", method, body)
                for method, path, body in CONTROL}
     assert {asked: answer for asked, answer in answers.items()

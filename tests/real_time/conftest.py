@@ -5,13 +5,13 @@
         flight = partitions.fly(seconds=2, sticks=write("s.csv", text))
         assert flight.gsc.summary["frames"] == 100
 
-Judged is what the nodes did, not when: the machine may be slow. What a flight is
-to show it may not show on a machine that ran a partition late; such a test says
-so with `need`, and flies again. What must never be is asserted, of every flight.
-At the end of each test the records of its flights go through the safety monitor
-(SAF-9). The
-programs are those in bin, or in the folder that URV_PARTITIONS names; the
-simulation they are compared with is bin/urv_sim, or what URV_SIM names.
+Judged is what the nodes did, not when: the machine may be slow. A flight may
+not show its result on a machine that ran a partition late; such a test calls
+`need`, and flies again. Forbidden events are asserted, for every flight. At
+the end of each test the records of its flights go through the safety monitor
+(SAF-9). The programs are those in bin, or in the folder that URV_PARTITIONS
+names; the simulation they are compared with is bin/urv_sim, or what URV_SIM
+names.
 """
 
 import csv
@@ -93,13 +93,14 @@ def ran_late(outputs):
 
 
 def need(shown, *flown):
-    """What the flight is to show, given the outputs of its partitions."""
+    """The required result of a flight, given the outputs of its partitions."""
     if not shown and any(map(ran_late, flown)):
         raise RanLate
     assert shown
 
 
-# So often flies a test whose flights show nothing, and it begins none later.
+# The most flights of a test whose flights show nothing, and the latest start
+# of one.
 MOST_FLIGHTS = 25
 LAST_FLIGHT_S = 120
 
@@ -122,7 +123,7 @@ def flies_again(test):
     return fly
 
 
-# What a partition says of the machine and of the line's time, not of the
+# A partition's messages about the machine and the line's time, not about the
 # other node.
 STOOD_STILL = ": stood still before "
 NO_PRIORITIES = ": no real-time priorities: "
@@ -142,7 +143,7 @@ HEARD, UNHEARD = 0, 3
 
 
 class Outputs:
-    """What a program left in its folder."""
+    """The files that a program left in its folder."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -261,7 +262,7 @@ def _programs_are_built():
 
 RESTARTS = ("processor_restart", "warm_reset")
 
-# The link's counts that tell of something that went wrong on it.
+# The link's counts of errors.
 TROUBLES = ("_bad", "_scrapped", "_resets")
 
 
@@ -294,7 +295,7 @@ def disturbed_of(run):
 
 
 def known_of(runs):
-    """What the safety monitor is told of a flight's nodes."""
+    """The safety monitor's inputs about a flight's nodes."""
     return {
         "starts": [start for run in runs for start in starts_of(run)],
         "disturbed": [span for run in runs for span in disturbed_of(run)],
@@ -303,8 +304,8 @@ def known_of(runs):
 
 
 def assert_safe(runs):
-    """What the safety monitor says of the flight. A program that a test has
-    killed left no whole record."""
+    """The safety monitor's findings about the flight. A program that a test
+    has killed left no whole record."""
     ended = [run for run in runs
              if run.program.returncode in (HEARD, UNHEARD)]
     by_node = {
@@ -319,8 +320,8 @@ def assert_safe(runs):
             **{run.node: run.outputs.folder / "record.csv" for run in flight},
             **known_of(flight),
         )
-        # Of a late machine the records do not tell all: what was sent in a
-        # frame without a row looks like what nobody sent.
+        # The records of a late machine are incomplete: a block sent in a frame
+        # without a row looks like one that nobody sent.
         if not any(ran_late(run.outputs) for run in flight):
             assert findings.violations == []
 
@@ -371,7 +372,7 @@ def write(tmp_path):
 
 @pytest.fixture
 def simulate(tmp_path):
-    """What the simulation makes of the same scripts."""
+    """The simulation's results for the same scripts."""
 
     def run(*options):
         folder = tmp_path / "simulation"
@@ -430,7 +431,7 @@ def terminals():
     pair.close()
 
 
-# Each row of a script is held for so long, the first from here on: away from
+# Each row of a script is held for this time, the first from here on: away from
 # the moments at which a node looks. On a machine that is too slow for the
 # first, the next is tried.
 HOLDS_MS = (120, 400, 1_000)
@@ -438,7 +439,7 @@ FIRST_MS = 250
 
 
 def different_rows(count, width, seed):
-    """So many rows of converter words, no two alike."""
+    """Rows of converter words, no two alike."""
     words = random.Random(seed)
     return list(dict.fromkeys(
         tuple(words.randrange(0x1000) for _ in range(width))
@@ -467,7 +468,7 @@ def assert_in_order(found, expected):
 
 
 def in_turn(words):
-    """What came after what, without how long each was there."""
+    """The order of the values, without their durations."""
     return [
         word for place, word in enumerate(words)
         if place == 0 or words[place - 1] != word

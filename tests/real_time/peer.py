@@ -33,7 +33,7 @@ DEAD_SPACE_S = NUMBERS.dead_space_characters * CHARACTER_S
 IDLE_S = NUMBERS.idle_characters * CHARACTER_S
 FRAME_S = NUMBERS.frame_us / 1e6
 
-# A node that says nothing for so long is not there.
+# A node that is silent for this time is not there.
 PATIENCE_S = 300
 
 
@@ -75,8 +75,8 @@ class Peer:
                  hold_s=None):
         self.words = list(words)
 
-        # With it each of the words is there for so long, from the beginning
-        # on; else each is sent once, the last again and again.
+        # With it each of the words is there for this time, from the beginning
+        # on; otherwise each is sent once, the last again and again.
         self.hold_s = hold_s
         self._began = None
         self.received = []
@@ -101,16 +101,16 @@ class Peer:
         self._line.close()
 
     def await_received(self, number):
-        """Wait until so many good data messages have come."""
+        """Wait for a number of good data messages."""
         self._await(lambda: len(self.received) >= number)
 
     def await_answered(self, number):
-        """Wait until so many of its own were found good."""
+        """Wait until a number of its own messages were found good."""
         self._await(lambda: self.answered >= number)
 
     def await_fresh(self, first, number):
-        """Wait until so many of those received from that one on say that
-        they are not old."""
+        """Wait until a number of those received from that one on are not
+        marked as old."""
         self._await(lambda: number <= sum(
             not words[-1] & STALE for words in self.received[first:]))
 
@@ -127,7 +127,7 @@ class Peer:
         self._run()
 
     def _words_after(self, number):
-        """What is to be sent now, after so many others."""
+        """The block to send now, after a number of others."""
         if self.hold_s is not None:
             number = int((time.monotonic() - self._began) / self.hold_s)
         return self.words[min(number, len(self.words) - 1)]
@@ -150,7 +150,7 @@ class Peer:
         return self._pending.pop(0) if self._pending else None
 
     def _be_silent(self, for_s):
-        """Wait until the line was silent for so long."""
+        """Wait until the line was silent for this time."""
         self._pending.clear()
         while self._character(for_s) is not None and not self._ended.is_set():
             self._pending.clear()

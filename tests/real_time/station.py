@@ -61,13 +61,13 @@ class Frames:
                     return self.all[place]
 
     def show_within(self, number, shows):
-        """Whether one of so many packets from now on shows something."""
+        """Whether one of the next packets shows something."""
         left = itertools.count(number - 1, -1)
         return shows(self.wait_until(
             lambda packet: shows(packet) or next(left) == 0))
 
     def wait_for(self, number):
-        """So many more packets."""
+        """A number of further packets."""
         for _ in range(number):
             self.wait_until(lambda _: True)
 

@@ -226,7 +226,7 @@ def test_a_summary_is_printed_unless_quiet(node):
 
 
 def test_an_output_named_by_a_dash_is_standard_output():
-    """What people read then goes to standard error."""
+    """The text for people then goes to standard error."""
     own, other = free_ports(2)
     result = run("gsc", "--link", udp(own, other), "--seconds", "0.2",
                  "--record", "-")
@@ -290,7 +290,8 @@ LIBC = ctypes.CDLL(None)
 
 
 def leave_priorities():
-    """What a container's root may not do, unless it was given the right."""
+    """Real-time priority, which a container's root may not use without the
+    right."""
     resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
     assert LIBC.prctl(DROP_CAPABILITY, SYS_NICE, 0, 0, 0) == 0
 

@@ -33,9 +33,9 @@ def fly_scripts(start_both, write, hold_ms, links=None, processors=1):
 
 
 def have_same_contents(mcs, gsc, simulated):
-    """Never anything else than in the simulation, or in another order. True
-    if there is everything: a machine that stands still for longer than a row
-    is held leaves some out."""
+    """Never anything else than in the simulation, or in another order. True if
+    everything is there: a machine that pauses for longer than a row is held
+    leaves some out."""
     complete = True
     for node, group, names in (
         (gsc, "console", COMMANDS),
@@ -57,7 +57,7 @@ def have_same_contents(mcs, gsc, simulated):
             del flown[0]
         assert_in_order(flown, expected)
 
-        # What the first and last frames show hangs on when the nodes began.
+        # The first and last frames depend on the nodes' start times.
         complete = complete and set(expected[3:-1]) <= set(flown)
     return complete
 

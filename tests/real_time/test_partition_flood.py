@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""RTP-3: a flood from the peer's address. What a machine can take of it is
-its own affair: asserted is that nothing of it is obeyed and that afterwards
-the peer is, needed that the flood was one."""
+"""RTP-3: a flood from the peer's address. The accepted part depends on the
+machine. Asserted is that nothing of it is obeyed and that afterwards the peer
+is; needed is that the flood was one."""
 
 import contextlib
 import re
@@ -15,8 +15,8 @@ sys.path.insert(0, str(ROOT / "evidence"))
 
 import floods  # noqa: E402
 
-# One character each, as many as the machine gets out; then so many each that
-# a machine of any speed sends more than a line brings.
+# One character each, as fast as the machine sends; then enough characters each
+# that a machine of any speed sends more than a line brings.
 DATAGRAMS = {1: 30_000, 100: 10_000}
 
 

@@ -81,7 +81,7 @@ class SerialEnd:
 
 
 def answer(line, limit_s):
-    """All that comes until the line is silent for so long."""
+    """All characters until the line is silent for this time."""
     heard = b""
     while select.select([line.file], [], [], limit_s)[0]:
         heard += line.read()
@@ -112,9 +112,9 @@ def await_state(run, wanted):
 
 
 def unasked_answer(line, run):
-    """What a node says of what was sent before it was switched on. That the
-    controller discards at its start what its board has would hide that the
-    board took it; a board that takes a message answers."""
+    """A node's reports of data sent before it was switched on. At its start
+    the controller discards the blocks of its board, which would hide that the
+    board took one; but a board that takes a message answers."""
     run.await_begin()
     time.sleep(15 * FRAME_S)
     return answer(line, FRAME_S)

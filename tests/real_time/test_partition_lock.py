@@ -18,11 +18,12 @@ HOLD_MS = 100
 # In the simulation it takes 22 frames at most (docs/evidence/link.md).
 FRAMES_TO_COME_IN_STEP = 40
 
-# After so many frames in which each has heard the other the start is over.
+# After this number of frames in which each has heard the other the start is
+# over.
 FRAMES_TO_SETTLE = 10
 
-# Of the downlinks in step. A late thread leaves one out, in the fast schedule
-# one that is 0.3 ms late; then the test flies again until none is left out.
+# The downlinks in step. A late thread leaves one out, in the fast schedule one
+# that is 0.3 ms late; then the test flies again until none is left out.
 MOST_LEFT_OUT = 0.1
 
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """GND-6: the JSBSim aircraft behind the boards of the aircraft's partition, in
-lock-step with its frames; and what becomes of the node when it is late or
-dead."""
+lock-step with its frames; and the node's behaviour when it is late or dead."""
 
 import json
 import os
@@ -120,7 +119,7 @@ def test_rtp9_a_killed_plant_is_told_and_the_node_flies_on(start):
     died = mcs.outputs.events["plant_died"]
     assert (died["node"], died["count"]) == ("mcs", 1)
 
-    # The sensors stand still, those of level flight, and are old.
+    # The sensors keep the words of level flight, and are old.
     last = in_turn(mcs.outputs.words("mcs.downlink", SENSORS))[-1]
     assert abs(last[SENSORS.index("altitude")] - 2000) <= 2
     assert_old_after(mcs.outputs, died["first_frame"])
@@ -138,7 +137,7 @@ def assert_old_after(outputs, frame):
 @flies_again
 def test_gnd6_a_plant_without_finite_numbers_is_told(
         start, tmp_path, monkeypatch):
-    """The words are never made of them: the sensors stand still."""
+    """The words are never made of them: the sensors keep their words."""
     python = tmp_path / "python"
     python.write_text(f"""#!{sys.executable}
 import sys
@@ -233,7 +232,7 @@ def test_rtp9_sensors_of_a_plant_that_does_not_answer_are_old(start, write):
 
 
 def times_still(run):
-    """So far; the summary is written again each second."""
+    """The summary so far; it is written again each second."""
     try:
         text = (run.outputs.folder / "summary.json").read_text("utf-8")
         return json.loads(text)["plant"]["stood_still"]

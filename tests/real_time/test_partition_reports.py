@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""RTP-2: what a partition says of the other node, while it runs and at its
-end; and the commands of docs/real-time.md, as they stand there.
+"""RTP-2: a partition's reports of the other node, while it runs and at its
+end; and the commands of docs/real-time.md, unchanged.
 """
 
 import os
@@ -130,8 +130,8 @@ def commands_of_the_page():
 @pytest.mark.parametrize("kind", ["udp", "serial"])
 @flies_again
 def test_the_commands_of_the_page_do_what_it_says(kind, tmp_path):
-    """As they stand there, but for the numbers of the ports: others may run
-    the same commands."""
+    """Unchanged, but for the numbers of the ports: others may run the same
+    commands."""
     if kind == "serial" and not shutil.which("socat"):
         pytest.skip("socat is not installed")
     commands = commands_of_the_page()[kind]

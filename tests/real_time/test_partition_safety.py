@@ -22,8 +22,8 @@ STICKS = different_rows(20, len(COMMANDS), 5)
 
 
 def findings(mcs, gsc):
-    """Of two runs that are over. Nothing disturbs their link but a machine
-    that runs them late."""
+    """The records of two runs that are over. Nothing disturbs their link but a
+    machine that runs them late."""
     runs = [mcs, gsc]
     known = known_of(runs)
     if not any(ran_late(run.outputs) for run in runs):
@@ -65,7 +65,7 @@ def test_saf4_saf9_the_monitor_lets_no_command_of_before_power_up_pass(
     links = serial(terminals)
     with open(terminals.devices[1], "wb", buffering=0) as line:
         line.write(data_message(UPLINK, (*old, 0)))
-    # The aircraft first: another command right behind makes that one bad.
+    # The aircraft first: another command directly after it makes that one bad.
     aircraft = start("mcs", links[0], "--phase", 3, "--seconds", 1.5)
     aircraft.await_begin()
     time.sleep(0.2)
@@ -75,7 +75,7 @@ def test_saf4_saf9_the_monitor_lets_no_command_of_before_power_up_pass(
     mcs, gsc = (run.end() for run in runs)
     assert old not in mcs.words("mcs.uplink", COMMANDS)
 
-    # How long a late machine kept a message on the line nobody can tell.
+    # The time for which a late machine kept a message on the line is unknown.
     need(findings(*runs).violations == [], mcs, gsc)
 
 

@@ -17,8 +17,8 @@ FAR_LONGER_S = 1000
 
 
 def await_rows(run, number):
-    """Wait until the program has made so many rows: it writes late, so the
-    length of the run is what counts."""
+    """Wait until the program has made a number of rows: it writes late, so the
+    length of the run counts."""
     run.await_begin()
     time.sleep(number * FRAME_US / 1e6 + 0.3)
     assert run.program.poll() is None
@@ -27,7 +27,7 @@ def await_rows(run, number):
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 @flies_again
 def test_a_signal_ends_a_run_with_whole_outputs(start, which):
-    """Record, summary and events tell of the same run, up to its end."""
+    """Record, summary and events are of the same run, up to its end."""
     up, down = free_ports(2)
     runs = [
         start("mcs", udp(up, down), "--seconds", FAR_LONGER_S, quiet=False),
@@ -53,8 +53,8 @@ def test_a_signal_ends_a_run_with_whole_outputs(start, which):
             summary["frames"] * FRAME_US / 1e6)
 
         # Up to the signal, but for the frame that was not over yet; a row
-        # may be late, and then so is the signal's. What a machine that stood
-        # still before it has not begun is no row.
+        # may be late, and then so is the signal's. A row that a pausing
+        # machine had not begun is no row.
         on_at = summary["switched_on_us"]
         need(last["clock_us"] >= told_at - 2 * FRAME_US - latest(outputs),
              outputs)
@@ -121,8 +121,8 @@ def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
     need(outputs.events[kind]["count"] == 1, outputs)
     started_ms = outputs.events[kind]["last_ms"]
 
-    # A board that the machine ran late starts anew unasked, and then is
-    # silent of itself.
+    # A board that the machine ran late starts again by itself, and then is
+    # silent.
     need("telin_no_block" in outputs.events, outputs)
     silent_ms = outputs.events["telin_no_block"]
     need(silent_ms["first_ms"] < started_ms
@@ -163,8 +163,8 @@ def test_krn6_a_processor_exception_restarts_the_aircraft_in_flight(
     places = [expected.index(words) for words in commanded]
     assert places == sorted(places)
 
-    # Nobody starts unasked, but on a machine that stands still. Commands
-    # follow again: the last frames have the late rows.
+    # No node starts unasked, except on a machine that pauses. Commands follow
+    # again: the last frames have the late rows.
     need(restart["count"] == 1, mcs)
     need("processor_restart" not in gsc.events, gsc)
     need(places[-1] > (restart["last_ms"] - 250) / 120 + 3, mcs, gsc)

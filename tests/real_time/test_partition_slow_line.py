@@ -21,7 +21,7 @@ FRAMES = SECONDS * 50
 # When the network of the test was so late, the line was slower than it says.
 LATE_NETWORK_S = 0.0005
 
-# What is measured is accurate to a character.
+# The measurement is accurate to a character.
 CHARACTER_US = 96
 
 
@@ -43,7 +43,7 @@ def fly(start, delay_ms, *options):
 
 
 def need_of_line(shown, line, *flown):
-    """What a flight is to show on a machine that is in time."""
+    """The required result of a flight on a machine that is in time."""
     if not shown and line.latest_s > LATE_NETWORK_S:
         raise RanLate
     need(shown, *flown)

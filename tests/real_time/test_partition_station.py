@@ -2,8 +2,8 @@
 """GND-2: GSC CORE goes out in frame packets. GND-3, GND-4: sticks come in
 console packets; SAF-10: a console that falls silent is held, or on the ground
 neutral.
-GND-5: the simulated pilot aboard the ground's partition. GND-7: what the
-aircraft's laws tell. GND-35: orders besides the sticks."""
+GND-5: the simulated pilot aboard the ground's partition. GND-7: the reports of
+the aircraft's laws. GND-35: orders besides the sticks."""
 
 import contextlib
 import random
@@ -36,7 +36,8 @@ SAFE = (0x800, 0x800, 0x800, 0, 0xFFF) + (0,) * 8
 
 STALE = 1
 
-# The bench's aircraft stands; without this it flies at 64 kt and 1024 ft.
+# The bench's aircraft is on the ground; without this it flies at 64 kt and
+# 1024 ft.
 ON_GROUND = "time_ms,airspeed,altitude\n0,0,0\n"
 
 # A row is taken two ticks after its scan and as late as the machine is.
@@ -45,7 +46,7 @@ FRAME_US = 20_000
 
 @pytest.fixture
 def station():
-    """Makes what sits at the station, for each flight of a test anew."""
+    """Makes a new station for each flight of a test."""
     made = []
 
     def make(kind):
@@ -62,7 +63,7 @@ def sticks_of(packet):
 
 
 def assert_like_the_record(packets, rows):
-    """Every row was sent once, as it stands there."""
+    """Every row was sent once, unchanged."""
     sent = {packet.sequence: packet for packet in packets}
     assert len(sent) == len(packets)
     assert [packet.sequence for packet in packets] == sorted(sent)
@@ -160,8 +161,8 @@ def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
     assert told.core_status["cold_starts"] == 1
 
 
-# The simple plant has no engine: after some six seconds the laws tell that its
-# throttle is not followed.
+# The simple plant has no engine: after some six seconds the laws report that
+# its throttle is not followed.
 @pytest.mark.parametrize("options, may_have_failed", [
     (("--laws", "on"), ("throttle",)), (("--plant", "jsbsim"), ())],
     ids=["asked", "jsbsim"])
@@ -196,7 +197,8 @@ def test_gnd7_the_second_version_has_what_the_laws_tell(
             "", "_invalid_low", "_invalid_high", "_silent", "_failed",
             "_configuration")]
     assert {row["laws.told"] for row in gsc.rows} > {0}
-    # So has the aircraft's, of what it knew: nothing else comes down.
+    # The aircraft's log has the same, of its own knowledge: nothing else comes
+    # down.
     own = ("lateral", "vertical", "power", "link", "invalid_low",
            "invalid_high", "silent", "failed", "configuration")
     assert [name for name in mcs.rows[0] if name.startswith("laws.")] == [
@@ -412,7 +414,7 @@ def test_gnd4_a_silent_console_is_told(start, station, write):
 
 
 def wrong_packets(console):
-    """What is no console packet, each with its reason."""
+    """Packets that are no console packets, each with its reason."""
     good = console.send(sequence=1).encode()
     now = utc_us()
 
@@ -582,9 +584,8 @@ def configured(packet):
 
 
 def taken(frames, console, flown, serial, table, *times):
-    """An order, sent again until the aircraft tells that it has it: a machine
-    that is late may lose the one block that it goes up in, and what the
-    aircraft tells."""
+    """An order, sent again until the aircraft reports it: a late machine may
+    lose the block with the order, and the aircraft's report."""
     for _ in range(10):
         order = console.order(serial, table, *times)
         if frames.show_within(

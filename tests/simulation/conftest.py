@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs bin/urv_sim for the tests and reads what it leaves behind.
+"""Runs bin/urv_sim for the tests and reads its files.
 
     def test_something(fly):
         flight = fly("--seconds", "2", "--phase", "7")
@@ -12,9 +12,9 @@ with `write`. `fly_in` flies in any folder, for flights that several tests
 look at. The program under test is bin/urv_sim, or the one the environment
 variable URV_SIM names.
 
-Below that stands what the tests know of the words, from the requirements
-(BUF-1, BUF-2, PWM-2) and not from the program: their order, what the servos
-make of a command, and scripts that tell by a row's words which row it is.
+Below that is the tests' knowledge of the words, from the requirements (BUF-1,
+BUF-2, PWM-2) and not from the program: their order, the servos' transform of a
+command, and scripts in which a row's words identify the row.
 """
 
 import csv
@@ -256,7 +256,7 @@ EDGES = (0, 0x7FF, 0x800, 0x801, 0xFFF)
 
 
 def transformed(commands):
-    """What the PWM board holds for 13 command words (PWM-2, D-2, D-8)."""
+    """The PWM board's words for 13 command words (PWM-2, D-2, D-8)."""
     roll, pitch, yaw, throttle, brake, *switches = commands
     flaps = 0xFFF if switches[7] >= 0x800 else 0x800
     discretes = sum(
@@ -269,7 +269,7 @@ def transformed(commands):
 
 
 def different_rows(count, width, seed):
-    """So many rows of words, no two alike."""
+    """Rows of words, no two alike."""
     words = random.Random(seed)
     return list(dict.fromkeys(
         tuple(words.randrange(0x1000) for _ in range(width))

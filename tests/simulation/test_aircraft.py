@@ -194,7 +194,7 @@ SURFACES = [name for name in SENSORS if name.endswith(
     ("aileron", "elevator", "rudder", "flap_1", "flap_2"))]
 
 
-# Where each kind stops, in degrees.
+# The stops of each kind, in degrees.
 ENDS = {"aileron": (-20, 20), "elevator": (-25, 25), "rudder": (-25, 25),
         "flap_1": (0, 15), "flap_2": (0, 15)}
 
@@ -221,7 +221,7 @@ def test_each_servo_moves_its_surface_alone_and_as_fast_as_it_can(
         flown.fly(60)
         assert flown.sensors[surface] == pytest.approx(3, abs=0.01)
         for name, at in others.items():
-            # Where the settling left it, it goes to its command, 0.
+            # From its settled position it goes to its command, 0.
             assert flown.sensors[name] == pytest.approx(at, abs=0.01), name
         flown.fly(90, **{surface: 0})
     least, most = ENDS[kind]
@@ -321,7 +321,7 @@ def test_level_flight_does_not_crash(flown):
 # --- the connection ----------------------------------------------------------
 
 def serve(introduction, *messages):
-    """What plant.py answers to what comes over its socket."""
+    """The answer of plant.py to data from its socket."""
     ours, theirs = socket.socketpair()
     ours.settimeout(60)
     serving = threading.Thread(target=plant.serve, args=(theirs,))

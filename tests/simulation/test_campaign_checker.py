@@ -42,7 +42,7 @@ class ByHand(checker.Flight):
         self.came_twice = 0
 
     def counts(self, frame, **more):
-        """From this frame on, so many more are counted."""
+        """From this frame on, this many more are counted."""
         for place in range(frame, len(self.link)):
             self.link[place] = tuple(
                 count + more.get(name, 0) for name, count in zip(
@@ -350,7 +350,7 @@ def test_a_case_that_never_recovers_fails(shard, name):
 def test_wrong_words_fail_where_one_fault_cannot_make_them(shard, name):
     result = shard(name, lambda flight, first: flight.wrong.append(
         checker.Wrong(first + 1, "up", (1,) * checker.UPLINK)))
-    # Of several faults chance may make them: they are counted.
+    # Several faults may make them by chance: they are counted.
     several = name.startswith(("many", "soak"))
     assert len(result["failures"]) == (not several)
     assert result["wrong"] == 1
@@ -374,7 +374,7 @@ def test_what_is_refused_came_twice_or_was_altered_by_several_faults(
 
     result = shard(name, change, message_format, refused)
     if not GROUPS[name][0]:
-        # Where messages break off nobody can tell which came twice.
+        # In groups whose messages break off, repeated ones are unknown.
         twice = 0
     several = name.startswith(("many", "soak"))
     assert result["came_twice"] == twice
@@ -509,7 +509,8 @@ def kept_in(folder):
 
 
 class Broken:
-    """Workers that fly so many shards until someone ends the campaign."""
+    """Workers that fly a number of shards until the campaign is
+    interrupted."""
 
     def __init__(self, monkeypatch, tmp_path):
         monkeypatch.setattr(run, "RESULTS", tmp_path)

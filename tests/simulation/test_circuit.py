@@ -71,7 +71,7 @@ def test_the_record_says_the_same(flight):
     assert max(north) > 1500
 
     # The wheels' lowest points are 1.8 ft below the centre of gravity, and
-    # those behind it further when the nose is up.
+    # those aft of it lower when the nose is up.
     frame = touchdown(flight)
     assert 1.6 < altitude[frame] < 2.6
     assert min(altitude[frame - 500:frame - 2]) > 1.7

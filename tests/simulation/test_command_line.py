@@ -110,7 +110,7 @@ def test_a_file_may_have_the_name_of_standard_output(urv_sim, tmp_path):
 
 
 def test_what_is_printed_is_what_the_summary_says(fly, write):
-    """Each number has its own value, so that none stands for another."""
+    """Each number has its own value, so that none replaces another."""
     write("sticks.csv", "time_ms,roll\n" + "".join(
         f"{100 + 61.3 * n:.3f},{n + 1}\n" for n in range(120)))
     write("faults.txt", "1000 cut 95\n2000 up ber 0.004 3000\n"
@@ -141,8 +141,8 @@ def test_what_is_printed_is_what_the_summary_says(fly, write):
 
 
 def test_the_speed_is_that_of_the_flight(fly):
-    """What is flown in so much time, as a clock beside it has it, to the
-    tenth: the program took a little more than the flight."""
+    """The flight time in an interval, by a clock beside it, to the tenth: the
+    program took a little more than the flight."""
     began = time.monotonic()
     flight = fly("--seconds", "2", "--pace", "realtime")
     took = time.monotonic() - began
@@ -203,7 +203,7 @@ BAR = "[#"
 
 
 def on_terminal(folder, *arguments, output_too=False):
-    """What the program shows on a terminal as its standard error."""
+    """The program's text on a terminal as its standard error."""
     ours, theirs = pty.openpty()
     with subprocess.Popen(
             [PROGRAM, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
@@ -526,7 +526,7 @@ def test_an_internal_fault_ends_with_status_1(tmp_path):
     assert result.stdout == ""
 
 
-# Where an exception of a node's program comes out.
+# The place where an exception of a node's program comes out.
 INTERRUPT = "         when Ground   => GSC_Time.Clock_Interrupt (Now);\n"
 EXCEPTION = """\
          when Ground   =>

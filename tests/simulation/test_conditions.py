@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SIM-4: the conditions of a flight come from a file. What they do is judged
-by the true state and by the words, each against what the line says."""
+"""SIM-4: the conditions of a flight come from a file. Their effects are judged
+by the true state and by the words, each against the line of the file."""
 
 import math
 import os
@@ -50,7 +50,8 @@ def test_a_file_that_says_nothing_changes_nothing(fly, fly_so):
 
 
 def test_wind_moves_the_aircraft_over_the_ground(fly, fly_so):
-    """It heads east: wind from behind carries it on, from the left south."""
+    """It heads east: a tailwind carries it on, wind from the left carries it
+    south."""
     calm = fly(*JSBSIM, "--seconds", 4, name="calm")
     for heading, north, east in ((270, 0, 20), (0, -20, 0)):
         windy = fly_so(f"wind {heading} 20\n", name=str(heading))

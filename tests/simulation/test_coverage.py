@@ -40,7 +40,8 @@ def counted(lines=REACHED, ways=BOTH_WAYS, throws=(), name="some"):
 
 @pytest.fixture
 def judged(tmp_path, monkeypatch, capsys):
-    """What is said of some instances, with these rows in docs/evidence/coverage.md."""
+    """The judgement of some instances, with these rows in
+    docs/evidence/coverage.md."""
     (tmp_path / NAME).parent.mkdir(parents=True)
     (tmp_path / NAME).write_text(TEXT, encoding="utf-8")
     monkeypatch.setattr(coverage, "ROOT", tmp_path)

@@ -3,8 +3,8 @@
 faults, at every phase (D-12; Tables 1 to 10 of the report, PWM-2, BUF-1,
 BUF-2).
 
-Each frame has words of its own, so a row of the record tells which frame it
-came from. How many frames that takes follows from the tasks' offsets.
+Each frame has words of its own, so a row of the record identifies its frame.
+How many frames that takes follows from the tasks' offsets.
 """
 
 import pytest

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the software differs from the report, the decisions D-40 to D-49 say
-how. What they say of the sources is so: a change that makes a decision untrue
-fails here, and then the decision is to be renewed."""
+"""The decisions D-40 to D-49 state the differences between software and
+report. Their statements about the sources are true: a change that makes a
+decision untrue fails here, and then the decision is to be renewed."""
 
 import re
 

@@ -20,7 +20,7 @@ LAG_MS = 6
 
 
 def logged(count, first_frame, last_frame, node, minor_frame, detail=0):
-    """What an event says besides node and kind."""
+    """The fields of an event besides node and kind."""
     later = (LAG_MS if node == "mcs" else 0) + 2 * minor_frame
     return {
         "count": count,
@@ -147,8 +147,8 @@ def test_ext1_a_flood_hides_nothing(fly, write):
 
 
 def test_ext1_two_blocks_in_a_frame_are_logged(fly, write):
-    # The ground's board stands still for five frames, the aircraft's block
-    # comes late, and the next one in time: the first is never taken.
+    # The ground's board stalls for five frames, the aircraft's block comes
+    # late, and the next one in time: the first is never taken.
     write("faults.txt", "1000 gsc stall telemetry 100\n")
     events = fly("--seconds", "2", "--faults", "faults.txt").events
     assert events["gsc", "link_block_not_taken"]["count"] == 1

@@ -41,9 +41,9 @@ def test_sem2_mbx3_krn5_the_thermostat_in_virtual_time(processors):
 
 @pytest.mark.parametrize("processors", [1, 2])
 def test_sem2_mbx3_d25_the_thermostat_in_real_time(processors):
-    """Where the machine runs a task late the counts may be others, but none
-    of a P that gave up without the V that owned nothing. Of two processors
-    one may be late for a message and not for its frame."""
+    """If the machine runs a task late the counts may differ, but each P that
+    gave up has a V that owned nothing. One of two processors may be late for a
+    message and not for its frame."""
     missed = []
     for _ in range(10):
         result = flown("real", processors)

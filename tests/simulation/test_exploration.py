@@ -15,8 +15,8 @@ from conftest import ROOT
 TIME_LIMIT_S = 900
 TURNS = "src/telemetry/telemetry-turns.ads"
 
-# Name: file, text, what stands there instead, what the exploration says with
-# blocks of 2 bytes: of the real lengths it takes ten times as long.
+# Name: file, text, the replacement, and the exploration's message with blocks
+# of 2 bytes: the real lengths take ten times as long.
 CANARIES = {
     "the ground does not wait in its reset": (
         TURNS,
@@ -106,7 +106,7 @@ def test_a_planted_bug_is_found(name, tmp_path):
     source = (tmp_path / file).read_text("utf-8")
     assert source.count(text) == 1, f"{file} has changed: renew the canary"
     (tmp_path / file).write_text(source.replace(text, instead), "utf-8")
-    # What the optimiser takes is more than what it gives.
+    # The optimiser takes more time than it saves.
     build(tmp_path, "-cargs:Ada", "-O0")
     result = explore(tmp_path, "2", "2", "in-step")
     assert result.returncode == 1, result.stdout + result.stderr

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the link does when characters are lost or altered (SIM-2, LNK-5,
-LNK-6, LNK-9): no wrong word ever arrives, old ones are held, and soon after
-the last fault everything is as in a flight without faults.
+"""The link with lost or altered characters (SIM-2, LNK-5, LNK-6, LNK-9): no
+wrong word ever arrives, old ones are held, and soon after the last fault
+everything is as in a flight without faults.
 
-Each frame has words of its own. So whatever a node holds tells from which
-frame it is; a mixture of two frames, or anything else, is wrong.
+Each frame has words of its own. The words of a node identify their frame; a
+mixture of two frames, or anything else, is wrong.
 """
 
 import json
@@ -57,7 +57,7 @@ FRESH, OLD = 0, 1
 
 
 class Course:
-    """Scripts of so many frames, and the flight of them without faults."""
+    """Scripts of a number of frames, and their flight without faults."""
 
     def __init__(self, folder, frames, phase=3):
         self.folder = folder
@@ -130,7 +130,7 @@ def complaints(course, flight, faulty_frames):
 
 
 def wrongly_marked(flight, ages):
-    """Where the error word does not say whether words are old (SAF-5)."""
+    """Rows whose error word does not say whether words are old (SAF-5)."""
     wrong = []
     for group in ("mcs.uplink", "gsc.downlink"):
         marks = flight.record[f"{group}.error"]
@@ -144,7 +144,7 @@ def wrongly_marked(flight, ages):
 
 
 def miscounts(flight):
-    """Where the counters do not fit what is on the wire."""
+    """Differences between the counters and the wire."""
     link = flight.summary["link"]
     sent = Counter(message.kind for message in messages(flight.wire))
     wrong = []
@@ -170,10 +170,10 @@ SINGLE = {
     **{f"flip {mask:x}": f"flip {{n}} {mask:x}" for mask in (
         0x001,      # one bit of the data: a parity error
         0x100,      # the parity bit itself
-        0x003,      # two bits: only the checksum or the code can tell
+        0x003, # two bits: only the checksum or the code detects them
         0x181,      # a bit and the parity bit
         0x0FF, 0x1FF,
-        # What makes one header of another: these look like good ones.
+        # Changes that make one header of another: these look like good ones.
         0x055,      # data up <-> command
         0x0CC,      # data down <-> command
         0x01E,      # good <-> bad
@@ -276,8 +276,8 @@ DEAD_SPACE, IDLE_TIME = 20, 24
 @pytest.mark.parametrize("fault, after, silence, kind", [
     # Nothing is heard: the dead space, then the idle time.
     ("down drop 1", "uplink", DEAD_SPACE + IDLE_TIME, "uplink"),
-    # Something is heard that is no header: the idle time at once. It ends
-    # when the aircraft has been silent for so long.
+    # Something is heard that is no header: the idle time at once. It ends when
+    # the aircraft has been silent for this time.
     ("down flip 2 1", "downlink", IDLE_TIME, "command"),
 ])
 def test_lnk9_the_ground_outwaits_the_aircraft(course, fault, after, silence,
@@ -350,7 +350,7 @@ def test_commands_are_held_while_the_link_is_cut(tmp_path, phase):
     flight = course.fly("cut", [f"{CUT_AT} cut 500"])
     for group, perfect in course.perfect.items():
         held = course.ages(flight)[group][24:44]
-        # What came last before the cut, or, on its way when it began, then.
+        # The last words before the cut, or those in transit when it began.
         assert len(set(held)) == 1, (group, held)
         assert held[0] in range(perfect[20] - 1, perfect[22] + 1), group
     # While they are held, the error words say so (SAF-5).
@@ -358,7 +358,7 @@ def test_commands_are_held_while_the_link_is_cut(tmp_path, phase):
         errors = flight.record[f"{group}.error"]
         assert set(errors[5:20] + errors[46:]) == {FRESH}, group
         assert set(errors[23:45]) == {OLD}, group
-    # What was given up is counted.
+    # Scrapped blocks are counted.
     link = flight.summary["link"]
     assert link["uplink_received"] + link["uplink_bad"] < \
         link["uplink_sent"]
@@ -395,7 +395,7 @@ def test_sim1_a_killed_simulation_leaves_its_results(tmp_path):
     rows = (tmp_path / "record.csv").read_text("utf-8").splitlines()
     summary = json.loads((tmp_path / "summary.json").read_text("utf-8"))
     assert summary["unfinished"] is True
-    # What was flown is in both, but for a second; a slow machine flies less.
+    # The flight is in both, but for a second; a slow machine flies less.
     assert abs(len(rows) - 1 - summary["frames"]) <= 2 * FRAMES_PER_S
     assert len(rows) > 1
     for line in (tmp_path / "events.jsonl").read_text("utf-8").splitlines():

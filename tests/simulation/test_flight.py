@@ -9,9 +9,9 @@ import subprocess
 import pytest
 from conftest import FLAPS, ROOT, columns, fly_in
 
-# What docs/aircraft.md says of the flight: root mean square and most, in the
-# order of its table. A flight that is half as good again as that, or half as
-# bad, is another one.
+# The figures of docs/aircraft.md for the flight: root mean square and most, in
+# the order of its table. A flight that is half as good again as that, or half
+# as bad, is another one.
 DOCUMENTED = {
     "altitude_rms_ft": 1.35, "altitude_max_ft": 4.0,
     "airspeed_rms_kt": 0.11, "airspeed_max_kt": 0.40,
@@ -173,7 +173,7 @@ def test_it_is_level_only_in_a_hold_and_at_its_height(
 
 @pytest.mark.parametrize("how", ["warm", "processor"])
 def test_ini1_the_flight_is_as_good_with_a_start_every_5_s(tmp_path, how):
-    # Of either node in turn, at ever other points of a frame.
+    # Starts of the nodes in turn, each at another point of a frame.
     (tmp_path / "faults.txt").write_text("".join(
         f"{5003.7 * number:.3f} {'gsc' if number % 2 else 'mcs'} reset {how}\n"
         for number in range(1, 36)))

@@ -78,7 +78,7 @@ def body_of(node, procedure):
 
 
 def calls_of(node, unit, actuals):
-    """What a task calls, as Object.Operation in the node."""
+    """A task's calls, as Object.Operation in the node."""
     kinds = formals_of(unit)
     calls = set()
     for object_, operation in re.findall(

@@ -52,9 +52,9 @@ def latency(time, channel, phase, schedule):
     return scans * FRAME + from_scan_to_servos(phase, schedule) - time
 
 
-# Where in its frame a change comes, and in which channel. The first is the
-# latest that the scan still sees, and so the fastest of all; the second has
-# just been missed by the first channel, and is the slowest.
+# The place of a change in its frame, and its channel. The first is the latest
+# that the scan still sees, and so the fastest of all; the second has just been
+# missed by the first channel, and is the slowest.
 FASTEST = (12 * CONVERSION, 12)
 SLOWEST = (1, 0)
 MOMENTS = [FASTEST, SLOWEST]
@@ -128,7 +128,8 @@ def test_console_to_servo_latency_is_exact(tmp_path, sticks, phase, schedule):
         scan - 12 * CONVERSION, scan + FRAME - 1)
 
 
-# As many may wait (sim-latency.ads), and so long, in microseconds.
+# The most changes that may wait (sim-latency.ads), and the longest wait, in
+# microseconds.
 ROOM, LONGEST = 2_048, 2_000_000
 
 

@@ -281,7 +281,7 @@ def test_noise_of_several_lines_adds_up(fly, write):
     assert link_counts(fly, write, "0 up ber 1 1000\n" * 2) == CLEAN
 
 
-# --- a telemetry board starts anew -------------------------------------------
+# --- a telemetry board starts again ------------------------------------------
 
 
 # When, who, and what is counted in the flight; the frames in which less than a
@@ -334,7 +334,7 @@ def ms(time_us):
 
 @pytest.fixture
 def outputs(fly, write):
-    """What a flight with these faults leaves, to the byte."""
+    """The files of a flight with these faults, to the byte."""
 
     def of(*faults):
         write("faults.txt", "\n".join(faults) + "\n")
@@ -353,7 +353,7 @@ def outputs(fly, write):
 def test_a_cut_loses_each_character_of_which_a_part_is_in_it(
         outputs, begin, length, lost):
     # One character more makes up for a lost one, unless it is that one: the
-    # block comes bad, and not short. So it shows which ones are lost.
+    # block comes bad, and not short. It shows the lost ones.
     added = [[f"200 up dup {place}" for place in places]
              for places in ((8,), (9,), (10,), (6, 7))]
     cut = [f"{ms(sent_at(9) + begin)} cut {ms(length)}"]
@@ -390,7 +390,7 @@ def test_faults_of_a_character_come_in_the_order_of_their_lines(outputs):
 
 
 def test_a_character_doubled_twice_comes_three_times(outputs):
-    # Where it makes up for two that are lost, the message has its length.
+    # If it replaces two lost ones, the message has its length.
     once, twice, short = (
         outputs("200 up drop 8", "200 up drop 9", *["200 up dup 5"] * count)
         for count in (1, 2, 0))
@@ -404,8 +404,8 @@ def test_a_character_doubled_twice_comes_three_times(outputs):
                                            (101, False), ("1f", True)])
 def test_an_odd_number_of_flips_is_a_parity_error_and_an_even_one_is_none(
         fly, write, mask, is_told):
-    """Of a command, of which nothing but the parity can tell that another
-    character is not what was sent: 4Bh is one away from being none."""
+    """Masks of a command in which only the parity shows a changed character:
+    4Bh is one away from being none."""
     write("faults.txt", f"200 up flip 31 {mask}\n")
     flight = fly("--faults", "faults.txt", "--seconds=0.4")
     heard = 0x4B ^ (int(str(mask), 16) & 0xFF)
@@ -415,8 +415,8 @@ def test_an_odd_number_of_flips_is_a_parity_error_and_an_even_one_is_none(
 
 
 def test_a_character_that_nobody_read_spoils_the_next(outputs):
-    """The aircraft's board stands still as the command ends, and the DUART
-    says so with what comes next: the second command, which is not heard."""
+    """The aircraft's board stalls as the command ends, and the DUART reports
+    that with the next character: the second command, which is not heard."""
     stall = f"{ms(COMMAND_US + CHARACTER_US - 2)} mcs stall telemetry 0.010"
     lost = "200 up drop 31"
     spoilt = "200 up flip 32 100"

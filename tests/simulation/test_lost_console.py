@@ -114,7 +114,7 @@ def test_saf10_a_console_that_never_came(bench):
     """The aircraft waits with its safe words of power up; on the ground they
     come from the ground, once it knows."""
     flight = bench("0 gsc console 5000", None, "--laws", "on")
-    # Of the first rows CORE is still cleared.
+    # In the first rows CORE is still cleared.
     assert not within(fresh(flight), 100, 5_000)
     assert {row["laws.link"] for row in within(flight.rows, 0, 5_000)} == {0}
     flight = bench("0 gsc console 5000", ON_GROUND, "--laws", "on")
@@ -171,7 +171,7 @@ def test_saf10_a_take_off_run_ends_with_brakes_and_idle(fly, write, second):
 @jsbsim
 def test_saf10_a_landing_without_a_console_ends_with_brakes(fly, write):
     """The console is lost in the roll-out, above 42 kt; the laws are off, the
-    throttle stands at idle. Once slow, the aircraft is braked."""
+    throttle is at idle. Once slow, the aircraft is braked."""
     write("sticks.csv", "time_ms,throttle,brake\n0,0,0\n")
     write("faults.txt", "1000 gsc console 100000\n")
     write("conditions.txt", "start runway\nwind 360 0\n")
@@ -235,7 +235,7 @@ def test_saf10_an_aircraft_that_slows_down_has_half_a_second_to_brake():
         "no brake or power on the ground at 14500 ms"]
 
 
-# What the safety monitor says (SAF-9) of the record, altered.
+# The safety monitor's findings (SAF-9) in the altered record.
 
 def altered(flight, column, word, first_ms, last_ms):
     path = flight.path("record.csv")

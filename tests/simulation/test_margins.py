@@ -82,7 +82,7 @@ def laws():
 
 
 def answered(law, inputs):
-    """What a law says to these inputs, frame by frame."""
+    """A law's outputs for these inputs, frame by frame."""
     state, said = [0.0] * len(law.A), []
     for given in inputs:
         said.append(law.C @ state + law.D @ given)
@@ -100,8 +100,8 @@ def test_what_is_delayed_is_the_input_of_two_frames_ago(laws):
 
 
 def test_at_a_steady_altitude_that_is_wanted_the_pitch_comes_to_rest(laws):
-    """What is smoothed comes to what is measured; the integrator keeps what
-    it has learnt."""
+    """The smoothed value reaches the measured one; the integrator keeps its
+    value."""
     law = laws.loops.longitudinal(law_gains.gains(), "hold")
     # The altitude is seen so much later.
     late = laws.loops.DELAY

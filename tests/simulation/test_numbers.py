@@ -29,7 +29,7 @@ def test_numbers_are_those_of_the_page(urv_sim):
 
 
 def test_numbers_fit_the_words(urv_sim):
-    """What the tests know of the buffers (BUF-1, BUF-2, D-5)."""
+    """The tests' knowledge of the buffers (BUF-1, BUF-2, D-5)."""
     said = printed(urv_sim)
     assert said["uplink_words"] == len(COMMANDS) + 1
     assert said["downlink_words"] == len(SENSORS) + 1

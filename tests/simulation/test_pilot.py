@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the simulated pilot makes of the downlink's error word (SIM-3, TST-4):
-bit 0 says that the words are old, and no other bit does."""
+"""The simulated pilot's use of the downlink's error word (SIM-3, TST-4): bit 0
+marks the words as old, and no other bit does."""
 
 import pytest
 from conftest import fly_in

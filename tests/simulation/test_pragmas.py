@@ -12,7 +12,7 @@ UNIT = "package Anything is\nend Anything;\n"
 
 @pytest.fixture
 def asked(tmp_path):
-    """What a unit's library file says that the pragmas of a file ask for:
+    """The entries of a unit's library file that the pragmas of a file cause:
     policies and detections, and each restriction."""
     def asked(pragmas):
         folder = tmp_path / pragmas

@@ -42,8 +42,8 @@ def test_saf9_a_scan_that_was_held_up_sees_a_change_at_its_end():
     assert run.run_shard("mix/8089/8090")["failures"] == []
 
 
-# The converter stands still in two frames: the first one's scan ends, too late,
-# and the second's does not.
+# The converter stalls in two frames: the first one's scan ends, too late, and
+# the second's does not.
 def test_saf9_frm5_a_late_scan_is_not_shown_as_the_next_frame_s():
     assert run.run_shard("mix/13020/13021")["failures"] == []
 

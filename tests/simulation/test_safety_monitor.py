@@ -105,7 +105,7 @@ def test_saf3_a_switch_that_no_scan_turned_on_is_seen(flown):
 
 
 def test_saf4_an_old_command_is_seen(flown):
-    """What the servos did long before comes back."""
+    """Old positions of the servos come back."""
     def alter(cells):
         cells.copy("pwm", SERVOS, 300, 800, 840)
 
@@ -149,7 +149,7 @@ def test_saf3_a_marked_message_that_moves_something_is_seen(flown):
 ])
 def test_saf5_old_words_shown_as_fresh_are_seen(
         flown, group, names, row_ms, expected):
-    """A node's CORE stands while all else goes on."""
+    """A node's CORE stops while everything else continues."""
     def alter(cells):
         cells.copy(group, names, row_ms, row_ms, 1000)
 
@@ -343,12 +343,12 @@ FREE, ON_GRID = (timelines.Scan(100, 50, is_free)
     # A scan begins at 200, sees the change at 220, and not the one at 300.
     ((1, 2, 3), 0, 500, ON_GRID, None),
     ((1, 1, 2), 201, 500, ON_GRID, None),
-    # That at 300 comes with the scan that begins then.
+    # The change at 300 comes with the scan that begins then.
     ((2, 2, 3), 0, 500, timelines.Scan(101, 100), None),
     # One that begins at 210 is not over at 300.
     ((1, 2, 3), 0, 500, timelines.Scan(100, 200), None),
     ((1, 2, 3), 0, 500, timelines.Scan(100, 200, offsets_us=(0, 10)), 110),
-    # Not on a grid, for so long.
+    # Not on a grid, for this time.
     ((1, 2, 3), 0, 500, FREE, 110),
     ((1, 2, 3), 0, 299, FREE, None),
     ((1, 2, 3), 0, 500, timelines.Scan(80, 50, True), None),

@@ -64,7 +64,7 @@ def has_tag(block, way, key, number, echo):
 
 
 def words_of(block, way):
-    """Of a sealed block: its fields of 12 bits and the four flags."""
+    """The fields of 12 bits of a sealed block, and its four flags."""
     digits = block[1:2 + WORDS[way] * 3 // 2].hex()
     return ([int(digits[at:at + 3], 16)
              for at in range(0, 3 * WORDS[way], 3)], block[0] & 15)

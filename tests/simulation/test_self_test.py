@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the self-test leaves out is not there to be tested."""
+"""The self-test leaves out only memory that is not there."""
 
 import re
 from pathlib import Path

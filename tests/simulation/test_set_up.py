@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EVI-11: what set-up says to whom. apt-get, dpkg-query, id and pip are
+"""EVI-11: the messages of set-up. apt-get, dpkg-query, id and pip are
 stand-ins here: nothing is installed."""
 
 import platform
@@ -36,7 +36,7 @@ def set_up(tmp_path):
     commands = tmp_path / "commands"
     commands.mkdir()
 
-    # Who runs the tests may have no right to real-time priorities.
+    # The user may have no right to real-time priorities.
     def run(target, alire=False, path="/usr/bin:/bin", chrt="exit 0",
             **scripts):
         scripts["chrt"] = chrt

@@ -18,7 +18,7 @@ LONGER = {}
 
 
 def too_long(root, longer):
-    """What exceeds its limit, and what may do so without need."""
+    """Sources above their limit, and exceptions without need."""
     for path in sources(root, "src"):
         lines = len(path.read_text(encoding="utf-8").splitlines())
         limit = longer.get(path.name, (MOST[path.suffix],))[0]

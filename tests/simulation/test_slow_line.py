@@ -20,7 +20,7 @@ FRAMES = SECONDS * 50
 
 
 def link_of(*options):
-    """What the link's counts are after a flight."""
+    """The link's counts after a flight."""
     result = subprocess.run(
         [PROGRAM, "fly", "--quiet", "--summary", "-", *map(str, options)],
         capture_output=True, text=True, check=True, timeout=120)

@@ -3,8 +3,8 @@
 processor restarted, at any time. The servos are never disturbed, CORE keeps
 what it has, and soon all is as in a flight without faults.
 
-Each frame has words of its own, so that what a node holds tells from which
-frame it is.
+Each frame has words of its own, so that the words of a node identify their
+frame.
 """
 
 import re
@@ -64,7 +64,7 @@ APART = 10
 
 
 class Course:
-    """Scripts of so many frames, and the flight of them without faults."""
+    """Scripts of a number of frames, and their flight without faults."""
 
     def __init__(self, folder, frames, phase=3):
         self.folder = folder
@@ -104,7 +104,7 @@ class Course:
 
 
 def disturbances(course, flight):
-    """What must never be, as text."""
+    """Forbidden events, as text."""
     found = []
     for group, ages in course.ages(flight).items():
         newest = -1
@@ -378,8 +378,8 @@ def test_ini2_tst1_tst4_a_failed_self_test_ends_in_silence(
     failed = flight.events[node, "self_test_failed"]
     assert (failed["count"], failed["last_detail"]) == (1, HARM[harm])
 
-    # The node's own CORE stays as it is for ever. So do the servos of a ground
-    # that is silent; those of an aircraft are safe half a second later.
+    # The node's own CORE stays as it is for ever. The servos of a silent
+    # ground do so, too; those of an aircraft are safe half a second later.
     held = [f"{node}.uplink", f"{node}.downlink"]
     if node == "mcs":
         rows = columns(flight, "pwm", GROUPS["pwm"])
@@ -406,7 +406,7 @@ def test_ini2_tst1_tst4_a_failed_self_test_ends_in_silence(
             assert sent[44] == sent[-1]
 
 
-# A fault behind the place where the check is, and one before it.
+# A fault after the present place of the check, and one before it.
 @pytest.mark.parametrize("node, other, way", [
     ("mcs", "gsc", "downlink"), ("gsc", "mcs", "uplink")])
 @pytest.mark.parametrize("byte, frame", [("1234", 1024), ("0", 2048)])
@@ -441,7 +441,7 @@ def test_ad1_a_converter_that_stalls_is_told(courses, node, lag_ms, way):
     course = courses(3, 60)
     flight = course.fly(f"stall {node}",
                         [f"{400 + lag_ms} {node} stall adc 200"])
-    # Of the node's frames 20 to 29 there is no scan.
+    # The node's frames 20 to 29 have no scan.
     errors = flight.record[f"{node}.{way}.error"]
     stale = [frame for frame, word in enumerate(errors)
              if word and frame >= START_FRAMES]

@@ -107,7 +107,7 @@ def cells(line):
 
 
 def rows(title):
-    """Of the tables below a title of the page."""
+    """The rows of the tables below a title of the page."""
     part = PAGE.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
     return [cells(line) for line in part.splitlines()
             if line.startswith("| ")]

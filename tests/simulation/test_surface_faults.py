@@ -108,8 +108,8 @@ LEVEL = ("--plant", "jsbsim", "--pilot", "level", "--seconds", 8)
 
 @in_flight
 def test_the_aircraft_has_the_faults_in_flight(fly, write):
-    """Stuck to the right, slow and loose: positions are true, and the
-    aircraft rolls as its ailerons stand."""
+    """Stuck to the right, slow and loose: positions are true, and the aircraft
+    rolls according to its ailerons."""
     write("faults.txt",
           "1000 surface left_aileron stuck 2348\n"
           "1000 surface right_elevator stuck\n"

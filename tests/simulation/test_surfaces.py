@@ -37,7 +37,7 @@ def test_the_table_is_of_this_aircraft():
 
 
 def test_gains_give_back_what_is_missing():
-    """Of each surface: the helpers' moments are its own."""
+    """The helpers' moments of each surface are its own."""
     of = allocation.moments()
     for failed in allocation.SURFACES:
         step = allocation.PER_WORD[allocation.family(failed)]
@@ -108,7 +108,7 @@ def test_direct_is_figure_13_with_a_failed_surface(fly, write):
     (0, 49, 330), (1500, 57, 990), (4095, 69, 990)])
 def test_a_stuck_throttle_is_told_and_airspeed_comes_first(
         fly, write, word, slowest, lowest):
-    """Nobody measures it: the engine's speed tells."""
+    """It is not measured: the engine's speed shows it."""
     write("faults.txt", f"10000 surface throttle stuck {word}\n")
     write("sticks.csv", "time_ms,throttle,switch3\n0,2048,4095\n"
           "90000,2048,4095\n")
@@ -158,7 +158,7 @@ def case(surface, condition="calm", laws=True):
 
 
 def outcome(is_flown, bank=3.0):
-    """Of a flight: its worst bank alone says whether it was flown."""
+    """A flight's result: its worst bank alone decides whether it was flown."""
     made = surfaces.Outcome(bank if is_flown else 90.0, 4.0, None, None, 0)
     assert made.is_flown == is_flown
     return made

@@ -174,7 +174,7 @@ def test_what_no_pause_explains_fails(concluded, pauses, status):
 # --- who watches for pauses ----------------------------------------------------
 
 def test_a_late_wake_is_a_pause_and_a_punctual_one_is_none(monkeypatch):
-    # What each sleep takes longer than it should, in microseconds.
+    # The excess of each sleep, in microseconds.
     late = iter([0, 100, 499, 500, 20_000, 0, 0, 0, 0, 0, 0])
     now = [0]
 

@@ -132,8 +132,8 @@ def test_left_is_negative_and_down_the_heading(flight):
 
 @pytest.mark.parametrize("phase", range(10))
 def test_the_truth_is_that_of_the_row_s_time(tmp_path, phase):
-    """Whenever the servos have their commands within the ground's frame: at a
-    steady speed east the place tells the time."""
+    """At any time at which the servos have their commands within the ground's
+    frame: at a steady speed east the place shows the time."""
     flight = fly_in(tmp_path, "--plant", "jsbsim", "--seconds", "2",
                     "--phase", phase)
     # The aircraft waits until the servos have had their first commands.
@@ -158,7 +158,7 @@ def test_the_time_of_a_crash_is_that_of_the_last_change(tmp_path):
     still = len(truths) - 1
     while truths[still - 1] == truths[-1]:
         still -= 1
-    # Before it stands still an aircraft moves every frame.
+    # An aircraft moves in every frame until it is at rest.
     assert 20 * FRAMES_PER_S < still < 40 * FRAMES_PER_S
     assert all(a != b for a, b in zip(
         truths[FRAMES_PER_S:still], truths[FRAMES_PER_S + 1:still + 1],

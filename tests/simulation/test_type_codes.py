@@ -60,8 +60,8 @@ def test_ext2_a_configuration_is_taken_told_and_flown(tmp_path, sealed):
 
 
 def test_ext2_an_order_takes_one_frame_and_moves_nothing(tmp_path):
-    """The bytes of one message are others; the commands of before stand,
-    marked as old, and no servo moves."""
+    """The bytes of one message are others; the earlier commands remain, marked
+    as old, and no servo moves."""
     sticks = "time_ms,roll,throttle\n0,2100,700\n2500,2300,900\n"
     plain, ordered, unknown = (
         flight_with(tmp_path / name, orders, "--seconds", "4", sticks=sticks)

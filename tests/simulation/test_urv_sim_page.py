@@ -71,7 +71,7 @@ def test_ext2_the_page_has_every_order_and_no_other(told):
 
 
 def test_the_page_has_every_column_and_field(tmp_path):
-    """Of every output, and of the input files."""
+    """The columns of every output, and of the input files."""
     (tmp_path / "faults.txt").write_text("17000 cut 60000\n")
     options = ["--faults", "faults.txt"]
     if has_jsbsim():
@@ -182,8 +182,8 @@ def test_the_example_of_the_truth_cuts_out_time_and_truth(fly):
 
 EXAMPLES = [row[1].strip("`") for row in rows("Faults")[1:]]
 
-# What is counted that would not be without the fault, in three seconds; the
-# harm to a memory is found in a start that follows.
+# Counts in three seconds that would not be there without the fault; the harm
+# to a memory is found in a start that follows.
 SEEN = {
     "cut": {"gsc.telin_no_block": 25, "mcs.telin_no_block": 25},
     # 270 bits a block, 100 blocks and a quarter of them once more.
@@ -201,7 +201,8 @@ SEEN = {
     "bus_error": {"mcs.processor_restart": 1},
     "console": {"gsc.ad_no_scan": 75},
 }
-# Of servos nothing is counted: where the aileron is, after three seconds.
+# For servos, which are not counted, the position of the aileron after three
+# seconds.
 PLACES = {"stuck": 1500, "float": 2048, "slow": pytest.approx(2450, abs=250)}
 START = {"rom": "2000 mcs reset warm\n", "ram": "2000 gsc reset warm\n"}
 

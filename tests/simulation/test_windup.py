@@ -15,7 +15,7 @@ ON = 4095
 FULL, IDLE, MIDDLE = 4095, 0, 2048
 SECONDS = 150
 
-# Holds are back at their targets so long after the last change.
+# Holds are back at their targets this time after the last change.
 BACK_S = 45
 
 
@@ -159,8 +159,8 @@ def test_saf9_ext8_the_monitor_sees_a_hold_that_is_not_held(tmp_path):
     assert [line for line in said() if "altitude is not held: +" in line]
 
 
-# What an aircraft does, as rows of the record have it: altitude hold engaged
-# at 1000 ft, with words of the sensors.
+# The motion of an aircraft, as rows of the record: altitude hold engaged at
+# 1000 ft, with words of the sensors.
 def rows(altitude_ft, seconds, airspeed_kt=70.0, throttle=2048):
     heard = (2048, 2048, 2048, 2048, 2048, 0, 0, ON, 0, 0, 0, 0, 0)
     for frame in range(seconds * 50):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is on the serial link when nothing goes wrong, at every phase
-(LNK-1, LNK-2, LNK-3)."""
+"""The serial link when nothing goes wrong, at every phase (LNK-1, LNK-2,
+LNK-3)."""
 
 from collections import Counter
 
