@@ -59,7 +59,7 @@ PROGRAMS = {
         "real_time/urv_real_time.gpr", "flight",
         # Under the profile itself a call that blocks where it must not
         # raises an exception (D-29).
-        ["-gnatp", f"-gnatec={ROOT / 'ravenscar.adc'}"]),
+        ["-gnatp", f"-gnatec={ROOT / 'src/kernel/ravenscar.adc'}"]),
     "contracts": ("tests/urv_tests.gpr", "host", ["-gnata"]),
 }
 COUNT_DECISIONS = ("unit", "flights", "partitions")

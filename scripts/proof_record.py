@@ -32,7 +32,7 @@ import proof_canaries
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = Path("proofs", "record.json")
 PROJECT = "urv.gpr"
-CONFIGURATION = "ravenscar.adc"
+CONFIGURATION = "src/kernel/ravenscar.adc"
 BUS = "devices-memory_bus.ads"
 COMMAND = ["gnatprove", "-P", PROJECT, "-XURV_Mode=flight", "-j0", "-k",
            "--checks-as-errors", "--warnings=error"]

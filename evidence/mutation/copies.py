@@ -12,7 +12,7 @@ from fates import ROOT
 
 WORKPLACE = ROOT / "obj" / "mutation"
 COPIED = ("src", "proofs", "host", "sim", "tests", "real_time", "ground",
-          "scripts", "evidence", "targets", "urv.gpr", "ravenscar.adc",
+          "scripts", "evidence", "urv.gpr",
           "partitions.adc")
 
 # The folders that mutants change.

@@ -93,7 +93,6 @@ def faulty(tmp_path_factory):
     root = tmp_path_factory.mktemp("faulty")
     for name in ("src/kernel", "examples/thermostat"):
         shutil.copytree(ROOT / name, root / name)
-    shutil.copy(ROOT / "ravenscar.adc", root)
     body = root / "examples" / "thermostat" / "thermostat.adb"
     text = body.read_text("utf-8")
     step = "            when Sensor  => Measure;\n"

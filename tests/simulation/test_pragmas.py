@@ -16,7 +16,7 @@ def asked(tmp_path):
     policies and detections, and each restriction."""
     def asked(pragmas):
         folder = tmp_path / pragmas
-        folder.mkdir()
+        folder.mkdir(parents=True)
         (folder / "anything.ads").write_text(UNIT)
         subprocess.run(["gcc", "-c", "-gnat2022",
                         f"-gnatec={ROOT / pragmas}", "anything.ads"],
@@ -29,7 +29,7 @@ def asked(tmp_path):
 
 
 def test_d29_partitions_have_the_profile_but_its_detection(asked):
-    profile, restrictions = asked("ravenscar.adc")
+    profile, restrictions = asked("src/kernel/ravenscar.adc")
     flies, flying_restrictions = asked("partitions.adc")
     assert profile - flies == {"DB"} and flies <= profile
     assert len(restrictions) >= 25

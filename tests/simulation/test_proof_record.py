@@ -70,7 +70,7 @@ class Project:
         self.results = folder / "results"
         self.tool = folder / "tools" / "gnatprove"
         self.tool.parent.mkdir()
-        for name in ("src/shop.ads", "src/shop.adb", "ravenscar.adc",
+        for name in ("src/shop.ads", "src/shop.adb", "src/kernel/ravenscar.adc",
                      "proofs/canaries/bird.ads", "urv.gpr"):
             self.write(name, f"--  {name}\n")
         self.finds()
@@ -159,7 +159,7 @@ def test_a_proved_canary_fails_the_proof(project, monkeypatch):
 
 
 @pytest.mark.parametrize("name", [
-    "src/shop.adb", "src/new.ads", "proofs/new.adb", "ravenscar.adc",
+    "src/shop.adb", "src/new.ads", "proofs/new.adb", "src/kernel/ravenscar.adc",
     "urv.gpr", "proofs/canaries/bird.ads"])
 def test_a_changed_or_added_source_is_reported(project, name):
     assert project.reasons("prove") == []
