@@ -6,12 +6,8 @@ with Link_Suite;    use Link_Suite;
 with Node_Suite;    use Node_Suite;
 with Task_Suite;    use Task_Suite;
 with Buffers_Tests;
-with Exchange_Tests;
 with Frames_Tests;
 with Nodes_Tests;
-with Task_Shells_Tests;
-with Telemetry_Task_Tests;
-with Type_Codes_Tests;
 
 package body All_Tests is
 

@@ -2,6 +2,14 @@
 
 package body Task_Suite is
 
+   package body Exchange_Tests is separate;
+
+   package body Task_Shells_Tests is separate;
+
+   package body Telemetry_Task_Tests is separate;
+
+   package body Type_Codes_Tests is separate;
+
    package body AD_Tests is separate;
 
    package body CORE_Tests is separate;

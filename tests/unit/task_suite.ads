@@ -1,10 +1,42 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Unit tests of the other tasks, and the host.
+--  Unit tests of the tasks and of the host.
 
 with AUnit.Test_Suites;
 
 package Task_Suite is
+
+   --  MDI-1, MDO-1, GDI-1, GDO-1, D-11: the tasks between a node's variables.
+   package Exchange_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Exchange_Tests;
+
+   --  The bodies of the tasks send, write and report what their decisions say
+   --  (SET-2): the decisions are proved, the bodies are not. Each test has
+   --  inputs that all differ, so that a variable in another's place, or one
+   --  that is forgotten, fails it.
+   package Task_Shells_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Task_Shells_Tests;
+
+   --  TIN-1, TOU-1: the tasks between a node and its telemetry board.
+   package Telemetry_Task_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Telemetry_Task_Tests;
+
+   --  EXT-2: data goes where its type code says, and configurations from the
+   --  ground are taken whole or not at all.
+   package Type_Codes_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Type_Codes_Tests;
 
    --  ADI-1, AD-1, INI-5: the scan of the converter's channels, its interrupt
    --  handler, and the task that passes it on.

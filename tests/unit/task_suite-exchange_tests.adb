@@ -12,6 +12,7 @@ with URV.Laws;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Routing;    use URV.Routing;
 
+separate (Task_Suite)
 package body Exchange_Tests is
 
    --  The tests, in order.

@@ -21,6 +21,7 @@ with URV.Routing;         use URV.Routing;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
 
+separate (Task_Suite)
 package body Task_Shells_Tests is
 
    --  The tests, in order.

@@ -19,6 +19,7 @@ with URV.TELIN_Task;
 with URV.TELOUT_Task;
 with URV.Uplink_Input;
 
+separate (Task_Suite)
 package body Telemetry_Task_Tests is
 
    --  The tests, in order.

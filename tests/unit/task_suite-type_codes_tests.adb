@@ -24,6 +24,7 @@ with URV.Shared_Errors;
 with URV.Shared_Status;
 with URV.Type_Codes;      use URV.Type_Codes;
 
+separate (Task_Suite)
 package body Type_Codes_Tests is
 
    --  The tests, in order.
