@@ -25,7 +25,7 @@ from urv.view import View
 
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 
-# The effects of a machine that runs the stand-in of the node late.
+# The effects of a machine that runs the simulated node late.
 OF_THE_MACHINE = ("FRAMES", "NO FRAMES")
 
 
