@@ -52,7 +52,8 @@ case $target in
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
-                        ground/campaign-requirements.txt" ;;
+                        ground/campaign-requirements.txt
+                        ground/identify-requirements.txt" ;;
    monte_carlo)
           packages="$build openssl python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
@@ -66,7 +67,8 @@ case $target in
                         scripts/trace/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
-                        ground/campaign-requirements.txt"
+                        ground/campaign-requirements.txt
+                        ground/identify-requirements.txt"
           # The browser that looks at the station's page.
           [ "$target" = check ] ||
              packages="$packages chromium fonts-dejavu-core $bare" ;;

@@ -17,8 +17,8 @@ from pathlib import Path
 
 import typer
 
-from urv import (convert, faults, ground, keygen, mavlink, monte_carlo,
-                 pictures, report, station, xtce, yamcs_gate)
+from urv import (convert, faults, ground, identify, keygen, mavlink,
+                 monte_carlo, pictures, report, station, xtce, yamcs_gate)
 
 # Typer's status for an interrupt, too.
 INTERRUPTED = 130
@@ -59,6 +59,7 @@ def urv(
 
 app.command()(convert.convert)
 app.command()(report.report)
+app.command()(identify.identify)
 app.command()(xtce.xtce)
 app.command()(station.station)
 app.command()(mavlink.mavlink)

@@ -121,6 +121,7 @@ def run_without(folder, name, *arguments, error=None):
     ("yamcs", ["xtce", "-o", "a.xml"]),
     ("aiohttp", ["station"]), ("pymavlink", ["mavlink"]),
     ("distributed", ["monte-carlo", "--flights", "1"]),
+    ("scipy", ["identify", "a.csv"]),
 ])
 def test_gnd10_a_missing_package_gives_one_line_with_the_command(
         tmp_path, name, command):

@@ -89,6 +89,7 @@ QUICK = {
     "--help": (("--help",), 0), "--version": (("--version",), 0),
     "convert": (("convert", "{record}", "record.parquet"), 0),
     "report": (("report", "{record}", "-o", "report.html"), 0),
+    "identify": (("identify", "{record}", "-o", "report.html"), 0),
     "xtce": (("xtce", "-o", "urv.xml"), 0),
     "keygen": (("keygen", "link.key"), 0),
     "station": (("station", "--port", "0", "--frames", "udp:127.0.0.1:0",

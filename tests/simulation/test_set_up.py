@@ -30,7 +30,8 @@ def set_up(tmp_path):
                  "scripts/trace/requirements.txt",
                  "ground/report-requirements.txt",
                  "ground/requirements.txt",
-                 "ground/campaign-requirements.txt"):
+                 "ground/campaign-requirements.txt",
+                 "ground/identify-requirements.txt"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     commands = tmp_path / "commands"

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The aircraft file: mass properties and prior derivatives (GND-61).
+
+JSON, as written by sim/jsbsim/derivatives.py. The derivatives in it are
+optional and only for comparison: no estimate uses them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from urv import faults, input_files
+
+DEFAULT = (Path(__file__).resolve().parents[3]
+           / "sim/jsbsim/aircraft/lambda/derivatives.json")
+
+GRAVITY = 32.174
+"""ft/s2; the aircraft file may have the local one."""
+
+POSITIVE = ("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2", "izz_slug_ft2",
+            "wing_area_ft2", "span_ft", "chord_ft")
+
+
+@dataclass(frozen=True)
+class Aircraft:
+    """Mass properties in slug and ft, about the centre of gravity."""
+
+    name: str
+    mass: float
+    ixx: float
+    iyy: float
+    izz: float
+    ixz: float
+    wing_area: float
+    span: float
+    chord: float
+    gravity: float = GRAVITY
+    """What level accelerometers show where the aircraft flies, ft/s2."""
+    prior: dict[str, float] = field(default_factory=dict)
+    """Derivatives for comparison, per rad."""
+
+
+def read(path: Path = DEFAULT) -> Aircraft:
+    """The aircraft of a file. Raises faults.Refused."""
+    where = faults.quoted(path)
+    try:
+        given = input_files.parsed(input_files.text(path))
+    except ValueError as fault:
+        raise faults.Refused(f"{where}: not JSON: {fault}") from fault
+    if not isinstance(given, dict):
+        raise faults.Refused(f"{where}: no aircraft file")
+    for name in (*POSITIVE, "ixz_slug_ft2"):
+        if name not in given:
+            raise faults.Refused(f"{where}: there is no {name}")
+        if not _is_number(given[name]) or (
+                name in POSITIVE and given[name] <= 0):
+            raise faults.Refused(f"{where}: {name} is no"
+                                 f" {'positive ' * (name in POSITIVE)}number")
+    if given["ixx_slug_ft2"] * given["izz_slug_ft2"] <= (
+            given["ixz_slug_ft2"] ** 2):
+        raise faults.Refused(f"{where}: ixz_slug_ft2 is too large")
+    gravity = given.get("gravity_ft_s2", GRAVITY)
+    if not _is_number(gravity) or not 32.0 <= gravity <= 32.3:
+        raise faults.Refused(f"{where}: gravity_ft_s2 is from 32.0 to 32.3")
+    prior = given.get("derivatives", {})
+    if not isinstance(prior, dict) or not all(
+            _is_number(value) for value in prior.values()):
+        raise faults.Refused(f"{where}: derivatives are names with numbers")
+    return Aircraft(
+        str(given.get("aircraft", Path(path).stem)),
+        given["mass_slug"], given["ixx_slug_ft2"], given["iyy_slug_ft2"],
+        given["izz_slug_ft2"], given["ixz_slug_ft2"], given["wing_area_ft2"],
+        given["span_ft"], given["chord_ft"], gravity,
+        {name: float(value) for name, value in prior.items()})
+
+
+def _is_number(value) -> bool:
+    return (isinstance(value, (int, float)) and not isinstance(value, bool)
+            and math.isfinite(value))

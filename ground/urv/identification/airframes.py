@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Longitudinal and lateral motion with linear aerodynamics (GND-62).
+
+Each axis has a model for output error, and the same coefficients for equation
+error. Coefficients are of the dynamic pressure; rates are p b/2V, q c/2V and
+r b/2V. The other axis, the airspeed and the accelerations across are taken from
+the measurements: no drag and no thrust is needed.
+
+Constants (CZ_0, Cm_0, ...) are of each manoeuvre. They take up the trim, a
+constant error of alpha and beta, and the engine's torque.
+"""
+
+from __future__ import annotations
+
+import numpy
+
+from urv.identification import manoeuvres, measurements
+from urv.identification.aircraft import Aircraft
+from urv.identification.measurements import GRAVITY, Segment
+from urv.identification.output_error import (
+    ALL,
+    RECORD,
+    SEGMENT,
+    Parameter,
+)
+
+DEG = numpy.radians(1.0)
+
+TIMING_S = 0.002
+"""Standard deviation with which the delays of surfaces and of alpha and beta
+against the rates, none, are known. Flight data cannot separate them well from
+what a model lacks."""
+
+
+class Airframe:
+    """What both axes share."""
+
+    axis: str
+    coefficients: tuple[str, ...]
+    variables: tuple[str, ...]
+    surfaces: tuple[str, ...]
+    kinematic: tuple[str, ...]
+    """Measured signals that the equations of motion take."""
+    sizes_of: dict[str, float]
+    """The effect of a variable that matters, as a coefficient."""
+    errors: tuple[Parameter, ...]
+
+    def __init__(self, aircraft: Aircraft,
+                 airspeed_deviation: dict[int, float]):
+        self.aircraft = aircraft
+        self.airspeed_deviation = airspeed_deviation
+        self.parameters = (
+            *(Parameter(f"{name}_{variable}", ALL, 0.0,
+                        0.01 * self.sizes_of[name]
+                        / self.sizes_of[variable])
+              for name in self.coefficients for variable in self.variables),
+            *(Parameter(f"{name}_0", SEGMENT, 0.0, 0.01 * self.sizes_of[name])
+              for name in self.coefficients),
+            *self.errors,
+            Parameter("airspeed error", RECORD, 0.0, 0.5, is_input=True,
+                      is_considered=True),
+            Parameter("surfaces' delay", RECORD, 0.0, 0.002, is_input=True,
+                      prior=(0.0, TIMING_S), is_considered=True),
+            Parameter("airflow's delay", RECORD, 0.0, 0.002,
+                      prior=(0.0, TIMING_S), is_considered=True))
+        self.place = {each.name: number
+                      for number, each in enumerate(self.parameters)}
+
+    @property
+    def derivatives(self) -> list[str]:
+        return [f"{name}_{variable}" for name in self.coefficients
+                for variable in self.variables]
+
+    def prior(self, parameter, record):
+        if parameter.name == "airspeed error":
+            return 0.0, max(self.airspeed_deviation[record], 1e-3)
+        return parameter.prior
+
+    def measured(self, segment: Segment):
+        return numpy.array([segment[name] for name in self.outputs])
+
+    def first_states(self, segment: Segment):
+        return numpy.array([segment[name][:5].mean() for name in self.states])
+
+    def inputs(self, segment, times, values):
+        """Signals, then true airspeed and dynamic pressure, then surfaces."""
+        error = values[self.place["airspeed error"]]
+        delay = values[self.place["surfaces' delay"]]
+        calibrated = numpy.interp(
+            times, segment.times, segment["airspeed"]) - error
+        ratio = numpy.interp(times, segment.times, segment.density_ratio)
+        return numpy.concatenate([
+            segment.splines(*self.kinematic)(times),
+            [calibrated / numpy.sqrt(ratio),
+             0.5 * measurements.SEA_LEVEL_DENSITY * calibrated ** 2],
+            segment.splines(*self.surfaces)(times + delay)])
+
+    def coefficient(self, name, regressors, values):
+        """The sum of a coefficient's parts."""
+        total = values[self.place[f"{name}_0"]]
+        for variable, regressor in zip(self.variables, regressors,
+                                       strict=True):
+            total = total + values[
+                self.place[f"{name}_{variable}"]] * regressor
+        return total
+
+    def late(self, states, inputs, values):
+        """Alpha or beta as a late sensor shows it."""
+        delay = values[self.place["airflow's delay"]]
+        if not delay.any():
+            return states[0]
+        return states[0] - delay * self.rates(states, inputs, values)[0]
+
+    def pressure_and_speed(self, segment: Segment):
+        calibrated = segment["airspeed"]
+        return (0.5 * measurements.SEA_LEVEL_DENSITY * calibrated ** 2,
+                calibrated / numpy.sqrt(segment.density_ratio))
+
+
+class Longitudinal(Airframe):
+    """Short period: alpha, pitch rate and pitch attitude."""
+
+    axis = manoeuvres.LONGITUDINAL
+    states = ("alpha", "q", "theta")
+    outputs = ("alpha", "q", "theta", "az")
+    sizes = (0.2 * DEG, 0.5 * DEG, 0.2 * DEG)
+    coefficients = ("CZ", "Cm")
+    variables = ("alpha", "q", "elevator")
+    surfaces = ("elevator",)
+    kinematic = ("p", "r", "phi", "beta", "ax")
+    sizes_of = {"CZ": 0.1, "Cm": 0.03, "alpha": 2.0 * DEG, "q": 0.002,
+                "elevator": 2.0 * DEG}
+    errors = (Parameter("error of q", RECORD, 0.0, 0.1 * DEG,
+                        prior=(0.0, 2.0 * DEG)),
+              Parameter("error of az", RECORD, 0.0, 0.005 * GRAVITY,
+                        prior=(0.0, 0.1 * GRAVITY)))
+
+    def forces(self, states, inputs, values):
+        """Specific force along z, and the pitching moment over the inertia."""
+        own = self.aircraft
+        alpha, q = states[0], states[1]
+        speed, pressure, elevator = inputs[5:8]
+        regressors = (alpha, q * own.chord / (2.0 * speed), elevator)
+        area = pressure * own.wing_area
+        return (area / own.mass * self.coefficient("CZ", regressors, values),
+                area * own.chord / own.iyy
+                * self.coefficient("Cm", regressors, values))
+
+    def rates(self, states, inputs, values):
+        own = self.aircraft
+        alpha, q, theta = states
+        p, r, phi, beta, ax, speed = inputs[:6]
+        force, moment = self.forces(states, inputs, values)
+        sin, cos = numpy.sin(alpha), numpy.cos(alpha)
+        return numpy.array([
+            q - numpy.tan(beta) * (p * cos + r * sin)
+            + (force * cos - ax * sin + own.gravity * (
+                numpy.cos(phi) * numpy.cos(theta) * cos
+                + numpy.sin(theta) * sin)) / (speed * numpy.cos(beta)),
+            moment + ((own.izz - own.ixx) * p * r
+                      + own.ixz * (r * r - p * p)) / own.iyy,
+            q * numpy.cos(phi) - r * numpy.sin(phi)])
+
+    def outputs_of(self, states, inputs, values):
+        alpha, q, theta = states
+        force, _ = self.forces(states, inputs, values)
+        alpha = self.late(states, inputs, values)
+        return numpy.array([alpha, q + values[self.place["error of q"]],
+                            theta,
+                            force + values[self.place["error of az"]]])
+
+    def equations(self, segment: Segment, smooth, slope):
+        """Left sides by coefficient, and the regressors."""
+        own = self.aircraft
+        pressure, speed = self.pressure_and_speed(segment)
+        p, q, r = (smooth(segment[name]) for name in "pqr")
+        area = pressure * own.wing_area
+        return {
+            "CZ": own.mass * smooth(segment["az"]) / area,
+            "Cm": (own.iyy * slope(segment["q"])
+                   - (own.izz - own.ixx) * p * r
+                   - own.ixz * (r * r - p * p)) / (area * own.chord),
+        }, numpy.array([smooth(segment["alpha"]),
+                        q * own.chord / (2.0 * speed),
+                        smooth(segment["elevator"])])
+
+
+class Lateral(Airframe):
+    """Roll, spiral and Dutch roll: beta, roll and yaw rate, bank."""
+
+    axis = manoeuvres.LATERAL
+    states = ("beta", "p", "r", "phi")
+    outputs = ("beta", "p", "r", "phi", "ay")
+    sizes = (0.2 * DEG, 1.0 * DEG, 0.5 * DEG, 0.5 * DEG)
+    coefficients = ("CY", "Cl", "Cn")
+    variables = ("beta", "p", "r", "aileron", "rudder")
+    surfaces = ("aileron", "rudder")
+    kinematic = ("q", "alpha", "theta", "ax", "az")
+    sizes_of = {"CY": 0.03, "Cl": 0.01, "Cn": 0.005, "beta": 3.0 * DEG,
+                "p": 0.02, "r": 0.01, "aileron": 3.0 * DEG,
+                "rudder": 3.0 * DEG}
+    errors = (Parameter("error of p", RECORD, 0.0, 0.2 * DEG,
+                        prior=(0.0, 2.0 * DEG)),
+              Parameter("error of r", RECORD, 0.0, 0.1 * DEG,
+                        prior=(0.0, 2.0 * DEG)))
+
+    def forces(self, states, inputs, values):
+        """Specific force along y, and the moments in roll and yaw."""
+        own = self.aircraft
+        beta, p, r = states[:3]
+        speed, pressure, aileron, rudder = inputs[5:9]
+        per = own.span / (2.0 * speed)
+        regressors = (beta, p * per, r * per, aileron, rudder)
+        area = pressure * own.wing_area
+        return (area / own.mass * self.coefficient("CY", regressors, values),
+                area * own.span * self.coefficient("Cl", regressors, values),
+                area * own.span * self.coefficient("Cn", regressors, values))
+
+    def rates(self, states, inputs, values):
+        own = self.aircraft
+        beta, p, r, phi = states
+        q, alpha, theta, ax, az, speed = inputs[:6]
+        force, roll, yaw = self.forces(states, inputs, values)
+        sin_beta, cos_beta = numpy.sin(beta), numpy.cos(beta)
+        sin, cos = numpy.sin(alpha), numpy.cos(alpha)
+        cos_theta = numpy.cos(theta)
+        roll = roll + (own.iyy - own.izz) * q * r + own.ixz * p * q
+        yaw = yaw + (own.ixx - own.iyy) * p * q - own.ixz * q * r
+        both = own.ixx * own.izz - own.ixz ** 2
+        return numpy.array([
+            p * sin - r * cos + (
+                force * cos_beta - sin_beta * (ax * cos + az * sin)
+                + own.gravity * (numpy.sin(phi) * cos_theta * cos_beta
+                             + sin_beta * (cos * numpy.sin(theta)
+                                           - sin * numpy.cos(phi)
+                                           * cos_theta))) / speed,
+            (own.izz * roll + own.ixz * yaw) / both,
+            (own.ixz * roll + own.ixx * yaw) / both,
+            p + (q * numpy.sin(phi) + r * numpy.cos(phi))
+            * numpy.sin(theta) / cos_theta])
+
+    def outputs_of(self, states, inputs, values):
+        beta, p, r, phi = states
+        force, _, _ = self.forces(states, inputs, values)
+        beta = self.late(states, inputs, values)
+        return numpy.array([
+            beta, p + values[self.place["error of p"]],
+            r + values[self.place["error of r"]], phi, force])
+
+    def equations(self, segment: Segment, smooth, slope):
+        """Left sides by coefficient, and the regressors."""
+        own = self.aircraft
+        pressure, speed = self.pressure_and_speed(segment)
+        p, q, r = (smooth(segment[name]) for name in "pqr")
+        dp, dr = slope(segment["p"]), slope(segment["r"])
+        area = pressure * own.wing_area
+        per = own.span / (2.0 * speed)
+        return {
+            "CY": own.mass * smooth(segment["ay"]) / area,
+            "Cl": (own.ixx * dp - own.ixz * (dr + p * q)
+                   - (own.iyy - own.izz) * q * r) / (area * own.span),
+            "Cn": (own.izz * dr - own.ixz * (dp - q * r)
+                   - (own.ixx - own.iyy) * p * q) / (area * own.span),
+        }, numpy.array([smooth(segment["beta"]), p * per, r * per,
+                        smooth(segment["aileron"]),
+                        smooth(segment["rudder"])])
+
+
+AXES = (Longitudinal, Lateral)

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From records to derivatives with bounds (GND-61 to GND-64)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy
+from scipy import stats
+
+from urv.identification import (
+    airframes,
+    compatibility,
+    equation_error,
+    manoeuvres,
+    measurements,
+    output_error,
+)
+
+LEVEL = 0.95
+FACTOR = float(stats.norm.ppf(0.5 + LEVEL / 2.0))
+
+MOST_WIDTH = 0.5
+"""A derivative is determined when half its interval is at most this share of
+it."""
+
+MOST_INFLATION = 30.0
+"""A variable whose variance the others enlarge more moves with them: a small
+error of the model then moves the estimate by more than its interval."""
+
+CLOSE = 0.95
+"""A correlation of two derivatives of which only a sum is known."""
+
+NO_MANOEUVRES = "no manoeuvre moves this axis"
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """A derivative with its 95 % interval, per rad."""
+
+    name: str
+    value: float
+    low: float
+    high: float
+    white_half_width: float
+    """Half of the interval if residuals were white."""
+    by_equation_error: float
+    prior: float | None
+    is_determined: bool
+    reason: str = ""
+    """Why the data do not determine it."""
+
+
+@dataclass
+class Flown:
+    """A manoeuvre and its part in the estimate."""
+
+    manoeuvre: manoeuvres.Manoeuvre
+    record: int
+    segment: measurements.Segment | None = None
+    reason: str = ""
+    """Why it is not used."""
+    is_for_validation: bool = False
+    outputs: numpy.ndarray | None = None
+    residuals: numpy.ndarray | None = None
+    inequality: dict[str, float] = field(default_factory=dict)
+    """Theil's coefficient of each output: 0 is exact; below 0.3 is good."""
+
+
+@dataclass
+class Axis:
+    """The result of one axis."""
+
+    axis: str
+    outputs: tuple[str, ...]
+    flown: list[Flown]
+    derivatives: dict[str, Derivative] = field(default_factory=dict)
+    fit: output_error.Fit | None = None
+    reason: str = ""
+    """Why there is no result."""
+
+
+@dataclass
+class Result:
+    """Of all records."""
+
+    records: list[str]
+    compatibility: list[compatibility.Compatibility | None]
+    axes: dict[str, Axis]
+
+
+def identify(flights, aircraft, finders=manoeuvres.FINDERS,
+             hold_out=1) -> Result:
+    """The derivatives of an aircraft from its flights. The last hold_out
+    manoeuvres of each axis are for validation, where at least two more remain.
+    """
+    parts = []
+    checks = []
+    for record, flight in enumerate(flights):
+        own = []
+        for each in manoeuvres.found(flight, finders):
+            flown = Flown(each, record)
+            try:
+                flown.segment = measurements.segment(
+                    flight, each.begin, each.end, record)
+            except measurements.Unusable as fault:
+                flown.reason = str(fault)
+            own.append(flown)
+        usable = [each for each in own if each.segment is not None]
+        known = None
+        if usable:
+            known = compatibility.check(
+                [each.segment for each in usable], aircraft.gravity)
+            for each in usable:
+                each.segment = compatibility.corrected(each.segment, known)
+        checks.append(known)
+        parts += own
+    airspeed = {record: known.airspeed_deviation
+                for record, known in enumerate(checks) if known}
+    axes = {}
+    for kind in airframes.AXES:
+        # A manoeuvre of both axes has a part in each.
+        flown = [Flown(each.manoeuvre, each.record, each.segment, each.reason)
+                 for each in parts if kind.axis in each.manoeuvre.axes]
+        axes[kind.axis] = of_axis(kind(aircraft, airspeed), flown, hold_out)
+    return Result([str(flight.path) for flight in flights], checks, axes)
+
+
+def of_axis(airframe, flown, hold_out) -> Axis:
+    """Equation error, output error, then validation."""
+    result = Axis(airframe.axis, airframe.outputs, flown)
+    usable = [each for each in flown if each.segment is not None]
+    if not usable:
+        result.reason = NO_MANOEUVRES
+        return result
+    if 0 < hold_out <= len(usable) - 2:
+        for each in usable[-hold_out:]:
+            each.is_for_validation = True
+    used = [each for each in usable if not each.is_for_validation]
+    segments = [each.segment for each in used]
+    start = equation_error.regress(airframe, segments)
+    fixed = {f"{name}_{variable}": 0.0 for name in airframe.coefficients
+             for variable in start.missing}
+    problem = output_error.Problem(airframe, segments, fixed)
+    begin(problem, airframe, start, segments)
+    fit = output_error.estimate(problem)
+    result.fit = fit
+    for each, outputs, residuals in zip(used, fit.outputs, fit.residuals,
+                                        strict=True):
+        keep(each, airframe, outputs, residuals)
+    for name in airframe.derivatives:
+        result.derivatives[name] = derivative(name, airframe, start, fit)
+    validate(airframe, fit, fixed,
+             [each for each in usable if each.is_for_validation])
+    return result
+
+
+def begin(problem, airframe, start, segments):
+    """Puts the start by equation error into the problem."""
+    for name, value in start.values.items():
+        problem.start[problem.names.index(name)] = value
+    for name, constants in start.constants.items():
+        for number, (part, value) in enumerate(
+                zip(segments, constants, strict=True)):
+            problem.start[problem.names.index(
+                f"{name}_0/{part.record}/{number}")] = value
+
+
+def derivative(name, airframe, start, fit) -> Derivative:
+    """A derivative's interval, and whether the data determine it."""
+    prior = airframe.aircraft.prior.get(name)
+    variable = name.split("_")[1]
+    if variable in start.missing:
+        return Derivative(name, numpy.nan, numpy.nan, numpy.nan, numpy.nan,
+                          numpy.nan, prior, False, start.missing[variable])
+    value = fit.values[name]
+    half = FACTOR * fit.deviations[name]
+    inflation = start.inflation[variable]
+    determined = bool(half <= MOST_WIDTH * abs(value)
+                      and inflation <= MOST_INFLATION)
+    reason = ""
+    if inflation > MOST_INFLATION:
+        reason = (f"{variable} moves with the other variables, which enlarge"
+                  f" the variance {inflation:.0f} times")
+    elif not determined:
+        row = fit.names.index(name)
+        closest = max(
+            (other for other in airframe.derivatives
+             if other != name and other in fit.names),
+            key=lambda other: abs(
+                fit.correlations[row, fit.names.index(other)]))
+        close = fit.correlations[row, fit.names.index(closest)]
+        reason = (f"it cannot be separated from {closest}: correlation"
+                  f" {close:.2f}" if abs(close) > CLOSE else
+                  "its effect is below the noise; it may be zero"
+                  if half >= abs(value) else
+                  "its effect is little above the noise")
+    return Derivative(
+        name, value, value - half, value + half,
+        FACTOR * fit.white_deviations[name], start.values[name], prior,
+        determined, reason)
+
+
+def keep(flown, airframe, outputs, residuals):
+    """Stores a manoeuvre's computed outputs and how well they fit."""
+    flown.outputs, flown.residuals = outputs, residuals
+    measured = airframe.measured(flown.segment)
+    fresh = flown.segment.is_fresh
+    for row, name in enumerate(airframe.outputs):
+        # About the mean, so that a trim does not make a fit look good.
+        middle = measured[row, fresh].mean()
+        one, other = (each[row, fresh] - middle
+                      for each in (measured, outputs))
+        size = numpy.sqrt((one ** 2).mean()) + numpy.sqrt((other ** 2).mean())
+        flown.inequality[name] = float(
+            numpy.sqrt((residuals[row, fresh] ** 2).mean())
+            / max(size, 1e-12))
+
+
+def validate(airframe, fit, fixed, flown):
+    """Computes manoeuvres that the estimate did not use. Their first states
+    and constants are fitted; no derivative is."""
+    if not flown:
+        return
+    known = fixed | fit.values
+    segments = [each.segment for each in flown]
+    problem = output_error.Problem(airframe, segments, known, fit.of_records)
+    start = equation_error.regress(airframe, segments)
+    del start
+    answer = output_error.estimate(problem)
+    for each, outputs, residuals in zip(flown, answer.outputs,
+                                        answer.residuals, strict=True):
+        keep(each, airframe, outputs, residuals)

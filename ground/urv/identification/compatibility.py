@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Are a flight's data compatible? Errors of its sensors (GND-61).
+
+Rates and accelerations, integrated by the equations of motion alone, give
+airspeed, alpha, beta, attitude and altitude. Output error finds the constant
+errors, scale factors and delays with which all of them agree. No aerodynamics
+are assumed. Still air is, but a steady wind changes nothing.
+
+Two sums cannot be separated: an error of attitude from one of the
+accelerations, and a factor of the airspeed from its constant error when the
+flight has one speed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy
+
+from urv.identification import measurements, output_error
+from urv.identification.measurements import GRAVITY, Segment
+from urv.identification.output_error import RECORD, Parameter
+
+DEG = numpy.radians(1.0)
+KT = measurements.FPS_PER_KT
+
+SIGNIFICANT = 3.0
+"""Standard deviations from which on a scale factor or a delay is applied."""
+
+LEAST_SCALE_ERROR = 0.02
+LEAST_DELAY_S = 0.003
+"""A smaller delay is not applied: steps of a simulation of 4 ms make 2 ms."""
+
+BIASES = {"ax": ("ft/s2", 0.05 * GRAVITY), "ay": ("ft/s2", 0.05 * GRAVITY),
+          "az": ("ft/s2", 0.05 * GRAVITY), "p": ("rad/s", 2.0 * DEG),
+          "q": ("rad/s", 2.0 * DEG), "r": ("rad/s", 2.0 * DEG),
+          "airspeed": ("ft/s", 10.0 * KT), "alpha": ("rad", 3.0 * DEG),
+          "beta": ("rad", 3.0 * DEG)}
+"""Constant errors, with the deviation that is taken for possible before."""
+
+SCALES = {"alpha": 0.3, "beta": 0.3}
+DELAYS = {"rates": (measurements.RATES, 0.1),
+          "accelerations": (measurements.ACCELERATIONS, 0.1),
+          "airflow": (measurements.AIRFLOW, 0.1)}
+"""Delays against the attitudes."""
+
+SHOWN = {"ft/s2": ("g", 1.0 / GRAVITY), "rad/s": ("deg/s", 1.0 / DEG),
+         "rad": ("deg", 1.0 / DEG), "ft/s": ("kt", 1.0 / KT)}
+
+
+@dataclass(frozen=True)
+class Found:
+    """An error of a sensor, in the unit of people."""
+
+    name: str
+    unit: str
+    value: float
+    deviation: float
+    is_determined: bool
+    """The data say more of it than was taken for possible before."""
+    is_applied: bool
+    """The data are corrected for it."""
+
+
+class Kinematics:
+    """The equations of motion of a rigid body."""
+
+    states = ("u", "v", "w", "phi", "theta", "height")
+    outputs = ("airspeed", "alpha", "beta", "phi", "theta", "altitude")
+    sizes = (1.0, 1.0, 1.0, DEG, DEG, 1.0)
+
+    def __init__(self, gravity):
+        self.gravity = gravity
+
+        def known(deviation, mean=0.0):
+            return mean, deviation
+
+        self.parameters = (
+            *(Parameter(f"bias {name}", RECORD, 0.0, 0.02 * deviation,
+                        prior=known(deviation))
+              for name, (_, deviation) in BIASES.items()),
+            *(Parameter(f"scale {name}", RECORD, 1.0, 0.01,
+                        prior=known(deviation, 1.0))
+              for name, deviation in SCALES.items()),
+            *(Parameter(f"delay {name}", RECORD, 0.0, 0.005,
+                        is_input=name != "airflow", prior=known(deviation))
+              for name, (_, deviation) in DELAYS.items()))
+        self.place = {each.name: number
+                      for number, each in enumerate(self.parameters)}
+
+    def prior(self, parameter, _record):
+        return parameter.prior
+
+    def measured(self, segment: Segment):
+        return numpy.array([segment[name] for name in self.outputs])
+
+    def first_states(self, segment: Segment):
+        few = slice(0, 10)
+        true = (segment["airspeed"] / numpy.sqrt(segment.density_ratio))[few]
+        speed, alpha, beta, phi, theta, height = (
+            numpy.mean(each) for each in (
+                true, *(segment[name][few] for name in self.outputs[1:])))
+        return numpy.array([
+            speed * numpy.cos(alpha) * numpy.cos(beta),
+            speed * numpy.sin(beta),
+            speed * numpy.sin(alpha) * numpy.cos(beta), phi, theta, height])
+
+    def inputs(self, segment, times, values):
+        delay = {name: values[self.place[f"delay {name}"]]
+                 for name in ("rates", "accelerations")}
+        return numpy.concatenate([
+            segment.splines("p", "q", "r")(times + delay["rates"]),
+            segment.splines("ax", "ay", "az")(
+                times + delay["accelerations"]),
+            [numpy.interp(times, segment.times,
+                          numpy.sqrt(segment.density_ratio))]])
+
+    def rates(self, states, inputs, values):
+        u, v, w, phi, theta, _ = states
+        p, q, r = (inputs[place] - values[self.place[f"bias {name}"]]
+                   for place, name in enumerate("pqr"))
+        ax, ay, az = (inputs[3 + place] - values[self.place[f"bias {name}"]]
+                      for place, name in enumerate(("ax", "ay", "az")))
+        sin_phi, cos_phi = numpy.sin(phi), numpy.cos(phi)
+        sin_theta, cos_theta = numpy.sin(theta), numpy.cos(theta)
+        turning = q * sin_phi + r * cos_phi
+        return numpy.array([
+            r * v - q * w - self.gravity * sin_theta + ax,
+            p * w - r * u + self.gravity * sin_phi * cos_theta + ay,
+            q * u - p * v + self.gravity * cos_phi * cos_theta + az,
+            p + turning * sin_theta / cos_theta,
+            q * cos_phi - r * sin_phi,
+            u * sin_theta - (v * sin_phi + w * cos_phi) * cos_theta])
+
+    def outputs_of(self, states, inputs, values):
+        u, v, w, phi, theta, height = states
+        p, q, r = inputs[:3]
+        accelerations = self.rates(states, inputs, values)
+        speed = numpy.sqrt(u * u + v * v + w * w)
+        alpha = numpy.arctan2(w, u)
+        beta = numpy.arcsin(numpy.clip(v / speed, -1.0, 1.0))
+        # The airflow's words are late: what they show was so before.
+        late = values[self.place["delay airflow"]]
+        du, dv, dw = accelerations[:3]
+        alpha = alpha - late * (u * dw - w * du) / (u * u + w * w)
+        beta = beta - late * dv / speed
+        shown = speed - late * du
+        bias = {name: values[self.place[f"bias {name}"]]
+                for name in ("airspeed", "alpha", "beta")}
+        return numpy.array([
+            shown * inputs[6] + bias["airspeed"],
+            values[self.place["scale alpha"]] * alpha + bias["alpha"],
+            values[self.place["scale beta"]] * beta + bias["beta"],
+            phi, theta, height])
+
+
+@dataclass
+class Compatibility:
+    """Errors of a record's sensors, and the fit that found them."""
+
+    found: list[Found]
+    fit: output_error.Fit
+    segments: list[Segment]
+    airspeed_deviation: float
+    """Of the constant error of the airspeed, ft/s."""
+
+    @property
+    def by_name(self) -> dict[str, Found]:
+        return {each.name: each for each in self.found}
+
+
+def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
+    """The errors of the sensors of one record, from its segments."""
+    model = Kinematics(gravity)
+    fit = output_error.estimate(output_error.Problem(model, segments))
+    record = segments[0].record
+    found = []
+    for each in model.parameters:
+        kind, name = each.name.split(" ")
+        value = fit.of_records[each.name, record]
+        deviation = fit.deviations[f"{each.name}/{record}"]
+        determined = deviation < 0.5 * each.prior[1]
+        unit, factor = {
+            "bias": SHOWN[BIASES[name][0]] if kind == "bias" else None,
+            "scale": ("", 1.0), "delay": ("ms", 1e3)}[kind]
+        far = abs(value - each.prior[0])
+        applied = determined and (
+            kind == "bias" or far > SIGNIFICANT * deviation
+            and far > (LEAST_DELAY_S if kind == "delay"
+                       else LEAST_SCALE_ERROR))
+        found.append(Found(each.name, unit, value * factor,
+                           deviation * factor, determined, applied))
+    return Compatibility(found, fit, segments,
+                         fit.deviations[f"bias airspeed/{record}"])
+
+
+def corrected(segment: Segment, known: Compatibility) -> Segment:
+    """The segment without the errors that the data show."""
+    errors = {}
+    for each in known.found:
+        if each.is_applied:
+            errors[each.name] = known.fit.of_records[
+                each.name, segment.record]
+    delays = {}
+    for name, (group, _) in DELAYS.items():
+        delays |= {signal: errors.get(f"delay {name}", 0.0)
+                   for signal in group}
+    moved = measurements.shifted(segment, delays)
+    return moved.with_signals(**{
+        name: (moved[name] - errors.get(f"bias {name}", 0.0))
+        / errors.get(f"scale {name}", 1.0) for name in BIASES})

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The manoeuvres of a flight (GND-61).
+
+    manoeuvres.found(flight)
+
+A finder takes a flight and returns its manoeuvres. The first finder that finds
+any is used. `by_sticks` takes movements of the sticks after a rest; `from_file`
+makes a finder of times that a person gives. A finder of marks in the downlink
+goes first into FINDERS, and names its mark.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy
+from scipy import ndimage
+
+from urv import faults, input_files, packets
+
+LONGITUDINAL, LATERAL = "longitudinal", "lateral"
+AXES = {LONGITUDINAL: ("pitch",), LATERAL: ("roll", "yaw")}
+
+REST_S = 20.0
+"""A stick's rest is its median over this time."""
+
+MOVED_PERCENT = 2.0
+"""A stick that is further than this from its rest moves the aircraft."""
+
+SAME_S = 3.0
+"""Movements with a shorter pause are one manoeuvre."""
+
+LEAD_S = 0.5
+TAIL_S = 4.0
+"""Time before the first and after the last movement that belongs to it."""
+
+SHORTEST_S = 0.1
+LONGEST_S = 60.0
+"""Limits of the movement's length; hand-flying is longer."""
+
+MOST = 200
+
+GROUPS = ("console", "gsc.uplink", "mcs.uplink")
+"""Groups of columns with the sticks, best first."""
+
+
+@dataclass(frozen=True)
+class Manoeuvre:
+    """A part of a flight, in s of its record, and the axes that it moves."""
+
+    begin: float
+    end: float
+    axes: tuple[str, ...]
+    mark: str = ""
+    """How it was found: "sticks", or a mark's name."""
+
+
+def by_sticks(flight) -> list[Manoeuvre]:
+    """Movements of the sticks after a rest."""
+    group = next((each for each in GROUPS
+                  if flight.has_all(*(f"{each}.{stick}" for sticks
+                                      in AXES.values() for stick in sticks))),
+                 None)
+    if group is None:
+        return []
+    moved = {axis: numpy.zeros(flight.rows, bool) for axis in AXES}
+    size = min(round(REST_S / packets.FRAME_S), flight.rows) | 1
+    for axis, sticks in AXES.items():
+        for stick in sticks:
+            values = numpy.asarray(flight.values(f"{group}.{stick}"))
+            rest = ndimage.median_filter(values, size, mode="nearest")
+            moved[axis] |= abs(values - rest) > MOVED_PERCENT
+    rows = numpy.flatnonzero(sum(moved.values()))
+    if not len(rows):
+        return []
+    seconds = flight.seconds
+    runs = numpy.split(rows, numpy.flatnonzero(
+        numpy.diff(seconds[rows]) > SAME_S) + 1)
+    found = []
+    for place, run in enumerate(runs):
+        first, last = seconds[run[0]], seconds[run[-1]]
+        if not SHORTEST_S <= last - first <= LONGEST_S:
+            continue
+        following = (seconds[runs[place + 1][0]] if place + 1 < len(runs)
+                     else numpy.inf)
+        found.append(Manoeuvre(
+            max(first - LEAD_S, seconds[0]),
+            min(last + TAIL_S, following - LEAD_S, seconds[-1]),
+            tuple(axis for axis in AXES if moved[axis][run].any()),
+            "sticks"))
+    return found[:MOST]
+
+
+FINDERS = (by_sticks,)
+
+
+def found(flight, finders=FINDERS) -> list[Manoeuvre]:
+    """The manoeuvres of a flight by the first finder that finds any."""
+    for finder in finders:
+        manoeuvres = finder(flight)
+        if manoeuvres:
+            return manoeuvres
+    return []
+
+
+def from_file(path: Path):
+    """A finder of the manoeuvres in a CSV file with the columns begin_s, end_s
+    and axes: longitudinal, lateral or both. Raises faults.Refused."""
+    where = faults.quoted(path)[1:-1]
+    given = []
+    with input_files.opened_text(path) as file:
+        try:
+            rows = csv.DictReader(file)
+            if rows.fieldnames != ["begin_s", "end_s", "axes"]:
+                raise faults.Refused(
+                    f"{where}:1: the columns are begin_s,end_s,axes")
+            for row in rows:
+                given.append(_manoeuvre(row, f"{where}:{rows.line_num}"))
+                if len(given) > MOST:
+                    raise faults.Refused(
+                        f"{where}:{rows.line_num}: there may be {MOST}"
+                        " manoeuvres")
+        except (UnicodeDecodeError, csv.Error) as fault:
+            raise faults.Refused(f"{where}: no text of CSV") from fault
+    return lambda _flight: given
+
+
+def _manoeuvre(row, where):
+    try:
+        begin, end = float(row["begin_s"]), float(row["end_s"])
+    except (TypeError, ValueError) as fault:
+        raise faults.Refused(f"{where}: times are numbers") from fault
+    if not 0 <= begin < end <= 1e7:
+        raise faults.Refused(f"{where}: begin_s is before end_s")
+    axes = {"both": tuple(AXES)} | {axis: (axis,) for axis in AXES}
+    if row["axes"] not in axes:
+        raise faults.Refused(
+            f"{where}: axes are {', '.join(AXES)} or both")
+    return Manoeuvre(begin, end, axes[row["axes"]], "file")

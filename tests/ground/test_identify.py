@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: Apache-2.0
+"""GND-61 to GND-64: bin/urv identify. Derivatives of systems that are known,
+their intervals over many seeds, and a flight of the simulated aircraft."""
+
+import json
+import os
+import subprocess
+import sys
+
+# The arrays are small: more threads only wait for each other.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy
+import pytest
+from conftest import ROOT, fly
+from scipy import signal
+
+from urv import faults
+from urv.identification import (
+    aircraft,
+    analysis,
+    manoeuvres,
+    measurements,
+    output_error,
+)
+from urv.identification.output_error import ALL, Parameter
+
+STEP_S = 0.02
+TRUTH = {"stiffness": -9.0, "damping": -1.2, "control": 6.0}
+
+
+class Oscillator:
+    """A mass on a spring, moved by a force: angle and rate are measured."""
+
+    states = outputs = ("angle", "rate")
+    sizes = (0.01, 0.01)
+    parameters = tuple(Parameter(name, ALL, 0.8 * value, 0.05)
+                       for name, value in TRUTH.items())
+
+    def prior(self, _parameter, _record):
+        return None
+
+    def first_states(self, _segment):
+        return numpy.zeros(2)
+
+    def inputs(self, segment, times, _values):
+        return numpy.interp(times, segment.times,
+                            segment["force"])[None]
+
+    def measured(self, segment):
+        return numpy.array([segment["angle"], segment["rate"]])
+
+    def rates(self, states, inputs, values):
+        angle, rate = states
+        return numpy.array([rate, values[0] * angle + values[1] * rate
+                            + values[2] * inputs[0]])
+
+    def outputs_of(self, states, _inputs, _values):
+        return states
+
+
+def oscillation(seed, colour):
+    """Three manoeuvres, computed by scipy, with noise of that colour: the
+    correlation of one frame with the next."""
+    chance = numpy.random.default_rng(seed)
+    stiffness, damping, control = TRUTH.values()
+    system = signal.StateSpace(
+        [[0, 1], [stiffness, damping]], [[0], [control]], numpy.eye(2),
+        numpy.zeros((2, 1)))
+    found = []
+    for number in range(3):
+        times = STEP_S * numpy.arange(300)
+        force = numpy.interp(
+            times, [0, 1, 1.2, 2, 2.2, 3, 3.2, 6],
+            [0, 0, 0.1, 0.1, -0.1, -0.1, 0, 0]) * (-1) ** number
+        _, outputs, _ = signal.lsim(system, force, times)
+        white = chance.normal(0, 0.01, (len(times) + 500, 2))
+        noise = signal.lfilter([numpy.sqrt(1 - colour ** 2)], [1, -colour],
+                               white, axis=0)[500:]
+        angle, rate = (outputs + noise).T
+        found.append(measurements.Segment(
+            times + 10.0 * number,
+            {"force": force, "angle": angle, "rate": rate},
+            numpy.ones(len(times), bool), numpy.ones(len(times))))
+    return found
+
+
+def estimated(segments):
+    return output_error.estimate(
+        output_error.Problem(Oscillator(), segments))
+
+
+def covered(fits, deviations):
+    """The share of true values within 95 % intervals."""
+    inside = [abs(fit.values[name] - value)
+              <= analysis.FACTOR * getattr(fit, deviations)[name]
+              for fit in fits for name, value in TRUTH.items()]
+    return sum(inside) / len(inside)
+
+
+def test_gnd62_without_noise_the_derivatives_are_the_true_ones():
+    segments = oscillation(1, 0.0)
+    model = Oscillator()
+    exact = [each.with_signals(**dict(zip(
+        ("angle", "rate"), signal.lsim(
+            ([[0, 1], list(TRUTH.values())[:2]], [[0], [TRUTH["control"]]],
+             numpy.eye(2), numpy.zeros((2, 1))),
+            each["force"], each.times - each.times[0])[1].T, strict=True)))
+        for each in segments]
+    fit = output_error.estimate(output_error.Problem(model, exact))
+    assert fit.has_converged
+    for name, value in TRUTH.items():
+        assert fit.values[name] == pytest.approx(value, rel=1e-3), name
+
+
+def test_gnd62_intervals_of_white_noise_hold_the_truth():
+    fits = [estimated(oscillation(seed, 0.0)) for seed in range(30)]
+    assert 0.88 <= covered(fits, "deviations") <= 1.0
+    assert covered(fits, "white_deviations") >= 0.88
+
+
+def test_gnd62_intervals_of_coloured_noise_hold_the_truth():
+    """Those for white noise do not."""
+    fits = [estimated(oscillation(seed, 0.95)) for seed in range(30)]
+    assert covered(fits, "deviations") >= 0.8
+    assert covered(fits, "white_deviations") < 0.7
+
+
+def test_gnd62_a_gap_in_the_data_counts_for_nothing():
+    whole = oscillation(3, 0.0)
+    hurt = []
+    for each in whole:
+        fresh = each.is_fresh.copy()
+        fresh[150:153] = False
+        angle = each["angle"].copy()
+        angle[150:153] = 50.0
+        hurt.append(measurements.Segment(
+            each.times, each.signals | {"angle": angle}, fresh,
+            each.density_ratio))
+    one, other = estimated(whole), estimated(hurt)
+    for name in TRUTH:
+        assert abs(one.values[name] - other.values[name]) < (
+            one.deviations[name])
+
+
+@pytest.fixture(scope="module")
+def flown(tmp_path_factory):
+    """The folder of a flight of evidence/derivatives.py's programme."""
+    folder = tmp_path_factory.mktemp("identify")
+    subprocess.run(
+        [sys.executable, "-B", ROOT / "evidence" / "derivatives.py",
+         "--sticks", folder / "sticks.csv"], check=True,
+        capture_output=True)
+    (folder / "conditions.txt").write_text(
+        "bias pitch_rate 0.2\nbias airspeed 1\nbias alpha 0.3\n"
+        "noise alpha 0.1\nnoise beta 0.1\nnoise roll_rate 0.1\n"
+        "noise pitch_rate 0.1\nnoise yaw_rate 0.1\n", "utf-8")
+    return fly(folder, "--plant", "jsbsim", "--sticks", "sticks.csv",
+               "--conditions", "conditions.txt")
+
+
+@pytest.fixture(scope="module")
+def identified(flown):
+    """The same, with the report and the numbers."""
+    result = subprocess.run(
+        [ROOT / "bin" / "urv", "identify", "record.csv", "-o", "report.html",
+         "--json", "result.json"], cwd=flown, check=False, text=True,
+        capture_output=True)
+    assert (result.returncode, result.stderr) == (0, "")
+    (flown / "said.txt").write_text(result.stdout, "utf-8")
+    return flown
+
+
+MAIN = ("CZ_alpha", "Cm_alpha", "Cm_q", "Cm_elevator", "Cl_p", "Cl_beta",
+        "Cl_aileron", "Cn_beta", "Cn_r", "Cn_rudder")
+
+
+def test_gnd64_main_derivatives_of_a_flight_are_near_the_truth(identified):
+    result = json.loads((identified / "result.json").read_text("utf-8"))
+    found = {}
+    for axis in result["axes"].values():
+        assert axis["converged"]
+        found |= axis["derivatives"]
+    for name in MAIN:
+        each = found[name]
+        assert each["determined"], name
+        assert each["low"] < each["value"] < each["high"]
+        assert each["value"] == pytest.approx(each["prior"], rel=0.1), name
+
+
+def test_gnd61_manoeuvres_are_found_by_the_sticks(identified):
+    result = json.loads((identified / "result.json").read_text("utf-8"))
+    for axis in result["axes"].values():
+        uses = [each["use"] for each in axis["manoeuvres"]]
+        assert uses == ["estimation"] * 3 + ["validation"]
+        assert {each["found_by"] for each in axis["manoeuvres"]} == {"sticks"}
+        # Validation: the computed outputs are those of the flight.
+        assert max(axis["manoeuvres"][-1]["inequality"].values()) < 0.3
+
+
+def test_gnd61_the_errors_of_the_sensors_are_found(identified):
+    sensors, = json.loads(
+        (identified / "result.json").read_text("utf-8"))["sensors"]
+    rate = sensors["bias q"]
+    assert rate["determined"] and rate["unit"] == "deg/s"
+    assert rate["value"] == pytest.approx(0.2, abs=0.05)
+    assert sensors["bias airspeed"]["value"] == pytest.approx(1.0, abs=1.5)
+
+
+def test_gnd63_the_report_is_one_page_that_needs_no_network(identified):
+    page = (identified / "report.html").read_text("utf-8")
+    assert "default-src 'none'" in page
+    assert "http-equiv=\"Content-Security-Policy\"" in page
+    for name in MAIN:
+        assert f">{name}</th>" in page
+    assert "Errors of the sensors" in page
+    assert "residual of alpha" in page
+    said = (identified / "said.txt").read_text("utf-8")
+    for name in MAIN:
+        assert f"  {name} " in said
+
+
+def test_gnd62_a_surface_that_never_moves_is_reported(flown, tmp_path):
+    """No rudder manoeuvre, so the data say nothing of its derivatives."""
+    from urv import flights
+    flight = flights.read(flown / "record.csv", lambda _record: None)
+    rolls = [each for each in manoeuvres.found(flight)
+             if each.axes == ("lateral",)]
+    # Ailerons move 3.5 s after the manoeuvre's begin.
+    times = tmp_path / "times.csv"
+    times.write_text("begin_s,end_s,axes\n" + "".join(
+        f"{each.begin + 3.2:.2f},{each.end:.2f},lateral\n"
+        for each in rolls), "utf-8")
+    result = analysis.identify(
+        [flight], aircraft.read(), (manoeuvres.from_file(times),))
+    axis = result.axes["lateral"]
+    each = axis.derivatives["Cn_rudder"]
+    assert not each.is_determined
+    assert each.reason == "nothing moved it"
+    assert axis.derivatives["Cl_aileron"].is_determined
+    assert result.axes["longitudinal"].reason == analysis.NO_MANOEUVRES
+
+
+def test_gnd64_the_file_of_the_aircraft_is_that_of_the_model(tmp_path):
+    """Small differences on JSBSim's own model."""
+    made = tmp_path / "made.json"
+    subprocess.run(
+        [sys.executable, "-B", ROOT / "sim/jsbsim/derivatives.py", "-o",
+         made], check=True)
+    made, kept = (json.loads(path.read_text("utf-8"))
+                  for path in (made, aircraft.DEFAULT))
+    derivatives = made.pop("derivatives"), kept.pop("derivatives")
+    assert derivatives[0] == pytest.approx(derivatives[1], abs=1e-4)
+    trim = made.pop("trim"), kept.pop("trim")
+    assert trim[0] == pytest.approx(trim[1], abs=0.1)
+    assert made == kept
+    # Some are in the model's own file.
+    assert derivatives[1]["Cl_p"] == pytest.approx(-0.45, abs=1e-3)
+    assert derivatives[1]["Cn_rudder"] == pytest.approx(0.07, abs=1e-3)
+    assert derivatives[1]["Cm_q"] == pytest.approx(-14 - 4, abs=0.01)
+
+
+@pytest.mark.parametrize("text, error", [
+    ("[]", "no aircraft file"), ("{", "not JSON"),
+    ("{}", "there is no mass_slug")])
+def test_gnd61_a_bad_aircraft_file_gives_one_line(tmp_path, text, error):
+    path = tmp_path / "a.json"
+    path.write_text(text, "utf-8")
+    with pytest.raises(faults.Refused, match=error):
+        aircraft.read(path)
+
+
+@pytest.mark.parametrize("value", ["0", "-1", "true", "\"1\"", "null"])
+def test_gnd61_a_mass_that_is_no_positive_number_is_refused(tmp_path, value):
+    given = aircraft.DEFAULT.read_text("utf-8")
+    mass = json.loads(given)["mass_slug"]
+    path = tmp_path / "a.json"
+    path.write_text(given.replace(f"\"mass_slug\": {mass}",
+                                  f"\"mass_slug\": {value}"), "utf-8")
+    with pytest.raises(faults.Refused, match="mass_slug is no positive"):
+        aircraft.read(path)
+
+
+@pytest.mark.parametrize("text, error", [
+    ("begin,end\n", "times.csv:1: the columns are begin_s,end_s,axes"),
+    ("begin_s,end_s,axes\n1,x,both\n", "times.csv:2: times are numbers"),
+    ("begin_s,end_s,axes\n2,1,both\n", "times.csv:2: begin_s is before"),
+    ("begin_s,end_s,axes\n1,nan,both\n", "times.csv:2: begin_s is before"),
+    ("begin_s,end_s,axes\n1,2,roll\n", "times.csv:2: axes are"),
+])
+def test_gnd61_bad_times_of_manoeuvres_give_one_line(
+        urv, flown, tmp_path, text, error):
+    (tmp_path / "times.csv").write_text(text, "utf-8")
+    result = urv("identify", flown / "record.csv", "--manoeuvres",
+                 "times.csv")
+    assert (result.returncode, result.stdout) == (2, "")
+    assert error in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_gnd61_a_flight_without_manoeuvres_gives_one_line(
+        urv, tmp_path):
+    fly(tmp_path, "--seconds", "5")
+    result = urv("identify", "record.csv", "-o", "report.html")
+    assert (result.returncode, result.stdout) == (2, "")
+    assert "no manoeuvre: no stick moves" in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+    assert not (tmp_path / "report.html").exists()
+
+
+def test_gnd61_manoeuvres_with_gaps_are_not_used(urv, tmp_path, flown):
+    (tmp_path / "cut.txt").write_text("7000 cut 500\n", "utf-8")
+    folder = fly(tmp_path, "--plant", "jsbsim", "--sticks",
+                 flown / "sticks.csv", "--faults", tmp_path / "cut.txt",
+                 "--seconds", "14")
+    result = urv("identify", folder / "record.csv")
+    assert result.returncode == 2
+    assert "a gap of more than 0.1 s" in result.stderr
+
+
+def test_gnd62_a_flight_by_the_pilot_does_not_determine_lateral_motion(
+        standard):
+    """The simulated pilot moves rudder and ailerons with the motion."""
+    from urv import flights
+    flight = flights.read(standard / "record.csv", lambda _record: None)
+    result = analysis.identify([flight], aircraft.read())
+    for each in result.axes["lateral"].derivatives.values():
+        assert not each.is_determined, each
+        assert "moves with the other variables" in each.reason
