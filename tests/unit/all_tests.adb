@@ -5,6 +5,7 @@ with Law_Suite;     use Law_Suite;
 with Link_Suite;    use Link_Suite;
 with Node_Suite;    use Node_Suite;
 with Task_Suite;    use Task_Suite;
+with Bare_Nodes_Tests;
 with Buffers_Tests;
 with Frames_Tests;
 with Nodes_Tests;
