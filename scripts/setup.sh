@@ -27,11 +27,11 @@ if [ -z "${ALIRE:-}" ] && [ -r /etc/os-release ]; then
             [ "${ID:-}" = debian ] && echo "${VERSION_ID:-}") || debian=
 fi
 
+# In bare: compiler and emulator of bare machines.
 case $debian in
    12) build="gnat-12 gprbuild"
        aunit=libaunit22-dev
        gcov=gcc-12
-       # Both nodes on bare machines, in an emulator.
        bare="gnat-12-arm-linux-gnueabihf qemu-system-arm" ;;
    13) bare=
        build="gnat-14 gprbuild"

@@ -137,7 +137,7 @@ def test_sec18_the_page_lists_each_file_of_yamcs_with_its_licence():
 def test_sec18_the_page_lists_each_debian_package():
     text = (ROOT / "scripts" / "setup.sh").read_text("utf-8")
     named = " ".join(re.findall(
-        r'(?:packages|build|aunit|gcov|more)="?([^"$;]*(?:\$\w+ ?[^"]*)*)',
+        r'(?:packages|build|aunit|gcov|more|bare)="?([^"$;]*(?:\$\w+ ?[^"]*)*)',
         text))
     wanted = {re.sub(r"-1[0-9]$", "", word) for word in named.split()
               if re.fullmatch(r"[a-z][a-z0-9+.-]+", word)}
