@@ -139,24 +139,22 @@ def judged(result, truth):
 
 
 def table(results):
-    """Markdown."""
-    lines = ["| derivative | " + " | ".join(
-        f"{kind}: inside | error | half width" for kind in results) + " |",
-        "|---|" + "---|" * (3 * len(results))]
-
-    def cells(many):
-        errors, widths, inside = zip(*many, strict=True)
-        return (f"{sum(inside)} of {len(inside)} |"
+    """Markdown: a part for each condition."""
+    lines = []
+    for kind, found in results.items():
+        lines += [
+            f"| {kind}, {len(found)} flights | inside | median error |"
+            " half width |", "|---|---|---|---|"]
+        for name, label in [*MAIN.items(), ("all", "all")]:
+            many = [flight[each] for flight in found
+                    for each in (MAIN if name == "all" else (name,))]
+            errors, widths, inside = zip(*many, strict=True)
+            lines.append(
+                f"| {label}{'' if name == 'all' else f' `{name}`'} |"
+                f" {sum(inside)} of {len(inside)} |"
                 f" {100 * numpy.median(numpy.abs(errors)):.1f} % |"
-                f" {100 * numpy.median(widths):.1f} %")
-
-    for name, label in MAIN.items():
-        lines.append(f"| {label} `{name}` | " + " | ".join(
-            cells([flight[name] for flight in found])
-            for found in results.values()) + " |")
-    lines.append("| all | " + " | ".join(
-        cells([flight[name] for flight in found for name in MAIN])
-        for found in results.values()) + " |")
+                f" {100 * numpy.median(widths):.1f} % |")
+        lines.append("")
     return "\n".join(lines)
 
 

@@ -126,6 +126,31 @@ def test_gnd62_intervals_of_coloured_noise_hold_the_truth():
     assert covered(fits, "white_deviations") < 0.7
 
 
+def test_gnd62_what_is_only_considered_widens_the_bounds_of_others():
+    """A parameter that is known with a deviation, and not estimated."""
+    def model(is_considered, deviation):
+        class Known(Oscillator):
+            parameters = (*Oscillator.parameters[:2], Parameter(
+                "control", ALL, TRUTH["control"], 0.05,
+                prior=(TRUTH["control"], deviation),
+                is_considered=is_considered))
+
+            def first_states(self, _segment):
+                return numpy.zeros(2)
+        return Known()
+
+    segments = oscillation(2, 0.0)
+    exact, unsure = (output_error.estimate(output_error.Problem(
+        model(True, deviation), segments)) for deviation in (1e-6, 0.6))
+    for fit in (exact, unsure):
+        assert fit.values["control"] == pytest.approx(TRUTH["control"])
+    for name in ("stiffness", "damping"):
+        assert unsure.values[name] == pytest.approx(exact.values[name])
+        assert unsure.deviations[name] > exact.deviations[name]
+    # The force's effect is about that of the spring: 10 % of it.
+    assert unsure.deviations["stiffness"] > 5 * exact.deviations["stiffness"]
+
+
 def test_gnd62_a_gap_in_the_data_counts_for_nothing():
     whole = oscillation(3, 0.0)
     hurt = []

@@ -27,9 +27,12 @@ from urv.identification.output_error import (
 DEG = numpy.radians(1.0)
 
 TIMING_S = 0.002
-"""Standard deviation with which the delays of surfaces and of alpha and beta
-against the rates, none, are known. Flight data cannot separate them well from
-what a model lacks."""
+"""Standard deviation with which the delays, none, of surfaces, of alpha and
+beta, and of the moments behind what causes them are known. Flight data cannot
+separate them well from what a model lacks."""
+
+LEAST_DELAY_S = 1e-8
+"""A shorter one is none."""
 
 
 class Airframe:
@@ -41,6 +44,8 @@ class Airframe:
     surfaces: tuple[str, ...]
     kinematic: tuple[str, ...]
     """Measured signals that the equations of motion take."""
+    turning: tuple[int, ...]
+    """Rows of the states whose rates come from moments."""
     sizes_of: dict[str, float]
     """The effect of a variable that matters, as a coefficient."""
     errors: tuple[Parameter, ...]
@@ -60,6 +65,8 @@ class Airframe:
             Parameter("airspeed error", RECORD, 0.0, 0.5, is_input=True,
                       is_considered=True),
             Parameter("surfaces' delay", RECORD, 0.0, 0.002, is_input=True,
+                      prior=(0.0, TIMING_S), is_considered=True),
+            Parameter("moments' delay", RECORD, 0.0, 0.002, is_input=True,
                       prior=(0.0, TIMING_S), is_considered=True),
             Parameter("airflow's delay", RECORD, 0.0, 0.002,
                       prior=(0.0, TIMING_S), is_considered=True))
@@ -85,7 +92,8 @@ class Airframe:
     def inputs(self, segment, times, values):
         """Signals, then true airspeed and dynamic pressure, then surfaces."""
         error = values[self.place["airspeed error"]]
-        delay = values[self.place["surfaces' delay"]]
+        delay = (values[self.place["surfaces' delay"]]
+                 - values[self.place["moments' delay"]])
         calibrated = numpy.interp(
             times, segment.times, segment["airspeed"]) - error
         ratio = numpy.interp(times, segment.times, segment.density_ratio)
@@ -104,12 +112,24 @@ class Airframe:
                 self.place[f"{name}_{variable}"]] * regressor
         return total
 
+    def rates(self, states, inputs, values):
+        found = self.motion(states, inputs, values)
+        delay = values[self.place["moments' delay"]]
+        late = numpy.flatnonzero(abs(delay) > LEAST_DELAY_S)
+        if len(late):
+            before = self.motion(
+                states[:, late] - delay[late] * found[:, late],
+                inputs[:, late], values[:, late])
+            for row in self.turning:
+                found[row, late] = before[row]
+        return found
+
     def late(self, states, inputs, values):
         """Alpha or beta as a late sensor shows it."""
         delay = values[self.place["airflow's delay"]]
-        if not delay.any():
+        if (abs(delay) < LEAST_DELAY_S).all():
             return states[0]
-        return states[0] - delay * self.rates(states, inputs, values)[0]
+        return states[0] - delay * self.motion(states, inputs, values)[0]
 
     def pressure_and_speed(self, segment: Segment):
         calibrated = segment["airspeed"]
@@ -123,6 +143,7 @@ class Longitudinal(Airframe):
     axis = manoeuvres.LONGITUDINAL
     states = ("alpha", "q", "theta")
     outputs = ("alpha", "q", "theta", "az")
+    turning = (1,)
     sizes = (0.2 * DEG, 0.5 * DEG, 0.2 * DEG)
     coefficients = ("CZ", "Cm")
     variables = ("alpha", "q", "elevator")
@@ -146,7 +167,7 @@ class Longitudinal(Airframe):
                 area * own.chord / own.iyy
                 * self.coefficient("Cm", regressors, values))
 
-    def rates(self, states, inputs, values):
+    def motion(self, states, inputs, values):
         own = self.aircraft
         alpha, q, theta = states
         p, r, phi, beta, ax, speed = inputs[:6]
@@ -191,6 +212,7 @@ class Lateral(Airframe):
     axis = manoeuvres.LATERAL
     states = ("beta", "p", "r", "phi")
     outputs = ("beta", "p", "r", "phi", "ay")
+    turning = (1, 2)
     sizes = (0.2 * DEG, 1.0 * DEG, 0.5 * DEG, 0.5 * DEG)
     coefficients = ("CY", "Cl", "Cn")
     variables = ("beta", "p", "r", "aileron", "rudder")
@@ -216,7 +238,7 @@ class Lateral(Airframe):
                 area * own.span * self.coefficient("Cl", regressors, values),
                 area * own.span * self.coefficient("Cn", regressors, values))
 
-    def rates(self, states, inputs, values):
+    def motion(self, states, inputs, values):
         own = self.aircraft
         beta, p, r, phi = states
         q, alpha, theta, ax, az, speed = inputs[:6]

@@ -174,7 +174,9 @@ def derivative(name, airframe, start, fit) -> Derivative:
         return Derivative(name, numpy.nan, numpy.nan, numpy.nan, numpy.nan,
                           numpy.nan, prior, False, start.missing[variable])
     value = fit.values[name]
-    half = FACTOR * fit.deviations[name]
+    # The two methods differ by what the model lacks.
+    half = FACTOR * numpy.hypot(
+        fit.deviations[name], (value - start.values[name]) / 2.0)
     inflation = start.inflation[variable]
     determined = bool(half <= MOST_WIDTH * abs(value)
                       and inflation <= MOST_INFLATION)

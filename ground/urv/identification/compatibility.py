@@ -28,13 +28,17 @@ SIGNIFICANT = 3.0
 """Standard deviations from which on a scale factor or a delay is applied."""
 
 LEAST_SCALE_ERROR = 0.02
+ROUGH = 0.15
+"""Theil's coefficient of alpha or beta from which on the air is too
+rough: gusts then look like scale factors and delays."""
+
 LEAST_DELAY_S = 0.003
 """A smaller delay is not applied: steps of a simulation of 4 ms make 2 ms."""
 
 BIASES = {"ax": ("ft/s2", 0.05 * GRAVITY), "ay": ("ft/s2", 0.05 * GRAVITY),
           "az": ("ft/s2", 0.05 * GRAVITY), "p": ("rad/s", 2.0 * DEG),
           "q": ("rad/s", 2.0 * DEG), "r": ("rad/s", 2.0 * DEG),
-          "airspeed": ("ft/s", 10.0 * KT), "alpha": ("rad", 3.0 * DEG),
+          "airspeed": ("ft/s", 2.0 * KT), "alpha": ("rad", 3.0 * DEG),
           "beta": ("rad", 3.0 * DEG)}
 """Constant errors, with the deviation that is taken for possible before."""
 
@@ -161,6 +165,8 @@ class Compatibility:
     found: list[Found]
     fit: output_error.Fit
     segments: list[Segment]
+    is_rough: bool
+    """Gusts hide scale factors and delays: none is applied."""
     airspeed_deviation: float
     """Of the constant error of the airspeed, ft/s."""
 
@@ -169,11 +175,29 @@ class Compatibility:
         return {each.name: each for each in self.found}
 
 
+def roughness(model, fit, segments):
+    """The larger of Theil's coefficients of alpha and beta."""
+    found = []
+    for row in (1, 2):
+        squares, size = 0.0, [0.0, 0.0]
+        for part, outputs, residuals in zip(segments, fit.outputs,
+                                            fit.residuals, strict=True):
+            measured = model.measured(part)[row]
+            middle = measured.mean()
+            squares += (residuals[row] ** 2).sum()
+            for place, values in enumerate((measured, outputs[row])):
+                size[place] += ((values - middle) ** 2).sum()
+        found.append(numpy.sqrt(squares) / max(
+            numpy.sqrt(size).sum(), 1e-12))
+    return max(found)
+
+
 def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
     """The errors of the sensors of one record, from its segments."""
     model = Kinematics(gravity)
     fit = output_error.estimate(output_error.Problem(model, segments))
     record = segments[0].record
+    is_rough = roughness(model, fit, segments) > ROUGH
     found = []
     for each in model.parameters:
         kind, name = each.name.split(" ")
@@ -185,13 +209,16 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
             "scale": ("", 1.0), "delay": ("ms", 1e3)}[kind]
         far = abs(value - each.prior[0])
         applied = determined and (
-            kind == "bias" or far > SIGNIFICANT * deviation
+            kind == "bias" or not is_rough
+            and far > SIGNIFICANT * deviation
             and far > (LEAST_DELAY_S if kind == "delay"
                        else LEAST_SCALE_ERROR))
         found.append(Found(each.name, unit, value * factor,
                            deviation * factor, determined, applied))
-    return Compatibility(found, fit, segments,
-                         fit.deviations[f"bias airspeed/{record}"])
+    return Compatibility(
+        found, fit, segments, is_rough,
+        min(fit.deviations[f"bias airspeed/{record}"],
+            BIASES["airspeed"][1]))
 
 
 def corrected(segment: Segment, known: Compatibility) -> Segment:

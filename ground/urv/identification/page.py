@@ -47,6 +47,8 @@ def as_json(result: analysis.Result, aircraft) -> str:
         "aircraft": aircraft.name,
         "level": analysis.LEVEL,
         "records": result.records,
+        "rough_air": [known is not None and bool(known.is_rough)
+                      for known in result.compatibility],
         "sensors": [
             None if known is None else {
                 each.name: {
@@ -118,7 +120,8 @@ EXPLANATION = """\
 <footer>
 <p>Derivatives are per radian, of the body axes, with rates as p b/2V, q c/2V
 and r b/2V; surfaces in the pilot's sense. Intervals are of 95 %, corrected for
-coloured residuals. Prior values are for comparison only. The fit of an output
+coloured residuals; they contain the uncertainty of delays and of the airspeed, and
+the difference of both methods. Prior values are for comparison only. The fit of an output
 is Theil's inequality coefficient: 0 is exact, below 0.3 is good.</p>
 </footer>
 """
@@ -202,6 +205,10 @@ def _sensors(known: compatibility.Compatibility | None, record, many) -> str:
     if known is None:
         return (f"<section><h2>{title}</h2>\n<p>{report_page.mark('caution')}"
                 " There is no usable manoeuvre.</p>\n</section>\n")
+    rough = (
+        f"<p>{report_page.mark('caution')} The air is rough: gusts hide scale"
+        " factors and delays, and none is applied.</p>\n"
+        if known.is_rough else "")
     rows = "".join(
         f"<tr><th scope=\"row\">{escape(each.name)}</th>"
         f"<td>{_number(each.value, 3)} {each.unit}</td>"
@@ -212,7 +219,8 @@ def _sensors(known: compatibility.Compatibility | None, record, many) -> str:
     heads = "".join(f"<th scope=\"col\">{each}</th>" for each in (
         "error", "estimate", "standard deviation", "determined",
         "data corrected for it"))
-    return (f"<section>\n<div class=\"wide\"><table>\n<caption>{title}"
+    return (f"<section>\n{rough}<div class=\"wide\"><table>\n"
+            f"<caption>{title}"
             f"</caption>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}"
             "</tbody>\n</table></div>\n</section>\n")
 
