@@ -5,7 +5,7 @@
 # Nothing is fetched whose hash is not in this repository, but Debian's packages,
 # which are signed, and Maven's own plug-ins (SEC-17).
 #
-#   scripts/setup.sh fly|ground|test|check|prove|size|campaign|explore|
+#   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
 #                    fuzz|trace|mutate|real_time|timing|coverage|independence|
 #                    monte_carlo|margins|cortex_m
 #
@@ -84,6 +84,9 @@ case $target in
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    margins)
           packages="$build python3 python3-venv"
+          requirements="sim/jsbsim/requirements.txt
+                        evidence/laws/requirements.txt" ;;
+   bench) packages="$build gcc g++ python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         evidence/laws/requirements.txt" ;;
    campaign)
@@ -203,7 +206,7 @@ require_commands ()
 # GNAT's run-time system gives threads of root priorities without looking
 # whether it may: a program with tasks would wait for ever.
 case $target in
-   ground | test | real_time | timing | coverage | independence)
+   ground | test | bench | real_time | timing | coverage | independence)
       if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
          ! chrt -f 1 true 2>/dev/null; then
          echo "setup: root may not give threads real-time priorities here:" \
