@@ -114,14 +114,14 @@ def test_gnd62_without_noise_the_derivatives_are_the_true_ones():
 
 
 def test_gnd62_intervals_of_white_noise_hold_the_truth():
-    fits = [estimated(oscillation(seed, 0.0)) for seed in range(30)]
+    fits = [estimated(oscillation(seed, 0.0)) for seed in range(10)]
     assert 0.88 <= covered(fits, "deviations") <= 1.0
     assert covered(fits, "white_deviations") >= 0.88
 
 
 def test_gnd62_intervals_of_coloured_noise_hold_the_truth():
     """Those for white noise do not."""
-    fits = [estimated(oscillation(seed, 0.95)) for seed in range(30)]
+    fits = [estimated(oscillation(seed, 0.95)) for seed in range(10)]
     assert covered(fits, "deviations") >= 0.8
     assert covered(fits, "white_deviations") < 0.7
 
