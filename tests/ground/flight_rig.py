@@ -55,6 +55,11 @@ class Ground:
         assert self.process.poll() is None, self.said()
         return self
 
+    def has_summaries(self):
+        """Both nodes run: each has written a first version of its summary."""
+        return all((self.folder / f"{name}.json").exists()
+                   for name in ("ground", "aircraft"))
+
     def __exit__(self, *_):
         started = self.started()
         if self.process.poll() is None:

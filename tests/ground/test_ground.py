@@ -231,6 +231,7 @@ def test_gnd31_an_interrupt_ends_it_in_the_background_too(tmp_path):
         ground = Ground(tmp_path, "--no-yamcs").__enter__()
     finally:
         signal.signal(signal.SIGINT, before)
+    until(ground.has_summaries, "a summary of each node")
     ground.__exit__()
     assert ground.status == ground.good_status()
 
