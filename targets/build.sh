@@ -38,11 +38,14 @@ if [ "$(cat runtime/stamp 2>/dev/null)" != "$stamp" ]; then
    echo "$stamp" >runtime/stamp
 fi
 
+# Relative to the folders objects and NODE: names of folders above the
+# repository may have spaces.
+up=../../../..
 include=
 for each in $folders targets targets/nodes $(cd "$root" &&
    find src -type d | sort)
 do
-   include="$include -aI$root/$each"
+   include="$include -aI$up/$each"
 done
 
 optimise="-O2 -gnatn -ffunction-sections -fdata-sections"
@@ -55,14 +58,14 @@ mkdir -p objects
 cd objects
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
-   --RTS="$folder/runtime" $include "$root/targets/nodes/${node}_image.adb" \
+   --RTS=../runtime $include "$up/targets/nodes/${node}_image.adb" \
    -cargs $language $optimise $switches
 cd "../$node"
 # shellcheck disable=SC2086
-"${prefix}gnatbind-12" --RTS="$folder/runtime" -aO../objects $include \
+"${prefix}gnatbind-12" --RTS=../runtime -aO../objects $include \
    "${node}_image.ali" -O >objects.txt -o b__main.adb
 # shellcheck disable=SC2086
-"${prefix}gcc-12" -c --RTS="$folder/runtime" $optimise $switches -gnatws \
+"${prefix}gcc-12" -c --RTS=../runtime $optimise $switches -gnatws \
    -gnatWb -I../objects b__main.adb
 for each in $folders; do
    for source in "$root/$each"/*.s; do
