@@ -220,6 +220,12 @@ if [ -n "$debian" ]; then
    # shellcheck disable=SC2086 # a list of names
    install_packages $packages
 
+   if [ "$target" = cortex_m ] && [ -z "$bare" ]; then
+      echo "setup: make cortex_m needs arm-linux-gnueabihf-gcc-12 with GNAT:" \
+           "Debian 12 has it, Debian $debian does not" >&2
+      exit 1
+   fi
+
    # Root installs packages of Debian, and nothing else: what follows fetches
    # from PyPI and Maven, and is the work of whoever owns this tree.
    # Not where root has begun it, or the owner has no name here.
