@@ -3,8 +3,8 @@
 --  The measurements of the aircraft's sensors, from a file (--sensors).
 --
 --  The promised format allows every name of the downlink, "error" among them.
---  That word comes from the aircraft itself, not from a sensor: its column is
---  checked and has no effect.
+--  The aircraft itself makes this word, not a sensor: its column is checked
+--  and has no effect.
 
 with Host.Names;
 with Host.Scripts;

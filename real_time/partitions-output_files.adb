@@ -14,7 +14,7 @@ package body Partitions.Output_Files is
 
    use type URVOS.Count;
 
-   --  Those of Kept, and standard output.
+   --  The outputs of Kept, and standard output.
    type Place is (Record_Place, Summary_Place, Events_Place, Screen_Place);
 
    function Place_Of (Which : Kept) return Place is

@@ -13,7 +13,7 @@ package Sim.Hardware_Faults is
    --  The time of the next one; Never when there is none.
    function Next_Time return Microseconds;
 
-   --  Those of the same instant come in the order of their lines.
+   --  Faults of the same instant come in the order of their lines.
    procedure Take_Next (Item : out Fault)
    with Pre => Next_Time < Never;
 

@@ -25,7 +25,7 @@ with URVOS.Task_Trees;
 
 package Sim.Nodes is
 
-   --  Of a node.
+   --  The number of processors of a node.
    subtype Processor_Count is URVOS.Task_Trees.Processor_Number;
 
    --  Before the nodes are switched on: the format of messages, the keys of

@@ -33,7 +33,7 @@ TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 # Steps until servos have reached their commands: 4 s.
 SERVO_STEPS = 1000
 
-# That of the accelerometers' g.
+# The g in which the accelerometers' readings are given.
 G_FT_S2 = 32.174
 
 STEP_RAD = math.radians(0.5)
@@ -156,7 +156,7 @@ def aircraft_file(ballast=None):
             "airspeed_kt": round(state["velocities/vc-kts"], 2),
             "altitude_ft": round(state["position/h-sl-ft"], 1),
             "alpha_deg": round(math.degrees(state["aero/alpha-rad"]), 3)},
-        # What level accelerometers show there.
+        # The reading of level accelerometers at the field.
         "gravity_ft_s2": round(G_FT_S2 * math.hypot(
             state["accelerations/Nx"], state["accelerations/Nz"]), 3),
         **{name: round(value, 5) for name, value in mass.items()},

@@ -259,7 +259,7 @@ SENSELESS = {
 
 @pytest.mark.parametrize("place", SENSELESS)
 def test_sec11_bytes_without_sense_get_one_line(guarded, place):
-    # That the station has nothing on standard error the rig looks at.
+    # The rig checks that the station has written nothing to standard error.
     with socket.create_connection(("127.0.0.1", guarded.port)) as client:
         client.settimeout(PATIENCE_S)
         client.sendall(SENSELESS[place] % BYTES)

@@ -93,7 +93,7 @@ def test_gnd40_another_kind_of_station_sees_the_flight(flight, watcher):
                       "the newest attitude")
     assert set(watcher.attitudes) >= set(
         range(2 * FRAME_US, 281 * FRAME_US, 2 * FRAME_US))
-    # Those of the last frames still come.
+    # The attitudes of the last frames are still to come.
     for at, angles in watcher.attitudes.copy().items():
         for angle, name in zip(angles, ("roll_attitude", "pitch_attitude"),
                                strict=True):

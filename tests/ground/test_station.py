@@ -674,7 +674,7 @@ def test_gnd23_bad_options_are_refused(urv, arguments):
     b"POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nno length\r\n",
 ])
 def test_gnd24_a_request_without_sense_is_nothing_to_tell(station, said):
-    # That the station has nothing on standard error its fixture looks at.
+    # The fixture checks that nothing was written to standard error.
     with socket.create_connection(("127.0.0.1", station.port)) as client:
         client.sendall(said)
         answer = b"".join(iter(lambda: client.recv(1000), b""))
@@ -722,7 +722,7 @@ def test_gnd24_frames_that_come_while_it_ends_stop_nobody(record, tmp_path):
                 sender.sendto(packet.encode(), to)
                 time.sleep(0.000_1)
 
-    # That the station has nothing on standard error the rig looks at.
+    # The rig checks that nothing was written to standard error.
     try:
         with Station(record, tmp_path) as station:
             station.flying()

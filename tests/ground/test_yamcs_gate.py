@@ -221,7 +221,7 @@ def test_sec13_requests_that_change_something_get_403():
             async with client.request(method, f"/api/{path}",
                                       json=body) as answer:
                 assert answer.status == 403, (method, path)
-        # Nor does a path that looks like a read to the gate alone.
+        # A path that only the gate would take for a read does not pass either.
         for path in ("/api/links/urv%2Fframes:disable:list", "/api/x:list/y",
                      "/api/archive/urv:executeSql?:list", "/auth/token",
                      "/api/archive/urv/events%3Alist", "/:list"):

@@ -197,7 +197,7 @@ def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
     gsc.stop()
     mcs.send(signal.SIGTERM)
     mcs.program.communicate(timeout=TIME_LIMIT_S)
-    # Whether its silence was long enough for a fault is the machine's.
+    # On a slow machine its silence may be long enough for a fault.
     assert mcs.program.returncode in (0, 1)
     late = mcs.outputs.events["plant_late"]
     assert late["count"] == mcs.outputs.summary["plant"]["late"] > 1

@@ -126,7 +126,7 @@ def test_a_frame_with_older_or_newer_words_is_not_calm(way, change):
 def test_a_frame_whose_words_say_that_they_are_old_is_not_calm(way):
     flight = ByHand()
     flight.stale[way].update((20, 40))
-    # Those of frame 40 came the frame before, and are as old as ever.
+    # The words of frame 40 came the frame before, and are as old as usual.
     flight.newest[way][39] += 1
     assert [frame for frame in range(1, FRAMES)
             if not flight.is_calm(frame)] == [20, 39]

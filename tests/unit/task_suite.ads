@@ -60,7 +60,7 @@ package Task_Suite is
 
    end LOG_Task_Tests;
 
-   --  RTP-1: what a serial device tells of a character.
+   --  RTP-1: a serial device reports errors of characters.
    package Serial_Line_Tests is
 
       procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);

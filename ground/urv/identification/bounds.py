@@ -44,7 +44,7 @@ def covariances(slopes, residuals, priors=(), considered=None):
         middle[index, index] += deviation ** -2
     white = _inverse(information)
     coloured = white @ middle @ white
-    # Of the independent residuals, the parameters take some.
+    # Each estimated parameter uses up one independent residual.
     count = _independent(residuals, kernel)
     free = count / max(count - (many - len(considered)), count / 4.0)
     # Correlation of either sign: never narrower than for white residuals.
