@@ -297,8 +297,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Places_Are_Sound (Item, Scans, Done))
    with Global => null;
 
-   --  What may happen, in any order: a scan is complete, a task has its
-   --  transaction, a node starts, or has to stay silent. The AD task may also
+   --  The events, which come in any order: a scan is complete, a task has
+   --  its transaction, a node starts, or stays silent. The AD task may also
    --  discard a scan that comes too late.
    type Event_Kind is
      (Scan_Ends,
@@ -307,11 +307,12 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       TELIN_Runs, MDCIN_Runs, LAW_Runs, PWM_Runs, CORE_Runs,
       Aircraft_Cold_Start, Aircraft_Warm_Start);
 
-   --  Which is the block that TELIN finds, 0 for none; Bits are the node's
-   --  own of the error/status word; Order is the block that the ground's
-   --  console has ordered besides the sticks, if Is_Ordered; Usual are the
-   --  laws' settings; Law is what LAW keeps and Got what it receives, but for
-   --  the link's state and the commands, which are the aircraft's: anything.
+   --  The inputs of an event have any values. The link's state and the
+   --  commands are not among them: they are the aircraft's.
+   --  Which: the block that TELIN finds, 0 for none. Bits: the node's own
+   --  bits of the error/status word. Order: the block that the console has
+   --  ordered besides the sticks, if Is_Ordered. Usual: the laws' settings.
+   --  Law: LAW's memory. Got: LAW's received messages.
    type Event is record
       Kind       : Event_Kind;
       Which      : Block_Count;

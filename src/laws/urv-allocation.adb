@@ -2,8 +2,8 @@
 
 package body URV.Allocation with SPARK_Mode is
 
-   --  What the flaps that are well do as ailerons, in words of an aileron:
-   --  from where they were measured.
+   --  The effect of the sound flaps as ailerons, in words of an aileron,
+   --  from their measured positions.
    subtype Flap_Roll is Number range -10_000 .. 10_000;
 
    function Rolled_By_Flaps

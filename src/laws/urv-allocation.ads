@@ -71,7 +71,7 @@ package URV.Allocation with Pure, SPARK_Mode is
      Pre    => Wanted in -210_000 .. 210_000,
      Post   => Beyond_Share'Result in -210_000 .. 210_000;
 
-   --  What the surfaces are to do.
+   --  The positions that the surfaces shall take.
    function Demands
      (Wanted : Surface_Demands; Now : Health) return Surface_Demands
    with

@@ -79,7 +79,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
 
    pragma Compile_Time_Error
      ((1 + Bad_Scans) * 4_095 > 65_535,
-      "so many bad scans overflow the word in Is_Slow");
+      "the number of bad scans overflows the word in Is_Slow");
 
    --  For a valid sensor the distance is from the last good word, so a word
    --  that has jumped remains bad. For an invalid one it is from the last

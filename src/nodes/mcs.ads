@@ -95,7 +95,7 @@ package MCS with SPARK_Mode is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
 
-   --  What the ground has set since (EXT-2).
+   --  The configuration that the ground has set since (EXT-2).
    Law_Configured : URV.Shared_Laws.Configured.Store;
 
    Law_Memory : URV.Shared_Laws.Memories.Store;

@@ -42,11 +42,11 @@ package URV.AD_Task with SPARK_Mode is
    function Scans return Scan_Count is (Fast_Scans)
    with Ghost, Global => null;
 
-   --  Of the fast schedule: the task waits for a scan; else, whether there
-   --  was one in time in the last frame.
+   --  In the fast schedule the task waits for a scan. Otherwise: whether the
+   --  last frame had a scan in time.
    type Activity is (Had_Scan, Had_No_Scan, Scanning);
 
-   --  What it keeps from step to step: the scans of this frame that it has
+   --  The task keeps from step to step: the scans of this frame that it has
    --  received, and how long it still waits.
    type Progress is record
       Doing    : Activity   := Had_Scan;

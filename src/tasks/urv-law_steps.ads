@@ -29,7 +29,8 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Watched : Monitor;
    end record;
 
-   --  What the task received in a frame, and whether each is new.
+   --  The messages that the task received in a frame, and whether each is
+   --  new.
    type Inputs is record
       Block        : Uplink_Buffer;
       Has_Block    : Boolean;
@@ -61,7 +62,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Surfaces : Surface_Part;
    end record;
 
-   --  What has not come in this frame is old.
+   --  A message that has not come in this frame is old.
 
    function Commands_Of (Got : Inputs) return Uplink_Buffer is
      (if Got.Has_Commands then Got.Commands else As_Old (Got.Commands))

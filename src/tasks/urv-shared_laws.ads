@@ -1,8 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What the laws remember from frame to frame, what they are set to, and
---  what the ground has set since (EXT-2, EXT-3, EXT-5): kept over a warm
---  start.
+--  The laws' memory from frame to frame, their settings, and the ground's
+--  later configuration (EXT-2, EXT-3, EXT-5). A warm start keeps them.
 
 pragma SPARK_Mode;
 

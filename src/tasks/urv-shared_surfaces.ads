@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What is remembered of the surfaces from frame to frame, and what the
---  servos' words are made with (EXT-6).
+--  The monitor's memory of the surfaces from frame to frame, and the health
+--  with which the servos' words are made (EXT-6).
 
 pragma SPARK_Mode;
 
