@@ -2,6 +2,7 @@
 
 with Theorems.Safety.Lemmas; use Theorems.Safety.Lemmas;
 with Theorems.Type_Codes;
+with URV.CORE_Steps;
 with URV.Handshakes;
 with URV.MDCIN_Steps;
 with URV.PWM_Steps;
@@ -309,10 +310,11 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Receive (Item.Uplink, Message, Fresh);
       pragma Assert (Item.Uplink_From <= Done);
       pragma Assert (Is_Of (Message, Scans, Item.Uplink_From));
-      if Fresh then
+      if URV.CORE_Steps.Is_Written (Fresh) then
          Theorems.Type_Codes.Into_CORE_By_Code (Item.CORE, Message);
-         Item.CORE := URV.CORE_Layout.Stored
-           (URV.CORE_Layout.Uplink_Type_Codes, Item.CORE, Message);
+         Item.CORE := URV.CORE_Steps.Words_After
+           ((Codes => URV.CORE_Layout.Uplink_Type_Codes, Words => Item.CORE),
+            Message);
          Item.CORE_From := Item.Uplink_From;
          Item.Is_Cleared := False;
          pragma Assert

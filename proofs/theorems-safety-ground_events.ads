@@ -13,13 +13,8 @@ private package Theorems.Safety.Ground_Events with SPARK_Mode, Ghost is
      Pre    => Is_Sound (Item, Scans),
      Post   => Is_Sound (Item, Scans) and then Item.Done >= Item'Old.Done;
 
-   procedure Discard_Scan (Item : in out Ground_Way; Scans : Scan_History)
-   with
-     Global => null,
-     Pre    => Is_Sound (Item, Scans),
-     Post   => Is_Sound (Item, Scans) and then Item.Done = Item'Old.Done;
-
-   procedure Run_AD (Item : in out Ground_Way; Scans : Scan_History)
+   procedure Run_AD
+     (Item : in out Ground_Way; Scans : Scan_History; Got : AD_Inputs)
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans),
@@ -28,6 +23,13 @@ private package Theorems.Safety.Ground_Events with SPARK_Mode, Ghost is
        and then Item.Done = Item'Old.Done
        and then
          (if not Is_Fresh (Item'Old.ADINT)
+            and then
+              (Got.Schedule = Report
+               or else
+                 (Is_Over (Got.Patience, Got.Time)
+                  and then
+                    Item'Old.Scanning.Doing = URV.AD_Steps.Scanning
+                  and then Item'Old.Scanning.Received = 0))
           then Contents (Item.AD).Error_Status = Stale_Data);
 
    procedure Run_GDCOUT

@@ -19,10 +19,8 @@ package body Theorems.Safety with SPARK_Mode is
          when Scan_Ends =>
             End_Scan (Ground, Scans);
             More_Scans (Line, Aircraft, Scans, Before, Ground.Done);
-         when AD_Discards =>
-            Discard_Scan (Ground, Scans);
          when AD_Runs =>
-            Run_AD (Ground, Scans);
+            Run_AD (Ground, Scans, Now.AD);
          when GDCOUT_Runs =>
             Run_GDCOUT
               (Ground, Scans, Now.Bits, Now.Order, Now.Is_Ordered);
@@ -62,6 +60,7 @@ package body Theorems.Safety with SPARK_Mode is
       Neutral_Is_Safe (Scans);
       Ground :=
         (Done        => 0,
+         Scanning    => (others => <>),
          ADINT       => Empty_Mailbox,
          ADINT_From  => 0,
          AD          => Empty_Mailbox,
@@ -216,8 +215,20 @@ package body Theorems.Safety with SPARK_Mode is
      (Item : in out Ground_Way; Scans : Scan_History)
    is
    begin
-      Run_AD (Item, Scans);
+      Run_AD
+        (Item, Scans,
+         (Schedule => Report,
+          Time     => 0,
+          Patience => Begun (0, 0),
+          Most     => 0));
    end A_Repeated_Scan_Is_Marked;
+
+   procedure A_Frame_Without_A_Scan_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History; Got : AD_Inputs)
+   is
+   begin
+      Run_AD (Item, Scans, Got);
+   end A_Frame_Without_A_Scan_Is_Marked;
 
    procedure A_Marked_Image_Is_Sent_As_Old
      (Item       : in out Ground_Way;

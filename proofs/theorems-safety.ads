@@ -18,7 +18,11 @@ with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Devices.PWM_Board;   use Devices.PWM_Board;
 with Telemetry;           use Telemetry;
 with URVOS;               use URVOS;
+with URVOS.Frames;        use URVOS.Frames;
+with URVOS.Task_Trees;    use URVOS.Task_Trees;
+with URVOS.Waits;         use URVOS.Waits;
 with URV.AD_Scans;        use URV.AD_Scans;
+with URV.AD_Steps;        use type URV.AD_Steps.Activity;
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
 with URV.Codecs;
@@ -135,10 +139,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
    type Block_History is array (Block_Number) of Block;
 
-   --  The ground's part: how many scans were completed, its variables, and
-   --  the scan that each is of.
+   --  The ground's part: how many scans were completed, what AD keeps, the
+   --  variables, and the scan that each is of.
    type Ground_Way is record
       Done        : Scan_Count;
+      Scanning    : URV.AD_Steps.Progress;
       ADINT       : For_Stick_Words.Boxes.Mailbox;
       ADINT_From  : Scan_Count;
       AD          : For_Stick_Images.Boxes.Mailbox;
@@ -154,7 +159,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Item.AD_From <= Item.Done
       and then Item.TELOUT_From <= Item.Done
       and then Contents (Item.ADINT) = Held (Scans, Item.ADINT_From)
-      and then (if Item.ADINT_From = 0 then not Is_Fresh (Item.ADINT))
+      and then (if Item.ADINT_From = 0
+                then not Is_Fresh (Item.ADINT)
+                  and then Item.Scanning.Received = 0)
       and then Contents (Item.AD).Words = Held (Scans, Item.AD_From)
       and then (if Item.AD_From = 0
                 then Contents (Item.AD).Error_Status = Stale_Data)
@@ -298,14 +305,22 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    with Global => null;
 
    --  The events, which come in any order: a scan is complete, a task has
-   --  its transaction, a node starts, or stays silent. The AD task may also
-   --  discard a scan that comes too late.
+   --  its transaction, a node starts, or stays silent.
    type Event_Kind is
      (Scan_Ends,
-      AD_Discards, AD_Runs, GDCOUT_Runs, TELOUT_Runs,
+      AD_Runs, GDCOUT_Runs, TELOUT_Runs,
       Ground_Cold_Start, Ground_Warm_Start,
       TELIN_Runs, MDCIN_Runs, LAW_Runs, PWM_Runs, CORE_Runs,
       Aircraft_Cold_Start, Aircraft_Warm_Start);
+
+   --  The inputs of AD: its schedule, the time, how long it still waits for
+   --  a scan, and the scans of a frame. They have any values.
+   type AD_Inputs is record
+      Schedule : Schedule_Name;
+      Time     : Clock_Tick;
+      Patience : Wait;
+      Most     : URV.AD_Scans.Scan_Count;
+   end record;
 
    --  The inputs of an event have any values. The link's state and the
    --  commands are not among them: they are the aircraft's.
@@ -315,6 +330,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  Law: LAW's memory. Got: LAW's received messages.
    type Event is record
       Kind       : Event_Kind;
+      AD         : AD_Inputs;
       Which      : Block_Count;
       Bits       : Word;
       Order      : Uplink_Buffer;
@@ -479,6 +495,23 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    => Is_Sound (Item, Scans) and then not Is_Fresh (Item.ADINT),
+     Post   =>
+       Is_Sound (Item, Scans)
+       and then Contents (Item.AD).Error_Status = Stale_Data;
+
+   --  In the fast schedule: when the wait is over and no scan has come in the
+   --  frame.
+   procedure A_Frame_Without_A_Scan_Is_Marked
+     (Item : in out Ground_Way; Scans : Scan_History; Got : AD_Inputs)
+   with
+     Global => null,
+     Pre    =>
+       Is_Sound (Item, Scans)
+       and then not Is_Fresh (Item.ADINT)
+       and then Got.Schedule = Fast
+       and then Is_Over (Got.Patience, Got.Time)
+       and then Item.Scanning.Doing = URV.AD_Steps.Scanning
+       and then Item.Scanning.Received = 0,
      Post   =>
        Is_Sound (Item, Scans)
        and then Contents (Item.AD).Error_Status = Stale_Data;

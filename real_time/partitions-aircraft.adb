@@ -13,6 +13,7 @@ with Partitions.Columns;  use Partitions.Columns;
 with Partitions.Plant;
 with Telemetry.Boards;
 with URV.CORE_Layout;
+with URV.LAW_Steps;
 with URV.Laws;
 with URV.Law_Status;
 with URV.PWM_Layout;
@@ -131,11 +132,11 @@ package body Partitions.Aircraft is
    procedure Append_Laws (To : in out Row) is
       use Devices.CORE_Memory;
 
+      Kept  : constant URV.LAW_Steps.Kept := MCS.Law_Memory.Contents;
       Told  : constant Log_Row :=
         URV.Law_Status.To_Row
-          (MCS.Law_Memory.Contents,
-           URV.Surface_Monitor.Failed_Bits (MCS.Surface_Memory.Contents),
-           MCS.Law_Configured.Contents);
+          (Kept.Flown, URV.Surface_Monitor.Failed_Bits (Kept.Watched),
+           Kept.Set);
       Modes : Word := Told (Occurrences_High);
    begin
       if MCS.Law_Settings.Contents.On then

@@ -126,7 +126,7 @@ package body Sim.Nodes is
    end Set_Laws;
 
    function Failed_Surfaces return Word is
-     (URV.Surface_Monitor.Failed_Bits (MCS.Surface_Memory.Contents));
+     (URV.Surface_Monitor.Failed_Bits (MCS.Law_Memory.Contents.Watched));
 
    procedure Order (Block : Uplink_Buffer) is
       Unused_Success : Boolean;
@@ -135,9 +135,9 @@ package body Sim.Nodes is
    end Order;
 
    function Configured return URV.Configurations.Setting is
-     (MCS.Law_Configured.Contents);
+     (MCS.Law_Memory.Contents.Set);
 
-   function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents);
+   function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents.Flown);
 
    procedure Restart_Telemetry (Which : Node) is
    begin

@@ -13,6 +13,7 @@
 --  A count stops at its last value, which means "at least this number".
 
 with URVOS.Frames; use URVOS.Frames;
+with URVOS.Starts; use URVOS.Starts;
 
 generic
    type Error_Kind is (<>);
@@ -92,6 +93,24 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
              else History_Of (Log'Old, Other)))
        and then Total (Log) = Sum (Total (Log'Old), How_Often)
        and then Latest (Log) = Kind;
+
+   --  The log after a start: a cold one that has passed its self-test
+   --  forgets all errors, any other none.
+   function After_Start
+     (Log       : Error_Log;
+      Condition : Start_Condition;
+      Passed    : Boolean) return Error_Log
+   is
+     (if Condition = Cold_Start and then Passed then Empty_Log else Log)
+   with
+     Global => null,
+     Post   =>
+       (if Condition /= Cold_Start or else not Passed
+        then After_Start'Result = Log
+        else Total (After_Start'Result) = 0
+          and then
+            (for all Kind in Error_Kind =>
+               History_Of (After_Start'Result, Kind) = Never));
 
 private
 

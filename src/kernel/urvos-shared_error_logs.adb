@@ -23,6 +23,11 @@ package body URVOS.Shared_Error_Logs with SPARK_Mode is
          Logs.Add (Present, Error, Now, Detail, How_Often);
       end Report_Several;
 
+      procedure Start (Condition : Start_Condition; Passed : Boolean) is
+      begin
+         Present := Logs.After_Start (Present, Condition, Passed);
+      end Start;
+
       procedure Clear is
       begin
          Present := Logs.Empty_Log;

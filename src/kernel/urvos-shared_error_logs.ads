@@ -6,10 +6,11 @@
 --  A report goes into the log at once, stamped with the tick the log was
 --  last told: so none is lost when the processor restarts before anybody
 --  reads it, and there is nothing that could overflow between the two. The
---  log stays as it is until Clear, which belongs to a cold start alone.
+--  log stays as it is until a cold start.
 
 with URVOS.Error_Logs;
 with URVOS.Frames; use URVOS.Frames;
+with URVOS.Starts; use URVOS.Starts;
 
 generic
    with package Logs is new URVOS.Error_Logs (<>);
@@ -29,6 +30,9 @@ package URVOS.Shared_Error_Logs with SPARK_Mode is
         (Error     : Logs.Error_Kind;
          How_Often : Logs.Positive_Count;
          Detail    : Word);
+
+      --  The node starts: Logs.After_Start.
+      procedure Start (Condition : Start_Condition; Passed : Boolean);
 
       --  Nothing has happened yet.
       procedure Clear;

@@ -2,14 +2,6 @@
 
 package body URV.Allocation with SPARK_Mode is
 
-   --  The effect of the sound flaps as ailerons, in words of an aileron,
-   --  from their measured positions.
-   subtype Flap_Roll is Number range -10_000 .. 10_000;
-
-   function Rolled_By_Flaps
-     (Wanted : Surface_Demands; Now : Health) return Flap_Roll
-   with Global => null;
-
    function Help_Of (Helper : Surface; Missing : Lacks) return Help is
       Sum : Help := 0;
    begin
@@ -28,13 +20,19 @@ package body URV.Allocation with SPARK_Mode is
    begin
       for Item in Flap loop
          if not Now.Failed (Item) then
-            Sum := Sum
-              + (Now.Places (Item) - Wanted (Item)) * Roll_Of_Flap (Item)
-                / Unit;
+            Sum := Sum + Roll_By (Item, Now.Places (Item) - Wanted (Item));
          end if;
          pragma Loop_Invariant
            (abs Sum <= 2_500 * (Surface'Pos (Item)
                                 - Surface'Pos (Flap'First) + 1));
+         pragma Loop_Invariant
+           ((if (for all Done in Flap'First .. Item =>
+                   Rolls_Right (Done, Wanted, Now))
+             then Sum >= 0)
+            and then
+              (if (for all Done in Flap'First .. Item =>
+                     Rolls_Left (Done, Wanted, Now))
+               then Sum <= 0));
       end loop;
       return Sum;
    end Rolled_By_Flaps;
@@ -65,10 +63,7 @@ package body URV.Allocation with SPARK_Mode is
       for Item in Surface loop
          if not Now.Failed (Item) then
             Goal := Wanted (Item) + Help_Of (Item, Missing)
-              + (if Item in Flap
-                 then Beyond * Flap_For_Roll / Unit
-                      * (if Item in Left_Flap_1 | Left_Flap_2
-                         then 1 else -1)
+              + (if Item in Flap then Flap_Part (Item, Beyond)
                  elsif Item in Left_Aileron | Right_Aileron then -Rolled
                  else 0);
             Result (Item) := Reachable (Item, Goal);

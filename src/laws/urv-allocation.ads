@@ -71,6 +71,73 @@ package URV.Allocation with Pure, SPARK_Mode is
      Pre    => Wanted in -210_000 .. 210_000,
      Post   => Beyond_Share'Result in -210_000 .. 210_000;
 
+   --  A flap below its demand rolls the aircraft away from the flap's side.
+   --  A word above an aileron's neutral word rolls to the right.
+
+   function Is_Left (Item : Flap) return Boolean is
+     (Item in Left_Flap_1 | Left_Flap_2)
+   with Global => null;
+
+   --  The roll of a flap, in words of an aileron.
+   function Roll_By (Item : Flap; Down : Lack) return Number is
+     (Down * Roll_Of_Flap (Item) / Unit)
+   with
+     Global => null,
+     Post   =>
+       Roll_By'Result in -2_500 .. 2_500
+       and then
+         (if Down = 0 or else Is_Left (Item) = (Down > 0)
+          then Roll_By'Result >= 0)
+       and then
+         (if Down = 0 or else Is_Left (Item) = (Down < 0)
+          then Roll_By'Result <= 0);
+
+   --  A flap's part of an aileron's demand beyond the aileron's own share.
+   function Flap_Part (Item : Flap; Beyond : Number) return Number is
+     (Beyond * Flap_For_Roll / Unit * (if Is_Left (Item) then 1 else -1))
+   with
+     Global => null,
+     Pre    => Beyond in -210_000 .. 210_000,
+     Post   =>
+       Flap_Part'Result in -400_000 .. 400_000
+       and then
+         (if Beyond = 0 or else Is_Left (Item) = (Beyond > 0)
+          then Flap_Part'Result >= 0)
+       and then
+         (if Beyond = 0 or else Is_Left (Item) = (Beyond < 0)
+          then Flap_Part'Result <= 0);
+
+   function Rolls_Right
+     (Item : Flap; Wanted : Surface_Demands; Now : Health) return Boolean
+   is
+     (Now.Failed (Item)
+      or else Now.Places (Item) = Wanted (Item)
+      or else Is_Left (Item) = (Now.Places (Item) > Wanted (Item)))
+   with Global => null, Ghost;
+
+   function Rolls_Left
+     (Item : Flap; Wanted : Surface_Demands; Now : Health) return Boolean
+   is
+     (Now.Failed (Item)
+      or else Now.Places (Item) = Wanted (Item)
+      or else Is_Left (Item) = (Now.Places (Item) < Wanted (Item)))
+   with Global => null, Ghost;
+
+   --  The effect of the sound flaps as ailerons, in words of an aileron,
+   --  from their measured positions. Flaps that agree roll to their side.
+   subtype Flap_Roll is Number range -10_000 .. 10_000;
+
+   function Rolled_By_Flaps
+     (Wanted : Surface_Demands; Now : Health) return Flap_Roll
+   with
+     Global => null,
+     Post   =>
+       (if (for all Item in Flap => Rolls_Right (Item, Wanted, Now))
+        then Rolled_By_Flaps'Result >= 0)
+       and then
+         (if (for all Item in Flap => Rolls_Left (Item, Wanted, Now))
+          then Rolled_By_Flaps'Result <= 0);
+
    --  The positions that the surfaces shall take.
    function Demands
      (Wanted : Surface_Demands; Now : Health) return Surface_Demands

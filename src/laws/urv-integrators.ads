@@ -117,6 +117,16 @@ package URV.Integrators with Pure, SPARK_Mode is
       and then (if Error < 0 and then Output.Is_Low then After = Before))
    with Ghost, Global => null;
 
+   --  An integrator is never moved away from what is wanted, by what is
+   --  measured. Every actuator and every angle of the laws has the same
+   --  sign: more of the output makes more of what is measured.
+   function Moves_With (Before, After, Wanted, Measured : Number)
+                        return Boolean
+   is
+     ((if Measured <= Wanted then After >= Before)
+      and then (if Measured >= Wanted then After <= Before))
+   with Ghost, Global => null;
+
    --  The error is large enough to count.
    function Moves
      (Error : Error_Range; Gain : Gain_Range; Unit : Positive)

@@ -66,10 +66,14 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       and then
         (if Which /= Roll_Axis
          then After.Last.Roll = Before.Last.Roll
+           and then After.Roll_Trim = Before.Roll_Trim
+           and then After.Bank_Wanted = Before.Bank_Wanted
            and then After.Is_Stick (Roll_Axis) = Before.Is_Stick (Roll_Axis))
       and then
         (if Which /= Pitch_Axis
          then After.Last.Pitch = Before.Last.Pitch
+           and then After.Pitch_Trim = Before.Pitch_Trim
+           and then After.Pitch_Wanted = Before.Pitch_Wanted
            and then After.Is_Stick (Pitch_Axis)
                       = Before.Is_Stick (Pitch_Axis))
       and then
@@ -79,18 +83,46 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       and then
         (if Which /= Throttle_Axis
          then After.Last.Throttle = Before.Last.Throttle
+           and then After.Power_Trim = Before.Power_Trim
+           and then After.Speed_Held = Before.Speed_Held
+           and then After.Lever_Held = Before.Lever_Held
            and then After.Is_Stick (Throttle_Axis)
                       = Before.Is_Stick (Throttle_Axis)))
    with Ghost, Global => null;
 
-   --  An integrator is never moved away from what is wanted, by what is
-   --  measured. Every actuator and every angle of the laws has the same
-   --  sign: more of the output makes more of what is measured.
-   function Moves_With (Before, After, Wanted, Measured : Number)
-                        return Boolean
+   --  While a law goes on to fly, its integrator moves towards what is
+   --  wanted, by what its own sensor measures.
+
+   function Follows_Bank
+     (Before, After : Memory; Was : Modes; Bank : Angle) return Boolean
    is
-     ((if Measured <= Wanted then After >= Before)
-      and then (if Measured >= Wanted then After <= Before))
+     (if Was.Lateral in Banked and then After.Flown.Lateral in Banked
+      then Moves_With
+        (Before.Roll_Trim, After.Roll_Trim,
+         Wanted => After.Bank_Wanted, Measured => Bank))
+   with Ghost, Global => null;
+
+   function Follows_Pitch
+     (Before, After : Memory; Was : Modes; Pitch : Angle) return Boolean
+   is
+     (if Was.Vertical in Pitched and then After.Flown.Vertical in Pitched
+      then Moves_With
+        (Before.Pitch_Trim, After.Pitch_Trim,
+         Wanted => After.Pitch_Wanted, Measured => Pitch))
+   with Ghost, Global => null;
+
+   --  The airspeed that is wanted does not change but with the lever.
+   function Follows_Speed
+     (Before, After : Memory; Was : Modes; Airspeed : Level; Hand : Lever)
+      return Boolean
+   is
+     (if Was.Power = Hold_Airspeed and then After.Flown.Power = Hold_Airspeed
+      then After.Speed_Held = Before.Speed_Held
+        and then After.Lever_Held = Before.Lever_Held
+        and then Moves_With
+          (Before.Power_Trim, After.Power_Trim,
+           Wanted   => Held_Speed (After.Speed_Held, Hand - After.Lever_Held),
+           Measured => Airspeed))
    with Ghost, Global => null;
 
    procedure Fly_Roll
@@ -116,12 +148,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
           then abs This.Last.Roll <= Integer'Max
                  (Roll_Authority, abs This.Last'Old.Roll - Roll_Step))
 
-       --  The integrator moves towards the bank that is wanted.
-       and then
-         (if This.Flown.Lateral in Banked and then Was.Lateral in Banked
-          then Moves_With
-            (This.Roll_Trim'Old, This.Roll_Trim,
-             Wanted => This.Bank_Wanted, Measured => Now.Bank));
+       and then Follows_Bank (This'Old, This, Was, Now.Bank);
 
    procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
    with
@@ -162,13 +189,10 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
           then abs This.Last.Pitch <= Integer'Max
                  (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step))
 
-       --  The integrators move towards the pitch and the climb rate that
-       --  are wanted.
-       and then
-         (if This.Flown.Vertical in Pitched and then Was.Vertical in Pitched
-          then Moves_With
-            (This.Pitch_Trim'Old, This.Pitch_Trim,
-             Wanted => This.Pitch_Wanted, Measured => Now.Pitch))
+       and then Follows_Pitch (This'Old, This, Was, Now.Pitch)
+
+       --  The height's integrator moves towards the climb rate that is
+       --  wanted.
        and then
          (if This.Flown.Vertical = Hold_Altitude
             and then Was.Vertical in Pitched
@@ -200,17 +224,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
           then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
                  Throttle_Step)
 
-       --  The integrator moves towards the airspeed that is wanted.
        and then
-         (if This.Flown.Power = Hold_Airspeed
-            and then Was.Power = Hold_Airspeed
-          then This.Speed_Held = This.Speed_Held'Old
-            and then This.Lever_Held = This.Lever_Held'Old
-            and then Moves_With
-              (This.Power_Trim'Old, This.Power_Trim,
-               Wanted   => Held_Speed
-                 (This.Speed_Held, Hand.Throttle - This.Lever_Held),
-               Measured => Now.Airspeed));
+         Follows_Speed (This'Old, This, Was, Now.Airspeed, Hand.Throttle);
 
    --  Flies all four axes.
    procedure Fly
@@ -250,6 +265,10 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if This.Flown.Vertical in Pitched
           then abs This.Last.Pitch <= Integer'Max
-                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step));
+                 (Pitch_Authority, abs This.Last'Old.Pitch - Pitch_Step))
+       and then Follows_Bank (This'Old, This, Was, Now.Bank)
+       and then Follows_Pitch (This'Old, This, Was, Now.Pitch)
+       and then
+         Follows_Speed (This'Old, This, Was, Now.Airspeed, Hand.Throttle);
 
 end URV.Laws.Flying;

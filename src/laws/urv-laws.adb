@@ -48,6 +48,11 @@ package body URV.Laws with SPARK_Mode is
       end if;
 
       Fly (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
+      pragma Assert
+        (Word_Of (After.Checks, Roll_Attitude) =
+           Word_Of (Checks, Roll_Attitude)
+         and then Word_Of (After.Checks, Pitch_Attitude) =
+           Word_Of (Checks, Pitch_Attitude));
       return After;
    end Next;
 

@@ -13,6 +13,7 @@
 
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
+with URV.Integrators;   use URV.Integrators;
 with URV.Law_Axes;      use URV.Law_Axes;
 with URV.Law_Gains;     use URV.Law_Gains;
 with URV.Law_Units;     use URV.Law_Units;
@@ -87,34 +88,7 @@ package URV.Laws with Pure, SPARK_Mode is
 
    --  The state after a cold start, and the default settings
 
-   function At_Start return Memory is
-     (Link         => (State => Waiting, others => 0),
-      Checks       =>
-        (others =>
-           (Is_Seen   => False,
-            Is_Valid  => False,
-            Used      => Neutral_Value,
-            Last      => Neutral_Value,
-            Bad       => 0,
-            Good      => 0,
-            Anchor    => Neutral_Value,
-            Witnessed => Neutral_Value,
-            Stuck     => 0)),
-      Flown        => (Direct, Direct, Direct),
-      Is_Stick     => (others => True),
-      Last         => (Roll => 0, Pitch => 0, Yaw => 0, Throttle => 0),
-      Heard        => Neutral_Uplink,
-      Is_Flying    => False,
-      Bank_Wanted  => 0,
-      Pitch_Wanted => Level_Pitch,
-      Height_Held  => 0,
-      Speed_Held   => 0,
-      Lever_Held   => 0,
-      Roll_Trim    => 0,
-      Pitch_Trim   => 0,
-      Height_Trim  => 0,
-      Power_Trim   => 0,
-      Smoothed     => 0)
+   function At_Start return Memory is (others => <>)
    with Global => null;
 
    function Laws_Off return Settings is
@@ -311,7 +285,25 @@ package URV.Laws with Pure, SPARK_Mode is
          (if Next'Result.Flown.Vertical in Pitched
           then abs Next'Result.Last.Pitch <=
                  Integer'Max
-                   (Pitch_Authority, abs This.Last.Pitch - Pitch_Step));
+                   (Pitch_Authority, abs This.Last.Pitch - Pitch_Step))
+
+       --  Roll and pitch are trimmed the right way, by their own sensors.
+       and then
+         (if This.Flown.Lateral in Banked
+            and then Next'Result.Flown.Lateral in Banked
+          then Moves_With
+            (This.Roll_Trim, Next'Result.Roll_Trim,
+             Wanted   => Next'Result.Bank_Wanted,
+             Measured =>
+               Roll_Angle_Of (Word_Of (Next'Result.Checks, Roll_Attitude))))
+       and then
+         (if This.Flown.Vertical in Pitched
+            and then Next'Result.Flown.Vertical in Pitched
+          then Moves_With
+            (This.Pitch_Trim, Next'Result.Pitch_Trim,
+             Wanted   => Next'Result.Pitch_Wanted,
+             Measured =>
+               Pitch_Angle_Of (Word_Of (Next'Result.Checks, Pitch_Attitude))));
 
    --  The commands after the laws, with the pilot's own words on each axis
    --  that is the stick's. If all are, it is the same message with its mark;

@@ -32,6 +32,10 @@ package body URV.Surface_Monitor with SPARK_Mode is
               and then
                 (if This.Failed (Done) then After.Failed (Done))
               and then
+                After.Places (Done) =
+                  (if Is_Old (Sensors) then This.Places (Done)
+                   else Places_Of (Sensors) (Done))
+              and then
                 (if After.Failed (Done) and then not This.Failed (Done)
                  then not Is_Old (Sensors)
                    and then Off_Now (This, Sensors, Done) > Allowance
@@ -51,6 +55,7 @@ package body URV.Surface_Monitor with SPARK_Mode is
            (for all Later in Surface =>
               (if Later > Which
                then After.Failed (Later) = This.Failed (Later)
+                 and then After.Places (Later) = This.Places (Later)
                  and then After.Doubts (Later) = This.Doubts (Later)));
       end loop;
       return After;

@@ -115,6 +115,12 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
                  and then This.Doubts (Which) >=
                             Certainty - (Most_Off - Allowance))
 
+            --  The place is the one that was measured last.
+            and then
+              Next'Result.Places (Which) =
+                (if Is_Old (Sensors) then This.Places (Which)
+                 else Places_Of (Sensors) (Which))
+
             --  And then always.
             and then
               (if Is_Old (Sensors)

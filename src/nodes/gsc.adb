@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URV.Errors; use URV.Errors;
+with URV.Buffers; use URV.Buffers;
+with URV.Errors;  use URV.Errors;
 
 package body GSC with SPARK_Mode is
 
@@ -46,6 +47,8 @@ package body GSC with SPARK_Mode is
 
    procedure Reset_Variables is
    begin
+      AD_Board.Initialise;
+      Status.Write (No_Error);
       Sealing.Begin_Anew;
       ADINT_Variable.Reset;
       AD_Variable.Reset;
@@ -59,6 +62,8 @@ package body GSC with SPARK_Mode is
 
    procedure Restart_Variables is
    begin
+      AD_Board.Initialise;
+      Status.Write (No_Error);
       ADINT_Variable.Restart;
       AD_Variable.Restart;
       TELIN_Variable.Restart;

@@ -166,8 +166,8 @@ package GSC with SPARK_Mode is
    procedure Say_Refused is null;
 
    package Starts is new URV.Start_Routines
-     (Memories, AD_Board, CORE_Memory, Telemetry_Board, Sealing, Errors,
-      Status, Reset_Variables, Restart_Variables, Say_Refused);
+     (Memories, CORE_Memory, Telemetry_Board, Sealing, Errors,
+      Reset_Variables, Restart_Variables, Say_Refused);
 
    --  For the kernel: sets the time of reports, and reports an overrun.
 

@@ -3,12 +3,10 @@
 with Telemetry;   use Telemetry;
 with URV.Allocation;
 with URV.Buffers; use URV.Buffers;
-with URV.Configurations;
 with URV.Errors;  use URV.Errors;
-with URV.Laws;
+with URV.LAW_Steps;
 with URV.PWM_Layout;
 with URV.Routing; use URV.Routing;
-with URV.Surface_Monitor;
 
 package body MCS with SPARK_Mode is
 
@@ -66,6 +64,8 @@ package body MCS with SPARK_Mode is
 
    procedure Reset_Variables is
    begin
+      AD_Board.Initialise;
+      Status.Write (No_Error);
       Frame_Lock.Begin_Anew;
       Sealing.Begin_Anew;
       PWM_Board.Write (URV.PWM_Layout.Safe_Area);
@@ -80,16 +80,15 @@ package body MCS with SPARK_Mode is
       Sensors_Variable.Reset;
       PWM_Variable.Reset;
       MDCIN.Reset;
-      Law_Configured.Write (URV.Configurations.Nothing_Set);
-      Law_Memory.Write (URV.Laws.At_Start);
-      Surface_Memory.Write ((others => <>));
+      Law_Memory.Write (URV.LAW_Steps.At_Start);
       Surface_Health.Write (URV.Allocation.All_Well);
    end Reset_Variables;
 
    procedure Restart_Variables is
-      Watched : constant URV.Surface_Monitor.Monitor :=
-        Surface_Memory.Contents;
+      Kept : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
    begin
+      AD_Board.Initialise;
+      Status.Write (No_Error);
       Frame_Lock.Begin_Anew;
       ADINT_Variable.Restart;
       AD_Variable.Restart;
@@ -101,8 +100,7 @@ package body MCS with SPARK_Mode is
       Configuration_Variable.Restart;
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
-      Surface_Memory.Write
-        (URV.Surface_Monitor.Restarted (Watched));
+      Law_Memory.Write (URV.LAW_Steps.Restarted (Kept));
    end Restart_Variables;
 
    procedure Say_Refused is

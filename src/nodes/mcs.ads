@@ -95,12 +95,7 @@ package MCS with SPARK_Mode is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
 
-   --  The configuration that the ground has set since (EXT-2).
-   Law_Configured : URV.Shared_Laws.Configured.Store;
-
    Law_Memory : URV.Shared_Laws.Memories.Store;
-
-   Surface_Memory : URV.Shared_Surfaces.Monitors.Store;
 
    Surface_Health : URV.Shared_Surfaces.Healths.Store;
 
@@ -122,7 +117,7 @@ package MCS with SPARK_Mode is
       Configuration_Variable, Errors);
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory, Law_Configured, Surface_Memory);
+     (Errors, Law_Settings, Law_Memory);
 
    package MDCOUT is new URV.MDCOUT_Task
      (AD_Variable, Downlink_Variable, Sensors_Variable, TELOUT_Variable,
@@ -130,8 +125,8 @@ package MCS with SPARK_Mode is
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,
-      Configuration_Variable, Law_Settings, Law_Configured, Law_Memory,
-      Surface_Memory, Surface_Health, Errors);
+      Configuration_Variable, Law_Settings, Law_Memory, Surface_Health,
+      Errors);
 
    package PWM is new URV.PWM_Task
      (PWM_Variable, Surface_Health, PWM_Board, Errors);
@@ -213,8 +208,8 @@ package MCS with SPARK_Mode is
    procedure Say_Refused;
 
    package Starts is new URV.Start_Routines
-     (Memories, AD_Board, CORE_Memory, Telemetry_Board, Sealing, Errors,
-      Status, Reset_Variables, Restart_Variables, Say_Refused);
+     (Memories, CORE_Memory, Telemetry_Board, Sealing, Errors,
+      Reset_Variables, Restart_Variables, Say_Refused);
 
    --  For the clock. Ticks is the number of ticks since the last call, at most
    --  one. Request is the length requested for the present frame (FRM-6).

@@ -3,7 +3,6 @@
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with URVOS.Start_Phases;
 with URVOS.Start_Tests;
-with URV.Buffers; use URV.Buffers;
 with URV.Start_Records;
 
 package body URV.Start_Routines with SPARK_Mode is
@@ -19,7 +18,7 @@ package body URV.Start_Routines with SPARK_Mode is
 
    procedure Set_Time (Now : Clock_Tick);
 
-   procedure Prepare_Boards;
+   procedure Clear_Telemetry;
 
    procedure Cold_Start;
 
@@ -33,26 +32,23 @@ package body URV.Start_Routines with SPARK_Mode is
       Sealing.Set_Time (Now);
    end Set_Time;
 
-   procedure Prepare_Boards is
+   procedure Clear_Telemetry is
    begin
       Telemetry_Board.Clear_Transmit_Half;
       Telemetry_Board.Discard_Received;
-      AD_Board.Initialise;
-      Node_Status.Write (No_Error);
-   end Prepare_Boards;
+   end Clear_Telemetry;
 
    procedure Cold_Start is
    begin
       CORE_Memory.Clear;
-      Prepare_Boards;
+      Clear_Telemetry;
       Reset_Variables;
-      Errors.Clear;
    end Cold_Start;
 
    procedure Warm_Start is
    begin
       CORE_Memory.Mark_Old;
-      Prepare_Boards;
+      Clear_Telemetry;
       Restart_Variables;
    end Warm_Start;
 

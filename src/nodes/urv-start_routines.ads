@@ -10,27 +10,23 @@
 --  earlier.
 
 with Devices.Processor_Memories;
-with Devices.Shared_AD_Board;
 with Devices.Shared_CORE_Memory;
 with Telemetry.Shared_Boards;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Starts;       use URVOS.Starts;
 with URV.Shared_Errors;  use URV.Shared_Errors;
 with URV.Shared_Seals;
-with URV.Shared_Status;  use URV.Shared_Status;
 
 generic
    with package Memories is new Devices.Processor_Memories (<>);
-   AD_Board        : in out Devices.Shared_AD_Board.Board;
    CORE_Memory     : in out Devices.Shared_CORE_Memory.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
-   Node_Status     : in out Status;
 
    --  The node's own part: a cold start puts its variables in their first
-   --  state, and a warm start restarts them. In the aircraft the servos are
-   --  included.
+   --  state, and a warm start restarts them. Both initialise its A/D board
+   --  and clear its status. In the aircraft the servos are included.
    with procedure Reset_Variables;
    with procedure Restart_Variables;
 

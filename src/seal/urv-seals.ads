@@ -164,6 +164,8 @@ package URV.Seals with Pure, SPARK_Mode is
      Post   =>
        What = Outcome_Of (This'Old, Block'Old, Came)
        and then This = After (This'Old, Block'Old, What)
+       and then This.Format = This'Old.Format
+       and then This.Role = This'Old.Role
        and then Block =
          (if What not in Taken then Block_Data'[others => 0]
           elsif This.Format = 1 then Block'Old

@@ -3,11 +3,10 @@
 with URVOS;            use URVOS;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
 with URV.Errors;       use URV.Errors;
-with URV.Routing;
 
 package body URV.AD_Task with SPARK_Mode is
 
-   procedure Hand_On (Item : Channel_Words; Fresh : Boolean);
+   procedure Hand_On (Item : AD_Image);
 
    --  Begins a frame's first scan. Had_None reports that the frame before had
    --  no scan.
@@ -23,10 +22,10 @@ package body URV.AD_Task with SPARK_Mode is
    --  One step of a frame in the fast schedule.
    procedure Follow_Scans (Now : Clock_Tick);
 
-   procedure Hand_On (Item : Channel_Words; Fresh : Boolean) is
+   procedure Hand_On (Item : AD_Image) is
       Success : Boolean;
    begin
-      AD_Variable.Send (Routing.Stamped (Item, Fresh), Success);
+      AD_Variable.Send (Item, Success);
       if not Success then
          Errors.Report (Image_Not_Consumed, 0);
       end if;
@@ -53,41 +52,34 @@ package body URV.AD_Task with SPARK_Mode is
       Fresh : Boolean;
    begin
       ADINT_Variable.Receive (Item, Fresh);
-      Hand_On (Item, Fresh);
+      Hand_On (Last_Image (Item, Fresh));
       Begin_First_Scan (Had_None => not Fresh);
    end Take_Last_Scan;
 
    procedure Follow_Scans (Now : Clock_Tick) is
-      Before         : Progress := Present.Contents;
+      Kept           : Progress := Present.Contents;
       Item           : Channel_Words;
       Fresh          : Boolean;
       Look_Again     : Boolean;
+      Chosen         : Action;
       Unused_Reached : Channel_Count;
    begin
-      if Before.Doing /= Scanning then
-         Begin_First_Scan (Had_None => Before.Doing = Had_No_Scan);
+      if Kept.Doing /= Scanning then
+         Begin_First_Scan (Had_None => Kept.Doing = Had_No_Scan);
          Discard_Late_Scan;
-         Present.Write ((Scanning, 0, Begun (Now, 1)));
+         Present.Write (Scan_Begun (Now));
          return;
       end if;
 
-      Receiving.Receive_Step
-        (Now, Before.Patience, Item, Fresh, Look_Again);
-      if Fresh and then Before.Received < Scan_Count'Last then
-         Before.Received := Before.Received + 1;
-      end if;
-
-      if Fresh
-        and then Before.Received < Fast_Scans
-        and then not Is_Over (Before.Patience, Now)
-      then
-         Begin_Scan (Unused_Reached);
-      elsif not Look_Again then
-         Hand_On (Item, Fresh => Before.Received > 0);
-         Before.Doing :=
-           (if Before.Received > 0 then Had_Scan else Had_No_Scan);
-      end if;
-      Present.Write (Before);
+      Receiving.Receive_Step (Now, Kept.Patience, Item, Fresh, Look_Again);
+      Kept := Counted (Kept, Fresh);
+      Chosen := Next_Action (Kept, Fresh, Look_Again, Fast_Scans, Now);
+      case Chosen is
+         when Begin_Another_Scan => Begin_Scan (Unused_Reached);
+         when Hand_On_Image      => Hand_On (Newest_Image (Item, Kept));
+         when Wait_For_Scan      => null;
+      end case;
+      Present.Write (After (Kept, Chosen));
    end Follow_Scans;
 
    procedure Initialise is

@@ -17,8 +17,8 @@ with URVOS.Kernel_Calls;    use URVOS.Kernel_Calls;
 with URVOS.Receive_Calls;
 with URVOS.Shared_Data;
 with URVOS.Shared_Mailboxes;
-with URVOS.Waits;           use URVOS.Waits;
 with URV.AD_Scans;          use URV.AD_Scans;
+with URV.AD_Steps;          use URV.AD_Steps;
 with URV.Buffers;           use URV.Buffers;
 with URV.Shared_Errors;     use URV.Shared_Errors;
 with URV.Shared_Schedules;
@@ -41,18 +41,6 @@ package URV.AD_Task with SPARK_Mode is
    --  The same number, for theorems.
    function Scans return Scan_Count is (Fast_Scans)
    with Ghost, Global => null;
-
-   --  In the fast schedule the task waits for a scan. Otherwise: whether the
-   --  last frame had a scan in time.
-   type Activity is (Had_Scan, Had_No_Scan, Scanning);
-
-   --  The task keeps from step to step: the scans of this frame that it has
-   --  received, and how long it still waits.
-   type Progress is record
-      Doing    : Activity   := Had_Scan;
-      Received : Scan_Count := 0;
-      Patience : Wait       := Begun (0, 0);
-   end record;
 
    package Stores is new URVOS.Shared_Data (Progress, (others => <>));
 

@@ -3,9 +3,48 @@
 with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.CORE_Steps;      use URV.CORE_Steps;
 with URV.Errors;          use URV.Errors;
 
 package body URV.CORE_Task with SPARK_Mode is
+
+   procedure Take_Uplink;
+
+   procedure Take_Downlink;
+
+   procedure Take_Uplink is
+      Item  : Uplink_Buffer;
+      Fresh : Boolean;
+      Area  : constant Coded_Uplink := CORE_Memory.Uplink_Area;
+   begin
+      Uplink_Variable.Receive (Item, Fresh);
+      if Is_Written (Fresh) then
+         CORE_Memory.Write_Uplink (Words_After (Area, Item));
+         if Has_Unknown (Area) then
+            Errors.Report (Unknown_Code, First_Unknown (Area));
+            Codes_Wanted.Write (True);
+         end if;
+      else
+         Errors.Report (CORE_No_Uplink, 0);
+      end if;
+   end Take_Uplink;
+
+   procedure Take_Downlink is
+      Item  : Downlink_Buffer;
+      Fresh : Boolean;
+      Area  : constant Coded_Downlink := CORE_Memory.Downlink_Area;
+   begin
+      Downlink_Variable.Receive (Item, Fresh);
+      if Is_Written (Fresh) then
+         CORE_Memory.Write_Downlink (Words_After (Area, Item));
+         if Has_Unknown (Area) then
+            Errors.Report (Unknown_Code, First_Unknown (Area));
+            Codes_Wanted.Write (True);
+         end if;
+      else
+         Errors.Report (CORE_No_Downlink, 0);
+      end if;
+   end Take_Downlink;
 
    procedure Initialise is
    begin
@@ -14,52 +53,14 @@ package body URV.CORE_Task with SPARK_Mode is
 
    procedure Run_Transaction is
       First_Run : constant Boolean := Codes_Wanted.Contents;
-      Uplink    : Uplink_Buffer;
-      Downlink  : Downlink_Buffer;
-      Fresh     : Boolean;
-      Unknown   : Place_Or_None;
    begin
       if First_Run then
          CORE_Memory.Write_Codes
            (Uplink_Type_Codes, Downlink_Type_Codes, Status_Type_Codes);
          Codes_Wanted.Write (False);
       end if;
-
-      Uplink_Variable.Receive (Uplink, Fresh);
-      if Fresh then
-         declare
-            Area : constant Coded_Uplink := CORE_Memory.Uplink_Area;
-         begin
-            CORE_Memory.Write_Uplink
-              (Stored (Area.Codes, Area.Words, Uplink));
-            Unknown := First_Unknown_Uplink (Area.Codes);
-            if Unknown > 0 then
-               Errors.Report
-                 (Unknown_Code, Area.Codes (Item_Number (Unknown)));
-               Codes_Wanted.Write (True);
-            end if;
-         end;
-      else
-         Errors.Report (CORE_No_Uplink, 0);
-      end if;
-
-      Downlink_Variable.Receive (Downlink, Fresh);
-      if Fresh then
-         declare
-            Area : constant Coded_Downlink := CORE_Memory.Downlink_Area;
-         begin
-            CORE_Memory.Write_Downlink
-              (Stored (Area.Codes, Area.Words, Downlink));
-            Unknown := First_Unknown_Downlink (Area.Codes);
-            if Unknown > 0 then
-               Errors.Report
-                 (Unknown_Code, Area.Codes (Item_Number (Unknown)));
-               Codes_Wanted.Write (True);
-            end if;
-         end;
-      else
-         Errors.Report (CORE_No_Downlink, 0);
-      end if;
+      Take_Uplink;
+      Take_Downlink;
    end Run_Transaction;
 
 end URV.CORE_Task;

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the GDCIN task: what CORE is given of a message in
+--  The decision of the GDCIN task (D-70): what CORE is given of a message in
 --  TELIN_variable, which fragment of the aircraft's error log it carries, and
 --  what is reported (report, 5.5; GDI-1, D-11, D-14, EXT-2, SAF-7). The task
 --  receives, calls these functions, sends and reports. Each is an expression
---  function, so that its text is its contract.
+--  function: its text is its contract.
 
 with URV.Buffers;    use URV.Buffers;
 with URV.Log_Pieces; use URV.Log_Pieces;

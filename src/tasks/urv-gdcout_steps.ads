@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the GDCOUT task: the message that is made of an image of
---  the converter, and what goes up (report, 5.6; GDO-1, D-3, D-14, TST-4,
---  EXT-2). The task receives, calls these functions, sends and reports;
---  Theorems.Safety calls the same functions. Each is an expression function,
---  so that its text is its contract.
+--  The decision of the GDCOUT task (D-70): the message that is made of an
+--  image of the converter, and what goes up (report, 5.6; GDO-1, D-3, D-14,
+--  TST-4, EXT-2). The task receives, calls these functions, sends and reports;
+--  Theorems.Safety calls the same functions. Each is an expression function:
+--  its text is its contract.
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the LAW task: what it remembers, what the PWM task is
---  given and which surfaces others make up for (EXT-2, EXT-3, EXT-5, EXT-6).
---  The task receives, calls this decision, sends and reports; Theorems.Safety
---  calls the same decision.
+--  The decision of the LAW task (D-70): what it remembers, what the PWM task
+--  is given and which surfaces others make up for (EXT-2, EXT-3, EXT-5,
+--  EXT-6). The task receives, calls this decision, sends and reports;
+--  Theorems.Safety calls the same decision.
 --
 --  The decision has three parts, each in a package of its own (D-43): a
 --  configuration from the ground, the control laws, and the monitor of
@@ -28,6 +28,20 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Set     : Setting;
       Watched : Monitor;
    end record;
+
+   --  The memory at a cold start, and at a warm start, which keeps settings
+   --  and failures.
+
+   function At_Start return Kept is
+     ((Flown   => Laws.At_Start,
+       Set     => Nothing_Set,
+       Watched => (others => <>)))
+   with Global => null;
+
+   function Restarted (Before : Kept) return Kept is
+     ((Before with delta
+         Watched => Surface_Monitor.Restarted (Before.Watched)))
+   with Global => null;
 
    --  The messages that the task received in a frame, and whether each is
    --  new.
@@ -61,6 +75,12 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Set      : Setting;
       Surfaces : Surface_Part;
    end record;
+
+   function Kept_After (Result : Decision) return Kept is
+     ((Flown   => Result.Flown.After,
+       Set     => Result.Set,
+       Watched => Result.Surfaces.Watched))
+   with Global => null;
 
    --  A message that has not come in this frame is old.
 

@@ -1,11 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URV.Configurations;
 with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
 with URV.Laws;      use URV.Laws;
-with URV.Surface_Monitor;
 
 package body URV.LAW_Task with SPARK_Mode is
 
@@ -13,10 +11,7 @@ package body URV.LAW_Task with SPARK_Mode is
 
    procedure Run_Transaction is
       Usual   : constant Settings := Law_Settings.Contents;
-      Flown   : constant Memory := Law_Memory.Contents;
-      Set     : constant Configurations.Setting := Law_Configured.Contents;
-      Watched : constant Surface_Monitor.Monitor := Surface_Memory.Contents;
-      Before  : constant Kept := (Flown, Set, Watched);
+      Before  : constant Kept := Law_Memory.Contents;
       Got     : Inputs;
       Success : Boolean;
    begin
@@ -27,9 +22,7 @@ package body URV.LAW_Task with SPARK_Mode is
       declare
          Result : constant Decision := Decided (Before, Usual, Got);
       begin
-         Law_Memory.Write (Result.Flown.After);
-         Law_Configured.Write (Result.Set);
-         Surface_Memory.Write (Result.Surfaces.Watched);
+         Law_Memory.Write (Kept_After (Result));
          Surface_Health.Write (Result.Surfaces.Reported);
          Reports.Report (Before, Usual, Got, Result);
 

@@ -26,9 +26,7 @@ generic
    PWM_Variable      : in out For_Uplink.Variable;
    Configuration_Variable : in out For_Uplink.Variable;
    Law_Settings      : in out URV.Shared_Laws.Settings.Store;
-   Law_Configured    : in out URV.Shared_Laws.Configured.Store;
    Law_Memory        : in out URV.Shared_Laws.Memories.Store;
-   Surface_Memory    : in out URV.Shared_Surfaces.Monitors.Store;
    Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
    Errors            : in out Shared_Log;
 package URV.LAW_Task with SPARK_Mode is
@@ -38,7 +36,7 @@ package URV.LAW_Task with SPARK_Mode is
      Global =>
        (Input  => Law_Settings,
         In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
-                   Configuration_Variable, Law_Configured, Law_Memory,
-                   Surface_Memory, Surface_Health, Errors));
+                   Configuration_Variable, Law_Memory, Surface_Health,
+                   Errors));
 
 end URV.LAW_Task;

@@ -2,8 +2,8 @@
 
 with URVOS; use URVOS;
 with URVOS.Frames; use URVOS.Frames;
-with URV.Configurations;
 with URV.CORE_Layout;
+with URV.LAW_Steps;
 with URV.Law_Status;
 with URV.Laws;
 with URV.Surface_Monitor;
@@ -30,11 +30,7 @@ package body URV.Log_Senders with SPARK_Mode is
    procedure Next (Item : out Piece) is
       Log      : constant Error_Log         := Errors.Contents;
       Set      : constant URV.Laws.Settings := Law_Settings.Contents;
-      Flown    : constant URV.Laws.Memory   := Law_Memory.Contents;
-      Watched  : constant URV.Surface_Monitor.Monitor :=
-        Surface_Memory.Contents;
-      Now      : constant URV.Configurations.Setting :=
-        Law_Configured.Contents;
+      Kept     : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
       Time     : constant Clock_Tick        := Errors.Time;
       Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
@@ -46,7 +42,8 @@ package body URV.Log_Senders with SPARK_Mode is
       then
          Line.Row := Law_Status.With_Age
            (Law_Status.To_Row
-              (Flown, Surface_Monitor.Failed_Bits (Watched), Now),
+              (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched),
+               Kept.Set),
             Time);
          Line.Is_Laws := True;
          Line.Sent := 0;

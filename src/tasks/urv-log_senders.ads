@@ -11,14 +11,11 @@ with URV.Errors;          use URV.Errors;
 with URV.Log_Pieces;      use URV.Log_Pieces;
 with URV.Shared_Errors;   use URV.Shared_Errors;
 with URV.Shared_Laws;
-with URV.Shared_Surfaces;
 
 generic
    Errors         : in out Shared_Log;
    Law_Settings   : in out URV.Shared_Laws.Settings.Store;
    Law_Memory     : in out URV.Shared_Laws.Memories.Store;
-   Law_Configured : in out URV.Shared_Laws.Configured.Store;
-   Surface_Memory : in out URV.Shared_Surfaces.Monitors.Store;
 package URV.Log_Senders with SPARK_Mode is
 
    --  The row being sent, and the number of its fragments already sent.
@@ -37,8 +34,6 @@ package URV.Log_Senders with SPARK_Mode is
    procedure Next (Item : out Piece)
    with
      Global =>
-       (Input  => (Errors, Law_Settings, Law_Memory, Law_Configured,
-                   Surface_Memory),
-        In_Out => Progress);
+       (Input => (Errors, Law_Settings, Law_Memory), In_Out => Progress);
 
 end URV.Log_Senders;

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the MDCIN task: what CORE and the laws are given of a
---  message in TELIN_variable, and what is reported (report, 4.6; MDI-1, D-11,
---  D-14, EXT-2). The task receives, calls these functions, sends and reports;
---  Theorems.Safety calls the same functions. Each is an expression function,
---  so that its text is its contract.
+--  The decision of the MDCIN task (D-70): what CORE and the laws are given of
+--  a message in TELIN_variable, and what is reported (report, 4.6; MDI-1,
+--  D-11, D-14, EXT-2). The task receives, calls these functions, sends and
+--  reports; Theorems.Safety calls the same functions. Each is an expression
+--  function: its text is its contract.
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the MDCOUT task: the message that is made of an image of
---  the converter, and what of it goes down (report, 4.7; MDO-1, D-1, D-14,
---  TST-4, SAF-7). The task receives, calls these functions, sends and reports.
---  Each is an expression function, so that its text is its contract.
+--  The decision of the MDCOUT task (D-70): the message that is made of an
+--  image of the converter, and what of it goes down (report, 4.7; MDO-1, D-1,
+--  D-14, TST-4, SAF-7). The task receives, calls these functions, sends and
+--  reports. Each is an expression function: its text is its contract.
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the PWM task: when it writes to the servos, and which words
---  (report, 4.8; PWM-1, SAF-2, SAF-3, D-14, EXT-6). The task receives, calls
---  these functions, writes and reports; Theorems.Safety calls the same
---  functions. Each is an expression function, so that its text is its
+--  The decision of the PWM task (D-70): when it writes to the servos, and
+--  which words (report, 4.8; PWM-1, SAF-2, SAF-3, D-14, EXT-6). The task
+--  receives, calls these functions, writes and reports; Theorems.Safety calls
+--  the same functions. Each is an expression function: its text is its
 --  contract.
 
 with Devices.PWM_Board; use Devices.PWM_Board;

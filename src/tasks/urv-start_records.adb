@@ -26,6 +26,7 @@ package body URV.Start_Records with SPARK_Mode is
       CORE_Memory.Write_Status (Counts);
       CORE_Memory.Write_Status ((Self_Test_Result => To_Word (Result)));
 
+      Errors.Start (Condition, Result.Passed);
       case Condition is
          when Cold_Start =>
             null;

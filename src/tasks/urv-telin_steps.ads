@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The decision of the TELIN task: what it keeps and sends of what the
+--  The decision of the TELIN task (D-70): what it keeps and sends of what the
 --  telemetry board received and the seal opened (report, 4.4; D-14, SAF-5,
 --  SEC-1). The task receives, calls these functions, sends and reports;
---  Theorems.Safety calls the same functions. Each is an expression function,
---  so that its text is its contract.
+--  Theorems.Safety calls the same functions. Each is an expression function:
+--  its text is its contract.
 
 with Telemetry;      use Telemetry;
 with URVOS;          use URVOS;

@@ -20,7 +20,6 @@ with URV.Log_Senders;
 with URV.LOG_Task;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
-with URV.Shared_Surfaces;
 
 separate (Task_Suite)
 package body LOG_Task_Tests is
@@ -52,11 +51,9 @@ package body LOG_Task_Tests is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
    Law_Memory   : URV.Shared_Laws.Memories.Store;
-   Law_Configured : URV.Shared_Laws.Configured.Store;
-   Surface_Memory : URV.Shared_Surfaces.Monitors.Store;
 
    package Log_Sender is new URV.Log_Senders
-     (Errors, Law_Settings, Law_Memory, Law_Configured, Surface_Memory);
+     (Errors, Law_Settings, Law_Memory);
 
    package Log_Receiver is new URV.Log_Receivers (CORE);
 

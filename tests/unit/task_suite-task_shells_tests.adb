@@ -208,10 +208,7 @@ package body Task_Shells_Tests is
          Fly (60, Level);
          MCS.Law_Settings.Write (Usual);
          MCS.Errors.Clear;
-         Before :=
-           (Flown   => MCS.Law_Memory.Contents,
-            Set     => MCS.Law_Configured.Contents,
-            Watched => MCS.Surface_Memory.Contents);
+         Before := MCS.Law_Memory.Contents;
          Up.Give (MCS.Configuration_Variable, Block);
          Down.Give (MCS.Sensors_Variable, Banked);
          Up.Give (MCS.Commands_Variable, Sticks_Off);
@@ -235,16 +232,16 @@ package body Task_Shells_Tests is
 
          Expect
            (What & ": memory",
-            MCS.Law_Memory.Contents = Result.Flown.After, True);
+            MCS.Law_Memory.Contents.Flown = Result.Flown.After, True);
          Expect
            (What & ": configuration",
-            MCS.Law_Configured.Contents = Result.Set, True);
+            MCS.Law_Memory.Contents.Set = Result.Set, True);
          Expect
            (What & ": configuration is taken",
-            MCS.Law_Configured.Contents.Is_Set, On and Has_Block);
+            MCS.Law_Memory.Contents.Set.Is_Set, On and Has_Block);
          Expect
            (What & ": surfaces",
-            MCS.Surface_Memory.Contents = Result.Surfaces.Watched, True);
+            MCS.Law_Memory.Contents.Watched = Result.Surfaces.Watched, True);
          Expect
            (What & ": health",
             MCS.Surface_Health.Contents = Result.Surfaces.Reported, True);

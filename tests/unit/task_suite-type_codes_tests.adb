@@ -365,10 +365,10 @@ package body Type_Codes_Tests is
 
    procedure Expect_Set (What : String; Is_Set : Boolean) is
       Now : constant Settings :=
-        In_Force (MCS.Law_Settings.Contents, MCS.Law_Configured.Contents);
+        In_Force (MCS.Law_Settings.Contents, MCS.Law_Memory.Contents.Set);
       Row : constant Log_Row := URV.Law_Status.To_Row
-        (MCS.Law_Memory.Contents, 0,
-         MCS.Law_Configured.Contents);
+        (MCS.Law_Memory.Contents.Flown, 0,
+         MCS.Law_Memory.Contents.Set);
    begin
       Expect_Number
         (What & ", table", Integer (Now.Table), (if Is_Set then 1 else 0));

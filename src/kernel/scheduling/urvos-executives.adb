@@ -20,7 +20,8 @@ is
    procedure Note_Overrun (Before : Count; Who : Task_Id);
 
    --  Gives an idle processor to the next task.
-   procedure Choose;
+   procedure Choose
+   with Post => Clock (Tasks) = Clock (Tasks)'Old;
 
    procedure Note_Overrun (Before : Count; Who : Task_Id) is
    begin
@@ -52,6 +53,9 @@ is
       Choose;
    end Clock_Interrupt;
 
+   function Time return Clock_Tick is (Clock (Tasks))
+   with Refined_Global => Tasks;
+
    function Is_Idle return Boolean is (Is_Idle (Tasks))
    with Refined_Global => Tasks;
 
@@ -64,7 +68,9 @@ is
 
       --  The caller sleeps until this tick.
       procedure Put_To_Sleep (Until_Tick : Tick)
-      with Pre => not Is_Idle (Tasks);
+      with
+        Pre  => not Is_Idle (Tasks),
+        Post => Clock (Tasks) = Clock (Tasks)'Old;
 
       procedure Put_To_Sleep (Until_Tick : Tick) is
       begin

@@ -34,12 +34,18 @@ package URVOS.Executives
     Initializes    => Task_Management
 is
 
-   --  Loads the tasks of a tree. The tasks that were there before are gone.
-   procedure Start (Tree : Task_Tree; Now : Clock_Tick);
+   --  The time by which tasks are released.
+   function Time return Clock_Tick
+   with Global => Task_Management;
 
-   --  The clock has ticked: who is due is ready to run. A clock that runs
-   --  back is not believed.
-   procedure Clock_Interrupt (Now : Clock_Tick);
+   --  Loads the tasks of a tree. The tasks that were there before are gone.
+   procedure Start (Tree : Task_Tree; Now : Clock_Tick)
+   with Post => Time = Now;
+
+   --  The clock has ticked: the tasks that are due are ready to run. A clock
+   --  that runs back is not believed.
+   procedure Clock_Interrupt (Now : Clock_Tick)
+   with Post => Time = Tick'Max (Time'Old, Now);
 
    --  No task has the processor.
    function Is_Idle return Boolean
@@ -47,7 +53,8 @@ is
 
    --  Runs the next step of the task that has the processor, if any.
    --  Runs_On tells that this task called EXIT and has the processor again.
-   procedure Run_Step (Runs_On : out Boolean);
+   procedure Run_Step (Runs_On : out Boolean)
+   with Post => Time >= Time'Old;
 
    --  Runs all due steps. In virtual time only an interrupt changes a task's
    --  inputs between two ticks. A task that calls EXIT and keeps the processor
