@@ -5,7 +5,7 @@
 --  docs/station-packets.md. `urv_sim tables` prints these lists for the
 --  station (GND-11).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URV.CORE_Memory; use URV.CORE_Memory;
 
 package Host.Frame_Layout is
 

@@ -3,10 +3,10 @@
 --  The names of the buffers' items in files: the promise of the stick, sensor,
 --  record and event formats.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URV.Errors;          use URV.Errors;
-with URV.Laws;            use URV.Laws;
-with URV.Link_Loss;       use URV.Link_Loss;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
+with URV.Laws;        use URV.Laws;
+with URV.Link_Loss;   use URV.Link_Loss;
 
 package Host.Names is
 

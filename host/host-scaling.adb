@@ -3,10 +3,10 @@
 with Ada.Long_Float_Text_IO;
 with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Limits;      use Host.Limits;
 with Host.Names;       use Host.Names;
 with Host.Text_Output; use Host.Text_Output;
+with URV.CORE_Memory;  use URV.CORE_Memory;
 
 package body Host.Scaling is
 

@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Theorems.Type_Codes;
+
 package body Theorems.Data_Path with SPARK_Mode is
 
    procedure Commands_Arrive (Image : AD_Image) is
@@ -12,9 +14,12 @@ package body Theorems.Data_Path with SPARK_Mode is
       Commands_Arrive (Image);
    end Commands_Reach_The_Servos;
 
-   procedure Sensors_Reach_CORE (Image : AD_Image) is
+   procedure Sensors_Reach_CORE (Image : AD_Image; Before : Downlink_Buffer)
+   is
    begin
       Downlink.Round_Trip (To_Downlink (Image));
+      Theorems.Type_Codes.Into_CORE_By_Code
+        (Before, Received_Sensors (Image));
    end Sensors_Reach_CORE;
 
 end Theorems.Data_Path;

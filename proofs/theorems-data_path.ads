@@ -9,7 +9,7 @@
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;        use URV.Codecs;
-with URV.CORE_Layout;
+with URV.CORE_Layout;   use URV.CORE_Layout;
 with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
@@ -62,16 +62,17 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
 
    --  Every sensor word of the aircraft's converter reaches the ground's CORE
    --  memory unchanged.
-   procedure Sensors_Reach_CORE (Image : AD_Image)
+   procedure Sensors_Reach_CORE (Image : AD_Image; Before : Downlink_Buffer)
    with
      Global => null,
      Post   =>
        (for all Item in Sensor_Item =>
-          URV.CORE_Layout.To_Words (Received_Sensors (Image))
-            (URV.CORE_Layout.Place (Item)) =
+          Stored (Downlink_Type_Codes, Before, Received_Sensors (Image))
+            (Item) =
             Image.Words (Channel_Of (Item)))
-       and then URV.CORE_Layout.To_Words (Received_Sensors (Image))
-         (URV.CORE_Layout.Place (Downlink_Item'(Error_Status))) =
+       and then
+         Stored (Downlink_Type_Codes, Before, Received_Sensors (Image))
+           (Error_Status) =
            Image.Error_Status;
 
 end Theorems.Data_Path;

@@ -6,9 +6,9 @@
 --  intact, as the checksum provides. A row with a missed fragment is not
 --  written until it comes again.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URV.Log_Pieces;      use URV.Log_Pieces;
+with URVOS;           use URVOS;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Log_Pieces;  use URV.Log_Pieces;
 
 package Theorems.Log_Pieces with Pure, SPARK_Mode, Ghost is
 

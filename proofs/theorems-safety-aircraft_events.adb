@@ -2,6 +2,7 @@
 
 with Theorems.Safety.Lemmas; use Theorems.Safety.Lemmas;
 with Theorems.Type_Codes;
+with URV.CORE_Layout;
 with URV.CORE_Steps;
 with URV.Handshakes;
 with URV.MDCIN_Steps;
@@ -319,7 +320,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Item.Is_Cleared := False;
          pragma Assert
            (for all Name in Uplink_Item =>
-              URV.CORE_Layout.To_Buffer (Item.CORE) (Name) = Message (Name));
+              Item.CORE (Name) = Message (Name));
       end if;
       pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_CORE;

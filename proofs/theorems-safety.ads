@@ -14,28 +14,26 @@
 --  records the scan of its words, 0 for the neutral words. The theorems show
 --  that this record is always true.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;   use Devices.PWM_Board;
-with Telemetry;           use Telemetry;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
-with URVOS.Task_Trees;    use URVOS.Task_Trees;
-with URVOS.Waits;         use URVOS.Waits;
-with URV.AD_Scans;        use URV.AD_Scans;
-with URV.AD_Steps;        use type URV.AD_Steps.Activity;
-with URV.Allocation;      use URV.Allocation;
-with URV.Buffers;         use URV.Buffers;
+with Devices.PWM_Board; use Devices.PWM_Board;
+with Telemetry;         use Telemetry;
+with URVOS;             use URVOS;
+with URVOS.Frames;      use URVOS.Frames;
+with URVOS.Task_Trees;  use URVOS.Task_Trees;
+with URVOS.Waits;       use URVOS.Waits;
+with URV.AD_Scans;      use URV.AD_Scans;
+with URV.AD_Steps;      use type URV.AD_Steps.Activity;
+with URV.Allocation;    use URV.Allocation;
+with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;
-with URV.CORE_Layout;
 with URV.LAW_Steps;
 with URV.Laws;
-with URV.Link_Loss;       use URV.Link_Loss;
-with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Link_Loss;     use URV.Link_Loss;
+with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Layout;
-with URV.PWM_Transform;   use URV.PWM_Transform;
-with URV.Routing;         use URV.Routing;
-with URV.Surfaces;        use type URV.Surfaces.Surface_Flags;
-with URV.Type_Codes;      use URV.Type_Codes;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
+with URV.Surfaces;      use type URV.Surfaces.Surface_Flags;
+with URV.Type_Codes;    use URV.Type_Codes;
 with URV.Uplink_Input;
 
 package Theorems.Safety with SPARK_Mode, Ghost is
@@ -233,7 +231,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
 
       --  The failed surfaces that others make up for, as reported by LAW.
       Reported    : Health;
-      CORE        : Uplink_Words;
+      CORE        : Uplink_Buffer;
       CORE_From   : Scan_Count;
       Is_Cleared  : Boolean;
 
@@ -290,7 +288,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then
         (if not Item.Is_Cleared
          then Is_Of
-           (URV.CORE_Layout.To_Buffer (Item.CORE), Scans, Item.CORE_From))
+           (Item.CORE, Scans, Item.CORE_From))
       and then Was_Flown_From
         (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law)
       and then Board_Is_Sound

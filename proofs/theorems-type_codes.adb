@@ -15,40 +15,32 @@ package body Theorems.Type_Codes with SPARK_Mode is
    end From_The_Converter_By_Code;
 
    procedure Into_CORE_By_Code
-     (Before : Uplink_Words; Source : Uplink_Buffer)
+     (Before : Uplink_Buffer; Source : Uplink_Buffer)
    is
-      Codes : constant Uplink_Words := Uplink_Type_Codes;
+      Codes : constant Uplink_Code_List := Uplink_Type_Codes;
    begin
-      for Where in Uplink_Words'Range loop
-         A_Code_Is_Of_One_Item
-           (Uplink_Item'Val (Integer (Where) - 1), Downlink_Item'First,
-            0);
-         pragma Assert
-           (Where = Place (Uplink_Item'Val (Integer (Where) - 1)));
+      for Item in Uplink_Item loop
+         A_Code_Is_Of_One_Item (Item, Downlink_Item'First, 0);
          pragma Loop_Invariant
-           (for all Earlier in 1 .. Where =>
+           (for all Earlier in Uplink_Item'First .. Item =>
               Codes (Earlier) in Uplink_Code
               and then Stored (Codes, Before, Source) (Earlier) =
-                         To_Words (Source) (Earlier));
+                         Source (Earlier));
       end loop;
    end Into_CORE_By_Code;
 
    procedure Into_CORE_By_Code
-     (Before : Downlink_Words; Source : Downlink_Buffer)
+     (Before : Downlink_Buffer; Source : Downlink_Buffer)
    is
-      Codes : constant Downlink_Words := Downlink_Type_Codes;
+      Codes : constant Downlink_Code_List := Downlink_Type_Codes;
    begin
-      for Where in Downlink_Words'Range loop
-         A_Code_Is_Of_One_Item
-           (Uplink_Item'First, Downlink_Item'Val (Integer (Where) - 1),
-            0);
-         pragma Assert
-           (Where = Place (Downlink_Item'Val (Integer (Where) - 1)));
+      for Item in Downlink_Item loop
+         A_Code_Is_Of_One_Item (Uplink_Item'First, Item, 0);
          pragma Loop_Invariant
-           (for all Earlier in 1 .. Where =>
+           (for all Earlier in Downlink_Item'First .. Item =>
               Codes (Earlier) in Downlink_Code
               and then Stored (Codes, Before, Source) (Earlier) =
-                         To_Words (Source) (Earlier));
+                         Source (Earlier));
       end loop;
    end Into_CORE_By_Code;
 
@@ -72,13 +64,15 @@ package body Theorems.Type_Codes with SPARK_Mode is
    end An_Unknown_Channel_Goes_Nowhere;
 
    procedure An_Unknown_Place_Stays
-     (Codes, Before : Uplink_Words;
-      Source        : Uplink_Buffer;
-      Where         : Item_Number) is null;
+     (Codes  : Uplink_Code_List;
+      Before : Uplink_Buffer;
+      Source : Uplink_Buffer;
+      Where  : Uplink_Item) is null;
 
    procedure An_Unknown_Place_Stays
-     (Codes, Before : Downlink_Words;
-      Source        : Downlink_Buffer;
-      Where         : Item_Number) is null;
+     (Codes  : Downlink_Code_List;
+      Before : Downlink_Buffer;
+      Source : Downlink_Buffer;
+      Where  : Downlink_Item) is null;
 
 end Theorems.Type_Codes;

@@ -6,14 +6,14 @@
 --  word. The last theorems hold for any list of codes, if no two channels have
 --  the same one.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Routing;         use URV.Routing;
-with URV.Type_Codes;      use URV.Type_Codes;
-with URVOS;               use URVOS;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Routing;     use URV.Routing;
+with URV.Type_Codes;  use URV.Type_Codes;
+with URVOS;           use URVOS;
 
-package Theorems.Type_Codes with SPARK_Mode, Ghost is
+package Theorems.Type_Codes with Pure, SPARK_Mode, Ghost is
 
    --  A code identifies one item, and an item has one code.
    procedure A_Code_Is_Of_One_Item
@@ -63,20 +63,20 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
            Image.Error_Status;
 
    procedure Into_CORE_By_Code
-     (Before : Uplink_Words; Source : Uplink_Buffer)
+     (Before : Uplink_Buffer; Source : Uplink_Buffer)
    with
      Global => null,
      Post   =>
-       Stored (Uplink_Type_Codes, Before, Source) = To_Words (Source)
-       and then First_Unknown_Uplink (Uplink_Type_Codes) = 0;
+       Stored (Uplink_Type_Codes, Before, Source) = Source
+       and then not Has_Unknown (Uplink_Type_Codes);
 
    procedure Into_CORE_By_Code
-     (Before : Downlink_Words; Source : Downlink_Buffer)
+     (Before : Downlink_Buffer; Source : Downlink_Buffer)
    with
      Global => null,
      Post   =>
-       Stored (Downlink_Type_Codes, Before, Source) = To_Words (Source)
-       and then First_Unknown_Downlink (Downlink_Type_Codes) = 0;
+       Stored (Downlink_Type_Codes, Before, Source) = Source
+       and then not Has_Unknown (Downlink_Type_Codes);
 
    --  A word with an unknown code changes nothing: two images that differ only
    --  in such words give the same commands and the same sensors.
@@ -99,27 +99,27 @@ package Theorems.Type_Codes with SPARK_Mode, Ghost is
    --  A place of CORE memory with an unknown code is not written
 
    procedure An_Unknown_Place_Stays
-     (Codes, Before : Uplink_Words;
-      Source        : Uplink_Buffer;
-      Where         : Item_Number)
+     (Codes  : Uplink_Code_List;
+      Before : Uplink_Buffer;
+      Source : Uplink_Buffer;
+      Where  : Uplink_Item)
    with
      Global => null,
-     Pre    =>
-       Where in Uplink_Words'Range
-       and then Codes (Where) not in Uplink_Code,
+     Pre    => Codes (Where) not in Uplink_Code,
      Post   =>
        Stored (Codes, Before, Source) (Where) = Before (Where)
-       and then First_Unknown_Uplink (Codes) > 0;
+       and then Has_Unknown (Codes);
 
    procedure An_Unknown_Place_Stays
-     (Codes, Before : Downlink_Words;
-      Source        : Downlink_Buffer;
-      Where         : Item_Number)
+     (Codes  : Downlink_Code_List;
+      Before : Downlink_Buffer;
+      Source : Downlink_Buffer;
+      Where  : Downlink_Item)
    with
      Global => null,
      Pre    => Codes (Where) not in Downlink_Code,
      Post   =>
        Stored (Codes, Before, Source) (Where) = Before (Where)
-       and then First_Unknown_Downlink (Codes) > 0;
+       and then Has_Unknown (Codes);
 
 end Theorems.Type_Codes;

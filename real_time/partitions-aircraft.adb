@@ -3,7 +3,6 @@
 with Ada.Real_Time;
 with System;
 
-with Devices.CORE_Memory;
 with Host;                use Host;
 with Host.Bench;
 with Host.Loss_Times;
@@ -12,7 +11,7 @@ with Partitions.Clocks;
 with Partitions.Columns;  use Partitions.Columns;
 with Partitions.Plant;
 with Telemetry.Boards;
-with URV.CORE_Layout;
+with URV.CORE_Memory;
 with URV.LAW_Steps;
 with URV.Laws;
 with URV.Law_Status;
@@ -103,14 +102,14 @@ package body Partitions.Aircraft is
       & ",link.downlink_scrapped,link.mcs_resets,servos_us");
 
    procedure Append_Values (To : in out Row) is
-      CORE  : constant Devices.CORE_Memory.Memory  :=
+      CORE  : constant URV.CORE_Memory.Memory  :=
         MCS.CORE_Memory.Contents;
       Tally : constant Telemetry.Boards.Statistics :=
         MCS.Telemetry_Board.Tally;
    begin
-      Append_Uplink (To, URV.CORE_Layout.To_Buffer (CORE.Uplink));
+      Append_Uplink (To, CORE.Uplink);
       Append_PWM (To, Servos);
-      Append_Downlink (To, URV.CORE_Layout.To_Buffer (CORE.Downlink));
+      Append_Downlink (To, CORE.Downlink);
       Append_Counts
         (To,
          (Tally.Received, Tally.Bad, Tally.Sent, Tally.Scrapped,
@@ -130,7 +129,7 @@ package body Partitions.Aircraft is
       else "");
 
    procedure Append_Laws (To : in out Row) is
-      use Devices.CORE_Memory;
+      use URV.CORE_Memory;
 
       Kept  : constant URV.LAW_Steps.Kept := MCS.Law_Memory.Contents;
       Told  : constant Log_Row :=

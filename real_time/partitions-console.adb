@@ -3,19 +3,18 @@
 with Ada.Real_Time;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with Devices.CORE_Memory;
 with GSC;
 with Host.Complaints;
 with Host.Pilot;
-with Host.Stick_Scripts;     use Host.Stick_Scripts;
+with Host.Stick_Scripts;      use Host.Stick_Scripts;
 with Partitions.Clocks;
-with Partitions.Columns;     use Partitions.Columns;
+with Partitions.Columns;      use Partitions.Columns;
 with Partitions.Console_Port; use Partitions.Console_Port;
 with Partitions.Occurrences;
 with Partitions.Orders;
 with Telemetry.Boards;
 with URV.Console_Watch;
-with URV.CORE_Layout;
+with URV.CORE_Memory;
 with URV.Law_Status;
 with URV.Routing;
 
@@ -158,7 +157,7 @@ package body Partitions.Console is
 
    procedure Ask_Pilot (This : in out Sticks; Pilot_Wanted : Boolean) is
       Shown : constant Downlink_Buffer :=
-        URV.CORE_Layout.To_Buffer (GSC.CORE_Memory.Contents.Downlink);
+        GSC.CORE_Memory.Contents.Downlink;
    begin
       if Pilot_Wanted then
          Host.Pilot.Move (Flown, Shown, This.Words);
@@ -205,15 +204,15 @@ package body Partitions.Console is
       & ",link.downlink_bad,link.gsc_resets");
 
    procedure Append_Values (To : in out Row) is
-      CORE  : constant Devices.CORE_Memory.Memory  :=
+      CORE  : constant URV.CORE_Memory.Memory  :=
         GSC.CORE_Memory.Contents;
       Tally : constant Telemetry.Boards.Statistics :=
         GSC.Telemetry_Board.Tally;
    begin
       In_Row := Present.Get;
       Append_Console (To, In_Row.Words);
-      Append_Uplink (To, URV.CORE_Layout.To_Buffer (CORE.Uplink));
-      Append_Downlink (To, URV.CORE_Layout.To_Buffer (CORE.Downlink));
+      Append_Uplink (To, CORE.Uplink);
+      Append_Downlink (To, CORE.Downlink);
       Append_Counts
         (To,
          (Tally.Sent, Tally.Scrapped, Tally.Received, Tally.Bad,
@@ -225,7 +224,7 @@ package body Partitions.Console is
       & ",laws.told_silent,laws.told_failed,laws.told_configuration");
 
    procedure Append_Laws (To : in out Row) is
-      use Devices.CORE_Memory;
+      use URV.CORE_Memory;
 
       Told : constant Log_Row :=
         GSC.CORE_Memory.Contents.Aircraft_Log (URV.Law_Status.Row_Number);

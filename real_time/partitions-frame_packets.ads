@@ -3,9 +3,9 @@
 --  The frame packet: the contents of GSC CORE at the end of a major frame, in
 --  one datagram (GND-2, GND-7). Its layout is in docs/station-packets.md.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Host.Frame_Layout;   use Host.Frame_Layout;
-with Partitions.Octets;   use Partitions.Octets;
+with Host.Frame_Layout; use Host.Frame_Layout;
+with Partitions.Octets; use Partitions.Octets;
+with URV.CORE_Memory;   use URV.CORE_Memory;
 
 package Partitions.Frame_Packets is
 

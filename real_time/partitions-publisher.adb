@@ -4,7 +4,6 @@ with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Interfaces.C;                 use Interfaces.C;
 
-with Devices.CORE_Memory;      use Devices.CORE_Memory;
 with GSC;
 with Partitions.Clocks;
 with Partitions.Console;
@@ -16,6 +15,7 @@ with Partitions.Peer_Watch;    use Partitions.Peer_Watch;
 with Partitions.Sockets;
 with Partitions.System_Calls;  use Partitions.System_Calls;
 with URV.Buffers;              use URV.Buffers;
+with URV.CORE_Memory;          use URV.CORE_Memory;
 
 package body Partitions.Publisher is
 

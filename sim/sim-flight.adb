@@ -3,7 +3,6 @@
 with Ada.Calendar;   use Ada.Calendar;
 with Ada.Exceptions; use Ada.Exceptions;
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Bench;
 with Host.Complaints;
 with Host.Event_Log;
@@ -11,7 +10,7 @@ with Host.Ground_Orders;
 with Host.Key_Files;
 with Host.Loss_Times;
 with Host.Names;
-with Host.Outputs;         use Host.Outputs;
+with Host.Outputs;        use Host.Outputs;
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Sensor_Scripts;
@@ -37,6 +36,7 @@ with Sim.Summary;
 with Sim.Wire_Log;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;
+with URV.CORE_Memory;     use URV.CORE_Memory;
 with URV.Errors;          use URV.Errors;
 with URV.Law_Status;
 with URV.PWM_Transform;
@@ -346,15 +346,11 @@ package body Sim.Flight is
             (Frame        => Frame,
              Time         => Time,
              Console      => Console,
-             GSC_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Ground).Uplink),
-             MCS_Uplink   => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Aircraft).Uplink),
+             GSC_Uplink   => Nodes.CORE (Ground).Uplink,
+             MCS_Uplink   => Nodes.CORE (Aircraft).Uplink,
              PWM          => Nodes.Servos,
-             MCS_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Aircraft).Downlink),
-             GSC_Downlink => URV.CORE_Layout.To_Buffer
-                               (Nodes.CORE (Ground).Downlink),
+             MCS_Downlink => Nodes.CORE (Aircraft).Downlink,
+             GSC_Downlink => Nodes.CORE (Ground).Downlink,
              Link         => Engine.Link,
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown,
@@ -374,7 +370,7 @@ package body Sim.Flight is
          end if;
          Pilot.Move
            (Time,
-            URV.CORE_Layout.To_Buffer (Nodes.CORE (Ground).Downlink),
+            Nodes.CORE (Ground).Downlink,
             Words);
          Move_Console (Words, Time);
          if Is_By_Eye (Chosen) then

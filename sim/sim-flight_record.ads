@@ -3,10 +3,10 @@
 --  The flight record: one row for each major frame of the ground node, taken
 --  as that frame ends (--record).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;
 with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Memory;     use URV.CORE_Memory;
 with URVOS;               use URVOS;
 
 package Sim.Flight_Record is

@@ -259,7 +259,7 @@ package body Sim.Nodes is
    function Servos return PWM_Buffer is
      (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
-   function CORE (Which : Node) return Devices.CORE_Memory.Memory is
+   function CORE (Which : Node) return URV.CORE_Memory.Memory is
      (case Which is
          when Ground   => GSC.CORE_Memory.Contents,
          when Aircraft => MCS.CORE_Memory.Contents);

@@ -4,12 +4,12 @@
 --  handles all differences between the two (SIM-1).
 
 with Devices.AD_Board;
-with Devices.CORE_Memory;
 with Devices.Memory_Bus;
 with Telemetry;
 with Telemetry.Boards;
 with URV.Buffers;  use URV.Buffers;
 with URV.Configurations;
+with URV.CORE_Memory;
 with URV.Errors;
 with URV.Laws;
 with URV.Link_Loss;
@@ -124,7 +124,7 @@ package Sim.Nodes is
 
    function Servos return PWM_Buffer;
 
-   function CORE (Which : Node) return Devices.CORE_Memory.Memory;
+   function CORE (Which : Node) return URV.CORE_Memory.Memory;
 
    function Tally (Which : Node) return Telemetry.Boards.Statistics;
 

@@ -2,16 +2,16 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 
-with Devices.CORE_Memory;     use Devices.CORE_Memory;
-with Host.Frame_Layout;       use Host.Frame_Layout;
-with Host.Names;              use Host.Names;
-with URV.Buffers;             use URV.Buffers;
-with URV.Errors;              use URV.Errors;
+with Host.Frame_Layout; use Host.Frame_Layout;
+with Host.Names;        use Host.Names;
+with URV.Buffers;       use URV.Buffers;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Errors;        use URV.Errors;
 with URV.Law_Status;
-with URV.Laws;                use URV.Laws;
-with URV.Link_Loss;           use URV.Link_Loss;
-with URV.Surfaces;            use URV.Surfaces;
-with URVOS.Frames;            use URVOS.Frames;
+with URV.Laws;          use URV.Laws;
+with URV.Link_Loss;     use URV.Link_Loss;
+with URV.Surfaces;      use URV.Surfaces;
+with URVOS.Frames;      use URVOS.Frames;
 
 package body Sim.Tables is
 

@@ -64,7 +64,7 @@ package body Canaries.Mechanisms with SPARK_Mode is
    is null;
 
    procedure A_Row_Is_Of_Either_Log
-     (CORE : Devices.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
+     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
    is null;
 
 end Canaries.Mechanisms;

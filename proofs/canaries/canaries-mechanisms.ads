@@ -4,9 +4,9 @@
 --  (EXT-3, EXT-5, EXT-6, SAF-7, INI-3, KRN-3). Each claim is a postcondition
 --  of the true mechanism, and is proved of it.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
+with URV.CORE_Memory;     use URV.CORE_Memory;
 with URV.Errors;          use URV.Errors, URV.Errors.Logs;
 with URV.Integrators;     use URV.Integrators;
 with URV.Law_Axes;        use URV.Law_Axes;
@@ -24,7 +24,7 @@ with URVOS.Starts;        use URVOS.Starts;
 
 package Canaries.Mechanisms with SPARK_Mode, Ghost is
 
-   --  Integrators that move away from what is wanted.
+   --  Integrators that move away from their demands.
 
    procedure Ailerons_Go_The_Other_Way
      (Trim      : Roll_Trim;
@@ -77,7 +77,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
            (Trim, Next_Power_Trim (Trim, Airspeed - Wanted, Output),
             Wanted => Wanted, Measured => Airspeed);
 
-   --  The pitch's law reads the sensor of the bank.
+   --  The pitch law reads the bank sensor.
    procedure Pitch_Is_Of_The_Bank
      (Before   : URV.Laws.Memory;
       Commands : Uplink_Buffer;
@@ -107,7 +107,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
          Next (Before, False, False, By).Fresh =  --  VC_POSTCONDITION
            Before.Fresh;
 
-   --  The flaps roll to the side of the flap that is down.
+   --  The flaps roll to the side of the lowered flap.
    procedure Flaps_Roll_To_Their_Own_Side
      (Wanted : Surface_Demands; Now : Health)
    with
@@ -117,7 +117,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
        Rolled_By_Flaps (Wanted, Now) >= 0
        and then -Rolled_By_Flaps (Wanted, Now) >= 0;  --  VC_POSTCONDITION
 
-   --  A place that was measured is not kept.
+   --  A measured position is not kept.
    procedure The_Place_Is_That_Of_Before
      (Before  : Monitor;
       Sensors : Downlink_Buffer;
@@ -132,7 +132,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
          After.Places (Which) =  --  VC_POSTCONDITION
            Before.Places (Which);
 
-   --  A clock tick wakes the tasks by the time of before.
+   --  A clock tick wakes the tasks by the old time.
    procedure Wake_At_The_Old_Time (S : in out Scheduler; Now : Clock_Tick)
    with
      Global => null,
@@ -154,7 +154,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
 
    --  A row of the aircraft's log is written over the node's own.
    procedure A_Row_Is_Of_Either_Log
-     (CORE : Devices.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
+     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
    with
      Global => null,
      Post   =>

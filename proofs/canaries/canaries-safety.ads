@@ -2,15 +2,15 @@
 
 --  Claims about safety that are false for a few histories (SAF-1 to SAF-7).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;   use Devices.PWM_Board;
-with Theorems.Safety;     use Theorems.Safety;
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.Log_Pieces;      use URV.Log_Pieces;
+with Devices.PWM_Board; use Devices.PWM_Board;
+with Theorems.Safety;   use Theorems.Safety;
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Log_Pieces;    use URV.Log_Pieces;
 with URV.PWM_Layout;
-with URV.PWM_Transform;   use URV.PWM_Transform;
-with URV.Routing;         use URV.Routing;
+with URV.PWM_Transform; use URV.PWM_Transform;
+with URV.Routing;       use URV.Routing;
 
 package Canaries.Safety with SPARK_Mode, Ghost is
 

@@ -1,145 +1,94 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The places of the buffers in CORE memory, and the type codes of their items
---  (report, 2.5; BUF-4): 0101h onward for the uplink and 0201h onward for the
---  downlink, in the order of the buffers; 0301h onward for the status area. A
---  word is stored at the place of its item's code (EXT-2). The error log's
---  words and rows are also defined here (EXT-1).
+--  The type codes in CORE memory (report, 2.5; BUF-4): 0101h onward for the
+--  uplink and 0201h onward for the downlink, in the order of the buffers;
+--  0301h onward for the status area. A word is stored at the place of its
+--  item's code (EXT-2). The error log's words and rows are also defined here
+--  (EXT-1).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
-with URV.Buffers;         use URV.Buffers;
-with URV.Errors;          use URV.Errors;
-with URV.Type_Codes;      use URV.Type_Codes;
+with URVOS;           use URVOS;
+with URVOS.Frames;    use URVOS.Frames;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
+with URV.Type_Codes;  use URV.Type_Codes;
 
 package URV.CORE_Layout with Pure, SPARK_Mode is
-
-   function Place (Item : Uplink_Item) return Item_Number is
-     (Item_Number (Uplink_Item'Pos (Item) + 1))
-   with Global => null;
-
-   function Place (Item : Downlink_Item) return Item_Number is
-     (Item_Number (Downlink_Item'Pos (Item) + 1))
-   with Global => null;
-
-   function Type_Code (Item : Uplink_Item) return Word is (Code_Of (Item))
-   with Global => null;
-
-   function Type_Code (Item : Downlink_Item) return Word is (Code_Of (Item))
-   with Global => null;
 
    function Type_Code (Item : Status_Item) return Word is
      (Status_Kind + 1 + Word (Status_Item'Pos (Item)))
    with Global => null;
 
-   function Uplink_Type_Codes return Uplink_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Uplink_Item =>
-          Uplink_Type_Codes'Result (Place (Item)) = Type_Code (Item));
+   function Uplink_Type_Codes return Uplink_Code_List is
+     ([for Item in Uplink_Item => Code_Of (Item)])
+   with Global => null;
 
-   function Downlink_Type_Codes return Downlink_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Downlink_Item =>
-          Downlink_Type_Codes'Result (Place (Item)) = Type_Code (Item));
+   function Downlink_Type_Codes return Downlink_Code_List is
+     ([for Item in Downlink_Item => Code_Of (Item)])
+   with Global => null;
 
-   function Status_Type_Codes return Status_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Status_Item =>
-          Status_Type_Codes'Result (Item) = Type_Code (Item));
-
-   function To_Words (Source : Uplink_Buffer) return Uplink_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Uplink_Item =>
-          To_Words'Result (Place (Item)) = Source (Item));
-
-   function To_Words (Source : Downlink_Buffer) return Downlink_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Downlink_Item =>
-          To_Words'Result (Place (Item)) = Source (Item));
+   function Status_Type_Codes return Status_Words is
+     ([for Item in Status_Item => Type_Code (Item)])
+   with Global => null;
 
    --  The words of an area after a buffer is stored by the area's codes: each
    --  word is that of its code. A place with a code that no item of the buffer
    --  has keeps its word.
 
    function Stored
-     (Codes  : Uplink_Words;
-      Before : Uplink_Words;
-      Source : Uplink_Buffer) return Uplink_Words
-   with
-     Global => null,
-     Post   =>
-       (for all Where in Uplink_Words'Range =>
-          Stored'Result (Where) =
-            (if Codes (Where) in Uplink_Code
-             then Source (Uplink_Item_Of (Codes (Where)))
-             else Before (Where)));
+     (Codes  : Uplink_Code_List;
+      Before : Uplink_Buffer;
+      Source : Uplink_Buffer) return Uplink_Buffer
+   is
+     ([for Where in Uplink_Item =>
+         (if Codes (Where) in Uplink_Code
+          then Source (Uplink_Item_Of (Codes (Where))) else Before (Where))])
+   with Global => null;
 
    function Stored
-     (Codes  : Downlink_Words;
-      Before : Downlink_Words;
-      Source : Downlink_Buffer) return Downlink_Words
+     (Codes  : Downlink_Code_List;
+      Before : Downlink_Buffer;
+      Source : Downlink_Buffer) return Downlink_Buffer
+   is
+     ([for Where in Downlink_Item =>
+         (if Codes (Where) in Downlink_Code
+          then Source (Downlink_Item_Of (Codes (Where)))
+          else Before (Where))])
+   with Global => null;
+
+   --  The first unknown code
+
+   function Has_Unknown (Codes : Uplink_Code_List) return Boolean is
+     (for some Code of Codes => Code not in Uplink_Code)
+   with Global => null;
+
+   function Has_Unknown (Codes : Downlink_Code_List) return Boolean is
+     (for some Code of Codes => Code not in Downlink_Code)
+   with Global => null;
+
+   function First_Unknown (Codes : Uplink_Code_List) return Word
    with
      Global => null,
+     Pre    => Has_Unknown (Codes),
      Post   =>
-       (for all Where in Downlink_Words'Range =>
-          Stored'Result (Where) =
-            (if Codes (Where) in Downlink_Code
-             then Source (Downlink_Item_Of (Codes (Where)))
-             else Before (Where)));
+       (for some Where in Uplink_Item =>
+          First_Unknown'Result = Codes (Where)
+          and then Codes (Where) not in Uplink_Code
+          and then
+            (for all Earlier in Uplink_Item =>
+               (if Earlier < Where then Codes (Earlier) in Uplink_Code)));
 
-   --  The first place with an unknown code; 0 if there is none
-
-   type Place_Or_None is
-     range 0 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
-
-   function First_Unknown_Uplink (Codes : Uplink_Words) return Place_Or_None
+   function First_Unknown (Codes : Downlink_Code_List) return Word
    with
      Global => null,
+     Pre    => Has_Unknown (Codes),
      Post   =>
-       First_Unknown_Uplink'Result <=
-         Place_Or_None (Uplink_Words'Last)
-       and then
-         (if First_Unknown_Uplink'Result = 0
-          then (for all Code of Codes => Code in Uplink_Code)
-          else Codes (Item_Number (First_Unknown_Uplink'Result))
-                 not in Uplink_Code);
-
-   function First_Unknown_Downlink
-     (Codes : Downlink_Words) return Place_Or_None
-   with
-     Global => null,
-     Post   =>
-       (if First_Unknown_Downlink'Result = 0
-        then (for all Code of Codes => Code in Downlink_Code)
-        else Codes (Item_Number (First_Unknown_Downlink'Result))
-               not in Downlink_Code);
-
-   --  For the readers of CORE memory
-
-   function To_Buffer (Source : Uplink_Words) return Uplink_Buffer
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Uplink_Item =>
-          To_Buffer'Result (Item) = Source (Place (Item)));
-
-   function To_Buffer (Source : Downlink_Words) return Downlink_Buffer
-   with
-     Global => null,
-     Post   =>
-       (for all Item in Downlink_Item =>
-          To_Buffer'Result (Item) = Source (Place (Item)));
+       (for some Where in Downlink_Item =>
+          First_Unknown'Result = Codes (Where)
+          and then Codes (Where) not in Downlink_Code
+          and then
+            (for all Earlier in Downlink_Item =>
+               (if Earlier < Where then Codes (Earlier) in Downlink_Code)));
 
    --  A count in one word. The last value means that number or more.
    function To_Word (Value : Count) return Word is

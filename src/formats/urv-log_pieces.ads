@@ -8,8 +8,8 @@
 --  The receiver takes a row after all its fragments have come in order. A
 --  missed fragment comes again with its row.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
+with URVOS;           use URVOS;
+with URV.CORE_Memory; use URV.CORE_Memory;
 
 package URV.Log_Pieces with Pure, SPARK_Mode is
 

@@ -94,8 +94,8 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
        and then Total (Log) = Sum (Total (Log'Old), How_Often)
        and then Latest (Log) = Kind;
 
-   --  The log after a start: a cold one that has passed its self-test
-   --  forgets all errors, any other none.
+   --  The log after a start: a cold start that has passed its self-test clears
+   --  it; any other start keeps it.
    function After_Start
      (Log       : Error_Log;
       Condition : Start_Condition;

@@ -16,12 +16,17 @@ package body URV.Allocation with SPARK_Mode is
    function Rolled_By_Flaps
      (Wanted : Surface_Demands; Now : Health) return Flap_Roll
    is
-      Sum : Flap_Roll := 0;
+      Part : Number;
+      Sum  : Flap_Roll := 0;
    begin
       for Item in Flap loop
-         if not Now.Failed (Item) then
-            Sum := Sum + Roll_By (Item, Now.Places (Item) - Wanted (Item));
-         end if;
+         Part :=
+           (if Now.Failed (Item) then 0
+            else Roll_By (Item, Now.Places (Item) - Wanted (Item)));
+         pragma Assert
+           (if Rolls_Right (Item, Wanted, Now) then Part >= 0);
+         pragma Assert (if Rolls_Left (Item, Wanted, Now) then Part <= 0);
+         Sum := Sum + Part;
          pragma Loop_Invariant
            (abs Sum <= 2_500 * (Surface'Pos (Item)
                                 - Surface'Pos (Flap'First) + 1));

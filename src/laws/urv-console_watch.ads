@@ -11,12 +11,10 @@
 --  A frame is silent if no console input came in it. Unless the ground knows
 --  that the aircraft is on the ground, the aircraft counts as flying.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;
-with URV.Frame_Times;     use URV.Frame_Times;
-with URV.Sensor_Checks;   use URV.Sensor_Checks;
+with URVOS;             use URVOS;
+with URV.Buffers;       use URV.Buffers;
+with URV.Frame_Times;   use URV.Frame_Times;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Console_Watch with Pure, SPARK_Mode is
 
@@ -46,9 +44,9 @@ package URV.Console_Watch with Pure, SPARK_Mode is
    end record;
 
    --  The downlink in CORE. A cleared one counts as marked old.
-   function Downlink_Of (Area : Downlink_Words) return Downlink_Buffer is
+   function Downlink_Of (Area : Downlink_Buffer) return Downlink_Buffer is
      (if (for all Item of Area => Item = 0) then Neutral_Downlink
-      else URV.CORE_Layout.To_Buffer (Area))
+      else Area)
    with Global => null;
 
    --  The watch after a frame. Silent counts the frames up to this one.

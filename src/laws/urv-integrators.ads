@@ -117,9 +117,8 @@ package URV.Integrators with Pure, SPARK_Mode is
       and then (if Error < 0 and then Output.Is_Low then After = Before))
    with Ghost, Global => null;
 
-   --  An integrator is never moved away from what is wanted, by what is
-   --  measured. Every actuator and every angle of the laws has the same
-   --  sign: more of the output makes more of what is measured.
+   --  An integrator never moves away from its demand, as measured. All outputs
+   --  of the laws have one sign: a larger output makes a larger measurement.
    function Moves_With (Before, After, Wanted, Measured : Number)
                         return Boolean
    is

@@ -19,13 +19,13 @@
 --  word 7  the serial number of the configuration that was taken last, above
 --          four bits with its table of gains (EXT-2); 0 for none
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
+with URVOS;             use URVOS;
+with URVOS.Frames;      use URVOS.Frames;
 with URV.Configurations;
-with URV.Laws;            use URV.Laws;
-with URV.Link_Loss;       use URV.Link_Loss;
-with URV.Sensor_Checks;   use URV.Sensor_Checks;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Laws;          use URV.Laws;
+with URV.Link_Loss;     use URV.Link_Loss;
+with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Law_Status with Pure, SPARK_Mode is
 

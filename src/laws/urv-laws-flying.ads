@@ -90,8 +90,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
                       = Before.Is_Stick (Throttle_Axis)))
    with Ghost, Global => null;
 
-   --  While a law goes on to fly, its integrator moves towards what is
-   --  wanted, by what its own sensor measures.
+   --  While a law flies, its integrator moves towards its demand, as measured
+   --  by its own sensor.
 
    function Follows_Bank
      (Before, After : Memory; Was : Modes; Bank : Angle) return Boolean
@@ -111,7 +111,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
          Wanted => After.Pitch_Wanted, Measured => Pitch))
    with Ghost, Global => null;
 
-   --  The airspeed that is wanted does not change but with the lever.
+   --  Only the lever changes the demanded airspeed.
    function Follows_Speed
      (Before, After : Memory; Was : Modes; Airspeed : Level; Hand : Lever)
       return Boolean
@@ -191,8 +191,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
 
        and then Follows_Pitch (This'Old, This, Was, Now.Pitch)
 
-       --  The height's integrator moves towards the climb rate that is
-       --  wanted.
+       --  The altitude's integrator moves towards the demanded climb rate.
        and then
          (if This.Flown.Vertical = Hold_Altitude
             and then Was.Vertical in Pitched

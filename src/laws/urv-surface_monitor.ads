@@ -115,7 +115,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
                  and then This.Doubts (Which) >=
                             Certainty - (Most_Off - Allowance))
 
-            --  The place is the one that was measured last.
+            --  The position is the last measured one.
             and then
               Next'Result.Places (Which) =
                 (if Is_Old (Sensors) then This.Places (Which)

@@ -9,7 +9,6 @@
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
 with Devices.Shared_AD_Board;
-with Devices.Shared_CORE_Memory;
 with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
@@ -28,6 +27,7 @@ with URV.Log_Receivers;
 with URV.LOG_Task;
 with URV.Mailboxes;      use URV.Mailboxes;
 with URV.Self_Test_Task;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Schedules;
 with URV.Shared_Seals;
@@ -43,7 +43,7 @@ package GSC with SPARK_Mode is
 
    AD_Board : Devices.Shared_AD_Board.Board;
 
-   CORE_Memory : Devices.Shared_CORE_Memory.Board;
+   CORE_Memory : URV.Shared_CORE_Memory.Board;
 
    Telemetry_Board : Telemetry.Shared_Boards.Shared_Board
      (Role            => Telemetry.Ground,

@@ -10,7 +10,6 @@
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
 with Devices.Shared_AD_Board;
-with Devices.Shared_CORE_Memory;
 with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
@@ -34,6 +33,7 @@ with URV.MDCOUT_Task;
 with URV.PWM_Boards;
 with URV.PWM_Task;
 with URV.Self_Test_Task;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
 with URV.Shared_Schedules;
@@ -54,7 +54,7 @@ package MCS with SPARK_Mode is
 
    PWM_Board : URV.PWM_Boards.Board;
 
-   CORE_Memory : Devices.Shared_CORE_Memory.Board;
+   CORE_Memory : URV.Shared_CORE_Memory.Board;
 
    Telemetry_Board : Telemetry.Shared_Boards.Shared_Board
      (Role            => Telemetry.Aircraft,
@@ -92,6 +92,7 @@ package MCS with SPARK_Mode is
    Frame_Lock : URVOS.Shared_Frame_Locks.Lock;
 
    --  The control laws: off unless they are set on before a start (EXT-3).
+   --  Law_Memory includes the ground's later configuration (EXT-2).
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
 

@@ -10,16 +10,16 @@
 --  earlier.
 
 with Devices.Processor_Memories;
-with Devices.Shared_CORE_Memory;
 with Telemetry.Shared_Boards;
-with URVOS.Frames;       use URVOS.Frames;
-with URVOS.Starts;       use URVOS.Starts;
-with URV.Shared_Errors;  use URV.Shared_Errors;
+with URVOS.Frames;      use URVOS.Frames;
+with URVOS.Starts;      use URVOS.Starts;
+with URV.Shared_CORE_Memory;
+with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Seals;
 
 generic
    with package Memories is new Devices.Processor_Memories (<>);
-   CORE_Memory     : in out Devices.Shared_CORE_Memory.Board;
+   CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;

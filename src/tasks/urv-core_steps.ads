@@ -6,10 +6,9 @@
 --  Theorems.Safety calls the same functions. Each is an expression function:
 --  its text is its contract.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;     use URV.CORE_Layout;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
 
 package URV.CORE_Steps with Pure, SPARK_Mode is
 
@@ -21,36 +20,13 @@ package URV.CORE_Steps with Pure, SPARK_Mode is
    --  place with an unknown code keeps its word.
 
    function Words_After (Area : Coded_Uplink; Item : Uplink_Buffer)
-                         return Uplink_Words
+                         return Uplink_Buffer
    is (Stored (Area.Codes, Area.Words, Item))
    with Global => null;
 
    function Words_After (Area : Coded_Downlink; Item : Downlink_Buffer)
-                         return Downlink_Words
+                         return Downlink_Buffer
    is (Stored (Area.Codes, Area.Words, Item))
    with Global => null;
-
-   --  An unknown code is reported, and all codes are written again in the
-   --  next frame.
-
-   function Has_Unknown (Area : Coded_Uplink) return Boolean is
-     (First_Unknown_Uplink (Area.Codes) > 0)
-   with Global => null;
-
-   function Has_Unknown (Area : Coded_Downlink) return Boolean is
-     (First_Unknown_Downlink (Area.Codes) > 0)
-   with Global => null;
-
-   function First_Unknown (Area : Coded_Uplink) return Word is
-     (Area.Codes (Item_Number (First_Unknown_Uplink (Area.Codes))))
-   with
-     Global => null,
-     Pre    => Has_Unknown (Area);
-
-   function First_Unknown (Area : Coded_Downlink) return Word is
-     (Area.Codes (Item_Number (First_Unknown_Downlink (Area.Codes))))
-   with
-     Global => null,
-     Pre    => Has_Unknown (Area);
 
 end URV.CORE_Steps;

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.CORE_Steps;      use URV.CORE_Steps;
-with URV.Errors;          use URV.Errors;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.CORE_Steps;  use URV.CORE_Steps;
+with URV.Errors;      use URV.Errors;
 
 package body URV.CORE_Task with SPARK_Mode is
 
@@ -20,8 +20,8 @@ package body URV.CORE_Task with SPARK_Mode is
       Uplink_Variable.Receive (Item, Fresh);
       if Is_Written (Fresh) then
          CORE_Memory.Write_Uplink (Words_After (Area, Item));
-         if Has_Unknown (Area) then
-            Errors.Report (Unknown_Code, First_Unknown (Area));
+         if Has_Unknown (Area.Codes) then
+            Errors.Report (Unknown_Code, First_Unknown (Area.Codes));
             Codes_Wanted.Write (True);
          end if;
       else
@@ -37,8 +37,8 @@ package body URV.CORE_Task with SPARK_Mode is
       Downlink_Variable.Receive (Item, Fresh);
       if Is_Written (Fresh) then
          CORE_Memory.Write_Downlink (Words_After (Area, Item));
-         if Has_Unknown (Area) then
-            Errors.Report (Unknown_Code, First_Unknown (Area));
+         if Has_Unknown (Area.Codes) then
+            Errors.Report (Unknown_Code, First_Unknown (Area.Codes));
             Codes_Wanted.Write (True);
          end if;
       else

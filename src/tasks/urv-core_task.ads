@@ -11,10 +11,10 @@
 --  with an unknown code is not written but reported; all codes are written
 --  again in the next frame.
 
-with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Shared_Data;
-with URV.Mailboxes;              use URV.Mailboxes;
-with URV.Shared_Errors;          use URV.Shared_Errors;
+with URV.Mailboxes;          use URV.Mailboxes;
+with URV.Shared_CORE_Memory; use URV.Shared_CORE_Memory;
+with URV.Shared_Errors;      use URV.Shared_Errors;
 
 generic
    Uplink_Variable   : in out For_Uplink.Variable;

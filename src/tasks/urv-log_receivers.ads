@@ -3,9 +3,9 @@
 --  Receives the aircraft's error log on the ground, a fragment a downlink
 --  (SAF-7). A complete row is written.
 
-with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
 with URVOS.Shared_Data;
-with URV.Log_Pieces;             use URV.Log_Pieces;
+with URV.Log_Pieces;         use URV.Log_Pieces;
+with URV.Shared_CORE_Memory; use URV.Shared_CORE_Memory;
 
 generic
    CORE_Memory : in out Board;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS; use URVOS;
-with URVOS.Frames; use URVOS.Frames;
-with URV.CORE_Layout;
+with URVOS.Frames;    use URVOS.Frames;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
 with URV.LAW_Steps;
 with URV.Law_Status;
 with URV.Laws;
@@ -10,64 +10,31 @@ with URV.Surface_Monitor;
 
 package body URV.Log_Senders with SPARK_Mode is
 
-   --  Selects the next kind that has occurred, round the list.
-   procedure Go_On (Line : in out Outgoing; Log : Error_Log)
-   with Global => null;
+   procedure Get_Laws_Row (Row : out Log_Row)
+   with Global => (Input => (Law_Memory, Errors));
 
-   procedure Go_On (Line : in out Outgoing; Log : Error_Log) is
+   procedure Get_Laws_Row (Row : out Log_Row) is
+      Kept : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
+      Time : constant Clock_Tick         := Errors.Time;
    begin
-      for Step in Error_Kind loop
-         Line.Kind :=
-           (if Line.Kind = Error_Kind'Last then Error_Kind'First
-            else Error_Kind'Succ (Line.Kind));
-         exit when Logs.History_Of (Log, Line.Kind).Occurrences > 0;
-      end loop;
-      Line.Row := CORE_Layout.To_Row (Logs.History_Of (Log, Line.Kind));
-      Line.Is_Laws := False;
-      Line.Sent := 0;
-   end Go_On;
+      Row := Law_Status.With_Age
+        (Law_Status.To_Row
+           (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched), Kept.Set),
+         Time);
+   end Get_Laws_Row;
 
    procedure Next (Item : out Piece) is
       Log      : constant Error_Log         := Errors.Contents;
       Set      : constant URV.Laws.Settings := Law_Settings.Contents;
-      Kept     : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
-      Time     : constant Clock_Tick        := Errors.Time;
-      Is_Empty : constant Boolean           := Logs.Total (Log) = 0;
       Line     : Outgoing                   := Progress.Contents;
+      Laws_Row : Log_Row                    := No_Errors;
    begin
-      --  The laws' row follows each row, and is sent when the log is empty.
-      if Set.On
-        and then not Line.Is_Laws
-        and then (Is_Empty or else Line.Sent = Place'Last)
-      then
-         Line.Row := Law_Status.With_Age
-           (Law_Status.To_Row
-              (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched),
-               Kept.Set),
-            Time);
-         Line.Is_Laws := True;
-         Line.Sent := 0;
-      elsif Line.Sent = Place'Last
-        or else
-          (not Line.Is_Laws
-           and then Logs.History_Of (Log, Line.Kind).Occurrences = 0)
-      then
-         Go_On (Line, Log);
+      if Laws_Are_Next (Line, Log, Set.On) then
+         Get_Laws_Row (Laws_Row);
       end if;
-
-      if (Is_Empty and then not Line.Is_Laws)
-        or else Line.Sent = Place'Last
-      then
-         Item := No_Piece;
-      else
-         Line.Sent := Line.Sent + 1;
-         Item :=
-           Piece_At
-             ((if Line.Is_Laws then Law_Status.Row_Number
-               else CORE_Layout.Row_Of (Line.Kind)),
-              Line.Row, Line.Sent);
-      end if;
-      Progress.Write (Line);
+      Line := Selected (Line, Log, Set.On, Laws_Row);
+      Item := Next_Piece (Line, Log);
+      Progress.Write (After (Line, Log));
    end Next;
 
 end URV.Log_Senders;

@@ -9,33 +9,22 @@
 --  produces the log's words of CORE's status, and one row a frame of the log
 --  in CORE, all rows in turn (SAF-7).
 
-with Devices.Shared_CORE_Memory;
-with Telemetry.Boards;    use Telemetry.Boards;
 with Telemetry.Shared_Boards;
 with URVOS.Shared_Data;
-with URV.Errors;          use URV.Errors;
-with URV.Shared_Errors;   use URV.Shared_Errors;
+with URV.LOG_Steps;     use URV.LOG_Steps;
+with URV.Shared_CORE_Memory;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
-   CORE_Memory     : in out Devices.Shared_CORE_Memory.Board;
+   CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
    Errors          : in out Shared_Log;
 package URV.LOG_Task with SPARK_Mode is
-
-   type Progress is record
-      Seen_Tally   : Statistics := (others => 0);
-
-      --  The kind whose row is written next.
-      Kind_In_Turn : Error_Kind := Error_Kind'First;
-   end record;
 
    package Stores is new URVOS.Shared_Data (Progress, (others => <>));
 
    Seen : Stores.Store;
 
-   --  After a cold start, which leaves no restart in the log, the board's
-   --  counts up to now are not new errors. Any other start keeps the counts
-   --  seen before.
    procedure Initialise
    with
      Global => (Input => (Telemetry_Board, Errors), In_Out => Seen);

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Errors;          use URV.Errors;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
 
 package body URV.Self_Test_Task with SPARK_Mode is
 

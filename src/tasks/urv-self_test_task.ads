@@ -9,11 +9,11 @@
 --  is the same in each frame. An image of 64 KiB takes 1024 frames at 64
 --  bytes, which is 20.48 s.
 
-with Devices.Shared_CORE_Memory;
 with URVOS;             use URVOS;
 with URVOS.Memories;    use URVOS.Memories;
 with URVOS.ROM_Checks;
 with URVOS.Shared_Data;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Status; use URV.Shared_Status;
 
@@ -23,7 +23,7 @@ generic
 
    Bytes_Per_Frame : Positive;
 
-   CORE_Memory : in out Devices.Shared_CORE_Memory.Board;
+   CORE_Memory : in out URV.Shared_CORE_Memory.Board;
    Node_Status : in out Status;
    Errors      : in out Shared_Log;
 

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with URVOS;               use URVOS;
-with URV.Errors;          use URV.Errors;
+with URVOS;           use URVOS;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
 
 package body URV.Start_Records with SPARK_Mode is
 
@@ -21,7 +21,7 @@ package body URV.Start_Records with SPARK_Mode is
       Counts := CORE.Status (Counts'Range);
       Counts (Which) := Incremented (Counts (Which));
       CORE_Memory.Write_Status
-        ((Devices.CORE_Memory.Start_Condition =>
+        ((URV.CORE_Memory.Start_Condition =>
             Word (Starts.Start_Condition'Pos (Condition)) + 1));
       CORE_Memory.Write_Status (Counts);
       CORE_Memory.Write_Status ((Self_Test_Result => To_Word (Result)));

@@ -4,10 +4,10 @@
 --  status has the number of starts of each kind, and the last self-test's
 --  result. The error log has the warm starts and the failures.
 
-with Devices.Shared_CORE_Memory; use Devices.Shared_CORE_Memory;
-with URVOS.Self_Tests;           use URVOS.Self_Tests;
-with URVOS.Starts;               use URVOS.Starts;
-with URV.Shared_Errors;          use URV.Shared_Errors;
+with URVOS.Self_Tests;       use URVOS.Self_Tests;
+with URVOS.Starts;           use URVOS.Starts;
+with URV.Shared_CORE_Memory; use URV.Shared_CORE_Memory;
+with URV.Shared_Errors;      use URV.Shared_Errors;
 
 generic
    CORE_Memory : in out Board;

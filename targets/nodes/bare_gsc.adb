@@ -2,18 +2,18 @@
 
 with Bare_Memories;
 pragma Unreferenced (Bare_Memories);
-with Devices.CORE_Memory;
 with GSC.Bare_Metal;
 with Last_Chance;
+with URV.CORE_Memory;
 pragma Unreferenced (Last_Chance);
 with Machine_Needs;
 pragma Unreferenced (Machine_Needs);
-with Machine_Texts;     use Machine_Texts;
+with Machine_Texts; use Machine_Texts;
 with Node_Programs;
 with Targets;
 with Telemetry;
-with URVOS;             use URVOS;
-with URVOS.Starts;      use URVOS.Starts;
+with URVOS;         use URVOS;
+with URVOS.Starts;  use URVOS.Starts;
 
 package body Bare_GSC is
 
@@ -78,7 +78,7 @@ package body Bare_GSC is
    end Configure;
 
    procedure Put_Row is
-      CORE : constant Devices.CORE_Memory.Memory := GSC.CORE_Memory.Contents;
+      CORE : constant URV.CORE_Memory.Memory := GSC.CORE_Memory.Contents;
 
    begin
       for Each of CORE.Uplink loop

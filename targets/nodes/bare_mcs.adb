@@ -2,21 +2,21 @@
 
 with Bare_Memories;
 pragma Unreferenced (Bare_Memories);
-with Devices.CORE_Memory;
 with MCS.Bare_Metal;
-with URV.Buffers;       use URV.Buffers;
+with URV.Buffers; use URV.Buffers;
+with URV.CORE_Memory;
 with URV.Laws;
 with URV.PWM_Layout;
 with Last_Chance;
 pragma Unreferenced (Last_Chance);
 with Machine_Needs;
 pragma Unreferenced (Machine_Needs);
-with Machine_Texts;     use Machine_Texts;
+with Machine_Texts; use Machine_Texts;
 with Node_Programs;
 with Targets;
 with Telemetry;
-with URVOS;             use URVOS;
-with URVOS.Starts;      use URVOS.Starts;
+with URVOS;         use URVOS;
+with URVOS.Starts;  use URVOS.Starts;
 
 package body Bare_MCS is
 
@@ -97,7 +97,7 @@ package body Bare_MCS is
    end Configure;
 
    procedure Put_Row is
-      CORE : constant Devices.CORE_Memory.Memory := MCS.CORE_Memory.Contents;
+      CORE : constant URV.CORE_Memory.Memory := MCS.CORE_Memory.Contents;
       PWM  : constant PWM_Buffer :=
         URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents);
    begin

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The events of Theorems.Safety and the tasks' bodies do the same: they call
-the same decision functions, and receive and send the same variables in the
-same order. A change of one side alone fails here."""
+"""The events of Theorems.Safety match the tasks' bodies: both call the same
+decision functions, and receive and send the same variables in the same order.
+A change of one side alone fails here."""
 
 import re
 
@@ -24,7 +24,7 @@ TASKS = {
     "CORE": (AIRCRAFT, ("Run_CORE",), ("Downlink",)),
 }
 
-# Decision functions that say what a task reports, or where else it sends.
+# Decision functions about a task's reports and its other receivers.
 BESIDE = {
     "AD": set(),
     "GDCOUT": set(),
@@ -32,7 +32,7 @@ BESIDE = {
     "MDCIN": {"Is_Configuration", "Is_Unknown", "Place_Out_Of_Range"},
     "LAW": {"Kept_After"},
     "PWM": set(),
-    "CORE": {"Has_Unknown", "First_Unknown"},
+    "CORE": set(),
 }
 
 
@@ -52,7 +52,7 @@ def procedures(code):
 
 
 def moves_of_task(task, beside):
-    """What the task's body receives and sends, in order."""
+    """The variables that the task's body receives and sends, in order."""
     if task == "AD":
         bodies = procedures(code_of("src/tasks/urv-ad_task.adb"))
         text = bodies["Take_Last_Scan"] + bodies["Discard_Late_Scan"] + (

@@ -1,14 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Checks;            use Checks;
-with Devices.CORE_Memory;
 with Expect_Value;
 with Expectations;      use Expectations;
 with Law_Rig;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Console_Watch; use URV.Console_Watch;
-with URV.CORE_Layout;
+with URV.CORE_Memory;
 with URV.Law_Gains;     use URV.Law_Gains;
 
 separate (Law_Suite)
@@ -101,18 +100,14 @@ package body Console_Watch_Tests is
    end Not_Known;
 
    procedure Cleared_CORE is
-      use type Devices.CORE_Memory.Downlink_Words;
-
-      Area : constant Devices.CORE_Memory.Downlink_Words :=
-        URV.CORE_Layout.To_Words (Standing);
    begin
       Expect
         ("cleared: old",
-         Downlink_Of (Devices.CORE_Memory.Cleared.Downlink) (Error_Status),
+         Downlink_Of (URV.CORE_Memory.Cleared.Downlink) (Error_Status),
          Stale_Data);
       Expect
         ("written: as it is",
-         URV.CORE_Layout.To_Words (Downlink_Of (Area)) = Area, True);
+         Downlink_Of (Standing) = Standing, True);
    end Cleared_CORE;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

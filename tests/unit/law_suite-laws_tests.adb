@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Checks;            use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
 with Expect_Value;
 with Expectations;      use Expectations;
 with Law_Rig;
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Configurations;
+with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Law_Axes;
 with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;

@@ -1,11 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Devices.AD_Board;
-with Expectations;    use Expectations;
+with Expectations; use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Host.Memory_Hardware;
-with URV.CORE_Layout; use URV.CORE_Layout;
 
 package body Node_Rig is
 
@@ -151,10 +150,10 @@ package body Node_Rig is
            (if Item = Error_Status then Error
             else First + Word (Uplink_Item'Pos (Item)));
          Expect
-           (What & ", GSC CORE " & Item'Image, Ground.Uplink (Place (Item)),
+           (What & ", GSC CORE " & Item'Image, Ground.Uplink (Item),
             Expected);
          Expect
-           (What & ", MCS CORE " & Item'Image, Aircraft.Uplink (Place (Item)),
+           (What & ", MCS CORE " & Item'Image, Aircraft.Uplink (Item),
             Expected);
       end loop;
    end Expect_Commands;
@@ -170,9 +169,9 @@ package body Node_Rig is
             else First + Word (Downlink_Item'Pos (Item)));
          Expect
            (What & ", MCS CORE " & Item'Image,
-            Aircraft.Downlink (Place (Item)), Expected);
+            Aircraft.Downlink (Item), Expected);
          Expect
-           (What & ", GSC CORE " & Item'Image, Ground.Downlink (Place (Item)),
+           (What & ", GSC CORE " & Item'Image, Ground.Downlink (Item),
             Expected);
       end loop;
    end Expect_Sensors;

@@ -3,16 +3,16 @@
 --  Both nodes with their real wiring, between the hardware sides of their
 --  boards: converters, serial line, clocks. Time passes in ticks.
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;   use Devices.PWM_Board;
+with Devices.PWM_Board; use Devices.PWM_Board;
 with MCS;
-with Telemetry;           use Telemetry;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
+with Telemetry;         use Telemetry;
+with URVOS;             use URVOS;
+with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Starts;
-with URVOS.Task_Trees;    use URVOS.Task_Trees;
-with URV.Buffers;         use URV.Buffers;
-with URV.Errors;          use URV.Errors;
+with URVOS.Task_Trees;  use URVOS.Task_Trees;
+with URV.Buffers;       use URV.Buffers;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Errors;        use URV.Errors;
 
 package Node_Rig is
 

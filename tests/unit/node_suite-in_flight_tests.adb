@@ -1,18 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;              use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Expectations;        use Expectations;
+with Checks;           use Checks;
+with Expectations;     use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Host.Memory_Hardware;
-with Node_Rig;            use Node_Rig;
-with Telemetry;           use Telemetry;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
+with Node_Rig;         use Node_Rig;
+with Telemetry;        use Telemetry;
+with URVOS;            use URVOS;
+with URVOS.Frames;     use URVOS.Frames;
 with URVOS.Starts;
-with URVOS.Task_Trees;    use URVOS.Task_Trees;
-with URV.Errors;          use URV.Errors;
+with URVOS.Task_Trees; use URVOS.Task_Trees;
+with URV.Buffers;      use URV.Buffers;
+with URV.CORE_Memory;  use URV.CORE_Memory;
+with URV.Errors;       use URV.Errors;
 with URV.Shared_Status;
 
 separate (Node_Suite)
@@ -137,10 +138,10 @@ package body In_Flight_Tests is
       Fly (4);
       Expect
         ("the ground's, in the air",
-         CORE_Of_MCS.Uplink (Uplink_Words'Last), ROM_Bit);
+         CORE_Of_MCS.Uplink (Error_Status), ROM_Bit);
       Expect
         ("the aircraft's, on the ground",
-         CORE_Of_GSC.Downlink (Downlink_Words'Last), ROM_Bit);
+         CORE_Of_GSC.Downlink (Error_Status), ROM_Bit);
 
       --  A start clears it until the next pass.
       Host.Memory_Hardware.Repair (1);

@@ -1,12 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Checks;                use Checks;
-with Devices.CORE_Memory;   use Devices.CORE_Memory;
 with Devices.Memory_Bus;    use Devices.Memory_Bus;
 with Devices.Processor_Memories;
-with Devices.Shared_CORE_Memory;
 with Expectations;          use Expectations;
-with Host.Memory_Hardware;       use Host.Memory_Hardware;
+with Host.Memory_Hardware;  use Host.Memory_Hardware;
 with URVOS;                 use URVOS;
 with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Memories;        use URVOS.Memories;
@@ -16,8 +14,10 @@ with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
 with URVOS.Starts;
+with URV.CORE_Memory;       use URV.CORE_Memory;
 with URV.Errors;            use URV.Errors;
 with URV.Self_Test_Task;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Status;
 
@@ -75,7 +75,7 @@ package body Self_Test_Tests is
 
    --  The surroundings of the tasks in flight
 
-   CORE   : Devices.Shared_CORE_Memory.Board;
+   CORE   : URV.Shared_CORE_Memory.Board;
    Status : URV.Shared_Status.Status;
    Errors : URV.Shared_Errors.Shared_Log;
 

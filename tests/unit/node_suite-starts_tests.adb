@@ -1,31 +1,32 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;              use Checks;
+with Checks;            use Checks;
 with Devices.AD_Board;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;   use Devices.PWM_Board;
+with Devices.PWM_Board; use Devices.PWM_Board;
 with Expect_Value;
-with Expectations;        use Expectations;
+with Expectations;      use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Host.Memory_Hardware;
-with Node_Rig;            use Node_Rig;
-with Telemetry;           use Telemetry;
+with Node_Rig;          use Node_Rig;
+with Telemetry;         use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
 with Telemetry.Receivers;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
-with URVOS.Self_Tests;    use URVOS.Self_Tests;
+with URVOS;             use URVOS;
+with URVOS.Frames;      use URVOS.Frames;
+with URVOS.Self_Tests;  use URVOS.Self_Tests;
 with URVOS.Shared_Mailboxes;
 with URVOS.Start_Phases;
 with URVOS.Starts;
-with URVOS.Task_Trees;    use URVOS.Task_Trees;
-with URV.Buffers;         use URV.Buffers;
+with URVOS.Task_Trees;  use URVOS.Task_Trees;
+with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Errors;          use URV.Errors;
-with URV.Mailboxes;       use URV.Mailboxes;
+with URV.CORE_Layout;   use URV.CORE_Layout;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Errors;        use URV.Errors;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Type_Codes;    use URV.Type_Codes;
 
 separate (Node_Suite)
 package body Starts_Tests is
@@ -308,7 +309,7 @@ package body Starts_Tests is
          CORE := CORE_Of_MCS;
          Before := Logs.Total (Log_Of (Aircraft));
          Expect ("servo 1 before", Held_Servos (1), 16#100#);
-         Expect ("sensor 1 before", CORE.Downlink (1), 16#500#);
+         Expect ("sensor 1 before", CORE.Downlink (Right_Flap_1), 16#500#);
          Expect ("errors before", Before > 0, True);
          Begin_Again (Aircraft, Condition);
 
@@ -323,25 +324,25 @@ package body Starts_Tests is
             CORE := Cleared;
             Before := 0;
          else
-            CORE.Uplink (Uplink_Words'Last) :=
-              CORE.Uplink (Uplink_Words'Last) or Stale_Data;
-            CORE.Downlink (Downlink_Words'Last) :=
-              CORE.Downlink (Downlink_Words'Last) or Stale_Data;
+            CORE.Uplink (Error_Status) :=
+              CORE.Uplink (Error_Status) or Stale_Data;
+            CORE.Downlink (Error_Status) :=
+              CORE.Downlink (Error_Status) or Stale_Data;
          end if;
-         for Item in Item_Number loop
-            if Item in CORE.Uplink'Range then
-               Expect
-                 (Condition'Image & ", CORE uplink" & Item'Image,
-                  CORE_Of_MCS.Uplink (Item), CORE.Uplink (Item));
-               Expect
-                 (Condition'Image & ", CORE uplink code" & Item'Image,
-                  CORE_Of_MCS.Uplink_Codes (Item), CORE.Uplink_Codes (Item));
-            end if;
+         for Item in Uplink_Item loop
             Expect
-              (Condition'Image & ", CORE downlink" & Item'Image,
+              (Condition'Image & ", CORE uplink " & Item'Image,
+               CORE_Of_MCS.Uplink (Item), CORE.Uplink (Item));
+            Expect
+              (Condition'Image & ", CORE uplink code " & Item'Image,
+               CORE_Of_MCS.Uplink_Codes (Item), CORE.Uplink_Codes (Item));
+         end loop;
+         for Item in Downlink_Item loop
+            Expect
+              (Condition'Image & ", CORE downlink " & Item'Image,
                CORE_Of_MCS.Downlink (Item), CORE.Downlink (Item));
             Expect
-              (Condition'Image & ", CORE downlink code" & Item'Image,
+              (Condition'Image & ", CORE downlink code " & Item'Image,
                CORE_Of_MCS.Downlink_Codes (Item),
                CORE.Downlink_Codes (Item));
          end loop;
@@ -559,7 +560,7 @@ package body Starts_Tests is
            ((others => 16#102#), (others => 16#202#), (others => 0));
          Fly (3);
          Expect
-           ("written once only", CORE_Of_MCS.Uplink_Codes (1), 16#102#);
+           ("written once only", CORE_Of_MCS.Uplink_Codes (Roll), 16#102#);
          for Node in Station loop
             Start_Again (Node, Condition);
          end loop;
@@ -569,12 +570,12 @@ package body Starts_Tests is
             for Item in Uplink_Item loop
                Expect
                  (Condition'Image & ", " & Node'Image & ", " & Item'Image,
-                  CORE.Uplink_Codes (Place (Item)), Type_Code (Item));
+                  CORE.Uplink_Codes (Item), Code_Of (Item));
             end loop;
             for Item in Downlink_Item loop
                Expect
                  (Condition'Image & ", " & Node'Image & ", " & Item'Image,
-                  CORE.Downlink_Codes (Place (Item)), Type_Code (Item));
+                  CORE.Downlink_Codes (Item), Code_Of (Item));
             end loop;
             for Item in Status_Item loop
                Expect
@@ -718,7 +719,7 @@ package body Starts_Tests is
             --  The ground shows it.
             Expect
               (Condition'Image & ", error word on the ground",
-               CORE_Of_GSC.Downlink (Place (Downlink_Item'(Error_Status))),
+               CORE_Of_GSC.Downlink (Error_Status),
                URV.Buffers.Self_Test_Failed + Stale_Data);
          end loop;
       end loop;

@@ -1,23 +1,24 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;              use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.PWM_Board;   use Devices.PWM_Board;
-with Expectations;        use Expectations;
+with Checks;            use Checks;
+with Devices.PWM_Board; use Devices.PWM_Board;
+with Expectations;      use Expectations;
 with GSC.Virtual_Time;
 with MCS.Virtual_Time;
-with Node_Rig;            use Node_Rig;
-with Telemetry;           use Telemetry;
+with Node_Rig;          use Node_Rig;
+with Telemetry;         use Telemetry;
 with Telemetry.Boards;
-with URVOS;               use URVOS;
-with URVOS.Frames;        use URVOS.Frames;
+with URVOS;             use URVOS;
+with URVOS.Frames;      use URVOS.Frames;
 with URVOS.Shared_Mailboxes;
 with URVOS.Starts;
-with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Layout;     use URV.CORE_Layout;
-with URV.Errors;          use URV.Errors;
+with URV.Buffers;       use URV.Buffers;
+with URV.CORE_Layout;   use URV.CORE_Layout;
+with URV.CORE_Memory;   use URV.CORE_Memory;
+with URV.Errors;        use URV.Errors;
 with URV.Laws;
-with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Type_Codes;    use URV.Type_Codes;
 
 package body Nodes_Tests is
 
@@ -108,10 +109,14 @@ package body Nodes_Tests is
       Console (3) := 16#8123#;
       Sensors (9) := 16#FFFF#;
       Fly (6);
-      Expect ("throttle in GSC CORE", CORE_Of_GSC.Uplink (4), 16#8123#);
-      Expect ("throttle in MCS CORE", CORE_Of_MCS.Uplink (4), 16#8123#);
+      Expect
+        ("throttle in GSC CORE", CORE_Of_GSC.Uplink (Throttle), 16#8123#);
+      Expect
+        ("throttle in MCS CORE", CORE_Of_MCS.Uplink (Throttle), 16#8123#);
       Expect ("throttle servo", Servos (8), 16#FFF#);
-      Expect ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (10), 16#FFFF#);
+      Expect
+        ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (Left_Rudder),
+         16#FFFF#);
    end Too_Large;
 
    procedure Cut_Link is
@@ -130,11 +135,15 @@ package body Nodes_Tests is
          Expect
            ("servo" & Number'Image & " held", Servos (Number), Seen (Number));
       end loop;
-      Expect ("commands in MCS CORE held", CORE_Of_MCS.Uplink (1), 16#100#);
-      Expect ("sensors in GSC CORE held", CORE_Of_GSC.Downlink (1), 16#500#);
-      Expect ("commands in GSC CORE are new", CORE_Of_GSC.Uplink (1), 16#200#);
+      Expect ("commands in MCS CORE held", CORE_Of_MCS.Uplink (Roll), 16#100#);
       Expect
-        ("sensors in MCS CORE are new", CORE_Of_MCS.Downlink (1), 16#600#);
+        ("sensors in GSC CORE held", CORE_Of_GSC.Downlink (Right_Flap_1),
+         16#500#);
+      Expect
+        ("commands in GSC CORE are new", CORE_Of_GSC.Uplink (Roll), 16#200#);
+      Expect
+        ("sensors in MCS CORE are new", CORE_Of_MCS.Downlink (Right_Flap_1),
+         16#600#);
 
       Link_Is_Cut := False;
       Fly (8);
@@ -166,7 +175,7 @@ package body Nodes_Tests is
       Sensors := Numbered (16#500#);
       Fly (6);
       Before := CORE_Of_MCS;
-      Expect ("commands before", Before.Uplink (1), 16#100#);
+      Expect ("commands before", Before.Uplink (Roll), 16#100#);
 
       Switch_On;
       for Number in Channel_Number loop
@@ -175,13 +184,13 @@ package body Nodes_Tests is
       end loop;
       for Ground in Boolean loop
          After := (if Ground then CORE_Of_GSC else CORE_Of_MCS);
-         for I in Item_Number loop
-            if I in After.Uplink'Range then
-               Expect ("CORE uplink" & I'Image, After.Uplink (I), 0);
-               Expect ("CORE code" & I'Image, After.Uplink_Codes (I), 0);
-            end if;
-            Expect ("CORE downlink" & I'Image, After.Downlink (I), 0);
-            Expect ("CORE code" & I'Image, After.Downlink_Codes (I), 0);
+         for Item in Uplink_Item loop
+            Expect ("CORE uplink " & Item'Image, After.Uplink (Item), 0);
+            Expect ("CORE code " & Item'Image, After.Uplink_Codes (Item), 0);
+         end loop;
+         for Item in Downlink_Item loop
+            Expect ("CORE downlink " & Item'Image, After.Downlink (Item), 0);
+            Expect ("CORE code " & Item'Image, After.Downlink_Codes (Item), 0);
          end loop;
       end loop;
    end Cold_Start;
@@ -329,12 +338,12 @@ package body Nodes_Tests is
       Fly (4);
       for Item in Uplink_Item loop
          Expect
-           ("MCS CORE " & Item'Image, CORE_Of_MCS.Uplink (Place (Item)),
+           ("MCS CORE " & Item'Image, CORE_Of_MCS.Uplink (Item),
             Neutral_Uplink (Item));
       end loop;
       for Item in Downlink_Item loop
          Expect
-           ("GSC CORE " & Item'Image, CORE_Of_GSC.Downlink (Place (Item)),
+           ("GSC CORE " & Item'Image, CORE_Of_GSC.Downlink (Item),
             Neutral_Downlink (Item));
       end loop;
    end Controller_Alone;
@@ -351,7 +360,7 @@ package body Nodes_Tests is
       CORE := CORE_Of_MCS;
       for Item in Uplink_Item loop
          Expect
-           ("MCS CORE " & Item'Image, CORE.Uplink (Place (Item)),
+           ("MCS CORE " & Item'Image, CORE.Uplink (Item),
             Neutral_Uplink (Item));
       end loop;
       for Servo in Channel_Number loop
@@ -361,7 +370,7 @@ package body Nodes_Tests is
       CORE := CORE_Of_GSC;
       for Item in Downlink_Item loop
          Expect
-           ("GSC CORE " & Item'Image, CORE.Downlink (Place (Item)),
+           ("GSC CORE " & Item'Image, CORE.Downlink (Item),
             Neutral_Downlink (Item));
       end loop;
    end First_Frames;
@@ -373,18 +382,18 @@ package body Nodes_Tests is
       for Item in Uplink_Item loop
          Expect
            ("MCS code of " & Item'Image,
-            CORE_Of_MCS.Uplink_Codes (Place (Item)), Type_Code (Item));
+            CORE_Of_MCS.Uplink_Codes (Item), Code_Of (Item));
          Expect
            ("GSC code of " & Item'Image,
-            CORE_Of_GSC.Uplink_Codes (Place (Item)), Type_Code (Item));
+            CORE_Of_GSC.Uplink_Codes (Item), Code_Of (Item));
       end loop;
       for Item in Downlink_Item loop
          Expect
            ("MCS code of " & Item'Image,
-            CORE_Of_MCS.Downlink_Codes (Place (Item)), Type_Code (Item));
+            CORE_Of_MCS.Downlink_Codes (Item), Code_Of (Item));
          Expect
            ("GSC code of " & Item'Image,
-            CORE_Of_GSC.Downlink_Codes (Place (Item)), Type_Code (Item));
+            CORE_Of_GSC.Downlink_Codes (Item), Code_Of (Item));
       end loop;
       for Item in Status_Item loop
          Expect

@@ -1,15 +1,16 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;              use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.Shared_CORE_Memory;
-with Expectations;        use Expectations;
-with Task_Rig;            use Task_Rig;
-with URVOS;               use URVOS;
-with URV.CORE_Layout;     use URV.CORE_Layout;
+with Checks;          use Checks;
+with Expectations;    use Expectations;
+with Task_Rig;        use Task_Rig;
+with URVOS;           use URVOS;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
 with URV.CORE_Task;
-with URV.Errors;          use URV.Errors;
-with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Errors;      use URV.Errors;
+with URV.Mailboxes;   use URV.Mailboxes;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 
 separate (Task_Suite)
@@ -25,7 +26,7 @@ package body CORE_Tests is
 
    Uplink   : For_Uplink.Variable;
    Downlink : For_Downlink.Variable;
-   Board    : Devices.Shared_CORE_Memory.Board;
+   Board    : URV.Shared_CORE_Memory.Board;
    Errors   : URV.Shared_Errors.Shared_Log;
 
    package Under_Test is new URV.CORE_Task
@@ -51,28 +52,16 @@ package body CORE_Tests is
       Down.Give (Downlink, Downlink_Of (16#200#));
       Under_Test.Run_Transaction;
       CORE := Board.Contents;
-      for I in CORE.Uplink'Range loop
-         Expect
-           ("uplink word" & I'Image, CORE.Uplink (I),
-            (if I = CORE.Uplink'Last then 0 else 16#100# + Word (I) - 1));
-      end loop;
-      for I in CORE.Downlink'Range loop
-         Expect
-           ("downlink word" & I'Image, CORE.Downlink (I),
-            (if I = CORE.Downlink'Last then 0 else 16#200# + Word (I) - 1));
-      end loop;
-      Expect_Buffer
-        ("read back", To_Buffer (CORE.Uplink), Uplink_Of (16#100#));
-      Expect_Buffer
-        ("read back", To_Buffer (CORE.Downlink), Downlink_Of (16#200#));
+      Expect_Buffer ("uplink", CORE.Uplink, Uplink_Of (16#100#));
+      Expect_Buffer ("downlink", CORE.Downlink, Downlink_Of (16#200#));
       Expect_Errors ("both new", Errors, None);
    end Both_Are_New;
 
    procedure One_Is_New is
 
       --  Words that only another writer can have written.
-      Foreign_Up   : constant Uplink_Words   := (others => 16#500#);
-      Foreign_Down : constant Downlink_Words := (others => 16#600#);
+      Foreign_Up   : constant Uplink_Buffer   := (others => 16#500#);
+      Foreign_Down : constant Downlink_Buffer := (others => 16#600#);
 
       CORE : Memory;
    begin
@@ -92,13 +81,13 @@ package body CORE_Tests is
             Expect
               ("uplink",
                CORE.Uplink =
-                 (if Up_Is_New then To_Words (Uplink_Of (16#300#))
+                 (if Up_Is_New then Uplink_Of (16#300#)
                   else Foreign_Up),
                True);
             Expect
               ("downlink",
                CORE.Downlink =
-                 (if Down_Is_New then To_Words (Downlink_Of (16#400#))
+                 (if Down_Is_New then Downlink_Of (16#400#)
                   else Foreign_Down),
                True);
             Expect_Errors

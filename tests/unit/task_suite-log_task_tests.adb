@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Checks;              use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.Shared_CORE_Memory;
 with Expectations;        use Expectations;
 with Telemetry;           use Telemetry;
 with Telemetry.Checksum;
@@ -11,13 +9,16 @@ with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Shared_Boards;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
+with URV.CORE_Memory;     use URV.CORE_Memory;
 with URV.Errors;          use URV.Errors;
 with URV.Law_Status;
 with URV.Laws;
 with URV.Log_Pieces;      use URV.Log_Pieces;
+with URV.LOG_Steps;
 with URV.Log_Receivers;
 with URV.Log_Senders;
 with URV.LOG_Task;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
 
@@ -45,7 +46,7 @@ package body LOG_Task_Tests is
      (Role => Aircraft, Transmit_Length => 4, Receive_Length => 2);
 
    Errors : URV.Shared_Errors.Shared_Log;
-   CORE   : Devices.Shared_CORE_Memory.Board;
+   CORE   : URV.Shared_CORE_Memory.Board;
 
    --  Both ends of the log's path
 
@@ -271,7 +272,7 @@ package body LOG_Task_Tests is
    end Only_The_New;
 
    procedure Board_Off_And_On is
-      Seen : Under_Test.Progress;
+      Seen : URV.LOG_Steps.Progress;
    begin
       --  The task has seen higher counts than the board has now.
       Link_Kinds;

@@ -1,28 +1,28 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;              use Checks;
-with Devices.CORE_Memory; use Devices.CORE_Memory;
-with Devices.Shared_CORE_Memory;
-with Expectations;        use Expectations;
+with Checks;             use Checks;
+with Expectations;       use Expectations;
 with GSC;
-with Law_Rig;              use Law_Rig;
+with Law_Rig;            use Law_Rig;
 with MCS;
-with Task_Rig;            use Task_Rig;
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.Configurations;  use URV.Configurations;
-with URV.CORE_Layout;     use URV.CORE_Layout;
+with Task_Rig;           use Task_Rig;
+with URVOS;              use URVOS;
+with URV.Buffers;        use URV.Buffers;
+with URV.Configurations; use URV.Configurations;
+with URV.CORE_Layout;    use URV.CORE_Layout;
+with URV.CORE_Memory;    use URV.CORE_Memory;
 with URV.CORE_Task;
-with URV.Errors;          use URV.Errors;
+with URV.Errors;         use URV.Errors;
 with URV.Law_Gains;
 with URV.Law_Status;
-with URV.Laws;            use URV.Laws;
-with URV.Mailboxes;       use URV.Mailboxes;
+with URV.Laws;           use URV.Laws;
+with URV.Mailboxes;      use URV.Mailboxes;
 with URV.GDCOUT_Task;
-with URV.Routing;         use URV.Routing;
+with URV.Routing;        use URV.Routing;
+with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Status;
-with URV.Type_Codes;      use URV.Type_Codes;
+with URV.Type_Codes;     use URV.Type_Codes;
 
 separate (Task_Suite)
 package body Type_Codes_Tests is
@@ -96,15 +96,15 @@ package body Type_Codes_Tests is
 
    Uplink   : For_Uplink.Variable;
    Downlink : For_Downlink.Variable;
-   Board    : Devices.Shared_CORE_Memory.Board;
+   Board    : URV.Shared_CORE_Memory.Board;
 
    package CORE_Under_Test is new URV.CORE_Task
      (Uplink, Downlink, Board, Errors);
 
    procedure Places_By_Code is
-      Up_Codes   : Uplink_Words   := Uplink_Type_Codes;
-      Down_Codes : Downlink_Words := Downlink_Type_Codes;
-      Found      : Devices.CORE_Memory.Memory;
+      Up_Codes   : Uplink_Code_List   := Uplink_Type_Codes;
+      Down_Codes : Downlink_Code_List := Downlink_Type_Codes;
+      Found      : URV.CORE_Memory.Memory;
    begin
       CORE_Under_Test.Initialise;
       Up.Give (Uplink, Uplink_Of (16#100#));
@@ -112,19 +112,20 @@ package body Type_Codes_Tests is
       CORE_Under_Test.Run_Transaction;
       Expect_Errors ("its own codes", Errors, None);
 
-      Up_Codes (1) := 16#102#;
-      Up_Codes (2) := 16#101#;
-      Down_Codes (3) := 16#101#;
+      Up_Codes (Roll) := 16#102#;
+      Up_Codes (Pitch) := 16#101#;
+      Down_Codes (Right_Flap_2) := 16#101#;
       Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
       Up.Give (Uplink, Uplink_Of (16#300#));
       Down.Give (Downlink, Downlink_Of (16#400#));
       CORE_Under_Test.Run_Transaction;
       Found := Board.Contents;
-      Expect ("pitch is first", Found.Uplink (1), 16#301#);
-      Expect ("roll is second", Found.Uplink (2), 16#300#);
-      Expect ("yaw where it was", Found.Uplink (3), 16#302#);
-      Expect ("a place without an item", Found.Downlink (3), 16#202#);
-      Expect ("the next", Found.Downlink (4), 16#403#);
+      Expect ("pitch is first", Found.Uplink (Roll), 16#301#);
+      Expect ("roll is second", Found.Uplink (Pitch), 16#300#);
+      Expect ("yaw where it was", Found.Uplink (Yaw), 16#302#);
+      Expect
+        ("a place without an item", Found.Downlink (Right_Flap_2), 16#202#);
+      Expect ("the next", Found.Downlink (Left_Flap_2), 16#403#);
       Expect_Errors
         ("a command's code among sensors", Errors, (1 => Unknown_Code),
          Detail => 16#101#);
@@ -135,33 +136,37 @@ package body Type_Codes_Tests is
       CORE_Under_Test.Run_Transaction;
       Found := Board.Contents;
       Expect
-        ("up again", Found.Uplink = To_Words (Uplink_Of (16#500#)), True);
+        ("up again", Found.Uplink = Uplink_Of (16#500#), True);
       Expect
-        ("down again", Found.Downlink = To_Words (Downlink_Of (16#600#)),
+        ("down again", Found.Downlink = Downlink_Of (16#600#),
          True);
       Expect_Errors ("its own codes again", Errors, None);
    end Places_By_Code;
 
    procedure Codes_Of_Nothing is
-      type Place_List is array (Positive range <>) of Item_Number;
-
       --  Writes the code to a place of an area and expects a report. The place
       --  keeps its word, and its code is restored.
       procedure Expect_Kept
-        (Code : Word; Is_Up : Boolean; Where : Item_Number := 5);
+        (Code    : Word;
+         Is_Up   : Boolean;
+         At_Up   : Uplink_Item   := Brake;
+         At_Down : Downlink_Item := Right_Aileron);
 
       procedure Expect_Kept
-        (Code : Word; Is_Up : Boolean; Where : Item_Number := 5)
+        (Code    : Word;
+         Is_Up   : Boolean;
+         At_Up   : Uplink_Item   := Brake;
+         At_Down : Downlink_Item := Right_Aileron)
       is
-         Before : constant Devices.CORE_Memory.Memory := Board.Contents;
-         Up_Codes   : Uplink_Words   := Uplink_Type_Codes;
-         Down_Codes : Downlink_Words := Downlink_Type_Codes;
-         Found      : Devices.CORE_Memory.Memory;
+         Before : constant URV.CORE_Memory.Memory := Board.Contents;
+         Up_Codes   : Uplink_Code_List   := Uplink_Type_Codes;
+         Down_Codes : Downlink_Code_List := Downlink_Type_Codes;
+         Found      : URV.CORE_Memory.Memory;
       begin
          if Is_Up then
-            Up_Codes (Where) := Code;
+            Up_Codes (At_Up) := Code;
          else
-            Down_Codes (Where) := Code;
+            Down_Codes (At_Down) := Code;
          end if;
          Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
          Up.Give (Uplink, Uplink_Of (Code xor 16#3000#));
@@ -172,16 +177,16 @@ package body Type_Codes_Tests is
            ("up, code" & Code'Image,
             Found.Uplink
             = (if Is_Up
-               then (To_Words (Uplink_Of (Code xor 16#3000#)) with delta
-                       Where => Before.Uplink (Where))
-               else To_Words (Uplink_Of (Code xor 16#3000#))),
+               then (Uplink_Of (Code xor 16#3000#) with delta
+                       At_Up => Before.Uplink (At_Up))
+               else Uplink_Of (Code xor 16#3000#)),
             True);
          Expect
            ("down, code" & Code'Image,
             Found.Downlink
-            = (if Is_Up then To_Words (Downlink_Of (Code xor 16#5000#))
-               else (To_Words (Downlink_Of (Code xor 16#5000#)) with delta
-                       Where => Before.Downlink (Where))),
+            = (if Is_Up then Downlink_Of (Code xor 16#5000#)
+               else (Downlink_Of (Code xor 16#5000#) with delta
+                       At_Down => Before.Downlink (At_Down))),
             True);
          Expect_Errors
            ("code" & Code'Image, Errors, (1 => Unknown_Code),
@@ -212,12 +217,10 @@ package body Type_Codes_Tests is
       end loop;
 
       --  At the first place and at the last one.
-      for Where of Place_List'(1, Uplink_Words'Last) loop
-         Expect_Kept (No_Code, Is_Up => True, Where => Where);
-      end loop;
-      for Where of Place_List'(1, Downlink_Words'Last) loop
-         Expect_Kept (No_Code, Is_Up => False, Where => Where);
-      end loop;
+      Expect_Kept (No_Code, Is_Up => True, At_Up => Uplink_Item'First);
+      Expect_Kept (No_Code, Is_Up => True, At_Up => Uplink_Item'Last);
+      Expect_Kept (No_Code, Is_Up => False, At_Down => Downlink_Item'First);
+      Expect_Kept (No_Code, Is_Up => False, At_Down => Downlink_Item'Last);
 
       --  A channel has a code above the sensors'.
       declare

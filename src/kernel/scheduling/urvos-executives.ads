@@ -43,7 +43,7 @@ is
    with Post => Time = Now;
 
    --  The clock has ticked: the tasks that are due are ready to run. A clock
-   --  that runs back is not believed.
+   --  that runs back is ignored.
    procedure Clock_Interrupt (Now : Clock_Tick)
    with Post => Time = Tick'Max (Time'Old, Now);
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-package body Devices.Shared_CORE_Memory with SPARK_Mode is
+package body URV.Shared_CORE_Memory with SPARK_Mode is
 
    protected body Board is
 
@@ -15,8 +15,8 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
       end Mark_Old;
 
       procedure Write_Codes
-        (Uplink_Codes   : Uplink_Words;
-         Downlink_Codes : Downlink_Words;
+        (Uplink_Codes   : Uplink_Code_List;
+         Downlink_Codes : Downlink_Code_List;
          Status_Codes   : Status_Words)
       is
       begin
@@ -31,12 +31,12 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
       function Downlink_Area return Coded_Downlink is
         (Codes => Present.Downlink_Codes, Words => Present.Downlink);
 
-      procedure Write_Uplink (Words : Uplink_Words) is
+      procedure Write_Uplink (Words : Uplink_Buffer) is
       begin
          Present.Uplink := Words;
       end Write_Uplink;
 
-      procedure Write_Downlink (Words : Downlink_Words) is
+      procedure Write_Downlink (Words : Downlink_Buffer) is
       begin
          Present.Downlink := Words;
       end Write_Downlink;
@@ -60,4 +60,4 @@ package body Devices.Shared_CORE_Memory with SPARK_Mode is
 
    end Board;
 
-end Devices.Shared_CORE_Memory;
+end URV.Shared_CORE_Memory;

@@ -3,9 +3,10 @@
 --  A CORE memory, shared by the controller and the readers (report, 4.3;
 --  COR-1).
 
-with Devices.CORE_Memory; use Devices.CORE_Memory;
+with URV.Buffers;     use URV.Buffers;
+with URV.CORE_Memory; use URV.CORE_Memory;
 
-package Devices.Shared_CORE_Memory with SPARK_Mode is
+package URV.Shared_CORE_Memory with SPARK_Mode is
 
    protected type Board is
 
@@ -16,8 +17,8 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
       procedure Mark_Old;
 
       procedure Write_Codes
-        (Uplink_Codes   : Uplink_Words;
-         Downlink_Codes : Downlink_Words;
+        (Uplink_Codes   : Uplink_Code_List;
+         Downlink_Codes : Downlink_Code_List;
          Status_Codes   : Status_Words);
 
       --  The contents of an area, with its type codes
@@ -26,9 +27,9 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
 
       function Downlink_Area return Coded_Downlink;
 
-      procedure Write_Uplink (Words : Uplink_Words);
+      procedure Write_Uplink (Words : Uplink_Buffer);
 
-      procedure Write_Downlink (Words : Downlink_Words);
+      procedure Write_Downlink (Words : Downlink_Buffer);
 
       --  Writes the given words of the status area at one instant; the others
       --  are unchanged.
@@ -47,4 +48,4 @@ package Devices.Shared_CORE_Memory with SPARK_Mode is
       Present : Memory;
    end Board;
 
-end Devices.Shared_CORE_Memory;
+end URV.Shared_CORE_Memory;

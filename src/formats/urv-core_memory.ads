@@ -10,15 +10,13 @@
 with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
 
-package Devices.CORE_Memory with Pure, SPARK_Mode is
+package URV.CORE_Memory with Pure, SPARK_Mode is
 
-   --  Items are numbered from 1, in the order of their buffer.
-   type Item_Number is range 1 .. Downlink_Item'Pos (Downlink_Item'Last) + 1;
-   type Word_Array is array (Item_Number range <>) of Word;
+   --  The type codes of an area's words.
 
-   subtype Uplink_Words is
-     Word_Array (1 .. Uplink_Item'Pos (Uplink_Item'Last) + 1);
-   subtype Downlink_Words is Word_Array (Item_Number);
+   type Uplink_Code_List is array (Uplink_Item) of Word;
+
+   type Downlink_Code_List is array (Downlink_Item) of Word;
 
    --  The words of the status area. A count of one word stops at its last
    --  value. In a pair the high word precedes the low word.
@@ -71,27 +69,29 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
    type Log_Rows is array (Log_Row_Number) of Log_Row;
 
    type Memory is record
-      Uplink_Codes   : Uplink_Words   := (others => 0);
-      Uplink         : Uplink_Words   := (others => 0);
-      Downlink_Codes : Downlink_Words := (others => 0);
-      Downlink       : Downlink_Words := (others => 0);
-      Status_Codes   : Status_Words   := (others => 0);
-      Status         : Status_Words   := (others => 0);
+      Uplink_Codes   : Uplink_Code_List   := (others => 0);
+      Uplink         : Uplink_Buffer      := (others => 0);
+      Downlink_Codes : Downlink_Code_List := (others => 0);
+      Downlink       : Downlink_Buffer    := (others => 0);
+      Status_Codes   : Status_Words       := (others => 0);
+      Status         : Status_Words       := (others => 0);
 
       --  The node's own log, and on the ground its knowledge of the aircraft's
       --  log.
-      Log            : Log_Rows       := (others => No_Errors);
-      Aircraft_Log   : Log_Rows       := (others => No_Errors);
+      Log            : Log_Rows           := (others => No_Errors);
+      Aircraft_Log   : Log_Rows           := (others => No_Errors);
    end record;
 
    --  An area with its type codes.
 
    type Coded_Uplink is record
-      Codes, Words : Uplink_Words;
+      Codes : Uplink_Code_List;
+      Words : Uplink_Buffer;
    end record;
 
    type Coded_Downlink is record
-      Codes, Words : Downlink_Words;
+      Codes : Downlink_Code_List;
+      Words : Downlink_Buffer;
    end record;
 
    --  The memory after a cold start (INI-6).
@@ -103,12 +103,10 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
      ((Item with delta
          Uplink   =>
            (Item.Uplink with delta
-              Uplink_Words'Last =>
-                Item.Uplink (Uplink_Words'Last) or Stale_Data),
+              Error_Status => Item.Uplink (Error_Status) or Stale_Data),
          Downlink =>
            (Item.Downlink with delta
-              Downlink_Words'Last =>
-                Item.Downlink (Downlink_Words'Last) or Stale_Data)))
+              Error_Status => Item.Downlink (Error_Status) or Stale_Data)))
    with Global => null;
 
    --  The memory with another row of the node's own log, or of the aircraft's.
@@ -140,4 +138,4 @@ package Devices.CORE_Memory with Pure, SPARK_Mode is
      (if Value = Word'Last then Value else Value + 1)
    with Global => null;
 
-end Devices.CORE_Memory;
+end URV.CORE_Memory;

@@ -1,0 +1,140 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The decision of the LOG task, and of MDCOUT's fragment of the error log
+--  (D-70; EXT-1, SAF-7). The task and URV.Log_Senders receive, call these
+--  functions, send and report.
+
+with Telemetry;       use Telemetry;
+with URVOS;           use URVOS;
+with URV.CORE_Layout; use URV.CORE_Layout;
+with URV.CORE_Memory; use URV.CORE_Memory;
+with URV.Errors;      use URV.Errors;
+with URV.Law_Status;
+with URV.Link_Errors; use URV.Link_Errors;
+with URV.Log_Pieces;  use URV.Log_Pieces;
+
+package URV.LOG_Steps with Pure, SPARK_Mode is
+
+   --  The kinds follow each other in a circle.
+   function Following (Kind : Error_Kind) return Error_Kind is
+     (if Kind = Error_Kind'Last then Error_Kind'First
+      else Error_Kind'Succ (Kind))
+   with Global => null;
+
+   --  The LOG task keeps the telemetry board's counts that it has logged, and
+   --  the kind whose row it writes next.
+   type Progress is record
+      Seen_Tally   : Statistics := (others => 0);
+      Kind_In_Turn : Error_Kind := Error_Kind'First;
+   end record;
+
+   --  After a cold start, which leaves no restart in the log, the board's
+   --  counts up to now are not new errors. Any other start keeps the counts
+   --  seen before.
+   function At_Start
+     (Before : Progress; Log : Error_Log; Tally : Statistics) return Progress
+   is
+     ((Seen_Tally   =>
+         (if Logs.History_Of (Log, Warm_Reset).Occurrences = 0
+            and then Logs.History_Of (Log, Processor_Restart).Occurrences = 0
+          then Tally else Before.Seen_Tally),
+       Kind_In_Turn => Error_Kind'First))
+   with Global => null;
+
+   --  The new errors of the link.
+   function New_Errors
+     (Before : Progress; Tally : Statistics; Error : Link_Error) return Count
+   is
+     (New_Since (Counted (Before.Seen_Tally, Error), Counted (Tally, Error)))
+   with Global => null;
+
+   function After (Before : Progress; Tally : Statistics) return Progress is
+     ((Seen_Tally   => Tally,
+       Kind_In_Turn => Following (Before.Kind_In_Turn)))
+   with Global => null;
+
+   --  The row that is being sent to the ground, and the number of its
+   --  fragments already sent.
+   type Outgoing is record
+      Kind    : Error_Kind  := Error_Kind'Last;
+      Is_Laws : Boolean     := False;
+      Row     : Log_Row     := No_Errors;
+      Sent    : Place_Count := Place'Last;
+   end record;
+
+   function Has_Occurred (Log : Error_Log; Kind : Error_Kind) return Boolean
+   is (Logs.History_Of (Log, Kind).Occurrences > 0)
+   with Global => null;
+
+   --  The next kind in the circle that has occurred. If only Kind or none has,
+   --  it is Kind.
+   function Next_Occurred (Log : Error_Log; Kind : Error_Kind)
+                           return Error_Kind
+   with
+     Global => null,
+     Post   =>
+       (Next_Occurred'Result = Kind
+        or else Has_Occurred (Log, Next_Occurred'Result))
+       and then
+         (if Has_Occurred (Log, Following (Kind))
+          then Next_Occurred'Result = Following (Kind));
+
+   --  The laws' row follows each row, and is sent when the log is empty.
+   function Laws_Are_Next
+     (Line : Outgoing; Log : Error_Log; Laws_On : Boolean) return Boolean
+   is
+     (Laws_On
+      and then not Line.Is_Laws
+      and then (Logs.Total (Log) = 0 or else Line.Sent = Place'Last))
+   with Global => null;
+
+   --  A row is over when all its fragments are sent, or the log was cleared.
+   function Is_Over (Line : Outgoing; Log : Error_Log) return Boolean is
+     (Line.Sent = Place'Last
+      or else
+        (not Line.Is_Laws and then not Has_Occurred (Log, Line.Kind)))
+   with Global => null;
+
+   --  The row of which this frame sends a fragment.
+   function Selected
+     (Line     : Outgoing;
+      Log      : Error_Log;
+      Laws_On  : Boolean;
+      Laws_Row : Log_Row) return Outgoing
+   is
+     (if Laws_Are_Next (Line, Log, Laws_On)
+      then
+        (Kind    => Line.Kind,
+         Is_Laws => True,
+         Row     => Laws_Row,
+         Sent    => 0)
+      elsif Is_Over (Line, Log)
+      then
+        (Kind    => Next_Occurred (Log, Line.Kind),
+         Is_Laws => False,
+         Row     =>
+           To_Row (Logs.History_Of (Log, Next_Occurred (Log, Line.Kind))),
+         Sent    => 0)
+      else Line)
+   with Global => null;
+
+   function Has_Piece (Line : Outgoing; Log : Error_Log) return Boolean is
+     (Line.Sent < Place'Last
+      and then (Line.Is_Laws or else Logs.Total (Log) > 0))
+   with Global => null;
+
+   function Next_Piece (Line : Outgoing; Log : Error_Log) return Piece is
+     (if Has_Piece (Line, Log)
+      then Piece_At
+        ((if Line.Is_Laws then Law_Status.Row_Number
+          else Row_Of (Line.Kind)),
+         Line.Row, Line.Sent + 1)
+      else No_Piece)
+   with Global => null;
+
+   function After (Line : Outgoing; Log : Error_Log) return Outgoing is
+     (if Has_Piece (Line, Log) then (Line with delta Sent => Line.Sent + 1)
+      else Line)
+   with Global => null;
+
+end URV.LOG_Steps;
