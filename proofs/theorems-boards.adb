@@ -9,19 +9,19 @@ package body Theorems.Boards with SPARK_Mode is
      (Item          : Receiver;
       Length        : Block_Length;
       Before, After : Buffer_Pair;
-      What          : Event_Kind;
+      Trigger       : Event_Kind;
       Data          : Byte)
    with
      Global => null,
      Pre    =>
        Fits (Item, Before, Length)
        and then
-         (if Is_Stored (Item, What) then Item.Received < Longest_Block)
-       and then (if What = Block_Begun then Item.State = At_Start)
+         (if Is_Stored (Item, Trigger) then Item.Received < Longest_Block)
+       and then (if Trigger = Block_Begun then Item.State = At_Start)
        and then After =
-         (if Is_Stored (Item, What)
+         (if Is_Stored (Item, Trigger)
           then Pair_With_Byte (Item, Before, Data)
-          else Pair_After (Before, What)),
+          else Pair_After (Before, Trigger)),
      Post   =>
        (for all Which in Slot =>
           not Is_Filled (Before, After, Which)
@@ -35,18 +35,18 @@ package body Theorems.Boards with SPARK_Mode is
      (Item          : Receiver;
       Length        : Block_Length;
       Before, After : Buffer_Pair;
-      What          : Event_Kind;
+      Trigger       : Event_Kind;
       Data          : Byte)
    is
       pragma Unreferenced (Length, Data);
    begin
-      if What = Block_Begun then
+      if Trigger = Block_Begun then
          pragma Assert
            (for all Which in Slot =>
               After.Slots (Which).Full =
                 (Before.Slots (Which).Full
                  and then Which /= To_Fill (Before)));
-      elsif Is_Stored (Item, What) then
+      elsif Is_Stored (Item, Trigger) then
          pragma Assert
            (After.Slots (Item.Target).Full =
               Before.Slots (Item.Target).Full);
@@ -63,19 +63,19 @@ package body Theorems.Boards with SPARK_Mode is
       Wants_Data   : Boolean;
       Data         : Byte;
       Parity_Error : Boolean;
-      What         : Event)
+      Trigger      : Event)
    with
      Global => null,
      Pre    =>
-       What = Outcome_Of (Item, Length, Wants_Data, Data, Parity_Error),
+       Trigger = Outcome_Of (Item, Length, Wants_Data, Data, Parity_Error),
      Post   =>
-       (if What.Kind = Block_Whole
+       (if Trigger.Kind = Block_Whole
         then Item.State = In_Data
           and then Item.Received >= Length
           and then not Item.Damaged
           and then not Parity_Error
           and then Data = Item.Sum)
-       and then (if What.Kind = Block_Begun then Item.State = At_Start);
+       and then (if Trigger.Kind = Block_Begun then Item.State = At_Start);
 
    procedure Ends_Whole
      (Item         : Receiver;
@@ -83,7 +83,7 @@ package body Theorems.Boards with SPARK_Mode is
       Wants_Data   : Boolean;
       Data         : Byte;
       Parity_Error : Boolean;
-      What         : Event)
+      Trigger      : Event)
    is null;
 
    --  The possible effects of a character on the receive pair.
@@ -123,18 +123,18 @@ package body Theorems.Boards with SPARK_Mode is
       Data         : Byte;
       Parity_Error : Boolean)
    is
-      Was  : constant Control     := Control_Of (Item);
-      Pair : constant Buffer_Pair := Receive_Pair (Item);
-      What : constant Event       := Heard (Item, Data, Parity_Error);
+      Was     : constant Control     := Control_Of (Item);
+      Pair    : constant Buffer_Pair := Receive_Pair (Item);
+      Trigger : constant Event       := Heard (Item, Data, Parity_Error);
    begin
       Accept_Character (Item, Data, Parity_Error);
       if Is_Listening (Was) then
          Ends_Whole
            (Was.Receiver, Was.Receive_Length, Wants_Data (Was), Data,
-            Parity_Error, What);
+            Parity_Error, Trigger);
          Full_And_Empty
            (Was.Receiver, Was.Receive_Length, Pair, Receive_Pair (Item),
-            What.Kind, Data);
+            Trigger.Kind, Data);
       end if;
    end Hear;
 
@@ -173,19 +173,19 @@ package body Theorems.Boards with SPARK_Mode is
 
    --  The state of a board after one more character.
    procedure Goes_On
-     (Item   : Control;
-      What   : Event;
-      Blocks : Buffer_Pair;
-      After  : Control)
+     (Item    : Control;
+      Trigger : Event;
+      Blocks  : Buffer_Pair;
+      After   : Control)
    with
      Global => null,
      Pre    =>
-       What.Kind = Block_Spoilt
+       Trigger.Kind = Block_Spoilt
        and then After = Informed
          ((Item with delta
              Receiver => (Item.Receiver with delta
                State => At_End, Damaged => True)),
-          What, Blocks),
+          Trigger, Blocks),
      Post   =>
        After.Receiver.State = At_End
        and then After.Receiver.Damaged
@@ -196,10 +196,10 @@ package body Theorems.Boards with SPARK_Mode is
        and then After.Messages = Item.Messages;
 
    procedure Goes_On
-     (Item   : Control;
-      What   : Event;
-      Blocks : Buffer_Pair;
-      After  : Control)
+     (Item    : Control;
+      Trigger : Event;
+      Blocks  : Buffer_Pair;
+      After   : Control)
    is null;
 
    --  The answer owed and the count after a bad message is judged.
@@ -230,7 +230,7 @@ package body Theorems.Boards with SPARK_Mode is
       pragma Unreferenced (Time);
    begin
       pragma Assert
-        (if Item.Receiver.State = At_End then Patience (Item) = Guard_Time);
+        (if Item.Receiver.State = At_End then Timeout (Item) = Guard_Time);
    end Waited_To_Judge;
 
    procedure Full_Only_When_Right
@@ -304,13 +304,13 @@ package body Theorems.Boards with SPARK_Mode is
         (Control_Of (Item).Receiver.State = At_End
          and then Is_Listening (Control_Of (Item)));
       declare
-         Was  : constant Control     := Control_Of (Item);
-         Pair : constant Buffer_Pair := Receive_Pair (Item);
-         Sent : constant Buffer_Pair := Transmit_Pair (Item);
-         What : constant Event       := Heard (Item, Data, Parity_Error);
+         Was     : constant Control     := Control_Of (Item);
+         Pair    : constant Buffer_Pair := Receive_Pair (Item);
+         Sent    : constant Buffer_Pair := Transmit_Pair (Item);
+         Trigger : constant Event       := Heard (Item, Data, Parity_Error);
       begin
          Accept_Character (Item, Data, Parity_Error);
-         Goes_On (Was, What, Sent, Control_Of (Item));
+         Goes_On (Was, Trigger, Sent, Control_Of (Item));
          pragma Assert (Receive_Pair (Item) = Pair);
       end;
       Ends_Bad (Item, After);

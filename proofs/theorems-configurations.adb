@@ -2,7 +2,7 @@
 
 package body Theorems.Configurations with SPARK_Mode is
 
-   procedure What_Is_Sent_Comes (Source : Configuration) is null;
+   procedure The_Sent_Word_Arrives (Source : Configuration) is null;
 
    procedure One_Wrong_Word_Is_Refused
      (Source : Configuration;

@@ -20,7 +20,7 @@ package Theorems.Configurations with SPARK_Mode, Ghost is
 
    --  The aircraft decodes the configuration that the ground has encoded, in
    --  words of 12 bits.
-   procedure What_Is_Sent_Comes (Source : Configuration)
+   procedure The_Sent_Word_Arrives (Source : Configuration)
    with
      Global => null,
      Post   =>

@@ -13,9 +13,9 @@ package body Theorems.Histories with SPARK_Mode is
        Last_Sent (Item, Later) = Last_Sent (Item, Earlier);
 
    procedure Mailbox_Gives_The_Newest
-     (Item : History;
-      Upto : Step_Count;
-      Gave : out Outcomes)
+     (Item  : History;
+      Up_To : Step_Count;
+      Gave  : out Outcomes)
    is
       Box     : Mailbox := Empty_Mailbox;
       Message : Step_Count;
@@ -29,7 +29,7 @@ package body Theorems.Histories with SPARK_Mode is
       --  The state before the first step; the provers need it shown.
       pragma Assert (Last_Sent (Item, 0) = 0);
       pragma Assert (Last_Consumed (Item, 0) = 0);
-      for Now in Step range 1 .. Upto loop
+      for Now in Step range 1 .. Up_To loop
          pragma Assert (Newest = Last_Sent (Item, Now - 1));
          pragma Assert (Taken = Last_Consumed (Item, Now - 1));
          case Item (Now) is
@@ -50,30 +50,30 @@ package body Theorems.Histories with SPARK_Mode is
          pragma Loop_Invariant (Taken = Last_Consumed (Item, Now));
          pragma Loop_Invariant (Contents (Box) = Newest);
          pragma Loop_Invariant (Is_Fresh (Box) = (Newest > Taken));
-         pragma Loop_Invariant (Is_Given_Upto (Item, Gave, Now));
+         pragma Loop_Invariant (Is_Given_Up_To (Item, Gave, Now));
       end loop;
    end Mailbox_Gives_The_Newest;
 
    procedure Last_Sent_Is_The_Last
-     (Item : History; Upto : Step_Count; Since : Step) is
+     (Item : History; Up_To : Step_Count; Since : Step) is
    begin
-      if Item (Upto) /= Sends then
-         if Since < Upto then
-            Last_Sent_Is_The_Last (Item, Upto - 1, Since);
-         elsif Upto > 1 then
-            Last_Sent_Is_The_Last (Item, Upto - 1, Upto - 1);
+      if Item (Up_To) /= Sends then
+         if Since < Up_To then
+            Last_Sent_Is_The_Last (Item, Up_To - 1, Since);
+         elsif Up_To > 1 then
+            Last_Sent_Is_The_Last (Item, Up_To - 1, Up_To - 1);
          end if;
       end if;
    end Last_Sent_Is_The_Last;
 
    procedure Last_Consumed_Is_The_Last
-     (Item : History; Upto : Step_Count; Since : Step) is
+     (Item : History; Up_To : Step_Count; Since : Step) is
    begin
-      if not Consumes (Item (Upto)) then
-         if Since < Upto then
-            Last_Consumed_Is_The_Last (Item, Upto - 1, Since);
-         elsif Upto > 1 then
-            Last_Consumed_Is_The_Last (Item, Upto - 1, Upto - 1);
+      if not Consumes (Item (Up_To)) then
+         if Since < Up_To then
+            Last_Consumed_Is_The_Last (Item, Up_To - 1, Since);
+         elsif Up_To > 1 then
+            Last_Consumed_Is_The_Last (Item, Up_To - 1, Up_To - 1);
          end if;
       end if;
    end Last_Consumed_Is_The_Last;
@@ -85,7 +85,7 @@ package body Theorems.Histories with SPARK_Mode is
       end if;
    end Same_Last_Sent;
 
-   procedure What_Is_Received_Was_Sent
+   procedure A_Received_Message_Was_Sent
      (Item : History;
       Gave : Outcomes;
       Now  : Step)
@@ -100,7 +100,7 @@ package body Theorems.Histories with SPARK_Mode is
          Last_Sent_Is_The_Last (Item, Now - 1, Now - 1);
       end if;
       pragma Assert (if Newest > 0 then Item (Newest) = Sends);
-   end What_Is_Received_Was_Sent;
+   end A_Received_Message_Was_Sent;
 
    procedure Fresh_Once_And_In_Order
      (Item           : History;

@@ -42,29 +42,29 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
    function Consumes (What : Operation) return Boolean is (What /= Sends)
    with Global => null;
 
-   --  The last step up to Upto that sent; 0 if none did.
+   --  The last step up to Up_To that sent; 0 if none did.
    function Last_Sent
-     (Item : History; Upto : Step_Count) return Step_Count
+     (Item : History; Up_To : Step_Count) return Step_Count
    is
-     (if Upto = 0 then 0
-      elsif Item (Upto) = Sends then Upto
-      else Last_Sent (Item, Upto - 1))
+     (if Up_To = 0 then 0
+      elsif Item (Up_To) = Sends then Up_To
+      else Last_Sent (Item, Up_To - 1))
    with
      Global             => null,
-     Subprogram_Variant => (Decreases => Upto),
-     Post               => Last_Sent'Result <= Upto;
+     Subprogram_Variant => (Decreases => Up_To),
+     Post               => Last_Sent'Result <= Up_To;
 
-   --  The last step up to Upto that consumed; 0 if none did.
+   --  The last step up to Up_To that consumed; 0 if none did.
    function Last_Consumed
-     (Item : History; Upto : Step_Count) return Step_Count
+     (Item : History; Up_To : Step_Count) return Step_Count
    is
-     (if Upto = 0 then 0
-      elsif Consumes (Item (Upto)) then Upto
-      else Last_Consumed (Item, Upto - 1))
+     (if Up_To = 0 then 0
+      elsif Consumes (Item (Up_To)) then Up_To
+      else Last_Consumed (Item, Up_To - 1))
    with
      Global             => null,
-     Subprogram_Variant => (Decreases => Upto),
-     Post               => Last_Consumed'Result <= Upto;
+     Subprogram_Variant => (Decreases => Up_To),
+     Post               => Last_Consumed'Result <= Up_To;
 
    --  The result at a step of a mailbox that was new at first.
    function Is_Given
@@ -79,10 +79,10 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
    with Global => null;
 
    --  All steps up to one have a mailbox's results.
-   function Is_Given_Upto
-     (Item : History; Gave : Outcomes; Upto : Step_Count) return Boolean
+   function Is_Given_Up_To
+     (Item : History; Gave : Outcomes; Up_To : Step_Count) return Boolean
    is
-     (for all Now in Step range 1 .. Upto => Is_Given (Item, Now, Gave (Now)))
+     (for all Now in Step range 1 .. Up_To => Is_Given (Item, Now, Gave (Now)))
    with Global => null;
 
    --  A step at which a message was received fresh.
@@ -95,50 +95,50 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
    --  The kernel's mailbox gives the newest message, as fresh exactly if it
    --  was sent after the last message was taken, for any sequence.
    procedure Mailbox_Gives_The_Newest
-     (Item : History;
-      Upto : Step_Count;
-      Gave : out Outcomes)
+     (Item  : History;
+      Up_To : Step_Count;
+      Gave  : out Outcomes)
    with
      Global => null,
-     Post   => Is_Given_Upto (Item, Gave, Upto);
+     Post   => Is_Given_Up_To (Item, Gave, Up_To);
 
-   --  Last_Sent is a step that sent, and no later one up to Upto did.
+   --  Last_Sent is a step that sent, and no later one up to Up_To did.
    procedure Last_Sent_Is_The_Last
-     (Item : History; Upto : Step_Count; Since : Step)
+     (Item : History; Up_To : Step_Count; Since : Step)
    with
      Global             => null,
-     Subprogram_Variant => (Decreases => Upto),
-     Pre                => Since <= Upto,
+     Subprogram_Variant => (Decreases => Up_To),
+     Pre                => Since <= Up_To,
      Post               =>
-       (if Last_Sent (Item, Upto) > 0
-        then Item (Last_Sent (Item, Upto)) = Sends)
+       (if Last_Sent (Item, Up_To) > 0
+        then Item (Last_Sent (Item, Up_To)) = Sends)
        and then
-         (if Since > Last_Sent (Item, Upto) then Item (Since) /= Sends);
+         (if Since > Last_Sent (Item, Up_To) then Item (Since) /= Sends);
 
    --  No step that consumes comes after Last_Consumed.
    procedure Last_Consumed_Is_The_Last
-     (Item : History; Upto : Step_Count; Since : Step)
+     (Item : History; Up_To : Step_Count; Since : Step)
    with
      Global             => null,
-     Subprogram_Variant => (Decreases => Upto),
-     Pre                => Since <= Upto,
+     Subprogram_Variant => (Decreases => Up_To),
+     Pre                => Since <= Up_To,
      Post               =>
-       (if Last_Consumed (Item, Upto) > 0
-        then Consumes (Item (Last_Consumed (Item, Upto))))
+       (if Last_Consumed (Item, Up_To) > 0
+        then Consumes (Item (Last_Consumed (Item, Up_To))))
        and then
-         (if Since > Last_Consumed (Item, Upto)
+         (if Since > Last_Consumed (Item, Up_To)
           then not Consumes (Item (Since)));
 
    --  Each message received is the neutral one or was sent before. A fresh one
    --  was sent before.
-   procedure What_Is_Received_Was_Sent
+   procedure A_Received_Message_Was_Sent
      (Item : History;
       Gave : Outcomes;
       Now  : Step)
    with
      Global => null,
      Pre    =>
-       Is_Given_Upto (Item, Gave, Now) and then Consumes (Item (Now)),
+       Is_Given_Up_To (Item, Gave, Now) and then Consumes (Item (Now)),
      Post   =>
        Gave (Now).Message < Now
        and then
@@ -156,7 +156,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Earlier < Later
-       and then Is_Given_Upto (Item, Gave, Later)
+       and then Is_Given_Up_To (Item, Gave, Later)
        and then Is_Fresh_At (Item, Gave, Earlier)
        and then Is_Fresh_At (Item, Gave, Later),
      Post   =>
@@ -175,7 +175,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Subprogram_Variant => (Decreases => Now),
      Pre                =>
        Sent < Now
-       and then Is_Given_Upto (Item, Gave, Now)
+       and then Is_Given_Up_To (Item, Gave, Now)
        and then Item (Sent) = Sends
        and then Consumes (Item (Now)),
      Post               =>
@@ -193,7 +193,7 @@ package Theorems.Histories with Pure, SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Earlier < Later
-       and then Is_Given_Upto (Item, Gave, Later)
+       and then Is_Given_Up_To (Item, Gave, Later)
        and then Consumes (Item (Later))
        and then not Gave (Later).Success
        and then Earlier = Last_Consumed (Item, Later - 1),

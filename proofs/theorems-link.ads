@@ -49,7 +49,7 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
 
    --  Different sums remain different after the same byte, and the same sum
    --  becomes different after different bytes.
-   procedure Step_Tells_Apart (Left, Right : Byte; Data : Byte)
+   procedure Step_Distinguishes (Left, Right : Byte; Data : Byte)
    with
      Global => null,
      Pre    => Left /= Right,
@@ -60,7 +60,7 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
    --  A burst of up to eight data bits that begins in one byte and ends in the
    --  next: at most the last 8 - Split bits of the first byte on the line, and
    --  the first Split bits of the second.
-   procedure Step_Tells_Bursts
+   procedure Step_Distinguishes_Bursts
      (Sum           : Byte;
       First, Second : Byte;
       Error_1       : Byte;
@@ -79,32 +79,33 @@ package Theorems.Link with Pure, SPARK_Mode, Ghost is
    --  A message with exactly one wrong byte of data, in any bits, has another
    --  checksum.
    procedure One_Wrong_Byte_Is_Detected
-     (Header : Byte;
-      Sent   : Block_Data;
-      Came   : Block_Data;
-      Wrong  : Byte_Index;
-      Length : Byte_Count)
+     (Header  : Byte;
+      Sent    : Block_Data;
+      Arrived : Block_Data;
+      Wrong   : Byte_Index;
+      Length  : Byte_Count)
    with
      Global             => null,
      Subprogram_Variant => (Decreases => Length),
      Pre                =>
        Wrong <= Length
-       and then Sent (Wrong) /= Came (Wrong)
+       and then Sent (Wrong) /= Arrived (Wrong)
        and then (for all I in Byte_Index =>
-                   (if I /= Wrong then Sent (I) = Came (I))),
+                   (if I /= Wrong then Sent (I) = Arrived (I))),
      Post               =>
-       Of_Message (Header, Sent, Length) /= Of_Message (Header, Came, Length);
+       Of_Message (Header, Sent, Length) /=
+         Of_Message (Header, Arrived, Length);
 
    --  A message with a wrong header also has another checksum.
    procedure Wrong_Header_Is_Detected
-     (Sent, Came : Byte;
-      Data       : Block_Data;
-      Length     : Byte_Count)
+     (Sent, Arrived : Byte;
+      Data          : Block_Data;
+      Length        : Byte_Count)
    with
      Global             => null,
      Subprogram_Variant => (Decreases => Length),
-     Pre                => Sent /= Came,
+     Pre                => Sent /= Arrived,
      Post               =>
-       Of_Message (Sent, Data, Length) /= Of_Message (Came, Data, Length);
+       Of_Message (Sent, Data, Length) /= Of_Message (Arrived, Data, Length);
 
 end Theorems.Link;

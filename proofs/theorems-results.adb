@@ -303,7 +303,7 @@ package body Theorems.Results with SPARK_Mode is
              else Pair_After (Receive_Pair (Item), What.Kind)),
             Settled
               (Transmit_Pair (Item), Was.Sender.Source,
-               Fate_After (Was, What)));
+               Delivery_After (Was, What)));
       else
          Prove_Same_Pairs
            (One, Other, Receive_Pair (Item), Transmit_Pair (Item));
@@ -361,7 +361,7 @@ package body Theorems.Results with SPARK_Mode is
            (One, Other, Released (Receive_Pair (Item)),
             Settled
               (Transmit_Pair (Item), Was.Sender.Source,
-               Fate_In_Reset (Was)));
+               Delivery_In_Reset (Was)));
       else
          Prove_Same_Pairs
            (One, Other, Receive_Pair (Item), Transmit_Pair (Item));
@@ -447,7 +447,7 @@ package body Theorems.Results with SPARK_Mode is
         (One, Other, Empty_Pair,
          Settled
            (Transmit_Pair (Item), Control_Of (Item).Sender.Source,
-            Fate_In_Reset (Control_Of (Item))));
+            Delivery_In_Reset (Control_Of (Item))));
       Same := One = Other;
    end Of_Start;
 

@@ -32,9 +32,9 @@ package body Theorems.Scheduling with SPARK_Mode is
      Pre    =>
        Clock (First) <= Clock (Middle)
        and then Clock (Middle) <= Clock (Last)
-       and then Nobody_Is_Woken_Early (First, Middle)
-       and then Nobody_Is_Woken_Early (Middle, Last),
-     Post   => Nobody_Is_Woken_Early (First, Last);
+       and then No_Task_Is_Woken_Early (First, Middle)
+       and then No_Task_Is_Woken_Early (Middle, Last),
+     Post   => No_Task_Is_Woken_Early (First, Last);
 
    procedure Prove_Choice (S : Scheduler) is null;
 
@@ -51,38 +51,38 @@ package body Theorems.Scheduling with SPARK_Mode is
       case Call.Kind is
          when Loads =>
             pragma Assert (Are_Kept (S, Next, Head_Of (S, Free)));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
          when Dispatches =>
             Prove_Choice (S);
             pragma Assert (Are_Kept (S, Next));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
          when Wakes =>
             pragma Assert (Are_Kept (S, Next));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
          when Exits =>
             pragma Assert (Are_Kept (S, Next));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
          when Sleeps =>
             pragma Assert (Are_Kept (S, Next));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
          when Terminates =>
             pragma Assert (Are_Kept (S, Next, Running_TCB (S)));
-            pragma Assert (Nobody_Is_Woken_Early (S, Next));
+            pragma Assert (No_Task_Is_Woken_Early (S, Next));
             pragma Assert
               (if Sleepers_Wait_For_Release (S)
                then Sleepers_Wait_For_Release (Next));
@@ -109,7 +109,7 @@ package body Theorems.Scheduling with SPARK_Mode is
                   Calls (J).Kind not in Loads | Terminates)
             then Are_Kept (S, After_All (S, Calls, Number)));
          pragma Loop_Invariant
-           (Nobody_Is_Woken_Early (S, After_All (S, Calls, Number)));
+           (No_Task_Is_Woken_Early (S, After_All (S, Calls, Number)));
          pragma Loop_Invariant
            (if Sleepers_Wait_For_Release (S)
             then Sleepers_Wait_For_Release (After_All (S, Calls, Number)));

@@ -70,7 +70,8 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
    with Global => null;
 
    --  A sleeping task sleeps on until its tick.
-   function Nobody_Is_Woken_Early (Before, After : Scheduler) return Boolean is
+   function No_Task_Is_Woken_Early (Before, After : Scheduler) return Boolean
+   is
      (for all Which in TCB_Number =>
         (if Queue_Of (Before, Which) = Timer
            and then Clock (After) < TCB (Before, Which).Ready_At
@@ -96,7 +97,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
      Global => null,
      Post   =>
        Clock (After (S, Call)) >= Clock (S)
-       and then Nobody_Is_Woken_Early (S, After (S, Call))
+       and then No_Task_Is_Woken_Early (S, After (S, Call))
        and then
          (if Sleepers_Wait_For_Release (S)
           then Sleepers_Wait_For_Release (After (S, Call)))
@@ -138,7 +139,7 @@ package Theorems.Scheduling with Pure, SPARK_Mode, Ghost is
          (if (for all Call of Calls => Call.Kind not in Loads | Terminates)
           then Are_Kept (S, After_All (S, Calls, Calls'Length)))
        and then
-         Nobody_Is_Woken_Early (S, After_All (S, Calls, Calls'Length))
+         No_Task_Is_Woken_Early (S, After_All (S, Calls, Calls'Length))
        and then
          (if Sleepers_Wait_For_Release (S)
           then Sleepers_Wait_For_Release

@@ -196,7 +196,7 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
          else
             pragma Assert (Mark_Of (Line) = Sealed_Mark);
             A_Hello_Has_Its_Mark (Before);
-            pragma Assert (not Says_Hello (Before));
+            pragma Assert (not Sends_Hello (Before));
             pragma Assert
               (Line =
                  Sealed

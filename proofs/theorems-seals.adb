@@ -49,10 +49,10 @@ package body Theorems.Seals with SPARK_Mode is
    with
      Global => null,
      Pre    =>
-       Modulus in Echoes_Told | Numbers_Told
+       Modulus in Echo_Modulus | Number_Modulus
        and then Number <= Most
        and then Most - Number < Modulus
-       and then Most <= Counter'Last - Numbers_Told,
+       and then Most <= Counter'Last - Number_Modulus,
      Post   => Last_With (Number mod Modulus, Modulus, Most) = Number;
 
    procedure The_Latest_Is_It (Number, Modulus, Most : Counter) is
@@ -72,7 +72,7 @@ package body Theorems.Seals with SPARK_Mode is
    end The_Latest_Is_It;
 
    --  Four bytes hold a number.
-   procedure Bytes_Tell (Number : Counter; Block : Block_Data)
+   procedure Bytes_Determine (Number : Counter; Block : Block_Data)
    with
      Global => null,
      Pre    =>
@@ -82,7 +82,7 @@ package body Theorems.Seals with SPARK_Mode is
        and then Block (Before_Counter + 4) = Byte_Of (Number, 4),
      Post   => Number_At (Block) = Number;
 
-   procedure Bytes_Tell (Number : Counter; Block : Block_Data) is
+   procedure Bytes_Determine (Number : Counter; Block : Block_Data) is
       Upper   : constant Counter := Number / 2 ** 8;
       Highest : constant Counter := Upper / 2 ** 8;
       First   : constant Counter := Highest / 2 ** 8;
@@ -100,7 +100,7 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Number = 2 ** 8 * Upper + Number mod 2 ** 8);
       pragma Assert (Upper = 2 ** 8 * Highest + Upper mod 2 ** 8);
       pragma Assert (Highest = 2 ** 8 * First + Highest mod 2 ** 8);
-   end Bytes_Tell;
+   end Bytes_Determine;
 
    procedure Words_Come_Through
      (Data   : Block_Data;
@@ -125,17 +125,17 @@ package body Theorems.Seals with SPARK_Mode is
    procedure Halves_Of_A_Field (High, Low : Word)
    with
      Global => null,
-     Pre    => High < Numbers_Told and then Low < Numbers_Told,
+     Pre    => High < Number_Modulus and then Low < Number_Modulus,
      Post   =>
-       (High * Numbers_Told + Low) / Numbers_Told = High
-       and then (High * Numbers_Told + Low) mod Numbers_Told = Low;
+       (High * Number_Modulus + Low) / Number_Modulus = High
+       and then (High * Number_Modulus + Low) mod Number_Modulus = Low;
 
    procedure Halves_Of_A_Field (High, Low : Word) is null;
 
    --  The number and the echo of an uplink and of a downlink are those with
    --  which it was sealed
 
-   procedure Uplink_Tells
+   procedure Uplink_Determines
      (Block  : Block_Data;
       Number : Counter;
       Echo   : Counter;
@@ -146,14 +146,14 @@ package body Theorems.Seals with SPARK_Mode is
        Field_At (Block, Uplink_Words) =
          Field_Of (Block, Ground, Number, Echo, Uplink_Words)
        and then Number <= Latest (Theirs)
-       and then Latest (Theirs) - Number < Numbers_Told
+       and then Latest (Theirs) - Number < Number_Modulus
        and then Echo <= Theirs.Age
-       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told),
+       and then (Echo = 0 or else Theirs.Age - Echo < Echo_Modulus),
      Post   =>
        Number_Of (Block, Ground, Theirs) = Number
        and then Echo_Of (Block, Ground, Theirs) = Echo;
 
-   procedure Uplink_Tells
+   procedure Uplink_Determines
      (Block  : Block_Data;
       Number : Counter;
       Echo   : Counter;
@@ -161,18 +161,18 @@ package body Theorems.Seals with SPARK_Mode is
    is
       Last : constant Field := Field_At (Block, Uplink_Words);
    begin
-      Halves_Of_A_Field (Word (Number mod Numbers_Told), Code_Of (Echo));
+      Halves_Of_A_Field (Word (Number mod Number_Modulus), Code_Of (Echo));
       pragma Assert
-        (Counter (Last / Numbers_Told) = Number mod Numbers_Told);
-      pragma Assert (Last mod Numbers_Told = Code_Of (Echo));
-      The_Latest_Is_It (Number, Numbers_Told, Latest (Theirs));
+        (Counter (Last / Number_Modulus) = Number mod Number_Modulus);
+      pragma Assert (Last mod Number_Modulus = Code_Of (Echo));
+      The_Latest_Is_It (Number, Number_Modulus, Latest (Theirs));
       pragma Assert (Uplink_Number (Block, Latest (Theirs)) = Number);
       if Echo > 0 then
-         The_Latest_Is_It (Echo, Echoes_Told, Theirs.Age);
+         The_Latest_Is_It (Echo, Echo_Modulus, Theirs.Age);
       end if;
-   end Uplink_Tells;
+   end Uplink_Determines;
 
-   procedure Downlink_Tells
+   procedure Downlink_Determines
      (Block  : Block_Data;
       Number : Counter;
       Echo   : Counter;
@@ -185,24 +185,24 @@ package body Theorems.Seals with SPARK_Mode is
          (for all Where in Byte_Index range 1 .. 4 =>
             Block (Before_Counter + Where) = Byte_Of (Number, Where))
        and then Echo <= Theirs.Age
-       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told),
+       and then (Echo = 0 or else Theirs.Age - Echo < Echo_Modulus),
      Post   =>
        Number_Of (Block, Aircraft, Theirs) = Number
        and then Echo_Of (Block, Aircraft, Theirs) = Echo;
 
-   procedure Downlink_Tells
+   procedure Downlink_Determines
      (Block  : Block_Data;
       Number : Counter;
       Echo   : Counter;
       Theirs : Session) is
    begin
-      Bytes_Tell (Number, Block);
+      Bytes_Determine (Number, Block);
       if Echo > 0 then
-         The_Latest_Is_It (Echo, Echoes_Told, Theirs.Age);
+         The_Latest_Is_It (Echo, Echo_Modulus, Theirs.Age);
       end if;
-   end Downlink_Tells;
+   end Downlink_Determines;
 
-   procedure What_Is_Sealed_Opens
+   procedure A_Sealed_Block_Opens
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
@@ -219,34 +219,34 @@ package body Theorems.Seals with SPARK_Mode is
          pragma Assert
            (Field_At (Block, Uplink_Words) =
               Field_At (Without, Uplink_Words));
-         Uplink_Tells (Block, Number, Echo, Theirs);
+         Uplink_Determines (Block, Number, Echo, Theirs);
       else
          pragma Assert
            (for all Where in Byte_Index range Before_Counter ..
               Before_Counter + 4 => Block (Where) = Without (Where));
-         Downlink_Tells (Block, Number, Echo, Theirs);
+         Downlink_Determines (Block, Number, Echo, Theirs);
       end if;
       pragma Assert
         (Has_Tag
            (Block, Sender,
             Tag_Of (Without, Sender, Number, Echo, Key_Of (Mine, Sender))));
-   end What_Is_Sealed_Opens;
+   end A_Sealed_Block_Opens;
 
    procedure Nothing_Older_Is_Taken
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      Came  : Boolean;
-      What  : out Outcome)
+     (Item    : in out URV.Handshakes.Seal;
+      Block   : in out Block_Data;
+      Arrived : Boolean;
+      Result  : out Outcome)
    is
       Was  : constant URV.Handshakes.Seal := Item;
       Sent : constant Block_Data := Block;
    begin
-      Open (Item, Block, Came, What);
-      if What = Opened then
+      Open (Item, Block, Arrived, Result);
+      if Result = Opened then
          pragma Assert (Opens (Sent, Other (Was.Role), Was.Active));
          pragma Assert
            (Item.Active = With_Newest (Was.Active, Sent, Other (Was.Role)));
-      elsif What = Opened_Anew then
+      elsif Result = Opened_New_Session then
          pragma Assert (Opened_Place (Was, Sent) > 0);
       end if;
    end Nothing_Older_Is_Taken;
@@ -269,11 +269,11 @@ package body Theorems.Seals with SPARK_Mode is
       Sealed_At    : Counter) is null;
 
    procedure A_Call_Is_Answered
-     (Item  : in out URV.Handshakes.Seal;
-      Call  : in out Block_Data;
-      What  : out Outcome) is
+     (Item    : in out URV.Handshakes.Seal;
+      Call    : in out Block_Data;
+      Result  : out Outcome) is
    begin
-      Open (Item, Call, True, What);
+      Open (Item, Call, True, Result);
    end A_Call_Is_Answered;
 
    procedure Each_Answer_Has_Its_Turn
@@ -288,16 +288,16 @@ package body Theorems.Seals with SPARK_Mode is
    end Each_Answer_Has_Its_Turn;
 
    procedure A_Call_Displaces_The_Oldest
-     (Item  : in out URV.Handshakes.Seal;
-      Call  : in out Block_Data;
-      What  : out Outcome)
+     (Item    : in out URV.Handshakes.Seal;
+      Call    : in out Block_Data;
+      Result  : out Outcome)
    is
       Was  : constant URV.Handshakes.Seal := Item;
       Sent : constant Block_Data := Call;
    begin
       pragma Assert (Outcome_Of (Item, Sent, True) not in Taken);
-      Open (Item, Call, True, What);
-      if What = Hello_Taken then
+      Open (Item, Call, True, Result);
+      if Result = Hello_Taken then
          pragma Assert (Item = After_Hello (Was, Sent));
       else
          pragma Assert (Item = Was);
@@ -305,30 +305,30 @@ package body Theorems.Seals with SPARK_Mode is
    end A_Call_Displaces_The_Oldest;
 
    procedure A_Sealed_Block_Completes
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      Which : Pending_Place;
-      What  : out Outcome) is
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Which  : Pending_Place;
+      Result : out Outcome) is
    begin
       pragma Assert
         (Opened_Place (Item, Block) in 1 .. Pending_Count (Which));
-      Open (Item, Block, True, What);
+      Open (Item, Block, True, Result);
    end A_Sealed_Block_Completes;
 
-   procedure What_Is_Refused_Changes_Nothing
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      What  : out Outcome) is
+   procedure A_Refused_Block_Changes_Nothing
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Result : out Outcome) is
    begin
-      Open (Item, Block, True, What);
-   end What_Is_Refused_Changes_Nothing;
+      Open (Item, Block, True, Result);
+   end A_Refused_Block_Changes_Nothing;
 
    procedure Own_Nonces_Are_Used_Once
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      What  : out Outcome) is
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Result : out Outcome) is
    begin
-      Open (Item, Block, True, What);
+      Open (Item, Block, True, Result);
    end Own_Nonces_Are_Used_Once;
 
 end Theorems.Seals;

@@ -57,7 +57,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A block opens for a node with its session if it is newer than all blocks
    --  taken, came in time, and has a number and echo among the latest that the
    --  receiver's clock allows.
-   procedure What_Is_Sealed_Opens
+   procedure A_Sealed_Block_Opens
      (Data   : Block_Data;
       Sender : Station;
       Number : Counter;
@@ -72,9 +72,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Number > Theirs.Newest
        and then Number <= Last_Age
        and then Number <= Latest (Theirs)
-       and then Latest (Theirs) - Number < Numbers_Told
+       and then Latest (Theirs) - Number < Number_Modulus
        and then Echo <= Theirs.Age
-       and then (Echo = 0 or else Theirs.Age - Echo < Echoes_Told)
+       and then (Echo = 0 or else Theirs.Age - Echo < Echo_Modulus)
        and then Is_Timely (Theirs, Number, Echo),
      Post   =>
        Number_Of
@@ -87,21 +87,21 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A block that is taken has a higher number than all blocks that its
    --  session has taken, and the session records it as newest.
    procedure Nothing_Older_Is_Taken
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      Came  : Boolean;
-      What  : out Outcome)
+     (Item    : in out URV.Handshakes.Seal;
+      Block   : in out Block_Data;
+      Arrived : Boolean;
+      Result  : out Outcome)
    with
      Global => null,
      Pre    => Item.Format = 2,
      Post   =>
-       (if What = Opened
+       (if Result = Opened
         then Item'Old.Active.Is_Present
           and then Item.Active.Newest > Item'Old.Active.Newest
-        elsif What = Opened_Anew
+        elsif Result = Opened_New_Session
         then (for some Each of Item'Old.Pending => Each.Is_Present)
           and then Item.Active.Newest > 0
-        elsif What /= Hello_Taken
+        elsif Result /= Hello_Taken
         then Item.Active = Item'Old.Active);
 
    --  Time: the frame of a clock within 200 ppm of its rate, in nanoseconds
@@ -207,9 +207,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
 
    --  A call is taken and answered.
    procedure A_Call_Is_Answered
-     (Item  : in out URV.Handshakes.Seal;
-      Call  : in out Block_Data;
-      What  : out Outcome)
+     (Item    : in out URV.Handshakes.Seal;
+      Call    : in out Block_Data;
+      Result  : out Outcome)
    with
      Global => null,
      Pre    =>
@@ -217,7 +217,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Item.Format = 2
        and then Outcome_Of (Item, Call, True) = Hello_Taken,
      Post   =>
-       What = Hello_Taken
+       Result = Hello_Taken
        and then Is_Answered (Item.Pending (Item.Latest))
        and then Item.Pending (Item.Latest).Number = Hello_Number (Call'Old)
        and then Item.Pending (Item.Latest).Aircraft_Nonce = Item'Old.Own
@@ -237,7 +237,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    with
      Global => null,
      Pre    =>
-       Is_Answered (Item.Pending (Which)) and then Says_Hello (Item),
+       Is_Answered (Item.Pending (Which)) and then Sends_Hello (Item),
      Post   =>
        To_Answer (Item'Old) = Which
        or else
@@ -246,9 +246,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A pending session remains after one more call, unless that is the
    --  fourth.
    procedure A_Call_Displaces_The_Oldest
-     (Item  : in out URV.Handshakes.Seal;
-      Call  : in out Block_Data;
-      What  : out Outcome)
+     (Item    : in out URV.Handshakes.Seal;
+      Call    : in out Block_Data;
+      Result  : out Outcome)
    with
      Global => null,
      Pre    =>
@@ -264,10 +264,10 @@ package Theorems.Seals with SPARK_Mode, Ghost is
 
    --  A sealed block of a pending session makes it the active session.
    procedure A_Sealed_Block_Completes
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      Which : Pending_Place;
-      What  : out Outcome)
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Which  : Pending_Place;
+      Result : out Outcome)
    with
      Global => null,
      Pre    =>
@@ -276,11 +276,11 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        and then Mark_Of (Block) = Sealed_Mark
        and then Opens (Block, Ground, Item.Pending (Which)),
      Post   =>
-       What in Taken
+       Result in Taken
        and then Item.Active.Is_Present
        and then Item.Silence = 0
        and then
-         (if What = Opened_Anew
+         (if Result = Opened_New_Session
           then (for some Each in Pending_Place =>
                   Each <= Which
                   and then Item.Active.Ground_Nonce =
@@ -289,30 +289,30 @@ package Theorems.Seals with SPARK_Mode, Ghost is
                     Item'Old.Pending (Each).Aircraft_Nonce));
 
    --  A refused block changes nothing.
-   procedure What_Is_Refused_Changes_Nothing
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      What  : out Outcome)
+   procedure A_Refused_Block_Changes_Nothing
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Result : out Outcome)
    with
      Global => null,
      Post   =>
-       (if What in Refused
+       (if Result in Refused
         then Item = Item'Old
           and then (for all Each of Block => Each = 0));
 
    --  A session begins with a nonce of this node that it does not use again.
    procedure Own_Nonces_Are_Used_Once
-     (Item  : in out URV.Handshakes.Seal;
-      Block : in out Block_Data;
-      What  : out Outcome)
+     (Item   : in out URV.Handshakes.Seal;
+      Block  : in out Block_Data;
+      Result : out Outcome)
    with
      Global => null,
      Pre    => Item.Format = 2,
      Post   =>
-       (if What = Hello_Taken and then Item.Role = Aircraft
+       (if Result = Hello_Taken and then Item.Role = Aircraft
         then Item.Own = Item.Own'Old + 1
           and then Item.Pending (Item.Latest).Aircraft_Nonce = Item.Own'Old
-        elsif What = Hello_Taken and then Is_Answer (Item'Old, Block'Old)
+        elsif Result = Hello_Taken and then Is_Answer (Item'Old, Block'Old)
         then Item.Own = Item.Own'Old + 1
           and then Item.Active.Ground_Nonce = Item.Own'Old
         else Item.Own = Item.Own'Old);

@@ -5,15 +5,15 @@ package body Theorems.Self_Test with SPARK_Mode is
    procedure Step_Is_Polynomial_Division (Register : Sum) is null;
 
    --  Half a step keeps different registers different.
-   procedure Half_A_Step_Tells_Apart (Left, Right : Sum)
+   procedure Half_A_Step_Distinguishes (Left, Right : Sum)
    with
      Global => null,
      Pre    => Left /= Right,
      Post   => Four_Bits_On (Left) /= Four_Bits_On (Right);
 
-   procedure Half_A_Step_Tells_Apart (Left, Right : Sum) is null;
+   procedure Half_A_Step_Distinguishes (Left, Right : Sum) is null;
 
-   procedure Step_Tells_Apart
+   procedure Step_Distinguishes
      (Left, Right     : Sum;
       Data_1, Data_2 : Byte)
    is
@@ -21,10 +21,10 @@ package body Theorems.Self_Test with SPARK_Mode is
       Right_In : constant Sum := Right xor Sum (Data_2);
    begin
       pragma Assert (Left_In /= Right_In);
-      Half_A_Step_Tells_Apart (Left_In, Right_In);
-      Half_A_Step_Tells_Apart
+      Half_A_Step_Distinguishes (Left_In, Right_In);
+      Half_A_Step_Distinguishes
         (Four_Bits_On (Left_In), Four_Bits_On (Right_In));
-   end Step_Tells_Apart;
+   end Step_Distinguishes;
 
    procedure Same_Bytes_Same_Register
      (Left, Right : Image;
@@ -47,7 +47,7 @@ package body Theorems.Self_Test with SPARK_Mode is
       else
          One_Wrong_Byte_Is_Detected (Right, Spoilt, Wrong, Length - 1);
       end if;
-      Step_Tells_Apart
+      Step_Distinguishes
         (Register_After (Right, Length - 1),
          Register_After (Spoilt, Length - 1),
          Right (Byte_Address (Length - 1)),
@@ -82,7 +82,7 @@ package body Theorems.Self_Test with SPARK_Mode is
       Kept_Bytes_Make_Good (Start);
    end Image_With_Its_Sum_Is_Good;
 
-   procedure Check_Tells_What_The_Image_Is
+   procedure Check_Determines_The_Image
      (Item    : in out Check;
       Source  : Checked_Image;
       Outcome : out Outcome_Kind)
@@ -93,6 +93,6 @@ package body Theorems.Self_Test with SPARK_Mode is
       pragma Assert
         (Next (Was.Register, Source (Was.Position)) =
            Register_After (Source, Image_Length (Was.Position) + 1));
-   end Check_Tells_What_The_Image_Is;
+   end Check_Determines_The_Image;
 
 end Theorems.Self_Test;

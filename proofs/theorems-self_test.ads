@@ -28,7 +28,7 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
 
    --  Different registers remain different after the same byte, and the same
    --  register becomes different after different bytes.
-   procedure Step_Tells_Apart
+   procedure Step_Distinguishes
      (Left, Right     : Sum;
       Data_1, Data_2 : Byte)
    with
@@ -112,7 +112,7 @@ package Theorems.Self_Test with Pure, SPARK_Mode, Ghost is
 
    --  This holds at the first byte of any image. Each further byte keeps it
    --  so, and the last byte gives the outcome for the image.
-   procedure Check_Tells_What_The_Image_Is
+   procedure Check_Determines_The_Image
      (Item    : in out Check;
       Source  : Checked_Image;
       Outcome : out Outcome_Kind)

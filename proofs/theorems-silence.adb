@@ -95,16 +95,16 @@ package body Theorems.Silence with SPARK_Mode is
       end if;
    end Comes_To_Rest;
 
-   procedure Ground_Outwaits_Aircraft
+   procedure Ground_Waits_Longer_Than_Aircraft
      (Item : in out Board; Times : out Natural)
    is
    begin
       Comes_To_Rest (Item, Times);
-   end Ground_Outwaits_Aircraft;
+   end Ground_Waits_Longer_Than_Aircraft;
 
    procedure No_Third_In_A_Row (Item : Control; Blocks : Buffer_Pair) is null;
 
-   procedure A_Reset_Begins_A_Row (Item : Control; Blocks : Buffer_Pair)
+   procedure A_Reset_Starts_A_Row (Item : Control; Blocks : Buffer_Pair)
    is null;
 
    procedure Free_After_Idle_Time

@@ -100,7 +100,7 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
 
    --  After the ground's idle time of silence, an aircraft that waits and has
    --  also heard nothing has reset itself, or has answered its last message.
-   procedure Ground_Outwaits_Aircraft
+   procedure Ground_Waits_Longer_Than_Aircraft
      (Item : in out Board; Times : out Natural)
    with
      Global => null,
@@ -129,7 +129,7 @@ package Theorems.Silence with Pure, SPARK_Mode, Ghost is
          (if Item.Downlink_Turns = 0 then Idling else Ready);
 
    --  A reset clears the count of data messages in a row (LNK-9).
-   procedure A_Reset_Begins_A_Row (Item : Control; Blocks : Buffer_Pair)
+   procedure A_Reset_Starts_A_Row (Item : Control; Blocks : Buffer_Pair)
    with
      Global => null,
      Post   =>

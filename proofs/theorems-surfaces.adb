@@ -2,7 +2,7 @@
 
 package body Theorems.Surfaces with SPARK_Mode is
 
-   procedure Nothing_Told_Is_Figure_13
+   procedure Nothing_Reported_Is_Figure_13
      (Commands : Uplink_Buffer; Now : Health; By_Law : Boolean) is null;
 
    procedure Limits_Are_Kept
@@ -75,7 +75,7 @@ package body Theorems.Surfaces with SPARK_Mode is
    procedure Certainty_Is_Named
      (Item : Monitor; Sensors : Downlink_Buffer; Which : Surface) is null;
 
-   procedure An_Engine_Within_Its_Bounds_Is_Not_Told
+   procedure An_Engine_Within_Its_Bounds_Is_Not_Reported
      (Item     : URV.Engine_Monitor.Monitor;
       Power    : Lever;
       Speed    : Level;

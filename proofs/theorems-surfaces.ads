@@ -24,7 +24,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
 
    --  Unless a surface was reported as failed and a law flies, the servos get
    --  figure 13's words, bit for bit.
-   procedure Nothing_Told_Is_Figure_13
+   procedure Nothing_Reported_Is_Figure_13
      (Commands : Uplink_Buffer; Now : Health; By_Law : Boolean)
    with
      Global => null,
@@ -236,7 +236,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
    --  An engine within its bounds, or in an unknown state, is not reported. An
    --  engine whose speed has never moved is not reported, nor one outside for
    --  less than half a second. A failure lasts.
-   procedure An_Engine_Within_Its_Bounds_Is_Not_Told
+   procedure An_Engine_Within_Its_Bounds_Is_Not_Reported
      (Item     : URV.Engine_Monitor.Monitor;
       Power    : Lever;
       Speed    : Level;

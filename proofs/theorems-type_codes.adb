@@ -44,7 +44,7 @@ package body Theorems.Type_Codes with SPARK_Mode is
       end loop;
    end Into_CORE_By_Code;
 
-   procedure An_Unknown_Channel_Goes_Nowhere
+   procedure An_Unknown_Channel_Has_No_Target
      (One, Other : AD_Image; Codes : Channel_Codes) is
    begin
       for Item in Command_Item loop
@@ -61,7 +61,7 @@ package body Theorems.Type_Codes with SPARK_Mode is
               Sensors_Of (One, Codes) (Earlier) =
                 Sensors_Of (Other, Codes) (Earlier));
       end loop;
-   end An_Unknown_Channel_Goes_Nowhere;
+   end An_Unknown_Channel_Has_No_Target;
 
    procedure An_Unknown_Place_Stays
      (Codes  : Uplink_Code_List;

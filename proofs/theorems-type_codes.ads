@@ -80,7 +80,7 @@ package Theorems.Type_Codes with Pure, SPARK_Mode, Ghost is
 
    --  A word with an unknown code changes nothing: two images that differ only
    --  in such words give the same commands and the same sensors.
-   procedure An_Unknown_Channel_Goes_Nowhere
+   procedure An_Unknown_Channel_Has_No_Target
      (One, Other : AD_Image; Codes : Channel_Codes)
    with
      Global => null,

@@ -18,15 +18,15 @@ package body Waiting_Instances with SPARK_Mode is
 
    procedure Claim (Caller : Claimant; Claimed : out Boolean) is
       Now       : Clock_Tick := Shown;
-      Patience  : Wait       := Begun (Now, Resource_Calls.Claim_Wait);
+      Timeout   : Wait       := Begun (Now, Resource_Calls.Claim_Wait);
       Try_Again : Boolean;
    begin
       loop
          Resource_Calls.Claim_Step
-           (Caller, Now, Patience, Claimed, Try_Again);
+           (Caller, Now, Timeout, Claimed, Try_Again);
          exit when not Try_Again;
          Now := Shown;
-         pragma Loop_Variant (Decreases => Looks_Left (Patience));
+         pragma Loop_Variant (Decreases => Looks_Left (Timeout));
       end loop;
    end Claim;
 
@@ -36,15 +36,15 @@ package body Waiting_Instances with SPARK_Mode is
       Fresh : out Boolean)
    is
       Now        : Clock_Tick := Shown;
-      Patience   : Wait       := Begun (Now, Ticks);
+      Timeout    : Wait       := Begun (Now, Ticks);
       Look_Again : Boolean;
    begin
       loop
          Variable_Calls.Receive_Step
-           (Now, Patience, Item, Fresh, Look_Again);
+           (Now, Timeout, Item, Fresh, Look_Again);
          exit when not Look_Again;
          Now := Shown;
-         pragma Loop_Variant (Decreases => Looks_Left (Patience));
+         pragma Loop_Variant (Decreases => Looks_Left (Timeout));
       end loop;
    end Receive_Within;
 

@@ -55,19 +55,19 @@ package body Thermostat with SPARK_Mode is
    begin
       if State.Doing = At_Rest then
          State.Doing := Receiving;
-         State.Patience := Begun (Now, 3);
+         State.Timeout := Begun (Now, 3);
       end if;
 
       if State.Doing = Receiving then
          Reading_Calls.Receive_Step
-           (Now, State.Patience, State.Newest, Unused_Success, Look_Again);
+           (Now, State.Timeout, State.Newest, Unused_Success, Look_Again);
          if not Look_Again then
             State.Doing := Claiming;
-            State.Patience := Begun (Now, Switch_Calls.Claim_Wait);
+            State.Timeout := Begun (Now, Switch_Calls.Claim_Wait);
          end if;
       else
          Switch_Calls.Claim_Step
-           (Me, Now, State.Patience, Unused_Success, Look_Again);
+           (Me, Now, State.Timeout, Unused_Success, Look_Again);
          if not Look_Again then
             Heater_Is_On.Write (State.Newest < Wanted);
             Switch_Calls.Release (Me, Unused_Success);

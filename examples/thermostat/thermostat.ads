@@ -31,7 +31,7 @@ package Thermostat with SPARK_Mode is
    Room         : Temperatures.Store;
    Heater_Is_On : Flags.Store;
 
-   --  What goes wrong.
+   --  The errors of the log.
    type Trouble is
      (Task_Overrun, Semaphore_Not_Claimed, Semaphore_Not_Owned);
    package Logs is new URVOS.Error_Logs (Trouble);
@@ -59,12 +59,12 @@ package Thermostat with SPARK_Mode is
       Control => (others => (Offset => 1, Processor => 2)));
    package Tasks is new URVOS.Task_Lists (Task_Name, Task_Table, Task_List);
 
-   --  What the control keeps from step to step.
+   --  The state of the control between steps.
    type Place is (At_Rest, Receiving, Claiming);
    type Progress is record
-      Doing    : Place       := At_Rest;
-      Patience : Wait        := Begun (0, 0);
-      Newest   : Temperature := Wanted;
+      Doing   : Place       := At_Rest;
+      Timeout : Wait        := Begun (0, 0);
+      Newest  : Temperature := Wanted;
    end record;
    package Stores is new URVOS.Shared_Data (Progress, (others => <>));
    Control_State : Stores.Store;

@@ -4,7 +4,7 @@ package body Canaries.Link with SPARK_Mode is
 
    procedure Headers_Are_Farther_Apart (Left, Right : Byte) is null;
 
-   procedure Two_Steps_Tell_Apart
+   procedure Two_Steps_Distinguish
      (Left, Right : Byte; Data, Other : Byte) is null;
 
    procedure Ground_Need_Not_Wait (Item : in out Board) is
@@ -38,7 +38,7 @@ package body Canaries.Link with SPARK_Mode is
       Data   : Block_Data;
       Output : Byte) is null;
 
-   procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair) is null;
+   procedure A_Filled_Place_Was_Empty (Pair : Buffer_Pair) is null;
 
    procedure Nothing_Is_Overwritten
      (Item         : in out Board;

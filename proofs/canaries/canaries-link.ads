@@ -25,7 +25,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
      Post   => Weight (Left xor Right) >= 5;  --  VC_POSTCONDITION
 
    --  False: two wrong bytes can cancel each other.
-   procedure Two_Steps_Tell_Apart (Left, Right : Byte; Data, Other : Byte)
+   procedure Two_Steps_Distinguish (Left, Right : Byte; Data, Other : Byte)
    with
      Global => null,
      Pre    => Left /= Right and then Data /= Other,
@@ -93,7 +93,7 @@ package Canaries.Link with Pure, SPARK_Mode, Ghost is
                  else Data (Byte_Index (Item.Sent + 1)));
 
    --  False: if both buffers are full, one of them is filled again.
-   procedure What_Is_Filled_Was_Empty (Pair : Buffer_Pair)
+   procedure A_Filled_Place_Was_Empty (Pair : Buffer_Pair)
    with
      Global => null,
      Pre    => not Pair.Slots (Pair.Newest).Busy,

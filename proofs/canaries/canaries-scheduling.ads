@@ -11,7 +11,7 @@ with URVOS.Task_Trees;    use URVOS.Task_Trees;
 package Canaries.Scheduling with Pure, SPARK_Mode, Ghost is
 
    --  False: a clock that moves on may wake a task.
-   procedure Nobody_Is_Woken (S : Scheduler; Now : Clock_Tick)
+   procedure No_Task_Is_Woken (S : Scheduler; Now : Clock_Tick)
    with
      Global => null,
      Pre    => Now >= Clock (S),
@@ -37,7 +37,7 @@ package Canaries.Scheduling with Pure, SPARK_Mode, Ghost is
      Post   => Are_Kept (S, After_Terminate (S));  --  VC_POSTCONDITION
 
    --  False: a task that starts to run may be late.
-   procedure Nobody_Is_Late (S : Scheduler)
+   procedure No_Task_Is_Late (S : Scheduler)
    with
      Global => null,
      Post   =>

@@ -18,10 +18,10 @@ package Canaries.Seals with Pure, SPARK_Mode, Ghost is
      Pre    =>
        Number <= Most
        and then Most <= Last_Age
-       and then Most - Number <= Numbers_Told,
+       and then Most - Number <= Number_Modulus,
      Post   =>
        Last_With  --  VC_POSTCONDITION
-         (Number mod Numbers_Told, Numbers_Told, Most) = Number;
+         (Number mod Number_Modulus, Number_Modulus, Most) = Number;
 
    --  False for words beyond 12 bits.
    procedure All_Words_Come_Through

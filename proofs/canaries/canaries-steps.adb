@@ -2,7 +2,7 @@
 
 package body Canaries.Steps with SPARK_Mode is
 
-   procedure A_Kept_Message_Is_Old
+   procedure A_Stored_Message_Is_Old
      (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
    is null;
 

@@ -28,7 +28,7 @@ package Canaries.Steps with SPARK_Mode, Ghost is
        else Kept)
    with Global => null;
 
-   procedure A_Kept_Message_Is_Old
+   procedure A_Stored_Message_Is_Old
      (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
    with
      Global => null,

@@ -4,11 +4,11 @@ package body URV.Log_Pieces with SPARK_Mode is
 
    procedure Take
      (This     : in out Receiver;
-      What     : Piece;
+      Item     : Piece;
       Complete : out Boolean)
    is
-      Where : constant Word := What / 256;
-      Value : constant Word := What mod 256;
+      Where : constant Word := Item / 256;
+      Value : constant Word := Item mod 256;
    begin
       Complete := False;
 

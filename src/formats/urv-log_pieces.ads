@@ -93,33 +93,33 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Pre    => Where > 1 and then Value <= 255;
 
    --  The fragment is the next one of the row under reception.
-   function Is_Next (This : Receiver; What : Piece) return Boolean is
+   function Is_Next (This : Receiver; Item : Piece) return Boolean is
      (This.Got in 1 .. Place'Last - 1
-      and then What / 256 = Word (This.Got) + 1)
+      and then Item / 256 = Word (This.Got) + 1)
    with Global => null;
 
    --  Takes a fragment, or none. Complete is True after a row's last one. A
    --  fragment out of order ends the row.
    procedure Take
      (This     : in out Receiver;
-      What     : Piece;
+      Item     : Piece;
       Complete : out Boolean)
    with
      Global => null,
      Post   =>
-       Complete = (Is_Next (This'Old, What) and then This.Got = Place'Last)
+       Complete = (Is_Next (This'Old, Item) and then This.Got = Place'Last)
        and then This =
-         (if What / 256 = 1
-            and then What mod 256 in Word (Log_Row_Number'First)
+         (if Item / 256 = 1
+            and then Item mod 256 in Word (Log_Row_Number'First)
                                        .. Word (Log_Row_Number'Last)
           then (Got   => 1,
-                Which => Log_Row_Number (What mod 256),
+                Which => Log_Row_Number (Item mod 256),
                 Row   => No_Errors)
-          elsif Is_Next (This'Old, What)
+          elsif Is_Next (This'Old, Item)
           then (Got   => This'Old.Got + 1,
                 Which => This'Old.Which,
                 Row   => Extended
-                  (This'Old.Row, This'Old.Got + 1, What mod 256))
+                  (This'Old.Row, This'Old.Got + 1, Item mod 256))
           else (This'Old with delta Got => 0));
 
 end URV.Log_Pieces;

@@ -19,9 +19,9 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
    type Wait_Count is range 0 .. 11;
 
    --  Fresh messages in a row off time before the frame is corrected.
-   Patience : constant := 4;
+   Frames_To_Correct : constant := 4;
 
-   type Out_Count is range 0 .. Patience - 1;
+   type Out_Count is range 0 .. Frames_To_Correct - 1;
 
    type Lock_State is record
       --  A message waits, and for how many ticks.

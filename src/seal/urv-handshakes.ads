@@ -28,7 +28,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
 
    --  A node. Silence counts the frames since a block was opened
 
-   Patience : constant := 3;
+   Silent_Frames : constant := 3;
 
    --  One minute.
    Longest_Silence : constant := 60 * Frames_Per_Second;
@@ -60,7 +60,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
 
       --  The ground has a session but received a hello instead of its blocks.
       --  It then sends a hello in every second block.
-      Doubts   : Boolean       := False;
+      In_Doubt   : Boolean       := False;
 
       Silence  : Frame_Count   := 0;
    end record;
@@ -74,32 +74,32 @@ package URV.Handshakes with Pure, SPARK_Mode is
       Start  : Nonce) return Seal
    is
      ((Role     => Role,
-       Format   => Format,
-       Keys     => Keys,
-       Own      => Start,
-       Active   => No_Session,
-       Pending  => None_Pending,
-       Latest   => 1,
-       Turn     => 1,
-       Doubts   => False,
-       Silence  => 0))
+       Format    => Format,
+       Keys      => Keys,
+       Own       => Start,
+       Active    => No_Session,
+       Pending   => None_Pending,
+       Latest    => 1,
+       Turn      => 1,
+       In_Doubt  => False,
+       Silence   => 0))
    with Global => null;
 
    --  The state without sessions: after a cold start, or at the end of a
    --  session's numbers.
-   function Begun_Anew (This : Seal) return Seal is
+   function Restarted (This : Seal) return Seal is
      ((This with delta
-         Own     => This.Own + 1,
-         Active  => No_Session,
-         Pending => None_Pending,
-         Doubts  => False))
+         Own      => This.Own + 1,
+         Active   => No_Session,
+         Pending  => None_Pending,
+         In_Doubt => False))
    with Global => null;
 
    --  The outcome of a block.
    type Outcome is
      (Nothing_Came,
       Opened,
-      Opened_Anew,         --  the first of a session
+      Opened_New_Session,
       Hello_Taken,
       Hello_Repeated,      --  known already, or answers no present hello
 
@@ -110,7 +110,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
       Hello_Out_Of_Turn,   --  there is a session
       Too_Late);           --  it was sealed more than Most_Age frames ago
 
-   subtype Taken is Outcome range Opened .. Opened_Anew;
+   subtype Taken is Outcome range Opened .. Opened_New_Session;
    subtype Refused is Outcome range Wrong_Format .. Too_Late;
 
    --  A hello that was received
@@ -137,7 +137,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
    --  The ground calls: it sends a hello and accepts an answer to its nonce
 
    function Calls (This : Seal) return Boolean is
-     (not This.Active.Is_Present or else This.Doubts)
+     (not This.Active.Is_Present or else This.In_Doubt)
    with Global => null;
 
    function Is_Answer (This : Seal; Block : Block_Data) return Boolean is
@@ -154,7 +154,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
         and then Nonce_At (Block, Answered_Place) = This.Active.Ground_Nonce
         and then This.Active.Newest = 0
       then Hello_Repeated
-      elsif This.Silence < Patience
+      elsif This.Silence < Silent_Frames
         or else (Nonce_At (Block, Own_Place) = This.Active.Aircraft_Nonce
                  and then Nonce_At (Block, Answered_Place)
                             = This.Active.Ground_Nonce)
@@ -183,7 +183,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
      (if (for some Each of This.Pending => Is_Call (Each, Block))
       then Hello_Repeated
       elsif This.Active.Is_Present
-        and then (This.Silence < Patience
+        and then (This.Silence < Silent_Frames
                   or else Nonce_At (Block, Own_Place)
                             = This.Active.Ground_Nonce)
       then Hello_Out_Of_Turn
@@ -198,7 +198,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
       else Call_Of_Hello (This, Block))
    with
      Global => null,
-     Post   => Outcome_Of_Hello'Result not in Opened | Opened_Anew;
+     Post   => Outcome_Of_Hello'Result not in Opened | Opened_New_Session;
 
    --  The node's state after a hello
 
@@ -244,9 +244,9 @@ package URV.Handshakes with Pure, SPARK_Mode is
               Ground_Nonce   => This.Own,
               Aircraft_Nonce => Nonce_At (Block, Own_Place),
               Maker          => Ground),
-           Doubts  => False,
-           Silence => 0)
-      else (This with delta Doubts => True))
+           In_Doubt => False,
+           Silence  => 0)
+      else (This with delta In_Doubt => True))
    with Global => null;
 
 end URV.Handshakes;

@@ -61,14 +61,15 @@ package body URV.Seal_Blocks with SPARK_Mode is
       Value  : Word;
    begin
       for Which in Word_Place range 1 .. Words_Of (Sender) loop
-         Value := Told (Block, Sender, Which);
+         Value := Word_In_Format_2 (Block, Sender, Which);
          Result (2 * Which - 1) := Byte (Value / 256);
          Result (2 * Which) := Byte (Value mod 256);
 
          pragma Loop_Invariant
            (for all Done in Word_Place =>
               (if Done <= Which
-               then Word_At (Result, Done) = Told (Block, Sender, Done)));
+               then Word_At (Result, Done) =
+                      Word_In_Format_2 (Block, Sender, Done)));
       end loop;
       return Result;
    end Unpacked;

@@ -99,14 +99,14 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    --  The last field of an uplink: the number's remainder and the echo's code.
    --  The code is also a remainder, or No_Echo
 
-   Numbers_Told : constant := 2 ** 6;
-   Echoes_Told  : constant := 2 ** 6 - 1;
-   No_Echo      : constant := Echoes_Told;
+   Number_Modulus : constant := 2 ** 6;
+   Echo_Modulus   : constant := 2 ** 6 - 1;
+   No_Echo        : constant := Echo_Modulus;
 
    subtype Echo_Code is Word range 0 .. No_Echo;
 
    function Code_Of (Echo : Counter) return Echo_Code is
-     (if Echo = 0 then No_Echo else Word (Echo mod Echoes_Told))
+     (if Echo = 0 then No_Echo else Word (Echo mod Echo_Modulus))
    with Global => null;
 
    function Field_Of
@@ -118,7 +118,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    is
      (if Which < Words_Of (Sender) then Clipped (Word_At (Data, Which))
       elsif Sender = Ground
-      then Word (Number mod Numbers_Told) * Numbers_Told + Code_Of (Echo)
+      then Word (Number mod Number_Modulus) * Number_Modulus + Code_Of (Echo)
       else Word_At (Data, Which) / 16)
    with
      Global => null,
@@ -156,7 +156,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    --  The echo's code.
    function Code_At (Block : Block_Data; Sender : Station) return Word is
      (if Sender = Ground
-      then Field_At (Block, Uplink_Words) mod Numbers_Told
+      then Field_At (Block, Uplink_Words) mod Number_Modulus
       else Word (Block (Before_Counter)))
    with Global => null;
 
@@ -186,7 +186,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
                  Byte_Of (Number, Where)));
 
    --  A word of a block in format 2.
-   function Told
+   function Word_In_Format_2
      (Block  : Block_Data;
       Sender : Station;
       Which  : Word_Place) return Word
@@ -208,7 +208,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
        (for all Which in Word_Place =>
           (if Which <= Words_Of (Sender)
            then Word_At (Unpacked'Result, Which) =
-                  Told (Block, Sender, Which)));
+                  Word_In_Format_2 (Block, Sender, Which)));
 
    --  Nonces: each node starts with one and advances it with each session. The
    --  high byte comes first.

@@ -8,14 +8,14 @@ package body URV.Seals with SPARK_Mode is
    end Pass;
 
    procedure Open
-     (This  : in out Seal;
-      Block : in out Block_Data;
-      Came  : Boolean;
-      What  : out Outcome) is
+     (This    : in out Seal;
+      Block   : in out Block_Data;
+      Arrived : Boolean;
+      Result  : out Outcome) is
    begin
-      What := Outcome_Of (This, Block, Came);
-      This := After (This, Block, What);
-      if What not in Taken then
+      Result := Outcome_Of (This, Block, Arrived);
+      This   := After (This, Block, Result);
+      if Result not in Taken then
          Block := [others => 0];
       elsif This.Format = 2 then
          Block := Unpacked (Block, Other (This.Role));

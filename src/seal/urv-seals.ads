@@ -29,17 +29,17 @@ package URV.Seals with Pure, SPARK_Mode is
    --  The outcome of any block. Format 1 takes all blocks except those with a
    --  mark of format 2.
    function Outcome_Of
-     (This  : Seal;
-      Block : Block_Data;
-      Came  : Boolean) return Outcome
+     (This    : Seal;
+      Block   : Block_Data;
+      Arrived : Boolean) return Outcome
    is
-     (if not Came then Nothing_Came
+     (if not Arrived then Nothing_Came
       elsif This.Format = 1
       then (if Mark_Of (Block) in Sealed_Mark | Hello_Mark then Wrong_Format
             else Opened)
       elsif Mark_Of (Block) = Sealed_Mark
       then (if Opens (Block, Other (This.Role), This.Active) then Opened
-            elsif Opened_Place (This, Block) > 0 then Opened_Anew
+            elsif Opened_Place (This, Block) > 0 then Opened_New_Session
             elsif Is_Sealed (Block, Other (This.Role), This.Active)
             then Too_Late
             else Not_Opened)
@@ -53,25 +53,25 @@ package URV.Seals with Pure, SPARK_Mode is
      return Seal
    is
      ((This with delta
-         Active  => Item,
-         Pending => Pending,
-         Doubts  => False,
-         Silence => 0))
+         Active   => Item,
+         Pending  => Pending,
+         In_Doubt => False,
+         Silence  => 0))
    with Global => null;
 
    function After
-     (This  : Seal;
-      Block : Block_Data;
-      What  : Outcome) return Seal
+     (This   : Seal;
+      Block  : Block_Data;
+      Result : Outcome) return Seal
    is
      (if This.Format = 1 then This
       else
-        (case What is
+        (case Result is
             when Opened      =>
               With_Active
                 (This, With_Newest (This.Active, Block, Other (This.Role)),
                  This.Pending),
-            when Opened_Anew =>
+            when Opened_New_Session =>
               With_Active
                 (This,
                  With_Newest
@@ -83,8 +83,8 @@ package URV.Seals with Pure, SPARK_Mode is
             when others      => This))
    with
      Global => null,
-     Pre    => What = Outcome_Of (This, Block, True)
-       or else What = Nothing_Came;
+     Pre    => Result = Outcome_Of (This, Block, True)
+       or else Result = Nothing_Came;
 
    --  A node that has a session and must also send a hello alternates between
    --  them. It answers no call in a frame in which a block of the session came
@@ -102,12 +102,12 @@ package URV.Seals with Pure, SPARK_Mode is
      (Is_Answered (This.Pending (To_Answer (This))))
    with Global => null;
 
-   function Says_Hello (This : Seal) return Boolean is
+   function Sends_Hello (This : Seal) return Boolean is
      (not This.Active.Is_Present
       or else
         (This.Active.Age mod 2 = 0
          and then
-           (This.Doubts or else (Answers (This) and then This.Silence > 0))))
+           (This.In_Doubt or else (Answers (This) and then This.Silence > 0))))
    with Global => null;
 
    --  Frames pass; in the first of them the node has sent its block. The
@@ -142,7 +142,7 @@ package URV.Seals with Pure, SPARK_Mode is
            [for Each in Pending_Place =>
               Kept (Older (This.Pending (Each), Frames))],
          Turn    =>
-           (if Frames > 0 and then Says_Hello (This)
+           (if Frames > 0 and then Sends_Hello (This)
             then Next_Place (To_Answer (This)) else This.Turn),
          Silence => Silence_After (This, Frames)))
    with Global => null;
@@ -155,19 +155,19 @@ package URV.Seals with Pure, SPARK_Mode is
    --  Opens a block, if one came in this frame. Block is then a block of
    --  format 1, or zeros.
    procedure Open
-     (This  : in out Seal;
-      Block : in out Block_Data;
-      Came  : Boolean;
-      What  : out Outcome)
+     (This    : in out Seal;
+      Block   : in out Block_Data;
+      Arrived : Boolean;
+      Result  : out Outcome)
    with
      Global => null,
      Post   =>
-       What = Outcome_Of (This'Old, Block'Old, Came)
-       and then This = After (This'Old, Block'Old, What)
+       Result = Outcome_Of (This'Old, Block'Old, Arrived)
+       and then This = After (This'Old, Block'Old, Result)
        and then This.Format = This'Old.Format
        and then This.Role = This'Old.Role
        and then Block =
-         (if What not in Taken then Block_Data'[others => 0]
+         (if Result not in Taken then Block_Data'[others => 0]
           elsif This.Format = 1 then Block'Old
           else Unpacked (Block'Old, Other (This.Role)));
 
@@ -209,13 +209,13 @@ package URV.Seals with Pure, SPARK_Mode is
    --  used up.
    function Renewed (This : Seal) return Seal is
      (if This.Active.Is_Present and then This.Active.Age = Last_Age
-      then Begun_Anew (This)
+      then Restarted (This)
       else This)
    with Global => null;
 
    function Closed (This : Seal; Data : Block_Data) return Block_Data is
      (if This.Format = 1 then Data
-      elsif Says_Hello (This) then Closed_Hello (This)
+      elsif Sends_Hello (This) then Closed_Hello (This)
       else Sealed
         (Data, This.Role, This.Active.Age, Echo_Now (This.Active),
          This.Active))

@@ -181,7 +181,7 @@ package URV.Sessions with Pure, SPARK_Mode is
       + Drift (This.Age - This.Not_Before))
    with
      Global => null,
-     Post   => Latest'Result <= Counter'Last - Numbers_Told;
+     Post   => Latest'Result <= Counter'Last - Number_Modulus;
 
    --  The greatest number up to Most that has this remainder, or 0.
    function Last_With
@@ -196,18 +196,18 @@ package URV.Sessions with Pure, SPARK_Mode is
       else 0)
    with
      Global => null,
-     Pre    => Modulus in 1 .. Numbers_Told and then Remainder < Modulus
-       and then Most <= Counter'Last - Numbers_Told;
+     Pre    => Modulus in 1 .. Number_Modulus and then Remainder < Modulus
+       and then Most <= Counter'Last - Number_Modulus;
 
    --  An uplink's number: the greatest up to Most with its 6 bits.
    function Uplink_Number (Block : Block_Data; Most : Counter) return Counter
    is
      (Last_With
-        (Counter (Field_At (Block, Uplink_Words) / Numbers_Told),
-         Numbers_Told, Most))
+        (Counter (Field_At (Block, Uplink_Words) / Number_Modulus),
+         Number_Modulus, Most))
    with
      Global => null,
-     Pre    => Most <= Counter'Last - Numbers_Told;
+     Pre    => Most <= Counter'Last - Number_Modulus;
 
    --  The echo, no later than Now, or 0.
    function Echo_At
@@ -217,10 +217,10 @@ package URV.Sessions with Pure, SPARK_Mode is
    is
      (if Code_At (Block, Sender) >= No_Echo then 0
       else Last_With
-        (Counter (Code_At (Block, Sender)), Echoes_Told, Now))
+        (Counter (Code_At (Block, Sender)), Echo_Modulus, Now))
    with
      Global => null,
-     Pre    => Now <= Counter'Last - Numbers_Told;
+     Pre    => Now <= Counter'Last - Number_Modulus;
 
    function Number_Of
      (Block  : Block_Data;

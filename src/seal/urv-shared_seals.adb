@@ -16,7 +16,7 @@ package body URV.Shared_Seals with SPARK_Mode is
 
       procedure Begin_Anew is
       begin
-         Item := Begun_Anew (Item);
+         Item := Restarted (Item);
       end Begin_Anew;
 
       procedure Set_Time (Now : Clock_Tick) is
@@ -26,11 +26,11 @@ package body URV.Shared_Seals with SPARK_Mode is
       end Set_Time;
 
       procedure Open
-        (Block : in out Block_Data;
-         Came  : Boolean;
-         What  : out Outcome) is
+        (Block   : in out Block_Data;
+         Arrived : Boolean;
+         Result  : out Outcome) is
       begin
-         Seals.Open (Item, Block, Came, What);
+         Seals.Open (Item, Block, Arrived, Result);
       end Open;
 
       procedure Close (Data : in out Block_Data) is

@@ -35,9 +35,9 @@ package URV.Shared_Seals with SPARK_Mode is
       procedure Set_Time (Now : Clock_Tick);
 
       procedure Open
-        (Block : in out Block_Data;
-         Came  : Boolean;
-         What  : out Outcome);
+        (Block   : in out Block_Data;
+         Arrived : Boolean;
+         Result  : out Outcome);
 
       procedure Close (Data : in out Block_Data);
 

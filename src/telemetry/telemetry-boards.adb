@@ -89,27 +89,27 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Transmit_Pair (This) = Settled
          (Transmit_Pair (This'Old),
           Control_Of (This'Old).Sender.Source,
-          Fate_In_Reset (Control_Of (This'Old)));
+          Delivery_In_Reset (Control_Of (This'Old)));
 
    procedure Accept_Other
      (This         : in out Board;
       Data         : Byte;
       Parity_Error : Boolean)
    is
-      Before : constant Turns.Control := This.Control with Ghost;
-      Heard  : Receivers.Receiver with Ghost;
-      Block  : Fate;
-      What   : Event;
+      Before  : constant Turns.Control := This.Control with Ghost;
+      Heard   : Receivers.Receiver with Ghost;
+      Block   : Delivery;
+      Trigger : Event;
    begin
       if Is_Listening (This.Control) then
          Accept_Character
            (This.Control.Receiver, This.Receive_Pair,
             This.Control.Receive_Length, Wants_Data (This.Control),
-            Data, Parity_Error, What);
+            Data, Parity_Error, Trigger);
          Heard := This.Control.Receiver;
-         Block := Fate_After (This.Control, What);
+         Block := Delivery_After (This.Control, Trigger);
          This.Control :=
-           Informed (This.Control, What, This.Transmit_Pair);
+           Informed (This.Control, Trigger, This.Transmit_Pair);
          pragma Assert (Is_Sound (This.Control));
          pragma Assert
            (Has_Block_Out (This.Control) =
@@ -237,7 +237,8 @@ package body Telemetry.Boards with SPARK_Mode is
       This.Receive_Pair := Released (This.Receive_Pair);
       This.Transmit_Pair :=
         Settled
-          (This.Transmit_Pair, Before.Sender.Source, Fate_In_Reset (Before));
+          (This.Transmit_Pair, Before.Sender.Source,
+           Delivery_In_Reset (Before));
    end Break_Off;
 
    procedure Elapse (This : in out Board; Time : Character_Times) is
@@ -295,7 +296,8 @@ package body Telemetry.Boards with SPARK_Mode is
       This.Receive_Pair := Empty_Pair;
       This.Transmit_Pair :=
         Settled
-          (This.Transmit_Pair, Before.Sender.Source, Fate_In_Reset (Before));
+          (This.Transmit_Pair, Before.Sender.Source,
+           Delivery_In_Reset (Before));
    end Start;
 
 end Telemetry.Boards;

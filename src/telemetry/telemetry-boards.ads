@@ -131,7 +131,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             and then Transmit_Pair (This) = Settled
               (Transmit_Pair (This'Old),
                Control_Of (This'Old).Sender.Source,
-               Fate_After
+               Delivery_After
                  (Control_Of (This'Old),
                   Heard (This'Old, Data, Parity_Error)))
             and then Control_Of (This) = Informed
@@ -206,7 +206,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
             and then Transmit_Pair (This) = Settled
               (Transmit_Pair (This'Old),
                Control_Of (This'Old).Sender.Source,
-               Fate_In_Reset (Control_Of (This'Old)))
+               Delivery_In_Reset (Control_Of (This'Old)))
           else
             Receive_Pair (This) = Receive_Pair (This'Old)
             and then Transmit_Pair (This) = Transmit_Pair (This'Old));
@@ -272,7 +272,7 @@ package Telemetry.Boards with Pure, SPARK_Mode is
        and then Transmit_Pair (This) = Settled
          (Transmit_Pair (This'Old),
           Control_Of (This'Old).Sender.Source,
-          Fate_In_Reset (Control_Of (This'Old)))
+          Delivery_In_Reset (Control_Of (This'Old)))
        and then Control_Of (This) =
          Turns.Starts.Started
            (Control_Of (This'Old), Transmit_Pair (This'Old));

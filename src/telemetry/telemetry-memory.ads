@@ -100,13 +100,13 @@ package Telemetry.Memory with Pure, SPARK_Mode is
    with Global => null;
 
    --  The outcome of a block's transmission; Open before it has ended.
-   type Fate is (Open, Confirmed, Failed);
+   type Delivery is (Open, Confirmed, Failed);
 
    --  A block that failed twice is scrapped (LNK-6).
    function Is_Scrapped
      (Pair  : Buffer_Pair;
       Which : Slot;
-      Block : Fate) return Boolean
+      Block : Delivery) return Boolean
    is
      (Block = Failed
       and then Pair.Slots (Which).Attempts = Attempt_Count'Last)
@@ -117,7 +117,7 @@ package Telemetry.Memory with Pure, SPARK_Mode is
    function Settled
      (Pair  : Buffer_Pair;
       Which : Slot;
-      Block : Fate) return Buffer_Pair
+      Block : Delivery) return Buffer_Pair
    is
      (if Block = Open then Pair
       elsif Block = Confirmed or else Is_Scrapped (Pair, Which, Block)

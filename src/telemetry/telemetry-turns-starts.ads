@@ -25,7 +25,8 @@ package Telemetry.Turns.Starts with Pure, SPARK_Mode is
        Tally           => (This.Tally with delta
          Scrapped => Counted
            (This.Tally.Scrapped,
-            Is_Scrapped (Blocks, This.Sender.Source, Fate_In_Reset (This)))),
+            Is_Scrapped
+              (Blocks, This.Sender.Source, Delivery_In_Reset (This)))),
        others          => <>))
    with Global => null;
 

@@ -94,7 +94,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
      (This.State in Sending | Awaiting_Status)
    with Global => null;
 
-   function Patience (This : Control) return Character_Times is
+   function Timeout (This : Control) return Character_Times is
      (if This.State = Idling then Idle_Time_On (This.Round_Trip)
       elsif This.Receiver.State = At_End then Guard_Time
       else Dead_Space_On (This.Round_Trip))
@@ -104,7 +104,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
 
    --  The outcome of this board's block in a reset: it is tried again or
    --  scrapped.
-   function Fate_In_Reset (This : Control) return Fate is
+   function Delivery_In_Reset (This : Control) return Delivery is
      (if Has_Block_Out (This) then Failed else Open)
    with Global => null;
 
@@ -126,7 +126,7 @@ package Telemetry.Turns with Pure, SPARK_Mode is
            Scrapped => Counted
              (This.Tally.Scrapped,
               Is_Scrapped
-                (Blocks, This.Sender.Source, Fate_In_Reset (This))),
+                (Blocks, This.Sender.Source, Delivery_In_Reset (This))),
            Resets   => Counted (This.Tally.Resets, This.State /= Idling))))
    with Global => null;
 
@@ -134,8 +134,8 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    --  happens; the last value if it does neither.
    function Time_Left (This : Control) return Character_Times is
      (if not Is_Waiting (This) then Character_Times'Last
-      elsif This.Silence >= Patience (This) then 0
-      else Patience (This) - This.Silence)
+      elsif This.Silence >= Timeout (This) then 0
+      else Timeout (This) - This.Silence)
    with Global => null;
 
    function Is_Over_After
@@ -178,13 +178,13 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    --  The outcome of this board's block after an event. The block has failed
    --  if the answer says so, if the ground sends another message, or if the
    --  ground receives an invalid character.
-   function Fate_After (This : Control; What : Event) return Fate is
+   function Delivery_After (This : Control; Trigger : Event) return Delivery is
      (if This.State /= Awaiting_Status
       then Open
       else
-        (case What.Kind is
+        (case Trigger.Kind is
             when Receivers.Status      =>
-              (if What.Good then Confirmed else Failed),
+              (if Trigger.Good then Confirmed else Failed),
             when Command | Block_Begun =>
               (if This.Role = Aircraft then Failed else Open),
             when Lost_Step             =>
@@ -196,30 +196,32 @@ package Telemetry.Turns with Pure, SPARK_Mode is
    --  ground into its idle time at once. The aircraft continues to wait for
    --  silence.
    function Informed
-     (This : Control; What : Event; Blocks : Buffer_Pair) return Control
+     (This : Control; Trigger : Event; Blocks : Buffer_Pair) return Control
    is
-     (if What.Kind = Lost_Step and then This.Role = Ground
+     (if Trigger.Kind = Lost_Step and then This.Role = Ground
       then Reset (This, Blocks)
       else
         (This with delta
            State          =>
-             (if Fate_After (This, What) /= Open then Ready else This.State),
+             (if Delivery_After (This, Trigger) /= Open then Ready
+              else This.State),
            Silence        => 0,
            Downlink_Turns =>
-             (if What.Kind = Receivers.Status
+             (if Trigger.Kind = Receivers.Status
                 and then This.Role = Ground
                 and then This.State = Awaiting_Status
-              then (if What.Wants_Downlink then Turn_Count'Last else 0)
+              then (if Trigger.Wants_Downlink then Turn_Count'Last else 0)
               else This.Downlink_Turns),
 
            --  The ground needs no permission and ignores it (LNK-3).
            Clear_To_Send  => This.Clear_To_Send
-             or else (What.Kind = Command and then This.Role = Aircraft),
+             or else (Trigger.Kind = Command and then This.Role = Aircraft),
            Tally          => (This.Tally with delta
              Scrapped => Counted
                (This.Tally.Scrapped,
                 Is_Scrapped
-                  (Blocks, This.Sender.Source, Fate_After (This, What))))))
+                  (Blocks, This.Sender.Source,
+                   Delivery_After (This, Trigger))))))
    with Global => null;
 
    --  No character followed the end of the message: it is judged, and an

@@ -227,7 +227,7 @@ package body Frames_Tests is
         (Suite, "FRM-1 the clock advances by one tick a minor frame",
          Advance'Access);
       Add
-        (Suite, "FRM-1 at its last tick the clock stands still",
+        (Suite, "FRM-1 the clock stops at its last tick",
          Clock_At_Limit'Access);
       Add
         (Suite, "FRM-3 the next frame begins at the next multiple of ten",

@@ -424,7 +424,7 @@ package body Clocked_Executives_Tests is
         (Suite, "KRN-1 a task's first step after a start is known as such",
          First_Steps'Access);
       Add
-        (Suite, "FRM-4 a task that is resumed late is told and counted",
+        (Suite, "FRM-4 a task that is resumed late is reported, counted",
          Late_Release'Access);
       Add
         (Suite, "FRM-4 a task that runs into its next release is, too",
@@ -448,7 +448,7 @@ package body Clocked_Executives_Tests is
         (Suite, "FRM-1 a clock that runs back is not believed",
          Clock_Runs_Back'Access);
       Add
-        (Suite, "KRN-1 without tasks nobody is resumed",
+        (Suite, "KRN-1 without tasks no task is resumed",
          Idle'Access);
       Add
         (Suite, "FRM-3 a step that lasts until the last tick is the last",

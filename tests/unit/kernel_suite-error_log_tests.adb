@@ -228,7 +228,7 @@ package body Error_Log_Tests is
         (Suite, "EXT-1 a clock set back does not hurt the log",
          Clock_Set_Back'Access);
       Add
-        (Suite, "EXT-1 a report is stamped with the tick last told",
+        (Suite, "EXT-1 a report has the tick of the last interrupt",
          Shell_Stamps'Access);
       Add
         (Suite, "EXT-1 every kind is kept until the log is cleared",

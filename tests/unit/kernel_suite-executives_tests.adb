@@ -345,7 +345,7 @@ package body Executives_Tests is
         (Suite, "FRM-3 KRN-3 each task runs once a major frame, at its offset",
          Each_Frame'Access);
       Add
-        (Suite, "FRM-3 a task runs once, however often its tick is told",
+        (Suite, "FRM-3 a task runs once for repeated reports of its tick",
          Same_Tick_Twice'Access);
       Add
         (Suite, "FRM-3 after the clock's last frame no task is released",

@@ -114,7 +114,7 @@ package body Frame_Locks_Tests is
          Expect
            ("longer", Item.Lengthened, (if Ticks in 1 .. 5 then 0 else 1));
          Take (Item, Ticks, 50);
-         Expect_Request ("begins anew", Item, 50, 10);
+         Expect_Request ("counts from zero", Item, 50, 10);
       end loop;
    end Directions;
 
@@ -196,7 +196,7 @@ package body Frame_Locks_Tests is
         (Suite, "FRM-6 a frame lasts 9, 10 or 11 ticks, as was wished for it",
          Lengths'Access);
       Add
-        (Suite, "FRM-6 FRM-1 at its last tick the clock stands still",
+        (Suite, "FRM-6 FRM-1 the clock stops at its last tick",
          Last_Ticks'Access);
       Add
         (Suite, "FRM-6 frames go the shorter way round",

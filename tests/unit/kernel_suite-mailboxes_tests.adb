@@ -283,7 +283,7 @@ package body Mailboxes_Tests is
         (Suite, "MBX-1 MBX-2 each message is counted once, each way",
          Send_Receive'Access);
       Add
-        (Suite, "MBX-2 D-21 an unconsumed message is overwritten, and told",
+        (Suite, "MBX-2 D-21 an overwritten message is reported",
          Overwrite'Access);
       Add
         (Suite, "MBX-3 MBX-5 before the first message, receiving misses",

@@ -67,12 +67,12 @@ package body Receive_Calls_Tests is
       Item  : out Word;
       Fresh : out Boolean)
    is
-      Patience   : Wait := Begun (Now, Ticks);
+      Timeout    : Wait := Begun (Now, Ticks);
       Look_Again : Boolean;
    begin
       loop
          Looked := Looked + 1;
-         Calls.Receive_Step (Now, Patience, Item, Fresh, Look_Again);
+         Calls.Receive_Step (Now, Timeout, Item, Fresh, Look_Again);
          exit when not Look_Again;
          Exit_Processor;
       end loop;
@@ -230,16 +230,16 @@ package body Receive_Calls_Tests is
    end Many_Misses;
 
    procedure In_Steps is
-      Patience : Wait := Begun (100, 3);
-      Item     : Word;
-      Fresh    : Boolean;
-      Again    : Boolean;
+      Timeout : Wait := Begun (100, 3);
+      Item    : Word;
+      Fresh   : Boolean;
+      Again   : Boolean;
    begin
       --  In virtual time two steps are one tick apart.
       Begin_With (5);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 4 loop
-         Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
+         Calls.Receive_Step (Now, Timeout, Item, Fresh, Again);
          Expect ("fresh in step" & Step'Image, Fresh, False);
          Expect ("received in step" & Step'Image, Item, 5);
          Expect ("again after step" & Step'Image, Again, Step < 4);
@@ -247,11 +247,11 @@ package body Receive_Calls_Tests is
          Exit_Processor;
       end loop;
 
-      Patience := Begun (Now, 3);
-      Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
+      Timeout := Begun (Now, 3);
+      Calls.Receive_Step (Now, Timeout, Item, Fresh, Again);
       Expect ("again after the first step", Again, True);
       Send (6);
-      Calls.Receive_Step (Now, Patience, Item, Fresh, Again);
+      Calls.Receive_Step (Now, Timeout, Item, Fresh, Again);
       Expect ("fresh in the second", Fresh, True);
       Expect ("received in the second", Item, 6);
       Expect ("again after the second", Again, False);
@@ -295,21 +295,21 @@ package body Receive_Calls_Tests is
    end Back_In_Time;
 
    procedure Any_Clock is
-      Random   : Look_Count := 1;
-      Patience : Wait;
-      Shown    : Clock_Tick;
-      Latest   : Clock_Tick;
-      Before   : Look_Count;
+      Random  : Look_Count := 1;
+      Timeout : Wait;
+      Shown   : Clock_Tick;
+      Latest  : Clock_Tick;
+      Before  : Look_Count;
    begin
       for Ticks in Wait_Ticks range 0 .. 500 loop
-         Shown    := 1_000;
-         Latest   := Shown;
-         Patience := Begun (Shown, Ticks);
-         Expect ("0 ticks are over", Is_Over (Patience, Shown), Ticks = 0);
-         while not Is_Over (Patience, Shown) loop
-            Before := Looks_Left (Patience);
-            Note_Look (Patience, Shown);
-            Expect ("fewer looks left", Looks_Left (Patience) < Before, True);
+         Shown   := 1_000;
+         Latest  := Shown;
+         Timeout := Begun (Shown, Ticks);
+         Expect ("0 ticks are over", Is_Over (Timeout, Shown), Ticks = 0);
+         while not Is_Over (Timeout, Shown) loop
+            Before := Looks_Left (Timeout);
+            Note_Look (Timeout, Shown);
+            Expect ("fewer looks left", Looks_Left (Timeout) < Before, True);
 
             --  The clock mostly stops; now and then it runs back.
             Random := (Random * 171) mod 30_269;
@@ -321,7 +321,7 @@ package body Receive_Calls_Tests is
                   when others => Shown - 1);
             Latest := Tick'Max (Latest, Shown);
             Expect
-              ("over when its ticks have passed", Is_Over (Patience, Shown),
+              ("over when its ticks have passed", Is_Over (Timeout, Shown),
                Latest - 1_000 >= Tick (Ticks));
          end loop;
       end loop;
@@ -330,7 +330,7 @@ package body Receive_Calls_Tests is
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
-        (Suite, "MBX-3 a look consumes what is fresh and counts no miss",
+        (Suite, "MBX-3 a look consumes a fresh message and counts no miss",
          Quiet_Looks'Access);
       Add (Suite, "MBX-3 RECV with a wait of 0 looks once", No_Wait'Access);
       Add
@@ -349,7 +349,7 @@ package body Receive_Calls_Tests is
         (Suite, "MBX-3 a task in steps looks in each of them",
          In_Steps'Access);
       Add
-        (Suite, "MBX-5 RECV ends when the clock stands still",
+        (Suite, "MBX-5 RECV ends when the clock stops",
          Stopped_Clock'Access);
       Add
         (Suite, "MBX-5 at the clock's last tick RECV looks once",

@@ -492,7 +492,7 @@ package body Schedulers_Tests is
       Add
         (Suite, "KRN-1 a task tree may use all 16 TCBs", Full'Access);
       Add
-        (Suite, "KRN-1 what stands behind a null header is not loaded",
+        (Suite, "KRN-1 headers after a null header are not loaded",
          Null_Header_Ends'Access);
       Add
         (Suite, "KRN-1 tasks of one priority start in their headers' order",
@@ -525,7 +525,7 @@ package body Schedulers_Tests is
         (Suite, "KRN-3 SLEEP until a tick that has passed lasts one tick",
          Sleep_Until_The_Past'Access);
       Add
-        (Suite, "KRN-3 nobody wakes after the clock's last tick",
+        (Suite, "KRN-3 no task wakes after the clock's last tick",
          Sleep_For_Ever'Access);
       Add
         (Suite, "KRN-4 TERMINATE frees the caller's TCB and no other",

@@ -75,12 +75,12 @@ package body Semaphores_Tests is
    procedure Other_Releases;
 
    procedure Claim (Who : Claimant; Claimed : out Boolean) is
-      Patience  : Wait := Begun (Now, Calls.Claim_Wait);
+      Timeout   : Wait := Begun (Now, Calls.Claim_Wait);
       Try_Again : Boolean;
    begin
       loop
          Tries := Tries + 1;
-         Calls.Claim_Step (Who, Now, Patience, Claimed, Try_Again);
+         Calls.Claim_Step (Who, Now, Timeout, Claimed, Try_Again);
          exit when not Try_Again;
          Expect ("reported before its end", Not_Claimed, 0);
          Exit_Processor;
@@ -302,7 +302,7 @@ package body Semaphores_Tests is
    end Own_Claim;
 
    procedure In_Steps is
-      Patience  : Wait := Begun (100, Calls.Claim_Wait);
+      Timeout   : Wait := Begun (100, Calls.Claim_Wait);
       Claimed   : Boolean;
       Try_Again : Boolean;
    begin
@@ -310,7 +310,7 @@ package body Semaphores_Tests is
       Begin_With (Other);
       Begin_At (100, Exits_Per_Tick => 1);
       for Step in 1 .. 3 loop
-         Calls.Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
+         Calls.Claim_Step (Caller, Now, Timeout, Claimed, Try_Again);
          Expect ("claimed in step" & Step'Image, Claimed, False);
          Expect ("again after step" & Step'Image, Try_Again, Step < 3);
          Expect
@@ -320,8 +320,8 @@ package body Semaphores_Tests is
       end loop;
 
       Begin_With (No_Task);
-      Patience := Begun (Now, Calls.Claim_Wait);
-      Calls.Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
+      Timeout := Begun (Now, Calls.Claim_Wait);
+      Calls.Claim_Step (Caller, Now, Timeout, Claimed, Try_Again);
       Expect ("available", Claimed, True);
       Expect ("again when claimed", Try_Again, False);
    end In_Steps;
@@ -430,7 +430,7 @@ package body Semaphores_Tests is
         (Suite, "SEM-1 a V at any EXIT up to the last is in time",
          Late_Release'Access);
       Add
-        (Suite, "SEM-1 MBX-5 a P ends when the clock stands still",
+        (Suite, "SEM-1 MBX-5 a P ends when the clock stops",
          Stopped_Clock'Access);
       Add
         (Suite, "SEM-1 MBX-5 at the clock's last tick a P tries once",

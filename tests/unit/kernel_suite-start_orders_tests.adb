@@ -369,7 +369,7 @@ package body Start_Orders_Tests is
         (Suite, "INI-2 KRN-5 one processor tests, loads its tasks, carries on",
          One_Processor'Access);
       Add
-        (Suite, "EXT-4 KRN-5 INI-2 two processors stand still for the test",
+        (Suite, "EXT-4 KRN-5 INI-2 two processors stop for the test",
          Two_Processors'Access);
       Add
         (Suite, "INI-1 EXT-4 a wish during a start is not lost",

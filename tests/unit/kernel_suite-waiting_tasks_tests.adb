@@ -50,8 +50,8 @@ package body Waiting_Tasks_Tests is
 
    --  The waiting task's activity. After it the task ends.
    type Activity is (Claiming, Receiving, Done);
-   Doing    : Activity := Done;
-   Patience : Wait;
+   Doing   : Activity := Done;
+   Timeout : Wait;
 
    --  The result: the tick of its end, and the semaphore's owner then, before
    --  its V.
@@ -116,7 +116,7 @@ package body Waiting_Tasks_Tests is
       case Doing is
          when Claiming =>
             Resource_Calls.Claim_Step
-              (Waiter, Now, Patience, Claimed, Goes_On);
+              (Waiter, Now, Timeout, Claimed, Goes_On);
             if not Goes_On then
                Owner_Was := Owner (Resource.Snapshot);
                Resource_Calls.Release (Waiter, Released);
@@ -124,7 +124,7 @@ package body Waiting_Tasks_Tests is
 
          when Receiving =>
             Variable_Calls.Receive_Step
-              (Now, Patience, Item, Fresh, Goes_On);
+              (Now, Timeout, Item, Fresh, Goes_On);
 
          when Done =>
             Expect ("it has ended", False, True);
@@ -184,7 +184,7 @@ package body Waiting_Tasks_Tests is
       Steps := 0;
       Other_Ran := 0;
       Doing := What;
-      Patience :=
+      Timeout :=
         Begun (100, (if What = Claiming then Resource_Calls.Claim_Wait
                      else 5));
       Variable.Reset;

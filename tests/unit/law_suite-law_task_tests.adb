@@ -71,10 +71,10 @@ package body LAW_Task_Tests is
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
-        (Suite, "EXT-3 a sensor that is not valid is told once, by number",
+        (Suite, "EXT-3 an invalid sensor is reported once, by number",
          Sensor_Told_Once'Access);
       Add
-        (Suite, "MBX-2 commands that PWM does not take are told",
+        (Suite, "MBX-2 commands that PWM does not take are reported",
          Not_Consumed'Access);
    end Add_To;
 

@@ -780,7 +780,7 @@ package body Laws_Tests is
            Disconnected'Access);
       Add (Suite, "EXT-3 an axis goes back to its stick at the rate limit",
            Letting_Go'Access);
-      Add (Suite, "EXT-3 each law acts against what it measures",
+      Add (Suite, "EXT-3 each law acts against its measured error",
            Signs'Access);
       Add (Suite, "EXT-3 a stick that is moved lets go of the altitude",
            Let_Go_Of_The_Altitude'Access);
@@ -813,7 +813,7 @@ package body Laws_Tests is
            Glide_By_Attitude'Access);
       Add (Suite, "EXT-5 brake and switches stay as last heard",
            What_Is_Held'Access);
-      Add (Suite, "EXT-5 the ground is told what flies and why",
+      Add (Suite, "EXT-5 the ground gets the modes and their reasons",
            Told'Access);
       Add (Suite, "EXT-8 an integrator moves with the sign of its error",
            Integrators_Follow'Access);

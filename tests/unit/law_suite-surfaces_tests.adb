@@ -537,7 +537,7 @@ package body Surfaces_Tests is
            Stuck_Ones'Access);
       Add (Suite, "EXT-6 an offset is allowed up to its limit",
            Small_Offset'Access);
-      Add (Suite, "EXT-6 old sensors name nobody", Old_Sensors'Access);
+      Add (Suite, "EXT-6 old sensors name no surface", Old_Sensors'Access);
       Add (Suite, "EXT-6 a restart forgets no failure and sees none",
            After_A_Restart'Access);
       Add (Suite, "EXT-6 without a failure it is figure 13",
@@ -548,13 +548,13 @@ package body Surfaces_Tests is
       Add (Suite, "EXT-6 flaps help an aileron at its limit, slowly",
            Flaps_Help'Access);
       Add (Suite, "EXT-6 nothing is asked beyond the stops", Stops'Access);
-      Add (Suite, "EXT-6 an engine that follows its throttle is not told",
+      Add (Suite, "EXT-6 an engine that follows is not reported",
            Engine_Follows'Access);
-      Add (Suite, "EXT-6 one that does not is told, wherever it is stuck",
+      Add (Suite, "EXT-6 a stuck engine is reported, at any place",
            Engine_Does_Not'Access);
-      Add (Suite, "EXT-6 nothing is told of a speed that is held",
+      Add (Suite, "EXT-6 a speed that is held is not reported",
            Engine_Held'Access);
-      Add (Suite, "EXT-6 of an engine nothing is told on the ground or unseen",
+      Add (Suite, "EXT-6 no engine is reported on the ground or unseen",
            Engine_Unknown'Access);
    end Add_To;
 

@@ -957,7 +957,7 @@ package body Link_Tests is
         (Suite, "LNK-7 of two full buffers the newest is sent, no other",
          Two_Full'Access);
       Add
-        (Suite, "LNK-4 EXT-1 a block that nobody took in time is counted",
+        (Suite, "LNK-4 EXT-1 a block not taken in time is counted",
          Not_Taken'Access);
       Add
         (Suite, "LNK-7 D-18 D-24 a buffer is busy and whole while it is sent",
@@ -982,7 +982,7 @@ package body Link_Tests is
         (Suite, "LNK-9 D-28 a ground with ever new blocks idles after two",
          Puts_Always'Access);
       Add
-        (Suite, "LNK-9 D-7 a board tells when it starts afresh, and does",
+        (Suite, "LNK-9 D-7 a board reports its restart, and does",
          Told_Before'Access);
       Add
         (Suite, "LNK-10 the board counts the messages received",

@@ -288,7 +288,7 @@ package body Receivers_Tests is
         (Suite, "LNK-5 D-27 a message that goes on is never taken",
          One_More'Access);
       Add
-        (Suite, "LNK-3 a first byte means what its message is",
+        (Suite, "LNK-3 a first byte gives the kind of its message",
          Single_Bytes'Access);
       Add
         (Suite, "LNK-9 out of step nothing is heard until the restart",
@@ -297,7 +297,7 @@ package body Receivers_Tests is
         (Suite, "LNK-9 a message that breaks off spoils no other",
          Interrupted'Access);
       Add
-        (Suite, "LNK-4 with nobody taking, the newest block stays whole",
+        (Suite, "LNK-4 without a reader, the newest block stays whole",
          Untouched'Access);
    end Add_To;
 

@@ -185,7 +185,7 @@ package body Seal_Tests is
    begin
       Expect_Next ("call", Both, Ground, Hello_Taken);
       Expect_Next ("answer", Both, Aircraft, Hello_Taken);
-      Expect_Next ("first up", Both, Ground, Opened_Anew);
+      Expect_Next ("first up", Both, Ground, Opened_New_Session);
       Expect_Next ("first down", Both, Aircraft, Opened);
    end Shake_Hands;
 
@@ -294,7 +294,7 @@ package body Seal_Tests is
       Expect_Next ("call again", Both, Ground, Hello_Repeated);
       Expect_Next ("answer", Both, Aircraft, Hello_Taken);
       Expect_Next ("answer again", Both, Aircraft, Hello_Repeated);
-      Expect_Next ("up", Both, Ground, Opened_Anew);
+      Expect_Next ("up", Both, Ground, Opened_New_Session);
       Expect_Next ("down", Both, Aircraft, Opened);
    end Three_Steps;
 
@@ -587,7 +587,7 @@ package body Seal_Tests is
       Expect_Next ("call", Both, Ground, Hello_Taken);
       Hello_Down := Closed (Both, Aircraft);
       Expect_Session ("first", Both, 3);
-      Both (Ground) := Begun_Anew (Both (Ground));
+      Both (Ground) := Restarted (Both (Ground));
       Expect_Session ("second", Both, 8);
 
       Expect_Opening
@@ -614,16 +614,16 @@ package body Seal_Tests is
    begin
       for Each of Recorded loop
          Each := Closed (Both, Ground);
-         Both (Ground) := Begun_Anew (Both (Ground));
+         Both (Ground) := Restarted (Both (Ground));
       end loop;
       Shake_Hands (Both);
-      Both (Ground) := Begun_Anew (Both (Ground));
+      Both (Ground) := Restarted (Both (Ground));
       for Frame in 1 .. 20 loop
          Needed := Frame;
          Pass (Both);
          Data := Closed (Both, Ground);
          Open (Both (Aircraft), Data, True, Found);
-         exit when Found = Opened_Anew;
+         exit when Found = Opened_New_Session;
          Data := Recorded (Frame mod 3 + 1);
          Open (Both (Aircraft), Data, True, Found);
          Data := Closed (Both, Aircraft);
@@ -725,7 +725,7 @@ package body Seal_Tests is
         (Suite, "SEC-4 a block that comes late is refused",
          Late_Blocks'Access);
       Add
-        (Suite, "SEC-4 what a growing delay brings is refused",
+        (Suite, "SEC-4 blocks of a growing delay are refused",
          A_Growing_Delay'Access);
       Add
         (Suite, "SEC-1 a block with any one bit altered is refused",
@@ -756,7 +756,7 @@ package body Seal_Tests is
         (Suite, "SEC-3 hellos of before end no session",
          Hellos_Are_Disregarded'Access);
       Add
-        (Suite, "SEC-3 recorded hellos lock nobody out",
+        (Suite, "SEC-3 recorded hellos lock no node out",
          Hellos_Lock_Nobody_Out'Access);
       Add
         (Suite, "SEC-4 a session that was silent for a minute is renewed",
@@ -765,7 +765,7 @@ package body Seal_Tests is
         (Suite, "SEC-4 a node that stood still has a session at once",
          A_Node_Stands_Still'Access);
       Add
-        (Suite, "SEC-1 a node takes only the format that it was told",
+        (Suite, "SEC-1 a node takes only its configured format",
          One_Format'Access);
       Add
         (Suite, "SEC-4 a session whose numbers are used up is renewed",

@@ -323,7 +323,7 @@ package body Guarded_Step_Tests is
          Start (Condition, 77, Passed);
          Expect (Condition'Image & " passed", Passed, False);
          Expect
-           (Condition'Image & " begins anew",
+           (Condition'Image & " restarts",
             Wished =
               (True,
                (if Condition = Cold_Start then Cold_Start
@@ -363,7 +363,7 @@ package body Guarded_Step_Tests is
         (Suite, "KRN-6 an interrupt that raises one restarts the processor",
          Interrupts'Access);
       Add
-        (Suite, "KRN-6 a start that raises an exception begins anew",
+        (Suite, "KRN-6 a start that raises an exception is repeated",
          Broken_Starts'Access);
    end Add_To;
 

@@ -246,10 +246,10 @@ package body In_Flight_Tests is
         (Suite, "TST-3 INI-6 CORE counts each node's passes through its ROM",
          Sound_ROM'Access);
       Add
-        (Suite, "TST-3 TST-4 either node tells the other that its ROM differs",
+        (Suite, "TST-3 TST-4 a node reports that its ROM differs",
          Spoilt_ROM'Access);
       Add
-        (Suite, "TST-4 a node's status is no error until it is told of one",
+        (Suite, "TST-4 a node's status is no error without a report",
          New_Status'Access);
       Add
         (Suite, "TST-3 INI-6 the counts in CORE stay at their last value",

@@ -730,7 +730,7 @@ package body Self_Test_Tests is
         (Suite, "TST-3 a ROM that fails in flight is found in a pass or two",
          Failure_In_Flight'Access);
       Add
-        (Suite, "TST-4 a result is a word that tells which test and where",
+        (Suite, "TST-4 a result is a word with the test and the place",
          Result_Words'Access);
    end Add_To;
 

@@ -324,7 +324,7 @@ package body Shared_Nodes_Tests is
         (Suite, "FRM-4 EXT-4 a node's overruns are those of its processors",
          Sums'Access);
       Add
-        (Suite, "EXT-4 nobody waits for a processor that is not there",
+        (Suite, "EXT-4 no processor waits for an absent one",
          Absent_Processor'Access);
    end Add_To;
 

@@ -881,7 +881,7 @@ package body Starts_Tests is
         (Suite, "INI-4 each start empties the transmit half",
          Transmit_Half'Access);
       Add
-        (Suite, "SAF-4 each start forgets what came in before it",
+        (Suite, "SAF-4 each start forgets earlier input",
          Receive_Half'Access);
       Add
         (Suite, "INI-5 each start prepares the converter",
@@ -908,7 +908,7 @@ package body Starts_Tests is
         (Suite, "KRN-6 a program that is broken off starts again",
          Broken_Off'Access);
       Add
-        (Suite, "KRN-5 EXT-4 two to four processors do what one does",
+        (Suite, "KRN-5 EXT-4 two to four processors give the results of one",
          More_Processors'Access);
    end Add_To;
 

@@ -490,7 +490,7 @@ package body Nodes_Tests is
         (Suite, "D-11 a word above 0FFFh is limited at the servos only",
          Too_Large'Access);
       Add
-        (Suite, "LNK-9 a cut link holds what was last, and recovers",
+        (Suite, "LNK-9 a cut link holds the last words, and recovers",
          Cut_Link'Access);
       Add
         (Suite, "AD-1 a dead converter is told to the ground as stale",
@@ -505,7 +505,7 @@ package body Nodes_Tests is
         (Suite, "INI-8 a cold start leaves every variable as new",
          New_Variables'Access);
       Add
-        (Suite, "MBX-3 each miss that a variable counts is told",
+        (Suite, "MBX-3 each miss that a variable counts is reported",
          Misses_Are_Told'Access);
       Add
         (Suite, "INI-8 a cold start forgets the message before, too",

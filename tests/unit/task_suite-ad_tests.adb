@@ -470,7 +470,7 @@ package body AD_Tests is
       --  A new start abandons the conversion.
       Board := Begun (Devices.AD_Board.Started (Board, 3));
       Board := Devices.AD_Board.Started (Board, 4);
-      Expect ("started anew", Board.Doing, Start_Wanted);
+      Expect ("restarted", Board.Doing, Start_Wanted);
       Expect_Number ("channel", Integer (Board.Channel), 4);
 
       --  The value comes before the hardware has seen the new start.
@@ -559,7 +559,7 @@ package body AD_Tests is
         (Suite, "ADI-1 a scan that breaks off does not spoil the next",
          Broken_Off_Scan'Access);
       Add
-        (Suite, "ADI-1 a scan that nobody took is reported",
+        (Suite, "ADI-1 a scan not taken is reported",
          Not_Consumed'Access);
       Add
         (Suite, "AD-1 a fresh scan clears the error word", Fresh_Scan'Access);
@@ -582,7 +582,7 @@ package body AD_Tests is
         (Suite, "ADI-1 SAF-2 an abandoned conversion gives no channel a word",
          Abandoned'Access);
       Add
-        (Suite, "INI-5 a board that nobody has prepared does not interrupt",
+        (Suite, "INI-5 an unprepared board does not interrupt",
          Not_Prepared'Access);
    end Add_To;
 

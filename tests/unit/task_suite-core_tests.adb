@@ -185,7 +185,7 @@ package body CORE_Tests is
         (Suite, "COR-1 both buffers go to their areas, in order",
          Both_Are_New'Access);
       Add
-        (Suite, "COR-1 what is not new is not written again",
+        (Suite, "COR-1 old words are not written again",
          One_Is_New'Access);
       Add
         (Suite, "BUF-4 each item has a type code, INI-7 written once",

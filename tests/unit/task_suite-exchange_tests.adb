@@ -326,7 +326,7 @@ package body Exchange_Tests is
         (Suite, "MDI-1 SAF-5 D-14 without new commands old ones go out",
          Aircraft_In_Old'Access);
       Add
-        (Suite, "MDI-1 who did not take the commands is reported",
+        (Suite, "MDI-1 commands not taken are reported",
          Aircraft_In_Unread'Access);
       Add
         (Suite, "D-11 commands above 0FFFh go to CORE and are an error",

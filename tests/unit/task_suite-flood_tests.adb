@@ -115,10 +115,10 @@ package body Flood_Tests is
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
-        (Suite, "RTP-3 what a line brings is no flood",
+        (Suite, "RTP-3 the rate of a line is no flood",
          A_Line_Is_None'Access);
       Add
-        (Suite, "RTP-3 what a late machine finds is no flood",
+        (Suite, "RTP-3 the backlog of a late machine is no flood",
          A_Late_Look_Is_None'Access);
       Add
         (Suite, "RTP-3 of a flood no more is taken than a line brings",

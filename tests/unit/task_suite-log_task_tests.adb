@@ -533,10 +533,10 @@ package body LOG_Task_Tests is
         (Suite, "EXT-1 each error that the board counts has its kind",
          Link_Kinds'Access);
       Add
-        (Suite, "EXT-1 only what is new on the link is logged",
+        (Suite, "EXT-1 only new link counts are logged",
          Only_The_New'Access);
       Add
-        (Suite, "EXT-1 a board that was off is counted anew",
+        (Suite, "EXT-1 a board that was off is counted from zero",
          Board_Off_And_On'Access);
       Add
         (Suite, "EXT-1 at a cold start the board's old counts are not logged",

@@ -57,7 +57,7 @@ package body Serial_Line_Tests is
         (Suite, "RTP-1 a well received character is itself",
          Well_Received'Access);
       Add
-        (Suite, "RTP-1 a character with a wrong parity bit is told as that",
+        (Suite, "RTP-1 a wrong parity bit is reported",
          Marked'Access);
    end Add_To;
 

@@ -299,10 +299,10 @@ package body Task_Shells_Tests is
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
-        (Suite, "MDI-1 SET-2 MDCIN keeps what it gave, until a cold start",
+        (Suite, "MDI-1 SET-2 MDCIN keeps its last output until a cold start",
          MDCIN_Keeps_Commands'Access);
       Add
-        (Suite, "GDI-1 SET-2 GDCIN keeps what it gave, until a cold start",
+        (Suite, "GDI-1 SET-2 GDCIN keeps its last output until a cold start",
          GDCIN_Keeps_Sensors'Access);
       Add
         (Suite, "MDO-1 SET-2 the laws have CORE's sensors, TELOUT the log's",

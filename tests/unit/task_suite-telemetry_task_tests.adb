@@ -282,7 +282,7 @@ package body Telemetry_Task_Tests is
         (Suite, "TIN-1 without a new block the one before is sent on",
          Block_Again'Access);
       Add
-        (Suite, "TIN-1 a message that nobody took is reported",
+        (Suite, "TIN-1 a message not taken is reported",
          Not_Consumed'Access);
       Add
         (Suite, "INI-8 TIN-1 a start sends nothing on until a message comes",

@@ -540,7 +540,7 @@ package body Type_Codes_Tests is
         (Suite, "EXT-2 a channel goes to the item of its type code",
          Channels_By_Code'Access);
       Add
-        (Suite, "EXT-2 BUF-4 CORE has each word where its type code stands",
+        (Suite, "EXT-2 BUF-4 CORE has each word at its type code's place",
          Places_By_Code'Access);
       Add
         (Suite, "EXT-2 BUF-4 a code of no item moves no word of CORE",

@@ -53,10 +53,10 @@ is
       Request : Frame_Request;
    begin
       if Present >= Next_Tick then
-         if Observed and then Who = Master then
+         if Observed and then Self = Master then
             Observe_Tick (Present - Next_Tick);
          end if;
-         Software.Look_At_Frame ((if Who = Master then 1 else 0), Request);
+         Software.Look_At_Frame ((if Self = Master then 1 else 0), Request);
          This_Node.Follow (Present, Request, Now, Next_Tick);
          Software.Tell_Time (Now);
       end if;
@@ -73,7 +73,7 @@ is
       Schedule   : constant Schedule_Name    := This_Node.Schedule;
       Passed     : Boolean;
    begin
-      This_Node.Look (Who, Next_Order);
+      This_Node.Look (Self, Next_Order);
       case Next_Order.Name is
          when Carry_On =>
             Executive.Clock_Interrupt (Now);
@@ -128,7 +128,7 @@ is
          if Next_Order.Name in Carry_On | Load_Tasks then
             Run_Steps;
          end if;
-         This_Node.Note_Tick (Who, Now, Executive.Overruns);
+         This_Node.Note_Tick (Self, Now, Executive.Overruns);
 
          if Now = Begun_At then
             delay until Next_Tick;

@@ -13,7 +13,7 @@ with URVOS.Shared_Nodes; use URVOS.Shared_Nodes;
 with URVOS.Start_Orders; use URVOS.Start_Orders;
 
 generic
-   Who       : Seat;
+   Self      : Seat;
    This_Node : in out Node;
 
    --  As in URVOS.Real_Time_Nodes.

@@ -28,10 +28,10 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
          State := Requested (State, Condition);
       end Request;
 
-      procedure Look (Who : Seat; Next_Order : out Order) is
+      procedure Look (Self : Seat; Next_Order : out Order) is
       begin
-         if Who <= Seat (State.Processors) then
-            Look (State, Who, Next_Order);
+         if Self <= Seat (State.Processors) then
+            Look (State, Self, Next_Order);
          else
             Next_Order := (others => <>);
          end if;
@@ -42,10 +42,10 @@ package body URVOS.Shared_Nodes with SPARK_Mode is
          State := Tested (State, Passed, Numbers);
       end Note_Tested;
 
-      procedure Note_Tick (Who : Seat; Now : Clock_Tick; Overruns : Count) is
+      procedure Note_Tick (Self : Seat; Now : Clock_Tick; Overruns : Count) is
       begin
          Latest := Clock_Tick'Max (Latest, Now);
-         Late (Who) := Overruns;
+         Late (Self) := Overruns;
       end Note_Tick;
 
       function Is_Start_Wanted return Boolean is (State.Is_Wanted);

@@ -26,14 +26,14 @@ package URVOS.Shared_Nodes with SPARK_Mode is
       --  after all running tasks have ended their steps.
       procedure Request (Condition : Start_Condition);
 
-      procedure Look (Who : Seat; Next_Order : out Order);
+      procedure Look (Self : Seat; Next_Order : out Order);
 
       --  Phases 1 and 2 are over; the master has given these numbers.
       procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
 
       --  The processor's clock has ticked. Overruns is the number of overruns
       --  of its tasks since power up.
-      procedure Note_Tick (Who : Seat; Now : Clock_Tick; Overruns : Count);
+      procedure Note_Tick (Self : Seat; Now : Clock_Tick; Overruns : Count);
 
       function Is_Start_Wanted return Boolean;
 

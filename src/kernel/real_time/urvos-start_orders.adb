@@ -4,12 +4,12 @@ package body URVOS.Start_Orders with SPARK_Mode is
 
    procedure Look
      (State      : in out Node_State;
-      Who        : Seat;
+      Self       : Seat;
       Next_Order : out Order) is
    begin
       State := Heard (State);
-      Next_Order := Order_For (State, Who);
-      State := State_After (State, Who);
+      Next_Order := Order_For (State, Self);
+      State := State_After (State, Self);
    end Look;
 
 end URVOS.Start_Orders;

@@ -45,9 +45,9 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    --  The processors' numbers, as the master gives them (report, section 3.1).
    type Number_List is array (Seat) of Processor_Number;
 
-   --  1 if the processor Which is present and precedes Who, else 0.
-   function Ahead (Present : Seat_Flags; Which, Who : Seat) return Natural is
-     (if Which < Who and then Present (Which) then 1 else 0)
+   --  1 if the processor Which is present and precedes Self, else 0.
+   function Ahead (Present : Seat_Flags; Which, Self : Seat) return Natural is
+     (if Which < Self and then Present (Which) then 1 else 0)
    with
      Global => null,
      Post   => Ahead'Result <= 1;
@@ -55,10 +55,10 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    --  The master gives itself number 1, and the next numbers to the processors
    --  that are present, in the order of their places.
    function Numbers_For (Present : Seat_Flags) return Number_List is
-     ((for Who in Seat =>
+     ((for Self in Seat =>
          Processor_Number
-           (1 + Ahead (Present, 1, Who) + Ahead (Present, 2, Who)
-            + Ahead (Present, 3, Who))))
+           (1 + Ahead (Present, 1, Self) + Ahead (Present, 2, Self)
+            + Ahead (Present, 3, Self))))
    with
      Global => null,
      Post   =>
@@ -75,13 +75,13 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
 
        --  Every number up to the highest is given.
        and then
-         (for all Who in Seat =>
-            Numbers_For'Result (Who) = 1
+         (for all Self in Seat =>
+            Numbers_For'Result (Self) = 1
             or else
               (for some Other in Seat =>
                  Present (Other)
                  and then Numbers_For'Result (Other) =
-                   Numbers_For'Result (Who) - 1));
+                   Numbers_For'Result (Self) - 1));
 
    type Node_State is record
       Processors : Processor_Number := 1;
@@ -133,61 +133,61 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
    with Global => null;
 
    --  The state after this processor has stopped, or has loaded its tasks.
-   function With_Done (State : Node_State; Who : Seat) return Node_State is
+   function With_Done (State : Node_State; Self : Seat) return Node_State is
      ((State with delta
-         Done => (for Each in Seat => Each = Who or else State.Done (Each))))
+         Done => (for Each in Seat => Each = Self or else State.Done (Each))))
    with Global => null;
 
    --  For a state in which a request has been taken up.
 
-   function Order_For (State : Node_State; Who : Seat) return Order is
+   function Order_For (State : Node_State; Self : Seat) return Order is
      (case State.Doing is
          when Running  => (Name => Carry_On, others => <>),
          when Stopping =>
-           (if Who = Master and then All_Done (With_Done (State, Who))
-            then (Begin_Start, State.Wanted, With_Done (State, Who).Done,
+           (if Self = Master and then All_Done (With_Done (State, Self))
+            then (Begin_Start, State.Wanted, With_Done (State, Self).Done,
                   others => <>)
             else (others => <>)),
          when Testing  => (others => <>),
          when Loading  =>
-           (if State.Done (Who) then (Name => Carry_On, others => <>)
+           (if State.Done (Self) then (Name => Carry_On, others => <>)
             else (Name   => Load_Tasks,
                   Passed => State.Passed,
-                  Number => State.Numbers (Who),
+                  Number => State.Numbers (Self),
                   others => <>)))
    with Global => null;
 
-   function State_After (State : Node_State; Who : Seat) return Node_State is
+   function State_After (State : Node_State; Self : Seat) return Node_State is
      (case State.Doing is
          when Running | Testing => State,
          when Stopping          =>
-           (if Who = Master and then All_Done (With_Done (State, Who))
-            then (With_Done (State, Who) with delta
+           (if Self = Master and then All_Done (With_Done (State, Self))
+            then (With_Done (State, Self) with delta
                     Doing => Testing, Is_Wanted => False)
-            else With_Done (State, Who)),
+            else With_Done (State, Self)),
          when Loading           =>
-           (if not State.Done (Who)
-              and then All_Done (With_Done (State, Who))
-            then (With_Done (State, Who) with delta Doing => Running)
-            else With_Done (State, Who)))
+           (if not State.Done (Self)
+              and then All_Done (With_Done (State, Self))
+            then (With_Done (State, Self) with delta Doing => Running)
+            else With_Done (State, Self)))
    with Global => null;
 
    procedure Look
      (State      : in out Node_State;
-      Who        : Seat;
+      Self       : Seat;
       Next_Order : out Order)
    with
      Global => null,
-     Pre    => Who <= Seat (State.Processors),
+     Pre    => Self <= Seat (State.Processors),
      Post   =>
-       Next_Order = Order_For (Heard (State'Old), Who)
-       and then State = State_After (Heard (State'Old), Who)
+       Next_Order = Order_For (Heard (State'Old), Self)
+       and then State = State_After (Heard (State'Old), Self)
 
        --  No processor runs a step from the moment all have stopped until
        --  phases 1 and 2 of the start are over.
        and then
          (if Next_Order.Name = Begin_Start
-          then Who = Master
+          then Self = Master
             and then All_Done (State)
             and then State.Doing = Testing
             and then Next_Order.Condition = State'Old.Wanted
@@ -202,10 +202,10 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
        and then
          (if Next_Order.Name = Load_Tasks
           then State'Old.Doing = Loading
-            and then not State'Old.Done (Who)
-            and then State.Done (Who)
+            and then not State'Old.Done (Self)
+            and then State.Done (Self)
             and then Next_Order.Passed = State.Passed
-            and then Next_Order.Number = State'Old.Numbers (Who))
+            and then Next_Order.Number = State'Old.Numbers (Self))
        and then State.Numbers = State'Old.Numbers
 
        --  A request lasts until phases 1 and 2 grant it.

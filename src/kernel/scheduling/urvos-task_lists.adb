@@ -18,17 +18,17 @@ package body URVOS.Task_Lists with SPARK_Mode is
          end if;
 
          pragma Loop_Invariant
-           (Last = Number_Upto (Who, Processors, Which, Schedule));
+           (Last = Number_Up_To (Who, Processors, Which, Schedule));
          pragma Loop_Invariant
            (for all Earlier in Task_Name'First .. Who =>
-              Number_Upto (Earlier, Processors, Which, Schedule) <= Last);
+              Number_Up_To (Earlier, Processors, Which, Schedule) <= Last);
          pragma Loop_Invariant
            (for all Earlier in Task_Name'First .. Who =>
               (if Processor_Of (Earlier, Processors, Schedule) = Which
-               then Number_Upto (Earlier, Processors, Which, Schedule) >= 1
+               then Number_Up_To (Earlier, Processors, Which, Schedule) >= 1
                  and then Tree
                    (TCB_Number
-                      (Number_Upto
+                      (Number_Up_To
                          (Earlier, Processors, Which, Schedule))) =
                      Header (Earlier, Now)));
          pragma Loop_Invariant

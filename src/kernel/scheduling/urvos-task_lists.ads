@@ -59,19 +59,19 @@ package URVOS.Task_Lists with SPARK_Mode is
      Post   => Processor_Of'Result <= Processors;
 
    --  The number of tasks of processor Which among the names up to Who.
-   function Number_Upto
+   function Number_Up_To
      (Who        : Task_Name;
       Processors : Processor_Number;
       Which      : Processor_Number;
       Schedule   : Schedule_Name := Report) return Natural
    is
      ((if Who = Task_Name'First then 0
-       else Number_Upto (Task_Name'Pred (Who), Processors, Which, Schedule))
+       else Number_Up_To (Task_Name'Pred (Who), Processors, Which, Schedule))
       + (if Processor_Of (Who, Processors, Schedule) = Which then 1 else 0))
    with
      Ghost,
      Global             => null,
-     Post               => Number_Upto'Result <= Task_Name'Pos (Who) + 1,
+     Post               => Number_Up_To'Result <= Task_Name'Pos (Who) + 1,
      Subprogram_Variant => (Decreases => Task_Name'Pos (Who));
 
    --  The tree of a processor: each of its tasks once, in the order of the
@@ -87,12 +87,12 @@ package URVOS.Task_Lists with SPARK_Mode is
        (for all Who in Task_Name =>
           (if Processor_Of (Who, Processors, Schedule) = Which
            then Tree_Of'Result
-             (TCB_Number (Number_Upto (Who, Processors, Which, Schedule))) =
+             (TCB_Number (Number_Up_To (Who, Processors, Which, Schedule))) =
                Header (Who, Now)))
        and then
          (for all Place in TCB_Number =>
             (if Natural (Place) >
-               Number_Upto (Task_Name'Last, Processors, Which, Schedule)
+               Number_Up_To (Task_Name'Last, Processors, Which, Schedule)
              then Tree_Of'Result (Place) = Null_Header));
 
 end URVOS.Task_Lists;

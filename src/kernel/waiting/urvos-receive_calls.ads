@@ -2,9 +2,9 @@
 
 --  RECV with a wait (report, section 3.4; MBX-3, MBX-5).
 --
---     Patience := Begun (Now, 3);
+--     Timeout := Begun (Now, 3);
 --     --  In this step and, after EXIT, in those that follow:
---     Receive_Step (Now, Patience, Command, Fresh, Look_Again);
+--     Receive_Step (Now, Timeout, Command, Fresh, Look_Again);
 --
 --  Each step looks into a mailbox. While it holds nothing new, the task ends
 --  the step with EXIT and looks again in the next step, until the wait is
@@ -26,7 +26,7 @@ package URVOS.Receive_Calls with SPARK_Mode is
    --  Ticks * 100,000 + 1 times, and 100,001 times if the clock has stopped.
    procedure Receive_Step
      (Now        : Clock_Tick;
-      Patience   : in out Wait;
+      Timeout    : in out Wait;
       Item       : out Messages.Message;
       Fresh      : out Boolean;
       Look_Again : out Boolean)
@@ -36,8 +36,8 @@ package URVOS.Receive_Calls with SPARK_Mode is
        (if Fresh then not Look_Again)
        and then
          (if Look_Again
-          then Looks_Left (Patience) < Looks_Left (Patience'Old)
-            and then Last_Seen (Patience) >= Last_Seen (Patience'Old)
-          else Patience = Patience'Old);
+          then Looks_Left (Timeout) < Looks_Left (Timeout'Old)
+            and then Last_Seen (Timeout) >= Last_Seen (Timeout'Old)
+          else Timeout = Timeout'Old);
 
 end URVOS.Receive_Calls;

@@ -5,16 +5,16 @@ package body URVOS.Semaphore_Calls with SPARK_Mode is
    procedure Claim_Step
      (Caller    : Claimant;
       Now       : Clock_Tick;
-      Patience  : in out Wait;
+      Timeout   : in out Wait;
       Claimed   : out Boolean;
       Try_Again : out Boolean)
    is
       Holder : Claimant;
    begin
       Resource.Try_Claim (Caller, Claimed, Holder);
-      Try_Again := not Claimed and then not Is_Over (Patience, Now);
+      Try_Again := not Claimed and then not Is_Over (Timeout, Now);
       if Try_Again then
-         Note_Look (Patience, Now);
+         Note_Look (Timeout, Now);
       elsif not Claimed then
          Report_Not_Claimed (Caller, Holder);
       end if;

@@ -2,9 +2,9 @@
 
 --  P and V (report, section 3.5; SEM-1, SEM-2, MBX-5).
 --
---     Patience := Begun (Now, Claim_Wait);
+--     Timeout := Begun (Now, Claim_Wait);
 --     --  In this step and, after EXIT, in those that follow:
---     Claim_Step (Caller, Now, Patience, Claimed, Try_Again);
+--     Claim_Step (Caller, Now, Timeout, Claimed, Try_Again);
 --     --  The resource is used, claimed or not.
 --     Release (Caller, Released);
 --
@@ -38,7 +38,7 @@ package URVOS.Semaphore_Calls with SPARK_Mode is
    procedure Claim_Step
      (Caller    : Claimant;
       Now       : Clock_Tick;
-      Patience  : in out Wait;
+      Timeout   : in out Wait;
       Claimed   : out Boolean;
       Try_Again : out Boolean)
    with
@@ -46,9 +46,9 @@ package URVOS.Semaphore_Calls with SPARK_Mode is
        (if Claimed then not Try_Again)
        and then
          (if Try_Again
-          then Looks_Left (Patience) < Looks_Left (Patience'Old)
-            and then Last_Seen (Patience) >= Last_Seen (Patience'Old)
-          else Patience = Patience'Old);
+          then Looks_Left (Timeout) < Looks_Left (Timeout'Old)
+            and then Last_Seen (Timeout) >= Last_Seen (Timeout'Old)
+          else Timeout = Timeout'Old);
 
    --  V.
    procedure Release (Caller : Claimant; Released : out Boolean);

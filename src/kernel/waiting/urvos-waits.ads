@@ -3,10 +3,10 @@
 --  A wait of some clock ticks (report, sections 3.4 and 3.5; MBX-3, MBX-5,
 --  SEM-1, FRM-7): the time for which a task goes on looking.
 --
---     Patience := Begun (Now, 2);
---     while not Is_Over (Patience, Now) loop
+--     Timeout := Begun (Now, 2);
+--     while not Is_Over (Timeout, Now) loop
 --        --  Look, call EXIT, read the clock.
---        Note_Look (Patience, Now);
+--        Note_Look (Timeout, Now);
 --     end loop;
 --     --  Look for the last time.
 --
