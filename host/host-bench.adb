@@ -61,10 +61,10 @@ package body Host.Bench is
      Step_Number (Ticks_To_Scan (URVOS.Task_Trees.Report));
 
    --  The movement in one tick: at least one part, so that it arrives.
-   function Part_Of (Way, Speed : Position) return Position is
+   function Part_Of (Distance, Speed : Position) return Position is
      (Position'Max
         (1,
-         Way * Speed * Position (One_Per_Cent)
+         Distance * Speed * Position (One_Per_Cent)
          / (Lag * Position (Traits.Lag))));
 
    function Moved (From, To, Speed : Position) return Position is
@@ -143,15 +143,15 @@ package body Host.Bench is
 
    procedure Move (Servos : PWM_Buffer; Steps : Step_Number) is
       Stop : constant Step_Number := Now + Steps;
-      Upto : Step_Number;
+      Last : Step_Number;
    begin
       while Now < Stop loop
          Begin_Faults;
-         Upto := Step_Number'Min (Stop, Next_Start);
+         Last := Step_Number'Min (Stop, Next_Start);
          for Item in Surface loop
-            Move_Surface (Item, Servos, Upto - Now);
+            Move_Surface (Item, Servos, Last - Now);
          end loop;
-         Now := Upto;
+         Now := Last;
       end loop;
    end Move;
 

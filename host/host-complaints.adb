@@ -40,22 +40,22 @@ package body Host.Complaints is
       raise Bad_Input with Line;
    end Complain;
 
-   procedure Refuse (What : String) is
+   procedure Refuse (Message : String) is
    begin
-      Complain (Program & What);
+      Complain (Program & Message);
    end Refuse;
 
-   procedure Report (What : String) is
+   procedure Report (Message : String) is
    begin
-      Print_Line (Program & What);
+      Print_Line (Program & Message);
    end Report;
 
-   procedure Refuse (File : String; Line : Positive; What : String) is
+   procedure Refuse (File : String; Line : Positive; Message : String) is
       Number : constant String := Line'Image;
    begin
       Complain
         (File & ":" & Number (Number'First + 1 .. Number'Last)
-         & ": " & What);
+         & ": " & Message);
    end Refuse;
 
    function Line_Of (Error : Ada.Exceptions.Exception_Occurrence)

@@ -12,14 +12,14 @@ package Host.Complaints is
 
    --  Refuses the command line. The line is "urv_sim: What", with the name of
    --  the running program.
-   procedure Refuse (What : String) with No_Return;
+   procedure Refuse (Message : String) with No_Return;
 
    --  Prints "urv_sim: What" on standard error and continues, even if nothing
    --  reads it.
-   procedure Report (What : String);
+   procedure Report (Message : String);
 
    --  Refuses an input file. The line is "File:Line: What".
-   procedure Refuse (File : String; Line : Positive; What : String)
+   procedure Refuse (File : String; Line : Positive; Message : String)
      with No_Return;
 
    --  The line that belongs to this occurrence of Bad_Input. A message raised

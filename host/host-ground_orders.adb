@@ -39,11 +39,11 @@ package body Host.Ground_Orders is
 
    --  Reads a number from 0 to Most.
    procedure Read_Field
-     (From  : Reader;
-      What  : String;
-      Word  : String;
-      Most  : Number;
-      Value : out Number);
+     (From       : Reader;
+      Field_Name : String;
+      Word       : String;
+      Most       : Number;
+      Value      : out Number);
 
    procedure Read_Configuration
      (From   : Reader;
@@ -72,11 +72,11 @@ package body Host.Ground_Orders is
    end Read_Time;
 
    procedure Read_Field
-     (From  : Reader;
-      What  : String;
-      Word  : String;
-      Most  : Number;
-      Value : out Number)
+     (From       : Reader;
+      Field_Name : String;
+      Word       : String;
+      Most       : Number;
+      Value      : out Number)
    is
       Is_Valid : Boolean;
    begin
@@ -84,7 +84,8 @@ package body Host.Ground_Orders is
       if not Is_Valid or else Value > Most then
          Refuse
            (From,
-            What & ": " & Quoted (Word) & " is not a whole number from 0 to"
+            Field_Name & ": " & Quoted (Word)
+            & " is not a whole number from 0 to"
             & Number'Image (Most));
       end if;
    end Read_Field;
@@ -100,20 +101,20 @@ package body Host.Ground_Orders is
         Number (Field'Last) * Milliseconds_A_Tenth;
 
       procedure Read_Tenths
-        (What  : String;
-         Word  : String;
-         Value : out Number);
+        (Field_Name : String;
+         Word       : String;
+         Value      : out Number);
 
       procedure Read_Tenths
-        (What  : String;
-         Word  : String;
-         Value : out Number) is
+        (Field_Name : String;
+         Word       : String;
+         Value      : out Number) is
       begin
-         Read_Field (From, What, Word, Most, Value);
+         Read_Field (From, Field_Name, Word, Most, Value);
          if Value mod Milliseconds_A_Tenth /= 0 then
             Refuse
               (From,
-               What & ": " & Quoted (Word) & " is not a multiple of"
+               Field_Name & ": " & Quoted (Word) & " is not a multiple of"
                & Integer'Image (Milliseconds_A_Tenth) & " ms");
          end if;
          Value := Value / Milliseconds_A_Tenth;

@@ -67,14 +67,14 @@ package body Host.Key_Files is
                     return long
    with Import, Convention => C, External_Name => "getrandom";
 
-   function Control_Process (What : int; Value : unsigned_long) return int
+   function Control_Process (Operation : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
    Set_Dumpable : constant := 4;
 
    type Limits is array (1 .. 2) of unsigned_long with Convention => C;
 
-   function Set_Limit (What : int; To : Limits) return int
+   function Set_Limit (Operation : int; To : Limits) return int
    with Import, Convention => C, External_Name => "setrlimit";
 
    Core_Size : constant := 4;
@@ -83,7 +83,7 @@ package body Host.Key_Files is
    Longest : constant := 4_096;
 
    --  Prevents core dumps, and other processes from reading this memory.
-   procedure Keep_To_Oneself;
+   procedure Protect_Memory;
 
    --  Four octal digits.
    function Octal (Mode : Unsigned_16) return String;
@@ -108,14 +108,14 @@ package body Host.Key_Files is
       end if;
    end Check;
 
-   procedure Keep_To_Oneself is
+   procedure Protect_Memory is
    begin
       if Control_Process (Set_Dumpable, 0) = Failed
         or else Set_Limit (Core_Size, (0, 0)) = Failed
       then
          Refuse ("--key: this process cannot be kept from dumping core");
       end if;
-   end Keep_To_Oneself;
+   end Protect_Memory;
 
    function Octal (Mode : Unsigned_16) return String is
       Result : String (1 .. 4);
@@ -185,11 +185,11 @@ package body Host.Key_Files is
          return Result;
       end Swapped;
 
-      procedure Refuse_Line (What : String) with No_Return;
+      procedure Refuse_Line (Operation : String) with No_Return;
 
-      procedure Refuse_Line (What : String) is
+      procedure Refuse_Line (Operation : String) is
       begin
-         Refuse (Name, Number, What);
+         Refuse (Name, Number, Operation);
       end Refuse_Line;
 
    begin
@@ -284,7 +284,7 @@ package body Host.Key_Files is
       end Wipe;
 
    begin
-      Keep_To_Oneself;
+      Protect_Memory;
       File := Opened (Name);
       Length := Read (File, Text'Address, Longest);
       Unused := Close (File);

@@ -13,7 +13,7 @@ package body Host.Memory_Hardware is
       RAM    : RAM_Cells := (others => 16#DEAD#);
       Faults : Fault_List;
 
-      --  Whether the board has any fault.
+      --  The board has a fault.
       Is_Faulty : Boolean := False;
 
       --  The bits of each word that read as 0.

@@ -13,13 +13,13 @@ package body Host.Option_Help is
    function Image (Value : Integer) return String is
      (Text_Numbers.Image (Long_Long_Integer (Value)));
 
-   function Meaning (Which : Option; Whose : Program) return String is
+   function Meaning (Which : Option; Caller : Program) return String is
      (case Which is
          when Link_Option =>
             "to the other node: udp:HOST:PORT:PEER_HOST:PEER_PORT or"
             & " serial:DEVICE",
          when Seconds_Option =>
-           (if Whose = URV_Sim
+           (if Caller = URV_Sim
             then "length of the flight (60, or that of the sticks or the"
                  & " pilot)"
             else "ends the run; 0.5 is half a second"),
@@ -28,7 +28,7 @@ package body Host.Option_Help is
          when Sticks_Option =>
             "the pilot's sticks, CSV (neutral)",
          when Pilot_Option =>
-           (if Whose = URV_Sim
+           (if Caller = URV_Sim
             then "the simulated pilot flies: " & Pilot.Names
                  & " (none); needs --plant jsbsim"
             else "the simulated pilot flies while no console does: "
@@ -46,7 +46,7 @@ package body Host.Option_Help is
          when Seed_Option =>
             "random seed (1)",
          when Phase_Option =>
-           (if Whose = URV_Sim
+           (if Caller = URV_Sim
             then "lag of the aircraft's frame, 0 to" & Phase_Ticks'Last'Image
                  & " (" & Image (Usual_Phase) & ")"
             else "switches the node on TICKS times "
@@ -60,7 +60,7 @@ package body Host.Option_Help is
          when Lock_Option =>
             "brings the aircraft's frames in step with the ground's",
          when Line_Delay_Option =>
-            (if Whose = URV_Sim
+            (if Caller = URV_Sim
              then "one-way delay of the line, which both boards allow for, "
              else "one-way delay of a line slower than a wire, the same for"
                   & " both nodes, ")
@@ -103,7 +103,7 @@ package body Host.Option_Help is
          when Pace_Option =>
             "max or realtime (max)",
          when Quiet_Option =>
-           (if Whose = URV_Sim then "no progress, no summary"
+           (if Caller = URV_Sim then "no progress, no summary"
             else "no summary, no lines about the other node"));
 
    --  Prints the words in lines that begin at First_Column after the title.
@@ -149,13 +149,13 @@ package body Host.Option_Help is
       Text_Output.New_Line (To);
    end Put_Paragraph;
 
-   procedure Print (To : in out Text_Output.Writer; Whose : Program) is
+   procedure Print (To : in out Text_Output.Writer; Caller : Program) is
    begin
       for Which in Option loop
-         if Has (Whose, Which) then
+         if Has (Caller, Which) then
             Put_Paragraph
               (To, "  " & Name (Which) & ' ' & Value_Name (Which),
-               Meaning (Which, Whose));
+               Meaning (Which, Caller));
          end if;
       end loop;
    end Print;

@@ -6,25 +6,25 @@ package body Host.Option_Values is
 
    use type Number;
 
-   procedure Refuse_Value (Title : String; Value : String; What : String) is
+   procedure Refuse_Value (Title : String; Value : String; Problem : String) is
    begin
-      Refuse (Title & ": " & Quoted (Value) & " is " & What);
+      Refuse (Title & ": " & Quoted (Value) & " is " & Problem);
    end Refuse_Value;
 
    procedure Refuse_Unless
      (Is_Valid : Boolean;
       Title    : String;
       Value    : String;
-      What     : String);
+      Problem  : String);
 
    procedure Refuse_Unless
      (Is_Valid : Boolean;
       Title    : String;
       Value    : String;
-      What     : String) is
+      Problem  : String) is
    begin
       if not Is_Valid then
-         Refuse_Value (Title, Value, What);
+         Refuse_Value (Title, Value, Problem);
       end if;
    end Refuse_Unless;
 

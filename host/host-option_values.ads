@@ -51,14 +51,14 @@ package Host.Option_Values is
      (Title : String;
       Value : String) return URVOS.Task_Trees.Processor_Number;
 
-   --  Whether the value is the first of two words, not the second.
+   --  True if the value is the first of two words, False if the second.
    function Is_First
      (Title  : String;
       Value  : String;
       First  : String;
       Second : String) return Boolean;
 
-   procedure Refuse_Value (Title : String; Value : String; What : String)
+   procedure Refuse_Value (Title : String; Value : String; Problem : String)
      with No_Return;
 
 end Host.Option_Values;

@@ -17,7 +17,7 @@ package body Host.Options is
    type Option_Set is array (Option) of Boolean;
 
    --  Finds the option of that name, or refuses it.
-   function Option_Of (Whose : Program; Title : String) return Option;
+   function Option_Of (Caller : Program; Title : String) return Option;
 
    --  Stores an option's value in the choices.
    procedure Choose
@@ -29,7 +29,7 @@ package body Host.Options is
    procedure Add_Place (Chosen : in out Choices; Place : Unbounded_String);
 
    --  Refuses options that exclude each other, and a missing one.
-   procedure Check (Whose : Program; Chosen : Choices);
+   procedure Check (Caller : Program; Chosen : Choices);
 
    function Name (Which : Option) return String is
       Image : constant String := To_Lower (Which'Image);
@@ -61,11 +61,11 @@ package body Host.Options is
          when Console_Option | Publish_Option  => "udp:HOST:PORT",
          when Lock_Option | Quiet_Option       => "");
 
-   function Option_Of (Whose : Program; Title : String) return Option is
+   function Option_Of (Caller : Program; Title : String) return Option is
       Names : Unbounded_String;
    begin
       for Which in Option loop
-         if Has (Whose, Which) then
+         if Has (Caller, Which) then
             if Name (Which) = Title then
                return Which;
             end if;
@@ -153,7 +153,7 @@ package body Host.Options is
          & Integer'Image (Most_Places) & " times");
    end Add_Place;
 
-   procedure Check (Whose : Program; Chosen : Choices) is
+   procedure Check (Caller : Program; Chosen : Choices) is
 
       Has_Aircraft : constant Boolean := Chosen.Plant = JSBSim_Plant;
 
@@ -170,7 +170,7 @@ package body Host.Options is
       Aircraft : constant String := Name (Plant_Option) & " jsbsim";
 
    begin
-      if Has (Whose, Link_Option) and then not Given (Link_Option) then
+      if Has (Caller, Link_Option) and then not Given (Link_Option) then
          Refuse (Name (Link_Option) & " is missing; ""--help"" explains it");
       end if;
       Key_Files.Check (Chosen.Format, Given (Key_Option));
@@ -184,7 +184,7 @@ package body Host.Options is
          Refuse_Both (Pilot_Option, Name (Sticks_Option));
       elsif Given (Sensors_Option) and then Has_Aircraft then
          Refuse_Both (Sensors_Option, Aircraft);
-      elsif Whose = URV_Sim and then Given (Pilot_Option) then
+      elsif Caller = URV_Sim and then Given (Pilot_Option) then
          if not Pilot.Exists (Value (Chosen, Pilot_Option)) then
             Refuse_Value
               (Name (Pilot_Option), Value (Chosen, Pilot_Option),
@@ -197,7 +197,7 @@ package body Host.Options is
       end if;
    end Check;
 
-   function Parsed (Whose : Program; First : Positive) return Choices is
+   function Parsed (Caller : Program; First : Positive) return Choices is
       Chosen : Choices;
       Given  : Option_Set := (others => False);
       Index  : Positive   := First;
@@ -225,7 +225,7 @@ package body Host.Options is
             loop
                Equal := Equal + 1;
             end loop;
-            Which := Option_Of (Whose, Text (Text'First .. Equal - 1));
+            Which := Option_Of (Caller, Text (Text'First .. Equal - 1));
 
             if Given (Which) and then Which /= Publish_Option then
                Refuse (Name (Which) & " is given twice");
@@ -256,7 +256,7 @@ package body Host.Options is
       if not Given (Laws_Option) then
          Chosen.Laws := Chosen.Plant = JSBSim_Plant;
       end if;
-      Check (Whose, Chosen);
+      Check (Caller, Chosen);
       return Chosen;
    end Parsed;
 

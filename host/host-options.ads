@@ -33,17 +33,17 @@ package Host.Options is
 
    subtype Output_Option is Option range Record_Option .. Events_Option;
 
-   function Has (Whose : Program; Which : Option) return Boolean is
+   function Has (Caller : Program; Which : Option) return Boolean is
      (case Which is
-         when Link_Option                               => Whose /= URV_Sim,
+         when Link_Option                               => Caller /= URV_Sim,
          when Sticks_Option | Pilot_Option
-            | Orders_Option                             => Whose /= URV_MCS,
+            | Orders_Option                             => Caller /= URV_MCS,
          when Plant_Option | Sensors_Option
-            | Laws_Option .. Terminate_After_Option     => Whose /= URV_GSC,
-         when Console_Option .. Publish_Option          => Whose = URV_GSC,
+            | Laws_Option .. Terminate_After_Option     => Caller /= URV_GSC,
+         when Console_Option .. Publish_Option          => Caller = URV_GSC,
          when Faults_Option | Conditions_Option
             | Seed_Option | Drift_Option | Wire_Option
-            | Pace_Option                               => Whose = URV_Sim,
+            | Pace_Option                               => Caller = URV_Sim,
          when others                                    => True);
 
    --  As it is written, with its dashes.
@@ -119,6 +119,6 @@ package Host.Options is
      (To_String (Chosen.Values (Which)));
 
    --  The options in the command line, from that argument on.
-   function Parsed (Whose : Program; First : Positive) return Choices;
+   function Parsed (Caller : Program; First : Positive) return Choices;
 
 end Host.Options;

@@ -45,7 +45,7 @@ package body Host.Outputs is
    --  The file that a name denotes, after symbolic links.
    function Place (Name : String) return String;
 
-   --  Whether both names denote one file, other than the null device.
+   --  True if both names denote one file, other than the null device.
    function Same_File (Left, Right : String) return Boolean;
 
    procedure Check_Distinct (Chosen : Choices);

@@ -14,7 +14,7 @@ package Host.Outputs is
    --  The name that means standard output.
    Standard_Output : constant String := "-";
 
-   --  Whether one of the outputs is standard output.
+   --  True if one of the outputs is standard output.
    function Use_Standard_Output (Chosen : Choices) return Boolean is
      (for some Which in Output_Option =>
         Value (Chosen, Which) = Standard_Output);
@@ -31,7 +31,7 @@ package Host.Outputs is
    --  Writes all buffered output except that of one file.
    procedure Flush (Files : in out File_Set; Except : Output_Option);
 
-   --  Whether the reader of an output on standard output has closed it: that
+   --  True if the reader of an output on standard output has closed it: that
    --  ends a simulated flight (D-55).
    function Is_Unread (Files : File_Set; Chosen : Choices) return Boolean is
      (for some Which in Output_Option =>

@@ -58,7 +58,7 @@ package body Host.Pilot.Circuits is
       Nose          : Long_Float := 0.0;   --  deg, target of lowering it
    end record;
 
-   Mind : Memory;
+   State : Memory;
 
    --  In per cent.
    type Levers is record
@@ -68,7 +68,7 @@ package body Host.Pilot.Circuits is
       Flaps_Down       : Boolean := False;
    end record;
 
-   Hands : Levers;
+   Controls : Levers;
 
    function Bounded (Value, Most : Long_Float) return Long_Float is
      (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
@@ -78,7 +78,7 @@ package body Host.Pilot.Circuits is
 
    Degrees_Per_Radian : constant Long_Float := 57.295_779_5;
 
-   procedure Learn
+   procedure Integrate
      (Trim : in out Long_Float; Per_Second, Most : Long_Float);
 
    procedure Go_On_To (Next : Phase);
@@ -119,39 +119,39 @@ package body Host.Pilot.Circuits is
    function On_Console return Console_Words;
 
    function Path_Height return Long_Float is
-     ((Aim_East - Mind.Picture.East) * Path_Slope);
+     ((Aim_East - State.Picture.East) * Path_Slope);
 
-   procedure Learn
+   procedure Integrate
      (Trim : in out Long_Float; Per_Second, Most : Long_Float) is
    begin
       Trim := Bounded (Trim + Per_Second * Interval, Most);
-   end Learn;
+   end Integrate;
 
    procedure Go_On_To (Next : Phase) is
    begin
-      Mind.Doing := Next;
-      Mind.Moves := 0;
+      State.Doing := Next;
+      State.Moves := 0;
    end Go_On_To;
 
    procedure Start is
    begin
-      Mind  := (others => <>);
-      Hands := (others => <>);
-      Pictures.Start (Mind.Picture);
+      State    := (others => <>);
+      Controls := (others => <>);
+      Pictures.Start (State.Picture);
    end Start;
 
    procedure Decide (Now : Reading) is
-      Here : Picture renames Mind.Picture;
+      Here : Picture renames State.Picture;
    begin
-      Mind.Moves := Mind.Moves + 1;
-      case Mind.Doing is
+      State.Moves := State.Moves + 1;
+      case State.Doing is
          when Ready =>
-            if Mind.Moves > 150 then
+            if State.Moves > 150 then
                Go_On_To (Take_Off);
             end if;
          when Take_Off =>
             if Here.Height > 4.0 and then Here.Climb > 1.0 then
-               Mind.Stick_Trim := 0.0;
+               State.Stick_Trim := 0.0;
                Go_On_To (Climb_Out);
             end if;
          when Climb_Out =>
@@ -172,25 +172,25 @@ package body Host.Pilot.Circuits is
             end if;
          when Final_Leg =>
             if Here.Height < Flare_Below then
-               Mind.Flare_Sink :=
+               State.Flare_Sink :=
                  Long_Float'Max (4.0, Long_Float'Min (9.0, -Here.Climb));
                Go_On_To (Flare);
             end if;
          when Flare =>
             --  The wheels stay on the ground.
-            Mind.Low_Moves :=
+            State.Low_Moves :=
               (if Here.Height < 0.5 and then abs Here.Climb < 0.5
-               then Mind.Low_Moves + 1 else 0);
-            if Mind.Low_Moves > 15 then
-               Mind.Nose := Now.Pitch;
+               then State.Low_Moves + 1 else 0);
+            if State.Low_Moves > 15 then
+               State.Nose := Now.Pitch;
                Go_On_To (Roll_Out);
             end if;
          when Roll_Out =>
             --  A gust has lifted the aircraft again.
             if (Here.Height > 1.2 or else Here.Climb < -1.5)
-              and then Mind.Moves < 50
+              and then State.Moves < 50
             then
-               Mind.Low_Moves := 0;
+               State.Low_Moves := 0;
                Go_On_To (Flare);
             end if;
       end case;
@@ -200,11 +200,11 @@ package body Host.Pilot.Circuits is
      (Course, Right_Of_Line : Long_Float) return Long_Float
    is
       Per_Foot   : constant Long_Float :=
-        (if Mind.Doing = Final_Leg and then Mind.Picture.Height < 150.0
+        (if State.Doing = Final_Leg and then State.Picture.Height < 150.0
          then 0.2 else 0.08);
       Per_Degree : constant Long_Float :=
-        (if Mind.Doing = Final_Leg then 1.4 else 1.0);
-      Here  : Picture renames Mind.Picture;
+        (if State.Doing = Final_Leg then 1.4 else 1.0);
+      Here  : Picture renames State.Picture;
       Angle : constant Long_Float := Nearest (Course);
 
       --  The wind component to the right of the course, for four courses.
@@ -223,13 +223,13 @@ package body Host.Pilot.Circuits is
    end Bank_For;
 
    function Bank_Over_Runway (Now : Reading) return Long_Float is
-      Here : Picture renames Mind.Picture;
+      Here : Picture renames State.Picture;
    begin
       --  North is left of the line; a bank into the slip holds it.
       return
         Bounded
           (0.45 * Here.North + 1.5 * Here.North_Speed
-           + 0.34 * Mind.Aligned * Now.Beta,
+           + 0.34 * State.Aligned * Now.Beta,
            Long_Float'Min (15.0, 9.0 + 0.4 * Here.Height));
    end Bank_Over_Runway;
 
@@ -240,35 +240,35 @@ package body Host.Pilot.Circuits is
 
       --  In a slip, and on the ground, a crosswind lifts a wing.
       Slip   : constant Long_Float :=
-        (if Mind.Doing not in On_The_Ground then Mind.Aligned
+        (if State.Doing not in On_The_Ground then State.Aligned
          elsif Now.Airspeed > 20.0 then 1.0
          else 0.0);
    begin
-      Mind.Bank_Wanted :=
-        Mind.Bank_Wanted
-        + Bounded (Wanted - Mind.Bank_Wanted, 15.0 * Interval);
-      Lag := Mind.Bank_Wanted - Now.Bank;
+      State.Bank_Wanted :=
+        State.Bank_Wanted
+        + Bounded (Wanted - State.Bank_Wanted, 15.0 * Interval);
+      Lag := State.Bank_Wanted - Now.Bank;
       if abs Lag < 3.0 then
-         Learn (Mind.Roll_Trim, 0.4 * Lag, 15.0);
+         Integrate (State.Roll_Trim, 0.4 * Lag, 15.0);
       end if;
-      Hands.Roll :=
-        Slower * (2.0 * Lag - 0.15 * Now.Roll_Rate) + Mind.Roll_Trim
+      Controls.Roll :=
+        Slower * (2.0 * Lag - 0.15 * Now.Roll_Rate) + State.Roll_Trim
         + 4.2 * Slip * Bounded (Now.Beta, 20.0);
    end Bank_To;
 
    procedure Fly_Yaw (Now : Reading) is
       Askew : constant Long_Float :=
-        Nearest (Runway.Heading - Mind.Picture.Heading);
+        Nearest (Runway.Heading - State.Picture.Heading);
    begin
-      Learn
-        (Mind.Yaw_Trim,
-         (1.0 - Mind.Aligned) * Now.Beta
-         + 0.8 * Mind.Aligned * Bounded (Askew, 5.0),
+      Integrate
+        (State.Yaw_Trim,
+         (1.0 - State.Aligned) * Now.Beta
+         + 0.8 * State.Aligned * Bounded (Askew, 5.0),
          20.0);
-      Hands.Yaw :=
-        Mind.Yaw_Trim
-        + Mind.Aligned
-          * (1.8 * Askew - 0.8 * Mind.Picture.Turn - 4.4 * Now.Beta);
+      Controls.Yaw :=
+        State.Yaw_Trim
+        + State.Aligned
+          * (1.8 * Askew - 0.8 * State.Picture.Turn - 4.4 * Now.Beta);
    end Fly_Yaw;
 
    procedure Fly_Path
@@ -276,7 +276,8 @@ package body Host.Pilot.Circuits is
       Now          : Reading;
       Rounding     : Long_Float := 0.0)
    is
-      Fast  : constant Long_Float := Long_Float'Max (60.0, Mind.Picture.Speed);
+      Fast  : constant Long_Float :=
+        Long_Float'Max (60.0, State.Picture.Speed);
 
       --  Lift over pressure and area, in radians of alpha.
       Lift  : constant Long_Float :=
@@ -287,24 +288,25 @@ package body Host.Pilot.Circuits is
           ((Degrees_Per_Radian * (Lift - 0.3) - 1.15 * Now.Flaps) / 4.8,
            11.0);
       Lag   : constant Long_Float :=
-        Degrees_Per_Radian * (Climb - Mind.Picture.Climb) / Fast;
+        Degrees_Per_Radian * (Climb - State.Picture.Climb) / Fast;
 
       --  The pilot feels a gust before it moves the aircraft.
       Load  : constant Long_Float :=
         Now.Load * Cosine (Now.Bank) * Cosine (Now.Pitch);
-      Lead  : constant Long_Float := (if Mind.Doing = Flare then 8.0 else 0.0);
+      Lead  : constant Long_Float :=
+        (if State.Doing = Flare then 8.0 else 0.0);
 
       --  Near the ground it matters more.
       Share    : constant Long_Float :=
-        (if Mind.Doing = Flare then 1.5 else 0.6);
-      Learning : constant Long_Float :=
-        (if Mind.Doing = Flare then 0.5 else 0.2);
+        (if State.Doing = Flare then 1.5 else 0.6);
+      Integral_Gain : constant Long_Float :=
+        (if State.Doing = Flare then 0.5 else 0.2);
    begin
-      Learn (Mind.Path_Trim, Learning * Bounded (Lag, 3.0), 5.0);
+      Integrate (State.Path_Trim, Integral_Gain * Bounded (Lag, 3.0), 5.0);
       Pitch_To
         (Bounded
            (Alpha + Degrees_Per_Radian * Climb / Fast + Share * Lag
-            - Lead * (Load - 1.0 - Rounding) + Mind.Path_Trim,
+            - Lead * (Load - 1.0 - Rounding) + State.Path_Trim,
             14.0),
          Now);
       Push_Throttle (Climb, Speed, Now);
@@ -316,31 +318,31 @@ package body Host.Pilot.Circuits is
       Extra  : constant Long_Float :=
         1.0 / Long_Float'Max (0.5, Cosine (Now.Bank)) - 1.0;
    begin
-      Learn (Mind.Stick_Trim, 1.2 * (Wanted - Now.Pitch), 35.0);
-      Hands.Pitch :=
+      Integrate (State.Stick_Trim, 1.2 * (Wanted - Now.Pitch), 35.0);
+      Controls.Pitch :=
         Weaker
         * (1.7 * (Wanted - Now.Pitch)
            - 0.6 * (Now.Pitch_Rate - Turn_Rate (Now) * Sine (Now.Bank)))
-        + Mind.Stick_Trim + 30.0 * Extra;
+        + State.Stick_Trim + 30.0 * Extra;
    end Pitch_To;
 
    procedure Push_Throttle (Climb, Speed : Long_Float; Now : Reading) is
       Slow : constant Long_Float := Speed - Now.Airspeed;
    begin
-      if Hands.Throttle > 1.0 and then Hands.Throttle < 99.0 then
-         Learn (Mind.Throttle_Trim, 0.6 * Slow, 30.0);
+      if Controls.Throttle > 1.0 and then Controls.Throttle < 99.0 then
+         Integrate (State.Throttle_Trim, 0.6 * Slow, 30.0);
       end if;
-      Hands.Throttle :=
+      Controls.Throttle :=
         Long_Float'Max
           (0.0,
            Long_Float'Min
              (100.0,
-              45.0 + Mind.Throttle_Trim + 5.0 * Slow + 3.0 * Climb
+              45.0 + State.Throttle_Trim + 5.0 * Slow + 3.0 * Climb
               + 0.9 * Now.Flaps));
    end Push_Throttle;
 
    procedure Steer (Now : Reading) is
-      Here   : Picture renames Mind.Picture;
+      Here   : Picture renames State.Picture;
       Fast   : constant Long_Float := Long_Float'Max (12.0, Here.Speed);
 
       --  Returns to the line within some seconds, then follows it.
@@ -358,35 +360,35 @@ package body Host.Pilot.Circuits is
           (0.0, Long_Float'Min (1.0, (Now.Airspeed - 15.0) / 20.0));
    begin
       --  While the nose comes down the rudders keep their deflection.
-      Mind.Aligned :=
-        Long_Float'Max (0.0, Mind.Aligned - 0.5 * Interval);
-      Learn (Mind.Yaw_Trim, 0.5 * Bounded (Askew, 5.0), 15.0);
-      Hands.Yaw :=
+      State.Aligned :=
+        Long_Float'Max (0.0, State.Aligned - 0.5 * Interval);
+      Integrate (State.Yaw_Trim, 0.5 * Bounded (Askew, 5.0), 15.0);
+      Controls.Yaw :=
         Bounded
           ((1.0 + 0.5 * Per_Turn) * Askew - 0.7 * Here.Turn
-           + Mind.Yaw_Trim
-           - By_Air * (1.6 + 2.6 * Mind.Aligned) * Bounded (Now.Beta, 20.0),
+           + State.Yaw_Trim
+           - By_Air * (1.6 + 2.6 * State.Aligned) * Bounded (Now.Beta, 20.0),
            70.0);
       Bank_To (0.0, Now);
    end Steer;
 
    procedure Roll_Off (Now : Reading) is
    begin
-      Hands.Brake := 0.0;
-      Hands.Throttle :=
-        Long_Float'Min (100.0, Hands.Throttle + 40.0 * Interval);
+      Controls.Brake := 0.0;
+      Controls.Throttle :=
+        Long_Float'Min (100.0, Controls.Throttle + 40.0 * Interval);
       Steer (Now);
       if Now.Airspeed > Lift_Off_Speed then
          Pitch_To (Lift_Off_Pitch, Now);
       else
-         Hands.Pitch := 0.0;
+         Controls.Pitch := 0.0;
       end if;
    end Roll_Off;
 
    procedure Fly_Round (Now : Reading) is
-      Here  : Picture renames Mind.Picture;
+      Here  : Picture renames State.Picture;
       Speed : constant Long_Float :=
-        (if Mind.Doing = Base_Leg then Base_Speed else Circuit_Speed);
+        (if State.Doing = Base_Leg then Base_Speed else Circuit_Speed);
 
       --  Speed has priority over climb.
       Fast  : constant Long_Float :=
@@ -398,12 +400,12 @@ package body Host.Pilot.Circuits is
              (Long_Float'Min (Fast, Highest_Climb),
               0.25 * (Circuit_Height - Here.Height)));
    begin
-      Mind.Aligned := 0.0;
-      Hands.Flaps_Down := Mind.Doing = Base_Leg;
+      State.Aligned := 0.0;
+      Controls.Flaps_Down := State.Doing = Base_Leg;
       Fly_Path (Climb, Speed, Now);
       Fly_Yaw (Now);
       Bank_To
-        ((case Mind.Doing is
+        ((case State.Doing is
              when Climb_Out     =>
                 Bank_For (Runway.Heading, -Here.North),
              when Crosswind_Leg => Bank_For (0.0, 0.0),
@@ -414,7 +416,7 @@ package body Host.Pilot.Circuits is
    end Fly_Round;
 
    procedure Approach (Now : Reading) is
-      Here  : Picture renames Mind.Picture;
+      Here  : Picture renames State.Picture;
       Above : constant Long_Float := Path_Height - Here.Height;
       Climb : constant Long_Float :=
         Long_Float'Max
@@ -425,10 +427,10 @@ package body Host.Pilot.Circuits is
                then 0.25 * (Circuit_Height - Here.Height)
                else -Path_Slope * Here.East_Speed + 0.25 * Above)));
    begin
-      Hands.Flaps_Down := True;
+      Controls.Flaps_Down := True;
       if Here.Height < 60.0 then
-         Mind.Aligned :=
-           Long_Float'Min (1.0, Mind.Aligned + 0.25 * Interval);
+         State.Aligned :=
+           Long_Float'Min (1.0, State.Aligned + 0.25 * Interval);
          Bank_To (Bank_Over_Runway (Now), Now);
       else
          Bank_To (Bank_For (Runway.Heading, -Here.North), Now);
@@ -438,21 +440,21 @@ package body Host.Pilot.Circuits is
    end Approach;
 
    procedure Touch_Down (Now : Reading) is
-      Here  : Picture renames Mind.Picture;
+      Here  : Picture renames State.Picture;
       Share : constant Long_Float :=
         Long_Float'Max
           (0.0, (Here.Height - Held_Off) / (Flare_Below - Held_Off));
       Sink  : constant Long_Float :=
-        Touch_Sink + (Mind.Flare_Sink - Touch_Sink) * Share;
+        Touch_Sink + (State.Flare_Sink - Touch_Sink) * Share;
 
       --  The rate at which the sink decreases, in weights.
       Rounding : constant Long_Float :=
         (if Share > 0.0
-         then Sink * (Mind.Flare_Sink - Touch_Sink)
+         then Sink * (State.Flare_Sink - Touch_Sink)
               / (Flare_Below - Held_Off) / 32.2
          else 0.0);
    begin
-      Mind.Aligned := Long_Float'Min (1.0, Mind.Aligned + 0.25 * Interval);
+      State.Aligned := Long_Float'Min (1.0, State.Aligned + 0.25 * Interval);
       Bank_To (Bank_Over_Runway (Now), Now);
       Fly_Path
         (-Sink,
@@ -460,29 +462,29 @@ package body Host.Pilot.Circuits is
          Now, Rounding);
       Fly_Yaw (Now);
       if Here.Height < 0.8 then
-         Hands.Throttle := 0.0;
+         Controls.Throttle := 0.0;
       end if;
    end Touch_Down;
 
    procedure Brake (Now : Reading) is
    begin
-      Hands.Throttle := 0.0;
+      Controls.Throttle := 0.0;
       Steer (Now);
 
       --  The nose comes down by itself and is then held down; without flaps
       --  the wheels carry more weight.
-      Hands.Flaps_Down := False;
-      Mind.Nose := Long_Float'Max (-1.0, Mind.Nose - 6.0 * Interval);
-      Mind.Stick_Trim :=
-        Long_Float'Max (-12.0, Mind.Stick_Trim - 15.0 * Interval);
-      Hands.Pitch :=
-        Mind.Stick_Trim + 3.0 * Bounded (Mind.Nose - Now.Pitch, 5.0)
+      Controls.Flaps_Down := False;
+      State.Nose := Long_Float'Max (-1.0, State.Nose - 6.0 * Interval);
+      State.Stick_Trim :=
+        Long_Float'Max (-12.0, State.Stick_Trim - 15.0 * Interval);
+      Controls.Pitch :=
+        State.Stick_Trim + 3.0 * Bounded (State.Nose - Now.Pitch, 5.0)
         - 1.0 * Now.Pitch_Rate;
-      if Mind.Moves > 75 then
-         Hands.Brake :=
+      if State.Moves > 75 then
+         Controls.Brake :=
            Long_Float'Min
-             ((if Mind.Moves > 750 then 100.0 else 40.0),
-              Hands.Brake + 25.0 * Interval);
+             ((if State.Moves > 750 then 100.0 else 40.0),
+              Controls.Brake + 25.0 * Interval);
       end if;
    end Brake;
 
@@ -493,12 +495,12 @@ package body Host.Pilot.Circuits is
 
    begin
       return Console : Console_Words := Neutral_Console do
-         Console (Roll)     := Stick (Hands.Roll);
-         Console (Pitch)    := Stick (Hands.Pitch);
-         Console (Yaw)      := Stick (Hands.Yaw);
-         Console (Throttle) := To_Word (Hands.Throttle, Lever);
-         Console (Brake)    := To_Word (Hands.Brake, Pedal);
-         if Hands.Flaps_Down then
+         Console (Roll)     := Stick (Controls.Roll);
+         Console (Pitch)    := Stick (Controls.Pitch);
+         Console (Yaw)      := Stick (Controls.Yaw);
+         Console (Throttle) := To_Word (Controls.Throttle, Lever);
+         Console (Brake)    := To_Word (Controls.Brake, Pedal);
+         if Controls.Flaps_Down then
             Console (Switch_8) := Converter_Value'Last;
          end if;
       end return;
@@ -507,21 +509,21 @@ package body Host.Pilot.Circuits is
    procedure Move
      (Now     : Reading;
       Is_Old  : Boolean;
-      Seen    : Sight;
+      Seen    : View;
       Is_New  : Boolean;
       Console : out Console_Words) is
    begin
       if not Is_Old then
-         Reckon
-           (Mind.Picture, Now, On_Wheels => Mind.Doing in On_The_Ground);
+         Dead_Reckon
+           (State.Picture, Now, On_Wheels => State.Doing in On_The_Ground);
          if Is_New then
             Correct
-              (Mind.Picture, Seen,
-               On_Wheels => Mind.Doing in On_The_Ground);
+              (State.Picture, Seen,
+               On_Wheels => State.Doing in On_The_Ground);
          end if;
          Decide (Now);
-         case Mind.Doing is
-            when Ready     => Set_Zero (Mind.Picture, Now);
+         case State.Doing is
+            when Ready     => Set_Zero (State.Picture, Now);
             when Take_Off  => Roll_Off (Now);
             when Final_Leg => Approach (Now);
             when Flare     => Touch_Down (Now);

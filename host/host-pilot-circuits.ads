@@ -18,7 +18,7 @@ private package Host.Pilot.Circuits is
    procedure Move
      (Now     : Reading;
       Is_Old  : Boolean;
-      Seen    : Sight;
+      Seen    : View;
       Is_New  : Boolean;
       Console : out Console_Words);
 

@@ -56,7 +56,7 @@ package body Host.Pilot.Pictures is
       Known.Climb  := 0.0;
    end Set_Zero;
 
-   procedure Reckon
+   procedure Dead_Reckon
      (Known     : in out Picture;
       Now       : Reading;
       On_Wheels : Boolean)
@@ -65,8 +65,8 @@ package body Host.Pilot.Pictures is
         Gravity * (Now.Load * Cosine (Now.Bank) * Cosine (Now.Pitch) - 1.0);
       Higher : constant Long_Float :=
         Now.Altitude - Known.Zero - Known.Height;
-      Drift  : constant Long_Float := (if On_Wheels then 0.0 else 1.0);
-      Way    : Long_Float;
+      Drift   : constant Long_Float := (if On_Wheels then 0.0 else 1.0);
+      Course  : Long_Float;
    begin
       Known.Height :=
         Known.Height + (Known.Climb + Height_Share * Higher) * Interval;
@@ -77,20 +77,20 @@ package body Host.Pilot.Pictures is
       Known.Heading := Known.Heading + Known.Turn * Interval;
 
       --  In a slip the track differs from the heading.
-      Way := Known.Heading + Drift * Now.Beta;
+      Course := Known.Heading + Drift * Now.Beta;
       Known.Speed   :=
         Long_Float'Max (0.0, Now.Airspeed) * Feet_Per_Second_Per_Knot;
       Known.North_Speed :=
-        Known.Speed * North_Share (Way) + Drift * Known.Wind_North;
+        Known.Speed * North_Share (Course) + Drift * Known.Wind_North;
       Known.East_Speed :=
-        Known.Speed * East_Share (Way) + Known.Wind_East;
+        Known.Speed * East_Share (Course) + Known.Wind_East;
       Known.North := Known.North + Known.North_Speed * Interval;
       Known.East  := Known.East + Known.East_Speed * Interval;
-   end Reckon;
+   end Dead_Reckon;
 
    procedure Correct
      (Known     : in out Picture;
-      Seen      : Sight;
+      Seen      : View;
       On_Wheels : Boolean)
    is
       North : constant Long_Float := Seen.North - Known.North;

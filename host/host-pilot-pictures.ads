@@ -33,7 +33,7 @@ private package Host.Pilot.Pictures is
 
    --  Advances the estimate by a fiftieth of a second. Wheels on the ground do
    --  not drift with the wind.
-   procedure Reckon
+   procedure Dead_Reckon
      (Known     : in out Picture;
       Now       : Reading;
       On_Wheels : Boolean);
@@ -43,7 +43,7 @@ private package Host.Pilot.Pictures is
 
    procedure Correct
      (Known     : in out Picture;
-      Seen      : Sight;
+      Seen      : View;
       On_Wheels : Boolean);
 
 end Host.Pilot.Pictures;

@@ -24,24 +24,24 @@ package body Host.Pilot is
    Bank_Slew        : constant Long_Float := 12.0;   --  deg/s
 
    --  Roll stick.
-   Roll_Per_Bank  : constant Long_Float := 1.1;
-   Roll_Per_Rate  : constant Long_Float := 0.10;
-   Roll_Learning  : constant Long_Float := 0.25;    --  a second
-   Roll_Trim_Most : constant Long_Float := 10.0;
+   Roll_Per_Bank      : constant Long_Float := 1.1;
+   Roll_Per_Rate      : constant Long_Float := 0.10;
+   Roll_Integral_Gain : constant Long_Float := 0.25;    --  a second
+   Roll_Trim_Most     : constant Long_Float := 10.0;
 
    --  The trim does not learn while a turn begins or ends.
    Roll_Learning_Range : constant Long_Float := 3.0;   --  deg
 
    --  Yaw stick: the pedals follow the sideslip slowly.
-   Yaw_Learning   : constant Long_Float := 1.0;
-   Yaw_Trim_Most  : constant Long_Float := 20.0;
+   Yaw_Integral_Gain  : constant Long_Float := 1.0;
+   Yaw_Trim_Most      : constant Long_Float := 20.0;
 
    --  Target pitch attitude: from the altitude through a climb rate.
-   Climb_Per_Altitude  : constant Long_Float := 0.25;   --  a second
-   Fastest_Climb       : constant Long_Float := 16.0;   --  ft/s
-   Pitch_Per_Climb     : constant Long_Float := 0.50;   --  deg per ft/s
-   Pitch_Per_Lag       : constant Long_Float := 0.25;   --  deg per ft/s
-   Pitch_Learning      : constant Long_Float := 0.02;   --  a second
+   Climb_Per_Altitude   : constant Long_Float := 0.25;   --  a second
+   Fastest_Climb        : constant Long_Float := 16.0;   --  ft/s
+   Pitch_Per_Climb      : constant Long_Float := 0.50;   --  deg per ft/s
+   Pitch_Per_Lag        : constant Long_Float := 0.25;   --  deg per ft/s
+   Pitch_Integral_Gain  : constant Long_Float := 0.02;   --  a second
    Pitch_Learning_Range : constant Long_Float := 10.0;   --  ft
    Pitch_Trim_Most     : constant Long_Float := 4.0;
 
@@ -50,22 +50,22 @@ package body Host.Pilot is
    Pitch_Per_Flap      : constant Long_Float := -0.24;
 
    --  Pitch stick.
-   Stick_Per_Pitch     : constant Long_Float := 1.7;
-   Stick_Per_Rate      : constant Long_Float := 0.6;
-   Stick_Learning      : constant Long_Float := 1.0;
-   Stick_Trim_Most     : constant Long_Float := 20.0;
-   Stick_In_Turns      : constant Long_Float := 30.0;
-   Stick_Per_Flap      : constant Long_Float := -0.40;
+   Stick_Per_Pitch         : constant Long_Float := 1.7;
+   Stick_Per_Rate          : constant Long_Float := 0.6;
+   Stick_Integral_Gain     : constant Long_Float := 1.0;
+   Stick_Trim_Most         : constant Long_Float := 20.0;
+   Stick_In_Turns          : constant Long_Float := 30.0;
+   Stick_Per_Flap          : constant Long_Float := -0.40;
 
    --  Throttle.
-   Throttle_Per_Speed  : constant Long_Float := 6.0;
-   Throttle_Learning   : constant Long_Float := 0.6;
-   Throttle_Trim_Most  : constant Long_Float := 30.0;
-   Throttle_Per_Climb  : constant Long_Float := 3.0;
-   Throttle_Per_Flap   : constant Long_Float := 0.9;
+   Throttle_Per_Speed      : constant Long_Float := 6.0;
+   Throttle_Integral_Gain  : constant Long_Float := 0.6;
+   Throttle_Trim_Most      : constant Long_Float := 30.0;
+   Throttle_Per_Climb      : constant Long_Float := 3.0;
+   Throttle_Per_Flap       : constant Long_Float := 0.9;
 
    --  Displays that stay unchanged for this many moves mean a lost link.
-   Patience : constant := 10;
+   Longest_Unchanged : constant := 10;
 
    --  The pilot's memory from move to move. The trims are the stick positions
    --  that hold every target.
@@ -83,11 +83,11 @@ package body Host.Pilot is
       Pitch_Trim     : Long_Float      := 0.0;
       Stick_Trim     : Long_Float      := 0.0;
       Throttle_Trim  : Long_Float      := 0.0;
-      Sight          : Pilot.Sight;
-      Sight_Is_New   : Boolean         := False;
+      View           : Pilot.View;
+      View_Is_New    : Boolean         := False;
    end record;
 
-   Mind : Memory;
+   State : Memory;
 
    --  The five levers, in per cent.
    type Levers is record
@@ -95,7 +95,7 @@ package body Host.Pilot is
       Throttle         : Long_Float := Cruise_Throttle;
    end record;
 
-   Hands : Levers;
+   Controls : Levers;
 
    function Named (Name : String) return Flight
      with Pre => Exists (Name);
@@ -106,7 +106,7 @@ package body Host.Pilot is
      (Long_Float'Max (-Most, Long_Float'Min (Most, Value)));
 
    --  Adds a second's error to a trim, unless the data are old.
-   procedure Learn
+   procedure Integrate
      (Trim : in out Long_Float; Per_Second, Most : Long_Float);
 
    procedure Look (Downlink : Downlink_Buffer);
@@ -120,7 +120,7 @@ package body Host.Pilot is
    function On_Console return Console_Words;
 
    function Is_Old return Boolean is
-     (Mind.Stale > 0 or else Mind.Unchanged > Patience);
+     (State.Stale > 0 or else State.Unchanged > Longest_Unchanged);
 
    function Exists (Name : String) return Boolean is
      (for some Known in Flight => Flights.Name (Known) = Name);
@@ -153,105 +153,106 @@ package body Host.Pilot is
 
    procedure Start (Name : String) is
    begin
-      Mind  := (Flown => Named (Name), others => <>);
-      Hands := (others => <>);
+      State    := (Flown => Named (Name), others => <>);
+      Controls := (others => <>);
       Circuits.Start;
    end Start;
 
-   procedure See (Now : Sight) is
+   procedure See (Now : View) is
    begin
-      Mind.Sight        := Now;
-      Mind.Sight_Is_New := True;
+      State.View        := Now;
+      State.View_Is_New := True;
    end See;
 
-   function Present_Targets return Targets is (Mind.Wanted);
+   function Present_Targets return Targets is (State.Wanted);
 
-   procedure Learn
+   procedure Integrate
      (Trim : in out Long_Float; Per_Second, Most : Long_Float) is
    begin
       if not Is_Old then
          Trim := Bounded (Trim + Per_Second * Interval, Most);
       end if;
-   end Learn;
+   end Integrate;
 
    procedure Look (Downlink : Downlink_Buffer) is
    begin
       --  The word's other bits are independent of its age (TST-4).
       if (Downlink (Error_Status) and Stale_Data) /= 0 then
-         Mind.Stale := Mind.Stale + 1;
+         State.Stale := State.Stale + 1;
       else
-         Mind.Stale := 0;
+         State.Stale := 0;
       end if;
-      if Downlink = Mind.Seen then
-         Mind.Unchanged := Mind.Unchanged + 1;
+      if Downlink = State.Seen then
+         State.Unchanged := State.Unchanged + 1;
       else
-         Mind.Unchanged := 0;
+         State.Unchanged := 0;
       end if;
-      Mind.Seen := Downlink;
-      if not Mind.Has_Seen and then Mind.Stale = 0 then
-         Mind.Has_Seen := Is_Flying (Read (Downlink));
+      State.Seen := Downlink;
+      if not State.Has_Seen and then State.Stale = 0 then
+         State.Has_Seen := Is_Flying (Read (Downlink));
       end if;
    end Look;
 
    procedure Fly_Lateral (Now : Reading) is
       Turn : constant Long_Float :=
         Bounded
-          (Bank_Per_Heading * (Mind.Wanted.Heading - Mind.Heading),
+          (Bank_Per_Heading * (State.Wanted.Heading - State.Heading),
            Steepest_Bank);
       Lag  : Long_Float;
    begin
-      Mind.Bank_Wanted :=
-        Mind.Bank_Wanted
-        + Bounded (Turn - Mind.Bank_Wanted, Bank_Slew * Interval);
-      Lag := Mind.Bank_Wanted - Now.Bank;
+      State.Bank_Wanted :=
+        State.Bank_Wanted
+        + Bounded (Turn - State.Bank_Wanted, Bank_Slew * Interval);
+      Lag := State.Bank_Wanted - Now.Bank;
       if abs Lag < Roll_Learning_Range then
-         Learn (Mind.Roll_Trim, Roll_Learning * Lag, Roll_Trim_Most);
+         Integrate (State.Roll_Trim, Roll_Integral_Gain * Lag, Roll_Trim_Most);
       end if;
-      Hands.Roll :=
+      Controls.Roll :=
         Roll_Per_Bank * Lag - Roll_Per_Rate * Now.Roll_Rate
-        + Mind.Roll_Trim;
+        + State.Roll_Trim;
 
-      Learn (Mind.Yaw_Trim, Yaw_Learning * Now.Beta, Yaw_Trim_Most);
-      Hands.Yaw := Mind.Yaw_Trim;
+      Integrate (State.Yaw_Trim, Yaw_Integral_Gain * Now.Beta, Yaw_Trim_Most);
+      Controls.Yaw := State.Yaw_Trim;
    end Fly_Lateral;
 
    procedure Fly_Vertical (Now : Reading) is
       --  The additional lift for a turn: 1 / cos (bank) - 1.
       Extra : constant Long_Float :=
         1.0 / Long_Float'Max (0.5, Cosine (Now.Bank)) - 1.0;
-      Below : constant Long_Float := Mind.Wanted.Altitude - Now.Altitude;
+      Below : constant Long_Float := State.Wanted.Altitude - Now.Altitude;
       Climb : constant Long_Float :=
         Bounded
-          (Mind.Wanted.Climb + Climb_Per_Altitude * Below, Fastest_Climb);
-      Slow  : constant Long_Float := Mind.Wanted.Airspeed - Now.Airspeed;
+          (State.Wanted.Climb + Climb_Per_Altitude * Below, Fastest_Climb);
+      Slow  : constant Long_Float := State.Wanted.Airspeed - Now.Airspeed;
       Pitch : Long_Float;
    begin
-      Learn
-        (Mind.Pitch_Trim,
-         Pitch_Learning * Bounded (Below, Pitch_Learning_Range),
+      Integrate
+        (State.Pitch_Trim,
+         Pitch_Integral_Gain * Bounded (Below, Pitch_Learning_Range),
          Pitch_Trim_Most);
       Pitch :=
-        Cruise_Pitch + Mind.Pitch_Trim
+        Cruise_Pitch + State.Pitch_Trim
         + Pitch_Per_Climb * Climb
         + Pitch_Per_Lag * (Climb - Climb_Rate (Now))
         + Pitch_In_Turns * Extra
         + Pitch_Per_Flap * Now.Flaps;
 
-      Learn
-        (Mind.Stick_Trim, Stick_Learning * (Pitch - Now.Pitch),
+      Integrate
+        (State.Stick_Trim, Stick_Integral_Gain * (Pitch - Now.Pitch),
          Stick_Trim_Most);
-      Hands.Pitch :=
+      Controls.Pitch :=
         Stick_Per_Pitch * (Pitch - Now.Pitch)
         - Stick_Per_Rate
           * (Now.Pitch_Rate - Turn_Rate (Now) * Sine (Now.Bank))
-        + Mind.Stick_Trim
+        + State.Stick_Trim
         + Stick_In_Turns * Extra
         + Stick_Per_Flap * Now.Flaps;
 
-      Learn
-        (Mind.Throttle_Trim, Throttle_Learning * Slow, Throttle_Trim_Most);
-      Hands.Throttle :=
-        Cruise_Throttle + Mind.Throttle_Trim
+      Integrate
+        (State.Throttle_Trim, Throttle_Integral_Gain * Slow,
+         Throttle_Trim_Most);
+      Controls.Throttle :=
+        Cruise_Throttle + State.Throttle_Trim
         + Throttle_Per_Speed * Slow
         + Throttle_Per_Climb * Climb
         + Throttle_Per_Flap * Now.Flaps;
@@ -259,11 +260,11 @@ package body Host.Pilot is
 
    procedure Let_Go is
    begin
-      Hands :=
-        (Roll     => Mind.Roll_Trim,
-         Pitch    => Mind.Stick_Trim,
-         Yaw      => Mind.Yaw_Trim,
-         Throttle => Cruise_Throttle + Mind.Throttle_Trim);
+      Controls :=
+        (Roll     => State.Roll_Trim,
+         Pitch    => State.Stick_Trim,
+         Yaw      => State.Yaw_Trim,
+         Throttle => Cruise_Throttle + State.Throttle_Trim);
    end Let_Go;
 
    function On_Console return Console_Words is
@@ -273,11 +274,11 @@ package body Host.Pilot is
 
    begin
       return Console : Console_Words := Neutral_Console do
-         Console (Roll)     := Stick (Hands.Roll);
-         Console (Pitch)    := Stick (Hands.Pitch);
-         Console (Yaw)      := Stick (Hands.Yaw);
-         Console (Throttle) := To_Word (Hands.Throttle, Lever);
-         if Mind.Wanted.Flaps_Down then
+         Console (Roll)     := Stick (Controls.Roll);
+         Console (Pitch)    := Stick (Controls.Pitch);
+         Console (Yaw)      := Stick (Controls.Yaw);
+         Console (Throttle) := To_Word (Controls.Throttle, Lever);
+         if State.Wanted.Flaps_Down then
             Console (Switch_8) := Converter_Value'Last;
          end if;
       end return;
@@ -290,20 +291,20 @@ package body Host.Pilot is
    is
       Now : constant Reading := Read (Downlink);
    begin
-      Mind.Wanted := Targets_At (Mind.Flown, Time);
+      State.Wanted := Targets_At (State.Flown, Time);
       Look (Downlink);
-      if Mind.Flown in Flight_By_Eye then
+      if State.Flown in Flight_By_Eye then
          Circuits.Move
-           (Now, Mind.Stale > 0, Mind.Sight, Mind.Sight_Is_New, Console);
-         Mind.Sight_Is_New := False;
-         if Mind.Flown = Damped_Circuit_Flight then
+           (Now, State.Stale > 0, State.View, State.View_Is_New, Console);
+         State.View_Is_New := False;
+         if State.Flown = Damped_Circuit_Flight then
             Console (Switch_1) := Converter_Value'Last;
          end if;
          return;
       end if;
-      if Mind.Has_Seen then
-         Mind.Heading := Mind.Heading + Turn_Rate (Now) * Interval;
-         if Mind.Stale > Patience then
+      if State.Has_Seen then
+         State.Heading := State.Heading + Turn_Rate (Now) * Interval;
+         if State.Stale > Longest_Unchanged then
             Let_Go;
          else
             Fly_Lateral (Now);
@@ -317,9 +318,9 @@ package body Host.Pilot is
       Now : constant Reading := Read (Downlink);
    begin
       Look (Downlink);
-      if Mind.Has_Seen then
-         Mind.Heading := Mind.Heading + Turn_Rate (Now) * Interval;
-         Mind.Bank_Wanted := Now.Bank;
+      if State.Has_Seen then
+         State.Heading := State.Heading + Turn_Rate (Now) * Interval;
+         State.Bank_Wanted := Now.Bank;
       end if;
    end Watch;
 

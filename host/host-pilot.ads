@@ -30,7 +30,7 @@ package Host.Pilot is
 
    --  The aircraft as seen from beside the runway: its position relative to
    --  its place at the beginning, in ft, and its heading, in deg.
-   type Sight is record
+   type View is record
       North, East : Long_Float := 0.0;
       Heading     : Long_Float := 0.0;
    end record;
@@ -44,8 +44,8 @@ package Host.Pilot is
    function Length (Name : String) return Microseconds
      with Pre => Exists (Name);
 
-   --  Whether the flight begins and ends on the runway, so that the pilot must
-   --  see the aircraft.
+   --  True if the flight begins and ends on the runway: the pilot must see the
+   --  aircraft.
    function Is_By_Eye (Name : String) return Boolean
      with Pre => Exists (Name);
 
@@ -54,7 +54,7 @@ package Host.Pilot is
      with Pre => Exists (Name);
 
    --  Shows the aircraft to the pilot, several times a second.
-   procedure See (Now : Sight);
+   procedure See (Now : View);
 
    --  To be called once a major frame. Time is that since the beginning of the
    --  flight; after its end the last leg continues.

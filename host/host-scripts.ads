@@ -23,7 +23,7 @@ package Host.Scripts is
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : in out Script; File : String);
 
-   --  Whether the file has a column for the item.
+   --  True if the file has a column for the item.
    function Is_Given (From : Script; Which : Item) return Boolean;
 
    --  The end of the last row's first frame, rounded up to whole frames. 0

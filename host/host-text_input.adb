@@ -107,14 +107,14 @@ package body Host.Text_Input is
       end if;
    end Next_Line;
 
-   procedure Refuse (From : Reader; What : String) is
+   procedure Refuse (From : Reader; Message : String) is
    begin
-      Refuse (From, Line_Number (From), What);
+      Refuse (From, Line_Number (From), Message);
    end Refuse;
 
-   procedure Refuse (From : Reader; Line : Positive; What : String) is
+   procedure Refuse (From : Reader; Line : Positive; Message : String) is
    begin
-      Complaints.Refuse (To_String (From.Name), Line, What);
+      Complaints.Refuse (To_String (From.Name), Line, Message);
    end Refuse;
 
    procedure Close (From : in out Reader) is

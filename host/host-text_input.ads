@@ -29,10 +29,10 @@ package Host.Text_Input is
    function Line (From : Reader) return String with Inline;
 
    --  Refuses the file at the present line.
-   procedure Refuse (From : Reader; What : String) with No_Return;
+   procedure Refuse (From : Reader; Message : String) with No_Return;
 
    --  Refuses it at an earlier one.
-   procedure Refuse (From : Reader; Line : Positive; What : String)
+   procedure Refuse (From : Reader; Line : Positive; Message : String)
      with No_Return;
 
    --  The file is closed at the latest when the reader is finalized.

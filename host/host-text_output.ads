@@ -57,14 +57,14 @@ package Host.Text_Output is
    procedure Attach_Screen (To : in out Writer; Is_Error : Boolean := False)
      with Pre => not Is_Open (To), Post => Is_Open (To);
 
-   --  Whether the output failed, the system's reason, and whether it was a
-   --  pipe without a reader. A closed writer keeps this information.
+   --  The output has failed; the system's reason; the output was a pipe
+   --  without a reader. A closed writer keeps this information.
    function Is_Lost (To : Writer) return Boolean with Inline;
    function Loss (To : Writer) return String
      with Pre => Is_Lost (To);
    function Is_Unread (To : Writer) return Boolean with Inline;
 
-   --  Whether any output of this program has been lost.
+   --  True if any output of this program has been lost.
    function Any_Lost return Boolean;
 
    procedure Put (To : in out Writer; Char : Character)
@@ -92,7 +92,7 @@ package Host.Text_Output is
    procedure Flush (To : in out Writer)
      with Pre => Is_Open (To);
 
-   --  Whether the file can be rewritten from its beginning.
+   --  True if the file can be rewritten from its beginning.
    function Can_Restart (To : Writer) return Boolean
      with Pre => Is_Open (To);
 

@@ -32,7 +32,7 @@ package body Partitions.Aircraft is
    --  other.
    Servos_At : Microseconds := 0 with Atomic;
 
-   --  Whether the frames come in step, and the last reported state of it.
+   --  The node locks its frames to the ground's; the last reported state.
    Has_Lock    : Boolean := False;
    Was_In_Step : Boolean := False;
 
@@ -132,26 +132,26 @@ package body Partitions.Aircraft is
       use URV.CORE_Memory;
 
       Kept  : constant URV.LAW_Steps.Kept := MCS.Law_Memory.Contents;
-      Told  : constant Log_Row :=
+      Log   : constant Log_Row :=
         URV.Law_Status.To_Row
           (Kept.Flown, URV.Surface_Monitor.Failed_Bits (Kept.Watched),
            Kept.Set);
-      Modes : Word := Told (Occurrences_High);
+      Modes : Word := Log (Occurrences_High);
    begin
       if MCS.Law_Settings.Contents.On then
          for Part in 1 .. 4 loop
             Append (To, Number (Modes mod 16));
             Modes := Modes / 16;
          end loop;
-         for Word of Told (Occurrences_Low .. Last_Frame_High) loop
+         for Word of Log (Occurrences_Low .. Last_Frame_High) loop
             Append (To, Number (Word));
          end loop;
-         Append (To, Number (Told (Last_Detail)));
+         Append (To, Number (Log (Last_Detail)));
       end if;
    end Append_Laws;
 
-   function Next_News (Now : String) return String is
-      Of_Plant : constant String := Plant.Next_News (Now);
+   function Next_Message (Now : String) return String is
+      Of_Plant : constant String := Plant.Next_Message (Now);
       State    : constant Lock_State := MCS.Frame_Lock.Contents;
    begin
       if Of_Plant /= "" or else State.Is_In_Step = Was_In_Step then
@@ -161,7 +161,7 @@ package body Partitions.Aircraft is
       return
         (if Was_In_Step then "in step with the ground at "
          else "out of step at ") & Now & " s";
-   end Next_News;
+   end Next_Message;
 
    procedure Put_Counts
      (Result : in out Partitions.Reports.Report;

@@ -34,7 +34,7 @@ package Partitions.Aircraft is
    procedure Append_Laws (To : in out Row);
 
    --  See Partitions.Run: the plant, and the frames in step (FRM-6).
-   function Next_News (Now : String) return String;
+   function Next_Message (Now : String) return String;
    procedure Put_Counts
      (Result : in out Partitions.Reports.Report;
       To     : in out Host.Text_Output.Writer);

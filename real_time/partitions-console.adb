@@ -63,8 +63,8 @@ package body Partitions.Console is
    In_Row : Sticks;
 
    --  Used by the environment task.
-   Told        : Sticks;
-   Told_Orders : URVOS.Count := 0;
+   Reported        : Sticks;
+   Reported_Orders : URVOS.Count := 0;
 
    --  Applies the script's rows up to now.
    procedure Follow_Script (This : in out Sticks);
@@ -226,13 +226,13 @@ package body Partitions.Console is
    procedure Append_Laws (To : in out Row) is
       use URV.CORE_Memory;
 
-      Told : constant Log_Row :=
+      Reported : constant Log_Row :=
         GSC.CORE_Memory.Contents.Aircraft_Log (URV.Law_Status.Row_Number);
    begin
-      for Word of Told (Occurrences_High .. Last_Frame_High) loop
+      for Word of Reported (Occurrences_High .. Last_Frame_High) loop
          Append (To, Number (Word));
       end loop;
-      Append (To, Number (Told (Last_Detail)));
+      Append (To, Number (Reported (Last_Detail)));
    end Append_Laws;
 
    function Recorded return Sticks is (In_Row);
@@ -241,52 +241,52 @@ package body Partitions.Console is
 
    function Times_Neutral return URVOS.Count is (Neutrals.Contents.Number);
 
-   function Next_News (Now : String) return String is
-      This : constant Sticks := Present.Get;
-      News : Unbounded_String;
+   function Next_Message (Now : String) return String is
+      This     : constant Sticks := Present.Get;
+      Messages : Unbounded_String;
 
-      procedure Tell (What : String; Why : String := "");
+      procedure Append_Message (Message : String; Why : String := "");
 
-      procedure Tell (What : String; Why : String := "") is
+      procedure Append_Message (Message : String; Why : String := "") is
       begin
-         Append (News, (if News = "" then "" else "; "));
-         Append (News, What & " at " & Now & " s" & Why);
-      end Tell;
+         Append (Messages, (if Messages = "" then "" else "; "));
+         Append (Messages, Message & " at " & Now & " s" & Why);
+      end Append_Message;
 
    begin
-      if This.State /= Told.State then
+      if This.State /= Reported.State then
          case This.State is
             when No_Console => null;
-            when Live       => Tell ("console live");
+            when Live       => Append_Message ("console live");
             when Held       =>
-               Tell
+               Append_Message
                  ("console held",
                   ": no packet "
                   & (if This.Has_Come then "for 0.5 s" else "yet")
                   & (if This.Pilot = Flies then ", the simulated pilot flies"
                      else ", nothing fresh goes up"));
             when Neutral    =>
-               Tell
+               Append_Message
                  ("console neutral",
                   ": no packet "
                   & (if This.Has_Come then "for 2 s" else "yet")
                   & ", the aircraft is on the ground");
          end case;
       end if;
-      if This.Pilot /= Told.Pilot then
+      if This.Pilot /= Reported.Pilot then
          case This.Pilot is
             when No_Pilot  => null;
-            when Hands_Off => Tell ("pilot hands off");
-            when Flies     => Tell ("pilot flies");
+            when Hands_Off => Append_Message ("pilot hands off");
+            when Flies     => Append_Message ("pilot flies");
          end case;
       end if;
-      Told := This;
-      if Orders.Sent > Told_Orders then
-         Told_Orders := Orders.Sent;
-         Tell ("order" & Told_Orders'Image & " sent up");
+      Reported := This;
+      if Orders.Sent > Reported_Orders then
+         Reported_Orders := Orders.Sent;
+         Append_Message ("order" & Reported_Orders'Image & " sent up");
       end if;
-      return To_String (News);
-   end Next_News;
+      return To_String (Messages);
+   end Next_Message;
 
    procedure Put_Events (To : in out Host.Text_Output.Writer) is
    begin

@@ -64,7 +64,7 @@ package Partitions.Console is
 
    --  Changes of console and pilot since the last call, for people; empty when
    --  there are none. Now is the present time in seconds.
-   function Next_News (Now : String) return String;
+   function Next_Message (Now : String) return String;
 
    --  Lines of --events.
    procedure Put_Events (To : in out Host.Text_Output.Writer);

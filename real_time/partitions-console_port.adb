@@ -39,7 +39,7 @@ package body Partitions.Console_Port is
 
       function Contents (Now : Time) return Situation;
 
-      function Number_Taken return Count;
+      function Number_Accepted return Count;
       function Number_Dropped return Count;
 
    private
@@ -108,7 +108,7 @@ package body Partitions.Console_Port is
             Pilot_Flies => Item.Pilot_Flies)
          else (Pilot_Flies => True, others => <>));
 
-      function Number_Taken return Count is (Good);
+      function Number_Accepted return Count is (Good);
 
       function Number_Dropped return Count is (Bad);
 
@@ -126,7 +126,7 @@ package body Partitions.Console_Port is
    --  made before the machine's clock was set back, or with another clock: its
    --  waiting time is unknown (GND-59).
    function Is_Recent (Made_At, Now : Octets.Number) return Boolean is
-     (Made_At <= Now and then Now - Made_At <= Octets.Number (Longest_Way));
+     (Made_At <= Now and then Now - Made_At <= Octets.Number (Longest_Delay));
 
    --  A datagram has arrived: sticks, or an order.
    procedure Take_In (Datagram : Octets.Octet_Array);
@@ -197,7 +197,7 @@ package body Partitions.Console_Port is
    function Seen (At_Time : Time) return Situation is
      (Latest.Contents (At_Time));
 
-   function Taken return Count is (Latest.Number_Taken);
+   function Taken return Count is (Latest.Number_Accepted);
 
    function Dropped return Count is (Latest.Number_Dropped);
 

@@ -19,7 +19,7 @@ package Partitions.Console_Port is
 
    --  An older packet has waited somewhere. One of the future has no known
    --  age, and is dropped as well.
-   Longest_Way : constant Host.Microseconds := 500_000;
+   Longest_Delay : constant Host.Microseconds := 500_000;
 
    --  The state of the console.
    --  Has_Come: a packet has been taken. Silence: the age of the last one.

@@ -13,10 +13,10 @@ package body Partitions.Converter is
      Channel_Words'Length * Microseconds (Microseconds_Per_Conversion);
 
    --  A scan that begins within this time after another one follows it.
-   Right_Behind : constant Time_Span := Scan_Time;
+   Longest_Gap : constant Time_Span := Scan_Time;
 
    --  The controller may have started a channel.
-   Asked : Suspension_Object;
+   Requested : Suspension_Object;
 
    --  The board's hardware, and the controller that begins scans.
    Hardware_Side   : constant Side := Left;
@@ -32,7 +32,7 @@ package body Partitions.Converter is
    procedure Release_Interrupts is
    begin
       Leave (Interrupts, From => Controller_Side);
-      Set_True (Asked);
+      Set_True (Requested);
    end Release_Interrupts;
 
    --  The end of the last scan, past or future.
@@ -50,7 +50,7 @@ package body Partitions.Converter is
 
    procedure Scan (Words : out Channel_Words; Is_There : out Boolean) is
       Present : constant Time    := Clock;
-      Is_Next : constant Boolean := Present < Ended + Right_Behind;
+      Is_Next : constant Boolean := Present < Ended + Longest_Gap;
    begin
       Sample (Is_Next, Words, Is_There);
       Ended := (if Is_Next then Ended else Present) + Scan_Time;
@@ -93,7 +93,7 @@ package body Partitions.Converter is
       Channel : Channel_Number;
    begin
       loop
-         Suspend_Until_True (Asked);
+         Suspend_Until_True (Requested);
          Board.Take_Start (Wanted, Channel);
          while Wanted loop
             Convert (Channel, Wanted);

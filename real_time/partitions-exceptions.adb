@@ -34,7 +34,7 @@ package body Partitions.Exceptions is
 
    end Latest;
 
-   procedure Tell (Error : Exception_Occurrence) is
+   procedure Report (Error : Exception_Occurrence) is
    begin
       if Exception_Identity (Error)
         /= Host.Memory_Hardware.Bus_Error'Identity
@@ -42,7 +42,7 @@ package body Partitions.Exceptions is
          Latest.Add
            (Exception_Name (Error) & ": " & Exception_Message (Error));
       end if;
-   end Tell;
+   end Report;
 
    function Number return Count is (Latest.Number);
 

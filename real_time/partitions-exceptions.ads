@@ -11,7 +11,7 @@ with URVOS; use URVOS;
 package Partitions.Exceptions is
 
    --  A planted bus error is no fault of the program.
-   procedure Tell (Error : Exception_Occurrence);
+   procedure Report (Error : Exception_Occurrence);
 
    function Number return Count;
 

@@ -7,6 +7,6 @@ begin
    Call;
 exception
    when Error : others =>
-      Exceptions.Tell (Error);
+      Exceptions.Report (Error);
       Raise_Processor_Exception;
 end Partitions.Guarded_Call;

@@ -10,7 +10,7 @@ begin
    Begin_Again (Condition, Now, Passed);
 exception
    when Error : others =>
-      Exceptions.Tell (Error);
+      Exceptions.Report (Error);
       Passed := False;
       Request_Start
         (if Condition = Cold_Start then Cold_Start else Processor_Restart);

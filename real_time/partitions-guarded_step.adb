@@ -35,7 +35,7 @@ begin
    end if;
 exception
    when Error : others =>
-      Exceptions.Tell (Error);
+      Exceptions.Report (Error);
       Call := (Name => Next_Frame_Call, others => <>);
       Fail;
 end Partitions.Guarded_Step;

@@ -17,12 +17,12 @@ package body Partitions.Links is
    UDP_Prefix    : constant String := "udp:";
    Serial_Prefix : constant String := "serial:";
 
-   Line      : File    := Invalid;
-   Nudges    : File    := Invalid;
-   Is_Serial : Boolean := False;
-   Marks     : Error_Marks.Mark_Reader;
-   Lost      : Count   := 0 with Atomic;
-   Thrown    : Count   := 0 with Atomic;
+   Line        : File    := Invalid;
+   Wake_Events : File    := Invalid;
+   Is_Serial   : Boolean := False;
+   Marks       : Error_Marks.Mark_Reader;
+   Lost        : Count   := 0 with Atomic;
+   Thrown      : Count   := 0 with Atomic;
 
    --  The other end of a serial line has gone: there is no input to wait for.
    Is_Hung_Up : Boolean := False;
@@ -36,7 +36,7 @@ package body Partitions.Links is
 
    procedure Open (Argument : String) is
    begin
-      Nudges := Event_File (0, Non_Blocking);
+      Wake_Events := Event_File (0, Non_Blocking);
       if Starts_With (Argument, UDP_Prefix) then
          Line := Sockets.Opened
            (Argument (Argument'First + UDP_Prefix'Length .. Argument'Last));
@@ -95,7 +95,7 @@ package body Partitions.Links is
    procedure Wait (Until_Time : Time; Look_At_Line : Boolean := True) is
       Span     : constant Ada.Real_Time.Time_Span := Until_Time - Clock;
       Requests : Poll_Requests :=
-        ((Nudges, Input_Ready, 0), (Line, Input_Ready, 0));
+        ((Wake_Events, Input_Ready, 0), (Line, Input_Ready, 0));
       Cleared  : Byte_Total;
       Found    : int;
    begin
@@ -110,20 +110,20 @@ package body Partitions.Links is
         and then Requests (2).Found = Hung_Up;
 
       if Found > 0 and then Requests (1).Found = Input_Ready then
-         Cleared := Read (Nudges, Block'Address, 8);
+         Cleared := Read (Wake_Events, Block'Address, 8);
          pragma Unreferenced (Cleared);
       end if;
    end Wait;
 
-   procedure Nudge is
+   procedure Wake is
       One     : aliased constant Interfaces.Unsigned_64 := 1;
       Written : Byte_Total;
    begin
-      Written := Write (Nudges, One'Address, 8);
+      Written := Write (Wake_Events, One'Address, 8);
 
       --  Without room it was nudged already.
       pragma Unreferenced (Written);
-   end Nudge;
+   end Wake;
 
    procedure Receive (Heard : in out Arrivals) is
       Room   : Character_Count;

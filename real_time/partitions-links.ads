@@ -41,11 +41,11 @@ package Partitions.Links is
    --  Refuses errors in the argument or the link: raises Host.Bad_Input.
    procedure Open (Argument : String);
 
-   --  Returns when a character has arrived or Nudge was called, at the latest
+   --  Returns when a character has arrived or Wake was called, at the latest
    --  at that time. Without Look_At_Line it ignores the line.
    procedure Wait (Until_Time : Time; Look_At_Line : Boolean := True);
 
-   procedure Nudge;
+   procedure Wake;
 
    --  Takes the arrived characters, as long as there is room and at most
    --  Most_Reads reads.

@@ -10,8 +10,8 @@ with Partitions.Output_Buffers;    use Partitions.Output_Buffers;
 
 package body Partitions.Notes is
 
-   Waiting : Buffer;
-   News    : Suspension_Object;
+   Waiting       : Buffer;
+   Lines_Waiting : Suspension_Object;
 
    task Printer;
 
@@ -25,7 +25,7 @@ package body Partitions.Notes is
       Unused_Written : Integer;
    begin
       loop
-         Suspend_Until_True (News);
+         Suspend_Until_True (Lines_Waiting);
          loop
             Waiting.Take
               (Text, Length, Unused_Is_Version, Unused_Is_Over);
@@ -36,11 +36,11 @@ package body Partitions.Notes is
       end loop;
    end Printer;
 
-   procedure Print (What : String) is
+   procedure Print (Message : String) is
    begin
       Print_Lines
         (Ada.Directories.Simple_Name (Ada.Command_Line.Command_Name) & ": "
-         & What & ASCII.LF);
+         & Message & ASCII.LF);
    end Print;
 
    procedure Print_Lines (Text : String) is
@@ -48,7 +48,7 @@ package body Partitions.Notes is
       Unused_Is_Taken : Boolean;
    begin
       Waiting.Put (Text, Unused_Is_Taken);
-      Set_True (News);
+      Set_True (Lines_Waiting);
    end Print_Lines;
 
    procedure Finish is

@@ -7,7 +7,7 @@
 package Partitions.Notes is
 
    --  Prints "urv_mcs: What". For the environment task.
-   procedure Print (What : String);
+   procedure Print (Message : String);
 
    --  Prints complete lines.
    procedure Print_Lines (Text : String);

@@ -15,14 +15,14 @@ package body Partitions.Occurrences is
          if Is_Finished then
             return;
          end if;
-         if Told.Number = 0 then
-            Told.First := At_Time;
+         if Counted.Number = 0 then
+            Counted.First := At_Time;
          end if;
-         Told.Last := At_Time;
-         Told.Number := Incremented (Told.Number);
+         Counted.Last := At_Time;
+         Counted.Number := Incremented (Counted.Number);
       end Add;
 
-      function Contents return History is (Told);
+      function Contents return History is (Counted);
 
    end Occurrence;
 
@@ -32,10 +32,10 @@ package body Partitions.Occurrences is
    end Finish;
 
    procedure Write
-     (To   : in out Host.Text_Output.Writer;
-      Who  : Node;
-      Kind : String;
-      This : History)
+     (To    : in out Host.Text_Output.Writer;
+      Where : Node;
+      Kind  : String;
+      This  : History)
    is
       procedure Put_Field (Name : String; Value : Long_Long_Integer);
 
@@ -53,7 +53,7 @@ package body Partitions.Occurrences is
       if This.Number > 0 then
          Put
            (To,
-            "{""node"":""" & Host.Names.Name (Who) & """,""kind"":"""
+            "{""node"":""" & Host.Names.Name (Where) & """,""kind"":"""
             & Kind & '"');
          Put_Field ("count", Long_Long_Integer (This.Number));
          Put_Field ("first_frame", Frame (This.First));

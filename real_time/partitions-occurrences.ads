@@ -21,7 +21,7 @@ package Partitions.Occurrences is
       function Contents return History;
 
    private
-      Told : History;
+      Counted : History;
    end Occurrence;
 
    --  Ends the counting, though the node flies on: the summary and the events,
@@ -31,9 +31,9 @@ package Partitions.Occurrences is
    --  Writes a line like those of the node's error log, if there was any
    --  event.
    procedure Write
-     (To   : in out Host.Text_Output.Writer;
-      Who  : Node;
-      Kind : String;
-      This : History);
+     (To    : in out Host.Text_Output.Writer;
+      Where : Node;
+      Kind  : String;
+      This  : History);
 
 end Partitions.Occurrences;

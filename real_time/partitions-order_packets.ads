@@ -18,7 +18,7 @@ package Partitions.Order_Packets is
       Item     : Configuration := (others => 0);
    end record;
 
-   --  Whether the datagram begins as an order packet.
+   --  True if the datagram begins as an order packet.
    function Is_Meant (Source : Octet_Array) return Boolean;
 
    --  Accepts any bytes. A datagram of another kind is not valid.

@@ -30,8 +30,8 @@ package body Partitions.Output_Files is
    Files  : Host.Outputs.File_Set;
    Screen : Writer;
 
-   Buffers : array (Place) of Buffer;
-   News    : array (Place) of Suspension_Object;
+   Buffers      : array (Place) of Buffer;
+   Data_Waiting : array (Place) of Suspension_Object;
 
    --  Outputs that accept no text at the end. Used by the environment task.
    Stuck : array (Place) of Boolean := (others => False);
@@ -78,7 +78,7 @@ package body Partitions.Output_Files is
       Is_Over : Boolean;
    begin
       loop
-         Suspend_Until_True (News (Which));
+         Suspend_Until_True (Data_Waiting (Which));
          case Which is
             when Record_Place  =>
                Write (Buffers (Which), Files (Record_Option), Is_Over);
@@ -129,13 +129,13 @@ package body Partitions.Output_Files is
 
    procedure Write_Rows is
    begin
-      Set_True (News (Record_Place));
+      Set_True (Data_Waiting (Record_Place));
    end Write_Rows;
 
    procedure Put_Version (Which : Kept; Text : String) is
    begin
       Buffers (Place_Of (Which)).Replace (Text);
-      Set_True (News (Place_Of (Which)));
+      Set_True (Data_Waiting (Place_Of (Which)));
    end Put_Version;
 
    procedure Print (Text : String) is
@@ -152,7 +152,7 @@ package body Partitions.Output_Files is
       Limit    : Time := Next + Longest_Wait;
    begin
       This.Finish;
-      Set_True (News (Which));
+      Set_True (Data_Waiting (Which));
       while not This.Is_Closed and then Next < Limit loop
          Next := Next + Look;
          delay until Next;

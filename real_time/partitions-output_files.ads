@@ -20,7 +20,7 @@ package Partitions.Output_Files is
 
    function Is_Open (Which : Kept) return Boolean;
 
-   --  Whether the file can be rewritten from its beginning.
+   --  True if the file can be rewritten from its beginning.
    function Can_Restart (Which : Kept) return Boolean
      with Pre => Is_Open (Which);
 
@@ -48,7 +48,7 @@ package Partitions.Output_Files is
 
    function Is_Lost (Which : Kept) return Boolean;
 
-   --  Whether any output is incomplete, standard output included.
+   --  True if any output is incomplete, standard output included.
    function Any_Lost return Boolean;
 
 end Partitions.Output_Files;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Whether the other node is heard: this node takes its blocks (RTP-2, RTP-7).
---  A refused block is not the peer's, even with a valid checksum: it does not
---  make the peer heard.
+--  Watches the other node. It is heard while this node takes its blocks
+--  (RTP-2, RTP-7). A refused block is not the peer's, even with a valid
+--  checksum.
 
 with Host;
 with Host.Text_Numbers;
@@ -36,10 +36,9 @@ package Partitions.Peer_Watch is
          when Is_Heard    => "heard",
          when Is_Lost     => "lost");
 
-   --  Whether exchanges are whole (RTP-4): both their first and their last
-   --  message arrive from the other node. In the aircraft these are the
-   --  uplinks, and the requests for downlinks; on the ground the statuses, and
-   --  the downlinks.
+   --  An exchange is whole (RTP-4) if its first and its last message arrive
+   --  from the other node: in the aircraft the uplink and the request for a
+   --  downlink, on the ground the status and the downlink.
    type Exchange_Watch is limited private;
 
    --  The numbers of beginnings and ends up to this frame. Is_Broken is True

@@ -15,7 +15,7 @@ package Partitions.Permission is
 
    pragma Elaborate_Body;
 
-   --  Whether this program may give its tasks their priorities.
+   --  True if this program may give its tasks their priorities.
    function Is_Granted return Boolean;
 
    --  The consequence, and the command that grants the right, for people.

@@ -35,7 +35,7 @@ package body Partitions.Plant is
      range 0 .. Microseconds_Per_Second / Major_Frame;
 
    --  There are commands for the next frame.
-   Asked : Suspension_Object;
+   Requested : Suspension_Object;
 
    protected Aircraft is
 
@@ -55,10 +55,10 @@ package body Partitions.Plant is
          Missed  : out Boolean;
          Answers : out Boolean);
 
-      --  Is_News is False when the death was known.
-      procedure Die (Is_News : out Boolean; Diverged : Boolean := False);
+      --  Is_First is False when the death was known.
+      procedure Die (Is_First : out Boolean; Diverged : Boolean := False);
 
-      --  Whether the cause was numbers that are not finite.
+      --  True if the cause was numbers that are not finite.
       function Has_Diverged return Boolean;
 
       --  The number of times it did not answer for a second.
@@ -84,7 +84,7 @@ package body Partitions.Plant is
    Deaths : Occurrences.Occurrence;
 
    --  Used by the environment task.
-   Told : Plant_State := In_Time;
+   Reported : Plant_State := In_Time;
 
    protected body Aircraft is
 
@@ -100,7 +100,7 @@ package body Partitions.Plant is
          if not Flying and then Now /= Is_Dead then
             Commands := Servos;
             Flying := True;
-            Set_True (Asked);
+            Set_True (Requested);
          end if;
       end Ask;
 
@@ -139,10 +139,10 @@ package body Partitions.Plant is
          Answers := Now in In_Time | Is_Late;
       end Look;
 
-      procedure Die (Is_News : out Boolean; Diverged : Boolean := False) is
+      procedure Die (Is_First : out Boolean; Diverged : Boolean := False) is
       begin
-         Is_News := Now /= Is_Dead;
-         if Is_News then
+         Is_First := Now /= Is_Dead;
+         if Is_First then
             Wrong := Diverged;
          end if;
          Now := Is_Dead;
@@ -292,10 +292,10 @@ package body Partitions.Plant is
    procedure Note_Death (Diverged : Boolean := False);
 
    procedure Note_Death (Diverged : Boolean := False) is
-      Is_News : Boolean;
+      Is_First : Boolean;
    begin
-      Aircraft.Die (Is_News, Diverged);
-      if Is_News then
+      Aircraft.Die (Is_First, Diverged);
+      if Is_First then
          Deaths.Add (Clocks.Elapsed);
       end if;
    end Note_Death;
@@ -331,7 +331,7 @@ package body Partitions.Plant is
       Is_Good : Boolean;
    begin
       loop
-         Suspend_Until_True (Asked);
+         Suspend_Until_True (Requested);
          Fly_Frame (Aircraft.Servos, Is_Good);
          if not Is_Good then
             Note_Death;
@@ -354,17 +354,17 @@ package body Partitions.Plant is
       end if;
    end Look_After_Plant;
 
-   function Next_News (Now : String) return String is
+   function Next_Message (Now : String) return String is
       State   : Plant_State;
       Changed : Boolean;
    begin
       Look_After_Plant;
       State := Aircraft.State;
-      if State = Is_Silent and then Told = In_Time then
+      if State = Is_Silent and then Reported = In_Time then
          State := Is_Late;   --  reports that first; the rest at the next row
       end if;
-      Changed := State /= Told;
-      Told := State;
+      Changed := State /= Reported;
+      Reported := State;
       return
         (if not Changed then ""
          else
@@ -378,7 +378,7 @@ package body Partitions.Plant is
                                 then "plant has diverged at "
                                 else "plant has died at ") & Now
                                & " s: its sensors are old"));
-   end Next_News;
+   end Next_Message;
 
    function Failure return String is
      (case Aircraft.State is

@@ -39,7 +39,7 @@ package Partitions.Plant is
 
    --  Changes since the last call, for people; empty when there are none. Now
    --  is the present time in seconds.
-   function Next_News (Now : String) return String;
+   function Next_Message (Now : String) return String;
 
    --  The reason of a failed run; empty after a good one. A process that has
    --  not answered for a second is a fault, even if it answers again (RTP-11).

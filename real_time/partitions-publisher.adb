@@ -33,7 +33,7 @@ package body Partitions.Publisher is
 
    Places : array (1 .. Most_Places) of File := (others => Invalid);
    Number_Of_Places : Natural        := 0;
-   Told             : Version_Number := 1;
+   Version_Chosen   : Version_Number := 1;
 
    --  Used by the task that takes the rows.
    Fresh_At : Octets.Number := 0;
@@ -51,7 +51,7 @@ package body Partitions.Publisher is
    type Packet_Array is array (Slot) of Packet;
 
    --  The sender waits for it when it has found the queue empty.
-   Something_Put : Suspension_Object;
+   Row_Waiting : Suspension_Object;
 
    protected Queue is
 
@@ -84,7 +84,7 @@ package body Partitions.Publisher is
          if Is_Taken then
             Packets (First + Slot'Mod (Length)) := Item;
             Length := Length + 1;
-            Set_True (Something_Put);
+            Set_True (Row_Waiting);
          end if;
       end Put;
 
@@ -121,7 +121,7 @@ package body Partitions.Publisher is
 
    procedure Choose (Version : Version_Number) is
    begin
-      Told := Version;
+      Version_Chosen := Version;
    end Choose;
 
    procedure Open (Place : String) is
@@ -197,7 +197,7 @@ package body Partitions.Publisher is
              Aircraft_Log     => CORE.Aircraft_Log,
              Status           => CORE.Status,
              Pilot            => Console.Pilot_State'Pos (Sticks.Pilot)),
-            Told),
+            Version_Chosen),
          Is_Taken);
       if not Is_Taken then
          Missing.Add (Count (Number_Of_Places));
@@ -207,7 +207,7 @@ package body Partitions.Publisher is
    procedure Send_All (Item : Packet);
 
    procedure Send_All (Item : Packet) is
-      Length : constant Positive := Host.Frame_Layout.Length (Told);
+      Length : constant Positive := Host.Frame_Layout.Length (Version_Chosen);
       Sent   : Byte_Total;
    begin
       for Place of Places (1 .. Number_Of_Places) loop
@@ -238,7 +238,7 @@ package body Partitions.Publisher is
             Send_All (Item);
             Queue.Done;
          else
-            Suspend_Until_True (Something_Put);
+            Suspend_Until_True (Row_Waiting);
          end if;
       end loop;
    end Sender;

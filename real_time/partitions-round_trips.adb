@@ -51,7 +51,7 @@ package body Partitions.Round_Trips is
    Late_Reported : Boolean := False;
 
    --  The board's time-out for the first character of an answer.
-   function Patience return Time_Span is
+   function Timeout return Time_Span is
      (Integer (Telemetry.Dead_Space_On (Round_Trip)) * Character_Time);
 
    protected body Answers is
@@ -84,10 +84,10 @@ package body Partitions.Round_Trips is
 
    --  A wait is shorter by up to a count of the timer.
    function Longest return Time_Span is
-     (Patience - Character_Time - Answers_In);
+     (Timeout - Character_Time - Answers_In);
 
    function Is_In_Time (After : Time_Span) return Boolean is
-     (After <= Patience);
+     (After <= Timeout);
 
    procedure Note_Answer (After : Time_Span) is
       Time : constant Measure := Tenths_Of_Microseconds (After - Answers_In);
@@ -130,7 +130,7 @@ package body Partitions.Round_Trips is
               & ") has room for this line");
    end Advice;
 
-   function Next_News (Now : String) return String is
+   function Next_Message (Now : String) return String is
       Latest : constant Row := Answers.Latest;
    begin
       if Latest.Length < Of_A_Kind then
@@ -157,6 +157,6 @@ package body Partitions.Round_Trips is
       else
          return "";
       end if;
-   end Next_News;
+   end Next_Message;
 
 end Partitions.Round_Trips;

@@ -21,7 +21,7 @@ package Partitions.Round_Trips is
    --  The longest round trip for which the board waits.
    function Longest return Time_Span;
 
-   --  Whether the board still waits for an answer this time after its last
+   --  True if the board still waits for an answer this time after its last
    --  character.
    function Is_In_Time (After : Time_Span) return Boolean;
 
@@ -42,6 +42,6 @@ package Partitions.Round_Trips is
 
    --  News for people, or empty: the first second's round trip; that answers
    --  come too late, with the remedy; that they are in time again.
-   function Next_News (Now : String) return String;
+   function Next_Message (Now : String) return String;
 
 end Partitions.Round_Trips;

@@ -5,7 +5,7 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 package body Partitions.Rows is
 
    --  A row was put, or none follows.
-   News : Suspension_Object;
+   Rows_Waiting : Suspension_Object;
 
    procedure Append (To : in out Row; Value : Number) is
    begin
@@ -24,14 +24,14 @@ package body Partitions.Rows is
          else
             Rows (First + Place'Mod (Length)) := Item;
             Length := Length + 1;
-            Set_True (News);
+            Set_True (Rows_Waiting);
          end if;
       end Put;
 
       procedure Finish is
       begin
          Done := True;
-         Set_True (News);
+         Set_True (Rows_Waiting);
       end Finish;
 
       procedure Take
@@ -58,7 +58,7 @@ package body Partitions.Rows is
       loop
          Queue.Take (Item, Found, Is_Over);
          exit when Found or else Is_Over;
-         Suspend_Until_True (News);
+         Suspend_Until_True (Rows_Waiting);
       end loop;
    end Await;
 

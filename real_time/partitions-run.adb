@@ -70,13 +70,13 @@ procedure Partitions.Run is
    procedure Print_Usage;
 
    --  Prints a line on the terminal.
-   procedure Note (What : String);
+   procedure Note (Message : String);
 
    --  Hundredths of a second, without trailing zeros.
    function Seconds (Of_Frames : Number) return String;
 
-   function Number_Of (Total : URVOS.Count; What : String) return String is
-     (Host.Text_Numbers.Image (Long_Long_Integer (Total)) & " " & What
+   function Number_Of (Total : URVOS.Count; Message : String) return String is
+     (Host.Text_Numbers.Image (Long_Long_Integer (Total)) & " " & Message
       & (if Total = 1 then "" else "s"));
 
    procedure Seal_Node (Given : URV.Sessions.Key_List);
@@ -161,10 +161,10 @@ procedure Partitions.Run is
       Put_Line (Screen, "3 run, but the other node was never heard");
    end Print_Usage;
 
-   procedure Note (What : String) is
+   procedure Note (Message : String) is
    begin
       if not Chosen.Quiet then
-         Notes.Print (What);
+         Notes.Print (Message);
       end if;
    end Note;
 
@@ -186,13 +186,13 @@ procedure Partitions.Run is
    end Seconds;
 
    --  The last reported states. Used by the environment task.
-   Told_Peer     : Peer_State := Never_Heard;
-   Told_Refused  : URVOS.Count := 0;
-   Refused_Frame : Number := 0;
-   Told_Missing  : URVOS.Count := 0;
-   Missing_Frame : Number := 0;
-   Told_Pauses   : URVOS.Count := 0;
-   Told_Starts   :
+   Reported_Peer    : Peer_State := Never_Heard;
+   Reported_Refused : URVOS.Count := 0;
+   Refused_Frame    : Number := 0;
+   Reported_Missing : URVOS.Count := 0;
+   Missing_Frame    : Number := 0;
+   Reported_Pauses  : URVOS.Count := 0;
+   Reported_Starts  :
      array (URV.Errors.Error_Kind range URV.Errors.Warm_Reset
                                      .. URV.Errors.Processor_Restart)
      of URVOS.Count := (others => 0);
@@ -204,28 +204,28 @@ procedure Partitions.Run is
 
    procedure Report_Peer (State : Peer_State) is
    begin
-      if State = Is_Heard and then Told_Peer /= Is_Heard then
+      if State = Is_Heard and then Reported_Peer /= Is_Heard then
          Note ("peer heard at " & Seconds (Frames) & " s");
-      elsif State = Is_Lost and then Told_Peer = Is_Heard then
+      elsif State = Is_Lost and then Reported_Peer = Is_Heard then
          Note
            ("peer lost at " & Seconds (Frames)
             & " s: no good message for 1 s");
       end if;
-      Told_Peer := State;
+      Reported_Peer := State;
    end Report_Peer;
 
    procedure Report_Refusals is
       Refused : constant URVOS.Count := This_Node.Refused;
    begin
-      if Refused > Told_Refused
-        and then (Told_Refused = 0
+      if Refused > Reported_Refused
+        and then (Reported_Refused = 0
                   or else Frames >= Refused_Frame + Refusals_Every)
       then
          Note
            (Number_Of (Refused, "block") & " refused by "
             & Seconds (Frames)
             & " s: of another key or format, or not the peer's");
-         Told_Refused := Refused;
+         Reported_Refused := Refused;
          Refused_Frame := Frames;
       end if;
    end Report_Refusals;
@@ -236,19 +236,19 @@ procedure Partitions.Run is
       Paused : constant URVOS.Count := This_Node.Pauses;
       Found  : URVOS.Count;
    begin
-      for Kind in Told_Starts'Range loop
+      for Kind in Reported_Starts'Range loop
          Found := Logs.History_Of (Log, Kind).Occurrences;
 
          --  The restart of a stopped node is reported below.
          if Kind = Processor_Restart then
             Found := URVOS.Count'Max (Found - Paused, 0);
          end if;
-         if Found > Told_Starts (Kind) then
+         if Found > Reported_Starts (Kind) then
             Note
               ((if Kind = Warm_Reset then "warm reset"
                 else "processor restart")
                & " by " & Seconds (Frames) & " s");
-            Told_Starts (Kind) := Found;
+            Reported_Starts (Kind) := Found;
          end if;
       end loop;
    end Report_Starts;
@@ -256,15 +256,15 @@ procedure Partitions.Run is
    procedure Report_Left_Out is
       Missing : constant URVOS.Count := Rows_Left_Out;
    begin
-      if Missing > Told_Missing
+      if Missing > Reported_Missing
         and then not Is_Lost (Record_Option)
-        and then (Told_Missing = 0
+        and then (Reported_Missing = 0
                   or else Frames >= Missing_Frame + Refusals_Every)
       then
          Note
            ("--record: " & Number_Of (Missing, "row") & " left out by "
             & Seconds (Frames) & " s: the file is too slow");
-         Told_Missing := Missing;
+         Reported_Missing := Missing;
          Missing_Frame := Frames;
       end if;
    end Report_Left_Out;
@@ -279,10 +279,11 @@ procedure Partitions.Run is
       Report_Starts;
       Report_Left_Out;
       declare
-         News : constant String := Round_Trips.Next_News (Seconds (Frames));
+         Message : constant String :=
+           Round_Trips.Next_Message (Seconds (Frames));
       begin
-         if News /= "" then
-            Note (News);
+         if Message /= "" then
+            Note (Message);
          end if;
       end;
       Look
@@ -306,14 +307,15 @@ procedure Partitions.Run is
                  & " or too late for its --line-delay");
       end if;
       declare
-         News : constant String := Surroundings.Next_News (Seconds (Frames));
+         Message : constant String :=
+           Surroundings.Next_Message (Seconds (Frames));
       begin
-         if News /= "" then
-            Note (News);
+         if Message /= "" then
+            Note (Message);
          end if;
       end;
-      if This_Node.Pauses > Told_Pauses then
-         Told_Pauses := This_Node.Pauses;
+      if This_Node.Pauses > Reported_Pauses then
+         Reported_Pauses := This_Node.Pauses;
          Note
            ("stood still before " & Seconds (Frames)
             & " s: the processor was restarted");

@@ -20,13 +20,13 @@ package body Partitions.Serial_Lines is
    No_Modem       : constant unsigned := 8#4000#;
    Any_Speed      : constant unsigned := 8#010000#;
 
-   procedure Refuse_Device (Device, What : String) with No_Return;
+   procedure Refuse_Device (Device, Problem : String) with No_Return;
 
    procedure Set_Line (Device : String; Line : File);
 
-   procedure Refuse_Device (Device, What : String) is
+   procedure Refuse_Device (Device, Problem : String) is
    begin
-      Refuse ("--link: " & Quoted ("serial:" & Device) & " " & What);
+      Refuse ("--link: " & Quoted ("serial:" & Device) & " " & Problem);
    end Refuse_Device;
 
    procedure Set_Line (Device : String; Line : File) is

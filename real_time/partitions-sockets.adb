@@ -17,8 +17,8 @@ package body Partitions.Sockets is
    UDP_Prefix : constant String := "udp:";
 
    --  Refuses the option with the reason that the operating system gives.
-   --  Asked is the option and its value, for people.
-   procedure Refuse_Socket (Asked : String; What : String) with No_Return;
+   --  Given is the option and its value, for people.
+   procedure Refuse_Socket (Given : String; Problem : String) with No_Return;
 
    --  The option and its value, for people.
    function Asked_For (Option, Place : String) return String is
@@ -37,12 +37,12 @@ package body Partitions.Sockets is
 
    --  Asks the system for the addresses of a host.
    procedure Look_Up
-     (Asked  : String;
-      Host   : String;
-      Port   : String;
-      Local  : Boolean;
-      Family : int;
-      Found  : out Address);
+     (Given : String;
+      Host        : String;
+      Port        : String;
+      Local       : Boolean;
+      Family      : int;
+      Found       : out Address);
 
    --  The address of udp:HOST:PORT.
    procedure Look_Up_Place
@@ -55,15 +55,15 @@ package body Partitions.Sockets is
 
    --  Makes a socket of a family of addresses, binds and connects it. Each
    --  refuses a failure.
-   function Made_For (Asked : String; Family : int) return File;
-   procedure Bind_To (Asked : String; Made : File; Here : Address_Info);
+   function Made_For (Given : String; Family : int) return File;
+   procedure Bind_To (Given : String; Made : File; Here : Address_Info);
    procedure Connect_To
-     (Asked : String; Made : File; There : Address_Info; Failure : String);
+     (Given : String; Made : File; There : Address_Info; Failure : String);
 
-   procedure Refuse_Socket (Asked : String; What : String) is
+   procedure Refuse_Socket (Given : String; Problem : String) is
       Reason : constant String := GNAT.OS_Lib.Errno_Message;
    begin
-      Refuse (Asked & What & ": " & Reason);
+      Refuse (Given & Problem & ": " & Reason);
    end Refuse_Socket;
 
    procedure Take_Part
@@ -101,12 +101,12 @@ package body Partitions.Sockets is
    end Is_Port;
 
    procedure Look_Up
-     (Asked  : String;
-      Host   : String;
-      Port   : String;
-      Local  : Boolean;
-      Family : int;
-      Found  : out Address)
+     (Given : String;
+      Host        : String;
+      Port        : String;
+      Local       : Boolean;
+      Family      : int;
+      Found       : out Address)
    is
       Hints : constant Address_Info :=
         (Flags  => (if Local then To_Listen else 0),
@@ -114,31 +114,31 @@ package body Partitions.Sockets is
          others => <>);
    begin
       if Get_Address (To_C (Host), To_C (Port), Hints, Found) /= 0 then
-         Refuse (Asked & ": there is no host " & Quoted (Host));
+         Refuse (Given & ": there is no host " & Quoted (Host));
       end if;
    end Look_Up;
 
-   function Made_For (Asked : String; Family : int) return File is
+   function Made_For (Given : String; Family : int) return File is
       Made : constant File := Socket (Family, Datagram + Close_On_Exec, 0);
    begin
       if Made = Invalid then
-         Refuse_Socket (Asked, " cannot be opened");
+         Refuse_Socket (Given, " cannot be opened");
       end if;
       return Made;
    end Made_For;
 
-   procedure Bind_To (Asked : String; Made : File; Here : Address_Info) is
+   procedure Bind_To (Given : String; Made : File; Here : Address_Info) is
    begin
       if Bind (Made, Here.Where, Here.Length) /= 0 then
-         Refuse_Socket (Asked, " cannot be bound to its port");
+         Refuse_Socket (Given, " cannot be bound to its port");
       end if;
    end Bind_To;
 
    procedure Connect_To
-     (Asked : String; Made : File; There : Address_Info; Failure : String) is
+     (Given : String; Made : File; There : Address_Info; Failure : String) is
    begin
       if Connect (Made, There.Where, There.Length) /= 0 then
-         Refuse_Socket (Asked, Failure);
+         Refuse_Socket (Given, Failure);
       end if;
    end Connect_To;
 
@@ -151,10 +151,10 @@ package body Partitions.Sockets is
       Last  : Bounds   := (others => 0);
       Whole : Boolean  := True;
 
-      Asked : constant String := Asked_For ("--link", UDP_Prefix & Places);
-      Own   : Address;
-      Peer  : Address;
-      Made  : File;
+      Given : constant String := Asked_For ("--link", UDP_Prefix & Places);
+      Own         : Address;
+      Peer        : Address;
+      Made        : File;
 
       function Text (Which : Part) return String is
         (Places (First (Which) .. Last (Which)));
@@ -163,29 +163,29 @@ package body Partitions.Sockets is
          Take_Part (Places, Next, First (Which), Last (Which), Whole);
       end loop;
       if not Whole or else Next <= Places'Last + 1 then
-         Refuse (Asked & " is not udp:HOST:PORT:PEER_HOST:PEER_PORT");
+         Refuse (Given & " is not udp:HOST:PORT:PEER_HOST:PEER_PORT");
       end if;
       for Which in Part loop
          if Which in Port | Peer_Port and then not Is_Port (Text (Which)) then
             Refuse
-              (Asked & ": " & Quoted (Text (Which))
+              (Given & ": " & Quoted (Text (Which))
                & " is not a port from 1 to 65535");
          end if;
       end loop;
 
       Look_Up
-        (Asked, Text (Peer_Host), Text (Peer_Port), False, Any_Family, Peer);
+        (Given, Text (Peer_Host), Text (Peer_Port), False, Any_Family, Peer);
       declare
          There : Address_Info renames Addresses.To_Pointer (Peer).all;
       begin
          Look_Up
-           (Asked, Text (Host), Text (Port), True, There.Family, Own);
+           (Given, Text (Host), Text (Port), True, There.Family, Own);
          declare
             Here : Address_Info renames Addresses.To_Pointer (Own).all;
          begin
-            Made := Made_For (Asked, There.Family);
-            Bind_To (Asked, Made, Here);
-            Connect_To (Asked, Made, There, " cannot reach its peer");
+            Made := Made_For (Given, There.Family);
+            Bind_To (Given, Made, Here);
+            Connect_To (Given, Made, There, " cannot reach its peer");
          end;
       end;
       Free_Address (Own);
@@ -199,13 +199,13 @@ package body Partitions.Sockets is
       Local  : Boolean;
       Found  : out Address)
    is
-      Asked      : constant String := Asked_For (Option, Place);
-      Next       : Positive := Place'First + UDP_Prefix'Length;
-      Host_First : Positive;
-      Port_First : Positive;
-      Host_Last  : Natural;
-      Port_Last  : Natural;
-      Whole      : Boolean :=
+      Given : constant String := Asked_For (Option, Place);
+      Next        : Positive := Place'First + UDP_Prefix'Length;
+      Host_First  : Positive;
+      Port_First  : Positive;
+      Host_Last   : Natural;
+      Port_Last   : Natural;
+      Whole       : Boolean :=
         Place'Length > UDP_Prefix'Length
         and then Place (Place'First .. Next - 1) = UDP_Prefix;
    begin
@@ -214,28 +214,28 @@ package body Partitions.Sockets is
          Take_Part (Place, Next, Port_First, Port_Last, Whole);
       end if;
       if not Whole or else Next <= Place'Last + 1 then
-         Refuse (Asked & " is not udp:HOST:PORT");
+         Refuse (Given & " is not udp:HOST:PORT");
       elsif not Is_Port (Place (Port_First .. Port_Last)) then
          Refuse
-           (Asked & ": " & Quoted (Place (Port_First .. Port_Last))
+           (Given & ": " & Quoted (Place (Port_First .. Port_Last))
             & " is not a port from 1 to 65535");
       end if;
       Look_Up
-        (Asked, Place (Host_First .. Host_Last),
+        (Given, Place (Host_First .. Host_Last),
          Place (Port_First .. Port_Last), Local, Any_Family, Found);
    end Look_Up_Place;
 
    function Sender (Option, Place : String) return File is
-      Asked : constant String := Asked_For (Option, Place);
-      Found : Address;
-      Made  : File;
+      Given : constant String := Asked_For (Option, Place);
+      Found       : Address;
+      Made        : File;
    begin
       Look_Up_Place (Option, Place, False, Found);
       declare
          There : Address_Info renames Addresses.To_Pointer (Found).all;
       begin
-         Made := Made_For (Asked, There.Family);
-         Connect_To (Asked, Made, There, " cannot be reached");
+         Made := Made_For (Given, There.Family);
+         Connect_To (Given, Made, There, " cannot be reached");
       end;
       Free_Address (Found);
       return Made;
@@ -260,9 +260,9 @@ package body Partitions.Sockets is
    end Is_Loopback;
 
    function Loopback_Receiver (Option, Place : String) return File is
-      Asked : constant String := Asked_For (Option, Place);
-      Found : Address;
-      Made  : File;
+      Given : constant String := Asked_For (Option, Place);
+      Found       : Address;
+      Made        : File;
    begin
       Look_Up_Place (Option, Place, True, Found);
       declare
@@ -270,10 +270,10 @@ package body Partitions.Sockets is
       begin
          if not Is_Loopback (Here) then
             Refuse
-              (Asked & " is not a loopback of this machine: 127.0.0.1, [::1]");
+              (Given & " is not a loopback of this machine: 127.0.0.1, [::1]");
          end if;
-         Made := Made_For (Asked, Here.Family);
-         Bind_To (Asked, Made, Here);
+         Made := Made_For (Given, Here.Family);
+         Bind_To (Given, Made, Here);
       end;
       Free_Address (Found);
       return Made;

@@ -15,7 +15,7 @@ generic
    with procedure Prepare (Chosen : Host.Options.Choices);
 
    --  News for people, or empty. Now is the present time in seconds.
-   with function Next_News (Now : String) return String;
+   with function Next_Message (Now : String) return String;
 
    --  For the summary and the events.
    with procedure Put_Counts

@@ -221,7 +221,7 @@ package Partitions.System_Calls is
    Timer_Slack : constant := 29;
 
    function Set_Process
-     (What : int; Value : unsigned_long) return int
+     (Operation : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
    --  The user of the program, and the dispatching of its threads.

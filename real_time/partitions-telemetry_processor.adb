@@ -38,7 +38,7 @@ package body Partitions.Telemetry_Processor is
    --  Used by the task only.
 
    --  The time up to which the board's timer has counted.
-   Told_Until : Time := Time_First;
+   Counted_Until : Time := Time_First;
 
    --  The character on the line, and the end of its last bit.
    On_Line  : Boolean := False;
@@ -75,7 +75,7 @@ package body Partitions.Telemetry_Processor is
    procedure Ask_Timer (Now : Time; Elapsed : out Character_Times);
 
    --  Restarts the board and discards its input.
-   procedure Start_Anew;
+   procedure Restart;
 
    --  The interrupt handler.
    procedure Take_In (Now : Time);
@@ -95,18 +95,18 @@ package body Partitions.Telemetry_Processor is
    procedure Ask_Timer (Now : Time; Elapsed : out Character_Times) is
       Whole : Integer;
    begin
-      if Now <= Told_Until then
+      if Now <= Counted_Until then
          Elapsed := 0;
       else
          Whole := Integer'Min
-           ((Now - Told_Until) / Character_Time,
+           ((Now - Counted_Until) / Character_Time,
             Integer (Character_Times'Last));
          Elapsed := Character_Times (Whole);
-         Told_Until := Told_Until + Whole * Character_Time;
+         Counted_Until := Counted_Until + Whole * Character_Time;
       end if;
    end Ask_Timer;
 
-   procedure Start_Anew is
+   procedure Restart is
    begin
       Board.Start;
 
@@ -116,11 +116,11 @@ package body Partitions.Telemetry_Processor is
       Newest.Is_There := False;
       Earlier.Is_There := False;
       Time_Left := 0;
-      Emptied_At := Clock;
-      Told_Until := Emptied_At;
+      Emptied_At    := Clock;
+      Counted_Until := Emptied_At;
       Overrun := False;
       Start (Guard, Emptied_At);
-   end Start_Anew;
+   end Restart;
 
    procedure Look_For_Answer (Now : Time; Data : Byte) is
    begin
@@ -150,7 +150,7 @@ package body Partitions.Telemetry_Processor is
          Overrun := False;
       end loop;
       if Heard.Length > 0 then
-         Told_Until := Now;
+         Counted_Until := Now;
          Look_For_Answer (Now, Heard.Items (1).Data);
       end if;
    end Take_In;
@@ -198,7 +198,7 @@ package body Partitions.Telemetry_Processor is
 
    function Next_Instant (Now : Time) return Time is
       Time_Out : constant Time :=
-        Told_Until + Integer (Time_Left) * Character_Time;
+        Counted_Until + Integer (Time_Left) * Character_Time;
       Look     : constant Time := Now + Look_Again;
    begin
       return
@@ -230,7 +230,7 @@ package body Partitions.Telemetry_Processor is
 
       if Is_Pressed then
          Is_Pressed := False;
-         Start_Anew;
+         Restart;
       else
          if Heard.Emptied then
             Emptied_At := Looked_At;
@@ -245,7 +245,7 @@ package body Partitions.Telemetry_Processor is
       end if;
    exception
       when Error : others =>
-         Exceptions.Tell (Error);
+         Exceptions.Report (Error);
          Is_Pressed := True;
    end Run;
 
@@ -255,7 +255,7 @@ package body Partitions.Telemetry_Processor is
    task body Processor is
    begin
       Suspend_Until_True (Power);
-      Start_Anew;
+      Restart;
       loop
          Run;
       end loop;
@@ -273,12 +273,12 @@ package body Partitions.Telemetry_Processor is
    procedure Reset is
    begin
       Is_Pressed := True;
-      Links.Nudge;
+      Links.Wake;
    end Reset;
 
    procedure Look is
    begin
-      Links.Nudge;
+      Links.Wake;
    end Look;
 
    function Starts_Unasked return Count is (Unasked);

@@ -13,12 +13,12 @@ with Partitions.Surroundings;
 procedure Urv_GSC is
 
    package Surroundings is new Partitions.Surroundings
-     (Prepare    => Partitions.Ground_Station.Prepare,
-      Next_News  => Partitions.Console.Next_News,
-      Put_Counts => Partitions.Ground_Station.Put_Counts,
-      Put_Events => Partitions.Console.Put_Events,
-      Failure    => Partitions.Ground_Station.Failure,
-      Stop       => Partitions.Publisher.Finish);
+     (Prepare      => Partitions.Ground_Station.Prepare,
+      Next_Message => Partitions.Console.Next_Message,
+      Put_Counts   => Partitions.Ground_Station.Put_Counts,
+      Put_Events   => Partitions.Console.Put_Events,
+      Failure      => Partitions.Ground_Station.Failure,
+      Stop         => Partitions.Publisher.Finish);
 
    procedure Run is new Partitions.Run
      (This         => Host.Ground,

@@ -12,12 +12,12 @@ with Partitions.Surroundings;
 procedure Urv_MCS is
 
    package Surroundings is new Partitions.Surroundings
-     (Prepare    => Partitions.Aircraft.Prepare,
-      Next_News  => Partitions.Aircraft.Next_News,
-      Put_Counts => Partitions.Aircraft.Put_Counts,
-      Put_Events => Partitions.Plant.Put_Events,
-      Failure    => Partitions.Plant.Failure,
-      Stop       => Partitions.Plant.Stop);
+     (Prepare      => Partitions.Aircraft.Prepare,
+      Next_Message => Partitions.Aircraft.Next_Message,
+      Put_Counts   => Partitions.Aircraft.Put_Counts,
+      Put_Events   => Partitions.Plant.Put_Events,
+      Failure      => Partitions.Plant.Failure,
+      Stop         => Partitions.Plant.Stop);
 
    procedure Run is new Partitions.Run
      (This         => Host.Aircraft,

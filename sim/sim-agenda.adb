@@ -19,7 +19,7 @@ package body Sim.Agenda is
       others => False);
    First_Rare : Entry_Time := Never;
 
-   procedure Enter (What : Event; Time : Entry_Time) with Inline_Always;
+   procedure Enter (Item : Event; Time : Entry_Time) with Inline_Always;
    procedure Find_First_Rare with No_Inline;
 
    procedure Find_First_Rare is
@@ -32,10 +32,10 @@ package body Sim.Agenda is
       end loop;
    end Find_First_Rare;
 
-   procedure Enter (What : Event; Time : Entry_Time) is
+   procedure Enter (Item : Event; Time : Entry_Time) is
    begin
-      Entries (What) := Time;
-      if Is_Rare (What) then
+      Entries (Item) := Time;
+      if Is_Rare (Item) then
          Find_First_Rare;
       end if;
    end Enter;
@@ -46,20 +46,20 @@ package body Sim.Agenda is
       First_Rare := Never;
    end Clear;
 
-   procedure Schedule (What : Event; Time : Microseconds) is
+   procedure Schedule (Item : Event; Time : Microseconds) is
    begin
-      Enter (What, Entry_Time (Time) * Places + Event'Pos (What));
+      Enter (Item, Entry_Time (Time) * Places + Event'Pos (Item));
    end Schedule;
 
-   procedure Cancel (What : Event) is
+   procedure Cancel (Item : Event) is
    begin
-      Enter (What, Never);
+      Enter (Item, Never);
    end Cancel;
 
-   function Is_Due (What : Event) return Boolean is
-     (Entries (What) /= Never);
+   function Is_Due (Item : Event) return Boolean is
+     (Entries (Item) /= Never);
 
-   procedure Find_First (What : out Event; Time : out Microseconds) is
+   procedure Find_First (Item : out Event; Time : out Microseconds) is
       First : Entry_Time := First_Rare;
    begin
       for Candidate in Event loop
@@ -67,15 +67,15 @@ package body Sim.Agenda is
             First := Entry_Time'Min (First, Entries (Candidate));
          end if;
       end loop;
-      What := Event'Val (First mod Places);
+      Item := Event'Val (First mod Places);
       Time := Microseconds (First / Places);
    end Find_First;
 
-   function First_Besides (What : Event) return Microseconds is
+   function First_Besides (Item : Event) return Microseconds is
       First : Entry_Time := First_Rare;
    begin
       for Candidate in Event loop
-         if not Is_Rare (Candidate) and then Candidate /= What then
+         if not Is_Rare (Candidate) and then Candidate /= Item then
             First := Entry_Time'Min (First, Entries (Candidate));
          end if;
       end loop;

@@ -19,17 +19,17 @@ package Sim.Agenda is
    procedure Clear;
 
    --  Sets the next time of an event.
-   procedure Schedule (What : Event; Time : Microseconds) with Inline;
+   procedure Schedule (Item : Event; Time : Microseconds) with Inline;
 
-   procedure Cancel (What : Event) with Inline;
+   procedure Cancel (Item : Event) with Inline;
 
-   function Is_Due (What : Event) return Boolean with Inline;
+   function Is_Due (Item : Event) return Boolean with Inline;
 
-   --  The first event; What has no meaning when Time is the last.
-   procedure Find_First (What : out Event; Time : out Microseconds)
+   --  The first event; Item has no meaning when Time is the last.
+   procedure Find_First (Item : out Event; Time : out Microseconds)
    with Inline;
 
    --  The time of the first other event.
-   function First_Besides (What : Event) return Microseconds with Inline;
+   function First_Besides (Item : Event) return Microseconds with Inline;
 
 end Sim.Agenda;

@@ -25,7 +25,7 @@ package body Sim.Circuit_Quality is
       Sink          : Long_Float   := 0.0;
       North, East   : Long_Float   := 0.0;
       Airspeed      : Long_Float   := 0.0;
-      Stands        : Boolean      := False;
+      Is_At_Rest    : Boolean      := False;
       Stop_Time     : Microseconds := 0;
    end record;
 
@@ -41,7 +41,7 @@ package body Sim.Circuit_Quality is
       Moved  : constant Long_Float :=
         Long_Float'Max
           (abs (Truth.North - Before.North), abs (Truth.East - Before.East));
-      Stands : Boolean;
+      Is_At_Rest : Boolean;
    begin
       if Before.Wheels > 0.0 and then Truth.Wheels = 0.0
         and then not Seen.Has_Flown
@@ -64,14 +64,14 @@ package body Sim.Circuit_Quality is
          Seen.Sink       := Long_Float'Max (Seen.Sink, -Before.Climb);
       end if;
 
-      Stands :=
+      Is_At_Rest :=
         Seen.Touchdowns > 0 and then Truth.Wheels > 0.0
         and then not Truth.Crashed
         and then Moved < Slower_Than * Frame_Seconds;
-      if Stands and then not Seen.Stands then
+      if Is_At_Rest and then not Seen.Is_At_Rest then
          Seen.Stop_Time := Time;
       end if;
-      Seen.Stands := Stands;
+      Seen.Is_At_Rest := Is_At_Rest;
       Seen.Last   := Truth;
    end Observe;
 
@@ -105,8 +105,8 @@ package body Sim.Circuit_Quality is
          Add ("touchdown_airspeed_kt", Seen.Airspeed);
       end if;
       Add ("stopped_on_runway",
-           Seen.Stands and then Runway.Is_On (Now.North, Now.East));
-      if Seen.Stands then
+           Seen.Is_At_Rest and then Runway.Is_On (Now.North, Now.East));
+      if Seen.Is_At_Rest then
          Add ("stop_offset_ft", Now.North);
          Add ("stop_along_ft", Now.East);
          Add ("stopped_at_s", Long_Float (Seen.Stop_Time) / Second);

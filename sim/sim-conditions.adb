@@ -70,7 +70,7 @@ package body Sim.Conditions is
    --  Reads a number from Least to Most, with or without a sign.
    procedure Read_Number
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       Least, Most : Integer;
       Value       : out Long_Float);
@@ -102,7 +102,7 @@ package body Sim.Conditions is
 
    procedure Read_Number
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       Least, Most : Integer;
       Value       : out Long_Float)
@@ -130,7 +130,7 @@ package body Sim.Conditions is
       if not Is_Valid then
          Refuse
            (From,
-            What & ": " & Quoted (Word) & " is not a number from "
+            Field_Name & ": " & Quoted (Word) & " is not a number from "
             & Image (Long_Long_Integer (Least)) & " to "
             & Image (Long_Long_Integer (Most)) & " with at most"
             & Integer'Image (Decimals) & " decimals");
@@ -219,12 +219,13 @@ package body Sim.Conditions is
       function Word (Index : Positive) return String is
         (Orders.Word (Line, Index));
 
-      procedure Check (Index : Positive; What : String; Least, Most : Integer);
+      procedure Check
+        (Index : Positive; Field_Name : String; Least, Most : Integer);
 
-      procedure Check (Index : Positive; What : String; Least, Most : Integer)
-      is
+      procedure Check
+        (Index : Positive; Field_Name : String; Least, Most : Integer) is
       begin
-         Read_Number (From, What, Word (Index), Least, Most, Number);
+         Read_Number (From, Field_Name, Word (Index), Least, Most, Number);
       end Check;
    begin
       Read_Kind (From, Word (1), Kind);

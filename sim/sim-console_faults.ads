@@ -12,7 +12,7 @@ private package Sim.Console_Faults is
 
    procedure Prepare (Script : Faults.Script);
 
-   --  Whether the flight has such a fault.
+   --  True if the flight has such a fault.
    function Are_There return Boolean with Inline;
 
    --  The ground's controller has begun a scan; the console has these words.

@@ -64,7 +64,7 @@ package body Sim.Controllers is
    --  Phases one to three of a start, at its end.
    procedure Start (Which : Node; Time : Microseconds);
 
-   --  Whether it takes interrupts.
+   --  True if it takes interrupts.
    function Is_Up (Item : Controller) return Boolean;
 
    --  An exception that the node's program has not handled (KRN-6).
@@ -147,7 +147,7 @@ package body Sim.Controllers is
       Inputs (Which) (Where) := Value;
    end Set_Input;
 
-   --  Whether it takes interrupts.
+   --  True if it takes interrupts.
    function Is_Up (Item : Controller) return Boolean is
      (not Item.Is_Starting and then not Item.Is_Halted);
 

@@ -35,7 +35,7 @@ package Sim.Controllers is
      (Which : Node;
       Minor : Minor_Frame) return Microseconds;
 
-   --  Whether the node has been switched on.
+   --  True if the node has been switched on.
    function Is_On (Which : Node) return Boolean;
 
    --  Sets the word on an A/D channel from now on.

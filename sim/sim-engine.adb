@@ -57,7 +57,7 @@ package body Sim.Engine is
    Line_Time : Microseconds := 0;
 
    --  Restarts a telemetry board.
-   procedure Start_Anew
+   procedure Restart
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
@@ -67,12 +67,12 @@ package body Sim.Engine is
      (Time : Microseconds;
       Wire : in out Text_Output.Writer);
 
-   --  Whether Ask_Stalled has seen the end of every stall so far.
+   --  True if Update_Stall has seen the end of every stall so far.
    function Runs (Which : Node; Time : Microseconds) return Boolean;
 
-   --  Whether the board's processor is stalled. Every completed stall moves
-   --  its timer forward.
-   procedure Ask_Stalled
+   --  Stalled is True if the board's processor is stalled. A completed stall
+   --  moves its timer forward.
+   procedure Update_Stall
      (Which   : Node;
       Time    : Microseconds;
       Stalled : out Boolean)
@@ -146,7 +146,7 @@ package body Sim.Engine is
 
    --  The controller has run: the telemetry board may send its new data. A
    --  board that waits for the other one does not transmit.
-   procedure Serve_Behind_Tasks
+   procedure Serve_After_Tasks
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
@@ -167,7 +167,7 @@ package body Sim.Engine is
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer);
 
-   procedure Start_Anew
+   procedure Restart
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer) is
@@ -175,7 +175,7 @@ package body Sim.Engine is
       Restart_Telemetry (Which);
       Boards (Which).Overrun := False;
       Serve_Telemetry (Which, Time, Wire);
-   end Start_Anew;
+   end Restart;
 
    procedure Apply_Hardware_Fault
      (Time : Microseconds;
@@ -196,16 +196,16 @@ package body Sim.Engine is
             if Controllers.Is_On (Item.Where) then
                case Item.How is
                   when Faults.Cold =>
-                     Start_Anew (Item.Where, Time, Wire);
+                     Restart (Item.Where, Time, Wire);
                      Controllers.Begin_Start (Item.Where, Time, Cold_Start);
                   when Faults.Warm =>
-                     Start_Anew (Item.Where, Time, Wire);
+                     Restart (Item.Where, Time, Wire);
                      Controllers.Begin_Start (Item.Where, Time, Warm_Reset);
                   when Faults.Processor =>
                      Controllers.Begin_Start
                        (Item.Where, Time, Processor_Restart);
                   when Faults.Telemetry_Board =>
-                     Start_Anew (Item.Where, Time, Wire);
+                     Restart (Item.Where, Time, Wire);
                end case;
             end if;
 
@@ -226,7 +226,7 @@ package body Sim.Engine is
    function Runs (Which : Node; Time : Microseconds) return Boolean is
      (Next (Boards (Which).Stalls).First > Time);
 
-   procedure Ask_Stalled
+   procedure Update_Stall
      (Which   : Node;
       Time    : Microseconds;
       Stalled : out Boolean)
@@ -239,7 +239,7 @@ package body Sim.Engine is
          Skip (Board.Stalls);
       end loop;
       Stalled := Next (Board.Stalls).First <= Time;
-   end Ask_Stalled;
+   end Update_Stall;
 
    procedure Ask_Timer
      (Which   : Node;
@@ -275,7 +275,7 @@ package body Sim.Engine is
       Elapsed : Character_Times;
    begin
       if not Runs (Listener, Time) then
-         Ask_Stalled (Listener, Time, Stalled);
+         Update_Stall (Listener, Time, Stalled);
       end if;
       if Stalled then
          Board.Overrun := True;
@@ -309,7 +309,7 @@ package body Sim.Engine is
       end if;
 
       if not Runs (Which, Time) then
-         Ask_Stalled (Which, Time, Stalled);
+         Update_Stall (Which, Time, Stalled);
          if Stalled then
             Schedule (Time_Out (Which), Next (Board.Stalls).Stop);
             return;
@@ -322,7 +322,7 @@ package body Sim.Engine is
       if Send then
          Schedule (Sent (Which), Time + Character_Time);
          Transmit
-           (Link_Line, Way_From (Which), Time, Data, Board.On_Line);
+           (Link_Line, Path_From (Which), Time, Data, Board.On_Line);
 
          --  An inserted character arrives at once, or after a doubled one that
          --  must still arrive before the character now sent.
@@ -331,7 +331,7 @@ package body Sim.Engine is
          end if;
 
          if Text_Output.Is_Open (Wire) then
-            Wire_Log.Write_Byte (Wire, Time, Way_From (Which), Data);
+            Wire_Log.Write_Byte (Wire, Time, Path_From (Which), Data);
          end if;
       end if;
 
@@ -404,9 +404,9 @@ package body Sim.Engine is
       Time   : Microseconds;
       Heard  : Arrival) is
    begin
-      Slow_Lines.Put (Way_From (Sender), Time + Line_Time, Heard);
+      Slow_Lines.Put (Path_From (Sender), Time + Line_Time, Heard);
       Schedule
-        (Arrived (Sender), Slow_Lines.Next_Time (Way_From (Sender)));
+        (Arrived (Sender), Slow_Lines.Next_Time (Path_From (Sender)));
    end Delay_Arrival;
 
    procedure Delay_Character (Sender : Node; Time : Microseconds) is
@@ -426,15 +426,15 @@ package body Sim.Engine is
       Time   : Microseconds;
       Wire   : in out Text_Output.Writer)
    is
-      Way       : constant Direction := Way_From (Sender);
+      Path      : constant Direction := Path_From (Sender);
       Heard     : Arrival;
       May_Speak : Boolean;
    begin
-      Slow_Lines.Take (Way, Heard);
-      if Slow_Lines.Next_Time (Way) = Host.Never then
+      Slow_Lines.Take (Path, Heard);
+      if Slow_Lines.Next_Time (Path) = Host.Never then
          Cancel (Arrived (Sender));
       else
-         Schedule (Arrived (Sender), Slow_Lines.Next_Time (Way));
+         Schedule (Arrived (Sender), Slow_Lines.Next_Time (Path));
       end if;
       Hear (Other (Sender), Time, Heard, May_Speak);
       if May_Speak or else not Is_Due (Time_Out (Other (Sender))) then
@@ -460,7 +460,7 @@ package body Sim.Engine is
       Serve_Telemetry (Other (Sender), Time, Wire);
    end Hear_Extra;
 
-   procedure Serve_Behind_Tasks
+   procedure Serve_After_Tasks
      (Which : Node;
       Time  : Microseconds;
       Wire  : in out Text_Output.Writer) is
@@ -468,7 +468,7 @@ package body Sim.Engine is
       if not Is_Due (Time_Out (Which)) then
          Serve_Telemetry (Which, Time, Wire);
       end if;
-   end Serve_Behind_Tasks;
+   end Serve_After_Tasks;
 
    procedure Tick
      (Which : Node;
@@ -476,7 +476,7 @@ package body Sim.Engine is
       Wire  : in out Text_Output.Writer) is
    begin
       Controllers.Tick (Which, Time);
-      Serve_Behind_Tasks (Which, Time, Wire);
+      Serve_After_Tasks (Which, Time, Wire);
    end Tick;
 
    procedure End_Conversion
@@ -494,7 +494,7 @@ package body Sim.Engine is
            Microseconds'Min (Stop, First_Besides (Converted (Which))),
          Have_Run   => Have_Run);
       if Have_Run then
-         Serve_Behind_Tasks (Which, Last, Wire);
+         Serve_After_Tasks (Which, Last, Wire);
       end if;
    end End_Conversion;
 

@@ -13,7 +13,7 @@ package body Sim.Eyes is
    procedure Look
      (Shown : Shown_State;
       From  : in out Noise.Source;
-      Seen  : out Pilot.Sight)
+      Seen  : out Pilot.View)
    is
       North  : constant Long_Float :=
         abs (Shown (North_Ft) - Runway.Observer_North);

@@ -16,6 +16,6 @@ package Sim.Eyes is
    procedure Look
      (Shown : Shown_State;
       From  : in out Noise.Source;
-      Seen  : out Pilot.Sight);
+      Seen  : out Pilot.View);
 
 end Sim.Eyes;

@@ -8,7 +8,7 @@ private package Sim.Faults.Grammar is
    Servo_Word : constant String := "surface";
 
    --  The word between the time and the kind.
-   type Subject is (Nothing, A_Way, A_Node, The_Ground, A_Servo);
+   type Subject is (Nothing, A_Path, A_Node, The_Ground, A_Servo);
 
    --  A parameter that may follow the kind.
    type Parameter is
@@ -25,12 +25,12 @@ private package Sim.Faults.Grammar is
    --  The form of each kind.
    Forms : constant array (Fault_Kind) of Form :=
      (Cut        => (Nothing, (A_Duration, None)),
-      Bit_Errors => (A_Way, (A_Probability, A_Duration)),
-      Replay     => (A_Way, (An_Ordinal, A_Duration)),
-      Flip       => (A_Way, (An_Ordinal, A_Mask)),
-      Drop       => (A_Way, (An_Ordinal, None)),
-      Duplicate  => (A_Way, (An_Ordinal, None)),
-      Insert     => (A_Way, (An_Ordinal, A_Byte)),
+      Bit_Errors => (A_Path, (A_Probability, A_Duration)),
+      Replay     => (A_Path, (An_Ordinal, A_Duration)),
+      Flip       => (A_Path, (An_Ordinal, A_Mask)),
+      Drop       => (A_Path, (An_Ordinal, None)),
+      Duplicate  => (A_Path, (An_Ordinal, None)),
+      Insert     => (A_Path, (An_Ordinal, A_Byte)),
       Stall      => (A_Node, (A_Board, A_Duration)),
       Reset      => (A_Node, (A_Restart, None)),
       ROM_Harm   => (A_Node, (A_ROM_Address, A_ROM_Mask)),
@@ -43,8 +43,8 @@ private package Sim.Faults.Grammar is
       Slow       => (A_Servo, (A_Speed, None)));
 
    --  A parameter that may be left out.
-   function Is_Optional (What : Parameter) return Boolean is
-     (What = A_Place);
+   function Is_Optional (Item : Parameter) return Boolean is
+     (Item = A_Place);
 
    function Name (Kind : Fault_Kind) return String is
      (case Kind is
@@ -66,17 +66,17 @@ private package Sim.Faults.Grammar is
          when Float      => "float",
          when Slow       => "slow");
 
-   function Name (What : Subject) return String is
-     (case What is
+   function Name (Item : Subject) return String is
+     (case Item is
          when Nothing => "",
-         when A_Way   => "up|down ",
+         when A_Path  => "up|down ",
          when A_Node  => "mcs|gsc ",
          when The_Ground => "gsc ",
          when A_Servo => Servo_Word & " NAME ");
 
    --  The parameter's name in a description of the form.
-   function Name (What : Parameter) return String is
-     (case What is
+   function Name (Item : Parameter) return String is
+     (case Item is
          when None          => "",
          when A_Duration    => " DURATION_MS",
          when A_Probability => " P",

@@ -23,10 +23,10 @@ package body Sim.Faults is
    function Kinds_After (Before : Subject) return String;
 
    procedure Read_Time
-     (From  : Reader;
-      What  : String;
-      Word  : String;
-      Value : out Microseconds);
+     (From       : Reader;
+      Field_Name : String;
+      Word       : String;
+      Value      : out Microseconds);
 
    --  From 0 to 1, as "0.001", "1e-3" or "1".
    procedure Read_Probability
@@ -37,7 +37,7 @@ package body Sim.Faults is
    --  Reads a hexadecimal number from First to Last.
    procedure Read_Bits
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       First, Last : Number;
       Value       : out Number);
@@ -45,14 +45,14 @@ package body Sim.Faults is
    --  Reads a whole number from First to Last.
    procedure Read_Number
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       First, Last : Number;
       Value       : out Number);
 
    procedure Read_Parameter
      (From : Reader;
-      What : Parameter;
+      Item : Parameter;
       Word : String;
       Made : in out Fault);
 
@@ -69,7 +69,7 @@ package body Sim.Faults is
    package Sorting is new Fault_Vectors.Generic_Sorting ("<" => Is_Before);
 
    --  Adds the fault to the list of its subject.
-   procedure Hand_Out (To : in out Script; Given : Fault);
+   procedure Distribute (To : in out Script; Given : Fault);
 
    procedure Read_Fault (From : Reader; Line : String; Made : out Fault);
 
@@ -105,7 +105,7 @@ package body Sim.Faults is
       Choices  : constant String :=
         (case Before is
             when Nothing =>
-              Kinds_After (Nothing) & ", " & Kinds_After (A_Way) & ", "
+              Kinds_After (Nothing) & ", " & Kinds_After (A_Path) & ", "
               & Of_Nodes & ", " & Kinds_After (A_Servo),
             when A_Node  => Of_Nodes,
             when others  => Kinds_After (Before));
@@ -124,10 +124,10 @@ package body Sim.Faults is
    end Read_Kind;
 
    procedure Read_Time
-     (From  : Reader;
-      What  : String;
-      Word  : String;
-      Value : out Microseconds)
+     (From       : Reader;
+      Field_Name : String;
+      Word       : String;
+      Value      : out Microseconds)
    is
       Amount   : Number;
       Is_Valid : Boolean;
@@ -136,7 +136,7 @@ package body Sim.Faults is
       if not Is_Valid or else Amount > Longest_Time then
          Refuse
            (From,
-            What & ": " & Quoted (Word) & " is not a time from 0 to"
+            Field_Name & ": " & Quoted (Word) & " is not a time from 0 to"
             & Number'Image (Longest_Time / 1_000)
             & " ms with at most three decimals");
       end if;
@@ -164,7 +164,7 @@ package body Sim.Faults is
 
    procedure Read_Bits
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       First, Last : Number;
       Value       : out Number)
@@ -175,7 +175,7 @@ package body Sim.Faults is
       if not Is_Valid or else Value not in First .. Last then
          Refuse
            (From,
-            What & ": " & Quoted (Word)
+            Field_Name & ": " & Quoted (Word)
             & " is not a hexadecimal number from "
             & Hexadecimal_Image (First) & " to " & Hexadecimal_Image (Last));
       end if;
@@ -183,7 +183,7 @@ package body Sim.Faults is
 
    procedure Read_Number
      (From        : Reader;
-      What        : String;
+      Field_Name  : String;
       Word        : String;
       First, Last : Number;
       Value       : out Number)
@@ -194,7 +194,7 @@ package body Sim.Faults is
       if not Is_Valid or else Value not in First .. Last then
          Refuse
            (From,
-            What & ": " & Quoted (Word) & " is not a whole number from"
+            Field_Name & ": " & Quoted (Word) & " is not a whole number from"
             & First'Image & " to" & Last'Image);
       end if;
    end Read_Number;
@@ -225,14 +225,14 @@ package body Sim.Faults is
 
    procedure Read_Parameter
      (From : Reader;
-      What : Parameter;
+      Item : Parameter;
       Word : String;
       Made : in out Fault)
    is
       Value    : Number;
       Is_Valid : Boolean;
    begin
-      case What is
+      case Item is
          when None =>
             null;
 
@@ -362,8 +362,8 @@ package body Sim.Faults is
             Read.Time := Time;
             case Before is
                when Nothing => null;
-               when A_Way   =>
-                  Read.Way := (if Word (2) = "up" then Up else Down);
+               when A_Path  =>
+                  Read.Path := (if Word (2) = "up" then Up else Down);
                when A_Node | The_Ground =>
                   if Kind in Stall | Hardware_Fault then
                      Read.Where :=
@@ -383,7 +383,7 @@ package body Sim.Faults is
       if Count < 2 then
          Refuse (From, "no fault follows the time");
       elsif Word (2) = "up" or else Word (2) = "down" then
-         Before := A_Way;
+         Before := A_Path;
          Next   := 3;
       elsif Word (2) = "mcs" or else Word (2) = "gsc" then
          Before := A_Node;
@@ -398,7 +398,7 @@ package body Sim.Faults is
       Made := Read_Rest;
    end Read_Fault;
 
-   procedure Hand_Out (To : in out Script; Given : Fault) is
+   procedure Distribute (To : in out Script; Given : Fault) is
       Span : constant Windows.Window :=
         (Given.Time, Given.Time + Given.Duration);
    begin
@@ -408,11 +408,11 @@ package body Sim.Faults is
          when Lost_Console =>
             Windows.Add (To.Consoles, Span);
          when Bit_Errors =>
-            To.Ways (Given.Way).Noises.Append (Given);
+            To.Paths (Given.Path).Noises.Append (Given);
          when Replay =>
-            To.Ways (Given.Way).Replays.Append (Given);
+            To.Paths (Given.Path).Replays.Append (Given);
          when Character_Fault =>
-            To.Ways (Given.Way).Characters.Append (Given);
+            To.Paths (Given.Path).Characters.Append (Given);
          when Stall =>
             Windows.Add (To.Stalls (Given.Where, Given.Stalled), Span);
          when Hardware_Fault =>
@@ -420,7 +420,7 @@ package body Sim.Faults is
          when Servo_Fault =>
             To.Servos.Append (Given);
       end case;
-   end Hand_Out;
+   end Distribute;
 
    procedure Load (Loaded : out Script; File : String) is
 
@@ -441,7 +441,7 @@ package body Sim.Faults is
       Sorting.Sort (Every);
       Loaded := (others => <>);
       for Each of Every loop
-         Hand_Out (Loaded, Each);
+         Distribute (Loaded, Each);
       end loop;
       Loaded.Every := Every;
    end Load;

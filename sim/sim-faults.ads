@@ -68,7 +68,7 @@ package Sim.Faults is
             null;
 
          when Bit_Errors | Replay | Character_Fault =>
-            Way : Direction := Up;
+            Path : Direction := Up;
             case Kind is
                when Bit_Errors =>
                   Rate : Probability := 0.0;
@@ -125,13 +125,13 @@ package Sim.Faults is
    function Lost_Consoles (From : Script) return Windows.List;
 
    --  Bit errors of a direction.
-   function Noises (From : Script; Way : Direction) return Fault_List;
+   function Noises (From : Script; Path : Direction) return Fault_List;
 
    --  Replayed blocks of a direction.
-   function Replays (From : Script; Way : Direction) return Fault_List;
+   function Replays (From : Script; Path : Direction) return Fault_List;
 
    --  Faults of single characters, each a Character_Fault.
-   function Of_Characters (From : Script; Way : Direction) return Fault_List;
+   function Of_Characters (From : Script; Path : Direction) return Fault_List;
 
    --  The stalls of a board of a node.
    function Stalls
@@ -146,20 +146,20 @@ package Sim.Faults is
 
 private
 
-   type One_Way is record
+   type One_Path is record
       Noises     : Fault_List;
       Replays    : Fault_List;
       Characters : Fault_List;
    end record;
 
-   type Both_Ways is array (Direction) of One_Way;
+   type Both_Paths is array (Direction) of One_Path;
    type Board_Stalls is array (Node, Board) of Windows.List;
 
    --  Each fault is in one of the first six.
    type Script is record
       Cuts     : Windows.List;
       Consoles : Windows.List;
-      Ways     : Both_Ways;
+      Paths    : Both_Paths;
       Stalls   : Board_Stalls;
       Hardware : Fault_List;
       Servos   : Fault_List;
@@ -173,14 +173,15 @@ private
    function Lost_Consoles (From : Script) return Windows.List is
      (From.Consoles);
 
-   function Noises (From : Script; Way : Direction) return Fault_List is
-     (From.Ways (Way).Noises);
+   function Noises (From : Script; Path : Direction) return Fault_List is
+     (From.Paths (Path).Noises);
 
-   function Replays (From : Script; Way : Direction) return Fault_List is
-     (From.Ways (Way).Replays);
+   function Replays (From : Script; Path : Direction) return Fault_List is
+     (From.Paths (Path).Replays);
 
-   function Of_Characters (From : Script; Way : Direction) return Fault_List is
-     (From.Ways (Way).Characters);
+   function Of_Characters (From : Script; Path : Direction) return Fault_List
+   is
+     (From.Paths (Path).Characters);
 
    function Stalls
      (From : Script; Where : Node; Stalled : Board) return Windows.List

@@ -7,27 +7,27 @@ package body Sim.Faulty_Line is
    Parity_Bit : constant Faults.Character_Bits := 2 ** 8;
 
    --  Sets the times that Transmit looks at first.
-   procedure Set_Next_Time (Carrier : in out One_Way);
-   procedure Set_Next_Noise (Carrier : in out One_Way);
+   procedure Set_Next_Time (Carrier : in out One_Path);
+   procedure Set_Next_Noise (Carrier : in out One_Path);
 
    --  Combines a fault with the other effects on its character.
    procedure Join (Meant : in out Effect; Fault : Faults.Fault);
 
    --  Assigns a character to each fault whose time has come.
-   procedure Make_Due (Carrier : in out One_Way; Time : Microseconds);
+   procedure Make_Due (Carrier : in out One_Path; Time : Microseconds);
 
    --  The effect on the character being sent.
-   procedure Take_Due (Carrier : in out One_Way; Meant : out Effect);
+   procedure Take_Due (Carrier : in out One_Path; Meant : out Effect);
 
    --  Bits of the character being sent that flip by chance.
    procedure Make_Noise
-     (Carrier : in out One_Way;
+     (Carrier : in out One_Path;
       Time    : Microseconds;
       Mask    : in out Faults.Character_Bits);
 
-   --  Whether a fault may affect the character being sent.
+   --  True if a fault may affect the character being sent.
    function Is_Disturbed
-     (Carrier : One_Way; Time : Microseconds) return Boolean
+     (Carrier : One_Path; Time : Microseconds) return Boolean
    is
      (Carrier.Next_Time <= Time
       or else Carrier.Next_Due = Carrier.Sent
@@ -36,7 +36,7 @@ package body Sim.Faulty_Line is
 
    --  Applies that effect.
    procedure Disturb
-     (Carrier : in out One_Way;
+     (Carrier : in out One_Path;
       Time    : Microseconds;
       Heard   : in out Delivery)
    with No_Inline;
@@ -58,7 +58,7 @@ package body Sim.Faulty_Line is
       end loop;
    end Append;
 
-   procedure Set_Next_Time (Carrier : in out One_Way) is
+   procedure Set_Next_Time (Carrier : in out One_Path) is
    begin
       Carrier.Next_Time :=
         (if Carrier.Next <= Carrier.Waiting.Last_Index
@@ -66,10 +66,10 @@ package body Sim.Faulty_Line is
          else Never);
    end Set_Next_Time;
 
-   procedure Set_Next_Noise (Carrier : in out One_Way) is
+   procedure Set_Next_Noise (Carrier : in out One_Path) is
    begin
       Carrier.Next_Noise :=
-        (if not Carrier.Going_On.Is_Empty
+        (if not Carrier.Active_Noises.Is_Empty
          then 0
          elsif Carrier.Noise_Index <= Carrier.Noises.Last_Index
          then Carrier.Noises (Carrier.Noise_Index).Time
@@ -81,17 +81,17 @@ package body Sim.Faulty_Line is
       Script : Faults.Script;
       Seed   : Seed_Number) is
    begin
-      Made.Ways := (others => <>);
+      Made.Paths := (others => <>);
 
-      for Way in Direction loop
-         Made.Ways (Way).Waiting  := Faults.Of_Characters (Script, Way);
-         Made.Ways (Way).Noises   := Faults.Noises (Script, Way);
+      for Path in Direction loop
+         Made.Paths (Path).Waiting  := Faults.Of_Characters (Script, Path);
+         Made.Paths (Path).Noises   := Faults.Noises (Script, Path);
          Replays.Prepare
-           (Made.Middles (Way), Faults.Replays (Script, Way));
-         Made.Ways (Way).Silences := Faults.Cuts (Script);
-         Set_Next_Time (Made.Ways (Way));
-         Set_Next_Noise (Made.Ways (Way));
-         Made.Ways (Way).Chance := Noise.Seeded (Seed, Way);
+           (Made.Middles (Path), Faults.Replays (Script, Path));
+         Made.Paths (Path).Silences := Faults.Cuts (Script);
+         Set_Next_Time (Made.Paths (Path));
+         Set_Next_Noise (Made.Paths (Path));
+         Made.Paths (Path).Chance := Noise.Seeded (Seed, Path);
       end loop;
    end Prepare;
 
@@ -113,7 +113,7 @@ package body Sim.Faulty_Line is
       end case;
    end Join;
 
-   procedure Make_Due (Carrier : in out One_Way; Time : Microseconds) is
+   procedure Make_Due (Carrier : in out One_Path; Time : Microseconds) is
    begin
       while Carrier.Next_Time <= Time loop
          declare
@@ -139,7 +139,7 @@ package body Sim.Faulty_Line is
       Carrier.Next_Due := Carrier.Due.First_Key;
    end Make_Due;
 
-   procedure Take_Due (Carrier : in out One_Way; Meant : out Effect) is
+   procedure Take_Due (Carrier : in out One_Path; Meant : out Effect) is
    begin
       Meant := Carrier.Due.First_Element;
       Carrier.Due.Delete_First;
@@ -150,7 +150,7 @@ package body Sim.Faulty_Line is
    end Take_Due;
 
    procedure Make_Noise
-     (Carrier : in out One_Way;
+     (Carrier : in out One_Path;
       Time    : Microseconds;
       Mask    : in out Faults.Character_Bits)
    is
@@ -163,7 +163,7 @@ package body Sim.Faulty_Line is
             Begun : constant Faults.Fault :=
               Carrier.Noises (Carrier.Noise_Index);
          begin
-            Carrier.Going_On.Append
+            Carrier.Active_Noises.Append
               (Noise_Spell'
                  (Stop  => Begun.Time + Begun.Duration,
                   Level => Noise.To_Level (Begun.Rate)));
@@ -171,11 +171,12 @@ package body Sim.Faulty_Line is
          Carrier.Noise_Index := Carrier.Noise_Index + 1;
       end loop;
 
-      for Index in reverse 1 .. Carrier.Going_On.Last_Index loop
-         if Carrier.Going_On (Index).Stop <= Time then
-            Carrier.Going_On.Delete (Index);
+      for Index in reverse 1 .. Carrier.Active_Noises.Last_Index loop
+         if Carrier.Active_Noises (Index).Stop <= Time then
+            Carrier.Active_Noises.Delete (Index);
          else
-            Noise.Draw (Carrier.Chance, Carrier.Going_On (Index).Level, Drawn);
+            Noise.Draw
+              (Carrier.Chance, Carrier.Active_Noises (Index).Level, Drawn);
             Mask := Mask xor Drawn;
          end if;
       end loop;
@@ -194,7 +195,7 @@ package body Sim.Faulty_Line is
    end Has_Odd_Ones;
 
    procedure Disturb
-     (Carrier : in out One_Way;
+     (Carrier : in out One_Path;
       Time    : Microseconds;
       Heard   : in out Delivery)
    is
@@ -236,16 +237,16 @@ package body Sim.Faulty_Line is
 
    procedure Transmit
      (Over     : in out Line;
-      Way      : Direction;
+      Path     : Direction;
       Time     : Microseconds;
       Data     : Byte;
       Heard    : out Delivery)
    is
-      Carrier : One_Way renames Over.Ways (Way);
+      Carrier : One_Path renames Over.Paths (Path);
       Passed  : Byte := Data;
    begin
       Carrier.Sent := Carrier.Sent + 1;
-      Replays.Replace (Over.Middles (Way), Time, Passed);
+      Replays.Replace (Over.Middles (Path), Time, Passed);
 
       Heard.Before.Length := 0;
       Heard.After.Length  := 0;

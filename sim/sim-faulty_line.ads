@@ -70,7 +70,7 @@ package Sim.Faulty_Line is
    --  passed, because they are counted.
    procedure Transmit
      (Over     : in out Line;
-      Way      : Direction;
+      Path     : Direction;
       Time     : Microseconds;
       Data     : Byte;
       Heard    : out Delivery)
@@ -101,7 +101,7 @@ private
    package Noise_Vectors is new Ada.Containers.Vectors
      (Positive, Noise_Spell);
 
-   type One_Way is record
+   type One_Path is record
       Sent : Character_Number := 0;
 
       --  Faults of single characters by time. From Next on they wait for their
@@ -115,21 +115,21 @@ private
 
       --  Periods of bit errors: future ones, and those that may be active.
       --  Next_Noise is the next time to look at them.
-      Noises      : Faults.Fault_List;
-      Noise_Index : Positive := 1;
-      Going_On    : Noise_Vectors.Vector;
-      Next_Noise  : Microseconds := Never;
-      Chance      : Noise.Source;
+      Noises        : Faults.Fault_List;
+      Noise_Index   : Positive := 1;
+      Active_Noises : Noise_Vectors.Vector;
+      Next_Noise    : Microseconds := Never;
+      Chance        : Noise.Source;
 
       Silences : Windows.List;
    end record;
 
    type Two_Middles is array (Direction) of Replays.Middle;
 
-   type Both_Ways is array (Direction) of One_Way;
+   type Both_Paths is array (Direction) of One_Path;
 
    type Line is limited record
-      Ways    : Both_Ways;
+      Paths   : Both_Paths;
       Middles : Two_Middles;
    end record;
 

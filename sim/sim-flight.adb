@@ -62,13 +62,13 @@ package body Sim.Flight is
    Files      : File_Set;
    Keys       : Key_Files.Key_Ring;
 
-   Console  : Console_Words := Neutral_Console;
-   Measured : Sensor_Words  := Neutral_Sensors;
-   Chance   : Noise.Source;
-   Sight    : Noise.Source;
-   Truth    : Flight_State;
-   Shown    : Shown_State := (others => 0.0);
-   Delays   : Latency.Collector;
+   Console    : Console_Words := Neutral_Console;
+   Measured   : Sensor_Words  := Neutral_Sensors;
+   Chance     : Noise.Source;
+   View_Noise : Noise.Source;
+   Truth      : Flight_State;
+   Shown      : Shown_State := (others => 0.0);
+   Delays     : Latency.Collector;
 
    --  The end of the ground's frame whose quality is observed when the
    --  aircraft's true state is known; Never if none waits.
@@ -126,7 +126,7 @@ package body Sim.Flight is
    --  summary: they remain if the program is killed.
    procedure Keep_Results (Chosen : Choices; Flown : Microseconds);
 
-   --  Whether the pilot is beside the runway.
+   --  True if the pilot is beside the runway.
    function Is_By_Eye (Chosen : Choices) return Boolean is
      (Is_Given (Chosen, Pilot_Option)
       and then Pilot.Is_By_Eye (Value (Chosen, Pilot_Option)));
@@ -148,11 +148,11 @@ package body Sim.Flight is
       return Whole_Frames (if Needed > 0 then Needed else Standard_Length);
    end Flight_Length;
 
-   --  Whether the error happens at every start, before the first message.
+   --  True if the error happens at every start, before the first message.
    function Is_Usual
      (Kind : Error_Kind; History : Logs.History) return Boolean;
 
-   --  Whether an output shows the aircraft's true state at the end of each of
+   --  True if an output shows the aircraft's true state at the end of each of
    --  the ground's frames.
    function Shows_Truth (Chosen : Choices) return Boolean is
      (Text_Output.Is_Open (Files (Record_Option)) or else Is_By_Eye (Chosen));
@@ -212,8 +212,8 @@ package body Sim.Flight is
            ("--pilot " & Value (Chosen, Pilot_Option) & " and the condition"
             & " ""start air"" do not go together");
       end if;
-      Sight  := Noise.Seeded (Chosen.Seed, Noise.The_Eyes);
-      Chance := Noise.Seeded (Chosen.Seed, Noise.The_Sensors);
+      View_Noise := Noise.Seeded (Chosen.Seed, Noise.The_Eyes);
+      Chance     := Noise.Seeded (Chosen.Seed, Noise.The_Sensors);
       Sim.Conditions.Draw_Errors (Conditions, Chance, Errors);
       JSBSim.Start
         (Steps_To_Row (Chosen),
@@ -338,7 +338,7 @@ package body Sim.Flight is
       Frame  : constant URVOS.Count := URVOS.Count (Time / Major_Frame - 1);
       Writer : Text_Output.Writer renames Files (Record_Option);
       Words  : Console_Words;
-      Seen   : Pilot.Sight;
+      Seen   : Pilot.View;
    begin
       if Text_Output.Is_Open (Writer) then
          Flight_Record.Write_Row
@@ -358,14 +358,14 @@ package body Sim.Flight is
              Laws         => URV.Law_Status.To_Row
                                (Nodes.Laws, Nodes.Failed_Surfaces,
                                 Nodes.Configured),
-             Laws_Told    => Nodes.CORE (Ground).Aircraft_Log
+             Reported_Laws    => Nodes.CORE (Ground).Aircraft_Log
                                (URV.Law_Status.Row_Number),
              Has_Orders   => Is_Given (Chosen, Orders_Option)));
       end if;
 
       if Is_Given (Chosen, Pilot_Option) then
          if Is_By_Eye (Chosen) and then Frame mod Eyes.Frames_Between = 0 then
-            Eyes.Look (Shown, Sight, Seen);
+            Eyes.Look (Shown, View_Noise, Seen);
             Pilot.See (Seen);
          end if;
          Pilot.Move

@@ -126,16 +126,16 @@ package body Sim.Flight_Record is
       if This.Has_Laws then
          Put_Laws (To, This.Laws);
          Put (To, ',');
-         Put (To, Number (This.Laws_Told (Occurrences_High)));
+         Put (To, Number (This.Reported_Laws (Occurrences_High)));
          Put (To, ',');
          Put (To, Number (This.Laws (Last_Frame_High)));
          Put (To, ',');
-         Put (To, Number (This.Laws_Told (Last_Frame_High)));
+         Put (To, Number (This.Reported_Laws (Last_Frame_High)));
          if This.Has_Orders then
             Put (To, ',');
             Put (To, Number (This.Laws (Last_Detail)));
             Put (To, ',');
-            Put (To, Number (This.Laws_Told (Last_Detail)));
+            Put (To, Number (This.Reported_Laws (Last_Detail)));
          end if;
       end if;
       New_Line (To);

@@ -30,9 +30,9 @@ package Sim.Flight_Record is
 
       --  With control laws, their status row, in the aircraft and as the
       --  ground knows it.
-      Has_Laws     : Boolean;
-      Laws         : Log_Row;
-      Laws_Told    : Log_Row;
+      Has_Laws         : Boolean;
+      Laws             : Log_Row;
+      Reported_Laws    : Log_Row;
 
       --  With orders of the ground, the settings, too.
       Has_Orders   : Boolean;

@@ -16,8 +16,8 @@ private package Sim.JSBSim.Process is
    procedure Send (Message : Stream_Element_Array);
    procedure Receive (Message : out Stream_Element_Array);
 
-   --  Whether polling for an answer has failed: the other process hardly runs
-   --  while this one does.
+   --  True if polling for an answer has failed: the other process hardly runs
+   --  while this one polls.
    function Is_Alone return Boolean;
 
    --  The received bytes up to the next line feed.

@@ -45,11 +45,11 @@ package body Sim.Latency is
       Time     : Microseconds;
       Expected : PWM_Buffer) is
    begin
-      if Into.Has_Asked and then Into.Asked = Expected then
+      if Into.Has_Expected and then Into.Last_Expected = Expected then
          return;
       end if;
-      Into.Has_Asked := True;
-      Into.Asked     := Expected;
+      Into.Has_Expected := True;
+      Into.Last_Expected     := Expected;
 
       Expire (Into, Time);
       if Into.Pending = 0

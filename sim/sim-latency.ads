@@ -71,10 +71,10 @@ private
       Pending : Natural range 0 .. Place'Modulus := 0;
 
       --  The console's last request and the board's words.
-      Has_Asked : Boolean := False;
-      Asked     : PWM_Buffer;
-      Is_Set    : Boolean := False;
-      Set       : PWM_Buffer;
+      Has_Expected  : Boolean := False;
+      Last_Expected : PWM_Buffer;
+      Is_Set        : Boolean := False;
+      Set           : PWM_Buffer;
 
       --  The number of occurrences of each latency. Too large for a stack;
       --  allocated at the first measurement.

@@ -143,8 +143,8 @@ package Sim.Nodes is
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;
 
-   --  Whether an exception was raised that no planted fault explains: a fault
-   --  of the program.
+   --  True after an exception that no planted fault explains: a fault of the
+   --  program.
    function Has_Failed return Boolean;
 
 end Sim.Nodes;

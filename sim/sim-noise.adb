@@ -35,21 +35,21 @@ package body Sim.Noise is
       return (Left / Half) * (Right / Half) + Cross / Half + Cross2 / Half;
    end High_Product;
 
-   function Seeded (Seed : Seed_Number; Way : Direction) return Source is
+   function Seeded (Seed : Seed_Number; Path : Direction) return Source is
       Splitter : Source := Source (Seed);
       Value    : Unsigned_64;
    begin
-      for Each in Direction'First .. Way loop
+      for Each in Direction'First .. Path loop
          Next (Splitter, Value);
       end loop;
       return Source (Value);
    end Seeded;
 
-   function Seeded (Seed : Seed_Number; Whose : Observer) return Source is
+   function Seeded (Seed : Seed_Number; Viewer : Observer) return Source is
       Splitter : Source := Seeded (Seed, Direction'Last);
       Value    : Unsigned_64;
    begin
-      for Each in Observer'First .. Whose loop
+      for Each in Observer'First .. Viewer loop
          Next (Splitter, Value);
       end loop;
       return Source (Value);

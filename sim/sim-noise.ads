@@ -19,13 +19,13 @@ package Sim.Noise is
    type Source is private;
 
    --  The directions of one seed are independent of each other.
-   function Seeded (Seed : Seed_Number; Way : Direction) return Source;
+   function Seeded (Seed : Seed_Number; Path : Direction) return Source;
 
    --  The other users of random numbers. They are independent of each other
    --  and of the link's directions.
    type Observer is (The_Sensors, The_Eyes, The_Air);
 
-   function Seeded (Seed : Seed_Number; Whose : Observer) return Source;
+   function Seeded (Seed : Seed_Number; Viewer : Observer) return Source;
 
    --  A number near zero with a standard deviation of one: the sum of twelve
    --  uniform ones. Its magnitude is at most six.

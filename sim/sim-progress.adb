@@ -10,8 +10,8 @@ package body Sim.Progress is
 
    --  The length of a flight before the bar appears, and the interval at which
    --  it is then drawn.
-   Patience : constant Duration := 1.0;
-   Interval : constant Duration := 0.2;
+   Draw_After : constant Duration := 1.0;
+   Interval   : constant Duration := 0.2;
 
    --  The clock is read once in this number of calls: three times a second in
    --  a flight at the pace of real time.
@@ -22,7 +22,7 @@ package body Sim.Progress is
    Standard_Output : constant := 1;
    Standard_Error  : constant := 2;
 
-   Back_And_Clear : constant String :=
+   Return_And_Clear : constant String :=
      ASCII.CR & ASCII.ESC & "[K";
 
    Is_On     : Boolean := False;
@@ -63,7 +63,7 @@ package body Sim.Progress is
       Calls     := 0;
       Whole     := Microseconds'Max (Length, 1);
       Began     := Clock;
-      Next_Draw := Began + Patience;
+      Next_Draw := Began + Draw_After;
    end Start;
 
    procedure Look (Time : Microseconds) is
@@ -86,7 +86,7 @@ package body Sim.Progress is
            (Text_Numbers.Image (Long_Long_Integer (Value)));
       begin
          Put
-           (Back_And_Clear
+           (Return_And_Clear
             & "[" & (1 .. Full => '#') & (Full + 1 .. Bar_Width => '.')
             & "] " & Image (Flown * 100 / Whole) & " %  "
             & Image (Flown / 1_000_000) & " of "
@@ -109,7 +109,7 @@ package body Sim.Progress is
    procedure Stop is
    begin
       if Is_Drawn then
-         Put (Back_And_Clear);
+         Put (Return_And_Clear);
       end if;
       Is_On    := False;
       Is_Drawn := False;

@@ -16,7 +16,7 @@ package Sim.Signals is
    --  ignored.
    procedure Watch;
 
-   --  Whether a signal has arrived.
+   --  True if a signal has arrived.
    function Interrupted return Boolean with Inline;
 
 end Sim.Signals;

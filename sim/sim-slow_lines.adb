@@ -12,17 +12,17 @@ package body Sim.Slow_Lines is
    package Lists is new Ada.Containers.Doubly_Linked_Lists (Coming);
 
    --  In the order of their times.
-   Ways : array (Direction) of Lists.List;
+   Paths : array (Direction) of Lists.List;
 
    procedure Clear is
    begin
-      for Each of Ways loop
+      for Each of Paths loop
          Each.Clear;
       end loop;
    end Clear;
 
-   procedure Put (Way : Direction; Time : Microseconds; Heard : Arrival) is
-      Place : Lists.Cursor := Ways (Way).Last;
+   procedure Put (Path : Direction; Time : Microseconds; Heard : Arrival) is
+      Place : Lists.Cursor := Paths (Path).Last;
    begin
       --  A doubled character may arrive after the following one has begun.
       while Lists.Has_Element (Place)
@@ -31,20 +31,20 @@ package body Sim.Slow_Lines is
          Lists.Previous (Place);
       end loop;
       if Lists.Has_Element (Place) then
-         Ways (Way).Insert (Lists.Next (Place), (Time, Heard));
+         Paths (Path).Insert (Lists.Next (Place), (Time, Heard));
       else
-         Ways (Way).Prepend ((Time, Heard));
+         Paths (Path).Prepend ((Time, Heard));
       end if;
    end Put;
 
-   function Next_Time (Way : Direction) return Microseconds is
-     (if Ways (Way).Is_Empty then Host.Never
-      else Ways (Way).First_Element.Time);
+   function Next_Time (Path : Direction) return Microseconds is
+     (if Paths (Path).Is_Empty then Host.Never
+      else Paths (Path).First_Element.Time);
 
-   procedure Take (Way : Direction; Heard : out Arrival) is
+   procedure Take (Path : Direction; Heard : out Arrival) is
    begin
-      Heard := Ways (Way).First_Element.Heard;
-      Ways (Way).Delete_First;
+      Heard := Paths (Path).First_Element.Heard;
+      Paths (Path).Delete_First;
    end Take;
 
 end Sim.Slow_Lines;

@@ -12,12 +12,12 @@ package Sim.Slow_Lines is
 
    --  Adds a character that arrives at that time, after all others of that
    --  time.
-   procedure Put (Way : Direction; Time : Microseconds; Heard : Arrival);
+   procedure Put (Path : Direction; Time : Microseconds; Heard : Arrival);
 
    --  The time of the next arrival; Host.Never if there is none.
-   function Next_Time (Way : Direction) return Microseconds;
+   function Next_Time (Path : Direction) return Microseconds;
 
    --  Removes the next arrival. There must be one.
-   procedure Take (Way : Direction; Heard : out Arrival);
+   procedure Take (Path : Direction; Heard : out Arrival);
 
 end Sim.Slow_Lines;

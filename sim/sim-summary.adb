@@ -426,7 +426,7 @@ package body Sim.Summary is
       --  With this number of decimals.
       procedure Put (Value : Long_Float; Decimals : Positive);
 
-      procedure Put_Way
+      procedure Put_Path
         (Title                         : String;
          Sent, Received, Bad, Scrapped : Link_Item);
 
@@ -443,7 +443,7 @@ package body Sim.Summary is
       function Image (Value : Count) return String is
         (Text_Numbers.Image (Long_Long_Integer (Value)));
 
-      procedure Put_Way
+      procedure Put_Path
         (Title                         : String;
          Sent, Received, Bad, Scrapped : Link_Item) is
       begin
@@ -452,7 +452,7 @@ package body Sim.Summary is
             & Image (Link (Received)) & " received, "
             & Image (Link (Bad)) & " bad, "
             & Image (Link (Scrapped)) & " scrapped");
-      end Put_Way;
+      end Put_Path;
 
    begin
       Put (To, "flown     ");
@@ -460,10 +460,10 @@ package body Sim.Summary is
       Put (To, " s, " & Image (Flight.Frames) & " frames, at ");
       Put (Speed (Flight), 1);
       Put_Line (" times real time");
-      Put_Way
+      Put_Path
         ("uplink    ", Uplink_Sent, Uplink_Received,
          Uplink_Bad, Uplink_Scrapped);
-      Put_Way
+      Put_Path
         ("downlink  ", Downlink_Sent, Downlink_Received,
          Downlink_Bad, Downlink_Scrapped);
       Put_Line

@@ -17,11 +17,11 @@ package body Sim.Wire_Log is
    procedure Write_Byte
      (To   : in out Writer;
       Time : Microseconds;
-      Way  : Direction;
+      Path : Direction;
       Data : Byte) is
    begin
       Put (To, Text_Numbers.Number (Time));
-      Put (To, (case Way is when Up => ",up,", when Down => ",down,"));
+      Put (To, (case Path is when Up => ",up,", when Down => ",down,"));
       Put (To, Hexadecimal (Data / 16));
       Put (To, Hexadecimal (Data mod 16));
       New_Line (To);

@@ -16,7 +16,7 @@ package Sim.Wire_Log is
    procedure Write_Byte
      (To   : in out Text_Output.Writer;
       Time : Microseconds;
-      Way  : Direction;
+      Path : Direction;
       Data : Byte)
      with Pre => Text_Output.Is_Open (To);
 

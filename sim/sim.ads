@@ -11,7 +11,7 @@ package Sim is
    type Direction is (Up, Down);
 
    --  The direction of a node's transmissions.
-   function Way_From (Sender : Node) return Direction is
+   function Path_From (Sender : Node) return Direction is
      (if Sender = Ground then Up else Down);
 
    function Other (Than : Node) return Node is

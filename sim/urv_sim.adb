@@ -32,16 +32,16 @@ procedure Urv_Sim is
    Failure     : constant := 1;
    Interrupted : constant := 130;
 
-   procedure Complain (What : String);
+   procedure Complain (Message : String);
 
    --  Seconds with two decimals, the resolution of frames.
    function Seconds (Time : Microseconds) return String;
 
    procedure Fly (Chosen : Host.Options.Choices);
 
-   procedure Complain (What : String) is
+   procedure Complain (Message : String) is
    begin
-      Complaints.Report (What);
+      Complaints.Report (Message);
    end Complain;
 
    function Seconds (Time : Microseconds) return String is

@@ -477,7 +477,7 @@ class Aircraft:
         self.signal.set_double_value(30.0 - loss)
 
     def has_crashed(self):
-        """Whether a wing tip or, with the gear broken, the belly touches."""
+        """True if a wing tip or, with the gear broken, the belly touches."""
         altitude = self.altitude.get_double_value()
         # A value that is not finite is no crash: it is sent to the other side,
         # which ends the flight.
