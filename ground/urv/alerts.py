@@ -78,7 +78,7 @@ class Alerts:
                 self.changed += 1
 
     def active(self, key: str) -> bool:
-        """Whether the reason is present."""
+        """True if the reason is present."""
         alert = self._all.get(key)
         return alert is not None and alert.active
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the ground's node takes this station's console packets (GND-58).
+"""True if the ground's node takes this station's console packets (GND-58).
 
     answers.sent(sequence, now)      a console packet has left
     answers.look(frame, now)         a frame has come

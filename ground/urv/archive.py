@@ -63,7 +63,7 @@ class Link:
 
 
 class Taken:
-    """Whether Yamcs takes the arriving frames."""
+    """True if Yamcs takes the arriving frames."""
 
     def __init__(self) -> None:
         self._count = -1

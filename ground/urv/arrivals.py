@@ -36,7 +36,7 @@ class Arrivals:
         self._states: OrderedDict[int, float] = OrderedDict()
 
     def is_new(self, sequence: int) -> bool:
-        """Whether the number is above all earlier ones."""
+        """True if the number is above all earlier ones."""
         if sequence <= self._sequence:
             return False
         self._sequence = sequence

@@ -58,7 +58,7 @@ def address_of(host: str | None) -> str:
 
 
 def is_own_host(host: str | None) -> bool:
-    """Whether Host names this machine in a way that no foreign name server
+    """True if Host names this machine in a way that no foreign name server
     can: by address, as localhost, or by the machine's own name."""
     if not host:
         return False
@@ -203,15 +203,15 @@ class Token:
         self._tries: dict[str, tuple[float, float]] = {}
 
     def is_session(self, word: str) -> bool:
-        """Whether this is the session word of a browser."""
+        """True if this is the session word of a browser."""
         return hmac.compare_digest(octets(word), self.session.encode())
 
     def is_token(self, word: str) -> bool:
-        """Whether this is the token. may_try must have been called before."""
+        """True if this is the token. may_try must have been called before."""
         return hmac.compare_digest(octets(word), self._token)
 
     def may_try(self, address: str, now: float) -> bool:
-        """Whether the address has a try left."""
+        """True if the address has a try left."""
         return self._left(address, now) >= 1
 
     def failed(self, address: str, now: float) -> None:

@@ -277,7 +277,7 @@ class Flight:
                 "--events", self.folder / f"{name}.jsonl"]
 
     def start_yamcs(self) -> bool:
-        """Whether Yamcs could be started, on a disk that may be full."""
+        """True if Yamcs could be started, on a disk that may be full."""
         try:
             self.configure_yamcs()
         except (OSError, faults.Refused, faults.Failed) as error:
@@ -545,7 +545,7 @@ class Flight:
                 os.write(station.stdin.fileno(), report.line().encode())
 
     def has_losses(self, name: str) -> bool:
-        """Whether an output of that program is lost."""
+        """True if an output of that program is lost."""
         return any(each.startswith(f"{name} ") for each in self.losses)
 
     def judge(self) -> None:

@@ -101,7 +101,7 @@ class Laws:
 
     @property
     def is_alone(self) -> bool:
-        """Whether the aircraft flies without the ground."""
+        """True if the aircraft flies without the ground."""
         return self.link in ALONE
 
 

@@ -187,7 +187,7 @@ class Due:
     _next: int = 0
 
     def now(self, sequence: int) -> bool:
-        """Whether the message is due, and is then done. After a gap the rhythm
+        """True if the message is due, and is then done. After a gap the rhythm
         is the earlier one."""
         if sequence < self._next:
             return False

@@ -32,12 +32,12 @@ class Flight(NamedTuple):
 
     @property
     def is_sound(self):
-        """Whether none of its surfaces fails."""
+        """True if none of its surfaces fails."""
         return not self.drawn.get("surface_fault")
 
     @property
     def has_false_failure(self):
-        """Whether a surface or the engine is reported as failed, and none
+        """True if a surface or the engine is reported as failed, and none
         fails."""
         return self.is_sound and bool(self.measured.get("surfaces_named"))
 

@@ -182,7 +182,7 @@ class FramePacket:
 
     @property
     def is_fresh(self) -> bool:
-        """Whether the words of the downlink are of this frame."""
+        """True if the words of the downlink are of this frame."""
         return self.downlink_age == 0
 
     @property

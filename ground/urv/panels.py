@@ -234,13 +234,13 @@ def series(flight, trace, pack, shift=0):
 
 
 def moved(flight, trace):
-    """Whether a switch was ever moved."""
+    """True if a switch was ever moved."""
     column = trace.column
     return column in flight and numpy.ptp(flight.columns[column]) > 0
 
 
 def has_laws(flight):
-    """Whether the aircraft's laws were on, according to the record."""
+    """True if the aircraft's laws were on, according to the record."""
     return any(column in flight and flight.columns[column].any()
                for column in ("laws.link", "laws.told"))
 

@@ -65,7 +65,7 @@ ALONE = re.compile(r"warm reset|processor restart|internal fault")
 
 
 def is_loss(report: Report) -> bool:
-    """Whether it is about an incomplete output (GND-53)."""
+    """True if it is about an incomplete output (GND-53)."""
     return report.active and report.key.startswith(("lost ", "slow "))
 
 

@@ -68,7 +68,7 @@ NUMBER = re.compile(r"-?[0-9]+(?:\.([0-9]+))?")
 
 
 def is_word(name):
-    """Whether a column holds words of 16 bits: an item's, or the laws'."""
+    """True if a column holds words of 16 bits: an item's, or the laws'."""
     return name in items.COLUMNS or name.startswith("laws.")
 
 

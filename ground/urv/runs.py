@@ -58,7 +58,7 @@ class _Series:
 
     def is_followed_by(self, source: Source, sequence: int, zero_s: float,
                        now: float) -> bool:
-        """Whether a packet that arrives now can be a later one of these."""
+        """True if a packet that arrives now can be a later one of these."""
         return (source == self.source and sequence > self.sequence
                 and abs(zero_s - self.zero_s) <= SET_S
                 and self.clock.lead(sequence * packets.FRAME_S, now)
@@ -79,7 +79,7 @@ class Runs:
     """Seconds between the creation and the arrival of the packet taken
     last."""
     began: bool = False
-    """Whether it is the first one of its source."""
+    """True if it is the first one of its source."""
     missing: int = 0
     """The missing packets between it and the one before."""
     set_by: float = 0.0
@@ -96,7 +96,7 @@ class Runs:
 
     def take(self, frame: packets.FramePacket, now: float,
              sender: Sender | None = None) -> bool:
-        """Whether the packet is newer than all earlier ones."""
+        """True if the packet is newer than all earlier ones."""
         source = sender, frame.run
         sequence = frame.sequence
         zero_s = frame.time_us / 1e6 - sequence * packets.FRAME_S
@@ -117,7 +117,7 @@ class Runs:
         return True
 
     def has_rival(self, now: float) -> bool:
-        """Whether another source sends to this port, too."""
+        """True if another source sends to this port, too."""
         return now - self._rival_at <= RIVAL_S
 
     @property
@@ -156,7 +156,7 @@ class Runs:
 
     def _replaces(self, source: Source, sequence: int, zero_s: float,
                   now: float) -> bool:
-        """Whether this packet and the one before, which do not follow the
+        """True if this packet and the one before, which do not follow the
         present ones, replace them."""
         present, coming = self._now, self._next
         if coming is not None and coming.is_followed_by(

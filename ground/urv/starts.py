@@ -102,7 +102,7 @@ class Log:
 
 
 def is_of_another_life(old: packets.LogRow, row: packets.LogRow) -> bool:
-    """Whether a cold start has cleared the log between the two."""
+    """True if a cold start has cleared the log between the two."""
     return (row.count < old.count or row.last_frame < old.last_frame
             or row.first_frame != old.first_frame)
 
@@ -116,7 +116,7 @@ class Age:
     _is_known: bool = False
 
     def look(self, frame: packets.FramePacket, is_known: bool) -> bool:
-        """Whether the age is less than the earlier one and the frames since. A
+        """True if the age is less than the earlier one and the frames since. A
         known cold start is found once."""
         self._is_known |= is_known
         told = laws.Laws.of(frame)
@@ -188,7 +188,7 @@ class Starts:
 
 @dataclass
 class Flying:
-    """Whether the aircraft flies, from its fresh and valid words. An unknown
+    """True if the aircraft flies, from its fresh and valid words. An unknown
     value leaves the state unchanged."""
 
     now: bool = False

@@ -115,7 +115,7 @@ def address(option: str, given: str, wanted: str = "udp"
 
 
 def is_name(host: str) -> bool:
-    """Whether the operating system can look up the host."""
+    """True if the operating system can look up the host."""
     try:
         return bool(host.strip("[]").encode("idna"))
     except UnicodeError:

@@ -72,7 +72,7 @@ class Sticks:
 
     def move(self, console: int, words: tuple[int, ...], now: float,
              age: float = 0.0) -> bool:
-        """Whether these sticks count: only the holder's do. The page sent them
+        """True if these sticks count: only the holder's do. The page sent them
         age seconds ago."""
         if console != self.holder:
             return False

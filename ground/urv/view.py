@@ -84,7 +84,7 @@ class View:
     derived: dict[str, float | None] = field(default_factory=dict)
     laws: Laws | None = None
     laws_state: str = "unknown"
-    """Whether the aircraft has its laws on: "unknown", "off", "on"."""
+    """True if the aircraft has its laws on: "unknown", "off", "on"."""
     alerts: Alerts = field(default_factory=Alerts)
     log: deque[Line] = field(default_factory=lambda: deque(maxlen=LOG_LINES))
     frames: int = 0
@@ -118,7 +118,7 @@ class View:
     # Inputs
 
     def datagram(self, data: bytes, sender: Sender | None = None) -> bool:
-        """Whether it is a new frame packet. A fault in this code costs only
+        """True if it is a new frame packet. A fault in this code costs only
         this datagram (GND-57)."""
         try:
             return self._take(data, sender)
@@ -541,7 +541,7 @@ class View:
 
 
 def is_held_scan(event: packets.Event, frame: packets.FramePacket) -> bool:
-    """Whether the ground's converter completes no scan because the console is
+    """True if the ground's converter completes no scan because the console is
     lost."""
     return ((event.node, event.kind) == ("gsc", "ad_no_scan")
             and frame.console_state == packets.ConsoleState.HELD)

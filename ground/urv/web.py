@@ -66,7 +66,7 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 def is_worth_telling(record: logging.LogRecord) -> bool:
-    """Whether a message of the server's log is about a fault in this program.
+    """True if a message of the server's log is about a fault in this program.
     An invalid request is reported only to its sender."""
     return not (record.exc_info
                 and isinstance(record.exc_info[1], HttpProcessingError))
@@ -77,7 +77,7 @@ LOG.addFilter(is_worth_telling)
 
 
 def is_loopback(address: str) -> bool:
-    """Whether only this machine can reach the address."""
+    """True if only this machine can reach the address."""
     if address == "localhost":
         return True
     try:
@@ -107,11 +107,11 @@ class Page:
 
     @property
     def is_behind(self) -> bool:
-        """Whether it reports its drawn states, and has enough to draw."""
+        """True if it reports its drawn states, and has enough to draw."""
         return self.drawn is not None and self.sent - self.drawn >= UNDRAWN
 
     def allowed(self, now: float) -> bool:
-        """Whether it may send one more message already."""
+        """True if it may send one more message already."""
         self.credit = min(2 * MESSAGES_A_SECOND, self.credit
                           + (now - self.filled) * MESSAGES_A_SECOND)
         self.filled = now

@@ -74,7 +74,7 @@ class Ground:
                                (self.most_bytes, self.most_bytes))
 
     def is_there(self):
-        """Whether its page is, or it has ended."""
+        """True if its page is, or it has ended."""
         if self.terminal is None:
             return ("page to fly" in self.said()
                     or self.process.poll() is not None)

@@ -126,7 +126,7 @@ def test_d58_a_clock_that_is_set_makes_no_frame_older(set_s):
     assert "COLD START GSC" not in node.active()
 
 
-def test_gnd56_yamcs_is_told_what_the_node_s_clock_shows():
+def test_gnd56_yamcs_gets_the_time_of_the_node_s_clock():
     """A node whose clock is an hour ahead, and frames that come late."""
     node = Node()
     node.utc_us = time.time_ns() // 1000 + 3_600_000_000
@@ -305,7 +305,7 @@ def station(standard, tmp_path):
 
 
 def test_gnd56_frames_that_waited_at_a_stopped_station_are_late(station):
-    """Whether it shows them as old or not at all, never as new."""
+    """True if it shows them as old or not at all, never as new."""
     station.wait(lambda state: state["rate"] > 20 and state["age_ms"] < 200)
     station.process.send_signal(signal.SIGSTOP)
     time.sleep(3.0)

@@ -238,7 +238,7 @@ def test_gnd51_a_clock_that_steps_does_not_lock_the_pilot_out(station):
                      named(state, "PAGE CLOCK")[0]["text"])
 
 
-def test_gnd51_an_old_page_is_told_to_reload_and_only_watches(station):
+def test_gnd51_an_old_page_must_reload_and_only_watches(station):
     class Old(Console):
         def say(self, message):
             self.socket.send(json.dumps(message))

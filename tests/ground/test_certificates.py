@@ -46,7 +46,7 @@ def addresses(client):
 
 
 def is_let_in(address, context):
-    """Whether a stranger's bytes are taken at the address: the other side
+    """True if a stranger's bytes are taken at the address: the other side
     ends the connection at once when its certificate is not taken."""
     host, _, port = address.partition("://")[2].rpartition(":")
 
@@ -201,7 +201,7 @@ def campaign(place, *options):
         timeout=TIME_LIMIT_S)
 
 
-def test_sec12_insecure_is_told(urv):
+def test_sec12_insecure_is_reported(urv):
     result = urv("monte-carlo", "--flights", 1, "--scheduler",
                  "tcp://127.0.0.1:1", "--insecure")
     assert result.returncode == 1

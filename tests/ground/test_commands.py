@@ -25,7 +25,7 @@ def test_gnd10_help_names_every_command_and_each_has_help(urv):
         assert help_of_it.stdout.startswith(f"Usage: urv {command}"), command
 
 
-def test_gnd10_without_a_command_the_choices_are_told(urv):
+def test_gnd10_without_a_command_the_choices_are_listed(urv):
     result = urv()
     assert (result.returncode, result.stdout) == (2, "")
     assert result.stderr.startswith("urv: no command; there are ")

@@ -150,7 +150,7 @@ class Visitor:
         self.address, self.transport = address, Transport()
 
 
-def test_sec11_who_has_most_places_gives_one(event_loop_time):
+def test_sec11_the_address_with_most_places_gives_one(event_loop_time):
     place = Door(None)
     pilot = Visitor("pilot")
     place.enters(pilot)

@@ -52,7 +52,7 @@ def test_gnd31_what_the_station_showed_is_the_record(tmp_path):
                 ] == words
 
 
-def test_gnd31_a_dead_station_is_told_and_the_flight_goes_on(tmp_path):
+def test_gnd31_a_dead_station_is_reported_and_the_flight_goes_on(tmp_path):
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
         frames = len(ground.record())
@@ -76,7 +76,7 @@ def shows_alert(ground, name, active=True):
         if alert["name"] == name and alert["active"] == active], name)
 
 
-def test_gnd47_a_killed_plant_is_told_at_terminal_and_page(tmp_path):
+def test_gnd47_a_killed_plant_is_reported_at_terminal_and_page(tmp_path):
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard"
                     and state["down_ms"] < 100, "the link")
@@ -97,7 +97,7 @@ def test_gnd47_a_killed_plant_is_told_at_terminal_and_page(tmp_path):
         "urv: urv_mcs: --plant jsbsim: JSBSim's process has ended")
 
 
-def test_gnd47_a_stopped_plant_and_a_stopped_node_are_told(tmp_path):
+def test_gnd47_a_stopped_plant_and_a_stopped_node_are_reported(tmp_path):
     """GND-54: and a fault, though they run again."""
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
@@ -122,7 +122,7 @@ def test_gnd47_a_stopped_plant_and_a_stopped_node_are_told(tmp_path):
         "urv: plant and urv_mcs stood still during the flight")
 
 
-def test_gnd54_a_stopped_ground_node_is_told_and_a_fault(tmp_path):
+def test_gnd54_a_stopped_ground_node_is_reported_and_a_fault(tmp_path):
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
         os.kill(ground.named("urv_gsc"), signal.SIGSTOP)
@@ -166,7 +166,7 @@ def test_gnd53_a_terminal_that_is_full_ends_no_flight(tmp_path):
         "urv: standard output cannot be written: No space left on device\n")
 
 
-def test_gnd47_a_stopped_station_is_told_and_ends(tmp_path):
+def test_gnd47_a_stopped_station_is_reported_and_ends(tmp_path):
     with Ground(tmp_path, "--no-yamcs") as ground:
         ground.wait(lambda state: state.get("link") == "heard", "the link")
         os.kill(ground.named("station"), signal.SIGSTOP)
@@ -236,7 +236,7 @@ def test_gnd31_an_interrupt_ends_it_in_the_background_too(tmp_path):
     assert ground.status == ground.good_status()
 
 
-def test_gnd31_a_port_that_is_taken_is_told(tmp_path, urv):
+def test_gnd31_a_port_that_is_taken_is_reported(tmp_path, urv):
     with Ground(tmp_path, "--no-yamcs") as ground:
         result = urv("ground", "--no-yamcs", "--folder", tmp_path / "other",
                      "--page-port", ground.page_port,
@@ -280,7 +280,7 @@ def test_gnd31_what_is_the_nodes_is_passed_on_to_them(tmp_path, urv):
     (("--laws", "maybe"), '--laws: "maybe" is neither "on" nor "off"'),
     (("--laws", "off", "--orbit-after", "10"), "--orbit-after and"
      " --terminate-after are times of the control laws: add --laws on")])
-def test_gnd31_what_a_node_refuses_is_told_in_its_words(
+def test_gnd31_what_a_node_refuses_is_reported_in_its_words(
         tmp_path, urv, given, said):
     result = urv("ground", "--no-yamcs", "--folder", tmp_path / "flight",
                  "--page-port", free_ports(1)[0], "--ports", free_ports(5)[0],

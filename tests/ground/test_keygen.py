@@ -36,7 +36,7 @@ def test_sec5_a_key_is_made_for_its_owner_alone(urv, tmp_path):
     assert digits != other_digits
 
 
-def test_sec5_a_second_key_stands_before_the_first(urv, tmp_path):
+def test_sec5_a_second_key_precedes_the_first(urv, tmp_path):
     urv("keygen", "link.key")
     path = tmp_path / "link.key"
     (old,) = keys_of(path)

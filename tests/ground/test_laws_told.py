@@ -42,7 +42,7 @@ def test_gnd7_the_surfaces_are_those_of_the_monitor():
             "src/laws/urv-surfaces.ads", "Surface")]
 
 
-def test_gnd7_nothing_told_is_nothing_known():
+def test_gnd7_no_report_is_no_knowledge():
     assert Laws.of(told()) is None
     assert Laws.of(some_frame(version=1)) is None
 

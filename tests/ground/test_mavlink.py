@@ -384,7 +384,7 @@ def test_gnd41_nothing_is_known_before_the_first_downlink(
         "SYS_STATUS", "RADIO_STATUS"}
 
 
-def test_gnd40_new_errors_are_told_with_their_severity(rows, bridge, sent):
+def test_gnd40_new_errors_are_reported_with_their_severity(rows, bridge, sent):
     def log(**counts):
         return tuple(
             LogRow(counts.get(kind, 0), 1, 1, 0) for kind in packets.KINDS
@@ -421,7 +421,7 @@ def log_of(**rows):
     return tuple(made)
 
 
-def test_gnd45_every_start_is_told_and_a_cold_one_in_flight_is_critical(
+def test_gnd45_every_start_is_reported_and_a_cold_one_in_flight_is_critical(
         rows, bridge, sent):
     def texts(sequence, mcs=NO_LOG, run=1):
         bridge.datagram(frame_of(
@@ -464,7 +464,7 @@ def test_gnd45_a_lost_link_is_not_buried(rows, bridge, sent):
         "link heard", "gsc no_input: 2950, 2948 left out"]
 
 
-def test_gnd47_a_link_whose_blocks_are_refused_is_told(rows, bridge, sent):
+def test_gnd47_a_link_whose_blocks_are_refused_is_reported(rows, bridge, sent):
     for sequence in range(100):
         refused = (sequence, 1, sequence)
         bridge.datagram(frame_of(
@@ -598,7 +598,7 @@ def test_gnd57_words_and_counts_of_all_bits_are_carried(rows, bridge, sent):
     assert sent.take("ATTITUDE") and bridge.bad == 0
 
 
-def test_gnd7_what_the_laws_tell_is_told_once(rows, bridge, sent):
+def test_gnd7_the_laws_report_is_sent_once(rows, bridge, sent):
     def texts(sequence, *words):
         log = (*NO_LOG[:-1], laws_row(*words))
         bridge.datagram(frame_of(
@@ -633,7 +633,7 @@ def test_gnd7_a_sensor_that_is_not_believed_is_not_healthy(
     assert ill(50, 0x1000, 0, airspeed) == 16
 
 
-def test_gnd40_another_run_of_the_node_begins_anew(rows, bridge, sent):
+def test_gnd40_another_run_of_the_node_starts_from_zero(rows, bridge, sent):
     for sequence in range(100):
         bridge.datagram(frame_of(rows[0], sequence).encode())
     sent.take()

@@ -33,7 +33,7 @@ class Watcher:
         self.station.add_any_connection(f"udpin://127.0.0.1:{port}")
 
     def find(self):
-        """Whether the aircraft has been found; then it is listened to."""
+        """True if the aircraft has been found; then it is listened to."""
         # A system is counted before its autopilot is.
         system = self.station.first_autopilot(0.0)
         if system is None:

@@ -305,7 +305,7 @@ def test_a_killed_worker_costs_its_flights_a_second_try(
     assert found == flown
 
 
-def test_a_flight_that_cannot_be_flown_is_told(dask, sent, urv):
+def test_a_flight_that_cannot_be_flown_is_reported(dask, sent, urv):
     """And is no success; the next one flies."""
     wrong, right = jobs(2)
     wrong["files"]["conditions.txt"] = "wind 3\n"
@@ -347,7 +347,7 @@ WORKER = ("--nthreads", "1", "--no-nanny", "--no-dashboard",
           "--local-directory", ".")
 
 
-def test_a_scheduler_without_workers_is_told(dask, sent, monkeypatch):
+def test_a_scheduler_without_workers_is_reported(dask, sent, monkeypatch):
     monkeypatch.setattr(workers, "PATIENCE_S", 2)
     address = dask.scheduler()
     with pytest.raises(faults.Failed, match="no worker of .* for 2 s"):
@@ -355,7 +355,7 @@ def test_a_scheduler_without_workers_is_told(dask, sent, monkeypatch):
     assert 10 <= PATIENCE_S < 30
 
 
-def test_workers_that_end_are_told_and_what_was_flown_has_come(
+def test_workers_that_end_are_reported_and_what_was_flown_has_come(
         dask, sent, monkeypatch):
     address = dask.scheduler()
     worker = dask.start("worker-0", address, *WORKER)
@@ -369,7 +369,7 @@ def test_workers_that_end_are_told_and_what_was_flown_has_come(
     assert 2 <= len(found) < 8
 
 
-def test_a_scheduler_that_dies_is_told_and_what_was_flown_is_kept(
+def test_a_scheduler_that_dies_is_reported_and_what_was_flown_is_kept(
         dask, tmp_path):
     """kill -9 of it in the middle."""
     address = dask.scheduler()
@@ -425,7 +425,7 @@ def test_d39_what_was_flown_before_it_was_ended_is_kept(
 
 
 @pytest.mark.parametrize("lacks", ["program", "module"])
-def test_a_worker_without_what_it_needs_is_told(dask, sent, lacks):
+def test_a_worker_without_what_it_needs_is_reported(dask, sent, lacks):
     lame = cargo.Cargo(
         sent.archive, cargo.fly, **(
             {"program": "sim/jsbsim/plant.py"} if lacks == "program"
@@ -438,7 +438,7 @@ def test_a_worker_without_what_it_needs_is_told(dask, sent, lacks):
         list(workers.done(lame, jobs(2), address))
 
 
-def test_another_version_is_told():
+def test_another_version_is_reported():
     here = {"host": {"python": "3.11.2.final.0"},
             "packages": {"dask": "1", "distributed": "1", "cloudpickle": "3"}}
 

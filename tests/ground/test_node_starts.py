@@ -105,7 +105,7 @@ def test_gnd45_a_cold_start_is_found_once_whatever_rows_come_after():
     assert starts.look(frame_of(9, log(**rows))) == [Start("mcs", COLD)]
 
 
-def test_gnd45_a_kind_of_long_ago_that_comes_new_tells_of_a_cold_start():
+def test_gnd45_an_old_kind_that_is_new_again_means_a_cold_start():
     """The aircraft's frame is known: what is new cannot be older by far."""
     starts, known = Starts(), {"no_input": (1, 1000, 1000)}
     for sequence in range(ROUND + 1):

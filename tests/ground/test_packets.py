@@ -73,7 +73,7 @@ def words(data, place, size=2):
 
 
 @pytest.mark.parametrize("version, length", [(1, 1108), (2, 1332)])
-def test_gnd1_a_frame_packet_stands_as_the_page_says(version, length):
+def test_gnd1_a_frame_packet_is_laid_out_as_on_the_page(version, length):
     packet = some_frame(version)
     data = packet.encode()
     at = table_after("## Frame packet")
@@ -116,7 +116,7 @@ def test_gnd1_the_second_version_begins_as_the_first_does():
     assert second[8:len(first)] == first[8:]
 
 
-def test_gnd1_a_console_packet_stands_as_the_page_says():
+def test_gnd1_a_console_packet_is_laid_out_as_on_the_page():
     packet = some_console()
     data = packet.encode()
     at = table_after("## Console packet")
@@ -131,7 +131,7 @@ def test_gnd1_a_console_packet_stands_as_the_page_says():
     assert sum(at["flags"]) == len(data)
 
 
-def test_gnd35_an_order_packet_stands_as_the_page_says():
+def test_gnd35_an_order_packet_is_laid_out_as_on_the_page():
     packet = some_order()
     data = packet.encode()
     at = table_after("## Order packet")

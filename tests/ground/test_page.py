@@ -178,7 +178,7 @@ def test_gnd25_a_battery_sag_is_coloured_and_listed(station, pages):
                  has_text="BATTERY").wait_for()
 
 
-def test_gnd25_a_cut_link_is_told_large_and_its_digits_go(station, pages):
+def test_gnd25_a_cut_link_is_reported_large_and_its_digits_go(station, pages):
     page = pages.open()
     station.node.cut = True
     page.wait_for_selector("body[data-down=old], body[data-down=lost]")
@@ -234,7 +234,7 @@ TROUBLE = (0x4243, 0x8C00, 0xFFFF & sum(
     0b0101010101)
 
 
-def test_gnd7_what_the_laws_tell_is_on_the_page(station, pages):
+def test_gnd7_the_laws_report_is_on_the_page(station, pages):
     station.node.laws = (0x1133,)
     page = pages.open()
     page.locator("#laws", has_text="level alt spd").wait_for()
@@ -328,7 +328,7 @@ def test_gnd21_packets_come_fifty_times_a_second(station, pages):
     assert len(heard) / took < 110
 
 
-def test_gnd21_a_second_page_is_told_who_flies_and_asks(station, pages):
+def test_gnd21_a_second_page_names_the_pilot_and_asks(station, pages):
     first, second = pages.open(), pages.open()
     take_sticks(first)
     second.locator("#holder", has_text="console 1 flies").wait_for()
@@ -404,7 +404,7 @@ def alerts_of(page, name):
     return page.locator("#alert_list li.caution", has_text=name).first
 
 
-def test_gnd22_however_a_page_goes_the_others_are_told(station, pages):
+def test_gnd22_when_a_page_goes_the_others_show_it(station, pages):
     """Hidden, frozen or left: no sticks, and a caution on other pages."""
     other = pages.open()
     for number, script in enumerate((
@@ -435,7 +435,7 @@ HANG = """(ms) => {
 }"""
 
 
-def test_gnd22_a_hung_page_is_told_on_the_others_and_on_itself(
+def test_gnd22_a_hung_page_is_shown_on_the_others_and_on_itself(
         station, pages):
     other, page = pages.open(), pages.open()
     take_sticks(page)

@@ -228,7 +228,7 @@ def test_gnd60_a_disabled_link_of_yamcs_is_an_alert():
     in_time(work())
 
 
-def test_gnd56_yamcs_is_told_the_clock_of_the_frames_once():
+def test_gnd56_yamcs_gets_the_clock_of_the_frames_once():
     async def work():
         async with relaying() as (yamcs, archive, relay, _):
             yamcs.state = "RUNNING"
@@ -250,7 +250,7 @@ def test_gnd56_yamcs_is_told_the_clock_of_the_frames_once():
     in_time(work())
 
 
-def test_gnd60_an_archive_that_takes_no_frames_while_they_come_is_told():
+def test_gnd60_an_archive_that_takes_no_frames_while_they_come_is_reported():
     taken, fresh = Taken(), 0.5 * FRESH_S
     assert taken.wrong(Link(7), fresh, 100.0) == ""
     assert taken.wrong(Link(7), fresh, 99.9 + STALLS_S) == ""

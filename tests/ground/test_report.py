@@ -560,7 +560,7 @@ def as_the_ground_has_it(folder, tmp_path):
 
 
 @pytest.mark.parametrize("late", [0.0, 1.5], ids=["aircraft's", "ground's"])
-def test_gnd14_a_report_tells_what_the_laws_did(lawful, report, tmp_path,
+def test_gnd14_a_report_has_the_laws_actions(lawful, report, tmp_path,
                                                 late):
     record = (as_the_ground_has_it(lawful, tmp_path) if late
               else lawful / "record.csv")

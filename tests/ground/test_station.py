@@ -47,9 +47,9 @@ def station(record, tmp_path):
         yield station
 
 
-# Who holds the sticks
+# The holder of the sticks
 
-def test_gnd21_the_first_who_takes_has_them():
+def test_gnd21_the_first_page_that_takes_them_has_them():
     sticks = Sticks()
     sticks.take(1, 0.0)
     assert sticks.holder == 1
@@ -110,7 +110,7 @@ def test_gnd21_release_never_asks_and_a_lapsed_holder_is_not_asked():
     assert sticks.holder == 2
 
 
-def test_gnd21_who_asked_has_them_when_the_holder_goes():
+def test_gnd21_the_page_that_asked_gets_them_when_the_holder_goes():
     sticks = Sticks()
     sticks.take(1, 0.0)
     sticks.move(1, WORDS, 1.0)
@@ -319,7 +319,7 @@ def test_gnd20_malformed_packets_are_counted_and_dropped(station):
     station.wait(lambda state: state["seq"] > before + 10, "frames go on")
 
 
-def test_gnd20_frames_that_are_missing_or_old_are_told(station):
+def test_gnd20_frames_that_are_missing_or_old_are_reported(station):
     old = station.node.sent.encode()
     station.node.silent = True
     skipped = station.node.sequence + 20
@@ -426,7 +426,7 @@ def of_the_laws(station):
             if re.search("ALONE|NOT VALID|FAILED", alert["name"])]
 
 
-def test_gnd7_what_the_laws_tell_is_an_alert(station):
+def test_gnd7_the_laws_report_is_an_alert(station):
     def active():
         return {(alert["level"], alert["name"])
                 for alert in of_the_laws(station) if alert["active"]}
@@ -516,7 +516,7 @@ def test_gnd35_the_holder_s_order_goes_up_and_the_aircraft_takes_it(station):
     assert packet.sequence < station.node.orders[1].sequence
 
 
-def test_gnd35_only_who_holds_the_sticks_orders(station):
+def test_gnd35_only_the_holder_of_the_sticks_orders(station):
     watcher = station.console()
     watcher.say(WANTED)
     assert "does not hold the sticks" in ordered(station, "refused")["text"]
@@ -531,7 +531,7 @@ def test_gnd35_only_who_holds_the_sticks_orders(station):
     (2, "a value is none that may be set"),
     (3, "a control law flies the aircraft"),
     (4, "its control laws are off")])
-def test_gnd35_what_the_aircraft_refuses_is_told_with_its_reason(
+def test_gnd35_what_the_aircraft_refuses_is_reported_with_its_reason(
         station, reason, said):
     station.node.logs[1][REFUSED_KIND] = packets.LogRow(4, 1, 2, 1)
     station.node.refuses = reason
@@ -547,7 +547,7 @@ def test_gnd35_what_the_aircraft_refuses_is_told_with_its_reason(
     assert said in line["text"]
 
 
-def test_gnd35_an_order_that_is_lost_is_told_and_another_may_follow(station):
+def test_gnd35_a_lost_order_is_reported_and_another_may_follow(station):
     station.node.refuses = None
     console = holder(station)
     console.say(WANTED)
@@ -682,7 +682,7 @@ def test_gnd24_a_request_without_sense_is_nothing_to_tell(station, said):
     assert station.get()[0] == 200
 
 
-def test_gnd24_a_fault_in_the_station_is_told_a_senseless_request_is_not():
+def test_gnd24_a_fault_in_the_station_is_reported_a_senseless_request_is_not():
     def logged(error):
         return web.is_worth_telling(logging.LogRecord(
             "", logging.ERROR, "", 0, "", (), (type(error), error, None)))
@@ -756,7 +756,7 @@ def test_gnd24_frames_that_come_while_it_ends_stop_nobody(record, tmp_path):
     '{"t": "gamepad", "what": "lost", "name": 7}',
     '{"t": "gamepad", "what": "lost", "name": "' + 201 * "a" + '"}',
     '{"t": "answer", "yes": 1}', '{"t": "nothing"}', "[" * 4000])
-def test_gnd24_what_no_page_says_is_not_understood(message):
+def test_gnd24_an_unknown_message_of_a_page_is_not_understood(message):
     assert web.understood(message) is None
 
 
@@ -802,7 +802,7 @@ def test_gnd24_a_page_that_takes_nothing_is_dropped(station):
         for line in station.lines()), "a word of it")
 
 
-def test_gnd36_a_page_that_is_slow_gets_the_newest_and_not_what_was(station):
+def test_gnd36_a_slow_page_gets_the_newest_frame(station):
     """It says which state it has drawn. Later messages are of the frames that
     the station had by then, however many it left out."""
     station.wait(lambda state: state["rate"] >= 40, "frames")

@@ -207,7 +207,7 @@ def test_gnd12_nothing_of_the_packet_is_left_out(database):
     assert int(size.text) == 8 * packets.FRAME_LENGTH
 
 
-def test_gnd34_what_comes_no_more_is_told_within_half_a_second(
+def test_gnd34_what_comes_no_more_is_reported_within_half_a_second(
         database):
     rate = child(database.container, "DefaultRateInStream")
     assert rate.get("basis") == "perSecond"

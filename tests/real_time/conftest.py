@@ -85,7 +85,7 @@ LATE_TICK_US = 1_000
 
 
 def ran_late(outputs):
-    """Whether the partition itself says that the machine ran it late."""
+    """True if the partition itself says that the machine ran it late."""
     summary = outputs.summary
     return bool(summary["overruns"] or summary["stood_still"]
                 or summary["link"]["board_restarts"]

@@ -61,7 +61,7 @@ class Frames:
                     return self.all[place]
 
     def show_within(self, number, shows):
-        """Whether one of the next packets shows something."""
+        """True if one of the next packets shows something."""
         left = itertools.count(number - 1, -1)
         return shows(self.wait_until(
             lambda packet: shows(packet) or next(left) == 0))

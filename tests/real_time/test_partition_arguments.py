@@ -106,7 +106,7 @@ def options_of(node):
 
 
 @pytest.mark.parametrize("node", NODES)
-def test_an_unknown_option_is_told_what_there_is(node):
+def test_an_unknown_option_lists_the_options(node):
     assert_refused(run(node, "--wings", "2"), node,
                    "there are " + ", ".join(options_of(node)) + "\n")
 
@@ -298,7 +298,7 @@ def leave_priorities():
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
 @pytest.mark.parametrize("node", NODES)
-def test_root_that_may_give_no_priorities_is_told(node):
+def test_root_without_the_right_gets_a_message(node):
     """Its tasks would never begin, and nothing would be said."""
     result = subprocess.run(
         [PROGRAMS[node], "--link", udp(*free_ports(2)), "--seconds", "0.02"],
@@ -329,7 +329,7 @@ def run_as_nobody(node, **more):
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="every test is this one")
 @pytest.mark.parametrize("node", NODES)
-def test_rtp8_another_user_flies_without_priorities_and_is_told(node):
+def test_rtp8_another_user_flies_without_priorities_and_gets_a_warning(node):
     result, summary = run_as_nobody(
         node, user=NOBODY, group=NOBODY, extra_groups=[])
     assert re.match(r"run +0\.1 s, 5 frames, ", result.stdout)
@@ -341,14 +341,14 @@ def test_rtp8_another_user_flies_without_priorities_and_is_told(node):
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
 @pytest.mark.parametrize("node", NODES)
-def test_rtp8_a_user_with_the_right_is_told_nothing(node):
+def test_rtp8_a_user_with_the_right_gets_no_warning(node):
     result, summary = run_as_nobody(node)
     assert NO_PRIORITIES not in result.stderr
     assert summary["real_time_priorities"] == 1
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="others have no priorities")
-def test_setup_tells_the_same_before_tests_wait():
+def test_setup_gives_the_same_message_before_tests_wait():
     result = subprocess.run(
         ["scripts/setup.sh", "test"], cwd=ROOT, capture_output=True,
         text=True, timeout=TIME_LIMIT_S, check=False,

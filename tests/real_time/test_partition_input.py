@@ -121,7 +121,7 @@ def unasked_answer(line, run):
 
 
 def acted_upon(outputs, commands):
-    """Whether the commands came to the servos or to CORE."""
+    """True if the commands came to the servos or to CORE."""
     return commands in outputs.words("mcs.uplink", COMMANDS) or any(
         row["pwm.throttle"] == commands[COMMANDS.index("throttle")]
         for row in outputs.rows
@@ -130,7 +130,7 @@ def acted_upon(outputs, commands):
 
 @pytest.mark.parametrize("copies", [1, 400])
 @flies_again
-def test_saf4_what_stands_on_a_serial_line_at_power_up_is_thrown_away(
+def test_saf4_characters_on_a_serial_line_at_power_up_are_discarded(
     start, copies
 ):
     with contextlib.closing(SerialEnd()) as line:
@@ -158,7 +158,7 @@ def await_port(port):
 
 
 @flies_again
-def test_saf4_what_came_by_udp_before_power_up_is_thrown_away(start):
+def test_saf4_datagrams_before_power_up_are_discarded(start):
     """A node that waits for its phase opens its port 38 ms before it is
     switched on, or more. A command that comes too late to show anything is
     sent to another node."""
@@ -193,7 +193,7 @@ def pauses_of(outputs):
 )
 @pytest.mark.parametrize("end", [UDPEnd, SerialEnd], ids=["udp", "serial"])
 @flies_again
-def test_saf4_what_comes_while_the_aircraft_stands_still_is_thrown_away(
+def test_saf4_characters_for_a_stopped_aircraft_are_discarded(
     start, end, restart
 ):
     with contextlib.closing(end()) as line:

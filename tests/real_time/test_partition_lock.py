@@ -77,7 +77,7 @@ def test_frm6_frames_come_in_step_from_any_phase(
     assert "lock" not in gsc.summary
 
 
-def test_frm6_who_comes_in_step_says_so(start):
+def test_frm6_a_node_in_step_reports_it(start):
     up, down = free_ports(2)
     gsc = start("gsc", udp(down, up), "--lock")
     mcs = start("mcs", udp(up, down), "--lock", quiet=False)

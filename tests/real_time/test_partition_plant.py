@@ -98,7 +98,7 @@ def test_gnd6_sticks_move_the_aircraft_in_lock_step(start, write):
 
 
 @flies_again
-def test_rtp9_a_killed_plant_is_told_and_the_node_flies_on(start):
+def test_rtp9_a_killed_plant_is_reported_and_the_node_flies_on(start):
     """GND-6, RTP-9: its sensors are old from the next scan on."""
     mcs = start("mcs", udp(*free_ports(2)), *JSBSIM, quiet=False)
     wait_for_line(mcs, "listening at")
@@ -135,7 +135,7 @@ def assert_old_after(outputs, frame):
 
 
 @flies_again
-def test_gnd6_a_plant_without_finite_numbers_is_told(
+def test_gnd6_a_plant_without_finite_numbers_is_reported(
         start, tmp_path, monkeypatch):
     """The words are never made of them: the sensors keep their words."""
     python = tmp_path / "python"
@@ -177,7 +177,7 @@ plant.main()
 
 
 @flies_again
-def test_gnd6_a_plant_that_stands_still_is_late_and_comes_back(
+def test_gnd6_a_stopped_plant_is_late_and_comes_back(
     start, write
 ):
     up, down = free_ports(2)

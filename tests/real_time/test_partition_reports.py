@@ -102,7 +102,7 @@ def test_the_summary_has_what_the_record_has_of_the_link(start_both):
 
 
 @flies_again
-def test_rtp7_a_partition_alone_says_that_it_heard_nobody(start):
+def test_rtp7_a_partition_alone_reports_that_it_heard_no_peer(start):
     own, other = free_ports(2)
     run = start("mcs", udp(own, other), "--seconds", 0.3, quiet=False)
     out, err = run.program.communicate(timeout=TIME_LIMIT_S)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""RTP-2: a partition ends when it is told to, and restarts when it is told to.
+"""RTP-2: a partition ends and restarts on a signal.
 """
 
 import signal
@@ -102,7 +102,7 @@ def fall_silent(start, node):
     (signal.SIGUSR1, "processor_restart"), (signal.SIGUSR2, "warm_reset"),
 ], ids=["restart", "reset"])
 @flies_again
-def test_ini4_a_reset_starts_the_telemetry_board_anew_a_restart_does_not(
+def test_ini4_a_reset_restarts_the_telemetry_board_a_restart_does_not(
     start, node, which, kind
 ):
     """A board that has received nothing since its start gives its controller

@@ -69,7 +69,7 @@ def test_rtp4_a_slow_line_flies_with_its_delay(start):
 
 
 @flies_again
-def test_rtp4_a_line_beyond_the_timers_is_reported_with_what_helps(start):
+def test_rtp4_a_line_beyond_the_timers_is_reported_with_its_remedy(start):
     line, mcs, gsc, said = fly(start, 1.0)
     too_late = lines_with(said[1][1], "answers come too late at ")
     need_of_line(

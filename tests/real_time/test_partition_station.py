@@ -109,7 +109,7 @@ def test_gnd2_the_published_words_are_the_record_s(start_both, write, station):
 
 
 @flies_again
-def test_gnd2_the_downlink_s_age_and_the_link_s_state_are_told(start, station):
+def test_gnd2_the_downlink_s_age_and_the_link_state_are_reported(start, station):
     frames = station(Frames)
     ground, aircraft = free_ports(2)
     gsc = start("gsc", udp(ground, aircraft), "--publish", frames.place)
@@ -143,7 +143,7 @@ def test_gnd2_the_downlink_s_age_and_the_link_s_state_are_told(start, station):
 
 
 @flies_again
-def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
+def test_gnd2_the_error_logs_of_both_nodes_are_reported(start_both, station):
     frames = station(Frames)
     mcs, gsc = start_both(gsc=("--publish", frames.place))
     frames.wait_until(lambda packet: packet.is_fresh)
@@ -167,7 +167,7 @@ def test_gnd2_the_error_logs_of_both_nodes_are_told(start_both, station):
     (("--laws", "on"), ("throttle",)), (("--plant", "jsbsim"), ())],
     ids=["asked", "jsbsim"])
 @flies_again
-def test_gnd7_the_second_version_has_what_the_laws_tell(
+def test_gnd7_the_second_version_has_the_laws_report(
     start_both, station, options, may_have_failed
 ):
     """And the rows of an error log that the first has no room for. With
@@ -343,7 +343,7 @@ def test_gnd4_saf10_a_silent_console_is_neutral_on_the_ground(
 
 
 @flies_again
-def test_gnd4_a_silent_console_is_told(start, station, write):
+def test_gnd4_a_silent_console_is_reported(start, station, write):
     frames = station(Frames)
     console = station(Console)
     ports = free_ports(2)

@@ -68,7 +68,7 @@ def test_a_perfect_flight_is_well():
 @pytest.mark.parametrize("bad, first, place", [
     ("uplink_bad", "down", 0x33), ("uplink_bad", "down", 0xCC),
     ("downlink_bad", "up", 0xCC)])
-def test_what_was_answered_bad_and_not_counted_is_told(bad, first, place):
+def test_what_was_answered_bad_and_not_counted_is_reported(bad, first, place):
     flight = ByHand()
     flight.messages[first][place] = 2
     flight.counts(20, **{bad: 2})
@@ -78,7 +78,7 @@ def test_what_was_answered_bad_and_not_counted_is_told(bad, first, place):
 
 
 @pytest.mark.parametrize("way", ["uplink", "downlink"])
-def test_more_scrapped_than_were_sent_twice_is_told(way):
+def test_more_scrapped_than_were_sent_twice_is_reported(way):
     flight = ByHand()
     flight.counts(20, **{f"{way}_scrapped": FRAMES // 2})
     assert flight.checked() == []
@@ -87,7 +87,7 @@ def test_more_scrapped_than_were_sent_twice_is_told(way):
 
 
 @pytest.mark.parametrize("name", checker.LINK_NAMES)
-def test_a_count_that_goes_back_is_told(name):
+def test_a_count_that_goes_back_is_reported(name):
     flight = ByHand()
     flight.counts(0, uplink_sent=2, downlink_sent=2)
     for each in checker.LINK_NAMES:
@@ -98,7 +98,7 @@ def test_a_count_that_goes_back_is_told(name):
 
 
 @pytest.mark.parametrize("way", ["uplink", "downlink"])
-def test_more_received_than_sent_is_told(way):
+def test_more_received_than_sent_is_reported(way):
     flight = ByHand()
     flight.counts(FRAMES - 1, **{f"{way}_received": 1})
     assert f"frame {FRAMES - 1}: received, never sent" in flight.checked()
@@ -222,7 +222,7 @@ def test_old_words_may_say_so_and_no_other_mark_is_known(
 
 
 @pytest.mark.parametrize("frames", [FRAMES - 1, FRAMES + 1])
-def test_a_record_of_another_length_is_told(tmp_path, frames):
+def test_a_record_of_another_length_is_reported(tmp_path, frames):
     flight = read(tmp_path, record_of(frames))
     assert flight.errors == [f"{frames} frames, not {FRAMES}"]
 
@@ -230,7 +230,7 @@ def test_a_record_of_another_length_is_told(tmp_path, frames):
 @pytest.mark.parametrize("way, column", [
     ("up", checker.MCS_UPLINK), ("down", checker.GSC_DOWNLINK)])
 @pytest.mark.parametrize("frame", [7, 30])
-def test_words_never_sent_are_told_once_data_has_come(
+def test_words_never_sent_are_reported_once_data_has_come(
         tmp_path, frame, way, column):
     def change(row):
         if row[0] in (frame, frame + 1):
@@ -245,7 +245,7 @@ def test_words_never_sent_are_told_once_data_has_come(
 @pytest.mark.parametrize("marks, told", [
     ((0, 1, 1), [30]), ((2, 3), [30]), ((1, 1), [30]), ((0, 0), [30]),
     ((1, 0), [30, 31]), ((0, 2), [30, 31]), ((0, 3), [30, 31])])
-def test_wrong_words_are_told_again_unless_they_are_kept(
+def test_wrong_words_are_reported_again_unless_they_are_kept(
         tmp_path, marks, told):
     def change(row):
         if 30 <= row[0] < 30 + len(marks):
@@ -422,13 +422,13 @@ def test_sec3_sealed_blocks_are_in_order(way, name):
     assert wrong is None or wrong in found[0]
 
 
-def test_sec4_an_uplink_tells_6_bits_of_its_number():
+def test_sec4_an_uplink_has_6_bits_of_its_number():
     blocks = [sealed_block("up", number) for number in range(1, 150, 25)]
     assert list(sealed_blocks.wrongs(blocks, "up")) == []
     assert list(sealed_blocks.wrongs(blocks[::-1], "up")) != []
 
 
-def test_sec4_a_downlink_tells_32_bits_of_its_number():
+def test_sec4_a_downlink_has_32_bits_of_its_number():
     blocks = [sealed_block("down", number)
               for number in (2**31 - 1, 2**32 - 2, 1)]
     assert list(sealed_blocks.wrongs(blocks, "down")) == []

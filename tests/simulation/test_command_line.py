@@ -233,7 +233,7 @@ def test_a_long_flight_shows_a_bar_on_a_terminal_only(urv_sim, tmp_path):
     assert BAR not in result.stdout
 
 
-def test_no_bar_for_who_wants_none(tmp_path):
+def test_the_bar_can_be_switched_off(tmp_path):
     assert on_terminal(tmp_path, *LONG_ENOUGH, "--quiet") == ""
 
 

@@ -66,24 +66,24 @@ def test_all_covered_is_well(judged):
     assert "lines reached | 4 | 4 | 100.0 %" in judged(counted())
 
 
-def test_a_line_not_reached_is_told(judged):
+def test_a_line_not_reached_is_reported(judged):
     assert f"{NAME}:6: never reached: C;" in judged(
         counted({**REACHED, 6: 0}))
 
 
-def test_a_subprogram_not_entered_is_told(judged):
+def test_a_subprogram_not_entered_is_reported(judged):
     assert f"{NAME}:1: never entered: procedure Some is" in judged(
         counted(dict.fromkeys(REACHED, 0), {}))
 
 
-def test_too_few_lines_are_told(judged):
+def test_too_few_lines_are_reported(judged):
     row = f"| `{NAME}` | line | `C;` | it is so |\n"
     assert "lines: 75.00 %, wanted 98.0 %" in judged(
         counted({**REACHED, 6: 0}), rows=row, least=98.0)
 
 
 @pytest.mark.parametrize("number, text", [(3, "if A"), (4, "and then B")])
-def test_a_decision_that_goes_one_way_is_told(judged, number, text):
+def test_a_decision_that_goes_one_way_is_reported(judged, number, text):
     assert f"{NAME}:{number}: goes one way only: {text}" in judged(
         counted(ways={**BOTH_WAYS, number: [5, 0]}))
 
@@ -105,13 +105,13 @@ def test_what_is_explained_is_well(judged):
 
 
 @pytest.mark.parametrize("text", ["C;", "D;"])
-def test_what_is_explained_without_need_is_told(judged, text):
+def test_what_is_explained_without_need_is_reported(judged, text):
     row = f"| `{NAME}` | line | `{text}` | it is so |\n"
     assert f"covered, or not there: {NAME}: {text}" in judged(
         counted(), rows=row)
 
 
-def test_a_body_in_no_program_is_told(judged, tmp_path):
+def test_a_body_in_no_program_is_reported(judged, tmp_path):
     (tmp_path / "src/kernel/other.adb").write_text(TEXT, encoding="utf-8")
     assert "src/kernel/other.adb: in no program" in judged(counted())
 

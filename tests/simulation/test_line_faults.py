@@ -306,7 +306,7 @@ ANEW = [
 
 
 @pytest.mark.parametrize("time, node, counts, missing", ANEW)
-def test_lnk9_a_board_that_starts_anew_flies_on(
+def test_lnk9_a_restarted_board_flies_on(
         fly, write, time, node, counts, missing):
     write("faults.txt", f"{time} {node} reset telemetry\n")
     flight = fly("--seconds", "1", "--faults", "faults.txt")

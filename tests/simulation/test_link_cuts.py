@@ -21,7 +21,7 @@ def test_ext5_a_minute_without_link_is_survived(second):
 @pytest.mark.parametrize("wrong", [
     {"bank": 45.1}, {"linked": 0.0}, {"end_bank": 31.0},
     {"end_altitude": 799.0}, {"end_altitude": 1501.0}])
-def test_ext5_what_is_not_well_is_told(wrong):
+def test_ext5_what_is_not_well_is_reported(wrong):
     assert link_cuts.is_well(WELL)
     assert not link_cuts.is_well(WELL | wrong)
 
@@ -45,7 +45,7 @@ def test_ext5_the_drift_of_a_cut_is_that_until_it_ends(monkeypatch):
 
 
 @pytest.mark.parametrize("linked", [1.0, 0.0])
-def test_ext5_a_link_that_stays_lost_is_told(monkeypatch, capsys, linked):
+def test_ext5_a_link_that_stays_lost_is_reported(monkeypatch, capsys, linked):
     flown = {"bank": 20, "low": 900, "high": 1100, "drift": 50,
              "end_bank": 1, "end_altitude": 1000, "linked": linked}
     monkeypatch.setattr(link_cuts, "fly", lambda second, _: {

@@ -205,14 +205,14 @@ ROW = {"time_ms": "10000", "truth.altitude_ft": "1000", "laws.link": "1",
     ({"mcs.uplink.error": "0"}, "the safe words in flight at 13000 ms"),
     ({"mcs.uplink.error": "0", "mcs.uplink.roll": "0"},
      "fresh commands at 13000 ms")])
-def test_saf10_what_is_not_well_is_told(wrong, said):
+def test_saf10_what_is_not_well_is_reported(wrong, said):
     rows = [ROW, {**ROW, "time_ms": "13000"}, {**ROW, "time_ms": "80000"}]
     assert not list(console_losses.problems(rows, 10_000, 70_000))
     rows[1] |= wrong
     assert list(console_losses.problems(rows, 10_000, 70_000)) == [said]
 
 
-def test_saf10_power_on_the_ground_and_a_link_that_stays_lost_are_told():
+def test_saf10_power_on_the_ground_and_a_link_that_stays_lost_are_reported():
     ground = ROW | {"truth.altitude_ft": "1", "truth.airspeed_kt": "20"}
     rows = [ground, {**ground, "time_ms": "14000", "pwm.throttle": "9"},
             {**ROW, "time_ms": "80000", "laws.link": "3"}]

@@ -51,7 +51,7 @@ def column(text, head, speed):
             for cells in (line.split("|") for line in lines[2:])}
 
 
-def test_the_page_has_what_one_condition_gives_anew(monkeypatch, capsys):
+def test_the_page_gets_the_new_results_of_one_condition(monkeypatch, capsys):
     """The models, the loops, their margins and poles, at 70 kt."""
     pytest.importorskip("control", reason="make -C evidence margins installs it")
     import margins

@@ -112,7 +112,7 @@ def test_half_of_the_mixes_fly_as_the_report_has_it():
     assert ordered.count("configure") > 50 and ordered.count("block") > 50
 
 
-def test_a_mix_stands_at_the_console_for_two_frames():
+def test_the_words_of_a_mix_stay_at_the_console_for_two_frames():
     for number in range(50):
         rows = mixes.of_number(number).files["sticks"].splitlines()[1:]
         times = [float(row.split(",")[0]) for row in rows]

@@ -355,7 +355,7 @@ FREE, ON_GRID = (timelines.Scan(100, 50, is_free)
     # The second channel of the last row is not known.
     ((4, 7, 4), 0, 500, ON_GRID, 400),
 ])
-def test_scans_are_found_in_what_stood_at_the_console(
+def test_scans_are_found_in_the_words_at_the_console(
         seen, first, last, scan, begins):
     line = timelines.Timeline(
         [0, 110, 220, 300, 400],

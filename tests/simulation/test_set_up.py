@@ -61,7 +61,7 @@ MISSING = {"dpkg_query": "exit 1"}
 
 
 @on_debian
-def test_a_user_is_told_the_one_command(set_up):
+def test_a_user_gets_the_one_command(set_up):
     result = set_up("test", **MISSING, id="echo 1000")
     assert result.returncode == 1
     commands = [line.strip() for line in result.stderr.splitlines()
@@ -96,7 +96,7 @@ def test_what_test_names_is_enough_for_each_command_of_readme(set_up):
 
 
 @on_debian
-def test_root_without_real_time_rights_is_told_before_anything_is_installed(
+def test_root_without_real_time_rights_gets_a_message_before_the_installation(
         set_up):
     result = set_up("test", **MISSING, id="echo 0", chrt="exit 1",
                     apt_get="echo called")

@@ -219,7 +219,7 @@ def test_ini1_starts_of_both_nodes_at_once(courses):
 
 @pytest.mark.parametrize("node", ["gsc", "mcs"])
 @pytest.mark.parametrize("apart_ms", [0.016, 1, 2.5, 7, 9.999])
-def test_ini1_a_start_during_a_start_begins_it_anew(courses, node, apart_ms):
+def test_ini1_a_start_during_a_start_repeats_it(courses, node, apart_ms):
     # The last one says what it is.
     course = courses(3, 60)
     flight = course.fly(f"{node} {apart_ms}", [
@@ -437,7 +437,7 @@ def test_tst3_tst4_a_rom_that_fails_in_flight_is_seen_at_both_ends(
 
 @pytest.mark.parametrize("node, lag_ms, way", [
     ("gsc", 0, "uplink"), ("mcs", 6, "downlink")])
-def test_ad1_a_converter_that_stalls_is_told(courses, node, lag_ms, way):
+def test_ad1_a_converter_that_stalls_is_reported(courses, node, lag_ms, way):
     course = courses(3, 60)
     flight = course.fly(f"stall {node}",
                         [f"{400 + lag_ms} {node} stall adc 200"])
@@ -468,7 +468,7 @@ def test_ad1_a_short_stall_of_the_converter_costs_nothing(courses, node,
 
 @pytest.mark.parametrize("late_us, frame", [(0, 21), (1, 22)])
 @pytest.mark.parametrize("channel, name", [*enumerate(COMMANDS)])
-def test_ad1_after_a_stall_the_conversion_is_made_anew(
+def test_ad1_after_a_stall_the_conversion_is_repeated(
         fly, write, channel, name, late_us, frame):
     """It was under way when the board stood still, and takes 16 us from the
     end of the stall on; each channel is held as the one before it ends."""

@@ -62,7 +62,7 @@ def test_a_case_of_the_grid_is_flown(surface, where, condition):
         assert outcome.named <= outcome.told_from + surfaces.NAMED_MS
 
 
-def test_the_ground_is_told_and_disconnect_is_figure_13(tmp_path, write):
+def test_the_ground_gets_a_report_and_disconnect_is_figure_13(tmp_path, write):
     """Named, told, and made up for until the pilot disconnects."""
     write("faults.txt", "10000 surface left_elevator stuck 3500\n")
     write("sticks.csv", "time_ms,throttle,switch3,switch7\n"
@@ -106,7 +106,7 @@ def test_direct_is_figure_13_with_a_failed_surface(fly, write):
 
 @pytest.mark.parametrize("word, slowest, lowest", [
     (0, 49, 330), (1500, 57, 990), (4095, 69, 990)])
-def test_a_stuck_throttle_is_told_and_airspeed_comes_first(
+def test_a_stuck_throttle_is_reported_and_airspeed_comes_first(
         fly, write, word, slowest, lowest):
     """It is not measured: the engine's speed shows it."""
     write("faults.txt", f"10000 surface throttle stuck {word}\n")
@@ -124,7 +124,7 @@ def test_a_stuck_throttle_is_told_and_airspeed_comes_first(
     assert min(flight.record["truth.altitude_ft"][FAULT:]) > lowest
 
 
-def test_an_engine_that_follows_is_not_told(fly, write):
+def test_an_engine_that_follows_is_not_reported(fly, write):
     """From stop to stop and back, in a climb and in a glide."""
     write("sticks.csv", "time_ms,throttle,switch2\n0,2048,4095\n"
           "12000,0,4095\n24000,4095,4095\n36000,1000,4095\n"
@@ -138,7 +138,7 @@ def test_an_engine_that_follows_is_not_told(fly, write):
 
 @pytest.mark.parametrize("there, is_well", [
     ("one\n", True), ("one\nmore\n", False), ("on\n", False)])
-def test_the_table_of_another_aircraft_is_told(
+def test_the_table_of_another_aircraft_is_reported(
         monkeypatch, tmp_path, there, is_well):
     table = tmp_path / "table.ads"
     table.write_text(there, encoding="utf-8")

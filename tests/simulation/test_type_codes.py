@@ -42,7 +42,7 @@ def frames_of(flight, link):
 
 
 @pytest.mark.parametrize("sealed", [False, True], ids=["format 1", "sealed"])
-def test_ext2_a_configuration_is_taken_told_and_flown(tmp_path, sealed):
+def test_ext2_a_configuration_is_taken_reported_and_flown(tmp_path, sealed):
     keys = tmp_path / "keys"
     keys.write_text(f"key 1 {bytes(range(16)).hex()}\n", encoding="ascii")
     keys.chmod(0o600)

@@ -43,7 +43,7 @@ function connected() {
 const isCount = (value, below) =>
   Number.isInteger(value) && value >= 0 && value < below;
 
-// Whether this gamepad has the place of a function.
+// True if this gamepad has the place of a function.
 function isThere(pad, place) {
   if (place === null || typeof place !== "object") return false;
   return isCount(place.button, pad.buttons.length)
