@@ -6,8 +6,8 @@
     evidence/aircraft_steps.py --renew    and writes it into docs/aircraft.md
 
 The same 16 s with servos moving at once are flown with steps of 1 to 10 ms and
-of half a millisecond. How far the sensors' readings are apart at most is told
-in last bits of the converter's word.
+of half a millisecond. The table has the largest
+difference of the sensors' readings, in last bits of the converter's word.
 """
 
 import csv

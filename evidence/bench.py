@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what URV costs beside what one would take instead.
+"""Measures the cost of URV and of the usual alternatives.
 
     evidence/bench.py                    prints, and writes evidence/bench/results.json
     evidence/bench.py --before COMMIT    the simulation of then beside today's

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which lines, subprograms and decisions of src the tests reach (EVI-4).
+"""Counts the lines, subprograms and decisions that the tests reach (EVI-4).
 
     evidence/coverage.py run [--renew]     builds, runs the tests, then checks
     evidence/coverage.py check [--renew]   checks what was counted last
@@ -252,7 +252,7 @@ def text_of(name):
 
 
 def decides(name, number):
-    """Whether a line has a decision of the source, or an operand of one. A
+    """True if a line has a decision of the source, or an operand of one. A
     call that the compiler branches after is none."""
     text = text_of(name)
     following = text[number] if number < len(text) else ""

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether a flood delays a node's ticks (RTP-3).
+"""Measures the delay of a node's ticks by a flood (RTP-3).
 
     evidence/floods.py [SECONDS]    needs bin/urv_mcs (make real_time), or
                                    that of the folder URV_PARTITIONS
 
 Flies the aircraft's node three times: beside nothing; beside a flood of
 100,000 datagrams a second to a port that is not its own; and with that flood
-to its port from its peer's address. Prints how late its clock ticked, in us.
+to its port from its peer's address. Prints the delay of its clock's ticks, in us.
 """
 
 import json

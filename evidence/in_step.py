@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How long a stick takes to the servo and a sensor to the ground's CORE with
-frames in step (FRM-5, FRM-6), and whether a downlink is left out.
+"""Measures the latency from stick to servo and from sensor to the ground's CORE
+with frames in step (FRM-5, FRM-6), and counts missing downlinks.
 
     evidence/in_step.py                         every phase, drifts from -200
                                                to 200 ppm, on 1 and 2 processors

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the tests' results hang on how the software is built (EVI-6).
+"""Compares the tests' results between builds and systems (EVI-6).
 
     evidence/independence.py [--renew] switches
         Unit tests and the tests that fly, built with and without contracts
         executed, without optimisation and with, validity checked wherever it
         may be. Some flights must leave the same bytes whatever the build.
     evidence/independence.py [--renew] chroot FOLDER [DEBIAN/WHO ...]
-        What a newcomer does, in a fresh bare Debian in FOLDER, with nothing
-        but git and make: `make fly`, `make test`. As root, and as a user who
-        has root run the one command that `make test` names. DEBIAN/WHO is
+        The steps of a new user in a fresh Debian in FOLDER, with only git and
+        make: `make fly`, `make test`. As root, and as a user who has root run
+        the one command that `make test` names. DEBIAN/WHO is
         12/root, 12/user, 13/root, 13/user; all of them unless named. Needs
         root and debootstrap.
 

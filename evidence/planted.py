@@ -80,7 +80,7 @@ def faults_of(root, planted):
 
 
 def fails(copy, name):
-    """Whether a test fails in the copy."""
+    """True if a test fails in the copy."""
     command = ["bin/urv_tests_test"] if is_unit_test(name) else [
         sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider", "-q",
         "-x", "--tb=no", name]

@@ -148,7 +148,7 @@ def aspects(node):
 
 
 def has_aspect(node, name):
-    """Whether a declaration has an aspect, a Ghost for example."""
+    """True if a declaration has an aspect, a Ghost for example."""
     return name in aspects(node)
 
 

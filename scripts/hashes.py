@@ -22,7 +22,7 @@ LEAST_PYTHON = 11
 
 
 def is_ours(name):
-    """Whether a wheel is for a Python and a machine that is supported."""
+    """True if a wheel is for a Python and a machine that is supported."""
     python, abi, system = WHEEL.search(name).group("python", "abi", "system")
     if system != "any" and not re.search(
             r"manylinux[^.]*_(x86_64|aarch64)", system):

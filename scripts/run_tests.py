@@ -122,7 +122,7 @@ def run(*command, what=None, env=None):
 
 
 def build(project, mode):
-    """Whether it was built. Warnings are errors."""
+    """True if it was built. Warnings are errors."""
     screen.put(f"building {project}\n")
     status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
                  what=f"building {project}")

@@ -1,19 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  What calls of the flight software cost, as lines "WHAT NANOSECONDS", built
---  as it flies: under the Ravenscar profile, with all run-time checks.
---  evidence/bench.py runs it beside evidence/bench/peers.c, which has what a C
---  programmer would take instead.
+--  The cost of calls of the flight software, as lines "CALL NANOSECONDS". It
+--  is built as it flies: with the Ravenscar profile and all run-time checks.
+--  evidence/bench.py compares it with evidence/bench/peers.c, the usual C
+--  alternatives.
 
 with Ada.Text_IO;
 with GNAT.OS_Lib;
 
-with Bench_Boxes_28;
-with Bench_Boxes_66;
-with Bench_Boxes_1024;
-with Bench_Scheduler;
-with Bench_Semaphores;
-with Bench_Switch;
+with Bench_Calls;        use Bench_Calls;
 with Bench_Times;
 with Telemetry;          use Telemetry;
 with Telemetry.Checksum;
@@ -48,23 +43,23 @@ procedure Urv_Bench is
    end Code;
 
    procedure Time_28 is new Bench_Times
-     (Bench_Boxes_28.Exchange, "mailbox 28", 4_000);
+     (Exchange_28, "mailbox 28", 4_000);
    procedure Time_66 is new Bench_Times
-     (Bench_Boxes_66.Exchange, "mailbox 66", 4_000);
+     (Exchange_66, "mailbox 66", 4_000);
    procedure Time_1024 is new Bench_Times
-     (Bench_Boxes_1024.Exchange, "mailbox 1024", 4_000);
+     (Exchange_1024, "mailbox 1024", 4_000);
    procedure Time_P_V is new Bench_Times
-     (Bench_Semaphores.Claim_And_Release, "semaphore 1", 4_000);
+     (Claim_And_Release, "semaphore 1", 4_000);
    procedure Time_Sum is new Bench_Times (Sum_Up, "checksum 56", 1_000);
    procedure Time_Code is new Bench_Times (Code, "codec 56", 4_000);
    procedure Time_Switch is new Bench_Times
-     (Bench_Switch.There_And_Back, "switch 2", 500, Each => 2);
+     (There_And_Back, "switch 2", 500, Each => 2);
 begin
    Time_28;
    Time_66;
    Time_1024;
    Time_P_V;
-   Bench_Scheduler.Measure;
+   Measure_Scheduler;
    Time_Sum;
    Time_Code;
    Time_Switch;

@@ -9,7 +9,7 @@ fit into one flight; its name is all that is needed to make it again:
     many/PHASE/SEED/COUNT          COUNT pairs and triples by chance
     cut/PHASE/SEED/STEP            cuts from 1 ms to 10 s
     stall/PHASE/NODE/MS/STEP_US    a stall at every point of a frame
-    reset/PHASE/NODE/STEP_US       a telemetry board started anew, likewise
+    reset/PHASE/NODE/STEP_US       a telemetry board restarted, likewise
     start/PHASE/NODE/HOW/STEP_US   a node reset (HOW is warm), or its
                                    processor restarted (processor), likewise
     soak/PHASE/SEED/RATE/FRAMES    spells of bit errors

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does things to the link and checks that it recovers.
+"""Disturbs the link and checks that it recovers.
 
   run.py tiny|short|full [--jobs N] [--scheduler ADDRESS]
   run.py shard NAME          one shard, its result as one line of JSON
   run.py mix NUMBER FOLDER   leaves a random mix's files and record in the
-                             folder, says how it is flown and what is wrong
+                             folder, prints its options and its failures
 
 With --format 2 every flight is sealed (docs/security.md). With --only GROUPS
 only the shards of these groups are flown (cases.py).

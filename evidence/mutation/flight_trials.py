@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a mutant of the flight software is tried: by the unit tests with
+"""The trials of a mutant of the flight software: by the unit tests with
 contracts executed, by its object code, by simulated flights, by the proof."""
 
 import hashlib
@@ -110,7 +110,7 @@ class FlightTrial(Copy):
         return self.hashes[path][1]
 
     def same_object_code(self, mutant):
-        """Whether the mutant is the original in other words. Units that the
+        """True if the mutant is the original in other words. Units that the
         simulator does not have are looked for in the unit tests."""
         every = Path(mutant.path).name not in self.in_simulator
         return self.object_code(every) == self.objects[every]
@@ -221,7 +221,7 @@ class FlightTrial(Copy):
         return PASSED, ""
 
     def prove(self, mutant):
-        """Whether a mutant that passes the tests fails the proof."""
+        """True if a mutant that passes the tests fails the proof."""
         self.put(mutant)
         failure = self.proof(mutant)
         return ("proof", failure) if failure else (SURVIVED, "")

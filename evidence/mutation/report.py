@@ -96,7 +96,7 @@ def table(results, equivalent):
 
 
 def problems(results, judgements, total, goal):
-    """Survivors nobody judged, judgements of none, a score too low."""
+    """Survivors without a judgement, judgements of no survivor, a low score."""
     survivors = {r["name"]: r for r in results
                  if r["fate"] in (fates.SURVIVED, fates.PASSED)}
     for name, one in judgements.items():

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Change the code in small ways; see who notices.
+"""Changes the code in small ways; records which test or proof fails.
 
-Each mutant of the flight software is built, then given to the unit tests
-with contracts executed. One that passes and has the same object code as the original is the original
-in other words, and is set aside. The others go to the simulation's tests.
-When all mutants have been there, those that are left go to the proof of the
-units that the change can concern: of a body its own, of a specification all
-that depend on it. The first to notice is recorded.
+Each mutant of the flight software is built and given to the unit tests with
+contracts executed. A mutant that passes with the object code of the original
+is equivalent, and is set aside. The others go to the simulation's tests. Then
+the mutants that are left go to the proof of the units that the change can
+concern: of a body its own, of a specification all that depend on it. The first
+failure is recorded.
 
 Results are appended to a file as they come. A run goes on where the last one
 stopped; a mutant is tried again when the file it changes has changed.
