@@ -45,8 +45,8 @@ SILENCE_S = 15.0
 # longest.
 SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
         "exploration", "faults", "flight", "fuzz", "link_cuts",
-        "lost_console", "mutants", "pilot", "planted",
-        "safety_mixes", "starts", "surfaces", "traceability", "truth")
+        "lost_console", "mutants", "planted", "safety_mixes", "starts",
+        "surfaces", "traceability", "truth")
 
 # The live tests of the ground station: they run in real time.
 LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long a change at the console takes to the PWM board, to the
 microsecond, at every phase and in both schedules (FRM-2, FRM-5, D-12).
-docs/design.md derives the same."""
+docs/design.md derives the same. And frames in step (FRM-6): from any phase,
+under drift and lost blocks; evidence/in_step.py tries every phase and drift."""
+
+import sys
 
 import pytest
 from conftest import (
@@ -10,11 +13,16 @@ from conftest import (
     FRAME_US,
     NEUTRAL,
     NUMBERS,
+    ROOT,
     TICK_US,
     UPLINK_CHARACTERS,
     fly_in,
     transformed,
 )
+
+sys.path.insert(0, str(ROOT / "evidence"))
+
+import in_step  # noqa: E402
 
 # All times in microseconds.
 FRAME, TICK = FRAME_US, TICK_US
@@ -166,3 +174,58 @@ def test_a_change_that_a_later_one_overtakes_is_counted(tmp_path):
                      ).summary["latency_ms"]
     assert (latency["measured"], latency["overtaken"], latency["expired"]) \
         == (40, 80, 0)
+
+
+# --- frames in step ----------------------------------------------------------
+
+@pytest.mark.parametrize("phase, drift, schedule, processors", [
+    (0, -200, "fast", 1), (6, 137, "fast", 2), (9, 200, "fast", 1),
+    (2, -91, "report", 2), (3, 200, "report", 1),
+])
+def test_frm6_in_step_sticks_and_sensors_keep_their_bounds(
+        phase, drift, schedule, processors):
+    found = in_step.fly(phase, drift, schedule, processors, changed=200)
+    assert list(in_step.wrongs(found, schedule)) == []
+    # As soon as five corrections of four uplinks each.
+    assert found.since_ms < 25 * in_step.FRAME_MS
+
+
+@pytest.mark.parametrize("phase, drift", [(3, -200), (8, 200)])
+def test_frm6_no_downlink_is_left_out_in_10000_frames(phase, drift):
+    assert in_step.fly_long(phase, drift, "fast", 10_000) == 0
+
+
+def test_frm6_without_lock_a_drift_leaves_downlinks_out(tmp_path):
+    flight = fly_in(tmp_path, "--drift", "200", "--seconds", "120")
+    assert in_step.left_out(flight.summary) > 3
+    assert "lock" not in flight.summary
+
+
+def test_frm6_without_uplinks_a_frame_is_ten_ticks(tmp_path):
+    """Cut off as soon as it is in step, the aircraft corrects nothing and
+    drifts away; 20 s after the link is back it is in step again."""
+    (tmp_path / "faults.txt").write_text("2000 cut 36000\n")
+    flights = [
+        fly_in(tmp_path, "--lock", "--drift", "150", "--phase", "0",
+               "--faults", "faults.txt", "--seconds", seconds).summary["lock"]
+        for seconds in ("1.9", "37.9", "58")]
+    assert flights[1] == flights[0]
+    assert flights[2]["frames_of_9_ticks"] > flights[0]["frames_of_9_ticks"]
+    assert 38 < flights[2]["in_step_since_s"] <= 58
+
+
+def test_frm6_it_stays_in_step_while_blocks_are_lost(tmp_path):
+    """Half a second without an uplink, over and over."""
+    (tmp_path / "faults.txt").write_text("".join(
+        f"{time} cut 460\n" for time in range(2_000, 58_000, 500)))
+    lock = fly_in(tmp_path, "--lock", "--drift", "-200", "--schedule", "fast",
+                  "--faults", "faults.txt", "--seconds", "60").summary["lock"]
+    assert lock["in_step_since_s"] < 2
+    assert lock["frames_of_11_ticks"] > 2
+
+
+def test_frm6_a_reset_is_in_step_again(tmp_path):
+    (tmp_path / "faults.txt").write_text("3000 mcs reset warm\n")
+    lock = fly_in(tmp_path, "--lock", "--phase", "7", "--schedule", "fast",
+                  "--faults", "faults.txt", "--seconds", "8").summary["lock"]
+    assert 3 < lock["in_step_since_s"] < 4

@@ -1,14 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/urv_sim.md says what bin/urv_sim takes, leaves and answers (SIM-1,
-SIM-2), and its examples run."""
+SIM-2), and its examples run. `urv_sim numbers` prints its table."""
 
+import json
 import os
 import re
 import subprocess
 from itertools import pairwise
 
 import pytest
-from conftest import PROGRAM, ROOT, TIME_LIMIT_S, fly_in
+from conftest import (
+    COMMANDS,
+    DOWNLINK_CHARACTERS,
+    EXCHANGE,
+    PROGRAM,
+    ROOT,
+    SENSORS,
+    SERVOS,
+    TIME_LIMIT_S,
+    UPLINK_CHARACTERS,
+    fly_in,
+)
 from test_flight import has_jsbsim
 
 PAGE = (ROOT / "docs" / "urv_sim.md").read_text(encoding="utf-8")
@@ -240,3 +252,43 @@ def test_no_table_is_cut_by_a_blank_line():
             if begins:
                 assert set(lines[number + 1]) <= set("|-: "), (
                     page, number + 1)
+
+
+# --- the table of numbers ------------------------------------------------------
+
+def numbers(urv_sim):
+    result = urv_sim("numbers")
+    assert (result.returncode, result.stderr) == (0, "")
+    return json.loads(result.stdout)
+
+
+def test_numbers_are_those_of_the_page(urv_sim):
+    page = (ROOT / "docs" / "urv_sim.md").read_text(encoding="utf-8")
+    rows = [[cell.strip(" `") for cell in line.strip("|").split("|")]
+            for line in page.partition("## Numbers")[2].partition("\n## ")[0]
+            .splitlines() if line.startswith("| `")]
+    assert numbers(urv_sim) == {name: int(value) for name, value, _ in rows}
+
+
+def test_numbers_fit_the_words(urv_sim):
+    """The tests' knowledge of the buffers (BUF-1, BUF-2, D-5)."""
+    said = numbers(urv_sim)
+    assert said["uplink_words"] == len(COMMANDS) + 1
+    assert said["downlink_words"] == len(SENSORS) + 1
+    assert said["pwm_words"] == len(SERVOS)
+    assert said["uplink_characters"] == UPLINK_CHARACTERS
+    assert said["downlink_characters"] == DOWNLINK_CHARACTERS
+    assert said["exchange_up_characters"] == EXCHANGE["up"]
+    assert said["exchange_down_characters"] == EXCHANGE["down"]
+
+
+def test_numbers_are_those_of_a_flight(urv_sim, fly):
+    """How far apart rows are, and characters of one message."""
+    said = numbers(urv_sim)
+    flight = fly("--seconds", "1")
+    times_ms = flight.record["time_ms"]
+    assert {1000 * (after - before) for before, after in zip(
+        times_ms, times_ms[1:], strict=False)} == {said["frame_us"]}
+    assert min(after.time_us - before.time_us for before, after in zip(
+        flight.wire, flight.wire[1:], strict=False)) == said["character_us"]
+    assert said["frame_us"] == said["frame_ticks"] * said["tick_us"]
