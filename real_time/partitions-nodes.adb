@@ -6,9 +6,7 @@ with Host.Memory_Hardware;
 with Host.Text_Numbers;
 with Partitions.Clocks; use Partitions.Clocks;
 with Partitions.Converter;
-with Partitions.Guarded_Call;
-with Partitions.Guarded_Start;
-with Partitions.Guarded_Step;
+with Partitions.Guards;
 with Partitions.Signals;
 with Partitions.Telemetry_Processor;
 with Partitions.Rows;         use Partitions.Rows;
@@ -73,14 +71,14 @@ package body Partitions.Nodes is
      new Partitions.Telemetry_Processor (Boards.Telemetry_Board);
 
    procedure AD_Interrupt is
-     new Guarded_Call (Boards.Handle_AD_Interrupt, Raise_Processor_Exception);
+     new Guards.Call (Boards.Handle_AD_Interrupt, Raise_Processor_Exception);
 
    package Converter_Hardware is
      new Partitions.Converter (Boards.AD_Board, Sample, AD_Interrupt);
 
    --  Processors
 
-   procedure Step is new Guarded_Step
+   procedure Step is new Guards.Step
      (Task_Name       => Software.Tasks.Task_Name,
       Distributions   => Distributions,
       Costs           => Costs,
@@ -91,7 +89,7 @@ package body Partitions.Nodes is
       Fail            => Fail);
 
    procedure Begin_Start is
-     new Guarded_Start (Uninterrupted_Start, Request_Start);
+     new Guards.Start (Uninterrupted_Start, Request_Start);
 
    package Guarded is new URVOS.Node_Software
      (Software.Tasks, Step, Begin_Start, Software.Tell_Time,

@@ -10,9 +10,7 @@ with Host.Text_Output;
 with MCS;
 with Partitions.Clocks;
 with Partitions.Exceptions;
-with Partitions.Guarded_Call;
-with Partitions.Guarded_Start;
-with Partitions.Guarded_Step;
+with Partitions.Guards;
 with Partitions.Measurements;
 with Partitions.Reports;
 with URVOS;
@@ -63,7 +61,7 @@ package body Guarded_Step_Tests is
 
    Costs, Responses : Distributions;
 
-   procedure Step is new Partitions.Guarded_Step
+   procedure Step is new Partitions.Guards.Step
      (Task_Name, Distributions, Costs, Responses, Has_Stood_Still, Run_Step,
       Observe, Fail);
 
@@ -84,7 +82,7 @@ package body Guarded_Step_Tests is
 
    Wished : Wish;
 
-   procedure Start is new Partitions.Guarded_Start
+   procedure Start is new Partitions.Guards.Start
      (Begin_Again, Request_Start);
 
    --  An interrupt of the processor.
@@ -92,7 +90,7 @@ package body Guarded_Step_Tests is
 
    Raised : Natural := 0;
 
-   procedure Interrupt is new Partitions.Guarded_Call
+   procedure Interrupt is new Partitions.Guards.Call
      (Run_Transaction, Raise_Processor_Exception);
 
    procedure Expect_Step
