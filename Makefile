@@ -43,7 +43,7 @@ fly:
 GROUND_SECONDS :=
 OPTIONS        :=
 ground:
-	@scripts/setup.sh ground
+	@scripts/setup.sh $(if $(findstring --no-yamcs,$(OPTIONS)),page,ground)
 	@echo "ground: building bin/urv_gsc and bin/urv_mcs"
 	@scripts/patiently.sh "ground: building" \
 	   $(GPRBUILD) -P real_time/urv_real_time.gpr -XURV_Mode=flight

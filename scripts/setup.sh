@@ -5,9 +5,11 @@
 # Nothing is fetched whose hash is not in this repository, but Debian's packages,
 # which are signed, and Maven's own plug-ins (SEC-17).
 #
-#   scripts/setup.sh fly|ground|test|check|prove|size|bench|campaign|explore|
-#                    fuzz|trace|mutate|real_time|timing|coverage|independence|
-#                    monte_carlo|margins|cortex_m
+#   scripts/setup.sh fly|ground|page|test|check|prove|size|bench|campaign|
+#                    explore|fuzz|trace|mutate|real_time|timing|coverage|
+#                    independence|monte_carlo|margins|cortex_m
+#
+# page is ground without Yamcs, and so without Java.
 #
 # With Python packages of ground/ it also makes bin/urv.
 #
@@ -47,8 +49,9 @@ case $target in
    fly)   packages="$build python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt" ;;
-   ground)
-          packages="$build openssl python3 python3-venv $more"
+   ground | page)
+          packages="$build openssl python3 python3-venv"
+          [ "$target" = page ] || packages="$packages $more"
           requirements="sim/jsbsim/requirements.txt
                         ground/report-requirements.txt
                         ground/requirements.txt
@@ -206,7 +209,8 @@ require_commands ()
 # GNAT's run-time system gives threads of root priorities without looking
 # whether it may: a program with tasks would wait for ever.
 case $target in
-   ground | test | bench | real_time | timing | coverage | independence)
+   ground | page | test | bench | real_time | timing | coverage | \
+   independence)
       if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
          ! chrt -f 1 true 2>/dev/null; then
          echo "setup: root may not give threads real-time priorities here:" \

@@ -83,6 +83,17 @@ def test_what_test_needs_is_enough_to_fly(set_up):
 
 
 @on_debian
+def test_evi11_the_station_without_yamcs_needs_no_java(set_up):
+    told = {target: set_up(target, **MISSING, id="echo 1000").stderr
+            for target in ("fly", "page", "ground")}
+    needed = {target: set(text.split("recommends ")[1].split())
+              for target, text in told.items()}
+    assert needed["fly"] < needed["page"] < needed["ground"]
+    assert needed["ground"] - needed["page"] == {
+        "default-jre-headless", "maven"}
+
+
+@on_debian
 def test_what_test_names_is_enough_for_each_command_of_readme(set_up):
     told = {target: set_up(target, **MISSING, id="echo 1000").stderr
             for target in ("fly", "test", "check", "ground")}
