@@ -3,8 +3,8 @@
 # Flies, tests and proves URV. `make` lists the targets; docs/development.md
 # explains them. Measurements have a Makefile of their own, in evidence.
 
-.PHONY: help fly ground monte_carlo test check prove real_time cortex_m trace \
-        clean
+.PHONY: help fly ground monte_carlo test check prove real_time cortex_m mc68000 \
+        trace clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -17,6 +17,7 @@ help:
 	@echo "  make real_time  build the partitions bin/urv_mcs and bin/urv_gsc"
 	@echo "  make cortex_m   build both nodes for a bare Cortex-M4, fly them in"
 	@echo "                  QEMU, compare them with the simulation"
+	@echo "  make mc68000    the same on the report's processor, in Musashi"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
@@ -79,7 +80,15 @@ cortex_m:
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@targets/build.sh cortex_m gsc
 	@targets/build.sh cortex_m mcs
-	@python3 -B targets/figures.py
+	@python3 -B targets/figures.py cortex_m
+
+mc68000:
+	@scripts/setup.sh mc68000
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@targets/mc68000/musashi/build_board.sh
+	@targets/build.sh mc68000 gsc
+	@targets/build.sh mc68000 mcs
+	@python3 -B targets/figures.py mc68000
 
 trace:
 	@scripts/setup.sh trace

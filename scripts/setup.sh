@@ -7,7 +7,7 @@
 #
 #   scripts/setup.sh fly|ground|page|test|check|prove|size|bench|campaign|
 #                    explore|fuzz|trace|mutate|real_time|timing|coverage|
-#                    independence|monte_carlo|margins|cortex_m
+#                    independence|monte_carlo|margins|cortex_m|mc68000
 #
 # page is ground without Yamcs, and so without Java.
 #
@@ -29,17 +29,18 @@ if [ -z "${ALIRE:-}" ] && [ -r /etc/os-release ]; then
             [ "${ID:-}" = debian ] && echo "${VERSION_ID:-}") || debian=
 fi
 
-# In bare: compiler and emulator of bare machines.
+# In bare: compilers and emulator of bare machines.
 case $debian in
    12) build="gnat-12 gprbuild"
        aunit=libaunit22-dev
        gcov=gcc-12
-       bare="gnat-12-arm-linux-gnueabihf qemu-system-arm" ;;
-   13) bare=
+       bare="gnat-12-arm-linux-gnueabihf qemu-system-arm"
+       bare_68000="gnat-12-m68k-linux-gnu gcc" ;;
+   13) bare='' bare_68000=''
        build="gnat-14 gprbuild"
        aunit=libaunit-dev
        gcov=gcc ;;
-   *)  debian= build='' aunit='' gcov='' bare='' ;;
+   *)  debian= build='' aunit='' gcov='' bare='' bare_68000='' ;;
 esac
 
 # The packages of `make ground` besides those of `make test`.
@@ -74,7 +75,10 @@ case $target in
                         ground/identify-requirements.txt"
           # The browser that looks at the station's page.
           [ "$target" = check ] ||
-             packages="$packages chromium fonts-dejavu-core $bare" ;;
+             packages="$packages chromium fonts-dejavu-core $bare $bare_68000"
+          [ -z "$bare_68000" ] ||
+             requirements="$requirements
+                           targets/mc68000/musashi/requirements.txt" ;;
    mutate)
           packages="$build $aunit binutils git python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
@@ -99,6 +103,9 @@ case $target in
    cortex_m)
           packages="$build $bare binutils python3"
           requirements="" ;;
+   mc68000)
+          packages="$build $bare_68000 binutils python3 python3-venv"
+          requirements=targets/mc68000/musashi/requirements.txt ;;
    real_time)
           packages="$build"
           requirements="" ;;
@@ -229,6 +236,11 @@ if [ -n "$debian" ]; then
            "Debian 12 has it, Debian $debian does not" >&2
       exit 1
    fi
+   if [ "$target" = mc68000 ] && [ -z "$bare_68000" ]; then
+      echo "setup: make mc68000 needs m68k-linux-gnu-gcc-12 with GNAT:" \
+           "Debian 12 has it, Debian $debian does not" >&2
+      exit 1
+   fi
 
    # Root installs packages of Debian, and nothing else: what follows fetches
    # from PyPI and Maven, and is the work of whoever owns this tree.
@@ -282,6 +294,28 @@ case $requirements in
    *ground/*)
       mkdir -p bin
       ln -sf ../ground/urv.sh bin/urv ;;
+esac
+
+# The sources of Musashi, the emulator of the 68000 (D-84). pip looks into a
+# source archive before it hands it over, with the tools of requirements.txt.
+case $target in
+   mc68000 | test)
+      archive=targets/mc68000/musashi/archive.txt
+      if [ -n "$bare_68000" ] &&
+         ! cmp -s "$archive" obj/musashi/archive.txt
+      then
+         echo "$target: getting Musashi"
+         mkdir -p obj/musashi
+         if ! quietly "getting Musashi" \
+            .venv/bin/python -m pip download --quiet --retries 1 \
+            --disable-pip-version-check --no-deps --require-hashes \
+            --no-build-isolation --no-binary :all: -d obj/musashi \
+            -r "$archive"
+         then
+            failed pip "the archive of $archive"
+         fi
+         cp "$archive" obj/musashi/archive.txt
+      fi ;;
 esac
 
 # Yamcs, with what it needs, when the list of it changed. The tests look at it

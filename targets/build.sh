@@ -3,10 +3,10 @@
 
 # Builds a node's image for a bare machine (BRD-1).
 #
-#   targets/build.sh cortex_m mcs|gsc
+#   targets/build.sh cortex_m|mc68000 mcs|gsc
 #
-# The image is obj/targets/cortex_m/NODE.bin, with the program's sum in its
-# last four bytes. NODE.elf has the symbols.
+# The image is obj/targets/MACHINE/NODE.bin, with the program's sum in its last
+# four bytes. NODE.elf has the symbols.
 
 set -eu
 cd "$(dirname "$0")/.."
@@ -19,9 +19,18 @@ case $machine in
       prefix=arm-linux-gnueabihf-
       processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
       switches="$processor -fno-pie -fno-pic"
-      folders="targets/cortex_m targets/cortex_m/netduinoplus2" ;;
+      folders="targets/cortex_m targets/cortex_m/netduinoplus2"
+      rom_size=98304 ;;
+   mc68000)
+      prefix=m68k-linux-gnu-
+      processor="-m68000"
+      # This compiler joins stores to odd addresses, which a 68000 traps.
+      switches="$processor -fno-pie -fno-store-merging"
+      folders="targets/mc68000 targets/mc68000/musashi"
+      rom_size=163840 ;;
    *)
-      echo "targets/build.sh: no machine: $machine; there is: cortex_m" >&2
+      echo "targets/build.sh: no machine: $machine; there are: cortex_m," \
+           "mc68000" >&2
       exit 2 ;;
 esac
 
@@ -42,7 +51,7 @@ fi
 # repository may have spaces.
 up=../../../..
 include=
-for each in $folders targets targets/nodes $(cd "$root" &&
+for each in $folders targets targets/library targets/nodes $(cd "$root" &&
    find src -type d | sort)
 do
    include="$include -aI$up/$each"
@@ -69,6 +78,7 @@ cd "../$node"
    -gnatWb -I../objects b__main.adb
 for each in $folders; do
    for source in "$root/$each"/*.s; do
+      [ -f "$source" ] || continue
       # shellcheck disable=SC2086
       "${prefix}gcc-12" -c $processor "$source" \
          -o "asm_$(basename "$source" .s).o"
@@ -82,4 +92,5 @@ done
 cd ..
 "${prefix}objcopy" -O binary -j .vectors -j .text -j .data --gap-fill 0xff \
    "$node.elf" "$node.raw"
-python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin"
+python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin" \
+   "$rom_size"

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Nodes on a bare machine in QEMU, and the simulation's words beside theirs.
+"""Nodes on a bare machine in an emulator, and the simulation's words beside
+theirs.
 
     tape = Tape(lag=3, quantum=8, seconds=10)
     tape.read(0, words_by_channel)
-    runs = fly({"gsc": Tape(...), "mcs": tape}, folder)
+    runs = CORTEX_M.fly({"gsc": Tape(...), "mcs": tape}, folder)
 
 Two nodes fly in lock-step, joined by their serial ports: the result does not
-depend on the machine (D-82). docs/board.md says more.
+depend on the computer (D-82, D-83). docs/board.md says more.
 """
 
 import contextlib
@@ -17,7 +18,7 @@ import subprocess
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-IMAGES = ROOT / "obj" / "targets" / "cortex_m"
+IMAGES = ROOT / "obj" / "targets"
 
 CHARACTER_US = 96
 TICK_MS = 2
@@ -29,7 +30,8 @@ TAPE_ADDRESS = 0x08080000
 ICOUNT_SHIFT = 3
 CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
 
-WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
+# Only the MC68000 has events for an odd address.
+WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS = range(4)
 
 LAWS_ON = 1
 
@@ -39,8 +41,7 @@ UPLINK, DOWNLINK, STATUS, PWM = 14, 28, 12, 14
 FRAME_MS = 20
 FRAMES_PER_S = 1000 // FRAME_MS
 
-# For a joined flight: the line's quantum, and the aircraft's lag in ticks.
-QUANTUM = 8
+# The aircraft's lag in ticks, in a joined flight.
 LAG = 3
 
 STICKS = ["roll", "pitch", "yaw", "throttle", "brake",
@@ -58,15 +59,12 @@ SENSORS = [f"{side}_{name}" for name in ("flap_1", "flap_2", "aileron",
 class Tape:
     """What an emulated node gets from outside; see Tapes in targets."""
 
-    def __init__(self, seconds, lag=0, quantum=0, flags=0):
+    def __init__(self, seconds, lag=0, quantum=0, flags=0, line_delay_us=0):
         self.lag, self.quantum, self.flags = lag, quantum, flags
+        self.line_delay_us = line_delay_us
         self.length = int(seconds * 1e6 / CHARACTER_US)
         self.entries = []
         self.read(0, [0x800] * CHANNELS)
-
-    @property
-    def line_delay_us(self):
-        return max(self.quantum - 1, 0) * CHARACTER_US
 
     def read(self, time_ms, words):
         """The converter reads these words from a time on, by channel."""
@@ -119,40 +117,128 @@ class Run:
         return self.rows[frame][UPLINK + DOWNLINK + STATUS:]
 
 
-def command(image, tape, console, line):
-    return ["qemu-system-arm", "-M", "netduinoplus2", "-semihosting",
-            "-icount", f"shift={ICOUNT_SHIFT},align=off,sleep=off",
-            "-display", "none", "-monitor", "none",
-            "-serial", f"file:{console}", "-serial", line,
-            "-kernel", str(image), "-device",
-            f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on"]
+class Machine:
+    """A bare machine in its emulator. Each has name, prefix of its compiler,
+    quantum and delay of a joined flight's line, and start."""
 
+    @property
+    def images(self):
+        return IMAGES / self.name
 
-def fly(tapes, folder, images=None, limit_s=300):
-    """Runs the nodes of these tapes until their ends; Run of each by name.
-    Two are joined by their serial ports 2."""
-    folder = Path(folder)
-    line = folder / "line"
-    running = {}
-    with contextlib.ExitStack() as stack:
-        for number, (name, tape) in enumerate(tapes.items()):
+    def build(self, node):
+        subprocess.run([ROOT / "targets" / "build.sh", self.name, node],
+                       check=True)
+
+    def fly(self, tapes, folder, images=None, limit_s=300):
+        """Runs the nodes of these tapes until their ends; Run of each by
+        name. Two are joined by their serial lines."""
+        folder = Path(folder)
+        for name, tape in tapes.items():
             (folder / f"{name}.tape").write_bytes(tape.data())
-            end = "null" if len(tapes) == 1 else f"unix:{line}" + (
+        with contextlib.ExitStack() as stack:
+            for each in list(
+                    self.start(list(tapes), folder, images or {}, stack)):
+                each.wait(limit_s)
+        return {name: Run((folder / f"{name}.txt").read_text(errors="replace"))
+                for name in tapes}
+
+    def image(self, name, images):
+        return images.get(name, self.images / f"{name}.bin")
+
+    def fly_both(self, folder, seconds, laws):
+        """A scripted flight, by the simulation and by two emulated nodes: the
+        rows of the one, the runs of the other."""
+        folder = Path(folder)
+        line = {"quantum": self.quantum, "line_delay_us": self.line_delay_us}
+        gsc = Tape(seconds, **line)
+        mcs = Tape(seconds, lag=LAG, flags=LAWS_ON if laws else 0, **line)
+        scripted(STICKS, gsc, folder / "sticks.csv", seconds, 1)
+        scripted(SENSORS, mcs, folder / "sensors.csv", seconds, 2)
+        record = folder / "record.csv"
+        subprocess.run(
+            [ROOT / "bin" / "urv_sim", "fly", "--seconds", str(seconds),
+             "--sticks", folder / "sticks.csv",
+             "--sensors", folder / "sensors.csv",
+             "--laws", "on" if laws else "off", "--phase", str(LAG),
+             "--line-delay", str(self.line_delay_us / 1000),
+             "--record", record, "--quiet"], check=True)
+        with record.open(encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        return rows, self.fly({"gsc": gsc, "mcs": mcs}, folder)
+
+
+class CortexM(Machine):
+    """An STM32F405 in QEMU. One emulator for each node; after each quantum of
+    the line they exchange its characters."""
+
+    name = "cortex_m"
+    prefix = "arm-linux-gnueabihf-"
+    needed = ("qemu-system-arm", "arm-linux-gnueabihf-gnatmake-12")
+    rom_size = 96 * 1024
+    quantum = 8
+    line_delay_us = (quantum - 1) * CHARACTER_US
+
+    def command(self, image, tape, console, line):
+        return ["qemu-system-arm", "-M", "netduinoplus2", "-semihosting",
+                "-icount", f"shift={ICOUNT_SHIFT},align=off,sleep=off",
+                "-display", "none", "-monitor", "none",
+                "-serial", f"file:{console}", "-serial", line,
+                "-kernel", str(image), "-device",
+                f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on"]
+
+    def start(self, names, folder, images, stack):
+        line = folder / "line"
+        for number, name in enumerate(names):
+            end = "null" if len(names) == 1 else f"unix:{line}" + (
                 ",server=on,wait=on" if number == 0 else "")
-            running[name] = subprocess.Popen(
-                command((images or {}).get(name, IMAGES / f"{name}.bin"),
-                        folder / f"{name}.tape", folder / f"{name}.txt", end),
+            running = subprocess.Popen(
+                self.command(self.image(name, images), folder / f"{name}.tape",
+                             folder / f"{name}.txt", end),
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                 stderr=(folder / f"{name}.err").open("w"))
-            stack.callback(stop, running[name])
-            if number == 0 and len(tapes) > 1:
+            stack.callback(stop, running)
+            if number == 0 and len(names) > 1:
                 while not line.exists():
-                    if running[name].poll() is not None:
+                    if running.poll() is not None:
                         raise RuntimeError("QEMU has not begun")
-        for each in running.values():
-            each.wait(limit_s)
-    return {name: Run((folder / f"{name}.txt").read_text(errors="replace"))
-            for name in tapes}
+            yield running
+
+
+class MC68000(Machine):
+    """The report's processor, two boards in one emulator (musashi/board.c).
+    Their line delays nothing, but a received character waits for the next
+    character time of the simulation."""
+
+    name = "mc68000"
+    prefix = "m68k-linux-gnu-"
+    needed = ("m68k-linux-gnu-gnatmake-12", "gcc")
+    rom_size = 160 * 1024
+    quantum = 0
+    line_delay_us = 0
+    archive = ROOT / "obj" / "musashi" / "machine68k-0.4.1.tar.gz"
+    # No task is late, and no timer interrupt is lost.
+    mhz = 250
+
+    def build(self, node):
+        subprocess.run([ROOT / "targets/mc68000/musashi/build_board.sh"],
+                       check=True)
+        super().build(node)
+
+    def start(self, names, folder, images, stack):
+        command = [self.images / "board", str(self.mhz), folder]
+        for name in names:
+            command += [name, self.image(name, images),
+                        folder / f"{name}.tape"]
+        running = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            stderr=(folder / "board.err").open("w"))
+        stack.callback(stop, running)
+        yield running
+
+
+CORTEX_M = CortexM()
+MC68000_BOARD = MC68000()
+MACHINES = {each.name: each for each in (CORTEX_M, MC68000_BOARD)}
 
 
 def scripted(names, tape, path, seconds, seed):
@@ -165,28 +251,6 @@ def scripted(names, tape, path, seconds, seed):
         lines.append(f"{time_ms}," + ",".join(map(str, words)))
         tape.read(time_ms, words)
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
-def fly_both(folder, seconds, laws):
-    """A scripted flight, by the simulation and by two emulated nodes: the
-    rows of the one, the runs of the other."""
-    folder = Path(folder)
-    gsc = Tape(seconds, quantum=QUANTUM)
-    mcs = Tape(seconds, quantum=QUANTUM, lag=LAG,
-               flags=LAWS_ON if laws else 0)
-    scripted(STICKS, gsc, folder / "sticks.csv", seconds, 1)
-    scripted(SENSORS, mcs, folder / "sensors.csv", seconds, 2)
-    record = folder / "record.csv"
-    subprocess.run(
-        [ROOT / "bin" / "urv_sim", "fly", "--seconds", str(seconds),
-         "--sticks", folder / "sticks.csv",
-         "--sensors", folder / "sensors.csv",
-         "--laws", "on" if laws else "off", "--phase", str(LAG),
-         "--line-delay", str(gsc.line_delay_us / 1000),
-         "--record", record, "--quiet"], check=True)
-    with record.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return rows, fly({"gsc": gsc, "mcs": mcs}, folder)
 
 
 def words(row, group):

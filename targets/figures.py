@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Flies both nodes for 10 s on an emulated Cortex-M4, compares each frame with
-the simulation, and prints the figures (BRD-1).
+"""Flies both nodes for 10 s on an emulated bare machine, compares each frame
+with the simulation, and prints the figures (BRD-1).
 
-    targets/figures.py [SECONDS]
+    targets/figures.py cortex_m|mc68000 [SECONDS]
 
 Exit status: 0 when all words are those of the simulation.
 """
@@ -16,11 +16,18 @@ import emulated
 
 CYCLES_PER_TICK = 168_000 * emulated.TICK_MS
 
+# Of the report's controller and its telemetry board.
+CYCLES_PER_FRAME = 10_000 * emulated.FRAME_MS
+CYCLES_PER_CHARACTER = 10 * emulated.CHARACTER_US
 
-def sizes(node):
+# The vectors of its interrupts.
+CONVERTER, LINE = 64, 65
+
+
+def sizes(machine, node):
     """The bytes of a program: in ROM, and variables in RAM."""
     report = subprocess.run(
-        ["arm-linux-gnueabihf-size", "-A", emulated.IMAGES / f"{node}.elf"],
+        [f"{machine.prefix}size", "-A", machine.images / f"{node}.elf"],
         check=True, capture_output=True, text=True).stdout
     found = {name: int(size) for name, size, *_ in
              (line.split() for line in report.splitlines()
@@ -29,36 +36,67 @@ def sizes(node):
     return rom, found.get(".data", 0) + found.get(".bss", 0)
 
 
-def figures(node, run):
-    rom, ram = sizes(node)
-    worst = run.numbers["worst"]
-    mean = run.numbers["mean"]
-    instructions = 10 * mean / emulated.CYCLES_PER_INSTRUCTION
+def figures(machine, node, run):
+    rom, ram = sizes(machine, node)
     return [
         ("program, bytes", f"{rom:,}"),
         ("variables, bytes", f"{ram:,}"),
         ("stack, bytes, most", f"{run.numbers['stack']:,}"),
-        ("instructions a major frame", f"{instructions:,.0f}"),
-        ("busy at 168 MHz, mean", f"{mean / CYCLES_PER_TICK:.1%}"),
-        ("busiest minor frame", f"{worst / CYCLES_PER_TICK:.1%}"),
+        *(cortex_m_times if machine is emulated.CORTEX_M
+          else mc68000_times)(run.numbers),
         ("overruns", str(run.numbers["overruns"])),
         ("blocks received", str(run.numbers["received"]))]
 
 
+def cortex_m_times(numbers):
+    mean = numbers["mean"]
+    instructions = 10 * mean / emulated.CYCLES_PER_INSTRUCTION
+    return [
+        ("instructions a major frame", f"{instructions:,.0f}"),
+        ("busy at 168 MHz, mean", f"{mean / CYCLES_PER_TICK:.1%}"),
+        ("busiest minor frame", f"{numbers['worst'] / CYCLES_PER_TICK:.1%}")]
+
+
+def mc68000_times(numbers):
+    """Cycles of the controller, and of its telemetry board, whose software
+    runs in the line's interrupts."""
+    line = numbers[f"int{LINE}_mean"]
+    frames = numbers["characters"] / (
+        1000 * emulated.FRAME_MS / emulated.CHARACTER_US)
+    board = line * numbers[f"int{LINE}_count"] / frames
+    node = numbers["frame_mean"] - board
+    converter = (numbers[f"int{CONVERTER}_mean"]
+                 * numbers[f"int{CONVERTER}_count"] / frames)
+    return [
+        ("cycles a major frame, mean", f"{node:,.0f}"),
+        ("  of these for the converter", f"{converter:,.0f}"),
+        ("  of 10 MHz", f"{node / CYCLES_PER_FRAME:.0%}"),
+        ("with the board's, mean", f"{numbers['frame_mean']:,}"),
+        ("with the board's, worst", f"{numbers['frame_worst']:,}"),
+        ("worst minor frame", f"{numbers['tick_worst']:,}"),
+        ("board, cycles a character", f"{board / 208.33:,.0f}"),
+        ("board, worst interrupt", f"{numbers[f'int{LINE}_worst']:,}"),
+        ("start, million cycles", f"{numbers['start'] / 1e6:.1f}"),
+        ("flown at MHz", f"{numbers['mhz']}")]
+
+
 def main():
-    seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 10
+    if len(sys.argv) < 2 or sys.argv[1] not in emulated.MACHINES:
+        sys.exit(__doc__)
+    machine = emulated.MACHINES[sys.argv[1]]
+    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10
     good = True
     for laws in (False, True):
         with tempfile.TemporaryDirectory() as folder:
-            rows, runs = emulated.fly_both(folder, seconds, laws)
+            rows, runs = machine.fly_both(folder, seconds, laws)
         different = list(emulated.differences(rows, runs))
         good = good and not different and all(
             run.has(f"{node.upper()} started") for node, run in runs.items())
-        print(f"cortex_m: {seconds:g} s, laws {'on' if laws else 'off'}: "
-              f"{len(rows)} frames, {len(different)} groups of words differ"
+        print(f"{machine.name}: {seconds:g} s, laws {'on' if laws else 'off'}:"
+              f" {len(rows)} frames, {len(different)} groups of words differ"
               " from the simulation's")
         for node, run in runs.items():
-            for name, value in figures(node, run):
+            for name, value in figures(machine, node, run):
                 print(f"  {node} {name:<28}{value:>10}")
     return 0 if good else 1
 

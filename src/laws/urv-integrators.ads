@@ -21,7 +21,8 @@ package URV.Integrators with Pure, SPARK_Mode is
    --  limit in the chain is above another.
    type Saturation is record
       Is_High, Is_Low : Boolean := False;
-   end record;
+   end record
+   with Alignment => 2;
 
    Free : constant Saturation := (Is_High => False, Is_Low => False);
 

@@ -17,7 +17,8 @@ package URV.Surfaces with Pure, SPARK_Mode is
 
    subtype Flap is Surface range Left_Flap_1 .. Right_Flap_2;
 
-   type Surface_Flags is array (Surface) of Boolean;
+   type Surface_Flags is array (Surface) of Boolean
+   with Alignment => 2;
    type Surface_Demands is array (Surface) of Demand;
 
    None : constant Surface_Flags := (others => False);

@@ -20,12 +20,14 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
    --  A message of up to 63 bytes. Bytes after Length have no effect.
    type Message_Length is range 0 .. 63;
    subtype Message_Index is Message_Length range 1 .. Message_Length'Last;
-   type Octets is array (Message_Index) of Byte;
+   type Octets is array (Message_Index) of Byte
+   with Alignment => 2;
 
    type Message is record
       Length : Message_Length := 0;
       Bytes  : Octets         := (others => 0);
-   end record;
+   end record
+   with Alignment => 2;
 
    --  The paper's words of 8 bytes: the message, zeros, and in the last byte
    --  of the last word the length.

@@ -31,7 +31,8 @@ package Telemetry.Headers with Pure, SPARK_Mode is
          when Data =>
             Length : Block_Length;
       end case;
-   end record;
+   end record
+   with Alignment => 2;
 
    --  The other six code words (00, 66, 78, AA, E1 and FF, hexadecimal) have
    --  no meaning. Blocks of 1, 2 and 4 bytes serve to test the whole protocol

@@ -36,7 +36,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       --  The checksum so far; Damaged if any error was found in this message.
       Sum      : Byte    := 0;
       Damaged  : Boolean := False;
-   end record;
+   end record
+   with Alignment => 2;
 
    function Data_Header (Length : Block_Length) return Byte is
      (Encode ((Kind => Data, Length => Length)))
@@ -80,7 +81,8 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
       Kind           : Event_Kind := Nothing;
       Good           : Boolean    := False;
       Wants_Downlink : Boolean    := False;
-   end record;
+   end record
+   with Alignment => 2;
 
    --  The meaning of a first byte.
    function Meaning

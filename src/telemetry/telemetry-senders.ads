@@ -19,7 +19,8 @@ package Telemetry.Senders with Pure, SPARK_Mode is
 
       --  The checksum of the characters sent so far.
       Sum    : Byte            := 0;
-   end record;
+   end record
+   with Alignment => 2;
 
    function Message_Length (Length : Block_Length) return Character_Count is
      (Character_Count (Length) + 2)

@@ -23,7 +23,8 @@ package Telemetry with Pure, SPARK_Mode is
    type Byte_Count is range 0 .. Longest_Block;
    subtype Byte_Index is Byte_Count range 1 .. Longest_Block;
 
-   type Byte_Array is array (Byte_Index range <>) of Byte;
+   type Byte_Array is array (Byte_Index range <>) of Byte
+   with Alignment => 2;
 
    --  Room for the longest block.
    subtype Block_Data is Byte_Array (Byte_Index);

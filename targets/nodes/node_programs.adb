@@ -129,11 +129,11 @@ package body Node_Programs is
          Telemetry_Board.Start;
       end if;
       Put (Name);
-      Put_Line
-        (case Condition is
-            when Cold_Start        => " cold start",
-            when Warm_Reset        => " warm reset",
-            when Processor_Restart => " processor restart");
+      case Condition is
+         when Cold_Start        => Put_Line (" cold start");
+         when Warm_Reset        => Put_Line (" warm reset");
+         when Processor_Restart => Put_Line (" processor restart");
+      end case;
 
       --  The clock begins after the self-test at power up, and runs on through
       --  all later starts.
@@ -147,7 +147,11 @@ package body Node_Programs is
          Node.Serve;
       end if;
       Put (Name);
-      Put_Line (if Node.Is_Refused then " refused" else " started");
+      if Node.Is_Refused then
+         Put_Line (" refused");
+      else
+         Put_Line (" started");
+      end if;
       loop
          if Node.Has_Work then
             Node.Serve;

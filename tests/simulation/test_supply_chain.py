@@ -12,7 +12,7 @@ __all__ = ["set_up"]
 
 LISTS = sorted(path for folder in (ROOT / "sim", ROOT / "ground",
                                    ROOT / "tests", ROOT / "scripts",
-                                   ROOT / "evidence")
+                                   ROOT / "evidence", ROOT / "targets")
                for path in folder.rglob("*requirements.txt"))
 SUMS = ROOT / "ground" / "yamcs" / "SHA256SUMS"
 SUM = re.compile(r"([0-9a-f]{64})  (\S+\.jar)")
@@ -52,6 +52,30 @@ def test_sec17_set_up_installs_wheels_with_known_hashes_alone(
     for call in calls:
         assert {"--require-hashes", "--only-binary", ":all:", "--no-deps"} \
             <= set(call.split())
+
+
+@on_debian
+def test_sec17_d84_the_archive_of_the_emulator_has_its_hash(set_up, tmp_path):
+    folder = tmp_path / "targets/mc68000/musashi"
+    folder.mkdir(parents=True)
+    for name in ("requirements.txt", "archive.txt"):
+        text = (ROOT / "targets/mc68000/musashi" / name).read_text("utf-8")
+        (folder / name).write_text(text, encoding="utf-8")
+    assert all(len(hashes) == 1 for _, _, hashes in pinned(text))
+    python = tmp_path / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.write_text('#!/bin/sh\n[ "$1" = -c ] || echo "$@" >>called\n',
+                      encoding="utf-8")
+    python.chmod(0o755)
+    result = set_up("mc68000", dpkg_query="echo install ok installed",
+                    id="echo 1000")
+    if "Debian 12 has it" in result.stderr:
+        pytest.skip("this Debian has no compiler for the 68000")
+    assert result.returncode == 0
+    calls = (tmp_path / "called").read_text("utf-8").splitlines()
+    assert len(calls) == 2
+    assert {"download", "--require-hashes", "--no-deps",
+            "targets/mc68000/musashi/archive.txt"} <= set(calls[1].split())
 
 
 JAR = b"a jar"
@@ -137,7 +161,7 @@ def test_sec18_the_page_lists_each_file_of_yamcs_with_its_licence():
 def test_sec18_the_page_lists_each_debian_package():
     text = (ROOT / "scripts" / "setup.sh").read_text("utf-8")
     named = " ".join(re.findall(
-        r'(?:packages|build|aunit|gcov|more|bare)="?([^"$;]*(?:\$\w+ ?[^"]*)*)',
+        r'(?:packages|build|aunit|gcov|more|bare\w*)="?([^"$;]*(?:\$\w+ ?[^"]*)*)',
         text))
     wanted = {re.sub(r"-1[0-9]$", "", word) for word in named.split()
               if re.fullmatch(r"[a-z][a-z0-9+.-]+", word)}

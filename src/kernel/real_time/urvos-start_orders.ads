@@ -25,7 +25,8 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       Begin_Start,   --  phases 1 and 2, for the master alone
       Load_Tasks);   --  phase 3
 
-   type Seat_Flags is array (Seat) of Boolean;
+   type Seat_Flags is array (Seat) of Boolean
+   with Alignment => 2;
 
    type Order is record
       Name      : Order_Name       := Stand_Still;
@@ -38,12 +39,14 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       --  set.
       Passed    : Boolean          := False;
       Number    : Processor_Number := 1;
-   end record;
+   end record
+   with Alignment => 2;
 
    type Activity is (Running, Stopping, Testing, Loading);
 
    --  The processors' numbers, as the master gives them (report, section 3.1).
-   type Number_List is array (Seat) of Processor_Number;
+   type Number_List is array (Seat) of Processor_Number
+   with Alignment => 2;
 
    --  1 if the processor Which is present and precedes Self, else 0.
    function Ahead (Present : Seat_Flags; Which, Self : Seat) return Natural is
@@ -94,7 +97,9 @@ package URVOS.Start_Orders with Pure, SPARK_Mode is
       --  The processors that have stopped, or have loaded their tasks.
       Done       : Seat_Flags       := (others => False);
    end record
-   with Predicate => (if Doing = Stopping then Is_Wanted);
+   with
+     Alignment => 2,
+     Predicate => (if Doing = Stopping then Is_Wanted);
 
    --  All seats of the node's processors are done.
    function All_Done (State : Node_State) return Boolean is

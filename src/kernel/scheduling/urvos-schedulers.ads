@@ -201,6 +201,7 @@ private
 
    type Turn_Table is array (TCB_Number) of Turn
    with
+     Alignment => 2,
      Predicate =>
        (for all A in TCB_Number =>
           (for all B in TCB_Number =>

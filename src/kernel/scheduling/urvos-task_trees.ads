@@ -66,9 +66,11 @@ package URVOS.Task_Trees with Pure, SPARK_Mode is
    type Task_Place is record
       Offset    : Minor_Frame;
       Processor : Processor_Number;
-   end record;
+   end record
+   with Alignment => 2;
 
    --  A task's place in each schedule.
-   type Task_Attributes is array (Schedule_Name) of Task_Place;
+   type Task_Attributes is array (Schedule_Name) of Task_Place
+   with Alignment => 2;
 
 end URVOS.Task_Trees;

@@ -16,6 +16,7 @@ package URVOS.Memories with Pure, SPARK_Mode is
 
    --  A whole image. Contracts and tests use it; the flight software reads
    --  byte by byte.
-   type Image is array (Byte_Address range <>) of Byte;
+   type Image is array (Byte_Address range <>) of Byte
+   with Alignment => 2;
 
 end URVOS.Memories;

@@ -1,0 +1,15 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The sizes of the MC68000's memories for the program and its self-test
+--  (BRD-3), as in image.ld.
+
+with URVOS.Memories; use URVOS.Memories;
+
+package Devices.Memory_Sizes with Pure, SPARK_Mode is
+
+   --  160 KiB of ROM, with the image's sum in the last four bytes, and 16 KiB
+   --  of RAM.
+   Last_ROM_Byte : constant Byte_Address := 16#2_7FFF#;
+   Last_RAM_Word : constant Word_Address := 16#1FFF#;
+
+end Devices.Memory_Sizes;

@@ -1,0 +1,813 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+
+/* One or two boards with an MC68000 each, in step (BRD-4, D-83). Musashi
+   executes the instructions and counts their cycles; everything else is here.
+
+     board MHZ OUTPUT NODE ROM TAPE [NODE ROM TAPE]
+
+   Memory of a board:
+
+     000000  160 KiB of ROM
+     100000   80 KiB of RAM, and 64 bytes more
+     F00001  MC68681: line on channel A, console on B; its timer gives the
+             character times. Level 6. X1 is 4 MHz, and inputs 3 and 4 are
+             2 MHz, for 125 kbaud.
+     F00021  MC68681: its timer gives the ticks. Level 4.
+     F10000  converter: channel (a write starts), data, vector, enable.
+             Level 5, 16 us after the start.
+     F20000  servos, 16 words
+     F30000  settings from the tape: flags, line delay in us; 1 when the flight
+             is over (long words); F3000C: 1 stops the time, 0 lets it go on;
+             F3000E ends the run
+
+   A node's time begins when its program first starts the second timer; a lag of
+   n ticks in its tape lets the timer start later. A character needs 96 us for
+   the line, so each board runs 48 us ahead of the other at most: the boards
+   need no other synchronisation, and the flight is the same on every machine.
+
+   The console of each node goes to OUTPUT/NODE.txt. Its last lines have the
+   cycles by tick, by major frame and by interrupt. */
+
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "m68k.h"
+#include "configuration.h"
+
+enum {
+   ROM_SIZE = 160 * 1024,
+   RAM_START = 0x100000,
+   RAM_SIZE = 80 * 1024 + 64,
+
+   CHARACTER_US = 96,
+   CONVERSION_US = 16,
+   TICK_US = 2000,
+   TICKS_PER_FRAME = 10,
+   SLICE_US = 48,
+
+   CHANNELS = 32,
+   SERVOS = 16,
+   NODES = 2,
+   FIFO = 3,
+   ON_LINE = 16,
+   HANDLERS = 8,
+
+   STOP = 0x4E72,
+   RETURN_FROM_EXCEPTION = 0x4E73,
+   STOP_CYCLES = 4,
+   INTERRUPT_CYCLES = 44
+};
+
+enum event { WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS };
+
+/* Status of a DUART's channel and interrupts */
+enum {
+   RECEIVED = 1, FIFO_FULL = 2, SENDER_READY = 4, SENDER_EMPTY = 8,
+   OVERRUN = 16, WRONG_PARITY = 32, WRONG_FRAME = 64,
+   COUNTER_READY = 8, RECEIVED_A = 2
+};
+
+struct duart {
+   uint8_t mode[2][2], place[2], clock[2], auxiliary, mask, vector, state;
+   uint16_t preload;
+   bool receives[2], sends[2], runs;
+   uint64_t next, period;             /* the timer's, in cycles */
+   uint8_t fifo[FIFO], errors;
+   int held;
+   uint64_t sender_free;
+};
+
+struct converter {
+   uint8_t vector;
+   uint16_t channel, data;
+   bool enabled, converting, ready;
+   uint64_t done;
+};
+
+struct character {
+   uint64_t time;
+   uint8_t data, format;
+};
+
+/* Cycles in units of a tick or of a major frame */
+struct figure {
+   uint64_t now, most, all, count;
+};
+
+struct handler {
+   int vector;
+   uint64_t begun;
+};
+
+struct node {
+   const char *name;
+   FILE *console;
+   void *processor;
+   bool ended, halted;
+
+   uint8_t rom[ROM_SIZE], ram[RAM_SIZE];
+   struct duart line, clock;
+   struct converter converter;
+   uint16_t servos[SERVOS];
+
+   struct character coming[ON_LINE];  /* sorted by time */
+   int characters;
+
+   const uint8_t *tape, *entry, *words;
+   uint32_t lag, flags, delay_us, length, entries;
+
+   uint64_t time;                     /* cycles, of the begun instructions */
+   uint64_t held_at;
+   bool begun, held;
+   uint64_t start;                    /* the time when the clock began */
+   uint32_t ticks;
+   int unexpected_interrupt;
+   const uint16_t *planted;           /* words in place of instructions */
+   unsigned planted_at, planted_words;
+
+   /* Measurement */
+   bool stopped;
+   uint64_t stopped_at, cut;
+   uint64_t tick_start, idle;
+   unsigned lost_times;               /* a timer's interrupt was still pending */
+   struct figure tick, frame;
+   struct handler handlers[HANDLERS];
+   int depth;
+   struct figure by_vector[256];
+};
+
+static struct node *nodes[NODES], *node;
+static int node_count;
+static unsigned mhz;
+static bool executing;
+
+static const uint16_t illegal_words[] = { 0x4AFC };
+static const uint16_t odd_words[] = { 0x3038, 0x0001 };   /* move.w 1.w,d0 */
+
+static void fail(const char *text, unsigned where)
+{
+   fprintf(stderr, "board: %s: %s %06x, instruction at %06x\n", node->name,
+           text, where, m68k_get_reg(NULL, M68K_REG_PPC));
+   exit(2);
+}
+
+static uint64_t cycles(unsigned microseconds)
+{
+   return (uint64_t)microseconds * mhz;
+}
+
+static uint64_t now(void)
+{
+   if (node->held)
+      return node->held_at;
+   return node->time + (executing ? (uint64_t)m68k_cycles_run() : 0);
+}
+
+static void look_again(void)
+{
+   if (executing)
+      m68k_end_timeslice();
+}
+
+/* Interrupts */
+
+static bool wants(const struct duart *duart)
+{
+   uint8_t state = duart->state;
+
+   if (duart->held > 0)
+      state |= RECEIVED_A;
+   return state & duart->mask;
+}
+
+static void request(void)
+{
+   int level = 0;
+
+   if (wants(&node->clock))
+      level = 4;
+   if (node->converter.ready && node->converter.enabled)
+      level = 5;
+   if (wants(&node->line))
+      level = 6;
+   if (node->unexpected_interrupt)
+      level = 6;
+   m68k_set_irq((unsigned)level);
+}
+
+int board_acknowledge(int level)
+{
+   int vector;
+
+   if (node->unexpected_interrupt) {
+      vector = node->unexpected_interrupt;
+      node->unexpected_interrupt = 0;
+   } else if (level == 6)
+      vector = node->line.vector;
+   else if (level == 5)
+      vector = node->converter.vector;
+   else
+      vector = node->clock.vector;
+   if (node->stopped) {
+      node->stopped = false;
+      if (now() < node->stopped_at)
+         /* It was pending: Musashi gives up the rest of the time. */
+         node->cut = node->stopped_at + INTERRUPT_CYCLES;
+      else
+         node->idle += now() - node->stopped_at;
+   }
+   if (node->depth < HANDLERS)
+      node->handlers[node->depth++] = (struct handler){ vector, now() };
+   return vector;
+}
+
+static void add(struct figure *figure)
+{
+   if (figure->now > figure->most)
+      figure->most = figure->now;
+   figure->all += figure->now;
+   figure->count++;
+   figure->now = 0;
+}
+
+void board_instruction(unsigned int pc)
+{
+   unsigned code;
+
+   if (pc >= ROM_SIZE - 1)
+      return;
+   code = (unsigned)node->rom[pc] << 8 | node->rom[pc + 1];
+   if (code == STOP) {
+      node->stopped = true;
+      node->stopped_at = now() + STOP_CYCLES;
+   } else if (code == RETURN_FROM_EXCEPTION && node->depth > 0) {
+      struct handler *ended = &node->handlers[--node->depth];
+      uint64_t spent = now() + 20 - ended->begun + INTERRUPT_CYCLES;
+
+      if (node->begun) {
+         node->by_vector[ended->vector].now = spent;
+         add(&node->by_vector[ended->vector]);
+      }
+      /* An interrupt before the first instruction of another handler. */
+      if (node->depth > 0)
+         node->handlers[node->depth - 1].begun += spent;
+   }
+   if (node->planted && node->planted_at == 0)
+      node->planted_at = pc;
+}
+
+/* MC68681 */
+
+static void reset_duart(struct duart *duart)
+{
+   memset(duart, 0, sizeof *duart);
+   duart->vector = 15;
+}
+
+static uint8_t status(const struct duart *duart, int channel)
+{
+   if (channel == 1)
+      return SENDER_READY | SENDER_EMPTY;
+   return (duart->held > 0 ? RECEIVED : 0)
+      | (duart->held == FIFO ? FIFO_FULL : 0)
+      | (duart->sends[0] && now() + cycles(CHARACTER_US) >= duart->sender_free
+         ? SENDER_READY : 0)
+      | (now() >= duart->sender_free ? SENDER_EMPTY : 0) | duart->errors;
+}
+
+static uint8_t format(const struct duart *duart)
+{
+   return (uint8_t)((duart->mode[0][0] & 0x1F) << 3
+                    ^ (duart->mode[0][1] & 0x0F) ^ duart->clock[0] << 1);
+}
+
+static void start_timer(struct duart *duart)
+{
+   /* Mode 6: X1 itself; a period has two times the preloaded count. */
+   if ((duart->auxiliary & 0x70) != 0x60)
+      fail("a timer mode that is not emulated", duart->auxiliary);
+   duart->period = (uint64_t)2 * duart->preload * mhz / 4;
+   duart->next = now() + duart->period;
+   duart->runs = true;
+   if (duart == &node->clock && !node->begun) {
+      node->begun = true;
+      node->start = now();
+      node->tick_start = now();
+      node->idle = 0;
+      memset(node->by_vector, 0, sizeof node->by_vector);
+      duart->next += (uint64_t)node->lag * cycles(TICK_US);
+   }
+   look_again();
+}
+
+static uint8_t read_duart(struct duart *duart, unsigned place)
+{
+   int channel = place >= 8 && place < 12;
+   uint8_t value;
+
+   switch (place) {
+   case 0: case 8:
+      value = duart->mode[channel][duart->place[channel]];
+      duart->place[channel] = 1;
+      return value;
+   case 1: case 9:
+      return status(duart, channel);
+   case 3:
+      value = duart->fifo[0];
+      if (duart->held > 0) {
+         memmove(duart->fifo, duart->fifo + 1, FIFO - 1);
+         duart->held--;
+      }
+      duart->errors &= (uint8_t)~(WRONG_PARITY | WRONG_FRAME);
+      break;
+   case 5:
+      return (uint8_t)(duart->state | (duart->held > 0 ? RECEIVED_A : 0));
+   case 12:
+      return duart->vector;
+   case 14:
+      start_timer(duart);
+      return 0xFF;
+   case 15:
+      duart->state &= (uint8_t)~COUNTER_READY;
+      value = 0xFF;
+      break;
+   default:
+      return 0xFF;
+   }
+   request();
+   return value;
+}
+
+static void send_character(struct duart *duart, uint8_t data)
+{
+   struct node *other = node_count < 2 ? NULL : nodes[node == nodes[0]];
+   uint64_t begin = now() > duart->sender_free ? now() : duart->sender_free;
+
+   if (!duart->sends[0])
+      return;
+   duart->sender_free = begin + cycles(CHARACTER_US);
+   if (!other || !node->begun || !other->begun || other->ended)
+      return;
+   if (other->characters == ON_LINE)
+      fail("characters on the line", ON_LINE);
+   other->coming[other->characters++] = (struct character){
+      duart->sender_free - node->start + other->start, data, format(duart) };
+}
+
+static void command(struct duart *duart, int channel, uint8_t value)
+{
+   switch (value >> 4 & 7) {
+   case 1: duart->place[channel] = 0; break;
+   case 2: duart->receives[channel] = false; duart->held = 0; break;
+   case 3: duart->sends[channel] = false; break;
+   case 4: duart->errors = 0; break;
+   default: break;
+   }
+   if (value & 1) duart->receives[channel] = true;
+   if (value & 2) duart->receives[channel] = false;
+   if (value & 4) duart->sends[channel] = true;
+   if (value & 8) duart->sends[channel] = false;
+}
+
+static void write_duart(struct duart *duart, unsigned place, uint8_t value)
+{
+   int channel = place >= 8 && place < 12;
+
+   switch (place) {
+   case 0: case 8:
+      duart->mode[channel][duart->place[channel]] = value;
+      duart->place[channel] = 1;
+      break;
+   case 1: case 9: duart->clock[channel] = value; break;
+   case 2: case 10: command(duart, channel, value); break;
+   case 3: send_character(duart, value); break;
+   case 4: duart->auxiliary = value; break;
+   case 5: duart->mask = value; break;
+   case 6:
+      duart->preload = (uint16_t)(value << 8 | (duart->preload & 0xFF));
+      break;
+   case 7: duart->preload = (uint16_t)((duart->preload & 0xFF00) | value); break;
+   case 11:
+      if (duart == &node->line)
+         putc(value, node->console);
+      break;
+   case 12: duart->vector = value; break;
+   default: break;
+   }
+   request();
+   look_again();
+}
+
+static void receive(struct duart *duart, const struct character *character)
+{
+   if (!duart->receives[0])
+      return;
+   if (character->format != format(duart))
+      duart->errors |= WRONG_FRAME;
+   if (duart->held == FIFO)
+      duart->errors |= OVERRUN;
+   else
+      duart->fifo[duart->held++] = character->data;
+}
+
+/* Converter */
+
+static uint16_t number(const uint8_t *from, int bytes)
+{
+   (void)bytes;
+   return (uint16_t)(from[0] | from[1] << 8);
+}
+
+static uint32_t long_number(const uint8_t *from)
+{
+   return number(from, 2) | (uint32_t)number(from + 2, 2) << 16;
+}
+
+static uint16_t read_converter(unsigned place)
+{
+   switch (place) {
+   case 0: return node->converter.channel;
+   case 2:
+      node->converter.ready = false;
+      request();
+      return node->converter.data;
+   default: return 0xFFFF;
+   }
+}
+
+static void write_converter(unsigned place, uint16_t value)
+{
+   struct converter *converter = &node->converter;
+
+   switch (place) {
+   case 0:
+      converter->channel = value % CHANNELS;
+      converter->converting = true;
+      converter->ready = false;
+      converter->done = now() + cycles(CONVERSION_US);
+      break;
+   case 4: converter->vector = (uint8_t)value; break;
+   case 6: converter->enabled = value & 1; break;
+   default: break;
+   }
+   request();
+   look_again();
+}
+
+/* Settings and the end */
+
+static uint32_t setting(unsigned place)
+{
+   switch (place) {
+   case 0: return node->flags;
+   case 4: return node->delay_us;
+   case 8: return now() - node->start >= node->length * cycles(CHARACTER_US);
+   default: return 0xFFFFFFFF;
+   }
+}
+
+static void print_figure(const char *name, const struct figure *figure)
+{
+   uint64_t count = figure->count ? figure->count : 1;
+
+   fprintf(node->console, " %s_worst %" PRIu64 " %s_mean %" PRIu64, name,
+           figure->most, name, figure->all / count);
+}
+
+static void end_run(void)
+{
+   fprintf(node->console, "cycles mhz %u characters %u lost_times %u", mhz,
+           node->length, node->lost_times);
+   print_figure("tick", &node->tick);
+   print_figure("frame", &node->frame);
+   for (int vector = 0; vector < 256; vector++)
+      if (node->by_vector[vector].count) {
+         char name[8];
+
+         sprintf(name, "int%d", vector);
+         print_figure(name, &node->by_vector[vector]);
+         fprintf(node->console, " %s_count %" PRIu64, name,
+                 node->by_vector[vector].count);
+      }
+   fprintf(node->console, " start %" PRIu64 "\n", node->start);
+   node->ended = true;
+   look_again();
+}
+
+static void control(unsigned place, uint16_t value)
+{
+   switch (place) {
+   case 0xC:
+      if (value && !node->held) {
+         node->held_at = now();
+         node->held = true;
+      } else if (!value && node->held) {
+         node->time = node->held_at - (uint64_t)m68k_cycles_run();
+         node->held = false;
+      }
+      break;
+   case 0xE: end_run(); break;
+   default: break;
+   }
+}
+
+void board_reset(void)
+{
+   struct converter none = { 0 };
+
+   reset_duart(&node->line);
+   reset_duart(&node->clock);
+   node->converter = none;
+   node->depth = 0;
+   request();
+}
+
+/* Memory */
+
+static struct duart *duart_at(unsigned where)
+{
+   return where >> 5 & 1 ? &node->clock : &node->line;
+}
+
+unsigned int m68k_read_memory_8(unsigned int where)
+{
+   where &= 0xFFFFFF;
+   if (where < ROM_SIZE)
+      return node->rom[where];
+   if (where - RAM_START < RAM_SIZE)
+      return node->ram[where - RAM_START];
+   if (where >> 6 == 0xF00000 >> 6)
+      return where & 1 ? read_duart(duart_at(where), where >> 1 & 15) : 0xFF;
+   fail("reads nothing at", where);
+   return 0;
+}
+
+unsigned int m68k_read_memory_16(unsigned int where)
+{
+   where &= 0xFFFFFF;
+   if (node->planted && node->planted_at != 0
+       && where == node->planted_at + 2 * node->planted_words)
+   {
+      unsigned word = node->planted[node->planted_words++];
+
+      if (node->planted == illegal_words || node->planted_words == 2)
+         node->planted = NULL;
+      return word;
+   }
+   if (where >> 4 == 0xF10000 >> 4)
+      return read_converter(where & 15);
+   if (where - 0xF20000 < 2 * SERVOS)
+      return node->servos[(where - 0xF20000) / 2];
+   return m68k_read_memory_8(where) << 8 | m68k_read_memory_8(where + 1);
+}
+
+unsigned int m68k_read_memory_32(unsigned int where)
+{
+   where &= 0xFFFFFF;
+   if (where >> 4 == 0xF30000 >> 4)
+      return setting(where & 15);
+   return m68k_read_memory_16(where) << 16 | m68k_read_memory_16(where + 2);
+}
+
+void m68k_write_memory_8(unsigned int where, unsigned int value)
+{
+   where &= 0xFFFFFF;
+   if (where - RAM_START < RAM_SIZE)
+      node->ram[where - RAM_START] = (uint8_t)value;
+   else if (where >> 6 == 0xF00000 >> 6) {
+      if (where & 1)
+         write_duart(duart_at(where), where >> 1 & 15, (uint8_t)value);
+   } else
+      fail("writes nothing at", where);
+}
+
+void m68k_write_memory_16(unsigned int where, unsigned int value)
+{
+   where &= 0xFFFFFF;
+   if (where >> 4 == 0xF10000 >> 4)
+      write_converter(where & 15, (uint16_t)value);
+   else if (where - 0xF20000 < 2 * SERVOS)
+      node->servos[(where - 0xF20000) / 2] = (uint16_t)value;
+   else if (where >> 4 == 0xF30000 >> 4)
+      control(where & 15, (uint16_t)value);
+   else {
+      m68k_write_memory_8(where, value >> 8 & 0xFF);
+      m68k_write_memory_8(where + 1, value & 0xFF);
+   }
+}
+
+void m68k_write_memory_32(unsigned int where, unsigned int value)
+{
+   m68k_write_memory_16(where, value >> 16);
+   m68k_write_memory_16(where + 2, value & 0xFFFF);
+}
+
+unsigned int m68k_read_disassembler_16(unsigned int where)
+{
+   return m68k_read_memory_16(where);
+}
+
+unsigned int m68k_read_disassembler_32(unsigned int where)
+{
+   return m68k_read_memory_32(where);
+}
+
+/* Time */
+
+static void play_tape(void)
+{
+   while (node->entries > 0 && long_number(node->entry) <= node->ticks) {
+      switch (long_number(node->entry + 4)) {
+      case WORDS: node->words = node->entry + 8; break;
+      case ILLEGAL_INSTRUCTION: node->planted = illegal_words; break;
+      case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = 200; break;
+      case ODD_ADDRESS: node->planted = odd_words; break;
+      default: fail("an event that is not emulated", 0);
+      }
+      node->planted_at = node->planted_words = 0;
+      node->entry += 8 + 2 * CHANNELS;
+      node->entries--;
+   }
+}
+
+static void count_tick(void)
+{
+   uint64_t idle = node->idle;
+
+   if (node->stopped) {
+      idle += now() - node->stopped_at;
+      node->stopped_at = now();
+   }
+   node->idle = 0;
+
+   /* Not the frame in which the run begins. */
+   if (node->ticks > TICKS_PER_FRAME) {
+      node->tick.now = now() - node->tick_start - idle;
+      node->frame.now += node->tick.now;
+      add(&node->tick);
+      if (node->ticks % TICKS_PER_FRAME == 0)
+         add(&node->frame);
+   }
+   node->tick_start = now();
+}
+
+static void run_timer(struct duart *duart)
+{
+   if (!duart->runs || node->held || duart->next > now())
+      return;
+   duart->next += duart->period;
+   if (duart->state & COUNTER_READY)
+      node->lost_times++;
+   duart->state |= COUNTER_READY;
+   if (duart == &node->clock) {
+      node->ticks++;
+      count_tick();
+      play_tape();
+   }
+}
+
+static void run_devices(void)
+{
+   struct converter *converter = &node->converter;
+
+   run_timer(&node->line);
+   run_timer(&node->clock);
+   if (converter->converting && converter->done <= now()) {
+      converter->converting = false;
+      converter->ready = true;
+      converter->data =
+         number(node->words + 2 * converter->channel, 2) & 0xFFF;
+   }
+   while (node->characters > 0 && node->coming[0].time <= now()) {
+      receive(&node->line, &node->coming[0]);
+      memmove(node->coming, node->coming + 1,
+              (size_t)--node->characters * sizeof node->coming[0]);
+   }
+   request();
+}
+
+static void sooner(uint64_t *time, bool when, uint64_t candidate)
+{
+   if (when && candidate < *time)
+      *time = candidate;
+}
+
+static void run(uint64_t until)
+{
+   m68k_set_context(node->processor);
+   while (!node->ended && node->time < until) {
+      uint64_t next = until;
+      int used;
+
+      sooner(&next, node->line.runs, node->line.next);
+      sooner(&next, node->clock.runs, node->clock.next);
+      sooner(&next, node->converter.converting, node->converter.done);
+      sooner(&next, node->characters > 0, node->coming[0].time);
+      if (next <= node->time)
+         next = node->time + 1;
+      executing = true;
+      node->cut = 0;
+      used = m68k_execute((int)(next - node->time));
+      executing = false;
+      if (node->held)
+         node->time = node->held_at;
+      else
+         node->time = node->cut ? node->cut : node->time + (uint64_t)used;
+      run_devices();
+   }
+   m68k_get_context(node->processor);
+}
+
+static uint8_t *contents(const char *path, size_t *length)
+{
+   static uint8_t buffer[1 << 22];
+   FILE *file = fopen(path, "rb");
+   uint8_t *data;
+
+   if (!file) {
+      perror(path);
+      exit(2);
+   }
+   *length = fread(buffer, 1, sizeof buffer, file);
+   fclose(file);
+   data = malloc(*length + 1);
+   if (!data)
+      exit(2);
+   memcpy(data, buffer, *length);
+   return data;
+}
+
+static struct node *power_up(const char *output, char **arguments)
+{
+   static uint8_t neutral[2 * CHANNELS];
+   char path[4096];
+   size_t length;
+   uint8_t *rom = contents(arguments[1], &length);
+
+   node = calloc(1, sizeof *node);
+   if (!node || length > ROM_SIZE)
+      exit(2);
+   memcpy(node->rom, rom, length);
+   node->name = arguments[0];
+   snprintf(path, sizeof path, "%s/%s.txt", output, node->name);
+   node->console = fopen(path, "w");
+   if (!node->console) {
+      perror(path);
+      exit(2);
+   }
+   node->tape = contents(arguments[2], &length);
+   node->lag = long_number(node->tape);
+   node->delay_us = long_number(node->tape + 8);
+   node->flags = long_number(node->tape + 12);
+   node->length = long_number(node->tape + 16);
+   node->entries = long_number(node->tape + 20);
+   node->entry = node->tape + 24;
+   node->words = neutral;
+   node->processor = calloc(1, m68k_context_size());
+   m68k_set_cpu_type(M68K_CPU_TYPE_68000);
+   board_reset();
+   m68k_pulse_reset();
+   m68k_get_context(node->processor);
+   return node;
+}
+
+int main(int count, char **arguments)
+{
+   uint64_t time = 0;
+
+   if (count != 6 && count != 9) {
+      fprintf(stderr, "usage: board MHZ OUTPUT NODE ROM TAPE"
+              " [NODE ROM TAPE]\n");
+      return 2;
+   }
+   mhz = (unsigned)atoi(arguments[1]);
+   if (mhz < 4 || mhz > 400) {
+      fprintf(stderr, "board: %s: not 4 to 400 MHz\n", arguments[1]);
+      return 2;
+   }
+   m68k_init();
+   for (int each = 3; each < count; each += 3)
+      nodes[node_count++] = power_up(arguments[2], arguments + each);
+
+   /* Up to the time when the clocks begin. */
+   for (int each = 0; each < node_count; each++) {
+      node = nodes[each];
+      while (!node->begun && !node->ended)
+         run(node->time + 1);
+   }
+   for (bool all = false; !all; time += cycles(SLICE_US)) {
+      all = true;
+      for (int each = 0; each < node_count; each++) {
+         node = nodes[each];
+         run(node->start + time);
+         all = all && node->ended;
+      }
+   }
+   for (int each = 0; each < node_count; each++)
+      fclose(nodes[each]->console);
+   return 0;
+}

@@ -1,0 +1,258 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The MC68000's board as board.c emulates it (BRD-4, D-83): two MC68681, the
+--  converter's and the servos' boards, and registers of the emulator for the
+--  settings of a flight and for its record.
+--
+--  The timer of the first MC68681 gives the character times, that of the
+--  second one the ticks. The receiver interrupts for each character.
+
+with Machine_Texts;           use Machine_Texts;
+with MC68681;                 use MC68681;
+with System.Storage_Elements; use System.Storage_Elements;
+
+package body Targets is
+
+   --  The handlers; see targets.ads
+
+   procedure On_Tick
+   with Import, Convention => C, External_Name => "urv_tick";
+   procedure On_Character_Time
+   with Import, Convention => C, External_Name => "urv_character_time";
+   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_character";
+   procedure On_Free_Sender
+   with Import, Convention => C, External_Name => "urv_free_sender";
+   procedure On_Converted (Value : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_converted";
+
+   procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32)
+   with Import, Convention => C, External_Name => "urv_configure";
+   procedure Put_Row
+   with Import, Convention => C, External_Name => "urv_put_row";
+   procedure Put_Counts
+   with Import, Convention => C, External_Name => "urv_put_counts";
+
+   procedure Wait_For_Interrupt
+   with Import, Convention => C, External_Name => "urv_wait";
+
+   function Take (Lock : access Lock_Byte) return Integer_32
+   with Import, Convention => C, External_Name => "urv_test_and_set";
+
+   Kept : array (0 .. 3) of Unsigned_32
+   with Volatile, Import, Convention => C, External_Name => "urv_kept";
+
+   Memory_Is_Kept : constant Unsigned_32 := 16#4B45_5054#;   --  "KEPT"
+
+   --  Interrupts by vector, as in start.s
+
+   Line_Vector  : constant Register := 16#41#;
+   Clock_Vector : constant Register := 16#42#;
+
+   --  The chips' clock has 4 MHz: 96 us, 2 ms.
+   Counts_Per_Character : constant := 4 * 96 / 2;
+   Counts_Per_Tick      : constant := 4 * 2_000 / 2;
+
+   --  The converter's board
+
+   type Board_Word is new Unsigned_16 with Volatile;
+
+   type Converter_Board is limited record
+      Channel   : Board_Word;   --  a write starts a conversion
+      Data      : Board_Word;
+      Vector    : Board_Word;
+      Interrupt : Board_Word;   --  1: enabled
+   end record;
+
+   Converter : Converter_Board
+   with Import, Volatile, Address => To_Address (16#F1_0000#);
+
+   Servos : Devices.PWM_Board.Data_Area
+   with Import, Volatile, Address => To_Address (16#F2_0000#);
+
+   --  The emulator's registers
+
+   type Emulator_Board is limited record
+      Flags      : Unsigned_32;
+      Line_Delay : Unsigned_32;
+      Is_Over    : Unsigned_32;   --  1 after the flight's time
+      Stop_Time  : Board_Word;    --  1: no time passes
+      End_Run    : Board_Word;
+   end record;
+
+   Emulator : Emulator_Board
+   with Import, Volatile, Address => To_Address (16#F3_0000#);
+
+   Ticks     : Unsigned_32 := 0;
+   Has_Begun : Boolean     := False;
+
+   procedure On_Line
+   with Export, Convention => C, External_Name => "urv_line_interrupt";
+
+   procedure On_Clock
+   with Export, Convention => C, External_Name => "urv_clock_interrupt";
+
+   procedure On_Converter
+   with Export, Convention => C, External_Name => "urv_converter_interrupt";
+
+   --  Starts a chip's timer with a period of twice this count.
+   procedure Start_Timer (Chip : in out MC68681.Chip; Count : Unsigned_16);
+
+   --  Some registers act when they are read.
+   procedure Touch (Item : Register);
+
+   procedure Begin_Character_Time;
+
+   procedure Touch (Item : Register) is null;
+
+   procedure Start_Timer (Chip : in out MC68681.Chip; Count : Unsigned_16) is
+   begin
+      Chip.Auxiliary := Timer_On_Clock;
+      Chip.Count_High := Register (Count / 256);
+      Chip.Count_Low := Register (Count mod 256);
+      Touch (Chip.Start_Counter);
+   end Start_Timer;
+
+   procedure Open is
+   begin
+      Line_Chip.Command_A := Reset_Receiver;
+      Line_Chip.Command_A := Reset_Sender;
+      Line_Chip.Command_A := Reset_Errors;
+      Line_Chip.Command_A := Reset_Mode;
+      Line_Chip.Mode_A := Even_Parity_8_Bits;
+      Line_Chip.Mode_A := Two_Stop_Bits;
+      Line_Chip.Status_A := Outside_Clock;
+      Line_Chip.Command_A := Receiver_On + Sender_On;
+      Line_Chip.Command_B := Sender_On;
+      Line_Chip.Vector := Line_Vector;
+      Clock_Chip.Vector := Clock_Vector;
+      Converter.Vector := Board_Word (Devices.AD_Board.Interrupt_Vector);
+      Converter.Interrupt := 1;
+      if not Has_Begun then
+         Configure (Emulator.Flags, Emulator.Line_Delay);
+      end if;
+      if Kept (3) > 0 then
+         Put ("restarts");
+         Put_Labelled ("count", Kept (3));
+         Put_Labelled ("reason", Kept (2));
+         Put_Line;
+      end if;
+   end Open;
+
+   procedure Keep_Memory is
+   begin
+      Kept (0) := Memory_Is_Kept;
+   end Keep_Memory;
+
+   procedure Start_Clock is
+   begin
+      Has_Begun := True;
+      Start_Timer (Clock_Chip, Counts_Per_Tick);
+      Start_Timer (Line_Chip, Counts_Per_Character);
+      Clock_Chip.Interrupts := Timer_Interrupt;
+      Line_Chip.Interrupts := Timer_Interrupt + Receiver_Interrupt;
+      Restore (16#2000#);
+   end Start_Clock;
+
+   procedure Begin_Character_Time is
+   begin
+      if Emulator.Is_Over = 1 then
+         Emulator.Stop_Time := 1;
+         Put_Counts;
+         Emulator.End_Run := 1;
+      end if;
+      On_Character_Time;
+      if (Line_Chip.Status_A and Takes_Character) /= 0 then
+         On_Free_Sender;
+      end if;
+   end Begin_Character_Time;
+
+   procedure On_Line is
+      Status : Register;
+   begin
+      if (Line_Chip.Interrupts and Timer_Interrupt) /= 0 then
+         Touch (Line_Chip.Stop_Counter);
+         Begin_Character_Time;
+      end if;
+      loop
+         Status := Line_Chip.Status_A;
+         exit when (Status and Received) = 0;
+         if (Status and Errors) /= 0 then
+            Line_Chip.Command_A := Reset_Errors;
+         end if;
+         On_Character
+           (Unsigned_32 (Line_Chip.Data_A),
+            (if (Status and Errors) = 0 then 0 else 1));
+      end loop;
+   end On_Line;
+
+   procedure On_Clock is
+   begin
+      Touch (Clock_Chip.Stop_Counter);
+      Ticks := Ticks + 1;
+      if Ticks mod 10 = 0 then
+         Emulator.Stop_Time := 1;
+         Put ("row");
+         Put_Labelled ("frame", Ticks / 10 - 1);
+         Put_Row;
+         Emulator.Stop_Time := 0;
+      end if;
+      On_Tick;
+   end On_Clock;
+
+   procedure On_Converter is
+   begin
+      On_Converted (Unsigned_32 (Converter.Data));
+   end On_Converter;
+
+   procedure Wait is
+   begin
+      Wait_For_Interrupt;
+   end Wait;
+
+   procedure Test_And_Set (Lock : in out Lock_Byte; Was_Free : out Boolean) is
+      Place : aliased Lock_Byte with Import, Address => Lock'Address;
+   begin
+      Was_Free := Take (Place'Access) /= 0;
+   end Test_And_Set;
+
+   procedure Send (Data : Byte) is
+   begin
+      Line_Chip.Data_A := Register (Data);
+   end Send;
+
+   procedure Convert (Channel : Devices.AD_Board.Channel_Number) is
+   begin
+      Converter.Channel := Board_Word (Channel);
+   end Convert;
+
+   procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
+   begin
+      Servos := Area;
+   end Write_Servos;
+
+   procedure Put (Text : String) is
+   begin
+      for Each of Text loop
+         while (Line_Chip.Status_B and Takes_Character) = 0 loop
+            null;
+         end loop;
+         Line_Chip.Data_B := Character'Pos (Each);
+      end loop;
+   end Put;
+
+   function Stack_Used return Unsigned_32 is
+      Size  : constant := 16#4000#;
+      Words : array (Unsigned_32 range 0 .. Size / 4 - 1) of Unsigned_32
+      with Import, Volatile_Components, External_Name => "urv_stack_bottom";
+      Free_Words : Unsigned_32 := 0;
+   begin
+      while Free_Words < Size / 4
+        and then Words (Free_Words) = 16#5AA5_5AA5#
+      loop
+         Free_Words := Free_Words + 1;
+      end loop;
+      return Size - 4 * Free_Words;
+   end Stack_Used;
+
+end Targets;

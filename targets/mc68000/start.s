@@ -1,0 +1,148 @@
+| SPDX-License-Identifier: Apache-2.0
+
+| Vectors and start-up of the MC68000 (BRD-2, BRD-4, D-81).
+|
+| The four long words at urv_kept survive a restart:
+|    0  "KEPT" once a program has been elaborated: memory is worth keeping
+|    4  "STRT" when the processor restarts itself; any other reset is the
+|       reset switch, or power up without the first word
+|    8  the reason: the exception's vector, or 256 plus a line of Ada
+|   12  the number of restarts
+
+	kept = 0x4b455054
+	restart = 0x53545254
+
+	first_of_boards = 64
+	boards = 3
+
+	.macro	stubs from, to
+	number = \from
+	.rept	\to - \from + 1
+	.long	urv_stubs + 4 * number
+	number = number + 1
+	.endr
+	.endm
+
+	.section .vectors, "a"
+	.long	urv_stack_top
+	.long	urv_reset
+	stubs	2, first_of_boards - 1
+	.long	urv_on_converter
+	.long	urv_on_line
+	.long	urv_on_clock
+	stubs	first_of_boards + boards, 255
+
+	.text
+
+| The handlers do not interrupt each other.
+	.macro	handler name, ada
+\name:	move.w	#0x2700, %sr
+	movem.l	%d0-%d1/%a0-%a1, -(%sp)
+	jsr	\ada
+	movem.l	(%sp)+, %d0-%d1/%a0-%a1
+	rte
+	.endm
+	handler	urv_on_converter, urv_converter_interrupt
+	handler	urv_on_line, urv_line_interrupt
+	handler	urv_on_clock, urv_clock_interrupt
+
+	.globl	urv_reset
+urv_reset:
+	move.w	#0x2700, %sr
+	lea	urv_kept, %a3
+	cmp.l	#kept, (%a3)
+	jeq	4f
+
+	| Power up: give variables their first values.
+	lea	urv_data_load, %a0
+	lea	urv_data_start, %a1
+	lea	urv_data_end, %a2
+	jra	2f
+1:	move.l	(%a0)+, (%a1)+
+2:	cmp.l	%a2, %a1
+	jcs	1b
+	lea	urv_bss_start, %a1
+	lea	urv_bss_end, %a2
+	moveq	#0, %d0
+	jsr	urv_fill
+	clr.l	4(%a3)
+	clr.l	12(%a3)
+
+	| Fill the stack with a pattern that shows its depth.
+	lea	urv_stack_bottom, %a1
+	lea	-4(%sp), %a2
+	move.l	#0x5aa55aa5, %d0
+	jsr	urv_fill
+	jsr	main
+	illegal
+
+	| Memory is kept. Condition 1 is the reset switch, 2 a restart.
+4:	moveq	#1, %d0
+	cmp.l	#restart, 4(%a3)
+	jne	5f
+	moveq	#2, %d0
+5:	clr.l	4(%a3)
+	move.l	%d0, -(%sp)
+	jsr	urv_run
+	illegal
+
+| Fills from a1 to a2 with d0.
+urv_fill:
+	jra	7f
+6:	move.l	%d0, (%a1)+
+7:	cmp.l	%a2, %a1
+	jcs	6b
+	rts
+
+| An unexpected interrupt or an exception. A 68000 does not stack the vector's
+| number, so each vector has its own call.
+urv_stubs:
+	.rept	256
+	bsr.w	urv_unexpected
+	.endr
+
+urv_unexpected:
+	move.w	#0x2700, %sr
+	move.l	(%sp), %d0
+	sub.l	#urv_stubs + 4, %d0
+	lsr.l	#2, %d0
+	jra	8f
+	.globl	urv_restart_processor
+urv_restart_processor:
+	move.w	#0x2700, %sr
+	move.l	4(%sp), %d0
+8:	lea	urv_kept, %a3
+	move.l	%d0, 8(%a3)
+	move.l	#restart, 4(%a3)
+	addq.l	#1, 12(%a3)
+	reset
+	lea	urv_stack_top, %sp
+	jmp	urv_reset
+
+	.globl	urv_mask_interrupts
+urv_mask_interrupts:
+	moveq	#0, %d0
+	move.w	%sr, %d0
+	move.w	#0x2700, %sr
+	rts
+
+	.globl	urv_restore_interrupts
+urv_restore_interrupts:
+	move.w	6(%sp), %sr
+	rts
+
+| Takes a pending interrupt, or the next one.
+	.globl	urv_wait
+urv_wait:
+	stop	#0x2000
+	rts
+
+| Ada's Test_And_Set: the result is 1 if the byte was free.
+	.globl	urv_test_and_set
+urv_test_and_set:
+	move.l	4(%sp), %a0
+	moveq	#0, %d0
+	tas	(%a0)
+	jne	9f
+	moveq	#1, %d0
+9:	rts
