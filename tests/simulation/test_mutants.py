@@ -117,13 +117,6 @@ def test_contracts_and_proof_aids_are_left_alone(found):
             assert word not in line
 
 
-def test_the_same_are_chosen_again(found):
-    chosen = mutants.chosen(found, 1, 0.5, 3, 99)
-    assert chosen == mutants.chosen(list(reversed(found)), 1, 0.5, 3, 99)
-    assert len(chosen) == round(0.5 * len(found))
-    assert {m.operator for m in chosen} == {m.operator for m in found}
-
-
 def test_each_folder_of_src_has_its_turn_and_tests():
     folders = {path.name for path in (ROOT / "src").iterdir()}
     assert sorted(mutants.FOLDERS) == sorted(folders)
