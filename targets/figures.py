@@ -16,7 +16,7 @@ import emulated
 
 CYCLES_PER_TICK = 168_000 * emulated.TICK_MS
 
-# Of the report's controller and its telemetry board.
+# The times of the report's controller and its telemetry board, in cycles.
 CYCLES_PER_FRAME = 10_000 * emulated.FRAME_MS
 CYCLES_PER_CHARACTER = 10 * emulated.CHARACTER_US
 
