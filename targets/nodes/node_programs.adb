@@ -1,11 +1,18 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Bare_Memories;
+pragma Unreferenced (Bare_Memories);
 with Devices.AD_Board; use Devices.AD_Board;
-with Interfaces;       use Interfaces;
+with Last_Chance;
+pragma Unreferenced (Last_Chance);
+with Machine_Needs;
+pragma Unreferenced (Machine_Needs);
 with Machine_Texts;    use Machine_Texts;
 with Targets;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards;
+with URV.CORE_Memory;
+with URVOS;            use URVOS;
 
 package body Node_Programs is
 
@@ -33,6 +40,8 @@ package body Node_Programs is
    procedure Hurry;
 
    procedure Sleep;
+
+   procedure Run (Condition : Start_Condition) with No_Return;
 
    procedure Elapse (Elapsed : out Character_Times) is
       Passed : constant Unsigned_32 := Character_Count - Told;
@@ -69,12 +78,13 @@ package body Node_Programs is
       Character_Count := Character_Count + 1;
    end On_Character_Time;
 
-   procedure On_Character (Data : Byte; Damaged : Boolean) is
+   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32) is
       Elapsed   : Character_Times;
       May_Speak : Boolean;
    begin
       Elapse (Elapsed);
-      Telemetry_Board.Accept_Character (Elapsed, Data, Damaged, May_Speak);
+      Telemetry_Board.Accept_Character
+        (Elapsed, Byte (Data and 255), Damaged /= 0, May_Speak);
       if May_Speak then
          Hurry;
       end if;
@@ -99,11 +109,11 @@ package body Node_Programs is
       end if;
    end On_Free_Sender;
 
-   procedure On_Converted (Value : Word) is
+   procedure On_Converted (Value : Unsigned_32) is
       Interrupt : Boolean;
    begin
       Is_Converting := False;
-      AD_Board.Finish (Value, Interrupt);
+      AD_Board.Finish (Word (Value and 16#FFF#), Interrupt);
       if Interrupt then
          AD_Interrupt;
       end if;
@@ -168,6 +178,39 @@ package body Node_Programs is
          end if;
       end loop;
    end Run;
+
+   procedure Run (Condition : Integer_32) is
+   begin
+      Run (if Condition = 2 then Processor_Restart else Warm_Reset);
+   end Run;
+
+   procedure Start is
+   begin
+      Targets.Keep_Memory;
+      Run (Cold_Start);
+   end Start;
+
+   procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32) is
+   begin
+      Set_Laws ((Flags and 1) /= 0);
+      Telemetry_Board.Set_Round_Trip (Round_Trip_Of (Integer (Line_Delay)));
+   end Configure;
+
+   procedure Put_Row is
+      CORE : constant URV.CORE_Memory.Memory := CORE_Memory.Contents;
+   begin
+      for Each of CORE.Uplink loop
+         Put_Word (Unsigned_16 (Each));
+      end loop;
+      for Each of CORE.Downlink loop
+         Put_Word (Unsigned_16 (Each));
+      end loop;
+      for Each of CORE.Status loop
+         Put_Word (Unsigned_16 (Each));
+      end loop;
+      Put_Outputs;
+      Put_Line;
+   end Put_Row;
 
    procedure Put_Counts is
       Tally : constant Telemetry.Boards.Statistics := Telemetry_Board.Tally;

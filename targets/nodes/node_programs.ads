@@ -1,12 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  A node's program on a bare machine (BRD-1), in place of a host's
---  partitions. The main program of a node has one instance and exports the
---  handlers of targets.ads.
+--  partitions, with the handlers that targets.ads lists. An image has one
+--  instance.
 
 with Devices.Shared_AD_Board;
+with Interfaces;   use Interfaces;
 with Telemetry.Shared_Boards;
-with URVOS;        use URVOS;
+with URV.Shared_CORE_Memory;
 with URVOS.Bare_Nodes;
 with URVOS.Starts; use URVOS.Starts;
 
@@ -14,6 +15,7 @@ generic
    Name            : String;
    AD_Board        : in out Devices.Shared_AD_Board.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
 
    with package Node is new URVOS.Bare_Nodes (<>);
    with procedure Begin_Start (Condition : Start_Condition);
@@ -24,23 +26,51 @@ generic
    --  words that the tasks have written.
    with procedure Tick_Boards is null;
    with procedure Write_Outputs is null;
+
+   --  For the emulator: the control laws on or off before the start, and the
+   --  words of the outputs as text.
+   with procedure Set_Laws (On : Boolean) is null;
+   with procedure Put_Outputs is null;
 package Node_Programs is
 
-   procedure Run (Condition : Start_Condition) with No_Return;
+   --  An image has one instance.
+   pragma Warnings (Off, "all instances of * same external name");
 
-   --  The handlers
+   --  Starts the node at power up.
+   procedure Start with No_Return;
 
-   procedure On_Tick;
+   --  Starts the node with its memory kept. Condition is 1 for the reset
+   --  switch, 2 for a restart of the processor.
+   procedure Run (Condition : Integer_32)
+   with Export, Convention => C, External_Name => "urv_run", No_Return;
 
-   procedure On_Character_Time;
+private
 
-   procedure On_Character (Data : Byte; Damaged : Boolean);
+   procedure On_Tick
+   with Export, Convention => C, External_Name => "urv_tick";
 
-   procedure On_Free_Sender;
+   procedure On_Character_Time
+   with Export, Convention => C, External_Name => "urv_character_time";
 
-   procedure On_Converted (Value : Word);
+   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
+   with Export, Convention => C, External_Name => "urv_character";
 
-   --  Writes the counts as a line of text.
-   procedure Put_Counts;
+   procedure On_Free_Sender
+   with Export, Convention => C, External_Name => "urv_free_sender";
+
+   procedure On_Converted (Value : Unsigned_32)
+   with Export, Convention => C, External_Name => "urv_converted";
+
+   --  For the emulator: settings before the start, a row of words at the end
+   --  of a major frame, and the counts
+
+   procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32)
+   with Export, Convention => C, External_Name => "urv_configure";
+
+   procedure Put_Row
+   with Export, Convention => C, External_Name => "urv_put_row";
+
+   procedure Put_Counts
+   with Export, Convention => C, External_Name => "urv_put_counts";
 
 end Node_Programs;
