@@ -4,7 +4,7 @@
 # explains them. Measurements have a Makefile of their own, in evidence.
 
 .PHONY: help fly ground monte_carlo test check prove real_time cortex_m mc68000 \
-        trace clean
+        cost trace clean
 
 GPRBUILD := gprbuild -q -p -j0
 
@@ -18,6 +18,8 @@ help:
 	@echo "  make cortex_m   build both nodes for a bare Cortex-M4, fly them in"
 	@echo "                  QEMU, compare them with the simulation"
 	@echo "  make mc68000    the same on the report's processor, in Musashi"
+	@echo "  make cost       cycles and stack on the bare machines, beside the"
+	@echo "                  baseline; RENEW=--renew writes it"
 	@echo "  make check      the quick tests: after each change"
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
@@ -89,6 +91,19 @@ mc68000:
 	@targets/build.sh mc68000 gsc
 	@targets/build.sh mc68000 mcs
 	@python3 -B targets/figures.py mc68000
+
+# RENEW=--renew writes the figures as the new baseline.
+cost:
+	@scripts/setup.sh cortex_m
+	@scripts/setup.sh mc68000
+	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
+	@targets/mc68000/musashi/build_board.sh
+	@for machine in cortex_m mc68000; do \
+	   for node in gsc mcs; do \
+	      targets/build.sh $$machine $$node || exit 1; \
+	   done; \
+	done
+	@python3 -B targets/cost.py $(RENEW)
 
 trace:
 	@scripts/setup.sh trace

@@ -13,6 +13,7 @@ cd "$(dirname "$0")/.."
 root=$PWD
 machine=$1
 node=$2
+listing=
 
 case $machine in
    cortex_m)
@@ -24,8 +25,10 @@ case $machine in
    mc68000)
       prefix=m68k-linux-gnu-
       processor="-m68000"
-      # This compiler joins stores to odd addresses, which a 68000 traps.
+      # This compiler joins stores to odd addresses, which a 68000 traps. The
+      # files .rep have the representation of the types (BRD-4).
       switches="$processor -fno-pie -fno-store-merging"
+      listing=-gnatR1s
       folders="targets/mc68000 targets/mc68000/musashi"
       rom_size=163840 ;;
    *)
@@ -68,7 +71,7 @@ cd objects
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
    --RTS=../runtime $include "$up/targets/nodes/${node}_image.adb" \
-   -cargs $language $optimise $switches
+   -cargs $language $listing -fcallgraph-info=su $optimise $switches
 cd "../$node"
 # shellcheck disable=SC2086
 "${prefix}gnatbind-12" --RTS=../runtime -aO../objects $include \

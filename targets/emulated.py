@@ -30,8 +30,11 @@ TAPE_ADDRESS = 0x08080000
 ICOUNT_SHIFT = 3
 CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
 
-# Only the MC68000 has events for an odd address.
-WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS = range(4)
+WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
+
+# Only the MC68000 has these. The last three befall the next character that its
+# line receives.
+ODD_ADDRESS, PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER = range(3, 7)
 
 LAWS_ON = 1
 

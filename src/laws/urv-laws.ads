@@ -45,7 +45,8 @@ package URV.Laws with Pure, SPARK_Mode is
       Lateral  : Lateral_Mode  := Direct;
       Vertical : Vertical_Mode := Direct;
       Power    : Power_Mode    := Direct;
-   end record;
+   end record
+   with Alignment => 2;
 
    All_Direct : constant Modes := (others => <>);
 
@@ -57,7 +58,8 @@ package URV.Laws with Pure, SPARK_Mode is
 
    --  The outputs that are the stick's own words again after a law has ended.
    type Axis is (Roll_Axis, Pitch_Axis, Yaw_Axis, Throttle_Axis);
-   type Axis_Flags is array (Axis) of Boolean;
+   type Axis_Flags is array (Axis) of Boolean
+   with Alignment => 2;
 
    type Memory is record
       Link     : Link_Memory;

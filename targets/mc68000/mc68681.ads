@@ -53,6 +53,9 @@ package MC68681 is
    --  Status
    Received        : constant Register := 2#0000_0001#;
    Takes_Character : constant Register := 2#0000_0100#;
+   Overrun         : constant Register := 2#0001_0000#;
+   Wrong_Parity    : constant Register := 2#0010_0000#;
+   Wrong_Framing   : constant Register := 2#0100_0000#;
    Errors          : constant Register := 2#1111_0000#;
 
    --  Commands

@@ -27,6 +27,10 @@ package body Node_Programs is
    --  A conversion is under way.
    Is_Converting : Boolean := False with Volatile;
 
+   --  The clock has ticked since the node last looked for work. Looking costs
+   --  more than most interrupts.
+   Has_Ticked : Boolean := False with Volatile;
+
    --  The last interrupt of a scan has been handled.
    Scan_Ended : Boolean := False with Volatile;
 
@@ -71,6 +75,7 @@ package body Node_Programs is
    begin
       Tick_Boards;
       Node.Clock_Interrupt;
+      Has_Ticked := True;
    end On_Tick;
 
    procedure On_Character_Time is
@@ -124,7 +129,7 @@ package body Node_Programs is
    procedure Sleep is
       Before : constant Targets.Mask_State := Targets.Mask;
    begin
-      if not Node.Has_Work and then not Scan_Ended then
+      if not Has_Ticked and then not Scan_Ended then
          Targets.Wait;
       end if;
       Targets.Restore (Before);
@@ -135,6 +140,7 @@ package body Node_Programs is
       Targets.Open;
       Is_Converting := False;
       Scan_Ended := False;
+      Has_Ticked := True;
       if Condition /= Processor_Restart then
          Telemetry_Board.Start;
       end if;
@@ -163,11 +169,14 @@ package body Node_Programs is
          Put_Line (" started");
       end if;
       loop
-         if Node.Has_Work then
-            Node.Serve;
-            Write_Outputs;
-            Serve_Converter;
-            Hurry;
+         if Has_Ticked then
+            Has_Ticked := False;
+            while Node.Has_Work loop
+               Node.Serve;
+               Write_Outputs;
+               Serve_Converter;
+               Hurry;
+            end loop;
          elsif Scan_Ended then
             Scan_Ended := False;
             Node.Look_Again;

@@ -2,15 +2,12 @@
 """Checks that are the same on each bare machine (BRD-1 to BRD-3)."""
 
 import shutil
-import sys
 from pathlib import Path
 
+import emulated
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "targets"))
-
-import emulated  # noqa: E402
 
 SECONDS = 6
 

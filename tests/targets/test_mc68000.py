@@ -4,6 +4,7 @@ beside the simulation of the same flight."""
 
 import pytest
 
+import alignments
 import bare
 import emulated
 
@@ -11,6 +12,9 @@ MACHINE = emulated.MC68000_BOARD
 pytestmark = bare.needs(MACHINE, MACHINE.archive)
 
 ILLEGAL, ADDRESS_ERROR, UNUSED_VECTOR = 4, 3, 200
+
+# The bytes of any object, which are never copied as a whole.
+ALLOWED = {"memory_operations.adb Bytes"}
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -42,6 +46,27 @@ def test_brd3_tst1_a_changed_bit_of_the_image_is_refused(tmp_path, place):
     bare.refuses_a_changed_bit(MACHINE, tmp_path, place)
 
 
+def test_brd4_errors_of_the_line_are_counted_and_spoil_a_block(tmp_path):
+    """The line goes on after a wrong parity, a wrong frame and a character
+    that came too soon."""
+    gsc, mcs = emulated.Tape(2), emulated.Tape(2, lag=emulated.LAG)
+    for number, event in enumerate((
+            emulated.PARITY_ERROR, emulated.FRAMING_ERROR,
+            emulated.LOST_CHARACTER)):
+        mcs.plant(500 + 300 * number, event)
+    runs = MACHINE.fly({"gsc": gsc, "mcs": mcs}, tmp_path)
+    numbers = runs["mcs"].numbers
+    assert [numbers[name] for name in ("parity_errors", "framing_errors",
+                                       "lost_characters")] == [1, 1, 1]
+    # Each loses a block, and the boards begin again.
+    lost = runs["gsc"].numbers["sent"] - numbers["received"]
+    assert lost in (3, 4)
+    assert [run.numbers["resets"] for run in runs.values()] == [3, 3]
+    frame = max(runs["mcs"].rows)
+    assert runs["mcs"].uplink(frame) == runs["gsc"].uplink(frame)
+    assert runs["gsc"].numbers["parity_errors"] == 0
+
+
 def test_d83_a_flight_is_the_same_on_every_run(tmp_path):
     texts = []
     for name in ("one", "other"):
@@ -51,3 +76,17 @@ def test_d83_a_flight_is_the_same_on_every_run(tmp_path):
                            tmp_path / name)
         texts.append([run.text for run in runs.values()])
     assert texts[0] == texts[1]
+
+
+def test_brd4_no_composite_type_may_be_at_an_odd_address():
+    assert alignments.all_odd_types() == ALLOWED
+
+
+def test_brd4_a_type_that_may_be_at_an_odd_address_is_found():
+    assert alignments.odd_types(
+        "for Pair'Size use 16;\nfor Pair'Alignment use 1;\n"
+        "for Pair use record\n   A at 0 range 0 .. 7;\n"
+        "for Flags'Size use 32;\nfor Flags'Alignment use 1;\n"
+        "for Flags'Component_Size use 8;\n"
+        "for Words'Size use 32;\nfor Words'Alignment use 2;\n"
+        "for Words'Component_Size use 16;\n") == ["Flags", "Pair"]

@@ -5,6 +5,10 @@
 
      board MHZ OUTPUT NODE ROM TAPE [NODE ROM TAPE]
 
+   With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
+   counts the cycles of the calls of these subprograms, without the interrupts
+   and the other subprograms of the file that they contain.
+
    Memory of a board:
 
      000000  160 KiB of ROM
@@ -55,6 +59,8 @@ enum {
    FIFO = 3,
    ON_LINE = 16,
    HANDLERS = 8,
+   PLACES = 40,
+   CALLS = 16,
 
    STOP = 0x4E72,
    RETURN_FROM_EXCEPTION = 0x4E73,
@@ -62,7 +68,10 @@ enum {
    INTERRUPT_CYCLES = 44
 };
 
-enum event { WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS };
+enum event {
+   WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
+   PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER
+};
 
 /* Status of a DUART's channel and interrupts */
 enum {
@@ -103,6 +112,19 @@ struct handler {
    uint64_t begun;
 };
 
+/* A subprogram whose cycles are counted, by minor frame, and its calls */
+struct place {
+   unsigned start;
+   char name[64];
+   uint64_t now, most[TICKS_PER_FRAME], all[TICKS_PER_FRAME];
+};
+
+struct call {
+   struct place *place;
+   uint64_t begun, without;
+   unsigned back, stack;
+};
+
 struct node {
    const char *name;
    FILE *console;
@@ -126,6 +148,7 @@ struct node {
    uint64_t start;                    /* the time when the clock began */
    uint32_t ticks;
    int unexpected_interrupt;
+   uint8_t next_errors;               /* of the next character received */
    const uint16_t *planted;           /* words in place of instructions */
    unsigned planted_at, planted_words;
 
@@ -138,6 +161,11 @@ struct node {
    struct handler handlers[HANDLERS];
    int depth;
    struct figure by_vector[256];
+   struct place places[PLACES];
+   int place_count;
+   bool is_start[ROM_SIZE / 2];
+   struct call calls[CALLS];
+   int call_depth;
 };
 
 static struct node *nodes[NODES], *node;
@@ -234,12 +262,110 @@ static void add(struct figure *figure)
    figure->now = 0;
 }
 
+/* The stack is in RAM. */
+static unsigned ram_long(unsigned where)
+{
+   const uint8_t *from = &node->ram[where - RAM_START];
+
+   if (where - RAM_START > RAM_SIZE - 4)
+      return 0;
+   return (unsigned)from[0] << 24 | (unsigned)from[1] << 16
+      | (unsigned)from[2] << 8 | from[3];
+}
+
+static void end_call(void)
+{
+   struct call *call = &node->calls[--node->call_depth];
+   uint64_t spent = now() - call->begun;
+
+   call->place->now += spent - call->without;
+   if (node->call_depth > 0)
+      node->calls[node->call_depth - 1].without += spent;
+}
+
+static void follow_calls(unsigned pc)
+{
+   unsigned stack;
+
+   if (node->call_depth > 0
+       && pc == node->calls[node->call_depth - 1].back) {
+      stack = m68k_get_reg(NULL, M68K_REG_SP);
+      while (node->call_depth > 0
+             && pc == node->calls[node->call_depth - 1].back
+             && stack > node->calls[node->call_depth - 1].stack)
+         end_call();
+   }
+   if (!node->is_start[pc / 2] || node->call_depth == CALLS)
+      return;
+   for (int each = 0; each < node->place_count; each++)
+      if (node->places[each].start == pc) {
+         stack = m68k_get_reg(NULL, M68K_REG_SP);
+         node->calls[node->call_depth++] = (struct call){
+            &node->places[each], now(), 0, ram_long(stack), stack };
+      }
+}
+
+static void count_places(void)
+{
+   unsigned minor = (node->ticks - 1) % TICKS_PER_FRAME;
+
+   for (int each = 0; each < node->place_count; each++) {
+      struct place *place = &node->places[each];
+
+      if (node->ticks > TICKS_PER_FRAME + 1) {
+         if (place->now > place->most[minor])
+            place->most[minor] = place->now;
+         place->all[minor] += place->now;
+      }
+      place->now = 0;
+   }
+}
+
+static void read_places(const char *output)
+{
+   char path[4096];
+   FILE *file;
+
+   snprintf(path, sizeof path, "%s/%s.places", output, node->name);
+   file = fopen(path, "r");
+   while (file && node->place_count < PLACES) {
+      struct place *place = &node->places[node->place_count];
+
+      if (fscanf(file, "%x %63s", &place->start, place->name) != 2)
+         break;
+      if (place->start < ROM_SIZE) {
+         node->is_start[place->start / 2] = true;
+         node->place_count++;
+      }
+   }
+   if (file)
+      fclose(file);
+}
+
+static void print_places(void)
+{
+   uint64_t frames = node->frame.count ? node->frame.count : 1;
+
+   for (int each = 0; each < node->place_count; each++) {
+      const struct place *place = &node->places[each];
+
+      for (int minor = 0; minor < TICKS_PER_FRAME; minor++)
+         if (place->all[minor] > 0)
+            fprintf(node->console,
+                    "place %s minor %d worst %" PRIu64 " mean %" PRIu64 "\n",
+                    place->name, minor, place->most[minor],
+                    place->all[minor] / frames);
+   }
+}
+
 void board_instruction(unsigned int pc)
 {
    unsigned code;
 
    if (pc >= ROM_SIZE - 1)
       return;
+   if (node->place_count > 0)
+      follow_calls(pc);
    code = (unsigned)node->rom[pc] << 8 | node->rom[pc + 1];
    if (code == STOP) {
       node->stopped = true;
@@ -255,6 +381,8 @@ void board_instruction(unsigned int pc)
       /* An interrupt before the first instruction of another handler. */
       if (node->depth > 0)
          node->handlers[node->depth - 1].begun += spent;
+      else if (node->call_depth > 0)
+         node->calls[node->call_depth - 1].without += spent;
    }
    if (node->planted && node->planted_at == 0)
       node->planted_at = pc;
@@ -408,10 +536,12 @@ static void receive(struct duart *duart, const struct character *character)
       return;
    if (character->format != format(duart))
       duart->errors |= WRONG_FRAME;
-   if (duart->held == FIFO)
+   duart->errors |= node->next_errors;
+   if (duart->held == FIFO || node->next_errors & OVERRUN)
       duart->errors |= OVERRUN;
    else
       duart->fifo[duart->held++] = character->data;
+   node->next_errors = 0;
 }
 
 /* Converter */
@@ -494,6 +624,7 @@ static void end_run(void)
                  node->by_vector[vector].count);
       }
    fprintf(node->console, " start %" PRIu64 "\n", node->start);
+   print_places();
    node->ended = true;
    look_again();
 }
@@ -523,6 +654,7 @@ void board_reset(void)
    reset_duart(&node->clock);
    node->converter = none;
    node->depth = 0;
+   node->call_depth = 0;
    request();
 }
 
@@ -626,6 +758,9 @@ static void play_tape(void)
       case ILLEGAL_INSTRUCTION: node->planted = illegal_words; break;
       case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = 200; break;
       case ODD_ADDRESS: node->planted = odd_words; break;
+      case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
+      case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
+      case LOST_CHARACTER: node->next_errors = OVERRUN; break;
       default: fail("an event that is not emulated", 0);
       }
       node->planted_at = node->planted_words = 0;
@@ -643,6 +778,7 @@ static void count_tick(void)
       node->stopped_at = now();
    }
    node->idle = 0;
+   count_places();
 
    /* Not the frame in which the run begins. */
    if (node->ticks > TICKS_PER_FRAME) {
@@ -759,6 +895,7 @@ static struct node *power_up(const char *output, char **arguments)
       perror(path);
       exit(2);
    }
+   read_places(output);
    node->tape = contents(arguments[2], &length);
    node->lag = long_number(node->tape);
    node->delay_us = long_number(node->tape + 8);

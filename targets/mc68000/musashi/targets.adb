@@ -86,6 +86,11 @@ package body Targets is
    Ticks     : Unsigned_32 := 0;
    Has_Begun : Boolean     := False;
 
+   --  The line's errors since power up.
+   Overruns       : Unsigned_32 := 0;
+   Parity_Errors  : Unsigned_32 := 0;
+   Framing_Errors : Unsigned_32 := 0;
+
    procedure On_Line
    with Export, Convention => C, External_Name => "urv_line_interrupt";
 
@@ -102,6 +107,8 @@ package body Targets is
    procedure Touch (Item : Register);
 
    procedure Begin_Character_Time;
+
+   procedure Count_Errors (Status : Register);
 
    procedure Touch (Item : Register) is null;
 
@@ -159,6 +166,11 @@ package body Targets is
       if Emulator.Is_Over = 1 then
          Emulator.Stop_Time := 1;
          Put_Counts;
+         Put ("line");
+         Put_Labelled ("lost_characters", Overruns);
+         Put_Labelled ("parity_errors", Parity_Errors);
+         Put_Labelled ("framing_errors", Framing_Errors);
+         Put_Line;
          Emulator.End_Run := 1;
       end if;
       On_Character_Time;
@@ -166,6 +178,19 @@ package body Targets is
          On_Free_Sender;
       end if;
    end Begin_Character_Time;
+
+   procedure Count_Errors (Status : Register) is
+   begin
+      if (Status and Overrun) /= 0 then
+         Overruns := Overruns + 1;
+      end if;
+      if (Status and Wrong_Parity) /= 0 then
+         Parity_Errors := Parity_Errors + 1;
+      end if;
+      if (Status and Wrong_Framing) /= 0 then
+         Framing_Errors := Framing_Errors + 1;
+      end if;
+   end Count_Errors;
 
    procedure On_Line is
       Status : Register;
@@ -178,6 +203,7 @@ package body Targets is
          Status := Line_Chip.Status_A;
          exit when (Status and Received) = 0;
          if (Status and Errors) /= 0 then
+            Count_Errors (Status);
             Line_Chip.Command_A := Reset_Errors;
          end if;
          On_Character
