@@ -273,6 +273,48 @@ def test_sec14_records_of_csv(folder):
     tried("csv", 40, lambda data: check_record(folder, ".csv", data), CSV)
 
 
+# Files of bin/urv identify
+
+MASSES = some.one_of(
+    some.floats(1e-9, 1e12), some.floats(1, 3000), NUMBERS)
+AIRCRAFT = json_of(objects(
+    aircraft=TEXT, gravity_ft_s2=some.floats(31.9, 32.4),
+    derivatives=some.dictionaries(TEXT, NUMBERS, max_size=3),
+    ixz_slug_ft2=some.floats(-99, 99),
+    **dict.fromkeys(("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2",
+                     "izz_slug_ft2", "wing_area_ft2", "span_ft",
+                     "chord_ft"), MASSES)))
+TIMES = some.one_of(TEXT, some.lists(some.one_of(
+    some.builds("{:g},{:g},{}".format, some.floats(), some.floats(),
+                some.one_of(TEXT, some.just("both"))),
+    some.builds("{:.2f},{:.2f},{}".format, some.floats(0, 9),
+                some.floats(9, 99), some.sampled_from(
+                    ["both", "lateral", "longitudinal"])),
+    TEXT), max_size=4).map(
+        lambda rows: "\n".join(["begin_s,end_s,axes", *rows])))
+
+
+def check_identify(folder, own, times):
+    """Refused in any case: the record has no sensors."""
+    (folder / "own.json").write_bytes(own)
+    (folder / "times.csv").write_bytes(times)
+    (folder / "in.csv").write_text("frame,time_ms,pwm.brake\n0,0,2048\n")
+    assert not is_done("identify", folder / "in.csv", "--aircraft",
+                       folder / "own.json", "--manoeuvres",
+                       folder / "times.csv")
+
+
+def test_sec14_aircraft_files_and_times_of_manoeuvres(folder):
+    good = ROOT / "sim/jsbsim/aircraft/lambda/derivatives.json"
+    own = some.one_of(
+        AIRCRAFT.map(octets), some.just(good.read_bytes()),
+        some.builds(edited, some.just(good.read_bytes()), EDITS))
+    tried("identify", 60, lambda *files: check_identify(folder, *files),
+          own, some.one_of(
+              TIMES.map(octets),
+              some.builds(edited, TIMES.map(octets), EDITS)))
+
+
 def sample(folder, kind, many=20):
     """The bytes of a record."""
     chance = numpy.random.default_rng(1)

@@ -19,6 +19,11 @@ DEFAULT = (Path(__file__).resolve().parents[3]
 GRAVITY = 32.174
 """ft/s2; the aircraft file may have the local one."""
 
+LEAST, MOST = 1e-6, 1e9
+"""Of a positive number; no aircraft has others."""
+
+LONGEST_NAME = 60
+
 POSITIVE = ("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2", "izz_slug_ft2",
             "wing_area_ft2", "span_ft", "chord_ft")
 
@@ -58,18 +63,28 @@ def read(path: Path = DEFAULT) -> Aircraft:
                 name in POSITIVE and given[name] <= 0):
             raise faults.Refused(f"{where}: {name} is no"
                                  f" {'positive ' * (name in POSITIVE)}number")
+        if abs(given[name]) > MOST or (
+                name in POSITIVE and given[name] < LEAST):
+            least = LEAST if name in POSITIVE else -MOST
+            raise faults.Refused(f"{where}: {name} is from {least:g} to"
+                                 f" {MOST:g}")
     if given["ixx_slug_ft2"] * given["izz_slug_ft2"] <= (
             given["ixz_slug_ft2"] ** 2):
         raise faults.Refused(f"{where}: ixz_slug_ft2 is too large")
     gravity = given.get("gravity_ft_s2", GRAVITY)
     if not _is_number(gravity) or not 32.0 <= gravity <= 32.3:
         raise faults.Refused(f"{where}: gravity_ft_s2 is from 32.0 to 32.3")
+    name = given.get("aircraft", Path(path).stem)
+    if not isinstance(name, str) or not name.isprintable() or (
+            len(name) > LONGEST_NAME):
+        raise faults.Refused(f"{where}: aircraft is a name of at most"
+                             f" {LONGEST_NAME} printable characters")
     prior = given.get("derivatives", {})
     if not isinstance(prior, dict) or not all(
             _is_number(value) for value in prior.values()):
         raise faults.Refused(f"{where}: derivatives are names with numbers")
     return Aircraft(
-        str(given.get("aircraft", Path(path).stem)),
+        name,
         given["mass_slug"], given["ixx_slug_ft2"], given["iyy_slug_ft2"],
         given["izz_slug_ft2"], given["ixz_slug_ft2"], given["wing_area_ft2"],
         given["span_ft"], given["chord_ft"], gravity,

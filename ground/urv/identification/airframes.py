@@ -31,6 +31,9 @@ TIMING_S = 0.002
 beta, and of the moments behind what causes them are known. Flight data cannot
 separate them well from what a model lacks."""
 
+LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
+"""Least deviations of constant errors, ft/s and rad."""
+
 LEAST_DELAY_S = 1e-8
 """A shorter one is none."""
 
@@ -51,9 +54,11 @@ class Airframe:
     errors: tuple[Parameter, ...]
 
     def __init__(self, aircraft: Aircraft,
-                 airspeed_deviation: dict[int, float]):
+                 deviations: dict[str, dict[int, float]]):
+        """deviations: of the constant errors that remain of "airspeed" and
+        "alpha", for each record."""
         self.aircraft = aircraft
-        self.airspeed_deviation = airspeed_deviation
+        self.deviations = deviations
         self.parameters = (
             *(Parameter(f"{name}_{variable}", ALL, 0.0,
                         0.01 * self.sizes_of[name]
@@ -72,6 +77,11 @@ class Airframe:
                       prior=(0.0, TIMING_S), is_considered=True))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
+        self.terms = {
+            name: [self.place[f"{name}_{variable}"]
+                   for variable in ("0", *self.variables)]
+            for name in self.coefficients}
+        self.late_columns = None, None
 
     @property
     def derivatives(self) -> list[str]:
@@ -79,8 +89,9 @@ class Airframe:
                 for variable in self.variables]
 
     def prior(self, parameter, record):
-        if parameter.name == "airspeed error":
-            return 0.0, max(self.airspeed_deviation[record], 1e-3)
+        name, _, kind = parameter.name.partition(" ")
+        if kind == "error":
+            return 0.0, max(self.deviations[name][record], LEAST_ERROR[name])
         return parameter.prior
 
     def measured(self, segment: Segment):
@@ -105,17 +116,20 @@ class Airframe:
 
     def coefficient(self, name, regressors, values):
         """The sum of a coefficient's parts."""
-        total = values[self.place[f"{name}_0"]]
-        for variable, regressor in zip(self.variables, regressors,
-                                       strict=True):
-            total = total + values[
-                self.place[f"{name}_{variable}"]] * regressor
+        first, *others = self.terms[name]
+        total = values[first]
+        for row, regressor in zip(others, regressors, strict=True):
+            total = total + values[row] * regressor
         return total
 
     def rates(self, states, inputs, values):
         found = self.motion(states, inputs, values)
         delay = values[self.place["moments' delay"]]
-        late = numpy.flatnonzero(abs(delay) > LEAST_DELAY_S)
+        # The same values come for each time of an integration.
+        known, late = self.late_columns
+        if known is not values:
+            late = numpy.flatnonzero(abs(delay) > LEAST_DELAY_S)
+            self.late_columns = values, late
         if len(late):
             before = self.motion(
                 states[:, late] - delay[late] * found[:, late],
@@ -224,7 +238,16 @@ class Lateral(Airframe):
     errors = (Parameter("error of p", RECORD, 0.0, 0.2 * DEG,
                         prior=(0.0, 2.0 * DEG)),
               Parameter("error of r", RECORD, 0.0, 0.1 * DEG,
-                        prior=(0.0, 2.0 * DEG)))
+                        prior=(0.0, 2.0 * DEG)),
+              # Alpha tilts the axis of the roll rate.
+              Parameter("alpha error", RECORD, 0.0, 0.1 * DEG, is_input=True,
+                        is_considered=True))
+
+    def inputs(self, segment, times, values):
+        found = super().inputs(segment, times, values)
+        found[self.kinematic.index("alpha")] -= values[
+            self.place["alpha error"]]
+        return found
 
     def forces(self, states, inputs, values):
         """Specific force along y, and the moments in roll and yaw."""

@@ -115,14 +115,16 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
                 each.segment = compatibility.corrected(each.segment, known)
         checks.append(known)
         parts += own
-    airspeed = {record: known.airspeed_deviation
-                for record, known in enumerate(checks) if known}
+    deviations = {
+        name: {record: getattr(known, f"{name}_deviation")
+               for record, known in enumerate(checks) if known}
+        for name in ("airspeed", "alpha")}
     axes = {}
     for kind in airframes.AXES:
         # A manoeuvre of both axes has a part in each.
         flown = [Flown(each.manoeuvre, each.record, each.segment, each.reason)
                  for each in parts if kind.axis in each.manoeuvre.axes]
-        axes[kind.axis] = of_axis(kind(aircraft, airspeed), flown, hold_out)
+        axes[kind.axis] = of_axis(kind(aircraft, deviations), flown, hold_out)
     return Result([str(flight.path) for flight in flights], checks, axes)
 
 

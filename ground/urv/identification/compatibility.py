@@ -8,7 +8,8 @@ are assumed. Still air is, but a steady wind changes nothing.
 
 Two sums cannot be separated: an error of attitude from one of the
 accelerations, and a factor of the airspeed from its constant error when the
-flight has one speed.
+flight has one speed. Constant errors of the attitude are therefore not estimated,
+but widen the deviations of all others.
 """
 
 from __future__ import annotations
@@ -47,6 +48,10 @@ DELAYS = {"rates": (measurements.RATES, 0.1),
           "accelerations": (measurements.ACCELERATIONS, 0.1),
           "airflow": (measurements.AIRFLOW, 0.1)}
 """Delays against the attitudes."""
+
+ATTITUDE = {"phi": 0.5 * DEG, "theta": 0.5 * DEG}
+"""Standard deviations of the attitudes' constant errors, which are taken for
+0: a usual mounting and a usual vertical gyro (D-90)."""
 
 SHOWN = {"ft/s2": ("g", 1.0 / GRAVITY), "rad/s": ("deg/s", 1.0 / DEG),
          "rad": ("deg", 1.0 / DEG), "ft/s": ("kt", 1.0 / KT)}
@@ -88,7 +93,10 @@ class Kinematics:
               for name, deviation in SCALES.items()),
             *(Parameter(f"delay {name}", RECORD, 0.0, 0.005,
                         is_input=name != "airflow", prior=known(deviation))
-              for name, (_, deviation) in DELAYS.items()))
+              for name, (_, deviation) in DELAYS.items()),
+            *(Parameter(f"attitude {name}", RECORD, 0.0, 0.1 * deviation,
+                        prior=known(deviation), is_considered=True)
+              for name, deviation in ATTITUDE.items()))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
 
@@ -155,7 +163,8 @@ class Kinematics:
             shown * inputs[6] + bias["airspeed"],
             values[self.place["scale alpha"]] * alpha + bias["alpha"],
             values[self.place["scale beta"]] * beta + bias["beta"],
-            phi, theta, height])
+            phi + values[self.place["attitude phi"]],
+            theta + values[self.place["attitude theta"]], height])
 
 
 @dataclass
@@ -169,6 +178,8 @@ class Compatibility:
     """Gusts hide scale factors and delays: none is applied."""
     airspeed_deviation: float
     """Of the constant error of the airspeed, ft/s."""
+    alpha_deviation: float
+    """Of the constant error of alpha, rad."""
 
     @property
     def by_name(self) -> dict[str, Found]:
@@ -200,6 +211,8 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
     is_rough = roughness(model, fit, segments) > ROUGH
     found = []
     for each in model.parameters:
+        if each.is_considered:
+            continue
         kind, name = each.name.split(" ")
         value = fit.of_records[each.name, record]
         deviation = fit.deviations[f"{each.name}/{record}"]
@@ -217,8 +230,8 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
                            deviation * factor, determined, applied))
     return Compatibility(
         found, fit, segments, is_rough,
-        min(fit.deviations[f"bias airspeed/{record}"],
-            BIASES["airspeed"][1]))
+        *(min(fit.deviations[f"bias {name}/{record}"], BIASES[name][1])
+          for name in ("airspeed", "alpha")))
 
 
 def corrected(segment: Segment, known: Compatibility) -> Segment:

@@ -40,6 +40,9 @@ SHORTEST_S = 0.1
 LONGEST_S = 60.0
 """Limits of the movement's length; hand-flying is longer."""
 
+LONGEST_GIVEN_S = 120
+"""The same of a manoeuvre of a file, with its rests."""
+
 MOST = 200
 
 GROUPS = ("console", "gsc.uplink", "mcs.uplink")
@@ -134,6 +137,9 @@ def _manoeuvre(row, where):
         raise faults.Refused(f"{where}: times are numbers") from fault
     if not 0 <= begin < end <= 1e7:
         raise faults.Refused(f"{where}: begin_s is before end_s")
+    if end - begin > LONGEST_GIVEN_S:
+        raise faults.Refused(
+            f"{where}: a manoeuvre lasts at most {LONGEST_GIVEN_S} s")
     axes = {"both": tuple(AXES)} | {axis: (axis,) for axis in AXES}
     if row["axes"] not in axes:
         raise faults.Refused(

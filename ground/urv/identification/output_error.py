@@ -23,6 +23,9 @@ from urv.identification.measurements import Segment
 
 MOST_ROUNDS = 12
 MOST_STEPS = 8
+MOST_KEPT = 2
+"""Results of a search that are kept: the best one and a step that failed."""
+
 FAR = 1e4
 """States beyond this have diverged."""
 
@@ -162,6 +165,7 @@ class Problem:
         self.size = numpy.array(size)
         self.priors = [(index, *prior) for index, prior in enumerate(priors)
                        if prior is not None]
+        self.kept = {}
         self.longest = max(len(each.times) for each in segments)
         self.measured = [model.measured(each) for each in segments]
 
@@ -181,8 +185,21 @@ class Problem:
                 yield local, 1e-4 * self.size[index]
 
     def integrate(self, vector, with_changes):
-        """Outputs as an array of outputs, times, columns. Columns are the
-        segments, then the segments with each parameter changed."""
+        """The outputs, as an array of outputs, times and segments; and the
+        same with each parameter changed. The last results are kept: a search
+        returns to them."""
+        key = vector.tobytes()
+        if key not in self.kept or with_changes > self.kept[key][0]:
+            result = self.integrated(vector, with_changes)
+            self.kept.pop(key, None)
+            while len(self.kept) >= MOST_KEPT:
+                del self.kept[next(iter(self.kept))]
+            self.kept[key] = with_changes, result
+        return self.kept[key][1]
+
+    def integrated(self, vector, with_changes):
+        """Columns are the segments, then the segments with each parameter
+        changed."""
         model, count = self.model, len(self.segments)
         many = len(model.parameters)
         base = self.locals(vector)
@@ -267,28 +284,19 @@ class Problem:
     def solve(self, noise):
         """The vector of the most likely parameters for this noise, from the
         present start."""
-        kept = {}
-
-        def both(vector):
-            key = vector.tobytes()
-            if key not in kept:
-                kept.clear()
-                base, changed = self.integrate(vector, True)
-                kept[key] = (self.differences(base),
-                             self.sensitivities(changed, base))
-            return kept[key]
-
         def residuals(vector):
+            base, _ = self.integrate(vector, True)
             found = [(each / noise[:, None]).ravel()
-                     for each in both(vector)[0]]
+                     for each in self.differences(base)]
             found.append(numpy.array(
                 [(vector[index] - mean) / deviation
                  for index, mean, deviation in self.priors]))
             return numpy.concatenate(found)
 
         def slopes(vector):
+            base, changed = self.integrate(vector, True)
             found = [-(each / noise[:, None, None]).reshape(-1, len(vector))
-                     for each in both(vector)[1]]
+                     for each in self.sensitivities(changed, base)]
             rows = numpy.zeros((len(self.priors), len(vector)))
             for row, (index, _, deviation) in enumerate(self.priors):
                 rows[row, index] = 1.0 / deviation
