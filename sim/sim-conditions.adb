@@ -25,6 +25,7 @@ package body Sim.Conditions is
    function Name (Kind : Condition_Kind) return String is
      (case Kind is
          when Start      => "start",
+         when Airframe   => "airframe",
          when Wind       => "wind",
          when Turbulence => "turbulence",
          when Ballast    => "ballast",
@@ -37,10 +38,34 @@ package body Sim.Conditions is
          when In_The_Air    => "air",
          when On_The_Runway => "runway");
 
+   --  The aircraft: URV's own, then those of JSBSim's, as in
+   --  sim/jsbsim/airframes.py.
+   type Airframe_Name is (Lambda, Cessna_172P, Cessna_182, Piper_J3);
+
+   function Name (Item : Airframe_Name) return String is
+     (case Item is
+         when Lambda      => "lambda",
+         when Cessna_172P => "c172p",
+         when Cessna_182  => "c182",
+         when Piper_J3    => "J3Cub");
+
+   --  Conditions of URV's own aircraft only.
+   type Kind_List is array (Positive range <>) of Condition_Kind;
+   Own_Only : constant Kind_List := (Start, Wind, Ballast);
+
+   function Airframes_From
+     (Item : Airframe_Name; Between : String) return String
+   is
+     (Name (Item)
+      & (if Item = Airframe_Name'Last then ""
+         else Between
+              & Airframes_From (Airframe_Name'Succ (Item), Between)));
+
    --  The parameters after the name.
    function Parameters (Kind : Condition_Kind) return String is
      (case Kind is
          when Start      => " air|runway",
+         when Airframe   => ' ' & Airframes_From (Lambda, "|"),
          when Wind       => " FROM_DEG KT",
          when Turbulence => " KT",
          when Ballast    => " LB INCHES_AFT",
@@ -50,9 +75,9 @@ package body Sim.Conditions is
 
    function Parameter_Count (Kind : Condition_Kind) return Positive is
      (case Kind is
-         when Start | Turbulence => 1,
-         when Servos             => 3,
-         when others             => 2);
+         when Start | Airframe | Turbulence => 1,
+         when Servos                        => 3,
+         when others                        => 2);
 
    function Form_Of (Kind : Condition_Kind) return String is
      (Name (Kind) & Parameters (Kind));
@@ -82,6 +107,9 @@ package body Sim.Conditions is
      (From : Reader; Word : String; Item : out Sensor_Item);
 
    procedure Read_Start
+     (From : Reader; Word : String; Loaded : in out Script);
+
+   procedure Read_Airframe
      (From : Reader; Word : String; Loaded : in out Script);
 
    --  Reads a bias or a noise of a sensor.
@@ -183,6 +211,21 @@ package body Sim.Conditions is
          & """ nor """ & Name (On_The_Runway) & """");
    end Read_Start;
 
+   procedure Read_Airframe
+     (From : Reader; Word : String; Loaded : in out Script) is
+   begin
+      for Known in Airframe_Name loop
+         if Name (Known) = Word then
+            Loaded.Is_Other := Known /= Lambda;
+            return;
+         end if;
+      end loop;
+      Refuse
+        (From,
+         "unknown airframe " & Quoted (Word) & "; there are "
+         & Airframes_From (Lambda, ", "));
+   end Read_Airframe;
+
    procedure Read_Error
      (From        : Reader;
       Kind        : Condition_Kind;
@@ -251,6 +294,7 @@ package body Sim.Conditions is
                Loaded.Spreads);
             return;
          when Start      => Read_Start (From, Word (2), Loaded);
+         when Airframe   => Read_Airframe (From, Word (2), Loaded);
          when Wind       =>
             Check (2, "FROM_DEG", 0, 360);
             Check (3, "KT", 0, 60);
@@ -272,6 +316,14 @@ package body Sim.Conditions is
          Refuse (From, Name (Kind) & " is given twice");
       end if;
       Before.Kinds (Kind) := True;
+      for Own of Own_Only loop
+         if Loaded.Is_Other and then Before.Kinds (Own) then
+            Refuse
+              (From,
+               Name (Own) & " and another airframe than "
+               & Name (Lambda) & " do not go together");
+         end if;
+      end loop;
       if Kind /= Start then
          Texts.Append
            (Loaded.Lines,
@@ -302,6 +354,9 @@ package body Sim.Conditions is
    function Place
      (Given : Script; Otherwise : Start_Place) return Start_Place
    is (if Given.Has_Start then Given.Begins else Otherwise);
+
+   function Has_Other_Airframe (Given : Script) return Boolean is
+     (Given.Is_Other);
 
    function Introduction
      (Given : Script;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The conditions of a flight (--conditions): start, wind, turbulence,
---  ballast, traits of the servos, and errors of the sensors (SIM-4). The bench
---  has servos only; all others need JSBSim.
+--  The conditions of a flight (--conditions): start, airframe, wind,
+--  turbulence, ballast, traits of the servos, and errors of the sensors
+--  (SIM-4). The bench has servos only; all others need JSBSim.
 --
 --  The plant's process receives all but the sensors' errors. They are added
 --  here, before the measurements become words.
@@ -18,7 +18,7 @@ package Sim.Conditions is
    type Start_Place is (In_The_Air, On_The_Runway);
 
    type Condition_Kind is
-     (Start, Wind, Turbulence, Ballast, Servos, Bias, Noisiness);
+     (Start, Airframe, Wind, Turbulence, Ballast, Servos, Bias, Noisiness);
 
    --  The form of such a condition: "wind FROM_DEG KT".
    function Form_Of (Kind : Condition_Kind) return String;
@@ -33,6 +33,9 @@ package Sim.Conditions is
    --  The place where the flight begins, from the file, or Otherwise.
    function Place
      (Given : Script; Otherwise : Start_Place) return Start_Place;
+
+   --  Whether an aircraft of JSBSim's flies in place of URV's own (SIM-10).
+   function Has_Other_Airframe (Given : Script) return Boolean;
 
    --  The lines for the plant's introduction; none without a file and with a
    --  start in the air.
@@ -58,6 +61,7 @@ private
       Is_Given  : Boolean := False;
       Has_Start : Boolean := False;
       Begins    : Start_Place := In_The_Air;
+      Is_Other  : Boolean := False;
       Lines     : Texts.Unbounded_String;
       Servos    : Host.Bench.Servo_Traits;
       Biases    : Sensor_Values := Exact;

@@ -78,6 +78,9 @@ package body Sim.Flight is
 
    procedure Start_Aircraft (Chosen : Choices);
 
+   --  The pilot, the laws and the servos' faults are for URV's own aircraft.
+   procedure Refuse_Beside_Airframe (Chosen : Choices);
+
    --  The console's words change, at Time.
    procedure Move_Console (Words : Console_Words; Time : Microseconds);
 
@@ -197,6 +200,26 @@ package body Sim.Flight is
    function Servo_Faults (Chosen : Choices) return Surface_Faults.List is
      (Sim.Faults.For_Plant (Faults, First_Commands (Chosen)));
 
+   procedure Refuse_Beside_Airframe (Chosen : Choices) is
+
+      procedure Refuse_Option (Option : String; Remedy : String := "");
+
+      procedure Refuse_Option (Option : String; Remedy : String := "") is
+      begin
+         Complaints.Refuse
+           (Option & " and another airframe than lambda do not go together"
+            & Remedy);
+      end Refuse_Option;
+   begin
+      if Is_Given (Chosen, Pilot_Option) then
+         Refuse_Option ("--pilot");
+      elsif Chosen.Laws then
+         Refuse_Option ("--laws on", Remedy => ": add --laws off");
+      elsif Fault_Lines (Servo_Faults (Chosen)) /= "" then
+         Refuse_Option ("--faults with faults of servos");
+      end if;
+   end Refuse_Beside_Airframe;
+
    procedure Start_Aircraft (Chosen : Choices) is
       Begins : constant Sim.Conditions.Start_Place :=
         Sim.Conditions.Place
@@ -211,6 +234,9 @@ package body Sim.Flight is
          Complaints.Refuse
            ("--pilot " & Value (Chosen, Pilot_Option) & " and the condition"
             & " ""start air"" do not go together");
+      end if;
+      if Sim.Conditions.Has_Other_Airframe (Conditions) then
+         Refuse_Beside_Airframe (Chosen);
       end if;
       View_Noise := Noise.Seeded (Chosen.Seed, Noise.The_Eyes);
       Chance     := Noise.Seeded (Chosen.Seed, Noise.The_Sensors);

@@ -3,6 +3,7 @@
 """Poles and margins of the control laws' loops (EXT-7).
 
     evidence/laws/margins.py [--renew]
+    evidence/laws/margins.py --model FILE [--renew]
 
 Linear models of the aircraft, at each speed and weight, and the laws with the
 gains of URV.Law_Gains: poles of the aircraft alone and with the laws, gain and
@@ -10,6 +11,10 @@ phase margin of each loop, with the delay that frames, scan and servos have. The
 a step as bin/urv_sim flies it, whole numbers, limits and all, beside the linear
 one. --renew writes docs/evidence/margins.md. It fails when a loop has less
 than 6 dB or 45 degrees.
+
+With --model the margins of the laws with an identified model, the file of
+`bin/urv identify --model`, are beside those with JSBSim's model at the same
+airspeed and weight. --renew writes this table into docs/flight-test.md.
 """
 
 import argparse
@@ -31,6 +36,9 @@ import loops  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "evidence" / "margins.md"
+MODEL_PAGE = ROOT / "docs" / "flight-test.md"
+BEGIN, END = "<!-- margins.py --model --renew writes this -->", (
+    "<!-- margins to here -->")
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim"))
 
 SPEEDS = (60, 70, 80, 90)
@@ -55,13 +63,20 @@ class Result(NamedTuple):
 
 def loops_of(model, of):
     """Each loop's response by its name."""
-    lateral = model.lateral
-    upward = loops.with_altitude(model.longitudinal)
+    yield from lateral_loops(model.lateral, of)
+    yield from longitudinal_loops(model.longitudinal, of)
+
+
+def lateral_loops(lateral, of):
     for name, law in (("damping", loops.lateral(of, False)),
                       ("attitude", loops.lateral(of, True))):
         yield f"roll, {name}", loops.broken(lateral, law, "roll", OMEGA)
         yield f"yaw damper, roll in {name}", loops.broken(
             lateral, law, "yaw", OMEGA)
+
+
+def longitudinal_loops(longitudinal, of):
+    upward = loops.with_altitude(longitudinal)
     for mode in ("damping", "attitude", "hold"):
         law = loops.longitudinal(of, mode)
         yield f"pitch, {mode}", loops.broken(upward, law, "pitch", OMEGA)
@@ -332,11 +347,66 @@ all limits, beside the linear law on the linear model.
 """
 
 
+# --- an identified model -----------------------------------------------------
+
+def beside(given, of):
+    """Each loop's margins with JSBSim's model and with the identified one."""
+    true, _ = identify.models(given.condition)
+    found = []
+    for name, of_axis in (("lateral", lateral_loops),
+                          ("longitudinal", longitudinal_loops)):
+        own = getattr(given.models, name)
+        if own is None:
+            continue
+        for (loop, one), (_, other) in zip(
+                of_axis(getattr(true, name), of), of_axis(own, of),
+                strict=True):
+            # The identified model has no engine.
+            if loop != "airspeed":
+                found.append((loop, loops.margins(one, OMEGA),
+                              loops.margins(other, OMEGA)))
+    return found
+
+
+def table_beside(given, found):
+    speed, weight = given.condition.speed, given.condition.weight
+    lines = [f"| loop, at {speed:.1f} kt, {weight} lb | gain margin, dB:"
+             " JSBSim | identified | phase margin, degrees: JSBSim |"
+             " identified |", "|---|---|---|---|---|"]
+    lines += [f"| {loop} | {decibels(true.gain_db)}"
+              f" | {decibels(own.gain_db)} | {decibels(true.phase_deg)}"
+              f" | {decibels(own.phase_deg)} |"
+              for loop, true, own in found]
+    return "\n".join(lines)
+
+
+def compare(path, is_renewed):
+    """The table of an identified model."""
+    import identified
+    given = identified.read(path)
+    if given.not_determined:
+        print("margins: the flights do not determine"
+              f" {', '.join(given.not_determined)}", file=sys.stderr)
+    text = table_beside(given, beside(given, law_gains.gains()))
+    print(text)
+    if is_renewed:
+        before, _, rest = MODEL_PAGE.read_text("utf-8").partition(BEGIN)
+        _, _, after = rest.partition(END)
+        MODEL_PAGE.write_text(
+            f"{before}{BEGIN}\n{text}\n{END}{after}", "utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--renew", action="store_true",
-                        help="write docs/evidence/margins.md")
+                        help="write docs/evidence/margins.md, or the table of"
+                        " --model into docs/flight-test.md")
+    parser.add_argument("--model", type=Path, metavar="FILE",
+                        help="an identified model, to compare")
     chosen = parser.parse_args()
+    if chosen.model:
+        compare(chosen.model, chosen.renew)
+        return
     of = law_gains.gains()
     result = measured(of)
     text = page(result, compared(of))

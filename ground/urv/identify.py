@@ -20,6 +20,8 @@ def identify(
     ] = None,
     json: Annotated[Optional[Path], typer.Option(
         metavar="FILE", help="The numbers, JSON.")] = None,
+    model: Annotated[Optional[Path], typer.Option(
+        metavar="FILE", help="The linear model to write, JSON.")] = None,
     aircraft: Annotated[Optional[Path], typer.Option(
         metavar="FILE", help="Mass properties and prior derivatives, JSON."
         " Without it, those of the simulated aircraft.")] = None,
@@ -39,17 +41,17 @@ def identify(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from urv import flights, input_files, progress, whole_files
     from urv.identification import aircraft as aircraft_file
-    from urv.identification import analysis, page
+    from urv.identification import analysis, linear, page
     from urv.identification import manoeuvres as finding
 
     if len(records) > MOST_RECORDS:
         raise faults.Refused(f"there may be {MOST_RECORDS} records")
     if manoeuvres and len(records) > 1:
         raise faults.Refused("--manoeuvres has the times of one record")
+    input_files.limit_memory()
     own = aircraft_file.read(aircraft or aircraft_file.DEFAULT)
     finders = ((finding.from_file(manoeuvres),) if manoeuvres
                else finding.FINDERS)
-    input_files.limit_memory()
     with progress.bar("reading") as told:
         read = [flights.read(each, told) for each in records]
     result = analysis.identify(read, own, finders, hold_out)
@@ -60,6 +62,9 @@ def identify(
     if json:
         with whole_files.replacing(json) as path:
             path.write_text(page.as_json(result, own), "utf-8")
+    if model:
+        with whole_files.replacing(model) as path:
+            path.write_text(linear.as_json(result, own), "utf-8")
     if output:
         with whole_files.replacing(output) as path, path.open(
                 "w", encoding="utf-8") as file:

@@ -4,10 +4,11 @@
 (GND-64).
 
     derivatives.py [--ballast LB INCHES_AFT] [-o FILE]
+    derivatives.py --airframe NAME [-o FILE]
 
-Settles the aircraft as plant.py does, then changes one angle, rate or surface
-at a time by a little, up and down, while JSBSim's integration is suspended, and
-reads the aerodynamic forces and moments. The result is the aircraft file of
+Settles the aircraft as plant.py does, or trims one that comes with JSBSim, then changes one angle, rate or
+surface at a time by a little, up and down, while JSBSim's integration is
+suspended, and reads the aerodynamic forces and moments. The result is the aircraft file of
 `bin/urv identify`, as JSON: mass properties, and derivatives for comparison.
 
 Derivatives are per radian. Forces are along the body axes, x forward, y right,
@@ -27,6 +28,7 @@ import math
 import sys
 
 import plant
+from airframes import AIRFRAMES, Airframe
 
 TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 
@@ -52,9 +54,14 @@ LONGITUDINAL = ("CX", "CZ", "Cm"), ("alpha", "q", "elevator")
 LATERAL = ("CY", "Cl", "Cn"), ("beta", "p", "r", "aileron", "rudder")
 
 
-def trim(ballast):
+OWN = "lambda"
+
+
+def trim(ballast, airframe=OWN):
     """The settled aircraft's state and mass properties."""
     conditions = {"ballast": ballast} if ballast else {}
+    if airframe != OWN:
+        conditions["airframe"] = airframe
     aircraft = plant.Aircraft([], [("alpha", "deg")], [], [], TIMES,
                               conditions)
     fdm = aircraft.fdm
@@ -67,7 +74,9 @@ def trim(ballast):
     mass = {
         "mass_slug": fdm["inertia/mass-slugs"],
         **{f"{axes}_slug_ft2": fdm[f"inertia/{axes}-slugs_ft2"]
-           for axes in ("ixx", "iyy", "izz", "ixz")},
+           for axes in ("ixx", "iyy", "izz")},
+        # JSBSim's is an element of the matrix of inertia, with the other sign.
+        "ixz_slug_ft2": 0.0 - fdm["inertia/ixz-slugs_ft2"],
         "wing_area_ft2": fdm["metrics/Sw-sqft"],
         "span_ft": fdm["metrics/bw-ft"],
         "chord_ft": fdm["metrics/cbarw-ft"]}
@@ -77,16 +86,22 @@ def trim(ballast):
 class Model:
     """The aerodynamic coefficients at states near the trim."""
 
-    def __init__(self, state, mass, ballast):
+    def __init__(self, state, mass, ballast, airframe=OWN):
         self.state = state
         self.mass = mass
-        self.fdm = plant.load_jsbsim(
-            TIMES.step * TIMES.tick / 1e6)
+        step_s = TIMES.step * TIMES.tick / 1e6
+        self.fdm = plant.load_jsbsim(step_s, airframe)
         self.ballast = ballast
+        self.step = self.fdm.run
+        if airframe != OWN:
+            # The engine keeps the trim's speed, and the tail its slipstream.
+            self.place({})
+            other = Airframe(self.fdm, step_s)
+            other.trim()
+            self.step = other.step
 
-    def coefficients(self, **change):
-        """Every coefficient, with angles in rad and rates in rad/s changed by
-        that much from the trim."""
+    def place(self, change):
+        """The state, with this change, as the initial condition."""
         fdm, state = self.fdm, self.state
         for name, value in (
                 ("ic/terrain-elevation-ft", plant.FIELD_FT),
@@ -110,6 +125,12 @@ class Model:
             fdm["inertia/pointmass-location-X-inches"] = plant.CG_IN + aft
         if not fdm.run_ic():
             raise plant.Refused("JSBSim does not accept the state")
+
+    def coefficients(self, **change):
+        """Every coefficient, with angles in rad and rates in rad/s changed by
+        that much from the trim."""
+        fdm, state = self.fdm, self.state
+        self.place(change)
         fdm.suspend_integration()
         for surface, sides in PAIRS.items():
             for side in sides:
@@ -117,7 +138,7 @@ class Model:
                     state["surfaces"][side]
                     + math.degrees(change.get(surface, 0.0)))
         for _ in range(SERVO_STEPS):
-            fdm.run()
+            self.step()
         area = fdm["aero/qbar-psf"] * self.mass["wing_area_ft2"]
         arms = {"Cl": self.mass["span_ft"], "Cm": self.mass["chord_ft"],
                 "Cn": self.mass["span_ft"]}
@@ -145,12 +166,12 @@ class Model:
         return found
 
 
-def aircraft_file(ballast=None):
+def aircraft_file(ballast=None, airframe=OWN):
     """The content of the file."""
-    state, mass = trim(ballast)
-    derivatives = Model(state, mass, ballast).derivatives()
+    state, mass = trim(ballast, airframe)
+    derivatives = Model(state, mass, ballast, airframe).derivatives()
     return {
-        "aircraft": "lambda",
+        "aircraft": airframe,
         "source": "sim/jsbsim/derivatives.py: small differences at the trim",
         "trim": {
             "airspeed_kt": round(state["velocities/vc-kts"], 2),
@@ -169,10 +190,13 @@ def main():
         description="The derivatives of JSBSim's own model at the trim.")
     arguments.add_argument("--ballast", nargs=2, type=float,
                            metavar=("LB", "INCHES_AFT"))
+    arguments.add_argument("--airframe", default=OWN,
+                           choices=(OWN, *AIRFRAMES))
     arguments.add_argument("-o", "--output", metavar="FILE")
     given = arguments.parse_args()
     try:
-        text = json.dumps(aircraft_file(given.ballast), indent=2) + "\n"
+        text = json.dumps(aircraft_file(given.ballast, given.airframe),
+                          indent=2) + "\n"
     except plant.Refused as refusal:
         print(f"derivatives: {refusal}", file=sys.stderr)
         return 2

@@ -12,7 +12,8 @@ truth or shown, and an empty line. They name the numbers that it will send and
 request, in that order. Lines time,NAME,VALUE UNIT give the length of a tick
 (tick, in us) and, in ticks, the length of a frame (frame) and the times of the
 sensors' measurement (scan) and of the shown values (shown). Lines
-condition,NAME,VALUES give the conditions of the flight: see CONDITIONS. Lines
+condition,NAME,VALUES give the conditions of the flight: see CONDITIONS, and
+condition,airframe,NAME another aircraft: see airframes.py. Lines
 fault,NAME,TICK FAULT give the fault of a servo from that tick of the flight on:
 stuck, stuck AT, float, slow PERCENT; they come in the order of their ticks. The
 answer is one line: "ready", or the error.
@@ -35,6 +36,7 @@ import types
 from pathlib import Path
 from typing import NamedTuple
 
+from airframes import AIRFRAMES, Airframe
 from servo_faults import Faults
 from servo_traits import Traits
 
@@ -83,6 +85,9 @@ MOST_SKIPS = 511
 # of the turbulence.
 CONDITIONS = {"start": 0, "wind": 2, "turbulence": 1, "ballast": 2,
               "servos": 3, "seed": 1}
+
+# The conditions in which another aircraft can fly.
+FOR_AIRFRAMES = {"airframe", "turbulence", "servos", "seed"}
 DRYDEN = 3
 SEVERITY = 3
 FPS_PER_KT = 1.0 / 0.592484
@@ -179,8 +184,9 @@ class Refused(Exception):
 SET_UP = "`make fly` sets it up"
 
 
-def load_jsbsim(step_s):
-    """Imports JSBSim of the version that the aircraft was tuned with."""
+def load_jsbsim(step_s, model="lambda"):
+    """Imports JSBSim of the version that the aircraft was tuned with, and
+    loads its model: URV's own, or one that comes with JSBSim."""
     os.environ["JSBSIM_DEBUG"] = "0"
     here = Path(__file__).resolve().parent
     # JSBSim's module imports numpy for matrices, which this program does not
@@ -202,11 +208,12 @@ def load_jsbsim(step_s):
             raise Refused(
                 f"jsbsim is {jsbsim.__version__}, must be {wanted};"
                 f" {SET_UP}")
-    fdm = jsbsim.FGFDMExec(str(here))
+    fdm = jsbsim.FGFDMExec(
+        jsbsim.get_default_root_dir() if model in AIRFRAMES else str(here))
     # To be set before the model is loaded, because loading fixes the servos'
     # lags and rates.
     fdm.set_dt(step_s)
-    if not fdm.load_model("lambda"):
+    if not fdm.load_model(model):
         raise Refused("JSBSim does not load the aircraft")
     return fdm
 
@@ -244,14 +251,19 @@ class Aircraft:
         self.further_steps = range(
             len(self.first_steps), times.frame // self.ticks)
         self.conditions = conditions
-        self.fdm = fdm = load_jsbsim(self.ticks * times.tick / 1e6)
+        step_s = self.ticks * times.tick / 1e6
+        model = conditions["airframe"] if "airframe" in conditions else None
+        self.must_suit(model, faults)
+        self.fdm = fdm = load_jsbsim(step_s, model or "lambda")
         self.tree = fdm.get_property_manager()
+        self.airframe = Airframe(fdm, step_s) if model else None
         stands = "start" in conditions
         for name, value in (
                 ("ic/terrain-elevation-ft", FIELD_FT),
                 ("ic/h-sl-ft", FIELD_FT + (
                     STANDING_FT if stands else START_ALTITUDE_FT)),
-                ("ic/vc-kts", 0.0 if stands else START_SPEED_KT),
+                ("ic/vc-kts", 0.0 if stands else
+                 AIRFRAMES.get(model, START_SPEED_KT)),
                 ("ic/psi-true-deg", START_HEADING_DEG),
                 ("fcs/mixture-cmd-norm", MIXTURE),
                 ("plant/crashed", 0.0),
@@ -260,6 +272,8 @@ class Aircraft:
             fdm[name] = value
         if not fdm.run_ic():
             raise Refused("JSBSim does not accept the initial condition")
+        if self.airframe:
+            self.trim(model)
         self.load_ballast()
         self.blow()
 
@@ -282,9 +296,11 @@ class Aircraft:
         self.wheels = [self.tree.get_node(f"gear/unit[{wheel}]/WOW")
                        for wheel in range(3)]
         self.standing = self.tree.get_node("plant/wheels")
+        self.half_span = (fdm["metrics/bw-ft"] / 2.0 if self.airframe
+                          else HALF_SPAN_FT)
         if stands:
             self.stand()
-        else:
+        elif not self.airframe:
             self.settle()
         self.must_be_sound()
         self.stir()
@@ -294,7 +310,8 @@ class Aircraft:
             *self.conditions["servos"]) if "servos" in conditions else None
         # The faults read the servos' speeds, which the traits above have set.
         self.faults = (Faults(self.tree, faults, paths) if faults else None)
-        self.run_step = self.broken_step if faults else fdm.run
+        self.run_step = (self.broken_step if faults else
+                         self.airframe.step if self.airframe else fdm.run)
         self.station = (self.north.get_double_value(),
                         self.east.get_double_value())
         self.count_from_here(truth, self.truth)
@@ -302,6 +319,27 @@ class Aircraft:
         self.measure_signal()
         self.last = (self.read(self.sensors), self.read_truth(),
                      self.read_shown())
+
+    def must_suit(self, model, faults):
+        """Another aircraft has fewer conditions, and no faults of servos."""
+        if model is None:
+            return
+        if model not in AIRFRAMES:
+            raise Refused(f"the plant has no airframe {model}; there are"
+                          f" lambda, {', '.join(AIRFRAMES)}")
+        unfit = [name for name in self.conditions if name not in FOR_AIRFRAMES]
+        if unfit:
+            raise Refused(f"airframe {model} and {unfit[0]} do not go"
+                          " together")
+        if faults:
+            raise Refused(f"airframe {model} has no faults of servos")
+
+    def trim(self, model):
+        """Trims another aircraft in level flight."""
+        try:
+            self.airframe.trim()
+        except RuntimeError as error:
+            raise Refused(f"JSBSim finds no trim of {model}") from error
 
     def node(self, table, name, unit):
         """Property node, factor and offset of a requested item."""
@@ -483,10 +521,10 @@ class Aircraft:
         # which ends the flight.
         if altitude <= BELLY_FT:
             return True
-        if altitude > HALF_SPAN_FT:
+        if altitude > self.half_span:
             return False
         bank = math.radians(self.bank.get_double_value())
-        return altitude < HALF_SPAN_FT * abs(math.sin(bank))
+        return altitude < self.half_span * abs(math.sin(bank))
 
     def broken_step(self):
         self.faults.act(self.ticks)
@@ -599,9 +637,14 @@ def read_items(link):
 
 
 def read_conditions(items):
-    """The numbers of each condition by its name."""
+    """The numbers of each condition by its name, and the airframe's name.
+    """
     found = {}
     for name, values in items:
+        if name == "airframe":
+            if values != "lambda":
+                found[name] = values
+            continue
         if name not in CONDITIONS:
             raise Refused(f"the plant knows no condition {name}")
         found[name] = ([float(value) for value in values.split()]

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""GND-61 to GND-64: bin/urv identify. Derivatives of systems that are known,
+"""GND-61 to GND-65, D-90: bin/urv identify. Derivatives of systems that are known,
 their intervals over many seeds, and a flight of the simulated aircraft."""
 
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -189,7 +190,7 @@ def identified(flown):
     """The same, with the report and the numbers."""
     result = subprocess.run(
         [ROOT / "bin" / "urv", "identify", "record.csv", "-o", "report.html",
-         "--json", "result.json"], cwd=flown, check=False, text=True,
+         "--json", "result.json", "--model", "model.json"], cwd=flown, check=False, text=True,
         capture_output=True)
     assert (result.returncode, result.stderr) == (0, "")
     (flown / "said.txt").write_text(result.stdout, "utf-8")
@@ -232,6 +233,15 @@ def test_gnd61_the_errors_of_the_sensors_are_found(identified):
     assert sensors["bias airspeed"]["value"] == pytest.approx(1.0, abs=1.5)
 
 
+def test_d90_errors_of_attitude_widen_those_of_alpha(identified):
+    """Half a degree of pitch attitude is half a degree of alpha."""
+    sensors, = json.loads(
+        (identified / "result.json").read_text("utf-8"))["sensors"]
+    alpha = sensors["bias alpha"]
+    assert 0.4 < alpha["deviation"] < 0.8
+    assert alpha["value"] == pytest.approx(0.3, abs=2 * alpha["deviation"])
+
+
 def test_gnd63_the_report_is_one_page_that_needs_no_network(identified):
     page = (identified / "report.html").read_text("utf-8")
     assert "default-src 'none'" in page
@@ -243,6 +253,57 @@ def test_gnd63_the_report_is_one_page_that_needs_no_network(identified):
     said = (identified / "said.txt").read_text("utf-8")
     for name in MAIN:
         assert f"  {name} " in said
+
+
+def test_gnd65_the_linear_model_is_that_of_the_derivatives(identified):
+    """The elements of the matrices, by the usual formulas, in rad and ft."""
+    model = json.loads((identified / "model.json").read_text("utf-8"))
+    found = {}
+    for axis in json.loads((identified / "result.json").read_text("utf-8"))[
+            "axes"].values():
+        found |= {name: each["value"]
+                  for name, each in axis["derivatives"].items()}
+    own = aircraft.read()
+    assert model["aircraft"] == "lambda"
+    assert model["airspeed_kt"] == pytest.approx(70, abs=2)
+    assert model["weight_lb"] == pytest.approx(199.8, abs=0.1)
+    pressure = 0.5 * 0.0023769 * (
+        model["airspeed_kt"] * measurements.FPS_PER_KT) ** 2
+    # 1800 ft above the sea.
+    speed = model["airspeed_kt"] * measurements.FPS_PER_KT * 1.0270
+    force = pressure * own.wing_area / own.mass / speed
+    pitch = pressure * own.wing_area * own.chord / own.iyy
+    roll, yaw = (pressure * own.wing_area * own.span / inertia
+                 for inertia in (own.ixx, own.izz))
+    per_c, per_b = own.chord / (2 * speed), own.span / (2 * speed)
+    axis = model["longitudinal"]
+    assert axis["states"] == ["alpha_deg", "pitch_rate_deg_s",
+                              "pitch_attitude_deg"]
+    assert axis["inputs"] == ["elevator_deg"]
+    A, B = numpy.array(axis["A"]), numpy.array(axis["B"])
+    assert A[0, 0] == pytest.approx(force * found["CZ_alpha"], rel=0.02)
+    assert A[1, :2] == pytest.approx(
+        [pitch * found["Cm_alpha"], pitch * per_c * found["Cm_q"]], rel=0.01)
+    assert B[1, 0] == pytest.approx(pitch * found["Cm_elevator"], rel=0.01)
+    climb = dict(zip(axis["outputs"], axis["C"], strict=True))["climb_ft_s"]
+    assert climb == pytest.approx(
+        numpy.radians(speed) * numpy.array([-1, 0, 1]), rel=0.01)
+    axis = model["lateral"]
+    assert axis["states"] == ["beta_deg", "roll_rate_deg_s",
+                              "yaw_rate_deg_s", "roll_attitude_deg"]
+    A, B = numpy.array(axis["A"]), numpy.array(axis["B"])
+    assert A[1, :3] == pytest.approx(
+        [roll * found["Cl_beta"], roll * per_b * found["Cl_p"],
+         roll * per_b * found["Cl_r"]], rel=0.01)
+    assert A[2, :3] == pytest.approx(
+        [yaw * found["Cn_beta"], yaw * per_b * found["Cn_p"],
+         yaw * per_b * found["Cn_r"]], rel=0.01)
+    assert A[0, 3] == pytest.approx(own.gravity / speed, rel=0.01)
+    assert B[1:3] == pytest.approx(numpy.array([
+        [roll * found["Cl_aileron"], roll * found["Cl_rudder"]],
+        [yaw * found["Cn_aileron"], yaw * found["Cn_rudder"]]]), rel=0.01)
+    # Without a determined effect of the rates on the forces.
+    assert "CZ_q" in model["not_determined"]
 
 
 def test_gnd62_a_surface_that_never_moves_is_reported(flown, tmp_path):
@@ -306,12 +367,28 @@ def test_gnd61_a_mass_that_is_no_positive_number_is_refused(tmp_path, value):
         aircraft.read(path)
 
 
+@pytest.mark.parametrize("field, value, error", [
+    ("mass_slug", 1e-300, "mass_slug is from 1e-06 to 1e+09"),
+    ("ixz_slug_ft2", -1e200, "ixz_slug_ft2 is from -1e+09 to 1e+09"),
+    ("aircraft", "\ud800", "aircraft is a name of at most 60"),
+    ("aircraft", ["lambda"], "aircraft is a name of at most 60")])
+def test_gnd61_what_no_aircraft_has_is_refused(
+        tmp_path, field, value, error):
+    given = json.loads(aircraft.DEFAULT.read_text("utf-8")) | {field: value}
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps(given), "utf-8")
+    with pytest.raises(faults.Refused, match=re.escape(error)):
+        aircraft.read(path)
+
+
 @pytest.mark.parametrize("text, error", [
     ("begin,end\n", "times.csv:1: the columns are begin_s,end_s,axes"),
     ("begin_s,end_s,axes\n1,x,both\n", "times.csv:2: times are numbers"),
     ("begin_s,end_s,axes\n2,1,both\n", "times.csv:2: begin_s is before"),
     ("begin_s,end_s,axes\n1,nan,both\n", "times.csv:2: begin_s is before"),
     ("begin_s,end_s,axes\n1,2,roll\n", "times.csv:2: axes are"),
+    ("begin_s,end_s,axes\n1,2,both\n3,200,both\n",
+     "times.csv:3: a manoeuvre lasts at most 120 s"),
 ])
 def test_gnd61_bad_times_of_manoeuvres_give_one_line(
         urv, flown, tmp_path, text, error):

@@ -125,8 +125,8 @@ def test_a_start_on_the_runway_stands_until_the_brake_is_off(fly_so, write):
 
 
 @pytest.mark.parametrize(("text", "complaint"), [
-    ("wnd 3 4", "1: unknown condition \"wnd\"; there are start, wind,"
-     " turbulence, ballast, servos, bias, noise"),
+    ("wnd 3 4", "1: unknown condition \"wnd\"; there are start,"
+     " airframe, wind, turbulence, ballast, servos, bias, noise"),
     ("wind 3", "1: the form of this condition is wind FROM_DEG KT"),
     ("# wind\nwind 361 4", "2: FROM_DEG: \"361\" is not a number from 0 to"
      " 360 with at most 6 decimals"),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""EXT-7: docs/evidence/margins.md is of the gains and of the aircraft as they
+"""EXT-7, GND-65: docs/evidence/margins.md is of the gains and of the aircraft as they
 are, and no loop has less than is wanted."""
 
+import json
 import re
 import sys
 from types import SimpleNamespace
@@ -132,6 +133,89 @@ def made_up(laws, gain):
             model, numpy.arange(1000) * laws.identify.FRAME_S, pulse)
         answers[name] = dict(zip(outputs, gain * out, strict=True))
     return model, answers, inputs, outputs
+
+
+MODEL = {
+    "aircraft": "lambda", "airspeed_kt": 70.0, "weight_lb": 199.8,
+    "not_determined": ["CZ_q"],
+    "longitudinal": {
+        "states": ["alpha_deg", "pitch_rate_deg_s", "pitch_attitude_deg"],
+        "inputs": ["elevator_deg"],
+        "outputs": ["alpha_deg", "pitch_rate_deg_s", "pitch_attitude_deg",
+                    "climb_ft_s"],
+        "A": [[-2.6, 1.0, 0.0], [-28.7, -4.5, 0.0], [0.0, 1.0, 0.0]],
+        "B": [[0.13], [38.2], [0.0]],
+        "C": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0],
+              [-2.1, 0.0, 2.1]],
+        "D": [[0.0]] * 4},
+    "lateral": None}
+
+
+def test_gnd65_an_identified_model_is_sampled_as_the_sensors_are(
+        laws, tmp_path):
+    """A word held for a frame, a servo's lag, the scan 16 ms later: by many
+    short steps."""
+    numpy = pytest.importorskip("numpy")
+    import identified
+    path = tmp_path / "model.json"
+    path.write_text(json.dumps(MODEL), "utf-8")
+    found = identified.read(path)
+    assert found.condition == laws.identify.Condition(70.0, 0)
+    assert found.not_determined == ["CZ_q"]
+    assert found.models.lateral is None
+    model = found.models.longitudinal
+    A, B = (numpy.array(MODEL["longitudinal"][name]) for name in "AB")
+    aircraft, servo, state = numpy.zeros(3), 0.0, numpy.zeros(len(model.A))
+    step = 1e-5
+    for frame in range(10):
+        word = 1.0 if frame == 0 else 0.0
+        inputs = numpy.array([word, 0.0])
+        said = model.C @ state + model.D @ inputs
+        for count in range(2000):
+            if count == 1600:
+                measured = aircraft.copy()
+            aircraft = aircraft + step * (A @ aircraft + B[:, 0] * servo)
+            servo += step * (word - servo) / 0.1
+        assert said[:2] == pytest.approx(
+            [measured[2], measured[1]], abs=2e-3)
+        assert said[2] == 0.0
+        state = model.A @ state + model.B @ inputs
+
+
+def test_gnd65_the_table_has_both_margins_of_each_loop(laws, tmp_path):
+    margins = laws.margins
+    pytest.importorskip("numpy")
+    import identified
+    path = tmp_path / "model.json"
+    path.write_text(json.dumps(MODEL), "utf-8")
+    given = identified.read(path)
+    found = [(name, laws.loops.Margins(15.0, 60.0, 1.0),
+              laws.loops.margins(response, margins.OMEGA))
+             for name, response in margins.longitudinal_loops(
+                 given.models.longitudinal, law_gains.gains())]
+    lines = margins.table_beside(given, found).splitlines()
+    assert "at 70.0 kt, 200 lb" in lines[0]
+    assert [line.split("|")[1].strip() for line in lines[2:]] == [
+        "pitch, damping", "pitch, attitude", "pitch, hold", "altitude",
+        "airspeed"]
+    assert all(line.split("|")[2].strip() == "15.0" for line in lines[2:])
+    # Twice the gain, 6 dB less.
+    assert float(lines[3].split("|")[3]) > 6.0
+
+
+@pytest.mark.parametrize("text, error", [
+    ("{", "no model of bin/urv identify"), ("[]", "no model"),
+    ("{}", "no model"),
+    (json.dumps(MODEL | {"longitudinal": {}}), "no model"),
+    (json.dumps(MODEL | {"aircraft": "c172p"}), "not of c172p")])
+def test_gnd65_what_is_no_model_has_one_line(laws, tmp_path, text, error):
+    assert laws
+    import identified
+    path = tmp_path / "model.json"
+    path.write_text(text, "utf-8")
+    with pytest.raises(SystemExit, match=error) as ended:
+        identified.read(path)
+    assert len(str(ended.value).splitlines()) == 1
 
 
 @pytest.mark.parametrize("gain, misfit", [(1.0, 0.0), (0.8, 0.25), (2.0, 0.5)])

@@ -71,7 +71,7 @@ def test_the_page_has_every_fault_and_no_other(told):
 def test_the_page_has_every_condition_and_no_other(told):
     listed = told.partition("\nconditions, one a line")[2].partition("\n\n")
     of_help = [line.strip() for line in listed[0].splitlines()[1:]]
-    assert len(of_help) == 7
+    assert len(of_help) == 8
     assert [form.strip("`") for form, *_ in rows("Conditions")[1:]] == of_help
 
 
