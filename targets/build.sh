@@ -60,18 +60,23 @@ do
    include="$include -aI$up/$each"
 done
 
-optimise="-O2 -gnatn -ffunction-sections -fdata-sections"
+optimise="-O2 -gnatn -fcallgraph-info=su -ffunction-sections -fdata-sections"
 optimise="$optimise -fno-tree-loop-distribute-patterns"
 optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatwe -gnatyg -gnatyM79 -g"
 
-# Both nodes share the objects.
-mkdir -p objects
+# Both nodes share the objects, which are made again with other switches.
+stamp="$stamp $language $listing $optimise"
+if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
+   rm -rf objects
+   mkdir objects
+   echo "$stamp" >objects/stamp
+fi
 cd objects
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
    --RTS=../runtime $include "$up/targets/nodes/${node}_image.adb" \
-   -cargs $language $listing -fcallgraph-info=su $optimise $switches
+   -cargs $language $listing $optimise $switches
 cd "../$node"
 # shellcheck disable=SC2086
 "${prefix}gnatbind-12" --RTS=../runtime -aO../objects $include \
