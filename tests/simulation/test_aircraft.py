@@ -291,6 +291,7 @@ def test_it_has_crashed_when_belly_or_wing_tip_touch(
 
     aircraft = object.__new__(plant.Aircraft)
     aircraft.altitude, aircraft.bank = Node(altitude), Node(bank)
+    aircraft.half_span = plant.HALF_SPAN_FT
     assert aircraft.has_crashed() == crashed
 
 
