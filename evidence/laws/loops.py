@@ -223,7 +223,8 @@ def margins(loop, omega):
     """The least gain margin, up or down, the least phase margin, and where
     that one is, in rad/s."""
     magnitude, phase = numpy.abs(loop), numpy.unwrap(numpy.angle(loop))
-    log = numpy.log(magnitude)
+    # A loop that is open everywhere has magnitude 0.
+    log = numpy.log(numpy.maximum(magnitude, 1e-300))
     gain, least, where = numpy.inf, numpy.inf, numpy.nan
     for place in range(len(omega) - 1):
         if (log[place] > 0) != (log[place + 1] > 0):
