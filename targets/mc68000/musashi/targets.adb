@@ -9,6 +9,7 @@
 
 with Machine_Texts;           use Machine_Texts;
 with MC68681;                 use MC68681;
+with Stack_Marks;
 with System.Storage_Elements; use System.Storage_Elements;
 
 package body Targets is
@@ -267,18 +268,6 @@ package body Targets is
       end loop;
    end Put;
 
-   function Stack_Used return Unsigned_32 is
-      Size  : constant := 16#4000#;
-      Words : array (Unsigned_32 range 0 .. Size / 4 - 1) of Unsigned_32
-      with Import, Volatile_Components, External_Name => "urv_stack_bottom";
-      Free_Words : Unsigned_32 := 0;
-   begin
-      while Free_Words < Size / 4
-        and then Words (Free_Words) = 16#5AA5_5AA5#
-      loop
-         Free_Words := Free_Words + 1;
-      end loop;
-      return Size - 4 * Free_Words;
-   end Stack_Used;
+   function Stack_Used return Unsigned_32 renames Stack_Marks.Used;
 
 end Targets;
