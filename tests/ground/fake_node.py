@@ -23,6 +23,8 @@ from urv import packets  # noqa: E402 - found by the line above
 
 START = 10
 HELD_S, NEUTRAL_S = 0.5, 2.0
+# More frames than pass in any test, on a slow machine, too.
+MOST_HISTORY = 20_000
 SAFE = (2048, 2048, 2048, 0, 4095, *[0] * 8)
 NO_LOG = (packets.LogRow(),) * packets.ROWS_PER_LOG
 
@@ -182,7 +184,7 @@ class FakeNode(threading.Thread):
             if not self.silent:
                 self.sent = self.frame()
                 self.history.append(self.sent)
-                del self.history[:-500]
+                del self.history[:-MOST_HISTORY]
                 self._waiting.append((self._due, self.sent.encode()))
                 while (self._waiting and self._waiting[0][0] + self.late_s
                        <= self._due):

@@ -26,7 +26,16 @@ from urv.view import View
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 
 # The effects of a machine that runs the simulated node late.
-OF_THE_MACHINE = ("FRAMES", "NO FRAMES")
+OF_THE_MACHINE = ("FRAMES", "NO FRAMES", "FRAMES LATE", "LINK LOST",
+                  "SENSORS OLD")
+
+
+def sends_nothing(station, since, frames=15):
+    """The station has sent no console packet since that state, for a number of
+    frames."""
+    state = station.wait(lambda state: state["seq"] >= since["seq"] + frames,
+                         "frames")
+    assert state["station"]["sent"] == since["station"]["sent"]
 
 
 def of_the_test(state):
@@ -168,17 +177,15 @@ def test_gnd22_packets_stop_when_the_holder_falls_silent(station):
         console.sticks(2500)
         time.sleep(0.01)
     until(lambda: station.node.heard, "a console packet")
-    silent = time.monotonic()
-    time.sleep(SILENT_S + 0.5)
-    late = [came for came, _ in station.node.heard
-            if came > silent + SILENT_S + 0.4]
-    assert not late
+    sent = station.wait(lambda state: not state["live"],
+                        "silence")["station"]["sent"]
     state = station.wait(lambda state: state["console"] == "held",
                          "held sticks")
     assert not state["live"]
-    names = {alert["name"] for alert in station.wait(
-        lambda state: state["console"] == "neutral")["alerts"]}
-    assert {"STICKS HELD", "STICKS NEUTRAL"} <= names
+    state = station.wait(lambda state: state["console"] == "neutral")
+    assert state["station"]["sent"] == sent, "nothing more goes up"
+    assert {"STICKS HELD", "STICKS NEUTRAL"} <= {
+        alert["name"] for alert in state["alerts"]}
 
 
 def test_gnd22_packets_stop_and_silence_is_reported_within_half_a_second():
@@ -238,13 +245,12 @@ def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
     console.say({"t": "take"})
     console.sticks()
     console.say({"t": "lost", "what": what})
-    state = station.wait(of_the_test, "an alert")
+    state = station.wait(lambda state: name in {
+        alert["name"] for alert in of_the_test(state)}, "an alert")
     [alert] = [alert for alert in of_the_test(state)
                if alert["name"] == name]
     assert (alert["level"], alert["active"]) == ("caution", True)
-    sent = len(station.node.heard)
-    time.sleep(0.3)
-    assert len(station.node.heard) <= sent + 1
+    sends_nothing(station, state)
 
     def over(state):
         return not [alert for alert in state["alerts"]
@@ -267,12 +273,9 @@ def test_gnd29_the_simulated_pilot_takes_over_and_gives_back(
         console.until(lambda state: state["holder"], "the sticks")
         console.sticks(2100)
         console.say({"t": "pilot"})
-        console.until(lambda state: state["pilot"] == "flies"
-                      and state["holder"] is None, "the pilot flies")
-        sent = len(station.node.heard)
-        time.sleep(0.5)
-        assert len(station.node.heard) <= sent + 2, (
-            "nothing goes up while the pilot flies")
+        sends_nothing(station, console.until(
+            lambda state: state["pilot"] == "flies"
+            and state["holder"] is None, "the pilot flies"))
         console.say({"t": "take"})
         console.until(lambda state: state["holder"], "the sticks again")
         assert station.state()["pilot"] == "flies", "not moved yet"
@@ -300,7 +303,12 @@ def test_gnd20_every_frame_is_taken_and_calibrated(station):
             assert value == pytest.approx(item.value(word), abs=1e-4)
         else:
             assert value is None
-    assert state["packets"]["missing"] == state["packets"]["bad"] == 0
+    # A station that the machine runs late may have lost some, and counts them.
+    assert state["packets"]["bad"] == 0
+    first = int(station.logged("the ground's node runs, frame")[0][
+        "text"].rpartition(" ")[2])
+    assert state["packets"]["frames"] + state["packets"]["missing"] == (
+        state["seq"] - first + 1)
 
 
 def test_gnd20_malformed_packets_are_counted_and_dropped(station):
