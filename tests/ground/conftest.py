@@ -6,7 +6,7 @@
         assert result.returncode == 0
 
 Both run in a folder of the test's own. `standard` is the flight of `make fly`,
-flown once for all tests of a run.
+`brief` its first 20 s; each is flown once for all tests of a run.
 """
 
 import os
@@ -76,6 +76,13 @@ def standard(tmp_path_factory):
     """The folder of the flight of `make fly`."""
     return fly(tmp_path_factory.mktemp("standard"), "--plant", "jsbsim",
                "--pilot", "standard")
+
+
+@pytest.fixture(scope="session")
+def brief(tmp_path_factory):
+    """The same, 20 s of it."""
+    return fly(tmp_path_factory.mktemp("brief"), "--plant", "jsbsim",
+               "--pilot", "standard", "--seconds", "20")
 
 
 CHROMIUM = (os.environ.get("URV_CHROMIUM") or shutil.which("chromium")

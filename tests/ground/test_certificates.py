@@ -21,6 +21,9 @@ distributed = pytest.importorskip("distributed")
 # Long enough for one that is let in.
 REFUSED_S = 20
 
+# The first byte of an alert of TLS.
+ALERT = b"\x15"
+
 
 @pytest.fixture
 def quiet():
@@ -57,7 +60,11 @@ def is_let_in(address, context):
         except OSError:
             return False
         try:
-            return await asyncio.wait_for(reader.read(1), REFUSED_S) != b""
+            # Without a word from here a server of TLS waits. It answers one
+            # that is not TLS with an alert.
+            writer.write(b"hello\r\n")
+            first = await asyncio.wait_for(reader.read(1), REFUSED_S)
+            return first not in (b"", ALERT)
         except OSError:
             return False
         finally:

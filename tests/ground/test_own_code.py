@@ -105,10 +105,10 @@ browser that works."""
 
 @pytest.mark.parametrize("name", QUICK)
 def test_sec10_no_command_runs_code_of_the_current_folder(
-        name, run, hostile, standard):
+        name, run, hostile, brief):
     arguments, wanted = QUICK[name]
     status, _, errors = run(
-        *(word.format(record=standard / "record.csv") for word in arguments),
+        *(word.format(record=brief / "record.csv") for word in arguments),
         URV_CHROMIUM="/bin/false")
     assert marks(hostile) == []
     assert status == wanted, errors
