@@ -86,7 +86,7 @@ package body Sim.Engine is
    with Inline_Always;
 
    --  The frequent operations on characters have one instance for each node,
-   --  which needs no look-up of the node's constants (EVI-14).
+   --  which needs no look-up of the node's constants.
 
    --  A character reaches the board.
    procedure Hear

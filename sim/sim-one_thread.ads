@@ -2,7 +2,7 @@
 
 --  The simulation is one thread, so no protected object is contended. The
 --  linker replaces GNAT's lock operations by these (sim/urv_sim.gpr): the
---  unchanged text of the nodes does not pay for locks there (EVI-14).
+--  unchanged text of the nodes does not pay for locks there.
 --
 --  A program that withs this package must have no tasks: the binder checks
 --  that.
