@@ -2,17 +2,17 @@
 """The surfaces that replace a failed one: the gains of URV.Allocation (EXT-6).
 
     scripts/laws/allocation.py renew     writes src/laws/urv-allocation_table.ads
-    scripts/laws/allocation.py check     says whether it is of this aircraft
+    scripts/laws/allocation.py check     fails if it is of another aircraft
 
 The moments of each surface are those of the aircraft of sim/jsbsim. For each
-failure the least weighted movement of the primary surfaces left is sought that
-makes the moment the failed one lacks: the weighted pseudo-inverse
+failed surface, the other primary surfaces make its moment with the least
+weighted movement: the weighted pseudo-inverse
 
     W^-1 B' (B W^-1 B')^-1 b
 
-where B has the moments of those left, b those of the failed one, and W weighs
-a surface by the square of its travel. Flaps only go down, and slowly: they help
-by themselves no other than an aileron at its limit (URV.Allocation).
+where B has the moments of the other surfaces, b those of the failed one, and W
+weighs a surface by the square of its travel. Flaps only go down, and slowly:
+they only help an aileron at its limit (URV.Allocation).
 """
 
 import sys
@@ -125,15 +125,16 @@ def text(path=AIRCRAFT):
     both = roll["left_flap_1"] + roll["left_flap_2"]
     return f"""--  SPDX-License-Identifier: Apache-2.0
 
---  Made by scripts/laws/allocation.py of the aircraft's moments (EXT-6): not
---  to be changed by hand.
+--  The gains of the surfaces that replace a failed one (EXT-6), computed from
+--  the aircraft's moments. scripts/laws/allocation.py writes this file; do not
+--  edit it.
 
 with URV.Law_Units; use URV.Law_Units;
 with URV.Surfaces;  use URV.Surfaces;
 
 package URV.Allocation_Table with Pure, SPARK_Mode is
 
-   --  The gains are in parts of it.
+   --  A gain of 1.
    Unit : constant := {UNIT};
 
    subtype Gain is Number range -4_096 .. 4_096;
@@ -141,19 +142,20 @@ package URV.Allocation_Table with Pure, SPARK_Mode is
    type Gain_Row is array (Surface) of Gain;
    type Gain_Table is array (Surface) of Gain_Row;
 
-   --  Words of a surface for a word that a failed one lacks.
+   --  Words of each surface that replace one word of the failed surface.
    Gains : constant Gain_Table :=
      (
 {rows});
 
-   --  Words of an aileron that a flap's word is worth in roll.
+   --  Words of an aileron with the rolling moment of one word of the flap.
    type Flap_Row is array (Flap) of Number range -1_024 .. 1_024;
 
    Roll_Of_Flap : constant Flap_Row :=
      (
 {flaps});
 
-   --  Words of both flaps of a side for one of an aileron.
+   --  Words of both flaps of a side with the rolling moment of one word of
+   --  the aileron.
    Flap_For_Roll : constant := {round(UNIT * roll["left_aileron"] / both)};
 
 end URV.Allocation_Table;

@@ -1,14 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Made by scripts/laws/allocation.py of the aircraft's moments (EXT-6): not
---  to be changed by hand.
+--  The gains of the surfaces that replace a failed one (EXT-6), computed from
+--  the aircraft's moments. scripts/laws/allocation.py writes this file; do not
+--  edit it.
 
 with URV.Law_Units; use URV.Law_Units;
 with URV.Surfaces;  use URV.Surfaces;
 
 package URV.Allocation_Table with Pure, SPARK_Mode is
 
-   --  The gains are in parts of it.
+   --  A gain of 1.
    Unit : constant := 1024;
 
    subtype Gain is Number range -4_096 .. 4_096;
@@ -16,7 +17,7 @@ package URV.Allocation_Table with Pure, SPARK_Mode is
    type Gain_Row is array (Surface) of Gain;
    type Gain_Table is array (Surface) of Gain_Row;
 
-   --  Words of a surface for a word that a failed one lacks.
+   --  Words of each surface that replace one word of the failed surface.
    Gains : constant Gain_Table :=
      (
       Left_Aileron =>
@@ -130,7 +131,7 @@ package URV.Allocation_Table with Pure, SPARK_Mode is
          Left_Flap_2 => 0,
          Right_Flap_2 => 0));
 
-   --  Words of an aileron that a flap's word is worth in roll.
+   --  Words of an aileron with the rolling moment of one word of the flap.
    type Flap_Row is array (Flap) of Number range -1_024 .. 1_024;
 
    Roll_Of_Flap : constant Flap_Row :=
@@ -140,7 +141,8 @@ package URV.Allocation_Table with Pure, SPARK_Mode is
       Left_Flap_2 => 240,
       Right_Flap_2 => -240);
 
-   --  Words of both flaps of a side for one of an aileron.
+   --  Words of both flaps of a side with the rolling moment of one word of
+   --  the aileron.
    Flap_For_Roll : constant := 1747;
 
 end URV.Allocation_Table;
