@@ -30,7 +30,6 @@ from flight_numbers import FRAMES_PER_S, NUMBERS
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "evidence" / "bench" / "results.json"
 PAGE = ROOT / "docs" / "evidence" / "performance.md"
-PICTURE = PAGE.with_suffix(".svg")
 PYTHON = ROOT / ".venv" / "bin" / "python"
 SIMULATION = ROOT / "bin" / "urv_sim"
 
@@ -325,24 +324,13 @@ def of_flights(found, commit):
 def page(found, bounds, commit, runs):
     least, most = bounds
     return (f"{of_calls(found)}\n\nMedians of {runs} runs; of a ratio, that of"
-            f" each run's own.\n\n![the same as plots]({PICTURE.name})\n\n"
+            f" each run's own.\n\n"
             f"{of_flights(found, commit)}\n\n"
             f"From the console to the servos in the simulation, at every phase"
             f" of the frames: {least} to {most} ms.\n")
 
 
-def renew(text, found, commit):
-    sys.path.insert(0, str(ROOT / "evidence" / "bench"))
-    import plots
-    messages = [("URV", "mailbox 66", True)] + [
-        (name_of(peer).replace("`", ""), peer, False)
-        for peer in PEERS["mailbox 66"]]
-    speeds = [(re.sub("[*`]", "", text).format(commit), what,
-               text.startswith("**"))
-              for what, text in SPEEDS.items() if what in found]
-    plots.draw(PICTURE, *[
-        [(name, found[what]["median"], own) for name, what, own in rows]
-        for rows in (messages, speeds)])
+def renew(text):
     head = PAGE.read_text("utf-8").partition("| what |")[0]
     PAGE.write_text(head + text, encoding="utf-8")
 
@@ -367,7 +355,7 @@ def main():
     text = page(found, bounds, chosen.before, chosen.runs)
     print(text, end="")
     if chosen.renew:
-        renew(text, found, chosen.before)
+        renew(text)
     print(f"bench: {time.monotonic() - began:.0f} s")
     return 0
 

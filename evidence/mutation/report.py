@@ -79,15 +79,16 @@ def counted(results, equivalent):
 
 
 def table(results, equivalent):
-    """By package and folder."""
+    """By folder, and each package that has a survivor."""
     packages = counted(results, equivalent)
-    lines = ["| " + " | ".join(("package", *COLUMNS)) + " |",
+    lines = ["| " + " | ".join(("folder", *COLUMNS)) + " |",
              "|---|" + "--:|" * len(COLUMNS)]
     for folder in sorted({folder for folder, _ in packages}):
         of_folder = {name: counts for (at, name), counts in
                      sorted(packages.items()) if at == folder}
         lines += [cells(f"`{name}`", counts)
-                  for name, counts in of_folder.items()]
+                  for name, counts in of_folder.items()
+                  if counts["survived"]]
         lines.append(cells(f"**{folder}**",
                            sum(of_folder.values(), Counter())))
     total = sum(packages.values(), Counter())
