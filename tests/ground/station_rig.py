@@ -4,7 +4,7 @@
     with Station(record, tmp_path) as station:
         state = station.wait(lambda state: state["rate"] >= 40)
         page = station.console()
-        page.say({"t": "take"})
+        page.take()
 """
 
 import json
@@ -129,6 +129,13 @@ class Station:
     def console(self, **more):
         return Console(self.port, **more)
 
+    def sends_nothing(self, since, frames=15):
+        """It has sent no console packet since that state, for a number of
+        frames."""
+        state = self.wait(lambda state: state["seq"] >= since["seq"] + frames,
+                          "frames")
+        assert state["station"]["sent"] == since["station"]["sent"]
+
     def lines(self):
         """The station's log."""
         if not self.events.exists():
@@ -146,6 +153,11 @@ class Station:
 
 CLOCK_S = 1e6
 """A page's clock shows another time than the station's."""
+
+
+def moved(roll):
+    """The message of sticks."""
+    return {"t": "sticks", "words": [roll, 2048, 2048, 2048, 2048, *[0] * 8]}
 
 
 class Console:
@@ -169,8 +181,7 @@ class Console:
                     CLOCK_S + time.monotonic() - self.late_s)}))
 
     def sticks(self, roll=2048):
-        self.say({"t": "sticks", "words": [roll, 2048, 2048, 2048, 2048,
-                                           *[0] * 8]})
+        self.say(moved(roll))
 
     def next(self, kind):
         """The next message of that kind."""
@@ -190,6 +201,23 @@ class Console:
             if condition(state):
                 return state
             assert time.monotonic() < ends, f"never came: {what}"
+
+    def insist(self, message, condition, what):
+        """Says it until a state shows it, and returns that state. A slow
+        machine drops input that was half a second on its way (GND-51)."""
+        ends = time.monotonic() + PATIENCE_S
+        while True:
+            self.say(message)
+            for _ in range(25):
+                state = self.next("state")
+                if condition(state):
+                    return state
+            assert time.monotonic() < ends, f"never came: {what}"
+
+    def take(self):
+        """Takes the sticks."""
+        return self.insist({"t": "take"}, lambda state: state["holder"]
+                           == self.number, "the sticks")
 
     def close(self):
         self.socket.close()

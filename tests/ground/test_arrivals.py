@@ -127,8 +127,7 @@ def test_gnd51_words_are_flown_until_they_are_half_a_second_old():
 
 def hold(station):
     console = station.console()
-    console.say({"t": "take"})
-    console.until(lambda state: state["holder"] == console.number, "sticks")
+    console.take()
     threading.Thread(target=read, args=(console,), daemon=True).start()
     return console
 
@@ -212,8 +211,7 @@ def test_gnd51_what_waits_at_a_station_that_stood_still_is_dropped(station):
 
 def test_gnd51_a_repeated_message_is_dropped_and_reported(station):
     console = hold(station)
-    console.sticks(3000)
-    until(lambda: station.node.heard, "sticks")
+    until(lambda: console.sticks(3000) or station.node.heard, "sticks")
     console.sequence -= 1
     console.sticks(100)
     console.sequence -= 1
@@ -226,8 +224,7 @@ def test_gnd51_a_repeated_message_is_dropped_and_reported(station):
 
 def test_gnd51_a_clock_that_steps_does_not_lock_the_pilot_out(station):
     console = hold(station)
-    console.sticks(3000)
-    until(lambda: station.node.heard, "sticks")
+    until(lambda: console.sticks(3000) or station.node.heard, "sticks")
     console.late_s = 3600.0
     console.answers = True
 

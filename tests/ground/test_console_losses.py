@@ -189,8 +189,7 @@ def open_page(browser):
 def take_silently(flight):
     """A page whose script hangs: its socket is open, and says nothing."""
     console = Console(flight.page_port)
-    console.say({"t": "take"})
-    console.until(lambda state: state["holder"] == console.number, "taken")
+    console.take()
     ended = threading.Event()
 
     def move():

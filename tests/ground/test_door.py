@@ -79,9 +79,7 @@ def test_sec11_sixteen_idle_pages_do_not_keep_another_one_out(
         record, tmp_path):
     with Station(record, tmp_path) as station:
         holder = station.console()
-        holder.say({"t": "take"})
-        holder.until(lambda state: state["holder"]
-                     == holder.number, "the sticks")
+        holder.take()
         idle = [station.console() for _ in range(web.MOST_PAGES - 1)]
 
         def opened():

@@ -14,7 +14,7 @@ import time
 import pytest
 import websocket
 from aiohttp.http_exceptions import BadHttpMethod
-from station_rig import PATIENCE_S, Station, until
+from station_rig import PATIENCE_S, Station, moved, until
 
 from urv import door, items, laws, packets, web
 from urv.alerts import Alerts
@@ -28,14 +28,6 @@ WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 # The effects of a machine that runs the simulated node late.
 OF_THE_MACHINE = ("FRAMES", "NO FRAMES", "FRAMES LATE", "LINK LOST",
                   "SENSORS OLD")
-
-
-def sends_nothing(station, since, frames=15):
-    """The station has sent no console packet since that state, for a number of
-    frames."""
-    state = station.wait(lambda state: state["seq"] >= since["seq"] + frames,
-                         "frames")
-    assert state["station"]["sent"] == since["station"]["sent"]
 
 
 def of_the_test(state):
@@ -142,12 +134,11 @@ def test_gnd22_a_silent_or_paused_holder_is_not_live():
 
 def test_gnd21_over_sockets_a_second_console_cannot_take_them(station):
     first, second = station.console(), station.console()
-    first.say({"t": "take"})
-    first.until(lambda state: state["holder"] == first.number, "first holds")
+    first.take()
     for number in range(200):
         first.sticks(3000)
         second.sticks(100)
-        if number == 50:
+        if number == 150:
             second.say({"t": "take"})
         time.sleep(0.005)
     state = station.state()
@@ -162,17 +153,15 @@ def test_gnd21_over_sockets_a_second_console_cannot_take_them(station):
 
 def test_gnd21_the_sticks_of_a_closed_page_are_free(station):
     first, second = station.console(), station.console()
-    first.say({"t": "take"})
-    first.until(lambda state: state["holder"] == first.number, "first holds")
+    first.take()
     first.close()
     second.until(lambda state: state["holder"] is None, "free sticks")
-    second.say({"t": "take"})
-    second.until(lambda state: state["holder"] == second.number, "taken")
+    second.take()
 
 
 def test_gnd22_packets_stop_when_the_holder_falls_silent(station):
     console = station.console()
-    console.say({"t": "take"})
+    console.take()
     for _ in range(40):
         console.sticks(2500)
         time.sleep(0.01)
@@ -208,8 +197,7 @@ def test_gnd22_packets_stop_and_silence_is_reported_within_half_a_second():
 def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
     """On every page, within half a second, which frames count."""
     first, other = station.console(), station.console()
-    first.say({"t": "take"})
-    first.until(lambda state: state["holder"] == first.number, "the sticks")
+    first.take()
     for _ in range(20):
         first.sticks()
         time.sleep(0.02)
@@ -222,18 +210,17 @@ def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
     station.wait(alert("PAGE SILENT"), "a caution")
     until(lambda: "PAGE SILENT" in {
         each["name"] for each in other.next("alerts")["alerts"]}, "the alert")
-    first.sticks()
-    station.wait(lambda state: not alert("PAGE SILENT")(state), "its end")
+    first.insist(moved(2048), lambda state: not alert("PAGE SILENT")(
+        station.state()), "its end")
     station.logged(f"console {first.number} flies again after")
     first.close()
     state = station.wait(alert("PAGE CLOSED"), "a caution")
     assert state["holder"] is None
     # It lasts until somebody flies.
-    other.say({"t": "take"})
-    other.until(lambda state: state["holder"] == other.number, "the sticks")
+    other.take()
     assert alert("PAGE CLOSED")(station.state())
-    other.sticks()
-    station.wait(lambda state: not alert("PAGE CLOSED")(state), "its end")
+    other.insist(moved(2048), lambda state: not alert("PAGE CLOSED")(
+        station.state()), "its end")
 
 
 @pytest.mark.parametrize(("what", "name"),
@@ -242,7 +229,7 @@ def test_gnd22_a_holder_that_is_silent_or_closed_is_a_caution(station):
 def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
         station, what, name):
     console = station.console()
-    console.say({"t": "take"})
+    console.take()
     console.sticks()
     console.say({"t": "lost", "what": what})
     state = station.wait(lambda state: name in {
@@ -250,13 +237,13 @@ def test_gnd22_a_hidden_page_or_lost_gamepad_is_a_caution(
     [alert] = [alert for alert in of_the_test(state)
                if alert["name"] == name]
     assert (alert["level"], alert["active"]) == ("caution", True)
-    sends_nothing(station, state)
+    station.sends_nothing(state)
 
     def over(state):
         return not [alert for alert in state["alerts"]
                     if alert["name"] == name and alert["active"]]
-    console.sticks()
-    station.wait(over, "the end of it")
+    console.insist(moved(2048), lambda _: over(station.state()),
+                   "the end of it")
     # A node that has gone cannot be hidden any more.
     console.say({"t": "lost", "what": what})
     station.wait(lambda state: not over(state), "the caution again")
@@ -269,21 +256,17 @@ def test_gnd29_the_simulated_pilot_takes_over_and_gives_back(
     with Station(record, tmp_path, pilot=True) as station:
         station.flying()
         console = station.console()
-        console.say({"t": "take"})
-        console.until(lambda state: state["holder"], "the sticks")
+        console.take()
         console.sticks(2100)
-        console.say({"t": "pilot"})
-        sends_nothing(station, console.until(
-            lambda state: state["pilot"] == "flies"
+        station.sends_nothing(console.insist(
+            {"t": "pilot"}, lambda state: state["pilot"] == "flies"
             and state["holder"] is None, "the pilot flies"))
-        console.say({"t": "take"})
-        console.until(lambda state: state["holder"], "the sticks again")
+        console.take()
         assert station.state()["pilot"] == "flies", "not moved yet"
-        console.sticks(2200)
-        console.until(lambda state: state["pilot"] == "hands_off",
-                      "hands off")
-        console.say({"t": "pilot"})
-        console.until(lambda state: state["pilot"] == "flies", "flies")
+        console.insist(moved(2200), lambda state: state["pilot"]
+                       == "hands_off", "hands off")
+        console.insist({"t": "pilot"}, lambda state: state["pilot"]
+                       == "flies", "flies")
         console.say({"t": "release"})
         console.until(lambda state: state["pilot"] == "hands_off",
                       "stopped")
@@ -500,8 +483,7 @@ def ordered(station, state):
 
 def holder(station):
     console = station.console()
-    console.say({"t": "take"})
-    console.until(lambda state: state["holder"] == console.number, "sticks")
+    console.take()
     return console
 
 
