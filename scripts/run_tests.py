@@ -57,6 +57,9 @@ LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
 # counts frames, not time. Those of the ground station have a browser.
 LIVE_AT_ONCE = {"real_time": "6", "ground": "4"}
 
+# Of other tests one more than there are processors: some wait.
+ONE_MORE = str(len(os.sched_getaffinity(0)) + 1)
+
 BROKEN = (0, 1, 0)
 
 
@@ -176,11 +179,11 @@ def unit_share(mode, number, shares):
     return tuple(map(int, totals.groups()))
 
 
-def python_tests(projects, name, without=(), at_once="auto",
+def python_tests(projects, name, without=(), at_once=ONE_MORE,
                  spread="loadfile", told=None):
     """Build what the tests of a folder fly, then run them: as many at once as
-    there are processors or are named. Those of one file or group run one after
-    another, unless they are spread otherwise."""
+    are named. Those of one file or group run one after another, unless they
+    are spread otherwise."""
     if not all([build(project, mode) for project, mode in projects]):
         return BROKEN
     report = RESULTS / f"{told or name}.xml"
@@ -252,12 +255,12 @@ def ground_tests():
 
 
 def target_tests():
-    return python_tests([SIMULATION], "targets")
+    return python_tests([SIMULATION], "targets", at_once="auto")
 
 
 def change_tests():
     """One after another: those of one copy must not meet."""
-    return python_tests([], "changes")
+    return python_tests([], "changes", at_once="1")
 
 
 def one_test(*command):
