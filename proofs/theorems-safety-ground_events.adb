@@ -81,7 +81,7 @@ package body Theorems.Safety.Ground_Events with SPARK_Mode is
        and then Item.Done = Item'Old.Done
        and then
          (if not Is_Fresh (Item'Old.ADINT)
-            and then Is_Over (Got.Patience, Got.Time)
+            and then Is_Over (Got.Timeout, Got.Time)
             and then Item'Old.Scanning.Doing = Scanning
             and then Item'Old.Scanning.Received = 0
           then Contents (Item.AD).Error_Status = Stale_Data);
@@ -107,8 +107,8 @@ package body Theorems.Safety.Ground_Events with SPARK_Mode is
       end if;
 
       --  RECV with a wait: the last look is a Receive.
-      Kept.Patience := Got.Patience;
-      if Is_Over (Kept.Patience, Got.Time) then
+      Kept.Timeout := Got.Timeout;
+      if Is_Over (Kept.Timeout, Got.Time) then
          Receive (Item.ADINT, Words, Fresh);
          Look_Again := False;
       else

@@ -26,7 +26,7 @@ private package Theorems.Safety.Ground_Events with SPARK_Mode, Ghost is
             and then
               (Got.Schedule = Report
                or else
-                 (Is_Over (Got.Patience, Got.Time)
+                 (Is_Over (Got.Timeout, Got.Time)
                   and then
                     Item'Old.Scanning.Doing = URV.AD_Steps.Scanning
                   and then Item'Old.Scanning.Received = 0))

@@ -219,7 +219,7 @@ package body Theorems.Safety with SPARK_Mode is
         (Item, Scans,
          (Schedule => Report,
           Time     => 0,
-          Patience => Begun (0, 0),
+          Timeout  => Begun (0, 0),
           Most     => 0));
    end A_Repeated_Scan_Is_Marked;
 

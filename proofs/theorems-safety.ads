@@ -316,7 +316,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    type AD_Inputs is record
       Schedule : Schedule_Name;
       Time     : Clock_Tick;
-      Patience : Wait;
+      Timeout  : Wait;
       Most     : URV.AD_Scans.Scan_Count;
    end record;
 
@@ -507,7 +507,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        Is_Sound (Item, Scans)
        and then not Is_Fresh (Item.ADINT)
        and then Got.Schedule = Fast
-       and then Is_Over (Got.Patience, Got.Time)
+       and then Is_Over (Got.Timeout, Got.Time)
        and then Item.Scanning.Doing = URV.AD_Steps.Scanning
        and then Item.Scanning.Received = 0,
      Post   =>

@@ -10,10 +10,10 @@ package body URVOS.Shared_Frame_Locks with SPARK_Mode is
          State := At_Start;
       end Set;
 
-      procedure Begin_Anew is
+      procedure Restart is
       begin
          State := Restarted (State);
-      end Begin_Anew;
+      end Restart;
 
       procedure Tick (Available : Boolean) is
       begin

@@ -15,7 +15,7 @@ package URVOS.Shared_Frame_Locks with SPARK_Mode is
       procedure Set (On : Boolean);
 
       --  The node starts: see URVOS.Frame_Locks.Restarted.
-      procedure Begin_Anew;
+      procedure Restart;
 
       --  See URVOS.Frame_Locks.
 

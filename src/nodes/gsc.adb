@@ -6,7 +6,7 @@ with URV.Errors;  use URV.Errors;
 package body GSC with SPARK_Mode is
 
    procedure Run_Step
-     (Who       : Task_Name;
+     (Name      : Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call)
@@ -15,7 +15,7 @@ package body GSC with SPARK_Mode is
       Unused_Is_New : Boolean;
    begin
       if First_Run then
-         case Who is
+         case Name is
             when AD_Task        => AD.Initialise;
             when TELIN_Task     => TELIN.Initialise;
             when CORE_Task      => CORE.Initialise;
@@ -24,7 +24,7 @@ package body GSC with SPARK_Mode is
             when others         => null;
          end case;
       else
-         case Who is
+         case Name is
             when AD_Task        => AD.Run_Transaction (Now);
             when TELIN_Task     =>
                TELIN.Run_Transaction (Now, Unused_Is_New);
@@ -38,9 +38,9 @@ package body GSC with SPARK_Mode is
       end if;
       Call :=
         (Next_Frame_Call,
-         Offset => Task_List (Who) (Set).Offset,
+         Offset => Task_List (Name) (Set).Offset,
          others => <>);
-      if Who = AD_Task then
+      if Name = AD_Task then
          AD.Await_Scan (Call);
       end if;
    end Run_Step;
@@ -49,7 +49,7 @@ package body GSC with SPARK_Mode is
    begin
       AD_Board.Initialise;
       Status.Write (No_Error);
-      Sealing.Begin_Anew;
+      Sealing.Restart;
       ADINT_Variable.Reset;
       AD_Variable.Reset;
       TELIN_Variable.Reset;
@@ -78,9 +78,9 @@ package body GSC with SPARK_Mode is
       Errors.Set_Time (Now);
    end Tell_Time;
 
-   procedure Report_Overrun (Who : Task_Id) is
+   procedure Report_Overrun (Id : Task_Id) is
    begin
-      Errors.Report (Task_Overrun, Word (Who));
+      Errors.Report (Task_Overrun, Word (Id));
    end Report_Overrun;
 
 end GSC;

@@ -20,7 +20,7 @@ package body MCS with SPARK_Mode is
    end Look_At_Frame;
 
    procedure Run_Step
-     (Who       : Task_Name;
+     (Name      : Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call)
@@ -29,7 +29,7 @@ package body MCS with SPARK_Mode is
       Is_New : Boolean;
    begin
       if First_Run then
-         case Who is
+         case Name is
             when AD_Task        => AD.Initialise;
             when TELIN_Task     => TELIN.Initialise;
             when CORE_Task      => CORE.Initialise;
@@ -38,7 +38,7 @@ package body MCS with SPARK_Mode is
             when others         => null;
          end case;
       else
-         case Who is
+         case Name is
             when AD_Task        => AD.Run_Transaction (Now);
             when TELIN_Task     =>
                TELIN.Run_Transaction (Now, Is_New);
@@ -55,9 +55,9 @@ package body MCS with SPARK_Mode is
       end if;
       Call :=
         (Next_Frame_Call,
-         Offset => Task_List (Who) (Set).Offset,
+         Offset => Task_List (Name) (Set).Offset,
          others => <>);
-      if Who = AD_Task then
+      if Name = AD_Task then
          AD.Await_Scan (Call);
       end if;
    end Run_Step;
@@ -66,8 +66,8 @@ package body MCS with SPARK_Mode is
    begin
       AD_Board.Initialise;
       Status.Write (No_Error);
-      Frame_Lock.Begin_Anew;
-      Sealing.Begin_Anew;
+      Frame_Lock.Restart;
+      Sealing.Restart;
       PWM_Board.Write (URV.PWM_Layout.Safe_Area);
       ADINT_Variable.Reset;
       AD_Variable.Reset;
@@ -89,7 +89,7 @@ package body MCS with SPARK_Mode is
    begin
       AD_Board.Initialise;
       Status.Write (No_Error);
-      Frame_Lock.Begin_Anew;
+      Frame_Lock.Restart;
       ADINT_Variable.Restart;
       AD_Variable.Restart;
       TELIN_Variable.Restart;
@@ -121,9 +121,9 @@ package body MCS with SPARK_Mode is
       Errors.Set_Time (Now);
    end Tell_Time;
 
-   procedure Report_Overrun (Who : Task_Id) is
+   procedure Report_Overrun (Id : Task_Id) is
    begin
-      Errors.Report (Task_Overrun, Word (Who));
+      Errors.Report (Task_Overrun, Word (Id));
    end Report_Overrun;
 
 end MCS;

@@ -190,7 +190,7 @@ package MCS with SPARK_Mode is
    --  frame. The task then sleeps until its offset in the next major frame
    --  (FRM-3).
    procedure Run_Step
-     (Who       : Task_Name;
+     (Name      : Task_Name;
       First_Run : Boolean;
       Now       : Clock_Tick;
       Call      : out Kernel_Call);
@@ -222,7 +222,7 @@ package MCS with SPARK_Mode is
    procedure Tell_Time (Now : Clock_Tick)
    with Global => (In_Out => Errors);
 
-   procedure Report_Overrun (Who : Task_Id)
+   procedure Report_Overrun (Id : Task_Id)
    with Global => (In_Out => Errors);
 
    package Software is new URVOS.Node_Software

@@ -14,10 +14,10 @@ package body URV.Shared_Seals with SPARK_Mode is
          Item := New_Seal (Role, Format, Keys, Start);
       end Configure;
 
-      procedure Begin_Anew is
+      procedure Restart is
       begin
          Item := Restarted (Item);
-      end Begin_Anew;
+      end Restart;
 
       procedure Set_Time (Now : Clock_Tick) is
       begin

@@ -28,7 +28,7 @@ package URV.Shared_Seals with SPARK_Mode is
          Start  : Nonce);
 
       --  Called at a cold start.
-      procedure Begin_Anew;
+      procedure Restart;
 
       --  Sets the node's time: before each Open, and before each Close in a
       --  frame without an Open.

@@ -23,7 +23,7 @@ package URV.AD_Steps with Pure, SPARK_Mode is
    type Progress is record
       Doing    : Activity   := Had_Scan;
       Received : Scan_Count := 0;
-      Patience : Wait       := Begun (0, 0);
+      Timeout  : Wait       := Begun (0, 0);
    end record;
 
    --  The report's schedule hands on the last frame's scan, marked with an
@@ -34,7 +34,7 @@ package URV.AD_Steps with Pure, SPARK_Mode is
 
    --  The first step of a frame begins a scan, and waits for it a tick.
    function Scan_Begun (Now : Clock_Tick) return Progress is
-     ((Doing => Scanning, Received => 0, Patience => Begun (Now, 1)))
+     ((Doing => Scanning, Received => 0, Timeout => Begun (Now, 1)))
    with Global => null;
 
    --  The progress after a look for a scan.
@@ -57,7 +57,7 @@ package URV.AD_Steps with Pure, SPARK_Mode is
    is
      (if Fresh
         and then Kept.Received < Most
-        and then not Is_Over (Kept.Patience, Now)
+        and then not Is_Over (Kept.Timeout, Now)
       then Begin_Another_Scan
       elsif Look_Again then Wait_For_Scan
       else Hand_On_Image)

@@ -71,7 +71,7 @@ package body URV.AD_Task with SPARK_Mode is
          return;
       end if;
 
-      Receiving.Receive_Step (Now, Kept.Patience, Item, Fresh, Look_Again);
+      Receiving.Receive_Step (Now, Kept.Timeout, Item, Fresh, Look_Again);
       Kept := Counted (Kept, Fresh);
       Chosen := Next_Action (Kept, Fresh, Look_Again, Fast_Scans, Now);
       case Chosen is

@@ -4,7 +4,7 @@
 --  out (report, appendix A.2; LNK-3 to LNK-5, D-27).
 --
 --  The data of a message goes, byte by byte, into the receive buffer that was
---  chosen at its header. That buffer is busy until the message ends. It
+--  chosen at its header. The buffer is busy until the message ends. It
 --  becomes full only if the checksum matched, no character had a parity error,
 --  and no character followed the checksum until the board judged the message.
 --

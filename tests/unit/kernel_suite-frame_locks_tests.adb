@@ -172,7 +172,7 @@ package body Frame_Locks_Tests is
             (if Is_On then 9 else 10));
          Expect_Number ("of the next", Integer (Length_Of (130, Lock.Request)),
                         10);
-         Lock.Begin_Anew;
+         Lock.Restart;
          Expect_Number
            ("after a start", Integer (Length_Of (125, Lock.Request)),
             (if Is_On then 9 else 10));

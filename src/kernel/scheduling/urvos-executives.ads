@@ -52,7 +52,7 @@ is
    with Global => Task_Management;
 
    --  Runs the next step of the task that has the processor, if any.
-   --  Runs_On tells that this task called EXIT and has the processor again.
+   --  Runs_On: this task called EXIT and has the processor again.
    procedure Run_Step (Runs_On : out Boolean)
    with Post => Time >= Time'Old;
 
