@@ -54,14 +54,16 @@ def part_of(name):
 
 
 class Change:
-    """A patch, and a copy of the tree that has it."""
+    """A patch, and a copy of the tree that has it: a new one, or that of
+    another change, which has both then."""
 
-    def __init__(self, name):
+    def __init__(self, name, beside=None):
         self.path = HERE / f"{name}.patch"
         self.text = self.path.read_text(encoding="utf-8")
-        self.copy = COPIES / name
-        tree_copy.renew_copy(ROOT, self.copy)
-        tree_copy.take_objects(ROOT, self.copy, OBJECTS)
+        self.copy = beside.copy if beside else COPIES / name
+        if not beside:
+            tree_copy.renew_copy(ROOT, self.copy)
+            tree_copy.take_objects(ROOT, self.copy, OBJECTS)
         said = tree_copy.git_apply(self.copy, self.path)
         assert said == "", f"{self.path.name} no longer applies: {said}"
 
@@ -150,10 +152,24 @@ class Change:
                         **at_start)
 
 
-def test_one_more_sensor_word():
-    """It comes down from the plant to CORE of the ground."""
-    change = Change("sensor")
+@pytest.fixture(scope="module")
+def sensor():
+    return Change("sensor")
+
+
+@pytest.fixture(scope="module")
+def climb_rate(sensor):
+    """It concerns no line of the sensor's: one copy is built for both."""
+    return Change("climb-rate", beside=sensor)
+
+
+def test_one_more_sensor_word(sensor, climb_rate):
+    """It comes down from the plant to CORE of the ground. The copy has one
+    more control law, too."""
+    change = sensor
     change.expect_cost()
+    assert not set(change.files()["product"]) & set(
+        climb_rate.files()["product"])
     change.expect_built_and_tested()
     expect_partitions_flown(change)
     rows, _ = change.fly_aircraft()
@@ -291,12 +307,14 @@ def test_no_other_task_writes_what_a_new_one_writes(task):
     assert set(told) == {0, battery_low, rom_differs + battery_low}
 
 
-def test_one_more_control_law():
+def test_one_more_control_law(climb_rate):
     """EVI-12: behind a switch the pitch stick commands a climb rate. The
-    other modes fly as they are."""
-    change = Change("climb-rate")
+    other modes fly as they are. The test of the sensor has built the copy and
+    run its unit tests."""
+    change = climb_rate
     change.expect_cost()
-    change.expect_built_and_tested()
+    result = change.build("sim/urv_sim.gpr")
+    assert result.returncode == 0, result.stdout + result.stderr
     tables = json.loads(change.run("bin/urv_sim", "tables").stdout)
     assert tables["vertical"][-1] == "climb by stick"
     (change.copy / "sticks.csv").write_text(
