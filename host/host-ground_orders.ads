@@ -5,6 +5,8 @@
 
 with Ada.Containers.Vectors;
 
+with URV.Type_Codes; use URV.Type_Codes;
+
 package Host.Ground_Orders is
 
    --  An order replaces a frame's commands. Between two orders the aircraft
@@ -20,6 +22,9 @@ package Host.Ground_Orders is
 
    --  Reads and checks the file; refuses it at its first wrong line.
    procedure Load (Loaded : in out Script; File : String);
+
+   --  A block is a test card, or another of its kind.
+   function Has_Cards (From : Script) return Boolean;
 
    --  The time of the next order, Never after the last.
    function Next_Time (From : Script) return Microseconds;
@@ -41,6 +46,10 @@ private
       Orders : Order_Vectors.Vector;
       Next   : Positive := 1;
    end record;
+
+   function Has_Cards (From : Script) return Boolean is
+     (for some Item of From.Orders =>
+        Kind_Of (Item.Block) = Test_Card_Kind);
 
    function Next_Time (From : Script) return Microseconds is
      (if From.Next > From.Orders.Last_Index then Never

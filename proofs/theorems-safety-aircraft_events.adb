@@ -44,7 +44,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Got        : URV.LAW_Steps.Inputs;
       Flown      : out URV.LAW_Steps.Flight;
       Flown_From : out Scan_Count;
-      Reported   : out Health)
+      Reported   : out Health;
+      Added      : out Increments)
    with
      Global => null,
      Pre    =>
@@ -64,11 +65,17 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          (if Fresh
             and then
               (not Usual.On or else URV.Laws.Is_Disconnected (Commands))
-          then not Flown.By_Law and then Flown.Message = Commands)
+          then not Flown.By_Law
+            and then not Flown.By_Card
+            and then Flown.Message = Commands)
        and then
-         (if Is_Old (Commands) and then not Flown.By_Law
+         (if Is_Old (Commands)
+            and then not Flown.By_Law
+            and then not Flown.By_Card
           then Is_Old (Flown.Message))
-       and then (if not Usual.On then not Flown.By_Law)
+       and then
+         (if not Usual.On then not Flown.By_Law and then not Flown.By_Card)
+       and then Is_Added (Added, Flown.By_Card)
        and then
          Is_Reported (Reported, Flown.By_Law)
        and then
@@ -78,13 +85,15 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
    --  The PWM task's words, with the part of their contract that is needed
    --  here.
    function Words_Of
-     (Message : Uplink_Buffer; Reported : Health) return Data_Area
+     (Message : Uplink_Buffer; Reported : Health; Added : Increments)
+      return Data_Area
    with
      Global => null,
      Post   =>
        (if Reported.Failed = URV.Surfaces.None
         then Words_Of'Result =
-          URV.PWM_Layout.To_Data_Area (Transform (Message)))
+          URV.PWM_Layout.To_Data_Area
+            (With_Inputs (Transform (Message), Added)))
        and then Words_Of'Result (URV.PWM_Layout.Channel_Of (Brake)) =
          Transform (Message) (Brake)
        and then Words_Of'Result (URV.PWM_Layout.Channel_Of (Discretes)) =
@@ -182,7 +191,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Got        : URV.LAW_Steps.Inputs;
       Flown      : out URV.LAW_Steps.Flight;
       Flown_From : out Scan_Count;
-      Reported   : out Health)
+      Reported   : out Health;
+      Added      : out Increments)
    is
       Before : constant URV.LAW_Steps.Kept :=
         (Law with delta
@@ -198,6 +208,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Marked_Is_Of (Commands, 0, Scans, From);
       Flown := Result.Flown;
       Reported := Result.Surfaces.Reported;
+      Added := Result.Added;
       pragma Assert
         (URV.LAW_Steps.Is_Flight (Flown, Before.Flown, Usual.On, Inputs));
       pragma Assert
@@ -210,7 +221,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Heard_From := From;
       end if;
       pragma Assert (Is_Of (Heard, Scans, Heard_From));
-      Flown_From := (if Flown.By_Law then Heard_From else From);
+      Flown_From :=
+        (if Flown.By_Law or else Flown.By_Card then Heard_From else From);
       pragma Assert
         (if Flown.Is_Sent
          then Is_Flown (Flown.Message, Scans, Flown_From, Flown.By_Law));
@@ -245,10 +257,11 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Fly
         (Item.Law_Link, Item.Heard, Item.Heard_From, Commands, Fresh,
          Item.Commands_From, Scans, Usual, Law, Got, Flown, Flown_From,
-         Item.Reported);
+         Item.Reported, Item.Added);
       if Flown.Is_Sent then
          Send (Item.PWM, Flown.Message, Unused_Success);
          Item.PWM_By_Law := Flown.By_Law;
+         Item.PWM_By_Card := Flown.By_Card;
          Item.PWM_From := Flown_From;
          pragma Assert
            (Is_Flown
@@ -258,10 +271,13 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
             Same_Through (Contents (Item.PWM), Flown.Message, Given);
          end if;
          pragma Assert (Is_Reported (Item.Reported, Item.PWM_By_Law));
+         pragma Assert (Is_Added (Item.Added, Item.PWM_By_Card));
       else
          pragma Assert (not Is_Passed_On);
          pragma Assert (Is_Reported (Item.Reported, By_Law => False));
          pragma Assert (Is_Reported (Item.Reported, Item.PWM_By_Law));
+         pragma Assert (Is_Added (Item.Added, By_Card => False));
+         pragma Assert (Is_Added (Item.Added, Item.PWM_By_Card));
       end if;
       pragma Assert
         (if Is_Passed_On
@@ -270,13 +286,15 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
    end Run_LAW;
 
    function Words_Of
-     (Message : Uplink_Buffer; Reported : Health) return Data_Area
+     (Message : Uplink_Buffer; Reported : Health; Added : Increments)
+      return Data_Area
    is
    begin
       if Reported.Failed = URV.Surfaces.None then
-         Same_Area (Servos (Message, Reported), Transform (Message));
+         Same_With_Inputs
+           (Servos (Message, Reported), Transform (Message), Added);
       end if;
-      return URV.PWM_Steps.Area_Of (Message, Reported);
+      return URV.PWM_Steps.Area_Of (Message, Reported, Added);
    end Words_Of;
 
    procedure Run_PWM
@@ -293,7 +311,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          pragma Assert
            (if Item.Reported.Failed /= URV.Surfaces.None
             then Item.PWM_By_Law);
-         Item.Board := Words_Of (Message, Item.Reported);
+         Item.Board := Words_Of (Message, Item.Reported, Item.Added);
+         Item.Board_Added := Item.Added;
          Item.Board_Made_Up := Item.Reported.Failed /= URV.Surfaces.None;
          Item.Board_Of := Message;
          Item.Board_From := Item.PWM_From;
@@ -349,22 +368,40 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Item.PWM := Empty_Mailbox;
          Item.PWM_From := 0;
          Item.PWM_By_Law := False;
+         Item.PWM_By_Card := False;
          Item.Reported := All_Well;
+         Item.Added := Nothing_Added;
          Item.CORE := (others => 0);
          Item.CORE_From := 0;
          Item.Is_Cleared := True;
          Neutral_Is_Safe (Scans);
          Item.Board := URV.PWM_Layout.Safe_Area;
          Item.Board_Made_Up := False;
+         Item.Board_Added := Nothing_Added;
          Item.Board_Of := Neutral_Uplink;
          Item.Board_From := 0;
          Item.Board_By_Law := False;
+         Nothing_Is_Added (Transform (Neutral_Uplink), Nothing_Added);
+         pragma Assert
+           (Item.Board =
+              URV.PWM_Layout.To_Data_Area
+                (With_Inputs (Transform (Neutral_Uplink), Nothing_Added)));
       else
          Item.TELIN := Restarted (Item.TELIN);
          Item.Uplink := Restarted (Item.Uplink);
          Item.Commands := Restarted (Item.Commands);
          Item.PWM := Restarted (Item.PWM);
+         pragma Assert
+           (if not Item.Board_Made_Up
+            then Item.Board =
+              URV.PWM_Layout.To_Data_Area
+                (With_Inputs (Transform (Item.Board_Of), Item.Board_Added)));
       end if;
+      pragma Assert
+        (if not Item.Board_Made_Up
+         then Item.Board =
+           URV.PWM_Layout.To_Data_Area
+             (With_Inputs (Transform (Item.Board_Of), Item.Board_Added)));
 
       --  The TELIN task's initialisation.
       Item.Kept := (others => <>);
@@ -381,7 +418,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       pragma Assert
         (if not Item.Board_Made_Up
          then Item.Board =
-           URV.PWM_Layout.To_Data_Area (Transform (Item.Board_Of)));
+           URV.PWM_Layout.To_Data_Area
+             (With_Inputs (Transform (Item.Board_Of), Item.Board_Added)));
       pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Start_Aircraft;
 

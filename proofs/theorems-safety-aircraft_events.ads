@@ -62,11 +62,14 @@ private package Theorems.Safety.Aircraft_Events with SPARK_Mode, Ghost is
                or else URV.Laws.Is_Disconnected
                  (Contents (Item'Old.Commands)))
           then not Item.PWM_By_Law
+            and then not Item.PWM_By_Card
+            and then Item.Added = Nothing_Added
             and then Contents (Item.PWM) = Contents (Item'Old.Commands))
        and then
          (if Is_Fresh (Item'Old.Commands)
             and then Is_Old (Contents (Item'Old.Commands))
             and then not Item.PWM_By_Law
+            and then not Item.PWM_By_Card
           then Is_Old (Contents (Item.PWM)));
 
    procedure Run_PWM

@@ -16,6 +16,21 @@ package body Theorems.Safety.Lemmas with SPARK_Mode is
       end loop;
    end Same_Area;
 
+   procedure Same_With_Inputs (One, Other : PWM_Buffer; Added : Increments)
+   is
+      First  : constant PWM_Buffer := With_Inputs (One, Added);
+      Second : constant PWM_Buffer := With_Inputs (Other, Added);
+   begin
+      pragma Assert
+        (for all Name in PWM_Item => First (Name) = Second (Name));
+      Same_Area (First, Second);
+   end Same_With_Inputs;
+
+   procedure Nothing_Is_Added (Outputs : PWM_Buffer; Added : Increments) is
+   begin
+      Same_Area (With_Inputs (Outputs, Added), Outputs);
+   end Nothing_Is_Added;
+
    procedure Same_Outputs
      (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    is
@@ -53,18 +68,30 @@ package body Theorems.Safety.Lemmas with SPARK_Mode is
      (Area : Data_Area; Outputs : PWM_Buffer; Name : PWM_Item)
    is null;
 
+   procedure Flaps_Are_Up (Area : Data_Area; Outputs : PWM_Buffer) is
+   begin
+      for Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 loop
+         Area_Has_Output (Area, Outputs, Flap);
+         pragma Loop_Invariant
+           (for all Earlier in Left_Flap_1 .. Flap =>
+              Area (URV.PWM_Layout.Channel_Of (Earlier)) = Flaps_Up);
+      end loop;
+   end Flaps_Are_Up;
+
    procedure Switches_Are_Out
      (Area  : Data_Area;
       Item  : Uplink_Buffer;
+      Added : Increments;
       Scans : Scan_History;
       Scan  : Scan_Count)
    is
-      Given  : constant PWM_Buffer := Transform (Item);
+      Given  : constant PWM_Buffer := With_Inputs (Transform (Item), Added);
       Wanted : constant PWM_Buffer := Outputs_Of (Scans, Scan);
    begin
       Same_Switches (Item, Scans, Scan);
       for Name in PWM_Item range Brake .. Discretes loop
          Area_Has_Output (Area, Given, Name);
+         pragma Assert (Given (Name) = Transform (Item) (Name));
          pragma Assert (Given (Name) = Wanted (Name));
          pragma Loop_Invariant
            (for all Earlier in Brake .. Name =>

@@ -13,7 +13,10 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
      Pre    => Is_Of (Item, Scans, Scan),
      Post   =>
        URV.PWM_Layout.To_Data_Area (Transform (Item)) =
-         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan))
+       and then
+         (for all Name in PWM_Item =>
+            Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
 
    --  The same for the brake, the flaps and the discretes while a law flies.
    procedure Same_Switches
@@ -35,6 +38,32 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
        URV.PWM_Layout.To_Data_Area (One) =
          URV.PWM_Layout.To_Data_Area (Other);
 
+   --  The same outputs with the same test inputs.
+   procedure Same_With_Inputs (One, Other : PWM_Buffer; Added : Increments)
+   with
+     Global => null,
+     Pre    =>
+       (for all Name in PWM_Item => One (Name) = Other (Name))
+       and then
+         (for all Name in Servo_Item =>
+            One (Name) in Converter_Value
+            and then Other (Name) in Converter_Value),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (With_Inputs (One, Added)) =
+         URV.PWM_Layout.To_Data_Area (With_Inputs (Other, Added));
+
+   --  Without test inputs the outputs are the same.
+   procedure Nothing_Is_Added (Outputs : PWM_Buffer; Added : Increments)
+   with
+     Global => null,
+     Pre    =>
+       Added = Nothing_Added
+       and then
+         (for all Name in Servo_Item => Outputs (Name) in Converter_Value),
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (With_Inputs (Outputs, Added)) =
+         URV.PWM_Layout.To_Data_Area (Outputs);
+
    --  Each output is in its channel.
    procedure Area_Has_Output
      (Area : Data_Area; Outputs : PWM_Buffer; Name : PWM_Item)
@@ -43,17 +72,32 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
      Pre    => Area = URV.PWM_Layout.To_Data_Area (Outputs),
      Post   => Area (URV.PWM_Layout.Channel_Of (Name)) = Outputs (Name);
 
-   --  The data area of commands that a law may fly has the scan's brake, flaps
-   --  and discretes.
+   --  The same for flaps that are up.
+   procedure Flaps_Are_Up (Area : Data_Area; Outputs : PWM_Buffer)
+   with
+     Global => null,
+     Pre    =>
+       Area = URV.PWM_Layout.To_Data_Area (Outputs)
+       and then
+         (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+            Outputs (Flap) = Flaps_Up),
+     Post   =>
+       (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+          Area (URV.PWM_Layout.Channel_Of (Flap)) = Flaps_Up);
+
+   --  The data area of commands that a law may fly, with test inputs, has the
+   --  scan's brake, flaps and discretes.
    procedure Switches_Are_Out
      (Area  : Data_Area;
       Item  : Uplink_Buffer;
+      Added : Increments;
       Scans : Scan_History;
       Scan  : Scan_Count)
    with
      Global => null,
      Pre    =>
-       Area = URV.PWM_Layout.To_Data_Area (Transform (Item))
+       Area =
+         URV.PWM_Layout.To_Data_Area (With_Inputs (Transform (Item), Added))
        and then
          (Is_Flown (Item, Scans, Scan, By_Law => True)
           or else Is_Flown (Item, Scans, Scan, By_Law => False)),

@@ -86,18 +86,22 @@ package body Theorems.Safety with SPARK_Mode is
          PWM         => Empty_Mailbox,
          PWM_From    => 0,
          PWM_By_Law  => False,
+         PWM_By_Card => False,
          Reported    => All_Well,
+         Added       => Nothing_Added,
          CORE        => (others => 0),
          CORE_From   => 0,
          Is_Cleared  => True,
          Board        => URV.PWM_Layout.Safe_Area,
          Board_Made_Up => False,
+         Board_Added   => Nothing_Added,
          Board_Of     => Neutral_Uplink,
          Board_From   => 0,
          Board_By_Law => False);
       pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
       pragma Assert (Is_Reported (All_Well, By_Law => False));
       pragma Assert (Places_Are_Sound (Ground, Scans));
+      Nothing_Is_Added (Transform (Neutral_Uplink), Nothing_Added);
       pragma Assert (Places_Are_Sound (Aircraft, Scans, Ground.Done));
 
       for Step in Event_Number range 1 .. Upto loop
@@ -140,6 +144,13 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Item.Board_From <= Done);
       if not Item.Board_By_Law then
          Same_Outputs (Item.Board_Of, Scans, Item.Board_From);
+         Same_With_Inputs
+           (Transform (Item.Board_Of), Outputs_Of (Scans, Item.Board_From),
+            Item.Board_Added);
+         if Item.Board_From = 0 then
+            Nothing_Is_Added
+              (Outputs_Of (Scans, Item.Board_From), Item.Board_Added);
+         end if;
       else
          Same_Switches (Item.Board_Of, Scans, Item.Board_From);
          if Item.Board_Made_Up then
@@ -151,7 +162,8 @@ package body Theorems.Safety with SPARK_Mode is
                  Outputs_Of (Scans, Item.Board_From) (Discretes));
          else
             Switches_Are_Out
-              (Item.Board, Item.Board_Of, Scans, Item.Board_From);
+              (Item.Board, Item.Board_Of, Item.Board_Added, Scans,
+               Item.Board_From);
          end if;
       end if;
    end Servos_Were_Asked_For;
@@ -174,14 +186,12 @@ package body Theorems.Safety with SPARK_Mode is
          Switch);
       if Switch = Switch_8 and then not Item.Board_Made_Up then
          pragma Assert (Flap_Command (Commands) = Flaps_Up);
-         for Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 loop
-            pragma Assert (Transform (Commands) (Flap) = Flaps_Up);
-            Area_Has_Output (Item.Board, Transform (Item.Board_Of), Flap);
-            pragma Loop_Invariant
-              (for all Earlier in Left_Flap_1 .. Flap =>
-                 Item.Board (URV.PWM_Layout.Channel_Of (Earlier)) =
-                   Flaps_Up);
-         end loop;
+         pragma Assert
+           (for all Flap in PWM_Item range Left_Flap_1 .. Right_Flap_2 =>
+              Transform (Item.Board_Of) (Flap) = Flaps_Up);
+         Flaps_Are_Up
+           (Item.Board,
+            With_Inputs (Transform (Item.Board_Of), Item.Board_Added));
       end if;
    end Switches_Are_Off_Until_A_Scan_Says_On;
 
@@ -288,7 +298,7 @@ package body Theorems.Safety with SPARK_Mode is
    begin
       Run_MDCIN (Item, Scans, Done);
       Run_LAW (Item, Scans, Done, Usual, Law, Got);
-      By_Law := Item.PWM_By_Law;
+      By_Law := Item.PWM_By_Law or else Item.PWM_By_Card;
       Run_PWM (Item, Scans, Done);
    end Another_Kind_Moves_Nothing;
 

@@ -1,12 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Nothing moves that the pilot did not command (SAF-1 to SAF-3, SAF-5, SAF-6,
---  SAF-10, D-13, D-14). Every servo word is that of one real scan of the
---  ground's converter, a control law's word while one flies, or the safe word.
---  Old commands and warm starts move nothing. This holds over any sequence of
---  scans, task runs, starts, and lost, late, repeated or reordered blocks, up
---  to the limit Longest. A block altered without a wrong checksum is excluded
---  (D-7), as are faults of the hardware.
+--  SAF-10, D-13, D-14, FTI-3, FTI-5). Every servo word is that of one real
+--  scan of the ground's converter, with a test card's input, a control law's
+--  word while one flies, or the safe word. Old commands and warm starts move
+--  nothing. This holds over any sequence of scans, task runs, starts, and
+--  lost, late, repeated or reordered blocks, up to the limit Longest. A block
+--  altered without a wrong checksum is excluded (D-7), as are faults of the
+--  hardware.
 --
 --  The model follows the commands from the ground's converter to the servos
 --  and the aircraft's CORE memory. It consists of the code's own mailboxes,
@@ -33,6 +34,7 @@ with URV.PWM_Layout;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
 with URV.Surfaces;      use type URV.Surfaces.Surface_Flags;
+with URV.Test_Inputs;   use URV.Test_Inputs;
 with URV.Type_Codes;    use URV.Type_Codes;
 with URV.Uplink_Input;
 
@@ -224,37 +226,45 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Heard       : Uplink_Buffer;
       Heard_From  : Scan_Count;
 
-      --  By_Law: a law may have set its own words.
+      --  By_Law: a law may have set its own words. By_Card: a test card may
+      --  add its inputs.
       PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
       PWM_By_Law  : Boolean;
+      PWM_By_Card : Boolean;
 
-      --  The failed surfaces that others make up for, as reported by LAW.
+      --  The failed surfaces that others make up for, as reported by LAW, and
+      --  the test inputs.
       Reported    : Health;
+      Added       : Increments;
       CORE        : Uplink_Buffer;
       CORE_From   : Scan_Count;
       Is_Cleared  : Boolean;
 
       --  The servos' words and their commands. Made_Up: other surfaces make up
-      --  for a failed one.
+      --  for a failed one. Added: the test inputs in them.
       Board         : Data_Area;
       Board_Made_Up : Boolean;
+      Board_Added   : Increments;
       Board_Of     : Uplink_Buffer;
       Board_From   : Scan_Count;
       Board_By_Law : Boolean;
    end record;
 
-   --  The servos' words are figure 13's of the commands. If surfaces make up
-   --  for a failed one, this holds for the brake and the discretes, and a law
-   --  flies.
+   --  The servos' words are figure 13's of the commands, with the inputs of a
+   --  test card. If surfaces make up for a failed one, this holds for the
+   --  brake and the discretes, and a law flies.
    function Board_Is_Sound
      (Board    : Data_Area;
       Commands : Uplink_Buffer;
       Made_Up  : Boolean;
+      Added    : Increments;
       By_Law   : Boolean) return Boolean
    is
      ((if Made_Up then By_Law
-       else Board = URV.PWM_Layout.To_Data_Area (Transform (Commands)))
+       else Board =
+         URV.PWM_Layout.To_Data_Area
+           (With_Inputs (Transform (Commands), Added)))
       and then Board (URV.PWM_Layout.Channel_Of (Brake)) =
         Transform (Commands) (Brake)
       and then Board (URV.PWM_Layout.Channel_Of (Discretes)) =
@@ -264,6 +274,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    --  Other surfaces make up for a failed one only if a law may fly.
    function Is_Reported (Reported : Health; By_Law : Boolean) return Boolean
    is (if Reported.Failed /= URV.Surfaces.None then By_Law)
+   with Global => null;
+
+   --  Nothing is added without a card.
+   function Is_Added (Added : Increments; By_Card : Boolean) return Boolean
+   is (if not By_Card then Added = Nothing_Added)
    with Global => null;
 
    function Places_Are_Sound
@@ -284,6 +299,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Was_Flown_From
         (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law)
       and then Is_Reported (Item.Reported, Item.PWM_By_Law)
+      and then Is_Added (Item.Added, Item.PWM_By_Card)
       and then Item.CORE_From <= Done
       and then
         (if not Item.Is_Cleared
@@ -292,7 +308,10 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Was_Flown_From
         (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law)
       and then Board_Is_Sound
-        (Item.Board, Item.Board_Of, Item.Board_Made_Up, Item.Board_By_Law))
+        (Item.Board, Item.Board_Of, Item.Board_Made_Up, Item.Board_Added,
+         Item.Board_By_Law)
+      and then
+        (if Item.Board_From = 0 then Item.Board_Added = Nothing_Added))
    with Global => null;
 
    function Is_Sound
@@ -397,10 +416,11 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then URV.PWM_Layout.Safe_Area =
          URV.PWM_Layout.To_Data_Area (Transform (Neutral_Uplink));
 
-   --  Each servo word is figure 13's of one scan of the ground's converter, or
-   --  the safe word (SAF-2). While a law flies, this holds for the brake and
-   --  the discretes, and for the flaps unless they make up for a failed
-   --  surface (EXT-6).
+   --  Each servo word is figure 13's of one scan of the ground's converter,
+   --  with the inputs of a test card (FTI-3), or the safe word (SAF-2). While
+   --  a law flies, this holds for the brake and the discretes, and for the
+   --  flaps unless they make up for a failed surface (EXT-6). Without a card
+   --  nothing is added; Theorems.Test_Cards shows what a card adds.
    procedure Servos_Were_Asked_For
      (Item : Aircraft_Way; Scans : Scan_History; Done : Scan_Count)
    with
@@ -413,7 +433,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         then Item.Board_From <= Done
           and then Item.Board =
             URV.PWM_Layout.To_Data_Area
-              (Outputs_Of (Scans, Item.Board_From))
+              (With_Inputs
+                 (Outputs_Of (Scans, Item.Board_From), Item.Board_Added))
         else Item.Board_From <= Done
           and then
             (for all Name in PWM_Item range Brake .. Discretes =>
@@ -421,9 +442,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
                 then Item.Board (URV.PWM_Layout.Channel_Of (Name)) =
                   Outputs_Of (Scans, Item.Board_From) (Name))));
 
-   --  No law flies with the laws off, nor with the disconnect switch on in
-   --  commands that are not marked as old, whatever the laws' memory and the
-   --  sensors. The PWM task then gets MDCIN's message.
+   --  No law flies and no card adds with the laws off, nor with the disconnect
+   --  switch on in commands that are not marked as old, whatever the memory
+   --  and the sensors. The PWM task then gets MDCIN's message.
    procedure No_Law_Flies_Unless_Asked
      (Item  : in out Aircraft_Way;
       Scans : Scan_History;
@@ -441,6 +462,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
           or else URV.Laws.Is_Disconnected (Contents (Item.Commands))),
      Post   =>
        not Item.PWM_By_Law
+       and then Item.Added = Nothing_Added
        and then Contents (Item.PWM) = Contents (Item'Old.Commands);
 
    --  A switch is off, at its discrete and at the flaps, until a scan turns it
@@ -581,8 +603,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
        and then Is_Old (Contents (Item.Commands))
        and then Item.Uplink_From = Item'Old.Uplink_From;
 
-   --  Such a block moves no servo by itself: unless a law flies, the outputs
-   --  remain.
+   --  Such a block moves no servo by itself: unless a law flies or a card
+   --  runs, the outputs remain.
    procedure Another_Kind_Moves_Nothing
      (Item   : in out Aircraft_Way;
       Scans  : Scan_History;

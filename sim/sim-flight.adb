@@ -34,6 +34,7 @@ with Sim.Progress;
 with Sim.Signals;
 with Sim.Summary;
 with Sim.Wire_Log;
+with URV.Card_Status;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Layout;
 with URV.CORE_Memory;     use URV.CORE_Memory;
@@ -386,7 +387,11 @@ package body Sim.Flight is
                                 Nodes.Configured),
              Reported_Laws    => Nodes.CORE (Ground).Aircraft_Log
                                (URV.Law_Status.Row_Number),
-             Has_Orders   => Is_Given (Chosen, Orders_Option)));
+             Has_Orders   => Is_Given (Chosen, Orders_Option),
+             Has_Cards    => Ground_Orders.Has_Cards (Orders),
+             Cards        => Nodes.Cards,
+             Cards_Told   => Nodes.CORE (Ground).Aircraft_Log
+                               (URV.Card_Status.Row_Number)));
       end if;
 
       if Is_Given (Chosen, Pilot_Option) then
@@ -728,7 +733,8 @@ package body Sim.Flight is
            (Files (Record_Option),
             Has_Truth  => Chosen.Plant = JSBSim_Plant,
             Has_Laws   => Chosen.Laws,
-            Has_Orders => Is_Given (Chosen, Orders_Option));
+            Has_Orders => Is_Given (Chosen, Orders_Option),
+            Has_Cards  => Ground_Orders.Has_Cards (Orders));
       end if;
       if Text_Output.Is_Open (Files (Wire_Option)) then
          Wire_Log.Write_Header (Files (Wire_Option));

@@ -1,9 +1,13 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+
 with Host.Names;        use Host.Names;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Host.Text_Output;  use Host.Text_Output;
 with Host.Truth_Columns;
+with URV.Test_Cards;    use URV.Test_Cards;
+with URV.Test_Inputs;   use URV.Test_Inputs;
 
 package body Sim.Flight_Record is
 
@@ -48,6 +52,41 @@ package body Sim.Flight_Record is
    package Link_Columns is new Columns
      (Link_Item, Count, Link_Counts);
 
+   function Name (Which : Test_Surface) return String is
+     (To_Lower (Test_Surface'Image (Which)));
+
+   function Name (Which : Log_Field) return String is
+     (Character'Val (Character'Pos ('1') + Log_Field'Pos (Which)) & "");
+
+   --  Inputs as the words that a centred servo has with them.
+   type Added_Words is array (Test_Surface) of Word;
+   package Added_Columns is new Columns
+     (Test_Surface, Word, Added_Words);
+
+   function Words_Of (Added : Increments) return Added_Words is
+     (for Which in Test_Surface =>
+        Word (Integer (Neutral_Value) + Added (Which)));
+
+   --  The words of a row with a part of a card, after that with the state.
+   subtype Part_Field is Log_Field range Occurrences_Low .. Last_Detail;
+   type Parts is array (Part_Field) of Word;
+   package Card_Columns is new Columns (Part_Field, Word, Parts);
+
+   --  The state of the test cards.
+   procedure Put_Run (To : in out Writer; This : URV.Test_Runs.Run);
+
+   procedure Put_Run (To : in out Writer; This : URV.Test_Runs.Run) is
+   begin
+      Put (To, ',');
+      Put (To, Number (This.Running));
+      Put (To, ',');
+      Put (To, Number (This.Frame));
+      Put (To, ',');
+      Put (To, Number (This.Last_Run));
+      Put (To, ',');
+      Put (To, Number (URV.Test_Runs.Verdict'Pos (This.Reason)));
+   end Put_Run;
+
    --  Writes a time in milliseconds.
    procedure Put_Time (To : in out Writer; Time : Microseconds);
 
@@ -84,7 +123,8 @@ package body Sim.Flight_Record is
      (To         : in out Writer;
       Has_Truth  : Boolean;
       Has_Laws   : Boolean;
-      Has_Orders : Boolean) is
+      Has_Orders : Boolean;
+      Has_Cards  : Boolean) is
    begin
       Put (To, "frame,time_ms");
       Console_Columns.Put_Names (To, "console");
@@ -103,6 +143,12 @@ package body Sim.Flight_Record is
               & ",laws.told,laws.failed,laws.told_failed");
          if Has_Orders then
             Put (To, ",laws.configuration,laws.told_configuration");
+         end if;
+         if Has_Cards then
+            Put (To, ",laws.card,laws.card_frame,laws.card_last"
+                 & ",laws.card_ended,laws.told_card");
+            Added_Columns.Put_Names (To, "laws.added");
+            Card_Columns.Put_Names (To, "laws.told_card");
          end if;
       end if;
       New_Line (To);
@@ -136,6 +182,14 @@ package body Sim.Flight_Record is
             Put (To, Number (This.Laws (Last_Detail)));
             Put (To, ',');
             Put (To, Number (This.Reported_Laws (Last_Detail)));
+         end if;
+         if This.Has_Cards then
+            Put_Run (To, This.Cards.Run);
+            Put (To, ',');
+            Put (To, Number (This.Cards_Told (Occurrences_High)));
+            Added_Columns.Put_Values (To, Words_Of (This.Cards.Run.Added));
+            Card_Columns.Put_Values
+              (To, Parts (This.Cards_Told (Part_Field)));
          end if;
       end if;
       New_Line (To);

@@ -7,6 +7,7 @@ with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;
 with URV.Buffers;         use URV.Buffers;
 with URV.CORE_Memory;     use URV.CORE_Memory;
+with URV.Test_Runs;
 with URVOS;               use URVOS;
 
 package Sim.Flight_Record is
@@ -36,6 +37,12 @@ package Sim.Flight_Record is
 
       --  With orders of the ground, the settings, too.
       Has_Orders   : Boolean;
+
+      --  With test cards among them, their state and inputs, and the row of
+      --  the log with them as the ground knows it.
+      Has_Cards    : Boolean;
+      Cards        : URV.Test_Runs.Aboard;
+      Cards_Told   : Log_Row;
    end record;
 
    --  Writes the line with the names of the columns.
@@ -43,7 +50,8 @@ package Sim.Flight_Record is
      (To         : in out Text_Output.Writer;
       Has_Truth  : Boolean;
       Has_Laws   : Boolean;
-      Has_Orders : Boolean)
+      Has_Orders : Boolean;
+      Has_Cards  : Boolean)
      with Pre => Text_Output.Is_Open (To);
 
    --  Writes one row. A time that is no whole number of milliseconds gets

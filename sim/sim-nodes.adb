@@ -137,6 +137,9 @@ package body Sim.Nodes is
    function Configured return URV.Configurations.Setting is
      (MCS.Law_Memory.Contents.Set);
 
+   function Cards return URV.Test_Runs.Aboard is
+     (MCS.Law_Memory.Contents.Cards);
+
    function Laws return URV.Laws.Memory is (MCS.Law_Memory.Contents.Flown);
 
    procedure Restart_Telemetry (Which : Node) is

@@ -15,6 +15,7 @@ with URV.Laws;
 with URV.Link_Loss;
 with URV.Seal_Blocks;
 with URV.Handshakes;
+with URV.Test_Runs;
 with URV.Sessions;
 with URVOS;        use URVOS;
 with URVOS.Frame_Clocks;
@@ -139,6 +140,9 @@ package Sim.Nodes is
 
    --  The ground's settings of them.
    function Configured return URV.Configurations.Setting;
+
+   --  The test cards aboard and their run.
+   function Cards return URV.Test_Runs.Aboard;
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;

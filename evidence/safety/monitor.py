@@ -45,8 +45,10 @@ import holds  # noqa: E402
 import timelines  # noqa: E402
 from disturbances import ENDLESS, Spans  # noqa: E402
 from safe_words import (  # noqa: E402
+    ADDED,
     BRAKE,
     COMMANDS,
+    MIDDLE,
     NEUTRAL_SENSORS,
     NEUTRAL_STICKS,
     SAFE_COMMANDS,
@@ -55,11 +57,13 @@ from safe_words import (  # noqa: E402
     SERVOS,
     STALE,
     is_by_law,
+    is_on,
     law_rows,
     orders_behind,
     orders_of,
     transformed,
     unattended,
+    without_inputs,
 )
 from timelines import FRAME_US, SCAN_US, TICK_US, Scan, Timeline  # noqa: E402
 
@@ -115,6 +119,16 @@ PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
 PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
 
 
+# A test card may run this number of rows after the row that ends it; its inputs
+# are back at 0 after the other. The largest input in words, 10 degrees of an
+# elevator, and its largest step in a frame.
+CARD_ROWS = 3
+INPUT_ROWS = 12
+MOST_INPUT = 800
+MOST_INPUT_STEP = 150
+LINKED = 1
+SWITCH_5, SWITCH_7 = COMMANDS.index("switch5"), COMMANDS.index("switch7")
+
 # Without a controller the outputs are safe after this time, and a frame until
 # the row. The controller may have touched the board a frame before it stopped.
 HOLD_US = 500_000
@@ -157,6 +171,26 @@ class Record:
                 raise ValueError(f"{path}: the columns of {group} are not"
                                  " those of docs/items.md")
             setattr(self, name, self._words(rows, cells))
+        self._take_cards(titles, rows)
+
+    def _take_cards(self, titles, rows):
+        """The running card and its inputs in each row, if any (FTI-3). The
+        servos' words are then those without inputs."""
+        self.cards, self.added = [], []
+        if "laws.card" not in titles:
+            return
+        self.cards = [int(row[titles.index("laws.card")]) for row in rows]
+        self.links = [int(row[titles.index("laws.link")]) for row in rows]
+        first = titles.index(f"laws.added.{ADDED[0]}")
+        self.added = self._words(rows, slice(first, first + len(ADDED)))
+        # The row may be taken between the law's task and that of the servos.
+        before, last, found = None, self.added[0], []
+        for words, added in zip(self.pwm, self.added, strict=True):
+            choices = [without_inputs(words, each) for each in (added, last)]
+            taken = choices[1] if choices[1] == before else choices[0]
+            before, last = taken, added
+            found.append(taken)
+        self.pwm = found
 
     def lacks_rows(self, place):
         """The row before this one is not that of the frame before."""
@@ -421,9 +455,48 @@ class Flight(Checker):
                 self.fresh_downlinks, self.downlink_rows,
                 self.excuse_downlink, "gsc.downlink", (*SENSORS, "error"))
             self.check_failed_surfaces()
+            self.check_cards()
             self.violations += holds.check(*self.files).not_held
         return Findings(self.violations, self.wrong_blocks,
                         len(self.record.times))
+
+    def check_cards(self):
+        """A test card runs only while the pilot's switch 5 is on, laws
+        disconnect is off and the link is there (FTI-4, FTI-5, FTI-6). Its
+        inputs are within amplitude and rate, and end with it."""
+        record = self.record
+        idle = 0
+        for place, (time, card, added) in enumerate(zip(
+                record.times, record.cards, record.added, strict=False)):
+            idle = 0 if card else idle + 1
+            near = range(max(place - CARD_ROWS, 0), place + 1)
+            messages = [record.mcs_uplink[row] for row in near]
+            if card and not any(
+                    is_on(words[SWITCH_5]) and not is_on(words[SWITCH_7])
+                    for words in messages):
+                self.say(time, f"laws.card: card {card} runs, and switch 5 is"
+                         " off or laws disconnect on")
+            if card and all(record.links[row] != LINKED for row in near):
+                self.say(time, f"laws.card: card {card} runs without a link")
+            if idle > INPUT_ROWS and any(
+                    word != MIDDLE for word in added):
+                self.say(time, "laws.added: an input without a card:"
+                         f" {text(ADDED, added)}")
+            if any(abs(word - MIDDLE) > MOST_INPUT for word in added):
+                self.say(time, "laws.added: an input beyond its limit:"
+                         f" {text(ADDED, added)}")
+            if place and not self.faults.starts["mcs"].touch(
+                    time - 5 * FRAME_US, time):
+                before = record.added[place - 1]
+                frames = 1 + round(
+                    (time - record.times[place - 1]) / FRAME_US)
+                disconnected = any(is_on(words[SWITCH_7])
+                                   for words in messages)
+                if not disconnected and any(
+                        abs(word - old) > frames * MOST_INPUT_STEP
+                        for word, old in zip(added, before, strict=True)):
+                    self.say(time, "laws.added: faster than its limit:"
+                             f" {differing(ADDED, before, added)}")
 
     def check_failed_surfaces(self):
         """A surface is reported as failed only when a fault of its servo is in

@@ -41,6 +41,19 @@ def unattended(servos):
                  for place, word in enumerate(SAFE_ROW))
 
 
+# A card's inputs change these only (FTI-6). In the record an input is the word
+# of a centred servo with it.
+ADDED = SERVOS[:6]
+
+
+def without_inputs(servos, added):
+    """The outputs without the inputs of a test card."""
+    return tuple(
+        word if place >= len(added) or added[place] == MIDDLE
+        else word - added[place] + MIDDLE
+        for place, word in enumerate(servos))
+
+
 # The error word's bit that says: these are words of an earlier scan.
 STALE = 1
 

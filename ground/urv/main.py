@@ -17,7 +17,7 @@ from pathlib import Path
 
 import typer
 
-from urv import (convert, faults, ground, identify, keygen, mavlink,
+from urv import (card, convert, faults, ground, identify, keygen, mavlink,
                  monte_carlo, pictures, report, station, xtce, yamcs_gate)
 
 # Typer's status for an interrupt, too.
@@ -60,6 +60,7 @@ def urv(
 app.command()(convert.convert)
 app.command()(report.report)
 app.command()(identify.identify)
+app.add_typer(card.app, name="card")
 app.command()(xtce.xtce)
 app.command()(station.station)
 app.command()(mavlink.mavlink)

@@ -15,7 +15,7 @@ from ada_source import (  # noqa: E402
 
 # A family of requirements, and so what looks like one of their names.
 FAMILIES = ("FRM INI TST BUF KRN MBX SEM ADI AD COR TIN TOU MDI MDO GDI GDO"
-            " PWM SET LNK SIM EXT RTP BRD EVI SAF GND SEC"
+            " PWM SET LNK SIM EXT FTI RTP BRD EVI SAF GND SEC"
             " D").split()
 FAMILY = "|".join(FAMILIES)
 IDENTIFIER = rf"(?<![\w-])(?:{FAMILY})-\d+\b"

@@ -76,7 +76,13 @@ package URV.Errors with Pure, SPARK_Mode is
       --  Type codes (EXT-2). Detail of the first: the code; of the second: the
       --  reason, by its place in URV.Configurations.Refused, from 1.
       Unknown_Code,            --  an unknown code; its word is discarded
-      Configuration_Refused);  --  a configuration from the ground
+      Configuration_Refused,   --  a configuration from the ground
+
+      --  Test cards (FTI-2, FTI-4). Detail of the first: the reason, by its
+      --  place in URV.Test_Runs.Refused, from 1; of the second: the slot * 16
+      --  + the place in URV.Test_Runs.Verdict, from 0.
+      Card_Refused,            --  a test card from the ground
+      Card_Ended);             --  a test card has ended, or did not start
 
    --  The detail of a No_Image of the laws.
    No_Image_For_Laws : constant := 1;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Type codes (report, 2.5, 4.3.1; BUF-4, EXT-2): the high byte of a code
---  names a kind of message, the low byte an item of it, from 1.
+--  Type codes (report, 2.5, 4.3.1; BUF-4, EXT-2, FTI-1): the high byte of a
+--  code names a kind of message, the low byte an item of it, from 1.
 --
 --  Type codes direct the data. A converter channel goes to the item of its
 --  code in the node's list. A block from the other node goes to the users of
@@ -27,6 +27,7 @@ package URV.Type_Codes with Pure, SPARK_Mode is
    Sensors_Kind       : constant Word := 16#0200#;
    Status_Kind        : constant Word := 16#0300#;
    Configuration_Kind : constant Word := 16#0400#;
+   Test_Card_Kind     : constant Word := 16#0500#;
 
    subtype Uplink_Code is Word range
      Commands_Kind + 1

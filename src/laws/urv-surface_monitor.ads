@@ -55,6 +55,21 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       Power  : Lever := 0;
    end record;
 
+   --  The predefined equality as a function. Without it Z3 takes minutes to
+   --  read each goal that knows this type.
+   function "=" (One, Other : Monitor) return Boolean is
+     (One.Ranges = Other.Ranges
+      and then One.Doubts = Other.Doubts
+      and then One.Failed = Other.Failed
+      and then One.Places = Other.Places
+      and then One.Sent = Other.Sent
+      and then One.Sent_Before = Other.Sent_Before
+      and then One.Sent_First = Other.Sent_First
+      and then One.Unknown = Other.Unknown
+      and then Engine_Monitor."=" (One.Engine, Other.Engine)
+      and then One.Power = Other.Power)
+   with Global => null;
+
    --  The doubt after a frame.
    function Next_Doubt
      (Doubt : Doubt_Level; Off : Distance) return Doubt_Level

@@ -7,6 +7,7 @@ with URV.Errors;  use URV.Errors;
 with URV.LAW_Steps;
 with URV.PWM_Layout;
 with URV.Routing; use URV.Routing;
+with URV.Test_Inputs;
 
 package body MCS with SPARK_Mode is
 
@@ -82,6 +83,7 @@ package body MCS with SPARK_Mode is
       MDCIN.Reset;
       Law_Memory.Write (URV.LAW_Steps.At_Start);
       Surface_Health.Write (URV.Allocation.All_Well);
+      Test_Added.Write (URV.Test_Inputs.Nothing_Added);
    end Reset_Variables;
 
    procedure Restart_Variables is

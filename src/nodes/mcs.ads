@@ -34,6 +34,7 @@ with URV.PWM_Boards;
 with URV.PWM_Task;
 with URV.Self_Test_Task;
 with URV.Shared_CORE_Memory;
+with URV.Shared_Inputs;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
 with URV.Shared_Schedules;
@@ -100,6 +101,9 @@ package MCS with SPARK_Mode is
 
    Surface_Health : URV.Shared_Surfaces.Healths.Store;
 
+   --  The inputs of a test card in this frame (FTI-3).
+   Test_Added : URV.Shared_Inputs.Store;
+
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
@@ -127,10 +131,10 @@ package MCS with SPARK_Mode is
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,
       Configuration_Variable, Law_Settings, Law_Memory, Surface_Health,
-      Errors);
+      Test_Added, Errors);
 
    package PWM is new URV.PWM_Task
-     (PWM_Variable, Surface_Health, PWM_Board, Errors);
+     (PWM_Variable, Surface_Health, Test_Added, PWM_Board, Errors);
 
    package TELOUT is new URV.TELOUT_Task
      (For_Downlink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,

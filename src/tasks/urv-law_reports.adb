@@ -7,6 +7,7 @@ with URV.Errors;          use URV.Errors;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
+with URV.Test_Runs;
 
 package body URV.LAW_Reports with SPARK_Mode is
 
@@ -51,10 +52,22 @@ package body URV.LAW_Reports with SPARK_Mode is
    procedure Report
      (Before : Kept; Usual : Settings; Got : Inputs; Result : Decision)
    is
-      Reply : constant Answer := Answer_Of (Before, Usual, Got);
+      Reply      : constant Answer := Answer_Of (Before, Usual, Got);
+      Card_Reply : constant Test_Runs.Answer :=
+        Card_Answer_Of (Before, Usual, Got);
    begin
       if Reply in Refused then
          Errors.Report (Configuration_Refused, Word (Answer'Pos (Reply)));
+      end if;
+      if Card_Reply in Test_Runs.Refused then
+         Errors.Report
+           (Card_Refused, Word (Test_Runs.Answer'Pos (Card_Reply)));
+      end if;
+      if Result.Has_Ended then
+         Errors.Report
+           (Card_Ended,
+            Word (Result.Cards.Run.Last_Run) * 16
+            + Test_Runs.Verdict'Pos (Result.Cards.Run.Reason));
       end if;
       if Usual.On and then not Got.Has_Sensors then
          Errors.Report (No_Image, No_Image_For_Laws);

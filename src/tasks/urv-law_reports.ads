@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The LAW task's reports of a frame (EXT-2, EXT-3, EXT-5, EXT-6): missing
---  inputs, a refused configuration, changes of the link's state, and new
---  failures of sensors, surfaces and the engine.
+--  The LAW task's reports of a frame (EXT-2, EXT-3, EXT-5, EXT-6, FTI-2):
+--  missing inputs, a refused configuration or card, the end of a card, changes
+--  of the link's state, and new failures of sensors, surfaces and the engine.
 
 with URV.LAW_Steps;     use URV.LAW_Steps;
 with URV.Laws;          use URV.Laws;

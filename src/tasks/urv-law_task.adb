@@ -24,6 +24,7 @@ package body URV.LAW_Task with SPARK_Mode is
       begin
          Law_Memory.Write (Kept_After (Result));
          Surface_Health.Write (Result.Surfaces.Reported);
+         Test_Added.Write (Result.Added);
          Reports.Report (Before, Usual, Got, Result);
 
          if Result.Flown.Is_Sent then

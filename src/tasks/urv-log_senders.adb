@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS.Frames;    use URVOS.Frames;
+with URV.Card_Status;
 with URV.CORE_Memory; use URV.CORE_Memory;
 with URV.Errors;      use URV.Errors;
 with URV.LAW_Steps;
@@ -10,17 +11,26 @@ with URV.Surface_Monitor;
 
 package body URV.Log_Senders with SPARK_Mode is
 
-   procedure Get_Laws_Row (Row : out Log_Row)
+   --  The row of the laws or of the test cards.
+   procedure Get_Laws_Row
+     (Line : Outgoing; Row : out Log_Row; Has_Cards : out Boolean)
    with Global => (Input => (Law_Memory, Errors));
 
-   procedure Get_Laws_Row (Row : out Log_Row) is
+   procedure Get_Laws_Row
+     (Line : Outgoing; Row : out Log_Row; Has_Cards : out Boolean)
+   is
       Kept : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
       Time : constant Clock_Tick         := Errors.Time;
    begin
-      Row := Law_Status.With_Age
-        (Law_Status.To_Row
-           (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched), Kept.Set),
-         Time);
+      Has_Cards := Card_Status.Has_Cards (Kept.Cards);
+      Row :=
+        (if Cards_Are_Next (Line, Has_Cards)
+         then Card_Status.To_Row (Kept.Cards, Line.Part)
+         else Law_Status.With_Age
+           (Law_Status.To_Row
+              (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched),
+               Kept.Set),
+            Time));
    end Get_Laws_Row;
 
    procedure Next (Item : out Piece) is
@@ -28,11 +38,13 @@ package body URV.Log_Senders with SPARK_Mode is
       Set      : constant URV.Laws.Settings := Law_Settings.Contents;
       Line     : Outgoing                   := Progress.Contents;
       Laws_Row : Log_Row                    := No_Errors;
+
+      Has_Cards : Boolean := False;
    begin
       if Laws_Are_Next (Line, Log, Set.On) then
-         Get_Laws_Row (Laws_Row);
+         Get_Laws_Row (Line, Laws_Row, Has_Cards);
       end if;
-      Line := Selected (Line, Log, Set.On, Laws_Row);
+      Line := Selected (Line, Log, Set.On, Has_Cards, Laws_Row);
       Item := Next_Piece (Line, Log);
       Progress.Write (After (Line, Log));
    end Next;

@@ -3,7 +3,8 @@
 --  Sends the aircraft's error log to the ground (SAF-7): a fragment a frame,
 --  row after row, repeatedly, the rows of all errors that have occurred. An
 --  empty log has no fragment. While the control laws are on, their row follows
---  each row (EXT-3, EXT-5).
+--  each row (EXT-3, EXT-5). With test cards their row takes turns with it
+--  (FTI-2).
 
 with URVOS.Shared_Data;
 with URV.Log_Pieces;    use URV.Log_Pieces;

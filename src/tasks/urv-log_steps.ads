@@ -1,11 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The decision of the LOG task, and of MDCOUT's fragment of the error log
---  (D-70; EXT-1, SAF-7). The task and URV.Log_Senders receive, call these
---  functions, send and report.
+--  (D-70; EXT-1, SAF-7, FTI-2). The task and URV.Log_Senders receive, call
+--  these functions, send and report.
 
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
+with URV.Card_Status; use URV.Card_Status;
 with URV.CORE_Layout; use URV.CORE_Layout;
 with URV.CORE_Memory; use URV.CORE_Memory;
 with URV.Errors;      use URV.Errors;
@@ -54,12 +55,15 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
    with Global => null;
 
    --  The row that is being sent to the ground, and the number of its
-   --  fragments already sent.
+   --  fragments already sent. Is_Cards: the laws' last row was that of the
+   --  test cards. Part: the part of the cards for their next row.
    type Outgoing is record
-      Kind    : Error_Kind  := Error_Kind'Last;
-      Is_Laws : Boolean     := False;
-      Row     : Log_Row     := No_Errors;
-      Sent    : Place_Count := Place'Last;
+      Kind     : Error_Kind  := Error_Kind'Last;
+      Is_Laws  : Boolean     := False;
+      Is_Cards : Boolean     := False;
+      Part     : Part_Number := 0;
+      Row      : Log_Row     := No_Errors;
+      Sent     : Place_Count := Place'Last;
    end record;
 
    function Has_Occurred (Log : Error_Log; Kind : Error_Kind) return Boolean
@@ -88,6 +92,13 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
       and then (Logs.Total (Log) = 0 or else Line.Sent = Place'Last))
    with Global => null;
 
+   --  With test cards, their row takes turns with that of the laws (FTI-2).
+   function Cards_Are_Next (Line : Outgoing; Has_Cards : Boolean)
+                            return Boolean
+   is
+     (Has_Cards and then not Line.Is_Cards)
+   with Global => null;
+
    --  A row is over when all its fragments are sent, or the log was cleared.
    function Is_Over (Line : Outgoing; Log : Error_Log) return Boolean is
      (Line.Sent = Place'Last
@@ -95,26 +106,35 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
         (not Line.Is_Laws and then not Has_Occurred (Log, Line.Kind)))
    with Global => null;
 
-   --  The row of which this frame sends a fragment.
+   --  The row of which this frame sends a fragment. Laws_Row: that of the laws
+   --  or, if Cards_Are_Next, of the test cards.
    function Selected
-     (Line     : Outgoing;
-      Log      : Error_Log;
-      Laws_On  : Boolean;
-      Laws_Row : Log_Row) return Outgoing
+     (Line      : Outgoing;
+      Log       : Error_Log;
+      Laws_On   : Boolean;
+      Has_Cards : Boolean;
+      Laws_Row  : Log_Row) return Outgoing
    is
      (if Laws_Are_Next (Line, Log, Laws_On)
       then
-        (Kind    => Line.Kind,
-         Is_Laws => True,
-         Row     => Laws_Row,
-         Sent    => 0)
+        (Kind     => Line.Kind,
+         Is_Laws  => True,
+         Is_Cards => Cards_Are_Next (Line, Has_Cards),
+         Part     =>
+           (if not Cards_Are_Next (Line, Has_Cards) then Line.Part
+            elsif Line.Part = Part_Number'Last then 0
+            else Line.Part + 1),
+         Row      => Laws_Row,
+         Sent     => 0)
       elsif Is_Over (Line, Log)
       then
-        (Kind    => Next_Occurred (Log, Line.Kind),
-         Is_Laws => False,
-         Row     =>
+        (Kind     => Next_Occurred (Log, Line.Kind),
+         Is_Laws  => False,
+         Is_Cards => Line.Is_Cards,
+         Part     => Line.Part,
+         Row      =>
            To_Row (Logs.History_Of (Log, Next_Occurred (Log, Line.Kind))),
-         Sent    => 0)
+         Sent     => 0)
       else Line)
    with Global => null;
 
@@ -126,7 +146,8 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
    function Next_Piece (Line : Outgoing; Log : Error_Log) return Piece is
      (if Has_Piece (Line, Log)
       then Piece_At
-        ((if Line.Is_Laws then Law_Status.Row_Number
+        ((if Line.Is_Laws and then Line.Is_Cards then Card_Status.Row_Number
+          elsif Line.Is_Laws then Law_Status.Row_Number
           else Row_Of (Line.Kind)),
          Line.Row, Line.Sent + 1)
       else No_Piece)

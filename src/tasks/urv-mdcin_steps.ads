@@ -6,7 +6,6 @@
 --  reports; Theorems.Safety calls the same functions. Each is an expression
 --  function: its text is its contract.
 
-with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
 with URV.Routing;    use URV.Routing;
 with URV.Type_Codes; use URV.Type_Codes;
@@ -33,18 +32,20 @@ package URV.MDCIN_Steps with Pure, SPARK_Mode is
      (Fresh and then Is_Other_Kind (Item) and then not Is_Old (Item))
    with Global => null;
 
-   --  The block is a configuration for the laws.
-   function Is_Configuration
+   --  The block is for the laws: a configuration or a test card.
+   function Is_For_Laws
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
-     (Is_New_Kind (Item, Fresh) and then Kind_Of (Item) = Configuration_Kind)
+     (Is_New_Kind (Item, Fresh)
+      and then Kind_Of (Item) in Configuration_Kind | Test_Card_Kind)
    with Global => null;
 
    --  The block is for no task; this is an error.
    function Is_Unknown
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
-     (Is_New_Kind (Item, Fresh) and then Kind_Of (Item) /= Configuration_Kind)
+     (Is_New_Kind (Item, Fresh)
+      and then Kind_Of (Item) not in Configuration_Kind | Test_Card_Kind)
    with Global => null;
 
    --  The place of the first new command that is out of range, from 1; 0 if

@@ -36,7 +36,7 @@ package body URV.MDCIN_Task with SPARK_Mode is
            (Input_Out_Of_Range, Word (Place_Out_Of_Range (Item, Fresh)));
       end if;
 
-      if Is_Configuration (Item, Fresh) then
+      if Is_For_Laws (Item, Fresh) then
          Configuration_Variable.Send (Item, Unused_Success);
       end if;
       Uplink_Variable.Send (Message, Success);

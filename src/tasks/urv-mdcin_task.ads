@@ -6,9 +6,9 @@
 --  Consumes TELIN_variable, produces uplink_variable and commands_variable. A
 --  frame without a new message passes on the last one, marked as old.
 --
---  A configuration goes to the laws (EXT-2). A block of any other kind is
---  reported and discarded. In both cases CORE and the laws get the last
---  message, marked as old.
+--  A configuration and a test card go to the laws (EXT-2, FTI-1). A block of
+--  any other kind is reported and discarded. In both cases CORE and the laws
+--  get the last message, marked as old.
 
 with URVOS.Shared_Data;
 with URV.Buffers;       use URV.Buffers;

@@ -7,16 +7,19 @@
 --  commands, or with commands marked as old, it leaves the board's words
 --  unchanged (SAF-2, SAF-3, D-14). The task that marked them has reported the
 --  reason. It touches the board's timer in every frame (SAF-11). The other
---  surfaces make up for failed ones (EXT-6).
+--  surfaces make up for failed ones (EXT-6). A test card adds its inputs
+--  (FTI-3).
 
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Boards;
 with URV.Shared_Errors; use URV.Shared_Errors;
+with URV.Shared_Inputs;
 with URV.Shared_Surfaces;
 
 generic
    PWM_Variable   : in out For_Uplink.Variable;
    Surface_Health : in out URV.Shared_Surfaces.Healths.Store;
+   Test_Added     : in out URV.Shared_Inputs.Store;
    PWM_Board      : in out PWM_Boards.Board;
    Errors         : in out Shared_Log;
 package URV.PWM_Task with SPARK_Mode is
@@ -24,7 +27,7 @@ package URV.PWM_Task with SPARK_Mode is
    procedure Run_Transaction
    with
      Global =>
-       (Input  => Surface_Health,
+       (Input  => (Surface_Health, Test_Added),
         In_Out => (PWM_Variable, PWM_Board, Errors));
 
 end URV.PWM_Task;

@@ -600,7 +600,7 @@ def test_gnd35_orders_of_a_file_go_up_in_their_time(
 ):
     frames = station(Frames)
     orders = write("orders.txt", "500 configure 1 2000 9000\n"
-                   "600 configure 7 2000 9000\n700 block 500 1 2\n")
+                   "600 configure 7 2000 9000\n700 block 600 1 2\n")
     mcs, gsc = start_both(
         mcs=("--laws", "on"),
         gsc=("--packets", "2", "--publish", frames.place, "--orders", orders))
@@ -615,7 +615,7 @@ def test_gnd35_orders_of_a_file_go_up_in_their_time(
     assert told.logs[1][REFUSED].detail == 2
     need("configuration_refused" in mcs.events
          and "unknown_code" in mcs.events, mcs, gsc)
-    assert mcs.events["unknown_code"]["last_detail"] == 0x500
+    assert mcs.events["unknown_code"]["last_detail"] == 0x600
     assert mcs.events["configuration_refused"]["count"] == 1
 
 

@@ -67,9 +67,9 @@ def test_ext2_an_order_takes_one_frame_and_moves_nothing(tmp_path):
         flight_with(tmp_path / name, orders, "--seconds", "4", sticks=sticks)
         for name, orders in (
             ("plain", "# nothing\n"), ("ordered", f"1000 {CONFIGURE}\n"),
-            ("unknown", "1000 block 500 1 2 3 4 5 6 7 8 9 10 11 12\n")))
+            ("unknown", "1000 block 600 1 2 3 4 5 6 7 8 9 10 11 12\n")))
     assert event(plain, "mcs.unknown_code") is None
-    assert event(unknown, "mcs.unknown_code") == (1, 0x500)
+    assert event(unknown, "mcs.unknown_code") == (1, 0x600)
     for flight in ordered, unknown:
         differ = [place for place, (one, other) in enumerate(
             zip(up_bytes(plain), up_bytes(flight), strict=True))

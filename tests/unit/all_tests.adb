@@ -39,6 +39,7 @@ package body All_Tests is
       Laws_Tests.Add_To (Result);
       Console_Watch_Tests.Add_To (Result);
       LAW_Task_Tests.Add_To (Result);
+      Test_Cards_Tests.Add_To (Result);
       Task_Shells_Tests.Add_To (Result);
       Checksum_Tests.Add_To (Result);
       Headers_Tests.Add_To (Result);

@@ -14,6 +14,7 @@ with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Task;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Shared_Errors;
+with URV.Shared_Inputs;
 with URV.Shared_Surfaces;
 
 separate (Law_Suite)
@@ -56,10 +57,11 @@ package body PWM_Tests is
 
    Variable : For_Uplink.Variable;
    Health   : URV.Shared_Surfaces.Healths.Store;
+   Added    : URV.Shared_Inputs.Store;
    Board    : URV.PWM_Boards.Board;
    Errors   : URV.Shared_Errors.Shared_Log;
 
-   package PWM is new URV.PWM_Task (Variable, Health, Board, Errors);
+   package PWM is new URV.PWM_Task (Variable, Health, Added, Board, Errors);
 
    --  Words that no task writes.
    Foreign : constant Data_Area := (others => 16#ABC#);

@@ -12,4 +12,6 @@ package body Law_Suite is
 
    package body Surfaces_Tests is separate;
 
+   package body Test_Cards_Tests is separate;
+
 end Law_Suite;

@@ -42,4 +42,11 @@ package Law_Suite is
 
    end Surfaces_Tests;
 
+   --  FTI-1 to FTI-6: test cards and their inputs.
+   package Test_Cards_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Test_Cards_Tests;
+
 end Law_Suite;

@@ -20,6 +20,8 @@ with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
+with URV.Test_Inputs;     use type URV.Test_Inputs.Increments;
+with URV.Test_Runs;       use type URV.Test_Runs.Aboard;
 
 separate (Task_Suite)
 package body Task_Shells_Tests is
@@ -52,7 +54,7 @@ package body Task_Shells_Tests is
    procedure MDCIN_Keeps_Commands is
       Other : constant Uplink_Buffer :=
         (Uplink_Of (16#F000#) with delta
-           Roll => 16#500#, Error_Status => Other_Kind);
+           Roll => 16#600#, Error_Status => Other_Kind);
 
       --  Expects that a block of another kind comes and these commands are
       --  passed on.
@@ -245,6 +247,11 @@ package body Task_Shells_Tests is
          Expect
            (What & ": health",
             MCS.Surface_Health.Contents = Result.Surfaces.Reported, True);
+         Expect
+           (What & ": cards",
+            MCS.Law_Memory.Contents.Cards = Result.Cards, True);
+         Expect
+           (What & ": inputs", MCS.Test_Added.Contents = Result.Added, True);
          MCS.PWM_Variable.Look (Item, Fresh);
          Expect (What & ": sent", Fresh, On or Has_Commands);
          Expect (What & ": as decided", Fresh, Result.Flown.Is_Sent);

@@ -246,7 +246,7 @@ package body Type_Codes_Tests is
    procedure Unknown_Up is
       Item : constant Uplink_Buffer :=
         (Uplink_Of (16#F000#) with delta
-           Roll => 16#500#, Error_Status => Other_Kind);
+           Roll => 16#600#, Error_Status => Other_Kind);
 
       procedure Expect_Last (What : String);
 
@@ -274,7 +274,7 @@ package body Type_Codes_Tests is
       MCS.MDCIN.Run_Transaction;
       Expect_Last ("unknown");
       Expect_Errors
-        ("unknown", MCS.Errors, (1 => Unknown_Code), Detail => 16#500#);
+        ("unknown", MCS.Errors, (1 => Unknown_Code), Detail => 16#600#);
 
       --  A frame without a block passes it on as old; it is reported only
       --  once.

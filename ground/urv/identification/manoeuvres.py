@@ -96,7 +96,64 @@ def by_sticks(flight) -> list[Manoeuvre]:
     return found[:MOST]
 
 
-FINDERS = (by_sticks,)
+SWITCH = "switch5"
+CARD_MOVED_DEG = 0.3
+"""A surface that moves by more than this, with the sticks at rest, has an
+input."""
+
+SURFACES = {LONGITUDINAL: ("elevator",), LATERAL: ("aileron", "rudder")}
+DOWNLINKS = ("mcs.downlink", "gsc.downlink")
+
+
+def by_cards(flight) -> list[Manoeuvre]:
+    """Test cards (FTI-7): from switch 5 on until the surfaces are at rest.
+
+    Times in which a stick moves too are not cards."""
+    uplink = next((group for group in GROUPS if flight.has_all(
+        f"{group}.{SWITCH}", f"{group}.pitch", f"{group}.roll",
+        f"{group}.yaw")), None)
+    downlink = next((group for group in DOWNLINKS if flight.has_all(*(
+        f"{group}.{side}_{name}" for names in SURFACES.values()
+        for name in names for side in ("left", "right")))), None)
+    if uplink is None or downlink is None:
+        return []
+    seconds = flight.seconds
+    is_on = numpy.asarray(flight.values(f"{uplink}.{SWITCH}")) >= 0.5
+    edges = numpy.flatnonzero(numpy.diff(is_on.astype(int), prepend=0) == 1)
+    found = []
+    for place, row in enumerate(edges):
+        off = numpy.flatnonzero(~is_on[row:])
+        last = row + (off[0] if len(off) else len(is_on) - row) - 1
+        rows = slice(row, last + 1)
+        if last == row or any(
+                numpy.ptp(flight.values(f"{uplink}.{stick}")[rows])
+                > MOVED_PERCENT for sticks in AXES.values()
+                for stick in sticks):
+            continue
+        rest = slice(max(row - round(LEAD_S / packets.FRAME_S), 0), row + 1)
+        moved = {axis: numpy.zeros(last - row + 1, bool) for axis in AXES}
+        for axis, names in SURFACES.items():
+            for name in names:
+                for side in ("left", "right"):
+                    values = numpy.asarray(
+                        flight.values(f"{downlink}.{side}_{name}"))
+                    moved[axis] |= abs(
+                        values[rows] - numpy.median(values[rest])
+                    ) > CARD_MOVED_DEG
+        ends = numpy.flatnonzero(sum(moved.values()))
+        if not len(ends) or seconds[row + ends[-1]] - seconds[row] > LONGEST_S:
+            continue
+        following = (seconds[edges[place + 1]] if place + 1 < len(edges)
+                     else numpy.inf)
+        found.append(Manoeuvre(
+            max(seconds[row] - LEAD_S, seconds[0]),
+            min(seconds[row + ends[-1]] + TAIL_S, following - LEAD_S,
+                seconds[-1]),
+            tuple(axis for axis in AXES if moved[axis].any()), "card"))
+    return found[:MOST]
+
+
+FINDERS = (by_cards, by_sticks)
 
 
 def found(flight, finders=FINDERS) -> list[Manoeuvre]:

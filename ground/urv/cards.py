@@ -1,0 +1,353 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Test cards: their file, the aircraft's words, and their signals (FTI-7).
+
+    for card in cards.read("cards.toml"):
+        card.words()        the twelve words of its block after the kind
+        card.signals()      degrees by surface and frame, as the aircraft adds
+
+The file is TOML, a table [[card]] for each card: docs/flight-test.md.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy
+
+from urv import faults, input_files, packets
+
+KIND = 0x500
+FRAMES_PER_S = round(1 / packets.FRAME_S)
+SLOTS = range(1, 9)
+SURFACES = ("left_aileron", "right_aileron", "left_elevator",
+            "right_elevator", "left_rudder", "right_rudder")
+AXES = {"roll": SURFACES[:2], "pitch": SURFACES[2:4], "yaw": SURFACES[4:]}
+DEGREES = {"aileron": 0.01, "elevator": 0.0125, "rudder": 0.0125}
+"""Degrees of a word."""
+KINDS = ("empty", "step", "doublet", "3-2-1-1", "linear sweep",
+         "exponential sweep", "multisine", "choose")
+PULSES = {"step": 1, "doublet": 2, "3-2-1-1": 7}
+"""The number of pulses that a whole input is long."""
+
+MOST_AMPLITUDE = 800
+MOST_FREQUENCY = 1_000
+MOST_BASE = 200
+MOST_OCTAVES = 448
+MOST_SIGNALS = 4
+MOST_SINES = 12
+NO_LIMIT = 63
+FIELD = 4_095
+
+RATES = {"aileron": 7_500, "elevator": 7_500, "rudder": 5_000}
+"""The rate limits of inputs, in words a second: URV.Law_Gains."""
+
+UNIT, SINES, POWER_UNIT, POWERS, SHARE_UNIT = 16_384, 256, 2_048, 64, 256
+SHARES = (256, 128, 96, 90, 86, 73, 69, 67, 61, 59, 56, 53)
+"""Of URV.Signal_Tables; a test compares them."""
+FINE = 64
+
+
+def family(surface):
+    return surface.split("_")[1]
+
+
+@dataclass(frozen=True)
+class Card:
+    """A card in the words of its block; see URV.Test_Cards.Card_Item."""
+
+    slot: int
+    kind: str
+    surfaces: tuple[str, ...] = ()
+    is_single: bool = False
+    amplitude: int = 0
+    time: int = 0
+    first: int = 0
+    last: int = 0
+    bank: int = NO_LIMIT
+    pitch: int = NO_LIMIT
+    alpha: int = NO_LIMIT
+    load: int = NO_LIMIT
+    slowest: int = 0
+    fastest: int = FIELD
+    lowest: int = 0
+    name: str = field(default="", compare=False)
+
+    @property
+    def is_signal(self):
+        return self.kind not in ("empty", "choose")
+
+    def words(self):
+        """The words of the block after its kind."""
+        head = (self.slot * 256 + self.is_single * 16
+                + KINDS.index(self.kind))
+        card = (head, *(0,) * 10) if not self.is_signal else (
+            head,
+            sum(1 << SURFACES.index(each) for each in self.surfaces),
+            self.amplitude, self.time, self.first, self.last,
+            self.bank + 64 * self.pitch, self.alpha + 64 * self.load,
+            self.slowest, self.fastest, self.lowest)
+        weights = range(1, 2 * len(card), 2)
+        return (*card, sum(map(lambda one, two: one * two, weights, card))
+                % (FIELD + 1))
+
+    def order(self, time_ms):
+        """The line of an orders file."""
+        return f"{time_ms} block {KIND:x} {' '.join(map(str, self.words()))}"
+
+    @property
+    def frames(self):
+        """Of a pulse, or of the whole."""
+        return self.time * FRAMES_PER_S // 100
+
+    @property
+    def length(self):
+        """Frames of the whole input."""
+        return PULSES.get(self.kind, 1) * self.frames
+
+    def signal_numbers(self):
+        """The signal of each surface in a multisine, from 0."""
+        if self.is_single:
+            return {each: place for place, each in enumerate(self.surfaces)}
+        pairs = [pair for pair in AXES.values()
+                 if set(pair) & set(self.surfaces)]
+        return {each: place for place, pair in enumerate(pairs)
+                for each in pair if each in self.surfaces}
+
+    def harmonics(self, surface):
+        """The harmonics of a surface's signal."""
+        numbers = self.signal_numbers()
+        step = max(numbers.values()) + 1
+        return [self.last // 16 + numbers[surface] + step * place
+                for place in range(self.last % 16)]
+
+    def targets(self):
+        """Words by surface and frame before the limit of the rate."""
+        signals = {each: self._unit(each) for each in self.surfaces}
+        return {each: _toward_0(values * self.amplitude, UNIT)
+                for each, values in signals.items()}
+
+    def words_added(self):
+        """Words by surface and frame, until the input is back at 0."""
+        found = {}
+        for surface, wanted in self.targets().items():
+            step = RATES[family(surface)] // FRAMES_PER_S
+            value, values = 0, []
+            for target in [*wanted.tolist(), *[0] * (
+                    MOST_AMPLITUDE // step + 1)]:
+                value += max(-step, min(step, target - value))
+                values.append(value)
+            found[surface] = numpy.array(values)
+        return found
+
+    def signals(self):
+        """Degrees by surface and frame."""
+        return {each: values * DEGREES[family(each)]
+                for each, values in self.words_added().items()}
+
+    def _unit(self, surface):
+        frames = numpy.arange(self.length)
+        if self.kind in PULSES:
+            up = {"step": (0,), "doublet": (0,), "3-2-1-1": (0, 1, 2, 5)}
+            return numpy.where(
+                numpy.isin(frames // self.frames, up[self.kind]), UNIT, -UNIT)
+        phases = self._phases()
+        if self.kind != "multisine":
+            return sine(phases)
+        harmonics = self.harmonics(surface)
+        count = len(harmonics)
+        total = sum(
+            sine((harmonic * phases % CYCLE
+                  + -(place * (place - 1) * CYCLE // (2 * count)) % CYCLE)
+                 % CYCLE)
+            for place, harmonic in enumerate(harmonics))
+        return numpy.clip(_toward_0(total * SHARES[count - 1], SHARE_UNIT),
+                          -UNIT, UNIT)
+
+    def frequencies(self):
+        """By frame, in parts of 0.01 Hz."""
+        frames = numpy.arange(self.length)
+        if self.kind == "linear sweep":
+            return self.first * FINE + _toward_0(
+                (self.last - self.first) * FINE * frames, self.length)
+        if self.kind == "exponential sweep":
+            octaves = self.last * 64 * frames // self.length
+            part = octaves % 4_096
+            table = numpy.array([round(POWER_UNIT * 2 ** (place / POWERS))
+                                 for place in range(POWERS + 1)])
+            before = table[part // 64]
+            factor = before + (table[part // 64 + 1] - before) * (
+                part % 64) // 64
+            return numpy.minimum(
+                self.first * FINE * factor // POWER_UNIT
+                << octaves // 4_096, MOST_FREQUENCY * FINE)
+        return numpy.full(self.length, self.first * FINE)
+
+    def _phases(self):
+        moved = self.frequencies()
+        return (numpy.cumsum(moved) - moved) % CYCLE
+
+
+CYCLE = 100 * FRAMES_PER_S * FINE
+
+
+def sine(phases):
+    """As URV.Test_Inputs.Sine."""
+    table = numpy.array([
+        round(UNIT * numpy.sin(2 * numpy.pi * place / SINES))
+        for place in range(SINES + 1)])
+    place, rest = numpy.divmod(phases * SINES, CYCLE)
+    before = table[place]
+    return before + _toward_0((table[place + 1] - before) * rest, CYCLE)
+
+
+def _toward_0(values, divisor):
+    """Ada's division."""
+    return numpy.sign(values) * (abs(values) // divisor)
+
+
+#  The file
+
+KEYS = {"slot", "name", "kind", "moves", "amplitude_deg", "pulse_s",
+        "length_s", "first_hz", "last_hz", "base_hz", "first_harmonic",
+        "harmonics", "bank_deg", "pitch_deg", "alpha_deg", "load_g",
+        "slowest_kt", "fastest_kt", "lowest_ft"}
+
+
+def read(path: Path) -> list[Card]:
+    """The cards of a file, in its order. Raises faults.Refused."""
+    where = faults.quoted(path)[1:-1]
+    try:
+        with input_files.opened_text(path) as file:
+            given = tomllib.loads(file.read())
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as fault:
+        raise faults.Refused(f"{where}: no TOML: {fault}") from fault
+    tables = given.pop("card", None)
+    if given or not isinstance(tables, list) or not tables:
+        raise faults.Refused(
+            f"{where}: a card begins with the line [[card]]; there is nothing"
+            " else")
+    if len(tables) > len(SLOTS):
+        raise faults.Refused(f"{where}: there may be {len(SLOTS)} cards")
+    cards = [_Reader(f"{where}: card {place}", table, place).card()
+             for place, table in enumerate(tables, 1)]
+    slots = [card.slot for card in cards]
+    for place, slot in enumerate(slots):
+        if slot in slots[:place]:
+            raise faults.Refused(
+                f"{where}: card {place + 1}: slot {slot} is taken")
+    return cards
+
+
+class _Reader:
+    """One table of the file."""
+
+    def __init__(self, where, table, place):
+        self.where = where
+        self.table = table
+        self.place = place
+        if not isinstance(table, dict):
+            raise faults.Refused(f"{where}: it is no table")
+        for key in table:
+            if key not in KEYS:
+                raise faults.Refused(
+                    f"{where}: unknown {faults.quoted(key)}; there are"
+                    f" {', '.join(sorted(KEYS))}")
+
+    def number(self, key, least, most, factor, default=None):
+        """A number as a word: its value times the factor, rounded."""
+        value = self.table.get(key, default)
+        if value is default and default is not None:
+            return default
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or (
+                not least <= value <= most):
+            raise faults.Refused(
+                f"{self.where}: {key} is a number from {least:g} to"
+                f" {most:g}")
+        return round(value * factor)
+
+    def surfaces(self):
+        """The surfaces that move, and whether each has its own signal."""
+        moves = self.table.get("moves")
+        names = (*AXES, *SURFACES)
+        if not isinstance(moves, list) or not moves or any(
+                each not in names for each in moves):
+            raise faults.Refused(
+                f"{self.where}: moves is a list of {', '.join(AXES)},"
+                f" {', '.join(SURFACES)}")
+        are_axes = [each in AXES for each in moves]
+        if any(are_axes) and not all(are_axes):
+            raise faults.Refused(
+                f"{self.where}: moves has axes or surfaces, not both")
+        chosen = {each for move in moves for each in AXES.get(move, (move,))}
+        return tuple(each for each in SURFACES if each in chosen), not any(
+            are_axes)
+
+    def card(self):
+        kind = self.table.get("kind")
+        kinds = KINDS[1:-1]
+        if kind not in kinds:
+            raise faults.Refused(
+                f"{self.where}: kind is one of {', '.join(kinds)}")
+        surfaces, is_single = self.surfaces()
+        is_sines = kind == "multisine"
+        per_word = min(DEGREES[family(each)] for each in surfaces)
+        if len({DEGREES[family(each)] for each in surfaces}) > 1:
+            per_word = 0.0125
+        time, first, last = self.signal(kind)
+        card = Card(
+            slot=self.number("slot", 1, 8, 1, self.place),
+            kind=kind, surfaces=surfaces, is_single=is_sines and is_single,
+            amplitude=self.number(
+                "amplitude_deg", per_word, MOST_AMPLITUDE * per_word,
+                1 / per_word),
+            time=time, first=first, last=last,
+            bank=self.number("bank_deg", 1, 62, 1, NO_LIMIT),
+            pitch=self.number("pitch_deg", 1, 62, 1, NO_LIMIT),
+            alpha=self.number("alpha_deg", 1, 62, 1, NO_LIMIT),
+            load=self.number("load_g", 0.1, 6.2, 10, NO_LIMIT),
+            slowest=self.number("slowest_kt", 0, 127.9, 32, 0),
+            fastest=self.number("fastest_kt", 0, 127.9, 32, FIELD),
+            lowest=self.number("lowest_ft", 0, 2_047, 2, 0),
+            name=str(self.table.get("name", "")))
+        if card.slowest > card.fastest:
+            raise faults.Refused(
+                f"{self.where}: slowest_kt is above fastest_kt")
+        if is_sines:
+            self.check_sines(card)
+        return card
+
+    def signal(self, kind):
+        """The words of time and frequencies."""
+        if kind in PULSES:
+            return self.number("pulse_s", 0.02, 40.95, 100), 0, 0
+        time = self.number("length_s", 0.02, 40.95, 100)
+        if kind == "multisine":
+            first = self.number("first_harmonic", 1, 255, 1)
+            count = self.number("harmonics", 1, MOST_SINES, 1)
+            return (time, self.number("base_hz", 0.01, MOST_BASE / 100, 100),
+                    first * 16 + count)
+        first = self.number("first_hz", 0.1, MOST_FREQUENCY / 100, 100)
+        last = self.number("last_hz", 0.1, MOST_FREQUENCY / 100, 100)
+        if kind == "linear sweep":
+            return time, first, last
+        octaves = round(64 * float(numpy.log2(last / first)))
+        if not 1 <= octaves <= MOST_OCTAVES:
+            raise faults.Refused(
+                f"{self.where}: last_hz of an exponential sweep is above"
+                " first_hz")
+        return time, first, octaves
+
+    def check_sines(self, card):
+        signals = max(card.signal_numbers().values()) + 1
+        if signals > MOST_SIGNALS:
+            raise faults.Refused(
+                f"{self.where}: a multisine moves at most {MOST_SIGNALS}"
+                " axes or surfaces")
+        highest = card.first * max(card.harmonics(card.surfaces[-1]))
+        if highest > MOST_FREQUENCY:
+            raise faults.Refused(
+                f"{self.where}: its highest harmonic is"
+                f" {highest / 100:g} Hz, not {MOST_FREQUENCY / 100:g} Hz or"
+                " less")

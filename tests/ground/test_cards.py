@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""FTI-7: test cards at the ground."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "ground"))
+
+from urv import cards, faults  # noqa: E402
+
+GOOD = """
+[[card]]
+name = "elevator doublet"
+kind = "doublet"
+moves = ["pitch"]
+amplitude_deg = 2
+pulse_s = 0.4
+bank_deg = 30
+
+[[card]]
+kind = "multisine"
+moves = ["roll", "pitch", "yaw"]
+amplitude_deg = 2
+length_s = 10
+base_hz = 0.1
+first_harmonic = 2
+harmonics = 6
+"""
+
+
+def written(folder, text):
+    path = folder / "cards.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def run(*arguments):
+    return subprocess.run(
+        [ROOT / "bin" / "urv", "card", *map(str, arguments)],
+        capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_fti7_a_file_becomes_words(tmp_path):
+    first, second = cards.read(written(tmp_path, GOOD))
+    assert first.words()[:11] == (
+        258, 12, 160, 40, 0, 0, 30 + 64 * 63, 63 + 64 * 63, 0, 4095, 0)
+    assert (first.slot, second.slot) == (1, 2)
+    assert second.words()[:6] == (518, 63, 160, 1000, 10, 2 * 16 + 6)
+
+
+@pytest.mark.parametrize("before, after, message", [
+    ('"doublet"', '"wiggle"', "card 1: kind is one of step, doublet"),
+    ('["pitch"]', '["pitch", "left_rudder"]',
+     "card 1: moves has axes or surfaces, not both"),
+    ('["pitch"]', '["tail"]', "card 1: moves is a list of roll, pitch"),
+    ("amplitude_deg = 2\npulse", "amplitude_deg = 11\npulse",
+     "card 1: amplitude_deg is a number from 0.0125 to 10"),
+    ("pulse_s = 0.4", "", "card 1: pulse_s is a number from 0.02 to 40.95"),
+    ("bank_deg", "bank", 'card 1: unknown "bank"; there are'),
+    ("base_hz = 0.1", "base_hz = 2",
+     "card 2: its highest harmonic is 38 Hz, not 10 Hz or less"),
+    ("[[card]]\nname", "[[map]]\nname", "a card begins with"),
+    ("[[card]]\nname", "[[card]]\nslot = 2\nname",
+     "card 2: slot 2 is taken")])
+def test_fti7_bad_cards_are_refused_in_one_line(
+        tmp_path, before, after, message):
+    assert before in GOOD
+    path = written(tmp_path, GOOD.replace(before, after, 1))
+    with pytest.raises(faults.Refused) as refused:
+        cards.read(path)
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_fti7_the_commands_print_and_plot(tmp_path):
+    path = written(tmp_path, GOOD)
+    plot = tmp_path / "plot.html"
+    result = run("check", path, "--plot", plot)
+    assert result.returncode == 0, result.stderr
+    assert "slot 1: elevator doublet: 0.8 s" in result.stdout
+    assert "left rudder: 0.4, 0.7, 1, 1.3, 1.6, 1.9 Hz" in result.stdout
+    assert plot.read_text("utf-8").count("<svg") == 4
+    result = run("orders", path, "--begin-ms", 1000)
+    lines = result.stdout.splitlines()
+    assert [line.split()[:3] for line in lines] == [
+        [str(at), "block", "500"] for at in (1000, 1200, 1400)]
+    assert run("orders", path, "--choose", 5).returncode == 2
+
+
+def test_fti7_harmonics_are_disjoint_and_within_the_amplitude(tmp_path):
+    card = cards.read(written(tmp_path, GOOD))[1]
+    found = [each for surface in ("left_aileron", "left_elevator",
+                                  "left_rudder")
+             for each in card.harmonics(surface)]
+    assert sorted(found) == list(range(2, 20))
+    for values in card.targets().values():
+        assert 0.8 * card.amplitude < abs(values).max() <= card.amplitude
+        sizes = abs(numpy.fft.rfft(values))
+        assert set(numpy.argsort(sizes)[-6:]) <= set(found)
+
+
+def test_fti7_tables_are_those_of_the_aircraft():
+    text = (ROOT / "src/laws/urv-signal_tables.ads").read_text("utf-8")
+    shares = re.search(r"Shares : .*?\((.*?)\);", text, re.DOTALL)[1]
+    assert tuple(map(int, shares.split(","))) == cards.SHARES
+    assert subprocess.run([ROOT / "scripts/laws/sines.py", "check"],
+                          check=False).returncode == 0

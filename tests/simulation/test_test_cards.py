@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""FTI-1 to FTI-7: test cards from the ground to the servos."""
+
+import json
+import random
+import sys
+
+import pytest
+from conftest import ROOT, fly_in
+
+sys.path.insert(0, str(ROOT / "ground"))
+
+from urv import cards, flights  # noqa: E402
+from urv.identification import manoeuvres  # noqa: E402
+
+LIMITS = {"bank": 30, "pitch": 25, "alpha": 12, "load": 15,
+          "slowest": 55 * 32, "fastest": 100 * 32, "lowest": 800}
+DOUBLET = cards.Card(
+    slot=1, kind="doublet", surfaces=cards.AXES["pitch"], amplitude=100,
+    time=100, **LIMITS)
+MULTISINE = cards.Card(
+    slot=2, kind="multisine", surfaces=cards.SURFACES, amplitude=160,
+    time=500, first=20, last=1 * 16 + 6, **LIMITS)
+SWEEP = cards.Card(
+    slot=8, kind="exponential sweep", surfaces=("left_rudder",),
+    amplitude=200, time=400, first=20, last=200)
+NEUTRAL = 2_048
+COMPLETE, SWITCHED_OFF, DISCONNECTED, LINK_LOST, STICK_MOVED = range(1, 6)
+SENSOR_INVALID, ENVELOPE_LEFT, SURFACE_FAILED, RESTARTED = range(6, 10)
+STARTS_MS = 4_000
+ON, OFF = 4_095, 0
+
+
+def fly_cards(folder, deck, sticks, *options, faults="", sensors="",
+              orders=""):
+    """A flight in which the cards go up from 2 s on."""
+    folder.mkdir(exist_ok=True)
+    lines = [card.order(2_000 + 200 * place)
+             for place, card in enumerate(deck)]
+    files = {"orders": "\n".join(lines) + "\n" + orders, "sticks": sticks,
+             "faults": faults, "sensors": sensors}
+    options = ["--laws", "on", *options]
+    for name, text in files.items():
+        if text:
+            (folder / name).write_text(text, encoding="ascii")
+            options += [f"--{name}", name]
+    return fly_in(folder, *options)
+
+
+def switched(*times, names="switch5", rest=""):
+    """Sticks with switch 5 on and off, in turn."""
+    return f"time_ms,throttle,{names}\n0,2048,0{rest}\n" + "".join(
+        f"{time},2048,{OFF if place % 2 else ON}{rest}\n"
+        for place, time in enumerate(times))
+
+
+def inputs(flight, surface):
+    return [word - NEUTRAL for word in flight.record[f"laws.added.{surface}"]]
+
+
+def event(flight, name):
+    for line in flight.path("events.jsonl").read_text("utf-8").splitlines():
+        found = json.loads(line)
+        if (found["node"], found["kind"]) == ("mcs", name):
+            return found["count"], found["last_detail"]
+    return None
+
+
+def test_fti1_fti3_fti4_cards_run_in_order_as_the_ground_computes(tmp_path):
+    flight = fly_cards(
+        tmp_path / "f", (DOUBLET, MULTISINE, SWEEP),
+        switched(4_000, 7_000, 8_000, 14_000, 15_000), "--seconds", "20")
+    assert event(flight, "card_refused") is None
+    assert event(flight, "card_ended") == (3, 8 * 16 + COMPLETE)
+    running = flight.record["laws.card"]
+    for card in (DOUBLET, MULTISINE, SWEEP):
+        rows = [row for row, slot in enumerate(running) if slot == card.slot]
+        assert len(rows) == card.length
+        for surface in cards.SURFACES:
+            flown = inputs(flight, surface)[rows[0]:]
+            wanted = card.words_added().get(surface)
+            if wanted is None:
+                assert not any(flown[:len(rows)])
+                continue
+            assert flown[:len(wanted)] == wanted.tolist()
+            servo = flight.record[f"pwm.{surface}"][rows[0]:]
+            assert servo[:len(wanted)] == [
+                NEUTRAL + word for word in wanted.tolist()]
+    for name in ("steering", "throttle", "brake", "left_flap_1"):
+        assert len(set(flight.record[f"pwm.{name}"][250:])) == 1
+
+
+def test_fti7_identify_finds_the_cards_of_a_flight(tmp_path):
+    """The finder sees switch 5 and the surfaces, as the ground's record."""
+    fly_cards(tmp_path / "f", (DOUBLET, MULTISINE),
+              switched(4_000, 7_000, 12_000, 19_000), "--seconds", "25")
+    flight = flights.read(tmp_path / "f" / "record.csv", lambda _: None)
+    found = manoeuvres.found(flight)
+    assert [each.mark for each in found] == ["card"] * 2
+    assert [each.axes for each in found] == [
+        ("longitudinal",), ("longitudinal", "lateral")]
+    assert 3.4 < found[0].begin < 3.7 and 9.5 < found[0].end < 10.8
+    assert 11.4 < found[1].begin < 11.7 and 20 < found[1].end < 22
+
+
+def test_fti2_each_card_is_read_back_word_for_word(tmp_path):
+    flight = fly_cards(
+        tmp_path / "f", (DOUBLET, MULTISINE, SWEEP), switched(10_000_000),
+        "--seconds", "40")
+    columns = [flight.record[f"laws.told_card.{place}"]
+               for place in range(2, 8)]
+    told = {}
+    for _, where, *words in set(zip(*columns, strict=True)):
+        if where:
+            told[where] = words
+    for card in (DOUBLET, MULTISINE, SWEEP):
+        found = [word for part in range(3)
+                 for word in told[card.slot * 16 + part]]
+        assert found == [*card.words()[:11], 0]
+    assert flight.record["laws.told_card"][-1] == 1
+
+
+@pytest.mark.parametrize("change, reason", [
+    ({"sticks": switched(4_000, 5_000)}, SWITCHED_OFF),
+    ({"sticks": switched(4_000, names="switch5,switch7", rest=",0")
+      + "5000,2048,4095,4095\n"}, DISCONNECTED),
+    ({"sticks": switched(4_000, names="switch5,pitch", rest=",2048")
+      + "5000,2048,4095,2300\n"}, STICK_MOVED),
+    ({"faults": "5000 cut 3000\n"}, LINK_LOST),
+    ({"faults": "5000 mcs reset warm\n"}, RESTARTED),
+    ({"faults": "5000 surface left_elevator stuck\n"}, SURFACE_FAILED),
+    ({"sensors": "time_ms,alpha\n0,2048\n5000,4095\n"}, SENSOR_INVALID),
+    ({"sensors": "time_ms,airspeed\n0,2100\n5000,1750\n"}, ENVELOPE_LEFT),
+    ({"sensors": "time_ms,altitude\n0,1000\n5000,790\n"}, ENVELOPE_LEFT),
+    ({"sensors": "time_ms,roll_attitude\n0,2048\n5000,2100\n5020,2160\n"
+      "5040,2220\n5060,2280\n5080,2340\n5100,2400\n"}, ENVELOPE_LEFT),
+])
+def test_fti5_a_card_ends_by(tmp_path, change, reason):
+    card = cards.Card(**{**DOUBLET.__dict__, "time": 400})
+    sticks = change.pop("sticks", switched(STARTS_MS))
+    flight = fly_cards(tmp_path / "f", (card,), sticks, "--seconds", "8",
+                       **change)
+    if reason != RESTARTED:
+        assert event(flight, "card_ended") == (1, 16 + reason)
+    running = flight.record["laws.card"]
+    assert flight.record["laws.card_ended"][-1] == reason
+    first, last = running.index(1), len(running) - 1 - running[::-1].index(1)
+    assert set(running[first:last + 1]) == {1}
+    times = flight.record["time_ms"]
+    assert 4_000 <= times[first] <= 4_100
+    assert 4_980 <= times[last] <= 5_000 + (
+        620 if reason in (LINK_LOST, SURFACE_FAILED) else 200)
+    assert not any(inputs(flight, "left_elevator")[last + 12:])
+
+
+def test_fti5_d86_a_short_gap_of_the_link_ends_no_card(tmp_path):
+    flight = fly_cards(
+        tmp_path / "f", (DOUBLET,), switched(STARTS_MS), "--seconds", "8",
+        faults="4500 cut 300\n")
+    assert event(flight, "card_ended") == (1, 16 + COMPLETE)
+    first = flight.record["laws.card"].index(1)
+    wanted = DOUBLET.words_added()["left_elevator"].tolist()
+    assert [word - NEUTRAL for word in flight.record[
+        "pwm.left_elevator"][first:first + len(wanted)]] == wanted
+
+
+def test_fti1_a_wrong_card_is_refused_and_changes_nothing(tmp_path):
+    words = list(DOUBLET.words())
+    words[2] += 1
+    text = " ".join(map(str, words))
+    flight = fly_cards(
+        tmp_path / "f", (), switched(STARTS_MS), "--seconds", "6",
+        orders=f"2000 block 500 {text}\n")
+    assert event(flight, "card_refused") == (1, 1)
+    assert event(flight, "card_ended") is None
+    assert not any(flight.record["laws.card"])
+
+
+def test_fti4_a_switch_that_was_left_on_starts_nothing(tmp_path):
+    flight = fly_cards(tmp_path / "f", (DOUBLET,), switched(0),
+                       "--seconds", "6")
+    assert event(flight, "card_refused") == (1, 3)
+    assert not any(flight.record["laws.card"])
+
+
+FLIGHTS = 100
+SPAN = 10
+
+
+def random_card(chance, slot):
+    """A card, valid or not."""
+    kind = chance.choice(cards.KINDS[1:7])
+    surfaces = tuple(each for each in cards.SURFACES if chance.random() < 0.5)
+    first = last = 0
+    if kind == "multisine":
+        first, last = chance.randrange(1, 30), chance.randrange(16, 64)
+    elif "sweep" in kind:
+        first, last = chance.randrange(5, 300), chance.randrange(1, 460)
+    return cards.Card(
+        slot=slot, kind=kind, surfaces=surfaces or cards.AXES["roll"],
+        is_single=kind == "multisine" and chance.random() < 0.5,
+        amplitude=chance.choice((50, 300, 800, 801)),
+        time=chance.randrange(2, 200), first=first, last=last,
+        bank=chance.choice((20, 63)), alpha=chance.choice((5, 63)),
+        slowest=chance.choice((0, 1_700)), lowest=chance.choice((0, 1_500)))
+
+
+def random_flight(folder, number):
+    chance = random.Random(f"card {number}")
+    deck = [random_card(chance, chance.randrange(1, 9)) for _ in range(4)]
+    rows, time = [], 3_000
+    while time < 9_500:
+        rows.append((time, 2_048, chance.choice((ON, ON, OFF)),
+                     ON if chance.random() < 0.1 else OFF,
+                     chance.choice((2_048, 2_048, 2_048, 2_300)),
+                     ON if chance.random() < 0.3 else OFF))
+        time += chance.randrange(100, 1_500)
+    sticks = "time_ms,throttle,switch5,switch7,pitch,switch1\n" + "".join(
+        ",".join(map(str, row)) + "\n"
+        for row in [(0, 2_048, 0, 0, 2_048, 0), *rows])
+    faults = []
+    for _ in range(chance.randrange(4)):
+        at = chance.randrange(3_000, 9_000)
+        faults.append(chance.choice((
+            f"{at} cut {chance.randrange(20, 1_500)}",
+            f"{at} up ber 0.001 {chance.randrange(100, 2_000)}",
+            f"{at} mcs reset {chance.choice(('warm', 'processor'))}",
+            f"{at} mcs stall adc {chance.randrange(10, 200)}",
+            f"{at} surface left_aileron stuck",
+            f"{at} gsc console {chance.randrange(100, 1_500)}")))
+    return fly_cards(
+        folder, deck, sticks, "--seconds", "10", "--seed", str(number),
+        faults="\n".join(faults) + "\n" if faults else "")
+
+
+@pytest.mark.parametrize("first", range(0, FLIGHTS, SPAN))
+def test_fti5_fti6_random_cards_with_random_faults(tmp_path, first):
+    """The safety monitor judges each flight (conftest). Some cards run."""
+    ran = 0
+    for number in range(first, first + SPAN):
+        flight = random_flight(tmp_path / str(number), number)
+        ran += any(flight.record["laws.card"])
+    assert ran
