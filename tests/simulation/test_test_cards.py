@@ -49,7 +49,8 @@ def fly_cards(folder, deck, sticks, *options, faults="", sensors="",
 
 def switched(*times, names="switch5", rest=""):
     """Sticks with switch 5 on and off, in turn."""
-    return f"time_ms,throttle,{names}\n0,2048,0{rest}\n" + "".join(
+    begin = "" if times[0] == 0 else f"0,2048,0{rest}\n"
+    return f"time_ms,throttle,{names}\n{begin}" + "".join(
         f"{time},2048,{OFF if place % 2 else ON}{rest}\n"
         for place, time in enumerate(times))
 
@@ -128,10 +129,10 @@ def test_fti2_each_card_is_read_back_word_for_word(tmp_path):
       + "5000,2048,4095,2300\n"}, STICK_MOVED),
     ({"faults": "5000 cut 3000\n"}, LINK_LOST),
     ({"faults": "5000 mcs reset warm\n"}, RESTARTED),
-    ({"faults": "5000 surface left_elevator stuck\n"}, SURFACE_FAILED),
+    ({"faults": "5000 surface left_elevator stuck 0x5dc\n"}, SURFACE_FAILED),
     ({"sensors": "time_ms,alpha\n0,2048\n5000,4095\n"}, SENSOR_INVALID),
     ({"sensors": "time_ms,airspeed\n0,2100\n5000,1750\n"}, ENVELOPE_LEFT),
-    ({"sensors": "time_ms,altitude\n0,1000\n5000,790\n"}, ENVELOPE_LEFT),
+    ({"sensors": "time_ms,altitude\n0,1000\n5000,900\n5100,790\n"}, ENVELOPE_LEFT),
     ({"sensors": "time_ms,roll_attitude\n0,2048\n5000,2100\n5020,2160\n"
       "5040,2220\n5060,2280\n5080,2340\n5100,2400\n"}, ENVELOPE_LEFT),
 ])
