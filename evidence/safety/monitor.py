@@ -119,19 +119,28 @@ PARTITION_SCAN_US = {"calm": 30_000, "disturbed": 30_000}
 PARTITION_ROW_LATER_US = {"report": 0, "fast": 8_000}
 
 
-# A test card may run this number of rows after the row that ends it; its inputs
-# are back at 0 after the other. The largest input in words, 10 degrees of an
+# A test card may run this number of rows after the row that ends it, and before
+# the row that shows the commands of its start; its inputs are back at 0 after
+# the last number. The largest input in words, 10 degrees of an
 # elevator, and its largest step in a frame.
 CARD_ROWS = 3
+CARD_ROWS_EARLY = 1
 INPUT_ROWS = 12
 MOST_INPUT = 800
 MOST_INPUT_STEP = 150
 LINKED = 1
+STICK_WORDS = 200
 SWITCH_5, SWITCH_7 = COMMANDS.index("switch5"), COMMANDS.index("switch7")
 
 # Without a controller the outputs are safe after this time, and a frame until
 # the row. The controller may have touched the board a frame before it stopped.
 HOLD_US = 500_000
+
+
+def is_near(words, rest):
+    """Roll, pitch and yaw sticks are where they were at a card's start."""
+    return all(abs(word - at) <= STICK_WORDS
+               for word, at in zip(words[:3], rest[:3], strict=True))
 
 
 class Findings(NamedTuple):
@@ -157,7 +166,7 @@ class Record:
             for name in ("frame", "overruns") if name in titles}
         self.by_law = law_rows(titles, rows)
         self.failed = ([int(row[titles.index("laws.failed")]) for row in rows]
-                       if "laws.failed" in titles else [])
+                       if "laws.failed" in titles else [0] * len(rows))
         self.truth = [
             [value for title, value in zip(titles, row, strict=True)
              if title.startswith("truth.")] for row in rows]
@@ -184,11 +193,19 @@ class Record:
         first = titles.index(f"laws.added.{ADDED[0]}")
         self.added = self._words(rows, slice(first, first + len(ADDED)))
         # The row may be taken between the law's task and that of the servos.
-        before, last, found = None, self.added[0], []
-        for words, added in zip(self.pwm, self.added, strict=True):
-            choices = [without_inputs(words, each) for each in (added, last)]
-            taken = choices[1] if choices[1] == before else choices[0]
-            before, last = taken, added
+        is_late, before, found = False, None, []
+        for place, words in enumerate(self.pwm):
+            choices = {late: without_inputs(
+                words, self.added[max(place - late, 0)])
+                for late in (is_late, not is_late)}
+            known = {transformed(row[:13])[:len(ADDED)] for row in
+                     self.mcs_uplink[max(place - 1, 0):place + 2]}
+            known.add(before)
+            is_late = next((late for late, each in choices.items()
+                            if each[:len(ADDED)] in known), is_late)
+            taken = (words if words == unattended(words)
+                     else choices[is_late])
+            before = taken[:len(ADDED)]
             found.append(taken)
         self.pwm = found
 
@@ -229,6 +246,8 @@ class Record:
 FAILED_BITS = (*(f"{side}_{name}" for name in (
     "aileron", "elevator", "rudder") for side in ("left", "right")),
     "left_flap_1", "right_flap_1", "left_flap_2", "right_flap_2", "throttle")
+SURFACE_BITS = sum(1 << place for place, name in enumerate(FAILED_BITS)
+                   if name != "throttle")
 MEASURES = {"throttle": ("rpm", "airspeed")}
 
 BUFFERS = (("console", "console", COMMANDS),
@@ -355,7 +374,8 @@ class Checker:
             if len(near) < after + 1 or is_blurred(place) or near_start(
                     times[place]) or self.is_unattended(
                     times[place], before, words) or (
-                    record.by_law[place] and is_by_law(before, words, near)):
+                    record.by_law[place] and is_by_law(
+                        before, words, near, record.failed[place])):
                 continue
             if not any(transformed(message[:13]) == words
                        for message in near if not is_stale(message)
@@ -462,14 +482,18 @@ class Flight(Checker):
 
     def check_cards(self):
         """A test card runs only while the pilot's switch 5 is on, laws
-        disconnect is off and the link is there (FTI-4, FTI-5, FTI-6). Its
+        disconnect is off, the link is there, the sticks rest and no surface
+        has failed (FTI-4, FTI-5, FTI-6). Its
         inputs are within amplitude and rate, and end with it."""
         record = self.record
-        idle = 0
+        idle = begin = 0
         for place, (time, card, added) in enumerate(zip(
                 record.times, record.cards, record.added, strict=False)):
+            if place == 0 or card != record.cards[place - 1]:
+                begin = place
             idle = 0 if card else idle + 1
-            near = range(max(place - CARD_ROWS, 0), place + 1)
+            near = range(max(place - CARD_ROWS, 0),
+                         min(place + CARD_ROWS_EARLY + 1, len(record.times)))
             messages = [record.mcs_uplink[row] for row in near]
             if card and not any(
                     is_on(words[SWITCH_5]) and not is_on(words[SWITCH_7])
@@ -478,6 +502,15 @@ class Flight(Checker):
                          " off or laws disconnect on")
             if card and all(record.links[row] != LINKED for row in near):
                 self.say(time, f"laws.card: card {card} runs without a link")
+            if card and all(record.failed[row] & SURFACE_BITS for row in near):
+                self.say(time, f"laws.card: card {card} runs with a failed"
+                         " surface")
+            rests = record.mcs_uplink[max(begin - CARD_ROWS, 0):
+                                      begin + CARD_ROWS_EARLY + 1]
+            if card and not any(is_near(words, rest)
+                                for words in messages for rest in rests):
+                self.say(time, f"laws.card: card {card} runs, and a stick has"
+                         " moved")
             if idle > INPUT_ROWS and any(
                     word != MIDDLE for word in added):
                 self.say(time, "laws.added: an input without a card:"
@@ -761,10 +794,12 @@ class Flight(Checker):
             time = times[place]
             if self.is_unattended(time, before, words):
                 continue
-            if self.record.by_law[place] and is_by_law(
-                    before, words, uplink[place:place + 2]):
-                continue
             first = self.commands_from(time)
+            if self.record.by_law[place] and is_by_law(
+                    before, words, [*uplink[place:place + 2],
+                                    *self._without_row(place, first)],
+                    self.record.failed[place]):
+                continue
             orders = orders_behind(words)
             found = None if orders is None else self.orders.earliest_scan(
                 orders, max(first, floor), time,
@@ -789,6 +824,18 @@ class Flight(Checker):
                 self.say_wrong(time, what)
                 continue
             self.say(time, what + ": " + self.why(orders, words, first, time))
+
+    def _without_row(self, place, first):
+        """Messages of which no row may know: they came after the last row,
+        or the aircraft's node started again since."""
+        time = self.record.times[place]
+        if (place + 1 < len(self.record.times)
+                and not self.faults.starts["mcs"].touch(first, time)):
+            return []
+        line = self.console
+        begin = max(bisect.bisect_right(line.times, first) - 1, 0)
+        end = bisect.bisect_right(line.times, time)
+        return [(*words, 0) for words in line.words[begin:end]]
 
     def why(self, orders, words, first, time):
         """The violation of these outputs, as text."""

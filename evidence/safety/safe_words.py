@@ -112,11 +112,18 @@ def law_rows(titles, rows):
     return found
 
 
-def is_by_law(before, words, near):
+def is_by_law(before, words, near, failed=0):
     """A law may have made of the first outputs these of the others: brake,
-    flaps and discretes stay, or are what a message says that is not old."""
+    flaps and discretes stay, or are what a message says that is not old. With
+    a failed surface the flaps may make up for it."""
+
+    def others(outputs):
+        return outputs[FLOWN:] if not failed else (
+            outputs[BRAKE], outputs[-1])
+
     return (max(words[:FLOWN]) <= LARGEST
-            and (words[FLOWN:] == before[FLOWN:]
+            and (others(words) == others(before)
                  or any(not message[-1] & STALE
-                        and transformed(message[:13])[FLOWN:] == words[FLOWN:]
+                        and others(transformed(message[:13]))
+                        == others(words)
                         for message in near)))

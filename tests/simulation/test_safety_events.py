@@ -29,7 +29,7 @@ BESIDE = {
     "AD": set(),
     "GDCOUT": set(),
     "TELIN": {"Is_New", "Is_Missed", "Reason"},
-    "MDCIN": {"Is_Configuration", "Is_Unknown", "Place_Out_Of_Range"},
+    "MDCIN": {"Is_For_Laws", "Is_Unknown", "Place_Out_Of_Range"},
     "LAW": {"Kept_After"},
     "PWM": set(),
     "CORE": set(),

@@ -2,7 +2,6 @@
 """FTI-1 to FTI-7: test cards from the ground to the servos."""
 
 import json
-import random
 import sys
 
 import pytest
@@ -10,6 +9,7 @@ from conftest import ROOT, fly_in
 
 sys.path.insert(0, str(ROOT / "ground"))
 
+import card_flights  # noqa: E402
 from urv import cards, flights  # noqa: E402
 from urv.identification import manoeuvres  # noqa: E402
 
@@ -184,61 +184,32 @@ def test_fti4_a_switch_that_was_left_on_starts_nothing(tmp_path):
     assert not any(flight.record["laws.card"])
 
 
-FLIGHTS = 100
+FLIGHTS = 60
 SPAN = 10
-
-
-def random_card(chance, slot):
-    """A card, valid or not."""
-    kind = chance.choice(cards.KINDS[1:7])
-    surfaces = tuple(each for each in cards.SURFACES if chance.random() < 0.5)
-    first = last = 0
-    if kind == "multisine":
-        first, last = chance.randrange(1, 30), chance.randrange(16, 64)
-    elif "sweep" in kind:
-        first, last = chance.randrange(5, 300), chance.randrange(1, 460)
-    return cards.Card(
-        slot=slot, kind=kind, surfaces=surfaces or cards.AXES["roll"],
-        is_single=kind == "multisine" and chance.random() < 0.5,
-        amplitude=chance.choice((50, 300, 800, 801)),
-        time=chance.randrange(2, 200), first=first, last=last,
-        bank=chance.choice((20, 63)), alpha=chance.choice((5, 63)),
-        slowest=chance.choice((0, 1_700)), lowest=chance.choice((0, 1_500)))
-
-
-def random_flight(folder, number):
-    chance = random.Random(f"card {number}")
-    deck = [random_card(chance, chance.randrange(1, 9)) for _ in range(4)]
-    rows, time = [], 3_000
-    while time < 9_500:
-        rows.append((time, 2_048, chance.choice((ON, ON, OFF)),
-                     ON if chance.random() < 0.1 else OFF,
-                     chance.choice((2_048, 2_048, 2_048, 2_300)),
-                     ON if chance.random() < 0.3 else OFF))
-        time += chance.randrange(100, 1_500)
-    sticks = "time_ms,throttle,switch5,switch7,pitch,switch1\n" + "".join(
-        ",".join(map(str, row)) + "\n"
-        for row in [(0, 2_048, 0, 0, 2_048, 0), *rows])
-    faults = []
-    for _ in range(chance.randrange(4)):
-        at = chance.randrange(3_000, 9_000)
-        faults.append(chance.choice((
-            f"{at} cut {chance.randrange(20, 1_500)}",
-            f"{at} up ber 0.001 {chance.randrange(100, 2_000)}",
-            f"{at} mcs reset {chance.choice(('warm', 'processor'))}",
-            f"{at} mcs stall adc {chance.randrange(10, 200)}",
-            f"{at} surface left_aileron stuck",
-            f"{at} gsc console {chance.randrange(100, 1_500)}")))
-    return fly_cards(
-        folder, deck, sticks, "--seconds", "10", "--seed", str(number),
-        faults="\n".join(faults) + "\n" if faults else "")
 
 
 @pytest.mark.parametrize("first", range(0, FLIGHTS, SPAN))
 def test_fti5_fti6_random_cards_with_random_faults(tmp_path, first):
-    """The safety monitor judges each flight (conftest). Some cards run."""
-    ran = 0
+    """The first flights of those of evidence/safety/card_flights.py."""
+    runs = 0
     for number in range(first, first + SPAN):
-        flight = random_flight(tmp_path / str(number), number)
-        ran += any(flight.record["laws.card"])
-    assert ran
+        flight = card_flights.of_number(number)
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        done = card_flights.fly(flight, folder)
+        assert done.returncode == 0, done.stderr
+        outcome = card_flights.judged(flight, folder)
+        assert outcome.findings == [], number
+        runs += outcome.runs
+    assert runs
+
+
+def test_fti1_the_checks_know_valid_cards():
+    """As the aircraft does: docs/design.md."""
+    for card in (DOUBLET, MULTISINE, SWEEP):
+        assert card_flights.is_valid(card.words())
+        assert not card_flights.is_valid((*card.words()[:11], 0))
+    for change in ({"amplitude": 801}, {"time": 1}, {"surfaces": ()},
+                   {"slot": 9}, {"bank": 0}, {"slowest": 3_300}):
+        wrong = cards.Card(**{**DOUBLET.__dict__, **change})
+        assert not card_flights.is_valid(wrong.words()), change
