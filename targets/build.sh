@@ -21,7 +21,7 @@ case $machine in
       processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
       switches="$processor -fno-pie -fno-pic"
       folders="targets/cortex_m targets/cortex_m/netduinoplus2"
-      rom_size=98304 ;;
+      rom_size=114688 ;;
    mc68000)
       prefix=m68k-linux-gnu-
       processor="-m68000"

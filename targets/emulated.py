@@ -177,7 +177,7 @@ class CortexM(Machine):
     name = "cortex_m"
     prefix = "arm-linux-gnueabihf-"
     needed = ("qemu-system-arm", "arm-linux-gnueabihf-gnatmake-12")
-    rom_size = 96 * 1024
+    rom_size = 112 * 1024
     quantum = 8
     line_delay_us = (quantum - 1) * CHARACTER_US
 
