@@ -7,8 +7,8 @@ with URVOS.Memories; use URVOS.Memories;
 
 package Devices.Memory_Sizes with Pure, SPARK_Mode is
 
-   --  112 KiB of flash memory, with the image's sum in the last four bytes, and
-   --  16 KiB of RAM.
+   --  112 KiB of flash memory, with the image's sum in the last four bytes,
+   --  and 16 KiB of RAM.
    Last_ROM_Byte : constant Byte_Address := 16#1_BFFF#;
    Last_RAM_Word : constant Word_Address := 16#1FFF#;
 
