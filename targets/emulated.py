@@ -132,7 +132,7 @@ class Machine:
         subprocess.run([ROOT / "targets" / "build.sh", self.name, node],
                        check=True)
 
-    def fly(self, tapes, folder, images=None, limit_s=300):
+    def fly(self, tapes, folder, images=None, limit_s=1_200):
         """Runs the nodes of these tapes until their ends; Run of each by
         name. Two are joined by their serial lines."""
         folder = Path(folder)
