@@ -10,7 +10,6 @@ with Partitions.Order_Packets;
 with Partitions.Orders;
 with Partitions.Sockets;
 with Partitions.System_Calls;    use Partitions.System_Calls;
-with URV.Configurations;
 
 package body Partitions.Console_Port is
 
@@ -154,7 +153,7 @@ package body Partitions.Console_Port is
          Latest.Check_Order (Item.Run, Item.Sequence, Clock, Is_Taken);
       end if;
       if Is_Taken then
-         Orders.Give (URV.Configurations.Block_Of (Item.Item), Is_Taken);
+         Orders.Give (Item.Block, Is_Taken);
       end if;
       if not Is_Taken then
          Latest.Drop;

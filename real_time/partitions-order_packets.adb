@@ -1,5 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URVOS;
+with URV.Configurations;
+with URV.Test_Cards;
 with URV.Type_Codes; use URV.Type_Codes;
 
 package body Partitions.Order_Packets is
@@ -23,44 +26,92 @@ package body Partitions.Order_Packets is
      (Source'Length >= 4
       and then Value_At (Source, Source'First, 4) = Magic);
 
+   --  The items of a configuration, if they are in range.
+   procedure Read_Configuration
+     (Bytes    : Octet_Array;
+      Block    : out Uplink_Buffer;
+      Is_Valid : out Boolean)
+   with
+     Pre => Bytes'First = 1 and then Bytes'Last = Configuration_Length;
+
+   --  The words of a card's block, if their sum is right.
+   procedure Read_Card
+     (Bytes    : Octet_Array;
+      Block    : out Uplink_Buffer;
+      Is_Valid : out Boolean)
+   with
+     Pre => Bytes'First = 1 and then Bytes'Last = Card_Length;
+
+   procedure Read_Configuration
+     (Bytes    : Octet_Array;
+      Block    : out Uplink_Buffer;
+      Is_Valid : out Boolean)
+   is
+      use URV.Configurations;
+
+      Item  : Configuration := (others => 0);
+      Place : Positive := Items_At;
+      Value : Number;
+   begin
+      Is_Valid :=
+        Value_At (Bytes, Kind_At, 2) = Number (Configuration_Kind);
+      for Each of Item loop
+         Value := Value_At (Bytes, Place, 2);
+         Is_Valid := Is_Valid and then Value <= Number (Field'Last);
+         Each := Field (Value mod (Number (Field'Last) + 1));
+         Place := Place + 2;
+      end loop;
+      Is_Valid := Is_Valid and then Item (Serial) in Serial_Number;
+      Block := (if Is_Valid then Block_Of (Item) else Neutral_Uplink);
+   end Read_Configuration;
+
+   procedure Read_Card
+     (Bytes    : Octet_Array;
+      Block    : out Uplink_Buffer;
+      Is_Valid : out Boolean)
+   is
+      subtype Card_Words is Command_Item range Pitch .. Switch_8;
+
+      Place : Positive := Items_At;
+   begin
+      Block := Neutral_Uplink;
+      Block (Roll) := Test_Card_Kind;
+      Block (Error_Status) := Other_Kind;
+      for Item in Card_Words loop
+         Block (Item) := URVOS.Word (Value_At (Bytes, Place, 2));
+         Place := Place + 2;
+      end loop;
+      Is_Valid :=
+        Value_At (Bytes, Kind_At, 2) = Number (Test_Card_Kind)
+        and then URV.Test_Cards.Is_Whole (Block);
+   end Read_Card;
+
    procedure Read
      (Source   : Octet_Array;
       Item     : out Packet;
       Is_Valid : out Boolean)
    is
       --  From 1 on, so that the places fit.
-      subtype Whole is Octet_Array (1 .. Length);
-
-      Place : Positive := Items_At;
-      Value : Number;
+      Bytes : constant Octet_Array (1 .. Source'Length) := Source;
    begin
       Item := (others => <>);
-      Is_Valid := Source'Length = Length;
-      if not Is_Valid then
-         return;
-      end if;
-
-      declare
-         Bytes : constant Whole := Source;
-      begin
-         Is_Valid :=
-           Value_At (Bytes, Magic_At, 4) = Magic
-           and then Value_At (Bytes, Version_At, 2) = Version
-           and then Value_At (Bytes, Length_At, 2) = Length
-           and then Value_At (Bytes, Kind_At, 2) =
-                      Number (Configuration_Kind);
-         Item.Run      := Value_At (Bytes, Run_At, 4);
-         Item.Sequence := Value_At (Bytes, Sequence_At, 4);
-         Item.Made_At  := Value_At (Bytes, Time_At, 8);
-         for Each of Item.Item loop
-            Value := Value_At (Bytes, Place, 2);
-            Is_Valid := Is_Valid and then Value <= Number (Field'Last);
-            Each := Field (Value mod (Number (Field'Last) + 1));
-            Place := Place + 2;
-         end loop;
-         Is_Valid :=
-           Is_Valid and then Item.Item (Serial) in Serial_Number;
-      end;
+      case Bytes'Last is
+         when Configuration_Length =>
+            Read_Configuration (Bytes, Item.Block, Is_Valid);
+         when Card_Length =>
+            Read_Card (Bytes, Item.Block, Is_Valid);
+         when others =>
+            Is_Valid := False;
+            return;
+      end case;
+      Is_Valid :=
+        Is_Valid
+        and then Value_At (Bytes, Magic_At, 4) = Magic
+        and then Value_At (Bytes, Version_At, 2) = Version
+        and then Value_At (Bytes, Length_At, 2) = Number (Bytes'Last);
+      Item.Run      := Value_At (Bytes, Run_At, 4);
+      Item.Sequence := Value_At (Bytes, Sequence_At, 4);
+      Item.Made_At  := Value_At (Bytes, Time_At, 8);
    end Read;
 
 end Partitions.Order_Packets;

@@ -1,21 +1,23 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The order packet: the station's orders besides the sticks, in one datagram
---  (GND-35). Its layout is in docs/station-packets.md.
+--  (GND-35, FTI-8). Its layout is in docs/station-packets.md.
 
-with Partitions.Octets;  use Partitions.Octets;
-with URV.Configurations; use URV.Configurations;
+with Partitions.Octets; use Partitions.Octets;
+with URV.Buffers;       use URV.Buffers;
 
 package Partitions.Order_Packets is
 
-   Length : constant := 34;
+   --  The bytes of an order: a configuration, or a test card.
+   Configuration_Length : constant := 34;
+   Card_Length          : constant := 50;
 
-   --  A configuration is the only order. The aircraft checks its values.
+   --  Block: as it goes up. The aircraft checks its values.
    type Packet is record
       Run      : Number        := 0;
       Sequence : Number        := 0;
       Made_At  : Number        := 0;   --  UTC, us since 1970
-      Item     : Configuration := (others => 0);
+      Block    : Uplink_Buffer := Neutral_Uplink;
    end record;
 
    --  True if the datagram begins as an order packet.

@@ -47,24 +47,81 @@ def orders(
 ):
     """Print the orders that send the cards, for --orders of urv_sim, urv_gsc
     and bin/urv ground."""
+    for place, each in enumerate(chosen(file, choose)):
+        print(each.order(begin_ms + place * BETWEEN_MS))
+
+
+@app.command()
+def programme(
+    file: FILE,
+    sticks: Annotated[Path, typer.Option(
+        metavar="FILE", help="The stick script to write, for --sticks.")],
+    orders: Annotated[Path, typer.Option(
+        metavar="FILE", help="The orders to write, for --orders.")],
+):
+    """Write a flight of urv_sim that runs each card once: trimmed flight with
+    hands off, the card, recovery by the control laws, and the next one."""
+    from urv import card_programme, cards, whole_files
+
+    made = card_programme.of(cards.read(file))
+    for path, text in ((sticks, made.sticks), (orders, made.orders)):
+        with whole_files.replacing(path) as kept:
+            kept.write_text(text, "ascii")
+    print(f"{made.seconds:g} s: bin/urv_sim fly --plant jsbsim --sticks"
+          f" {sticks} --orders {orders} --seconds {made.seconds:g}")
+
+
+@app.command()
+def send(
+    file: FILE,
+    console: Annotated[str, typer.Option(
+        metavar="udp:HOST:PORT", help="As of urv_gsc --console.")
+    ] = "udp:127.0.0.1:6004",
+    choose: Annotated[Optional[int], typer.Option(
+        min=1, max=8, metavar="SLOT", help="The card that runs first.")
+    ] = None,
+):
+    """Send the cards to the ground's node of a flight, which sends them up.
+
+    While a console has the sticks, the node takes orders from its station only:
+    send them from the page, or before."""
+    import secrets
+    import socket
+    import time
+
+    from urv import faults, packets, station
+
+    address = station.address("--console", console)
+    deck = chosen(file, choose)
+    run = secrets.randbits(32)
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+            for place, each in enumerate(deck, 1):
+                out.sendto(packets.CardPacket(
+                    run, place, time.time_ns() // 1000,
+                    each.words()).encode(), address)
+                time.sleep(BETWEEN_MS / 1000)
+    except OSError as fault:
+        raise faults.Refused(f"--console {console}: {fault}") from fault
+    print(f"{len(deck) - 1} cards sent to {console}; the aircraft reads them"
+          " back in its log")
+
+
+def chosen(file, choose):
+    """The cards of a file, and the order that chooses the first one."""
     from urv import cards, faults
 
     read = cards.read(file)
     if choose and choose not in [each.slot for each in read]:
         raise faults.Refused(f"--choose: there is no card in slot {choose}")
-    wanted = choose or read[0].slot
-    for place, each in enumerate(
-            [*read, cards.Card(slot=wanted, kind="choose")]):
-        print(each.order(begin_ms + place * BETWEEN_MS))
+    return [*read, cards.Card(slot=choose or read[0].slot, kind="choose")]
 
 
 def lines(card):
     """The card as text."""
-    from urv import cards
-    seconds = card.length / cards.FRAMES_PER_S
     largest = {each: abs(values).max()
                for each, values in card.signals().items()}
-    yield (f"slot {card.slot}: {card.name or card.kind}: {seconds:g} s, "
+    yield (f"slot {card.slot}: {card.name or card.kind}: {card.seconds:g} s, "
            + ", ".join(f"{each.replace('_', ' ')} {size:.2f} deg"
                        for each, size in largest.items()))
     if card.kind == "multisine":
@@ -75,14 +132,5 @@ def lines(card):
                 shown.add(found)
                 yield (f"  {surface.replace('_', ' ')}: " + ", ".join(
                     f"{card.first * each / 100:g}" for each in found) + " Hz")
-    limits = [text for text, is_set in (
-        (f"bank {card.bank} deg", card.bank != cards.NO_LIMIT),
-        (f"pitch {card.pitch} deg", card.pitch != cards.NO_LIMIT),
-        (f"alpha {card.alpha} deg", card.alpha != cards.NO_LIMIT),
-        (f"load 1 +- {card.load / 10:g} g", card.load != cards.NO_LIMIT),
-        (f"airspeed {card.slowest / 32:g} to {card.fastest / 32:g} kt",
-         (card.slowest, card.fastest) != (0, cards.FIELD)),
-        (f"altitude from {card.lowest / 2:g} ft", card.lowest != 0))
-        if is_set]
-    yield "  envelope: " + (", ".join(limits) or "none")
+    yield "  envelope: " + card.envelope()
     yield "  words: " + " ".join(map(str, card.words()))

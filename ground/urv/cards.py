@@ -10,11 +10,10 @@ The file is TOML, a table [[card]] for each card: docs/flight-test.md.
 
 from __future__ import annotations
 
+import math
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
-
-import numpy
 
 from urv import faults, input_files, packets
 
@@ -42,12 +41,6 @@ FIELD = 4_095
 
 RATES = {"aileron": 7_500, "elevator": 7_500, "rudder": 5_000}
 """The rate limits of inputs, in words a second: URV.Law_Gains."""
-
-UNIT, SINES, POWER_UNIT, POWERS, SHARE_UNIT = 16_384, 256, 2_048, 64, 256
-SHARES = (256, 128, 96, 90, 86, 73, 69, 67, 61, 59, 56, 53)
-"""Of URV.Signal_Tables; a test compares them."""
-FINE = 64
-
 
 def family(surface):
     return surface.split("_")[1]
@@ -96,6 +89,39 @@ class Card:
         """The line of an orders file."""
         return f"{time_ms} block {KIND:x} {' '.join(map(str, self.words()))}"
 
+    @classmethod
+    def of_words(cls, words):
+        """The card of the first eleven words of its block; None if its slot
+        is empty."""
+        head, bits, amplitude, time, first, last, attitude, airflow, *rest = (
+            words)
+        kind = head % 16
+        if not head // 256 or not 0 < kind < len(KINDS) - 1:
+            return None
+        return cls(head // 256, KINDS[kind],
+                   tuple(each for place, each in enumerate(SURFACES)
+                         if bits >> place & 1),
+                   bool(head // 16 % 16), amplitude, time, first, last,
+                   attitude % 64, attitude // 64, airflow % 64, airflow // 64,
+                   *rest)
+
+    @property
+    def seconds(self):
+        """Of the whole input."""
+        return self.length / FRAMES_PER_S
+
+    def envelope(self):
+        """Its limits as text, for people."""
+        return ", ".join(text for text, is_set in (
+            (f"bank {self.bank} deg", self.bank != NO_LIMIT),
+            (f"pitch {self.pitch} deg", self.pitch != NO_LIMIT),
+            (f"alpha {self.alpha} deg", self.alpha != NO_LIMIT),
+            (f"load 1 +- {self.load / 10:g} g", self.load != NO_LIMIT),
+            (f"airspeed from {self.slowest / 32:g} kt", self.slowest != 0),
+            (f"airspeed to {self.fastest / 32:g} kt", self.fastest != FIELD),
+            (f"altitude from {self.lowest / 2:g} ft", self.lowest != 0))
+            if is_set) or "none"
+
     @property
     def frames(self):
         """Of a pulse, or of the whole."""
@@ -122,89 +148,21 @@ class Card:
         return [self.last // 16 + numbers[surface] + step * place
                 for place in range(self.last % 16)]
 
-    def targets(self):
-        """Words by surface and frame before the limit of the rate."""
-        signals = {each: self._unit(each) for each in self.surfaces}
-        return {each: _toward_0(values * self.amplitude, UNIT)
-                for each, values in signals.items()}
-
     def words_added(self):
         """Words by surface and frame, until the input is back at 0."""
-        found = {}
-        for surface, wanted in self.targets().items():
-            step = RATES[family(surface)] // FRAMES_PER_S
-            value, values = 0, []
-            for target in [*wanted.tolist(), *[0] * (
-                    MOST_AMPLITUDE // step + 1)]:
-                value += max(-step, min(step, target - value))
-                values.append(value)
-            found[surface] = numpy.array(values)
-        return found
+        # numpy takes time to load, and the station needs no signals.
+        from urv import card_signals
+        return card_signals.words_added(self)
 
     def signals(self):
         """Degrees by surface and frame."""
         return {each: values * DEGREES[family(each)]
                 for each, values in self.words_added().items()}
 
-    def _unit(self, surface):
-        frames = numpy.arange(self.length)
-        if self.kind in PULSES:
-            up = {"step": (0,), "doublet": (0,), "3-2-1-1": (0, 1, 2, 5)}
-            return numpy.where(
-                numpy.isin(frames // self.frames, up[self.kind]), UNIT, -UNIT)
-        phases = self._phases()
-        if self.kind != "multisine":
-            return sine(phases)
-        harmonics = self.harmonics(surface)
-        count = len(harmonics)
-        total = sum(
-            sine((harmonic * phases % CYCLE
-                  + -(place * (place - 1) * CYCLE // (2 * count)) % CYCLE)
-                 % CYCLE)
-            for place, harmonic in enumerate(harmonics))
-        return numpy.clip(_toward_0(total * SHARES[count - 1], SHARE_UNIT),
-                          -UNIT, UNIT)
-
     def frequencies(self):
         """By frame, in parts of 0.01 Hz."""
-        frames = numpy.arange(self.length)
-        if self.kind == "linear sweep":
-            return self.first * FINE + _toward_0(
-                (self.last - self.first) * FINE * frames, self.length)
-        if self.kind == "exponential sweep":
-            octaves = self.last * 64 * frames // self.length
-            part = octaves % 4_096
-            table = numpy.array([round(POWER_UNIT * 2 ** (place / POWERS))
-                                 for place in range(POWERS + 1)])
-            before = table[part // 64]
-            factor = before + (table[part // 64 + 1] - before) * (
-                part % 64) // 64
-            return numpy.minimum(
-                self.first * FINE * factor // POWER_UNIT
-                << octaves // 4_096, MOST_FREQUENCY * FINE)
-        return numpy.full(self.length, self.first * FINE)
-
-    def _phases(self):
-        moved = self.frequencies()
-        return (numpy.cumsum(moved) - moved) % CYCLE
-
-
-CYCLE = 100 * FRAMES_PER_S * FINE
-
-
-def sine(phases):
-    """As URV.Test_Inputs.Sine."""
-    table = numpy.array([
-        round(UNIT * numpy.sin(2 * numpy.pi * place / SINES))
-        for place in range(SINES + 1)])
-    place, rest = numpy.divmod(phases * SINES, CYCLE)
-    before = table[place]
-    return before + _toward_0((table[place + 1] - before) * rest, CYCLE)
-
-
-def _toward_0(values, divisor):
-    """Ada's division."""
-    return numpy.sign(values) * (abs(values) // divisor)
+        from urv import card_signals
+        return card_signals.frequencies(self)
 
 
 #  The file
@@ -220,8 +178,17 @@ def read(path: Path) -> list[Card]:
     where = faults.quoted(path)[1:-1]
     try:
         with input_files.opened_text(path) as file:
-            given = tomllib.loads(file.read())
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as fault:
+            text = file.read()
+    except UnicodeDecodeError as fault:
+        raise faults.Refused(f"{where}: no TOML: {fault}") from fault
+    return of_text(text, where)
+
+
+def of_text(text: str, where: str) -> list[Card]:
+    """The cards of a file's text. Raises faults.Refused."""
+    try:
+        given = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as fault:
         raise faults.Refused(f"{where}: no TOML: {fault}") from fault
     tables = given.pop("card", None)
     if given or not isinstance(tables, list) or not tables:
@@ -332,7 +299,7 @@ class _Reader:
         last = self.number("last_hz", 0.1, MOST_FREQUENCY / 100, 100)
         if kind == "linear sweep":
             return time, first, last
-        octaves = round(64 * float(numpy.log2(last / first)))
+        octaves = round(64 * math.log2(last / first))
         if not 1 <= octaves <= MOST_OCTAVES:
             raise faults.Refused(
                 f"{self.where}: last_hz of an exponential sweep is above"

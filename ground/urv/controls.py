@@ -2,7 +2,8 @@
 """Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
 GND-21 and GND-58: the flying party; GND-22: lost consoles; GND-29: the
-simulated pilot; GND-35: orders; GND-51: old input; GND-52: gamepads.
+simulated pilot; GND-35: orders; FTI-8: test cards; GND-51: old input;
+GND-52: gamepads.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ NOT_FLYING = (*(name for name, _ in LOST.values()), SILENT, CLOSED)
 REPORTED_S = 0.4
 """A holder that is silent for this time is reported: within 0.5 s."""
 
-INPUT = ("sticks", "take", "answer", "pilot", "order")
+INPUT = ("sticks", "take", "answer", "pilot", "order", "cards")
 """Messages that must not be late. Others may be."""
 OLD, REPEATED = "OLD INPUT", "REPEATED INPUT"
 RELOAD, CLOCK, OTHER = "RELOAD PAGE", "PAGE CLOCK", "OTHER GAMEPAD"
@@ -131,6 +132,10 @@ class Controls:
                 self._gamepad(console, what, name, now)
             case {"t": "order", "table": table, "orbit": orbit, "end": end}:
                 self._order(console, Setting(table, orbit, end), now)
+            case {"t": "cards", "text": text}:
+                self.view.deck.order(
+                    console, text, self.view.frame, self._sends_for(console),
+                    now)
             case {"t": "mark", "text": text}:
                 self.view.note(INFO, "mark", text or "mark")
             case {"t": "seen", "key": key}:
@@ -173,6 +178,7 @@ class Controls:
         self.sticks.tick(now)
         self.view.look(now)
         self.orders.look(self.view.frame, now)
+        self._send_card(now)
         alerts = self.view.alerts
         if self.sticks.holder is None:
             for key in NOT_FLYING:
@@ -222,13 +228,23 @@ class Controls:
     def _order(self, console: int, wanted: Setting, now: float) -> None:
         """Only the holder's orders are sent, like the sticks."""
         serial = self.orders.order(
-            console, wanted, self.view.frame,
-            self._send is not None and self.sticks.holder == console, now)
+            console, wanted, self.view.frame, self._sends_for(console), now)
         if serial is not None:
             self._sequence += 1
             self._send(packets.OrderPacket(
                 self._run, self._sequence, time.time_ns() // 1000, serial,
                 wanted.table, wanted.orbit, wanted.end).encode())
+
+    def _sends_for(self, console: int) -> bool:
+        return self._send is not None and self.sticks.holder == console
+
+    def _send_card(self, now: float) -> None:
+        card = self.view.deck.due(now)
+        if card is not None and self._send is not None:
+            self._sequence += 1
+            self._send(packets.CardPacket(
+                self._run, self._sequence, time.time_ns() // 1000,
+                card.words()).encode())
 
     def _pilot_flies(self) -> bool:
         frame = self.view.frame
@@ -328,6 +344,7 @@ class Controls:
         for level, text in self.orders.said:
             self.view.note(level, "order", text)
         self.orders.said.clear()
+        self.view.tell_of_cards()
 
 
 def about(item: items.Item) -> dict[str, Any]:

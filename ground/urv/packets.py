@@ -47,6 +47,8 @@ ROWS_PER_LOG = TABLES["log_rows"]
 FIRST_ROWS = TABLES["log_rows_of_version_1"]
 """The rows of a log in version 1; the others come last."""
 LAWS_ROW = TABLES["laws_row"]
+CARDS_ROW = LAWS_ROW - 1
+"""That of the test cards' status."""
 """A row of the aircraft's log: the status of its control laws."""
 
 _FRAME_MAGIC = int.from_bytes(b"URVF")
@@ -91,6 +93,11 @@ CONFIGURATION = 0x400
 _ORDER_MAGIC = int.from_bytes(b"URVO")
 _ORDER = struct.Struct(">IHHIIQ5H")
 ORDER_LENGTH = _ORDER.size
+CARD = 0x500
+"""The same, for a test card."""
+CARD_WORDS = 12
+_CARD = struct.Struct(f">IHHIIQ{1 + CARD_WORDS}H")
+CARD_LENGTH = _CARD.size
 
 
 class PacketError(ValueError):
@@ -351,6 +358,45 @@ class OrderPacket:
                 raise PacketError(
                     f"order packet: {name} is {value}, not {int(least)} to "
                     f"{LARGEST_SERIAL}")
+
+
+@dataclass(frozen=True)
+class CardPacket:
+    """A test card ordered by the station: the words of its block after the
+    kind."""
+
+    run: int
+    sequence: int
+    time_us: int
+    words: tuple[int, ...]
+
+    def encode(self) -> bytes:
+        """The datagram."""
+        self._check_words()
+        try:
+            return _CARD.pack(
+                _ORDER_MAGIC, VERSION, CARD_LENGTH, self.run, self.sequence,
+                self.time_us, CARD, *self.words)
+        except struct.error as error:
+            raise PacketError(f"card packet: {error}") from error
+
+    @classmethod
+    def decode(cls, data: bytes) -> CardPacket:
+        """The packet in a datagram."""
+        _check("card packet", data, _ORDER_MAGIC, {VERSION: CARD_LENGTH})
+        _, _, _, run, sequence, time_us, kind, *words = _CARD.unpack(data)
+        if kind != CARD:
+            raise PacketError(f"card packet: kind {kind:04x}h, not"
+                              f" {CARD:04x}h")
+        packet = cls(run, sequence, time_us, tuple(words))
+        packet._check_words()
+        return packet
+
+    def _check_words(self) -> None:
+        if len(self.words) != CARD_WORDS or not all(
+                0 <= word <= LARGEST_SERIAL for word in self.words):
+            raise PacketError(f"card packet: there are {CARD_WORDS} words, 0"
+                              f" to {LARGEST_SERIAL}")
 
 
 def _check(what: str, data: bytes, magic: int,

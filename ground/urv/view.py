@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 from urv import items, packets
 from urv.alerts import CAUTION, INFO, WARNING, Alerts
 from urv.answers import OTHER, Answers
+from urv.deck import Deck
 from urv.laws import ALONE, DOES, FAILING, SENSORS, Laws
 from urv.repeats import Repeats, left_out
 from urv.runs import RIVAL_S, Runs, Sender
@@ -82,6 +83,7 @@ class View:
     values: list[float | None] = field(
         default_factory=lambda: [None] * len(packets.COLUMNS))
     derived: dict[str, float | None] = field(default_factory=dict)
+    deck: Deck = field(default_factory=Deck)
     laws: Laws | None = None
     laws_state: str = "unknown"
     """True if the aircraft has its laws on: "unknown", "off", "on"."""
@@ -165,6 +167,7 @@ class View:
             self._fresh = 0
             self._blocks = self.refused = 0
             self.laws_state = "unknown"
+            self.deck.begin()
         gap = self._runs.missing
         if gap > 0:
             self.missing += gap
@@ -186,11 +189,19 @@ class View:
         self._limits(frame, now)
         self._states(frame, old, now)
         self._laws(frame, now)
+        self.deck.look(frame, now)
+        self.tell_of_cards()
         self._errors(frame, now)
         self.answers.look(frame, made, now)
         self._drops(frame, now)
         self.look(now)
         return True
+
+    def tell_of_cards(self) -> None:
+        """Writes the events of test cards into the log."""
+        for level, text in self.deck.said:
+            self.note(level, "card", f"card {text}")
+        self.deck.said.clear()
 
     def sent(self, sequence: int) -> None:
         """A console packet has left, and should appear in a frame."""
@@ -350,6 +361,7 @@ class View:
                 "serial": self.laws.serial, "table": self.laws.table,
                 "failed": self.laws.failed},
             "laws_state": self.laws_state,
+            "cards": self.deck.shown(),
             "words": self.frame.words,
             "values": self.values,
             "derived": self.derived}

@@ -37,6 +37,8 @@ QUIET_S = 5.0
 opens. The holder of the sticks never does."""
 LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
+LONGEST_CARDS = 3_500
+"""A file of test cards, without comments."""
 MESSAGES_A_SECOND = 150.0
 MOST_BAD_MESSAGES = 20
 LARGEST_SEQUENCE = 2**53
@@ -396,6 +398,9 @@ def meaning(said: dict[str, Any]) -> dict[str, Any] | None:
                     and 0 <= value <= packets.LARGEST_SERIAL
                     for value in (table, orbit, end))):
             return {"t": "order", "table": table, "orbit": orbit, "end": end}
+        case {"t": "cards", "text": str(text)} if (
+                len(text) <= LONGEST_CARDS):
+            return {"t": "cards", "text": text}
         case {"t": "answer", "yes": bool(yes)}:
             return {"t": "answer", "yes": yes}
         case {"t": "mark", "text": str(note)} if len(note) <= LONGEST_MARK:

@@ -15,7 +15,7 @@ from typing import Annotated
 
 import typer
 
-from urv import items, laws, packets, whole_files
+from urv import deck, items, laws, packets, whole_files
 
 SYSTEM = "URV"
 CONTAINER = "frame"
@@ -147,6 +147,7 @@ class _Entries:
                                       bitpos=8 * packets.TAIL_AT)
         yield self.choice("pilot", packets.Pilot)
         yield from self.law_words()
+        yield from self.card_words()
         yield self.refused()
 
     def refused(self):
@@ -286,6 +287,33 @@ class _Entries:
                 bitpos=8 * packets.row_at(node, row),
                 condition=(self.pymdb.eq(self.version, packets.WHOLE)
                            if row > packets.FIRST_ROWS else None))
+
+    def card_words(self):
+        """The status of the aircraft's test cards (FTI-8): urv.deck."""
+        pymdb = self.pymdb
+        at = 8 * packets.row_at("mcs", packets.CARDS_ROW)
+        comes = pymdb.all_of(pymdb.eq(self.version, packets.WHOLE),
+                             pymdb.eq(self.age, 0))
+        system = self.subsystem("cards")
+        # The first word's nibbles, from the highest.
+        yield pymdb.ParameterEntry(
+            pymdb.EnumeratedParameter(
+                system, "ended", list(enumerate(deck.VERDICTS)),
+                alarm=pymdb.EnumerationAlarm({
+                    reason: pymdb.AlarmLevel.WATCH
+                    for reason in deck.VERDICTS
+                    if reason not in deck.EXPECTED}),
+                encoding=self.encoding(deck.NIBBLE)),
+            bitpos=at, condition=comes)
+        for place, (name, what) in enumerate((
+                ("last", "the card that ran last, 0: none"),
+                ("running", "the card that runs, 0: none"),
+                ("chosen", "the card of the next run, 0: none")), 1):
+            yield self.whole_number(system, name, deck.NIBBLE, what,
+                                    at + place * deck.NIBBLE, comes)
+        yield self.whole_number(system, "frame", WORD_BITS,
+                                "of the card that runs, from 0",
+                                at + WORD_BITS, comes)
 
     def law_words(self):
         """The status of the aircraft's control laws: urv.laws."""

@@ -65,6 +65,7 @@ class FakeNode(threading.Thread):
         self.counts = dict.fromkeys(packets.LINK_COUNTS, 0)
         self.laws = ()
         self.orders = []
+        self.cards = []
         self.refuses = 0
         self.pilot = (packets.Pilot.HANDS_OFF if pilot
                       else packets.Pilot.NONE)
@@ -97,6 +98,9 @@ class FakeNode(threading.Thread):
                 data = self.socket.recv(2048)
             except BlockingIOError:
                 return
+            if len(data) == packets.CARD_LENGTH:
+                self.cards.append(packets.CardPacket.decode(data))
+                continue
             if data.startswith(b"URVO"):
                 self.obey(packets.OrderPacket.decode(data))
                 continue

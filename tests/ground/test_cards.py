@@ -12,7 +12,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "ground"))
 
-from urv import cards, faults  # noqa: E402
+from urv import card_signals, cards, faults  # noqa: E402
 
 GOOD = """
 [[card]]
@@ -99,7 +99,7 @@ def test_fti7_harmonics_are_disjoint_and_within_the_amplitude(tmp_path):
                                   "left_rudder")
              for each in card.harmonics(surface)]
     assert sorted(found) == list(range(2, 20))
-    for values in card.targets().values():
+    for values in card_signals.targets(card).values():
         assert 0.8 * card.amplitude < abs(values).max() <= card.amplitude
         sizes = abs(numpy.fft.rfft(values))
         assert set(numpy.argsort(sizes)[-6:]) <= set(found)
@@ -108,6 +108,6 @@ def test_fti7_harmonics_are_disjoint_and_within_the_amplitude(tmp_path):
 def test_fti7_tables_are_those_of_the_aircraft():
     text = (ROOT / "src/laws/urv-signal_tables.ads").read_text("utf-8")
     shares = re.search(r"Shares : .*?\((.*?)\);", text, re.DOTALL)[1]
-    assert tuple(map(int, shares.split(","))) == cards.SHARES
+    assert tuple(map(int, shares.split(","))) == card_signals.SHARES
     assert subprocess.run([ROOT / "scripts/laws/sines.py", "check"],
                           check=False).returncode == 0

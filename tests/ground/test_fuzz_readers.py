@@ -577,11 +577,13 @@ def test_sec14_addresses_and_tokens():
 
 def test_gnd57_packets():
     """Decoded, a packet is what it was, or it is refused."""
-    kinds = (packets.FramePacket, packets.ConsolePacket, packets.OrderPacket)
+    kinds = (packets.FramePacket, packets.ConsolePacket, packets.OrderPacket,
+             packets.CardPacket)
     good = [
         frame_of(3).encode(), frame_of(3, version=packets.VERSION).encode(),
         packets.ConsolePacket(1, 2, 3, (0,) * len(packets.COMMANDS)).encode(),
-        packets.OrderPacket(1, 2, 3, 4, 0, 50, 1200).encode()]
+        packets.OrderPacket(1, 2, 3, 4, 0, 50, 1200).encode(),
+        packets.CardPacket(1, 2, 3, (259, *range(11))).encode()]
 
     def check(data):
         for kind in kinds:
@@ -711,7 +713,8 @@ def test_sec14_messages_of_pages():
             run.tick()
             json.dumps([run.shown(), seen.alerts.shown()], allow_nan=False)
         for data in sent:
-            kind = (packets.OrderPacket if data.startswith(b"URVO")
+            kind = (packets.CardPacket if len(data) == packets.CARD_LENGTH
+                    else packets.OrderPacket if data.startswith(b"URVO")
                     else packets.ConsolePacket)
             kind.decode(data)
 

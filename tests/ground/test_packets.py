@@ -15,8 +15,8 @@ sys.path.insert(0, str(ROOT / "ground"))
 
 from urv import packets  # noqa: E402
 from urv.packets import (  # noqa: E402
-    ConsoleFlags, ConsolePacket, ConsoleState, Event, FramePacket, LinkState,
-    LogRow, OrderPacket, PacketError, Pilot)
+    CardPacket, ConsoleFlags, ConsolePacket, ConsoleState, Event, FramePacket,
+    LinkState, LogRow, OrderPacket, PacketError, Pilot)
 
 PAGE = (ROOT / "docs" / "station-packets.md").read_text(encoding="utf-8")
 
@@ -47,6 +47,12 @@ def some_order():
     return OrderPacket(
         run=0x01020304, sequence=0x05060708, time_us=0x020A0B0C0D0E0F10,
         serial=0x111, table=0x222, orbit=0x333, end=0x444)
+
+
+def some_card():
+    return CardPacket(
+        run=0x01020304, sequence=0x05060708, time_us=0x020A0B0C0D0E0F10,
+        words=tuple(range(0x100, 0x100 + 12)))
 
 
 def table_after(heading):
@@ -161,6 +167,27 @@ def test_gnd1_what_is_encoded_is_decoded():
         assert FramePacket.decode(packet.encode()) == packet
     assert ConsolePacket.decode(some_console().encode()) == some_console()
     assert OrderPacket.decode(some_order().encode()) == some_order()
+    assert CardPacket.decode(some_card().encode()) == some_card()
+
+
+def test_fti8_a_card_packet_is_laid_out_as_on_the_page():
+    at = table_after("## Test card packet")
+    data = some_card().encode()
+    packet = some_card()
+    for name, value in (
+            ("magic", 0x5552564F), ("version", 1), ("length", len(data)),
+            ("run", packet.run), ("sequence", packet.sequence),
+            ("time", packet.time_us), ("kind", 0x500)):
+        assert number(data, at[name]) == value, name
+    offset, size = at["words"]
+    assert size == 24 and offset + size == len(data) == 50
+    assert tuple(number(data, (offset + 2 * place, 2))
+                 for place in range(12)) == packet.words
+    with pytest.raises(PacketError, match="kind 0501h, not 0500h"):
+        CardPacket.decode(data[:24] + b"\5\1" + data[26:])
+    for words in ((0,) * 11, (4_096, *range(11)), (-1, *range(11))):
+        with pytest.raises(PacketError, match="there are 12 words"):
+            replace(packet, words=words).encode()
 
 
 def test_gnd1_link_counts_stand_in_the_page_s_order():
@@ -197,7 +224,8 @@ def test_gnd1_only_what_has_happened_is_an_event():
     (FramePacket, some_frame(1), "1108 or 1332", "1 or 2"),
     (FramePacket, some_frame(2), "1108 or 1332", "1 or 2"),
     (ConsolePacket, some_console(), "52", "1"),
-    (OrderPacket, some_order(), "34", "1")])
+    (OrderPacket, some_order(), "34", "1"),
+    (CardPacket, some_card(), "50", "1")])
 def test_gnd1_another_length_magic_or_version_is_refused(
         kind, packet, lengths, versions):
     data = packet.encode()
@@ -258,7 +286,8 @@ def test_gnd1_garbage_raises_nothing_but_a_packet_error():
     for kind, packet in ((FramePacket, some_frame(1)),
                          (FramePacket, some_frame(2)),
                          (ConsolePacket, some_console()),
-                         (OrderPacket, some_order())):
+                         (OrderPacket, some_order()),
+                         (CardPacket, some_card())):
         good = packet.encode()
         for _ in range(2_000):
             data = bytearray(good[:chance.randrange(len(good) + 1)]

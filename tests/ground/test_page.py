@@ -504,6 +504,38 @@ def test_gnd51_a_page_of_another_station_says_that_it_must_be_reloaded(
     page.context.close()
 
 
+def test_fti8_d96_the_panel_of_cards_and_the_key_that_ends_one(
+        station, pages, tmp_path):
+    station.node.laws = (0x1000,)
+    row = packets.CARDS_ROW - 1
+    station.node.logs[1][row] = packets.LogRow(
+        (1 | 1 << 4 | 1 << 8) << 16 | 7, 1 << 20, 0, 0)
+    page, other = pages.open(), pages.open()
+    page.keyboard.press("f")
+    page.locator("#card_state.runs", has_text="card 1 runs").wait_for()
+    assert page.locator("#end_card").is_disabled()
+    take_sticks(page)
+    page.locator("#end_card:enabled").wait_for()
+    page.keyboard.press("5")
+    until(lambda: station.node.heard
+          and station.node.heard[-1][1].words[9] == 4_095, "switch 5 on")
+    page.keyboard.press("e")
+    until(lambda: station.node.heard[-1][1].words[9] == 0, "switch 5 off")
+    station.node.logs[1][row] = packets.LogRow(
+        (1 | 1 << 8 | 7 << 12) << 16 | 7, 1 << 20, 0, 0)
+    page.locator("#card_state.caution",
+                 has_text="card 1: envelope left").wait_for()
+    path = tmp_path / "cards.toml"
+    path.write_text("# One.\n[[card]]\nkind = 'step'\nmoves = ['yaw']\n"
+                    "amplitude_deg = 1\npulse_s = 1\n", "utf-8")
+    page.locator("#card_file").set_input_files(path)
+    until(lambda: len(station.node.cards) == 2, "cards")
+    # A watcher sees it, and cannot send.
+    other.keyboard.press("f")
+    other.locator("#card_order", has_text="take the sticks").wait_for()
+    assert other.locator("#card_file").is_disabled()
+
+
 def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):
     station.node.laws = (0x1000,)
     page, other = pages.open(), pages.open()

@@ -10,18 +10,21 @@ import socket
 import struct
 import threading
 import time
+from pathlib import Path
 
 import pytest
 import websocket
 from aiohttp.http_exceptions import BadHttpMethod
 from station_rig import PATIENCE_S, Station, moved, until
 
-from urv import door, items, laws, packets, web
+from urv import cards, deck, door, items, laws, packets, web
 from urv.alerts import Alerts
 from urv.controls import Controls
 from urv.processes import Report
 from urv.sticks import ASKED_S, LAPSED_S, SILENT_S, Sticks
 from urv.view import View
+
+ROOT = Path(__file__).resolve().parents[2]
 
 WORDS = (3000, 2048, 2048, 2048, 2048, *[0] * 8)
 
@@ -504,6 +507,97 @@ def test_gnd35_the_holder_s_order_goes_up_and_the_aircraft_takes_it(station):
     assert station.node.orders[1].serial == 2
     # Its number follows those of the sticks.
     assert packet.sequence < station.node.orders[1].sequence
+
+
+CARDS = """
+[[card]]
+name = "first"
+kind = "doublet"
+moves = ["pitch"]
+amplitude_deg = 2
+pulse_s = 0.4
+bank_deg = 30
+slowest_kt = 50
+
+[[card]]
+slot = 3
+kind = "step"
+moves = ["left_rudder"]
+amplitude_deg = 1
+pulse_s = 1
+"""
+
+
+def aboard(node, state=0, frame=0, sent=()):
+    """The aircraft reports its cards, part after part."""
+    place = packets.CARDS_ROW - 1
+    for card in sent:
+        words = (*card.words()[:11], 0)
+        for part in range(3):
+            one, two, three, four = words[4 * part:4 * part + 4]
+            node.logs[1][place] = packets.LogRow(
+                state << 16 | frame, (card.slot * 16 + part) << 16 | one,
+                two << 16 | three, four)
+            time.sleep(0.1)
+    row = node.logs[1][place]
+    node.logs[1][place] = packets.LogRow(
+        state << 16 | frame, row.first_frame, row.last_frame, row.detail)
+
+
+def test_fti8_the_holder_s_cards_go_up_and_are_read_back(station):
+    console = holder(station)
+    console.say({"t": "cards", "text": CARDS})
+    until(lambda: len(station.node.cards) == 3, "cards")
+    sent = cards.of_text(CARDS, "cards")
+    assert [packet.words for packet in station.node.cards] == [
+        *(card.words() for card in sent),
+        cards.Card(slot=1, kind="choose").words()]
+    numbers = [packet.sequence for packet in station.node.cards]
+    assert numbers == sorted(set(numbers))
+    assert station.state()["cards"]["state"] == "waiting"
+    aboard(station.node, 1, 0, sent)
+    shown = station.wait(
+        lambda state: state["cards"]["state"] == "taken", "read back")["cards"]
+    assert [each["slot"] for each in shown["slots"]] == [1, 3]
+    assert shown["slots"][0] | {"slot": 1} == {
+        "slot": 1, "kind": "doublet", "seconds": 0.8, "name": "first",
+        "moves": "pitch", "envelope": "bank 30 deg, airspeed from 50 kt"}
+    assert shown["slots"][1]["moves"] == "left rudder"
+    # It runs, and ends by a stick.
+    aboard(station.node, 1 | 1 << 4 | 1 << 8, 12)
+    station.wait(lambda state: state["cards"]["running"] == 1, "it runs")
+    aboard(station.node, 1 | 1 << 8 | 5 << 12, 13)
+    shown = station.wait(
+        lambda state: not state["cards"]["running"], "it ends")["cards"]
+    assert (shown["last"], shown["ended"]) == (1, "stick moved")
+    assert not shown["expected"]
+
+
+def test_fti8_wrong_cards_and_those_of_a_watcher_go_nowhere(station):
+    console = holder(station)
+    watcher = station.console()
+    watcher.say({"t": "cards", "text": CARDS})
+    shown = station.wait(
+        lambda state: state["cards"]["state"] == "refused", "refused")
+    assert "does not hold the sticks" in shown["cards"]["text"]
+    console.say({"t": "cards", "text": CARDS.replace("0.4", "50")})
+    station.wait(lambda state: "pulse_s is a number" in state["cards"]["text"],
+                 "its reason")
+    console.say({"t": "cards", "text": "x" * 3_600})
+    console.say({"t": "cards", "text": CARDS})
+    until(lambda: len(station.node.cards) == 3, "good ones")
+    kind = packets.KINDS.index("card_refused")
+    station.node.logs[1][kind] = packets.LogRow(1, 7, 7, 3)
+    station.wait(lambda state: "a card runs" in state["cards"]["text"],
+                 "the aircraft's reason")
+
+
+def test_fti8_reasons_are_those_of_the_aircraft():
+    text = (ROOT / "src/laws/urv-test_runs.ads").read_text("utf-8")
+    for name, known in (("Verdict", len(deck.VERDICTS)),
+                        ("Answer", len(deck.REFUSED) + 1)):
+        body = re.search(rf"type {name} is\s*\((.*?)\);", text, re.DOTALL)[1]
+        assert len(re.sub("--.*", "", body).split(",")) == known
 
 
 def test_gnd35_only_the_holder_of_the_sticks_orders(station):

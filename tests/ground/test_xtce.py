@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
-from urv import items, laws, packets
+from urv import deck, items, laws, packets
 
 NAMESPACE = {"x": "http://www.omg.org/spec/XTCE/20180204"}
 PER_SECOND = 4
@@ -110,7 +110,8 @@ def database(tmp_path_factory):
 
 
 def packet(seed, age, version=packets.WHOLE):
-    """The laws' row has modes that there are, each bit of the others."""
+    """The laws' row has modes that there are, that of the cards has reasons
+    that there are, each bit of the others."""
     chance = random.Random(seed)
 
     def some(bits, many):
@@ -125,7 +126,9 @@ def packet(seed, age, version=packets.WHOLE):
         counts=some(32, len(packets.LINK_COUNTS)),
         words=some(12, len(packets.COLUMNS)),
         logs=tuple((*(packets.LogRow(*some(32, 3), *some(16, 1))
-                      for _ in range(packets.LAWS_ROW - 1)),
+                      for _ in range(packets.CARDS_ROW - 1)),
+                    packets.LogRow(chance.randrange(len(deck.VERDICTS)) << 28
+                                   | chance.getrandbits(28), *some(32, 2)),
                     packets.LogRow(chance.randrange(3) * 0x1111_0000
                                    + chance.getrandbits(16), *some(32, 2)))
                    for _ in packets.NODES),
@@ -178,6 +181,9 @@ def expected(frame):
                    "laws/configuration": row.detail,
                    "laws/configuration_number": told.serial,
                    "laws/gains_table": told.table}
+        status = deck.Status.of(frame.logs[1][packets.CARDS_ROW - 1])
+        for name in ("ended", "last", "running", "chosen", "frame"):
+            values[f"cards/{name}"] = getattr(status, name)
         for kind, names, those, yes in (
                 ("sensor", laws.SENSORS, told.not_valid, "NOT VALID"),
                 ("surface", laws.FAILING, told.failed, "FAILED")):
@@ -189,7 +195,7 @@ def expected(frame):
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("age", [0, 1, packets.NEVER])
 @pytest.mark.parametrize("version", [1, 2])
-def test_gnd12_each_parameter_is_what_the_packet_says(
+def test_gnd12_fti8_each_parameter_is_what_the_packet_says(
         database, seed, age, version):
     frame = packet(seed, age, version)
     values, _ = database.decoded(frame.encode())
@@ -199,8 +205,9 @@ def test_gnd12_each_parameter_is_what_the_packet_says(
 def test_gnd12_nothing_of_the_packet_is_left_out(database):
     _, places = database.decoded(packet(1, 0).encode())
     taken = {bit for place in places.values() for bit in place}
-    # Rows for kinds that there are not yet; the ground has no laws.
-    spare = 2 * (packets.LAWS_ROW - 1 - len(packets.KINDS)) * 14 + 14
+    # Rows for kinds that there are not yet; the ground has no laws. The
+    # cards' state has two words.
+    spare = 2 * (packets.LAWS_ROW - 1 - len(packets.KINDS)) * 14 + 14 - 4
     assert len(taken) == 8 * (packets.FRAME_LENGTH - spare)
     size = database.container.find(
         ".//x:SizeInBits/x:FixedValue", NAMESPACE)

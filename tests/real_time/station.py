@@ -17,7 +17,7 @@ from conftest import ROOT, TIME_LIMIT_S
 sys.path.insert(0, str(ROOT / "ground"))
 
 from urv.packets import (  # noqa: E402
-    ConsoleFlags, ConsolePacket, FramePacket, OrderPacket)
+    CardPacket, ConsoleFlags, ConsolePacket, FramePacket, OrderPacket)
 
 # A console sends so often.
 PERIOD_S = 0.02
@@ -126,6 +126,15 @@ class Console:
                 "serial": serial, "table": table, "orbit": orbit, "end": end,
                 **changes})
             self.sent.setdefault(sequence, packet)
+            self.send_bytes(packet.encode())
+            return packet
+
+    def card(self, words):
+        """The block of a test card, as an order."""
+        with self._lock:
+            packet = CardPacket(
+                self.run, len(self.sent) + 1, utc_us(), words)
+            self.sent[packet.sequence] = packet
             self.send_bytes(packet.encode())
             return packet
 

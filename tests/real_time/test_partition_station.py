@@ -22,10 +22,12 @@ from conftest import (
 )
 from safe_words import transformed
 from station import Console, Frames, utc_us
+from urv import cards
+from urv.deck import Status
 from urv.laws import Laws
 from urv.packets import (
-    KINDS, LAWS_ROW, NEVER, ConsoleFlags, ConsoleState, LinkState, LogRow,
-    Pilot,
+    CARDS_ROW, KINDS, LAWS_ROW, NEVER, ConsoleFlags, ConsoleState, LinkState,
+    LogRow, Pilot,
 )
 
 STICKS = different_rows(12, len(COMMANDS), 21)
@@ -617,6 +619,50 @@ def test_gnd35_orders_of_a_file_go_up_in_their_time(
          and "unknown_code" in mcs.events, mcs, gsc)
     assert mcs.events["unknown_code"]["last_detail"] == 0x600
     assert mcs.events["configuration_refused"]["count"] == 1
+
+
+CARD = cards.Card(slot=2, kind="doublet", surfaces=cards.AXES["pitch"],
+                  amplitude=100, time=50, bank=30)
+
+
+def card_words(frames):
+    """The words of the card in slot 2, as far as they were reported."""
+    found = {}
+    for packet in frames.all:
+        row = packet.logs[1][CARDS_ROW - 1]
+        place, first = divmod(row.first_frame, 1 << 16)
+        found[place] = (first, *divmod(row.last_frame, 1 << 16), row.detail)
+    return tuple(word for part in range(3)
+                 for word in found.get(2 * 16 + part, ()))
+
+
+@flies_again
+def test_fti8_a_card_of_the_console_goes_up_and_is_read_back(
+    start_both, station
+):
+    """One with a wrong sum does not leave the ground."""
+    frames = station(Frames)
+    console = station(Console)
+    mcs, gsc = start_both(
+        mcs=("--laws", "on"),
+        gsc=("--packets", "2", "--publish", frames.place,
+             "--console", console.place))
+    console.move(ONE[:5] + (0,) * 8)
+    frames.wait_until(
+        lambda packet: packet.console_state == ConsoleState.LIVE
+        and packet.is_fresh)
+    bad = frames.all[-1].link["console_bad"]
+    console.card((*CARD.words()[:11], CARD.words()[11] ^ 1))
+    frames.wait_until(lambda packet: packet.link["console_bad"] > bad)
+    for _ in range(10):
+        console.card(CARD.words())
+        if frames.show_within(
+                100, lambda packet: packet.logs[1][CARDS_ROW - 1].count):
+            break
+    came = frames.show_within(
+        2_000, lambda packet: card_words(frames)[:11] == CARD.words()[:11])
+    need(came, mcs.stop(), gsc.stop())
+    assert Status.of(frames.all[-1].logs[1][CARDS_ROW - 1]).chosen == 2
 
 
 @flies_again

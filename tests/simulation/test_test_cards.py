@@ -6,11 +6,12 @@ import sys
 
 import pytest
 from conftest import ROOT, fly_in
+from test_flight import has_jsbsim
 
 sys.path.insert(0, str(ROOT / "ground"))
 
 import card_flights  # noqa: E402
-from urv import cards, flights  # noqa: E402
+from urv import card_programme, cards, flights  # noqa: E402
 from urv.identification import manoeuvres  # noqa: E402
 
 LIMITS = {"bank": 30, "pitch": 25, "alpha": 12, "load": 15,
@@ -182,6 +183,27 @@ def test_fti4_a_switch_that_was_left_on_starts_nothing(tmp_path):
                        "--seconds", "6")
     assert event(flight, "card_refused") == (1, 3)
     assert not any(flight.record["laws.card"])
+
+
+@pytest.mark.skipif(not has_jsbsim(), reason="make fly installs JSBSim")
+def test_fti7_d97_a_programme_runs_each_card_once_in_flight(tmp_path):
+    """Trimmed, card, recovery, next; each is a manoeuvre for identify."""
+    deck = [cards.Card(**{**DOUBLET.__dict__, "time": 50}),
+            cards.Card(**{**MULTISINE.__dict__, "amplitude": 100})]
+    made = card_programme.of(deck)
+    for name, text in (("sticks", made.sticks), ("orders", made.orders)):
+        (tmp_path / name).write_text(text, encoding="ascii")
+    flight = fly_in(tmp_path, "--plant", "jsbsim", "--sticks", "sticks",
+                    "--orders", "orders", "--seconds", made.seconds)
+    assert event(flight, "card_refused") is None
+    assert event(flight, "card_ended") == (2, 2 * 16 + COMPLETE)
+    found = manoeuvres.found(
+        flights.read(tmp_path / "record.csv", lambda _: None))
+    assert [each.mark for each in found] == ["card"] * 2
+    # It has recovered.
+    altitude = flight.record["mcs.downlink.altitude"]
+    assert abs(altitude[-1] - altitude[250]) < 2 * 60
+    assert abs(flight.record["mcs.downlink.roll_attitude"][-1] - NEUTRAL) < 60
 
 
 FLIGHTS = 60

@@ -19,6 +19,9 @@ const OLD = 500;
 // Without a state of the station for this time, no sticks are sent.
 const DEAF = 1000;
 
+// The place of switch 5.
+const CARD_SWITCH = 4;
+
 export const KEYS = [
   ["\u2190 \u2192", "roll; with Shift all the way"],
   ["\u2191 \u2193", "pitch: down is back, nose up"],
@@ -29,6 +32,7 @@ export const KEYS = [
   ["M", "write a mark; Enter sets it, Esc leaves it"],
   ["K", "acknowledge all alerts"], ["L", "light or dark"],
   ["C", "orders: gains of the laws, times of a lost link"],
+  ["F E", "test cards; end the running one"],
 ];
 const BUTTONS = [
   ["right stick", "roll, pitch"],
@@ -139,6 +143,11 @@ export class Hands {
   met() {
     this.there = true;
     this.gamepads.met();
+  }
+
+  // A test card runs while switch 5 is on (D-96).
+  endCard() {
+    if (this.holding) this.stick.switches[CARD_SWITCH] = false;
   }
 
   // The function of each switch, from the station's table of items.

@@ -3,6 +3,7 @@
 // changes.
 
 import { SenderClock } from "./ages.js";
+import { Cards } from "./cards.js";
 import { byId, html, put, say } from "./draw.js";
 import { Flight } from "./flight.js";
 import { Hands } from "./hands.js";
@@ -66,6 +67,7 @@ const flight = new Flight();
 const systems = new Systems();
 const hands = new Hands(send);
 const orders = new Orders(send);
+const cards = new Cards(send, hands);
 const acknowledge = (key) => send({ t: "seen", key });
 
 function connect() {
@@ -162,6 +164,7 @@ function draw() {
   show_laws(lost);
   show_holder(silent);
   orders.draw(state.order, state.holder === hello.console, silent || !there);
+  cards.draw(state.cards, state.holder === hello.console, silent || !there);
   body.dataset.seq = state.seq;
   body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
 }
@@ -376,6 +379,10 @@ addEventListener("keydown", (event) => {
     turn_theme();
   } else if (event.key === "c" || event.key === "C") {
     orders.turn();
+  } else if (event.key === "f" || event.key === "F") {
+    cards.turn();
+  } else if (event.key === "e" || event.key === "E") {
+    hands.endCard();
   } else if (event.key === "?") {
     byId("keys").showModal();
   }

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A flight that runs test cards one after the other (FTI-7, D-97).
+
+The scripts of a simulated pilot for bin/urv_sim: trimmed flight with hands off,
+the card, rest, recovery by the control laws, and the next card. Each card is
+chosen before its run, so that one that ended early delays no other.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from urv import cards
+
+ORDERS_FROM_S, BETWEEN_S = 2.0, 0.2
+TRIM_S = 4.0
+"""Hands off, no law, before a card."""
+BEYOND_S = 0.5
+"""Switch 5 stays on for this time after the card."""
+REST_S = 4.5
+"""Hands off after a card: its motion decays."""
+RECOVERY_S = 8.0
+"""Wings level, altitude and airspeed by the laws."""
+
+NEUTRAL, ON, OFF = 2_048, 4_095, 0
+ALTITUDE, LEVEL, CARD = "switch3", "switch4", "switch5"
+COLUMNS = ("roll", "pitch", "yaw", "throttle", ALTITUDE, LEVEL, CARD)
+
+
+class Programme(NamedTuple):
+    """The texts of the files, and the flight's length."""
+
+    sticks: str
+    orders: str
+    seconds: float
+
+
+def of(deck: list[cards.Card]) -> Programme:
+    """The programme of these cards, in their order."""
+    orders = [card.order(_ms(ORDERS_FROM_S + place * BETWEEN_S))
+              for place, card in enumerate(deck)]
+    rows = [_row(0.0)]
+    now = ORDERS_FROM_S + len(deck) * BETWEEN_S
+    for card in deck:
+        orders.append(cards.Card(slot=card.slot, kind="choose").order(
+            _ms(now + 1.0)))
+        now += TRIM_S
+        rows.append(_row(now, CARD))
+        now += card.seconds + BEYOND_S
+        rows.append(_row(now))
+        now += REST_S
+        rows.append(_row(now, ALTITUDE, LEVEL))
+        now += RECOVERY_S
+        rows.append(_row(now))
+    return Programme(
+        f"time_ms,{','.join(COLUMNS)}\n" + "".join(rows),
+        "".join(f"{order}\n" for order in orders), round(now + 1.0, 2))
+
+
+def _ms(seconds: float) -> int:
+    return round(seconds * 1_000)
+
+
+def _row(seconds: float, *switches: str) -> str:
+    words = (NEUTRAL if not each.startswith("switch")
+             else ON if each in switches else OFF for each in COLUMNS)
+    return f"{_ms(seconds)},{','.join(map(str, words))}\n"
