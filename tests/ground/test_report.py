@@ -10,7 +10,7 @@ import zlib
 from html.parser import HTMLParser
 
 import pytest
-from conftest import fly
+from conftest import URV, fly, run
 
 from urv import flights, items, verdicts
 
@@ -60,6 +60,23 @@ def report(urv, tmp_path):
     return make
 
 
+@pytest.fixture(scope="session")
+def reports(tmp_path_factory):
+    """The report of a whole flight, by its folder, made once."""
+    folder = tmp_path_factory.mktemp("reports")
+    made = {}
+
+    def make(flight):
+        if flight not in made:
+            made[flight] = folder / f"{len(made)}.html"
+            result = run(folder, URV, "report", *of(flight), "-o",
+                         made[flight])
+            assert (result.returncode, result.stdout, result.stderr) == (
+                0, "", "")
+        return made[flight]
+    return make
+
+
 class Texts(HTMLParser):
     """The text of a page, tags and what they refer to."""
 
@@ -89,8 +106,8 @@ class Texts(HTMLParser):
         return " ".join(self.texts)
 
 
-def test_gnd14_the_standard_flight_was_flown_well(report, standard):
-    page = report(*of(standard))
+def test_gnd14_the_standard_flight_was_flown_well(reports, standard):
+    page = reports(standard)
     assert page.stat().st_size < 4 * MB
     shown = Texts(page)
     text = shown.text
@@ -113,8 +130,8 @@ def test_gnd14_the_standard_flight_was_flown_well(report, standard):
     assert "stick to servo, at most 50.0 ms at most 70 ms" in text
 
 
-def test_gnd14_a_report_needs_no_network(report, standard):
-    page = report(*of(standard))
+def test_gnd14_a_report_needs_no_network(reports, standard):
+    page = reports(standard)
     assert Texts(page).addresses == []
     text = page.read_text(encoding="utf-8")
     assert "default-src 'none'" in text
@@ -122,8 +139,8 @@ def test_gnd14_a_report_needs_no_network(report, standard):
 
 
 def test_gnd14_what_was_out_of_limits_when_and_what_was_around(
-        report, sagging):
-    text = Texts(report(*of(sagging))).text
+        reports, sagging):
+    text = Texts(reports(sagging)).text
     assert ("What was out of limits? ■ warning 1 warning, 0 cautions:"
             " battery volts.") in text
     row = re.search(
@@ -174,9 +191,9 @@ def test_gnd14_the_track_is_reckoned(standard):
     assert abs(true[0][-1]) > 0.5 * flown
 
 
-def test_gnd14_every_word_is_in_the_page(report, standard):
+def test_gnd14_every_word_is_in_the_page(reports, standard):
     """Not only those that are drawn at first."""
-    shown = Texts(report(*of(standard)))
+    shown = Texts(reports(standard))
     data = json.loads(shown.contents["data"])
     numbers = zlib.decompress(base64.b64decode(shown.contents["numbers"]))
     panel = next(panel for panel in data["panels"]
@@ -305,8 +322,8 @@ LOOKS = [{"viewport": {"width": width, "height": 800}, "color_scheme": scheme}
 
 @pytest.mark.parametrize("how", LOOKS, ids=str)
 def test_gnd14_it_fits_every_screen_in_both_schemes(
-        report, browser, standard, how):
-    with opened(browser, report(*of(standard)), **how) as page:
+        reports, browser, standard, how):
+    with opened(browser, reports(standard), **how) as page:
         width = how["viewport"]["width"]
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         plots = page.locator("figure .plot > div")
@@ -325,10 +342,10 @@ def test_gnd14_it_fits_every_screen_in_both_schemes(
 
 
 def test_gnd14_a_zoom_of_one_plot_is_that_of_all(
-        report, browser, standard):
+        reports, browser, standard):
     ranges = ("plots.filter((plot) => !plot.isTrack).map("
               "(plot) => plot.element.layout.xaxis.range.map(Math.round))")
-    with opened(browser, report(*of(standard))) as page:
+    with opened(browser, reports(standard)) as page:
         page.evaluate("Plotly.relayout(plots[3].element,"
                       " {'xaxis.range[0]': 75, 'xaxis.range[1]': 76})")
         wait_until_drawn(page)
@@ -366,8 +383,8 @@ def test_gnd14_no_peak_is_lost_however_long_the_flight(
         assert bands >= 2
 
 
-def test_gnd14_gaps_are_gaps(report, browser, sagging):
-    with opened(browser, report(*of(sagging))) as page:
+def test_gnd14_gaps_are_gaps(reports, browser, sagging):
+    with opened(browser, reports(sagging)) as page:
         x, y = page.evaluate(
             "(({x, y}) => [x, y])(plots.find((plot) => plot.panel?.title"
             " === 'Battery').element.data[0])")
@@ -381,8 +398,8 @@ def test_gnd14_gaps_are_gaps(report, browser, sagging):
 
 
 def test_gnd14_a_click_on_an_exceedance_shows_it(
-        report, browser, sagging):
-    with opened(browser, report(*of(sagging))) as page:
+        reports, browser, sagging):
+    with opened(browser, reports(sagging)) as page:
         page.click("#exceedances tbody tr button")
         begin, end = page.evaluate("shown")
         assert begin == pytest.approx(3.1, abs=0.3)
@@ -390,8 +407,8 @@ def test_gnd14_a_click_on_an_exceedance_shows_it(
 
 
 def test_gnd14_it_prints_on_white_with_every_plot(
-        report, browser, tmp_path, standard):
-    with opened(browser, report(*of(standard)),
+        reports, browser, tmp_path, standard):
+    with opened(browser, reports(standard),
                 color_scheme="dark") as page:
         many = page.evaluate("plots.length")
         page.emulate_media(media="print", color_scheme="dark")
@@ -586,8 +603,8 @@ def test_gnd14_a_report_has_the_laws_actions(lawful, report, tmp_path,
     assert orbiting[1] == pytest.approx(26.0, abs=0.1 + late)
 
 
-def test_gnd14_without_laws_a_report_says_nothing_of_them(sagging, report):
-    assert "control laws" not in report(*of(sagging)).read_text("utf-8")
+def test_gnd14_without_laws_a_report_says_nothing_of_them(sagging, reports):
+    assert "control laws" not in reports(sagging).read_text("utf-8")
 
 
 def test_rtp4_a_report_has_the_round_trip_that_a_partition_measured(
