@@ -53,6 +53,10 @@ class Pages:
         page.wait_for_selector(until)
         return page
 
+    def close(self, page):
+        self.contexts.remove(page.context)
+        page.context.close()
+
 
 @pytest.fixture
 def pages(browser, station):
@@ -642,7 +646,11 @@ def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
         station, pages, scheme):
     station.node.laws = TROUBLE
     station.node.counts.update(dict.fromkeys(station.node.counts, 1234))
+    page = None
     for width, height in SIZES:
+        # Five pages that draw at once would be slow.
+        if page is not None:
+            pages.close(page)
         page = pages.open(width, height, scheme)
         page.locator("#attitude .doubt").wait_for()
         cut = page.evaluate("""() => [
