@@ -72,6 +72,8 @@ prove:
 	@python3 scripts/proof_record.py prove
 	@gnatprove -P examples/thermostat/thermostat.gpr --no-subprojects -j0 \
 	   --checks-as-errors --report=fail
+	@gnatprove -P targets/drivers.gpr --no-subprojects -j0 \
+	   --checks-as-errors --warnings=error
 
 real_time:
 	@scripts/setup.sh real_time

@@ -20,7 +20,8 @@ case $machine in
       prefix=arm-linux-gnueabihf-
       processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
       switches="$processor -fno-pie -fno-pic"
-      folders="targets/cortex_m targets/cortex_m/netduinoplus2"
+      folders="targets/cortex_m targets/cortex_m/netduinoplus2
+               targets/drivers/stm32_usart"
       rom_size=114688 ;;
    mc68000)
       prefix=m68k-linux-gnu-
@@ -29,7 +30,8 @@ case $machine in
       # files .rep have the representation of the types (BRD-4).
       switches="$processor -fno-pie -fno-store-merging"
       listing=-gnatR1s
-      folders="targets/mc68000 targets/mc68000/musashi"
+      folders="targets/mc68000 targets/mc68000/musashi
+               targets/drivers/mc68681"
       rom_size=163840 ;;
    *)
       echo "targets/build.sh: no machine: $machine; there are: cortex_m," \
@@ -63,7 +65,7 @@ done
 optimise="-O2 -gnatn -fcallgraph-info=su -ffunction-sections -fdata-sections"
 optimise="$optimise -fno-tree-loop-distribute-patterns"
 optimise="$optimise -fno-delete-null-pointer-checks"
-language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatwe -gnatyg -gnatyM79 -g"
+language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
 stamp="$stamp $language $listing $optimise"

@@ -53,30 +53,4 @@ package Registers is
 
    SysTick_Last : constant Register := 16#F000_0000#;
 
-   --  A serial port.
-
-   type Serial_Port is limited record
-      Status       : Register;
-      Data         : Register;
-      Baud_Rate    : Register;
-      Control_1    : Register;
-      Control_2    : Register;
-   end record;
-
-   Received : constant Register := 2 ** 5;
-   Is_Empty : constant Register := 2 ** 7;
-
-   Port_On       : constant Register := 2 ** 13;
-   Nine_Bits     : constant Register := 2 ** 12;
-   With_Parity   : constant Register := 2 ** 10;
-   Receiver_Interrupts : constant Register := 2 ** 5;
-   Sender_On     : constant Register := 2 ** 3;
-   Receiver_On   : constant Register := 2 ** 2;
-   Two_Stop_Bits : constant Register := 2 ** 13;
-
-   USART_1 : Serial_Port
-   with Import, Volatile, Address => To_Address (16#4001_1000#);
-   USART_2 : Serial_Port
-   with Import, Volatile, Address => To_Address (16#4000_4400#);
-
 end Registers;

@@ -12,10 +12,13 @@
 --  therefore delays each character by Quantum - 1 character times, and the
 --  flight is the same on every machine.
 
-with Machine_Texts; use Machine_Texts;
-with Registers;     use Registers;
+with Machine_Texts;        use Machine_Texts;
+with Registers;            use Registers;
 with Stack_Marks;
-with Tapes;         use Tapes;
+with STM32_USART;          use STM32_USART;
+with STM32_USART.Channels; use STM32_USART.Channels;
+with STM32_USART.Registers;
+with Tapes;                use Tapes;
 
 package body Targets is
 
@@ -73,6 +76,12 @@ package body Targets is
    Now       : Unsigned_32 := 0;
    Then_Time : Unsigned_32 := 0;
 
+   --  The line's bus has 42 MHz, and the line 125 kbaud.
+   Cycles_Per_Bit : constant := 42_000 / 125;
+
+   --  The line's errors since power up.
+   Errors : Error_Counts;
+
    --  A quantum of the line: the characters sent, and those received
 
    type Slot is record
@@ -110,7 +119,7 @@ package body Targets is
    --  The end of the period that begins at this time.
    function Next_Event (After : Unsigned_32) return Unsigned_32;
 
-   procedure Put_On_Line (Data : Unsigned_32);
+   procedure Put_On (Port : Port_Name; Data : Byte);
    function Take_From_Line return Unsigned_32;
 
    --  Exchanges the characters at the end of a quantum.
@@ -141,9 +150,9 @@ package body Targets is
 
    procedure Open is
    begin
-      USART_1.Control_1 := Port_On + Sender_On + Receiver_On;
-      USART_2.Control_1 :=
-        Port_On + Sender_On + Receiver_On + Receiver_Interrupts;
+      STM32_USART.Registers.Write_Control_1
+        (Console, (Port_On | Sender_On => True, others => False));
+      Set_Up (Line, Cycles_Per_Bit, Interrupt => True);
       System_Priorities := SysTick_Last;
       if not Has_Begun then
          Next_Tick := (1 + Tape.Lag) * Tick_Period;
@@ -177,29 +186,32 @@ package body Targets is
       Restore (0);
    end Start_Clock;
 
-   procedure Put_On_Line (Data : Unsigned_32) is
+   procedure Put_On (Port : Port_Name; Data : Byte) is
+      Is_Free : Boolean;
    begin
-      while (USART_2.Status and Is_Empty) = 0 loop
-         null;
+      loop
+         Look_At_Sender (Port, Is_Free);
+         exit when Is_Free;
       end loop;
-      USART_2.Data := Register (Data);
-   end Put_On_Line;
+      STM32_USART.Channels.Send (Port, Data);
+   end Put_On;
 
    --  Sleeps until a byte comes, since the emulator has other work meanwhile.
    --  The interrupt wakes the processor but is never taken.
    function Take_From_Line return Unsigned_32 is
       Before : constant Mask_State := Mask;
+      Result : Reception;
    begin
       Interrupt_Enable_2 := USART_2_Bit;
-      while (USART_2.Status and Received) = 0 loop
+      loop
+         Receive (Line, Errors, Result);
+         exit when Result.Is_There;
          Wait_For_Interrupt;
       end loop;
-      return Result : Unsigned_32 do
-         Result := Unsigned_32 (USART_2.Data) and 255;
-         Interrupt_Disable_2 := USART_2_Bit;
-         Interrupt_Clear_2 := USART_2_Bit;
-         Restore (Before);
-      end return;
+      Interrupt_Disable_2 := USART_2_Bit;
+      Interrupt_Clear_2 := USART_2_Bit;
+      Restore (Before);
+      return Unsigned_32 (Result.Data);
    end Take_From_Line;
 
    --  The first byte has a bit for each character sent. The characters follow.
@@ -212,10 +224,10 @@ package body Targets is
             Bits := Bits or Shift_Left (1, Natural (Place));
          end if;
       end loop;
-      Put_On_Line (Bits);
+      Put_On (Line, Byte (Bits));
       for Each of Sent loop
          if Each.Is_There then
-            Put_On_Line (Each.Data);
+            Put_On (Line, Byte (Each.Data));
          end if;
       end loop;
       Sent := (others => <>);
@@ -366,10 +378,7 @@ package body Targets is
    procedure Put (Text : String) is
    begin
       for Each of Text loop
-         while (USART_1.Status and Is_Empty) = 0 loop
-            null;
-         end loop;
-         USART_1.Data := Character'Pos (Each);
+         Put_On (Console, Character'Pos (Each));
       end loop;
    end Put;
 

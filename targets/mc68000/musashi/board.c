@@ -85,8 +85,9 @@ struct duart {
    uint16_t preload;
    bool receives[2], sends[2], runs;
    uint64_t next, period;             /* the timer's, in cycles */
-   uint8_t fifo[FIFO], errors;
-   int held;
+   struct received { uint8_t data, errors; } fifo[FIFO + 1];
+   int held;                          /* the last one in the shift register */
+   bool overrun;
    uint64_t sender_free;
 };
 
@@ -401,10 +402,12 @@ static uint8_t status(const struct duart *duart, int channel)
    if (channel == 1)
       return SENDER_READY | SENDER_EMPTY;
    return (duart->held > 0 ? RECEIVED : 0)
-      | (duart->held == FIFO ? FIFO_FULL : 0)
+      | (duart->held >= FIFO ? FIFO_FULL : 0)
       | (duart->sends[0] && now() + cycles(CHARACTER_US) >= duart->sender_free
          ? SENDER_READY : 0)
-      | (now() >= duart->sender_free ? SENDER_EMPTY : 0) | duart->errors;
+      | (now() >= duart->sender_free ? SENDER_EMPTY : 0)
+      | (duart->overrun ? OVERRUN : 0)
+      | (duart->held > 0 ? duart->fifo[0].errors : 0);
 }
 
 static uint8_t format(const struct duart *duart)
@@ -445,12 +448,10 @@ static uint8_t read_duart(struct duart *duart, unsigned place)
    case 1: case 9:
       return status(duart, channel);
    case 3:
-      value = duart->fifo[0];
-      if (duart->held > 0) {
-         memmove(duart->fifo, duart->fifo + 1, FIFO - 1);
-         duart->held--;
-      }
-      duart->errors &= (uint8_t)~(WRONG_PARITY | WRONG_FRAME);
+      value = duart->fifo[0].data;
+      if (duart->held > 0)
+         memmove(duart->fifo, duart->fifo + 1,
+                 (size_t)--duart->held * sizeof duart->fifo[0]);
       break;
    case 5:
       return (uint8_t)(duart->state | (duart->held > 0 ? RECEIVED_A : 0));
@@ -492,7 +493,7 @@ static void command(struct duart *duart, int channel, uint8_t value)
    case 1: duart->place[channel] = 0; break;
    case 2: duart->receives[channel] = false; duart->held = 0; break;
    case 3: duart->sends[channel] = false; break;
-   case 4: duart->errors = 0; break;
+   case 4: duart->overrun = false; break;
    default: break;
    }
    if (value & 1) duart->receives[channel] = true;
@@ -532,15 +533,23 @@ static void write_duart(struct duart *duart, unsigned place, uint8_t value)
 
 static void receive(struct duart *duart, const struct character *character)
 {
+   struct received received = { character->data, 0 };
+
    if (!duart->receives[0])
       return;
    if (character->format != format(duart))
-      duart->errors |= WRONG_FRAME;
-   duart->errors |= node->next_errors;
-   if (duart->held == FIFO || node->next_errors & OVERRUN)
-      duart->errors |= OVERRUN;
-   else
-      duart->fifo[duart->held++] = character->data;
+      received.errors |= WRONG_FRAME;
+   received.errors |= node->next_errors & (WRONG_PARITY | WRONG_FRAME);
+   if (node->next_errors & OVERRUN)
+      duart->overrun = true;
+   else {
+      /* A fifth one replaces that in the shift register. */
+      if (duart->held == FIFO + 1) {
+         duart->overrun = true;
+         duart->held--;
+      }
+      duart->fifo[duart->held++] = received;
+   }
    node->next_errors = 0;
 }
 

@@ -9,6 +9,9 @@
 
 with Machine_Texts;           use Machine_Texts;
 with MC68681;                 use MC68681;
+with MC68681.Channels;        use MC68681.Channels;
+with MC68681.Registers;
+with MC68681.Timers;          use MC68681.Timers;
 with Stack_Marks;
 with System.Storage_Elements; use System.Storage_Elements;
 
@@ -47,10 +50,10 @@ package body Targets is
 
    --  Interrupts by vector, as in start.s
 
-   Line_Vector  : constant Register := 16#41#;
-   Clock_Vector : constant Register := 16#42#;
+   Line_Vector  : constant Byte := 16#41#;
+   Clock_Vector : constant Byte := 16#42#;
 
-   --  The chips' clock has 4 MHz: 96 us, 2 ms.
+   --  The chips' clock has 4 MHz: 96 us, 2 ms. The timer takes half of it.
    Counts_Per_Character : constant := 4 * 96 / 2;
    Counts_Per_Tick      : constant := 4 * 2_000 / 2;
 
@@ -88,9 +91,7 @@ package body Targets is
    Has_Begun : Boolean     := False;
 
    --  The line's errors since power up.
-   Overruns       : Unsigned_32 := 0;
-   Parity_Errors  : Unsigned_32 := 0;
-   Framing_Errors : Unsigned_32 := 0;
+   Errors : Error_Counts;
 
    procedure On_Line
    with Export, Convention => C, External_Name => "urv_line_interrupt";
@@ -101,39 +102,14 @@ package body Targets is
    procedure On_Converter
    with Export, Convention => C, External_Name => "urv_converter_interrupt";
 
-   --  Starts a chip's timer with a period of twice this count.
-   procedure Start_Timer (Chip : in out MC68681.Chip; Count : Unsigned_16);
-
-   --  Some registers act when they are read.
-   procedure Touch (Item : Register);
-
    procedure Begin_Character_Time;
 
-   procedure Count_Errors (Status : Register);
-
-   procedure Touch (Item : Register) is null;
-
-   procedure Start_Timer (Chip : in out MC68681.Chip; Count : Unsigned_16) is
-   begin
-      Chip.Auxiliary := Timer_On_Clock;
-      Chip.Count_High := Register (Count / 256);
-      Chip.Count_Low := Register (Count mod 256);
-      Touch (Chip.Start_Counter);
-   end Start_Timer;
+   procedure Put_Errors;
 
    procedure Open is
    begin
-      Line_Chip.Command_A := Reset_Receiver;
-      Line_Chip.Command_A := Reset_Sender;
-      Line_Chip.Command_A := Reset_Errors;
-      Line_Chip.Command_A := Reset_Mode;
-      Line_Chip.Mode_A := Even_Parity_8_Bits;
-      Line_Chip.Mode_A := Two_Stop_Bits;
-      Line_Chip.Status_A := Outside_Clock;
-      Line_Chip.Command_A := Receiver_On + Sender_On;
-      Line_Chip.Command_B := Sender_On;
-      Line_Chip.Vector := Line_Vector;
-      Clock_Chip.Vector := Clock_Vector;
+      Set_Up (Line);
+      MC68681.Registers.Write_Command (Console, Switch_On_Sender);
       Converter.Vector := Board_Word (Devices.AD_Board.Interrupt_Vector);
       Converter.Interrupt := 1;
       if not Has_Begun then
@@ -155,67 +131,58 @@ package body Targets is
    procedure Start_Clock is
    begin
       Has_Begun := True;
-      Start_Timer (Clock_Chip, Counts_Per_Tick);
-      Start_Timer (Line_Chip, Counts_Per_Character);
-      Clock_Chip.Interrupts := Timer_Interrupt;
-      Line_Chip.Interrupts := Timer_Interrupt + Receiver_Interrupt;
+      MC68681.Timers.Start (Clock_Chip, Counts_Per_Tick);
+      MC68681.Timers.Start (Line_Chip, Counts_Per_Character);
+      Use_Interrupts (Clock_Chip, Clock_Vector, Receiver => False);
+      Use_Interrupts (Line_Chip, Line_Vector, Receiver => True);
       Restore (16#2000#);
    end Start_Clock;
 
+   procedure Put_Errors is
+   begin
+      Put ("line");
+      Put_Labelled ("lost_characters", Unsigned_32 (Errors.Overruns));
+      Put_Labelled ("parity_errors", Unsigned_32 (Errors.Parity_Errors));
+      Put_Labelled ("framing_errors", Unsigned_32 (Errors.Framing_Errors));
+      Put_Line;
+   end Put_Errors;
+
    procedure Begin_Character_Time is
+      Is_Free : Boolean;
    begin
       if Emulator.Is_Over = 1 then
          Emulator.Stop_Time := 1;
          Put_Counts;
-         Put ("line");
-         Put_Labelled ("lost_characters", Overruns);
-         Put_Labelled ("parity_errors", Parity_Errors);
-         Put_Labelled ("framing_errors", Framing_Errors);
-         Put_Line;
+         Put_Errors;
          Emulator.End_Run := 1;
       end if;
       On_Character_Time;
-      if (Line_Chip.Status_A and Takes_Character) /= 0 then
+      Look_At_Sender (Line, Is_Free);
+      if Is_Free then
          On_Free_Sender;
       end if;
    end Begin_Character_Time;
 
-   procedure Count_Errors (Status : Register) is
-   begin
-      if (Status and Overrun) /= 0 then
-         Overruns := Overruns + 1;
-      end if;
-      if (Status and Wrong_Parity) /= 0 then
-         Parity_Errors := Parity_Errors + 1;
-      end if;
-      if (Status and Wrong_Framing) /= 0 then
-         Framing_Errors := Framing_Errors + 1;
-      end if;
-   end Count_Errors;
-
    procedure On_Line is
-      Status : Register;
+      Is_Due : Boolean;
+      Result : Reception;
    begin
-      if (Line_Chip.Interrupts and Timer_Interrupt) /= 0 then
-         Touch (Line_Chip.Stop_Counter);
+      Take_Period (Line_Chip, Is_Due);
+      if Is_Due then
          Begin_Character_Time;
       end if;
       loop
-         Status := Line_Chip.Status_A;
-         exit when (Status and Received) = 0;
-         if (Status and Errors) /= 0 then
-            Count_Errors (Status);
-            Line_Chip.Command_A := Reset_Errors;
-         end if;
+         Receive (Line, Errors, Result);
+         exit when not Result.Is_There;
          On_Character
-           (Unsigned_32 (Line_Chip.Data_A),
-            (if (Status and Errors) = 0 then 0 else 1));
+           (Unsigned_32 (Result.Data), (if Is_Damaged (Result) then 1 else 0));
       end loop;
    end On_Line;
 
    procedure On_Clock is
+      Unused_Is_Due : Boolean;
    begin
-      Touch (Clock_Chip.Stop_Counter);
+      Take_Period (Clock_Chip, Unused_Is_Due);
       Ticks := Ticks + 1;
       if Ticks mod 10 = 0 then
          Emulator.Stop_Time := 1;
@@ -245,7 +212,7 @@ package body Targets is
 
    procedure Send (Data : Byte) is
    begin
-      Line_Chip.Data_A := Register (Data);
+      MC68681.Channels.Send (Line, Data);
    end Send;
 
    procedure Convert (Channel : Devices.AD_Board.Channel_Number) is
@@ -259,12 +226,14 @@ package body Targets is
    end Write_Servos;
 
    procedure Put (Text : String) is
+      Is_Free : Boolean;
    begin
       for Each of Text loop
-         while (Line_Chip.Status_B and Takes_Character) = 0 loop
-            null;
+         loop
+            Look_At_Sender (Console, Is_Free);
+            exit when Is_Free;
          end loop;
-         Line_Chip.Data_B := Character'Pos (Each);
+         MC68681.Channels.Send (Console, Character'Pos (Each));
       end loop;
    end Put;
 

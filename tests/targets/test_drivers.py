@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""BRD-6: the drivers of the serial chips, beside simulated chips on a host, and
+their proof."""
+
+import shutil
+import subprocess
+
+import pytest
+
+import bare
+
+PROJECT = "targets/drivers.gpr"
+DRIVERS = bare.ROOT / "targets/drivers"
+
+TESTS = [
+    "MC68681: set up while characters arrive",
+    "MC68681: characters between any two accesses",
+    "MC68681: a character is given only to a free sender",
+    "MC68681: a timer's periods between any two accesses",
+    "MC68681: a timer's count and interrupts",
+    "STM32 USART: set up while characters arrive",
+    "STM32 USART: characters between any two accesses",
+    "STM32 USART: a character is given only to a free sender"]
+
+
+def built(folder):
+    """The test program of the drivers in this copy of the repository."""
+    subprocess.run(
+        ["gprbuild", "-q", "-p", "-P", folder / PROJECT], check=True)
+    return folder / "bin/test_chips"
+
+
+def failed_tests(program):
+    done = subprocess.run(
+        [program], capture_output=True, text=True, timeout=300, check=False)
+    results = [line.partition(": ")[::2] for line in done.stdout.splitlines()]
+    assert [name for _, name in results] == TESTS
+    failed = {name for result, name in results if result != "passed"}
+    assert (done.returncode == 0) == (not failed)
+    return failed
+
+
+def test_brd6_the_drivers_report_each_event_once():
+    assert failed_tests(built(bare.ROOT)) == set()
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    """The sources of the test program."""
+    folder = tmp_path_factory.mktemp("drivers")
+    for name in ("targets/drivers", "targets/simulated_chips", "src/kernel"):
+        shutil.copytree(bare.ROOT / name, folder / name)
+    shutil.copy(bare.ROOT / PROJECT, folder / PROJECT)
+    return folder
+
+
+@pytest.mark.parametrize("name, text, planted, found", [
+    ("mc68681/mc68681-channels.adb",
+     "      if Status.Overrun then\n"
+     "         Result.Overrun := True;\n"
+     "         Write_Command (Port, Reset_Errors);\n"
+     "      end if;\n",
+     "      Result.Overrun := Status.Overrun;\n"
+     "      Write_Command (Port, Reset_Errors);\n",
+     TESTS[1]),
+    ("mc68681/mc68681-channels.adb", "      Write_Command (Port, "
+     "Reset_Mode_Pointer);\n", "", TESTS[1]),
+    ("mc68681/mc68681-channels.adb",
+     "Status.Wrong_Framing or else Status.Is_Break", "Status.Is_Break",
+     TESTS[1]),
+    ("mc68681/mc68681-timers.adb",
+     "      if Is_Due then\n         Answer_Timer (Chip);\n      end if;\n",
+     "      Answer_Timer (Chip);\n", TESTS[3]),
+    ("stm32_usart/stm32_usart-channels.adb",
+     "if Status.Received or else Status.Overrun then",
+     "if Status.Received then", TESTS[6]),
+    ("stm32_usart/stm32_usart-channels.adb",
+     "         Result.Overrun := Status.Overrun;\n", "", TESTS[6]),
+], ids=["overrun reset unseen", "mode pointer", "framing", "period unseen",
+        "overrun alone", "overrun not reported"])
+def test_brd6_a_planted_fault_of_a_driver_is_found(
+        copy, name, text, planted, found):
+    path = copy / "targets/drivers" / name
+    good = path.read_text()
+    assert good.count(text) == 1
+    path.write_text(good.replace(text, planted))
+    try:
+        assert found in failed_tests(built(copy))
+    finally:
+        path.write_text(good)
+
+
+@pytest.mark.skipif(not shutil.which("gnatprove"),
+                    reason="gnatprove is not on the PATH")
+def test_brd6_the_drivers_are_proved():
+    subprocess.run(
+        ["gnatprove", "-P", bare.ROOT / PROJECT, "--no-subprojects",
+         "--checks-as-errors", "--warnings=error", "-k"], check=True)
