@@ -43,12 +43,14 @@ folder=$root/obj/targets/$machine
 mkdir -p "$folder/$node"
 cd "$folder"
 
-# Rebuild the run-time system if the compiler or its switches have changed.
-stamp="$("${prefix}gcc-12" -v 2>&1 | tail -n 1) $switches"
+# Rebuild the run-time system if the compiler, its switches or this system have
+# changed.
+stamp="$("${prefix}gcc-12" -v 2>&1 | tail -n 1) $switches
+$(cat "$root/targets/runtime/"* "$root/targets/$machine/runtime/"* | cksum)"
 if [ "$(cat runtime/stamp 2>/dev/null)" != "$stamp" ]; then
    # shellcheck disable=SC2086 # a list of switches
-   "$root/targets/runtime/build_runtime.sh" "$prefix" "$folder/runtime" \
-      $switches
+   "$root/targets/runtime/build_runtime.sh" "$machine" "$prefix" \
+      "$folder/runtime" $switches
    echo "$stamp" >runtime/stamp
 fi
 

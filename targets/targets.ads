@@ -45,8 +45,11 @@ package Targets is
    --  next reset keeps the memory.
    procedure Keep_Memory;
 
-   --  Sleeps until an interrupt is pending, masked or not.
-   procedure Wait;
+   --  Sleeps until an interrupt has put the flag up.
+
+   type Flag is (Down, Up) with Size => 8, Volatile;
+
+   procedure Sleep (Awake : not null access Flag);
 
    --  One indivisible cycle reads the lock and takes it
 

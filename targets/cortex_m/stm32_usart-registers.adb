@@ -36,7 +36,8 @@ package body STM32_USART.Registers with SPARK_Mode => Off is
 
    --  Only contracts call these functions. They are not executed here.
 
-   function Ports return Port_Models is (raise Program_Error);
+   function State (Port : Port_Name) return Port_Model is
+     (raise Program_Error);
 
    function Received_Character
      (Port   : Port_Name;

@@ -2,7 +2,7 @@
 
 | Operations that the compiler calls (BRD-4). A 68000 multiplies 16 by 16 bits and
 | divides 32 by 16 bits only. (The compiler's own library has 68020 code.)
-| Numbers of 64 bits are divided in Wide_Arithmetic.
+| Large numbers of 64 bits are divided in Wide_Arithmetic.
 
 	.text
 
@@ -26,10 +26,23 @@ urv_divide:
 	cmp.l	#0xffff, %d1
 	jhi	1f
 
-	| A divisor of 16 bits: two divisions, the high word first.
-	movem.l	%d2-%d3, -(%sp)
-	moveq	#0, %d2
+	| A divisor of 16 bits. With a quotient of 16 bits, too, the processor
+	| divides once.
 	swap	%d0
+	cmp.w	%d1, %d0
+	jcc	0f
+	swap	%d0
+	divu.w	%d1, %d0
+	moveq	#0, %d1
+	swap	%d0
+	move.w	%d0, %d1
+	clr.w	%d0
+	swap	%d0
+	rts
+
+	| Else it divides the high word first.
+0:	movem.l	%d2-%d3, -(%sp)
+	moveq	#0, %d2
 	move.w	%d0, %d2
 	divu.w	%d1, %d2
 	move.w	%d2, %d3
@@ -125,6 +138,28 @@ __modsi3:
 	jpl	10f
 	neg.l	%d0
 10:	rts
+
+| Divisions of 64-bit numbers. The high words of both are mostly 0; else
+| Wide_Arithmetic divides.
+	.macro	wide_division name, ada, result
+	.globl	\name
+\name:
+	move.l	4(%sp), %d0
+	or.l	12(%sp), %d0
+	jne	\ada
+	move.l	8(%sp), %d0
+	move.l	16(%sp), %d1
+	jsr	urv_divide
+	.ifnc	\result, %d1
+	move.l	\result, %d1
+	.endif
+	moveq	#0, %d0
+	rts
+	.endm
+	wide_division __udivdi3, urv_quotient, %d0
+	wide_division __umoddi3, urv_remainder, %d1
+	wide_division __divdi3, urv_signed_quotient, %d0
+	wide_division __moddi3, urv_signed_remainder, %d1
 
 | 64-bit shifts: high word in d0, low word in d1. First by 32 and by 16 bits,
 | then by one.

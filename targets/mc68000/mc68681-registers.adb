@@ -67,15 +67,18 @@ package body MC68681.Registers with SPARK_Mode => Off is
      new Ada.Unchecked_Conversion (Register, Channel_Status);
 
    --  Some registers act when they are read.
-   procedure Touch (Item : Register);
+   procedure Touch (Item : Register)
+   with Inline;
 
    procedure Touch (Item : Register) is null;
 
    --  Only contracts call these functions. They are not executed here.
 
-   function Ports return Port_Models is (raise Program_Error);
+   function State (Port : Port_Name) return Port_Model is
+     (raise Program_Error);
 
-   function Chips_Now return Chip_Models is (raise Program_Error);
+   function State (Chip : Chip_Name) return Chip_Model is
+     (raise Program_Error);
 
    function Received_Character
      (Port   : Port_Name;

@@ -34,17 +34,22 @@
 
 	.text
 
-| The handlers do not interrupt each other.
-	.macro	handler name, ada
-\name:	move.w	#0x2700, %sr
+| The handlers do not interrupt each other. The line's interrupts have the highest
+| level.
+	.macro	handler ada
 	movem.l	%d0-%d1/%a0-%a1, -(%sp)
 	jsr	\ada
 	movem.l	(%sp)+, %d0-%d1/%a0-%a1
 	rte
 	.endm
-	handler	urv_on_converter, urv_converter_interrupt
-	handler	urv_on_line, urv_line_interrupt
-	handler	urv_on_clock, urv_clock_interrupt
+urv_on_line:
+	handler	urv_line_interrupt
+urv_on_converter:
+	move.w	#0x2700, %sr
+	handler	urv_converter_interrupt
+urv_on_clock:
+	move.w	#0x2700, %sr
+	handler	urv_clock_interrupt
 
 	.globl	urv_reset
 urv_reset:
@@ -131,10 +136,17 @@ urv_restore_interrupts:
 	move.w	6(%sp), %sr
 	rts
 
-| Takes a pending interrupt, or the next one.
-	.globl	urv_wait
-urv_wait:
+| Takes interrupts until one of them has set a byte. None comes between the look
+| at the byte and the sleep.
+	.globl	urv_sleep
+urv_sleep:
+	movea.l	4(%sp), %a0
+1:	move.w	#0x2700, %sr
+	tst.b	(%a0)
+	jne	2f
 	stop	#0x2000
+	jra	1b
+2:	move.w	#0x2000, %sr
 	rts
 
 | Ada's Test_And_Set: the result is 1 if the byte was free.

@@ -34,6 +34,9 @@ package body Node_Programs is
    --  The last interrupt of a scan has been handled.
    Scan_Ended : Boolean := False with Volatile;
 
+   --  One of these has happened.
+   Awake : aliased Targets.Flag := Targets.Down;
+
    --  Character times since the last report to the telemetry board.
    procedure Elapse (Elapsed : out Character_Times);
 
@@ -43,7 +46,8 @@ package body Node_Programs is
    --  Gives the telemetry board its turn at the next character time.
    procedure Hurry;
 
-   procedure Sleep;
+   --  Serves the ticks that wait.
+   procedure Serve;
 
    procedure Run (Condition : Start_Condition) with No_Return;
 
@@ -76,6 +80,7 @@ package body Node_Programs is
       Tick_Boards;
       Node.Clock_Interrupt;
       Has_Ticked := True;
+      Awake := Targets.Up;
    end On_Tick;
 
    procedure On_Character_Time is
@@ -124,16 +129,20 @@ package body Node_Programs is
       end if;
       Serve_Converter;
       Scan_Ended := not Is_Converting;
+      if Scan_Ended then
+         Awake := Targets.Up;
+      end if;
    end On_Converted;
 
-   procedure Sleep is
-      Before : constant Targets.Mask_State := Targets.Mask;
+   procedure Serve is
    begin
-      if not Has_Ticked and then not Scan_Ended then
-         Targets.Wait;
-      end if;
-      Targets.Restore (Before);
-   end Sleep;
+      while Node.Has_Work loop
+         Node.Serve;
+         Write_Outputs;
+         Serve_Converter;
+         Hurry;
+      end loop;
+   end Serve;
 
    procedure Run (Condition : Start_Condition) is
    begin
@@ -169,22 +178,19 @@ package body Node_Programs is
          Put_Line (" started");
       end if;
       loop
-         if Has_Ticked then
-            Has_Ticked := False;
-            while Node.Has_Work loop
-               Node.Serve;
-               Write_Outputs;
-               Serve_Converter;
-               Hurry;
-            end loop;
-         elsif Scan_Ended then
-            Scan_Ended := False;
-            Node.Look_Again;
+         Targets.Sleep (Awake'Access);
+         Awake := Targets.Down;
+         while Has_Ticked or else Scan_Ended loop
+            if Has_Ticked then
+               Has_Ticked := False;
+               Serve;
+            else
+               Scan_Ended := False;
+               Node.Look_Again;
+            end if;
             Serve_Converter;
             Hurry;
-         else
-            Sleep;
-         end if;
+         end loop;
       end loop;
    end Run;
 

@@ -4,23 +4,24 @@
 # Makes a small run-time system, without tasks and without an operating system,
 # from the sources that come with the installed compiler (D-80).
 #
-#   targets/runtime/build_runtime.sh PREFIX FOLDER SWITCH...
+#   targets/runtime/build_runtime.sh MACHINE PREFIX FOLDER SWITCH...
 #
 # PREFIX is the compiler's prefix, for example arm-linux-gnueabihf-.
 
 set -eu
-prefix=$1
-compiler=${1}gcc-12
-folder=$2
-shift 2
 here=$(cd "$(dirname "$0")" && pwd)
+machine=$(cd "$here/../$1/runtime" && pwd)
+prefix=$2
+compiler=${2}gcc-12
+folder=$3
+shift 3
 sources=$("$compiler" -print-file-name=adainclude)
 
 rm -rf "$folder"
 mkdir -p "$folder/adainclude" "$folder/adalib"
 cd "$folder/adainclude"
 for unit in a-unccon.ads ada.ads interfac.ads s-unstyp.ads s-stoele.ads \
-            s-stoele.adb
+            s-stoele.adb s-maccod.ads
 do
    cp "$sources/$unit" .
 done
@@ -37,7 +38,7 @@ done
        -e 's/^\( *Support_Atomic_Primitives *: constant Boolean :=\).*/\1 False;/' \
        "$sources/system.ads"
 } >system.ads
-cp "$here"/s-*.ad? .
+cp "$here"/s-*.ad? "$machine"/s-*.ad? .
 
 for unit in *.ads *.adb; do
    name=${unit%.ad?}

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The lock of a protected object on one processor: no interrupt is taken
---  while it is held. The compiler calls this unit by these names.
+--  while it is held. The compiler calls this unit by these names, in line. Each
+--  machine has a body.
 
 package System.Tasking.Protected_Objects is
    pragma Preelaborate;
@@ -20,10 +21,13 @@ package System.Tasking.Protected_Objects is
 
    procedure Finalize_Protection (Object : in out Protection);
 
-   procedure Lock (Object : not null access Protection);
+   procedure Lock (Object : not null access Protection)
+   with Inline_Always;
 
-   procedure Lock_Read_Only (Object : not null access Protection);
+   procedure Lock_Read_Only (Object : not null access Protection)
+   with Inline_Always;
 
-   procedure Unlock (Object : not null access Protection);
+   procedure Unlock (Object : not null access Protection)
+   with Inline_Always;
 
 end System.Tasking.Protected_Objects;

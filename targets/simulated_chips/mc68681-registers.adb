@@ -18,7 +18,7 @@ package body MC68681.Registers with SPARK_Mode => Off is
       Received      : Received_Characters;
    end record;
 
-   Port_States : Port_Models :=
+   Port_States : array (Port_Name) of Port_Model :=
      (others =>
         (First_Mode | Second_Mode => <>,
          Oldest | Losses | Overrun_Resets | Sent => 0,
@@ -28,7 +28,7 @@ package body MC68681.Registers with SPARK_Mode => Off is
 
    Receivers : array (Port_Name) of Receiver;
 
-   Chip_States : Chip_Models :=
+   Chip_States : array (Chip_Name) of Chip_Model :=
      (others =>
         (Interrupts           => (others => False),
          Vector | Auxiliary   => 0,
@@ -98,9 +98,11 @@ package body MC68681.Registers with SPARK_Mode => Off is
       end if;
    end Advance;
 
-   function Ports return Port_Models is (Port_States);
+   function State (Port : Port_Name) return Port_Model is
+     (Port_States (Port));
 
-   function Chips_Now return Chip_Models is (Chip_States);
+   function State (Chip : Chip_Name) return Chip_Model is
+     (Chip_States (Chip));
 
    function Received_Character
      (Port   : Port_Name;
@@ -166,10 +168,11 @@ package body MC68681.Registers with SPARK_Mode => Off is
          Is_Full         => This.Held = Receiver_Places,
          Takes_Character => This.Takes_Character,
          Is_Empty        => This.Takes_Character,
-         Overrun         => This.Overrun,
-         Wrong_Parity    => Oldest.Wrong_Parity,
-         Wrong_Framing   => Oldest.Wrong_Framing,
-         Is_Break        => Oldest.Is_Break);
+         Errors          =>
+           (if This.Overrun then Overrun else No_Errors)
+           or (if Oldest.Wrong_Parity then Wrong_Parity else No_Errors)
+           or (if Oldest.Wrong_Framing then Wrong_Framing else No_Errors)
+           or (if Oldest.Is_Break then Is_Break else No_Errors));
    end Read_Status;
 
    procedure Read_Data (Port : Port_Name; Data : out Byte) is

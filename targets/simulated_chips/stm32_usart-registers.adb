@@ -7,7 +7,7 @@ with Simulated_Line;
 
 package body STM32_USART.Registers with SPARK_Mode => Off is
 
-   Port_States : Port_Models :=
+   Port_States : array (Port_Name) of Port_Model :=
      (others =>
         (Settings                                => (others => False),
          More_Settings                           => (Stop => One),
@@ -50,7 +50,8 @@ package body STM32_USART.Registers with SPARK_Mode => Off is
       end if;
    end Advance;
 
-   function Ports return Port_Models is (Port_States);
+   function State (Port : Port_Name) return Port_Model is
+     (Port_States (Port));
 
    function Received_Character
      (Port   : Port_Name;

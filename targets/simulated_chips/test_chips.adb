@@ -143,7 +143,7 @@ procedure Test_Chips is
    begin
       Begin_Plan ((2, 0, 1, 0, 3, others => 1));
       DUART.Set_Up (MC68681.Line);
-      pragma Assert (DUART.Is_Set_Up (Ports (MC68681.Line)));
+      pragma Assert (DUART.Is_Set_Up (State (MC68681.Line)));
    end Set_Up_DUART;
 
    procedure Receive_From_DUART (Plan : Event_Plan) is
@@ -189,7 +189,7 @@ procedure Test_Chips is
       exception
          when Assertion_Error => Refused := True;
       end;
-      pragma Assert (Refused and then Ports (MC68681.Line).Last_Sent = 77);
+      pragma Assert (Refused and then State (MC68681.Line).Last_Sent = 77);
    end Send_To_DUART;
 
    --  Each end of a period is reported; several may be reported as one.
@@ -227,10 +227,10 @@ procedure Test_Chips is
       MC68681.Timers.Start (Clock_Chip, 4_001);
       MC68681.Timers.Use_Interrupts (Clock_Chip, 16#42#, Receiver => False);
       pragma Assert
-        (MC68681.Models.Count_Of (Chips_Now (Clock_Chip)) = 4_001
-         and then Chips_Now (Clock_Chip).Vector = 16#42#
-         and then Chips_Now (Clock_Chip).Interrupts.Timer
-         and then not Chips_Now (Clock_Chip).Interrupts.Receiver_A);
+        (MC68681.Models.Count_Of (State (Clock_Chip)) = 4_001
+         and then State (Clock_Chip).Vector = 16#42#
+         and then State (Clock_Chip).Interrupts.Timer
+         and then not State (Clock_Chip).Interrupts.Receiver_A);
    end Use_Interrupts;
 
    --  The STM32's serial port
@@ -247,9 +247,9 @@ procedure Test_Chips is
       Begin_Plan ((2, 0, 1, 0, others => 1));
       USART.Set_Up (Line, Bit_Time => 336, Interrupt => True);
       pragma Assert
-        (Ports (Line).Settings = USART.Line_Settings (True)
-         and then Ports (Line).More_Settings.Stop = Two
-         and then Ports (Line).Bit_Time = 336);
+        (State (Line).Settings = USART.Line_Settings (True)
+         and then State (Line).More_Settings.Stop = Two
+         and then State (Line).Bit_Time = 336);
    end Set_Up_USART;
 
    --  A character of an earlier plan may still be in the data register.
@@ -298,7 +298,7 @@ procedure Test_Chips is
       exception
          when Assertion_Error => Refused := True;
       end;
-      pragma Assert (Refused and then Ports (STM32_USART.Line).Last_Sent = 77);
+      pragma Assert (Refused and then State (STM32_USART.Line).Last_Sent = 77);
    end Send_To_USART;
 
 begin

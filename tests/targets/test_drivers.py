@@ -78,7 +78,7 @@ def copy(tmp_path_factory):
      "         Result.Overrun := Status.Overrun;\n", "", TESTS[6]),
 ], ids=["overrun reset unseen", "mode pointer", "framing", "period unseen",
         "overrun alone", "overrun not reported"])
-def test_brd6_a_planted_fault_of_a_driver_is_found(
+def test_brd6_d92_a_planted_fault_of_a_driver_is_found(
         copy, name, text, planted, found):
     path = copy / "targets/drivers" / name
     good = path.read_text()
@@ -92,7 +92,7 @@ def test_brd6_a_planted_fault_of_a_driver_is_found(
 
 @pytest.mark.skipif(not shutil.which("gnatprove"),
                     reason="gnatprove is not on the PATH")
-def test_brd6_the_drivers_are_proved():
+def test_brd6_d92_the_drivers_are_proved():
     subprocess.run(
         ["gnatprove", "-P", bare.ROOT / PROJECT, "--no-subprojects",
          "--checks-as-errors", "--warnings=error", "-k"], check=True)

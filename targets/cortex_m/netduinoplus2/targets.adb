@@ -129,6 +129,9 @@ package body Targets is
 
    procedure Begin_Tick;
 
+   --  Waits until an interrupt is pending, or plants a fault that is due.
+   procedure Wait;
+
    procedure Count_Busy;
 
    procedure End_Run with No_Return;
@@ -329,6 +332,19 @@ package body Targets is
       Put_Line;
       Leave;
    end End_Run;
+
+   --  Masked interrupts wake the processor, and are taken after Restore.
+   procedure Sleep (Awake : not null access Flag) is
+      Before : Mask_State;
+   begin
+      loop
+         Before := Mask;
+         exit when Awake.all = Up;
+         Wait;
+         Restore (Before);
+      end loop;
+      Restore (Before);
+   end Sleep;
 
    procedure Wait is
    begin

@@ -20,31 +20,32 @@ package MC68681.Channels with SPARK_Mode is
    --  the last report of an overrun. They would have come after this one and
    --  others that the receiver holds.
    type Reception is record
-      Is_There      : Boolean := False;
-      Data          : Byte    := 0;
-      Wrong_Parity  : Boolean := False;
-      Wrong_Framing : Boolean := False;
-      Overrun       : Boolean := False;
+      Is_There      : Boolean;
+      Data          : Byte;
+      Wrong_Parity  : Boolean;
+      Wrong_Framing : Boolean;
+      Overrun       : Boolean;
+
+      --  The sender takes a character now.
+      Sender_Is_Free : Boolean;
    end record;
 
    function Is_Damaged (Result : Reception) return Boolean is
      (Result.Wrong_Parity or else Result.Wrong_Framing
       or else Result.Overrun);
 
+   function Raised (Number : Count; When_True : Boolean) return Count is
+     (if When_True then Incremented (Number) else Number);
+
    function Counted
-     (Counts : Error_Counts;
-      Result : Reception) return Error_Counts
+     (Counts        : Error_Counts;
+      Overrun       : Boolean;
+      Wrong_Parity  : Boolean;
+      Wrong_Framing : Boolean) return Error_Counts
    is
-     ((Overruns       =>
-         (if Result.Overrun
-          then Incremented (Counts.Overruns) else Counts.Overruns),
-       Parity_Errors  =>
-         (if Result.Wrong_Parity
-          then Incremented (Counts.Parity_Errors) else Counts.Parity_Errors),
-       Framing_Errors =>
-         (if Result.Wrong_Framing
-          then Incremented (Counts.Framing_Errors)
-          else Counts.Framing_Errors)));
+     ((Overruns       => Raised (Counts.Overruns, Overrun),
+       Parity_Errors  => Raised (Counts.Parity_Errors, Wrong_Parity),
+       Framing_Errors => Raised (Counts.Framing_Errors, Wrong_Framing)));
 
    Line_Mode_1 : constant Mode_1 :=
      (Size   => Eight_Bits,
@@ -71,7 +72,7 @@ package MC68681.Channels with SPARK_Mode is
    procedure Set_Up (Port : Port_Name)
    with
      Global => (In_Out => Chips),
-     Post   => Is_Set_Up (Ports (Port));
+     Post   => Is_Set_Up (State (Port));
 
    --  The characters come in order, none twice, each with its own errors. A
    --  loss is reported by this call or by a later one. An overrun is reported
@@ -81,32 +82,39 @@ package MC68681.Channels with SPARK_Mode is
       Counts : in out Error_Counts;
       Result : out Reception)
    with
+     Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Same_Settings (Ports (Port), Ports'Old (Port))
-       and then (if Ports'Old (Port).Held > 0 then Result.Is_There)
-       and then Counts = Counted (Counts'Old, Result)
+       Same_Settings (State (Port), State (Port)'Old)
+       and then (if State (Port)'Old.Held > 0 then Result.Is_There)
        and then
-         Ports (Port).Oldest =
-           Ports'Old (Port).Oldest + (if Result.Is_There then 1 else 0)
+         Counts =
+           Counted
+             (Counts'Old, Result.Overrun, Result.Wrong_Parity,
+              Result.Wrong_Framing)
+       and then
+         State (Port).Oldest =
+           State (Port)'Old.Oldest + (if Result.Is_There then 1 else 0)
        and then
          (if Result.Is_There
           then Matches
-            (Result, Received_Character (Port, Ports'Old (Port).Oldest))
+            (Result, Received_Character (Port, State (Port)'Old.Oldest))
           else not Result.Wrong_Parity and then not Result.Wrong_Framing)
        and then
-         (if Ports (Port).Losses /= Ports'Old (Port).Losses
-            or else Ports'Old (Port).Overrun
-          then Result.Overrun or else Ports (Port).Overrun)
+         (if State (Port).Losses /= State (Port)'Old.Losses
+            or else State (Port)'Old.Overrun
+          then Result.Overrun or else State (Port).Overrun)
        and then
          (if Result.Overrun
-          then Ports (Port).Overrun_Resets =
-            Ports'Old (Port).Overrun_Resets + 1
-          else Ports (Port).Overrun_Resets = Ports'Old (Port).Overrun_Resets)
+          then State (Port).Overrun_Resets =
+            State (Port)'Old.Overrun_Resets + 1
+          else State (Port).Overrun_Resets = State (Port)'Old.Overrun_Resets)
        and then
-         (if Ports'Old (Port).Takes_Character
-          then Ports (Port).Takes_Character)
-       and then Ports (Port).Sent = Ports'Old (Port).Sent;
+         (if State (Port)'Old.Takes_Character
+          then Result.Sender_Is_Free)
+       and then
+         (if Result.Sender_Is_Free then State (Port).Takes_Character)
+       and then State (Port).Sent = State (Port)'Old.Sent;
 
    function Matches
      (Result : Reception;
@@ -121,17 +129,19 @@ package MC68681.Channels with SPARK_Mode is
    --  Is_Free: the sender takes a character now.
    procedure Look_At_Sender (Port : Port_Name; Is_Free : out Boolean)
    with
+     Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follows (Ports (Port), Ports'Old (Port))
-       and then Is_Free = Ports (Port).Takes_Character;
+       Follows (State (Port), State (Port)'Old)
+       and then Is_Free = State (Port).Takes_Character;
 
    procedure Send (Port : Port_Name; Data : Byte)
    with
+     Inline,
      Global => (In_Out => Chips),
      Pre    =>
-       Ports (Port).Sender_Is_On and then Ports (Port).Takes_Character,
+       State (Port).Sender_Is_On and then State (Port).Takes_Character,
      Post   =>
-       Follows (Ports (Port), With_Character (Ports'Old (Port), Data));
+       Follows (State (Port), With_Character (State (Port)'Old, Data));
 
 end MC68681.Channels;

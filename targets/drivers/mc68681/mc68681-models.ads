@@ -39,8 +39,6 @@ package MC68681.Models with Pure, SPARK_Mode is
       Last_Sent       : Byte;
    end record;
 
-   type Port_Models is array (Port_Name) of Port_Model;
-
    --  Both have the same modes, and both parts are on or off in both.
    function Same_Settings (One, Other : Port_Model) return Boolean is
      (One.First_Mode = Other.First_Mode
@@ -64,8 +62,8 @@ package MC68681.Models with Pure, SPARK_Mode is
       and then After.Sent = Before.Sent
       and then After.Last_Sent = Before.Last_Sent);
 
-   function Follow (After, Before : Port_Models) return Boolean is
-     (for all Each in Port_Name => Follows (After (Each), Before (Each)));
+   function Is_Off (Port : Port_Model) return Boolean is
+     (not Port.Receiver_Is_On and then not Port.Sender_Is_On);
 
    --  A channel after the program's accesses
 
@@ -74,6 +72,10 @@ package MC68681.Models with Pure, SPARK_Mode is
 
    function With_Mode (Port : Port_Model; Mode : Mode_2) return Port_Model is
      ((Port with delta Second_Mode => Mode));
+
+   function With_Clocks (Port : Port_Model; Clocks : Byte) return Port_Model
+   is
+     ((Port with delta Clocks => Clocks));
 
    function Without_Oldest (Port : Port_Model) return Port_Model is
      ((Port with delta Oldest => Port.Oldest + 1, Held => Port.Held - 1))
@@ -129,12 +131,12 @@ package MC68681.Models with Pure, SPARK_Mode is
      (Status.Received = (Port.Held > 0)
       and then Status.Is_Full = (Port.Held = Receiver_Places)
       and then Status.Takes_Character = Port.Takes_Character
-      and then Status.Overrun = Port.Overrun
+      and then Has (Status.Errors, Overrun) = Port.Overrun
       and then
         (if Status.Received
-         then Status.Wrong_Parity = Oldest.Wrong_Parity
-           and then Status.Wrong_Framing = Oldest.Wrong_Framing
-           and then Status.Is_Break = Oldest.Is_Break));
+         then Has (Status.Errors, Wrong_Parity) = Oldest.Wrong_Parity
+           and then Has (Status.Errors, Wrong_Framing) = Oldest.Wrong_Framing
+           and then Has (Status.Errors, Is_Break) = Oldest.Is_Break));
 
    --  A chip: timer and interrupts
 
@@ -154,8 +156,6 @@ package MC68681.Models with Pure, SPARK_Mode is
       Due_Resets : Event_Number;
    end record;
 
-   type Chip_Models is array (Chip_Name) of Chip_Model;
-
    function Count_Of (Chip : Chip_Model) return Natural is
      (Natural (Chip.High) * 256 + Natural (Chip.Low));
 
@@ -169,9 +169,6 @@ package MC68681.Models with Pure, SPARK_Mode is
       and then (if Before.Is_Due then After.Is_Due)
       and then (if After.Periods /= Before.Periods then After.Is_Due)
       and then After.Due_Resets = Before.Due_Resets);
-
-   function Follow (After, Before : Chip_Models) return Boolean is
-     (for all Each in Chip_Name => Follows (After (Each), Before (Each)));
 
    --  A read of the stop register resets the flag. The timer runs on. The end
    --  of a period just before is reset, too.

@@ -19,13 +19,13 @@ is
 
    pragma Unevaluated_Use_Of_Old (Allow);
 
-   --  The chips' states, and the character with a number that a channel
-   --  receives or will receive. A character does not change.
+   --  The states of channels and chips, and the character with a number that a
+   --  channel receives or will receive. A character does not change.
 
-   function Ports return Port_Models
+   function State (Port : Port_Name) return Port_Model
    with Ghost, Global => Chips;
 
-   function Chips_Now return Chip_Models
+   function State (Chip : Chip_Name) return Chip_Model
    with Ghost, Global => Chips;
 
    function Received_Character
@@ -40,87 +40,58 @@ is
    with
      Inline,
      Global => (In_Out => Chips),
-     Pre    =>
-       not Ports (Port).Receiver_Is_On
-       and then not Ports (Port).Sender_Is_On
-       and then not Ports (Port).Second_Is_Next,
-     Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta Port => With_Mode (Ports'Old (Port), Mode)));
+     Pre    => Is_Off (State (Port)) and then not State (Port).Second_Is_Next,
+     Post   => Follows (State (Port), With_Mode (State (Port)'Old, Mode));
 
    procedure Write_Mode (Port : Port_Name; Mode : Mode_2)
    with
      Inline,
      Global => (In_Out => Chips),
-     Pre    =>
-       not Ports (Port).Receiver_Is_On
-       and then not Ports (Port).Sender_Is_On
-       and then Ports (Port).Second_Is_Next,
-     Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta Port => With_Mode (Ports'Old (Port), Mode)));
+     Pre    => Is_Off (State (Port)) and then State (Port).Second_Is_Next,
+     Post   => Follows (State (Port), With_Mode (State (Port)'Old, Mode));
 
    procedure Write_Clocks (Port : Port_Name; Clocks : Byte)
    with
      Inline,
      Global => (In_Out => Chips),
-     Pre    =>
-       not Ports (Port).Receiver_Is_On
-       and then not Ports (Port).Sender_Is_On,
-     Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => (Ports'Old (Port) with delta Clocks => Clocks)));
+     Pre    => Is_Off (State (Port)),
+     Post   => Follows (State (Port), With_Clocks (State (Port)'Old, Clocks));
 
    procedure Write_Command (Port : Port_Name; Order : Command)
    with
      Inline,
      Global => (In_Out => Chips),
-     Post   =>
-       Obeys (Ports (Port), Ports'Old (Port), Order)
-       and then
-         (for all Each in Port_Name =>
-            (if Each /= Port
-             then Follows (Ports (Each), Ports'Old (Each))));
+     Post   => Obeys (State (Port), State (Port)'Old, Order);
 
    procedure Read_Status (Port : Port_Name; Status : out Channel_Status)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow (Ports, Ports'Old)
+       Follows (State (Port), State (Port)'Old)
        and then
          Shows
-           (Status, Ports (Port),
-            Received_Character (Port, Ports (Port).Oldest));
+           (Status, State (Port),
+            Received_Character (Port, State (Port).Oldest));
 
    --  The oldest character leaves the receiver.
    procedure Read_Data (Port : Port_Name; Data : out Byte)
    with
      Inline,
      Global => (In_Out => Chips),
-     Pre    => Ports (Port).Held > 0,
+     Pre    => State (Port).Held > 0,
      Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta Port => Without_Oldest (Ports'Old (Port))))
+       Follows (State (Port), Without_Oldest (State (Port)'Old))
        and then
-         Data = Received_Character (Port, Ports'Old (Port).Oldest).Data;
+         Data = Received_Character (Port, State (Port)'Old.Oldest).Data;
 
    procedure Write_Data (Port : Port_Name; Data : Byte)
    with
      Inline,
      Global => (In_Out => Chips),
      Pre    =>
-       Ports (Port).Sender_Is_On and then Ports (Port).Takes_Character,
-     Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => With_Character (Ports'Old (Port), Data)));
+       State (Port).Sender_Is_On and then State (Port).Takes_Character,
+     Post   => Follows (State (Port), With_Character (State (Port)'Old, Data));
 
    --  Timers and interrupts
 
@@ -129,30 +100,22 @@ is
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta Auxiliary => Value)));
+       Follows
+         (State (Chip), (State (Chip)'Old with delta Auxiliary => Value));
 
    procedure Write_Count_High (Chip : Chip_Name; Value : Count_Half)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta High => Value)));
+       Follows (State (Chip), (State (Chip)'Old with delta High => Value));
 
    procedure Write_Count_Low (Chip : Chip_Name; Value : Count_Half)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta Low => Value)));
+       Follows (State (Chip), (State (Chip)'Old with delta Low => Value));
 
    --  Begins a period with the count as it is.
    procedure Start_Timer (Chip : Chip_Name)
@@ -160,52 +123,39 @@ is
      Inline,
      Global => (In_Out => Chips),
      Pre    =>
-       Chips_Now (Chip).Auxiliary = Timer_On_Own_Clock
-       and then Count_Of (Chips_Now (Chip)) in Timer_Count,
+       State (Chip).Auxiliary = Timer_On_Own_Clock
+       and then Count_Of (State (Chip)) in Timer_Count,
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta Runs => True)));
+       Follows (State (Chip), (State (Chip)'Old with delta Runs => True));
 
    --  A read of the stop register.
    procedure Answer_Timer (Chip : Chip_Name)
    with
      Inline,
      Global => (In_Out => Chips),
-     Post   =>
-       Is_Answered (Chips_Now (Chip), Chips_Now'Old (Chip))
-       and then
-         (for all Each in Chip_Name =>
-            (if Each /= Chip
-             then Follows (Chips_Now (Each), Chips_Now'Old (Each))));
+     Post   => Is_Answered (State (Chip), State (Chip)'Old);
 
    procedure Read_Interrupts (Chip : Chip_Name; Pending : out Interrupt_Set)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow (Chips_Now, Chips_Now'Old)
-       and then Pending.Timer = Chips_Now (Chip).Is_Due;
+       Follows (State (Chip), State (Chip)'Old)
+       and then Pending.Timer = State (Chip).Is_Due;
 
    procedure Write_Interrupts (Chip : Chip_Name; Used : Interrupt_Set)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta Interrupts => Used)));
+       Follows
+         (State (Chip), (State (Chip)'Old with delta Interrupts => Used));
 
    procedure Write_Vector (Chip : Chip_Name; Vector : Byte)
    with
      Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Follow
-         (Chips_Now,
-          (Chips_Now'Old with delta
-             Chip => (Chips_Now'Old (Chip) with delta Vector => Vector)));
+       Follows (State (Chip), (State (Chip)'Old with delta Vector => Vector));
 
 end MC68681.Registers;

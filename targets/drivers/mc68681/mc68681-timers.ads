@@ -15,29 +15,30 @@ package MC68681.Timers with SPARK_Mode is
    with
      Global => (In_Out => Chips),
      Post   =>
-       Chips_Now (Chip).Runs
-       and then Chips_Now (Chip).Auxiliary = Timer_On_Own_Clock
-       and then Count_Of (Chips_Now (Chip)) = Half_Period
-       and then Chips_Now (Chip).Interrupts = Chips_Now'Old (Chip).Interrupts
-       and then Chips_Now (Chip).Vector = Chips_Now'Old (Chip).Vector;
+       State (Chip).Runs
+       and then State (Chip).Auxiliary = Timer_On_Own_Clock
+       and then Count_Of (State (Chip)) = Half_Period
+       and then State (Chip).Interrupts = State (Chip)'Old.Interrupts
+       and then State (Chip).Vector = State (Chip)'Old.Vector;
 
    --  Is_Due: a period has ended since the last call that said so. The end of
    --  each period is reported by this call or by a later one.
    procedure Take_Period (Chip : Chip_Name; Is_Due : out Boolean)
    with
+     Inline,
      Global => (In_Out => Chips),
      Post   =>
-       Chips_Now (Chip).Runs = Chips_Now'Old (Chip).Runs
+       State (Chip).Runs = State (Chip)'Old.Runs
        and then
-         (if Chips_Now (Chip).Periods /= Chips_Now'Old (Chip).Periods
-            or else Chips_Now'Old (Chip).Is_Due
-          then Is_Due or else Chips_Now (Chip).Is_Due)
+         (if State (Chip).Periods /= State (Chip)'Old.Periods
+            or else State (Chip)'Old.Is_Due
+          then Is_Due or else State (Chip).Is_Due)
        and then
          (if Is_Due
-          then Chips_Now (Chip).Due_Resets =
-            Chips_Now'Old (Chip).Due_Resets + 1
-          else Chips_Now (Chip).Due_Resets =
-            Chips_Now'Old (Chip).Due_Resets);
+          then State (Chip).Due_Resets =
+            State (Chip)'Old.Due_Resets + 1
+          else State (Chip).Due_Resets =
+            State (Chip)'Old.Due_Resets);
 
    --  The chip interrupts at the end of a period, and with Receiver also when
    --  channel A has received a character, with this vector.
@@ -48,10 +49,10 @@ package MC68681.Timers with SPARK_Mode is
    with
      Global => (In_Out => Chips),
      Post   =>
-       Chips_Now (Chip).Vector = Vector
+       State (Chip).Vector = Vector
        and then
-         Chips_Now (Chip).Interrupts =
+         State (Chip).Interrupts =
            (Timer => True, Receiver_A => Receiver, others => False)
-       and then Chips_Now (Chip).Runs = Chips_Now'Old (Chip).Runs;
+       and then State (Chip).Runs = State (Chip)'Old.Runs;
 
 end MC68681.Timers;

@@ -64,18 +64,26 @@ package MC68681 with Pure, SPARK_Mode is
    --  from outside, 16 times the bit rate.
    Outside_Clocks : constant Byte := 16#EE#;
 
-   --  The status of a channel. Parity and framing are those of the oldest
-   --  character. Overrun stays until it is reset.
+   --  The status of a channel. Parity, framing and break are those of the
+   --  oldest character. Overrun stays until it is reset.
+
+   type Error_Bits is mod 16;
+
+   No_Errors     : constant Error_Bits := 0;
+   Overrun       : constant Error_Bits := 1;
+   Wrong_Parity  : constant Error_Bits := 2;
+   Wrong_Framing : constant Error_Bits := 4;
+   Is_Break      : constant Error_Bits := 8;
+
+   function Has (Errors, Which : Error_Bits) return Boolean is
+     ((Errors and Which) /= 0);
 
    type Channel_Status is record
       Received        : Boolean;
       Is_Full         : Boolean;
       Takes_Character : Boolean;
       Is_Empty        : Boolean;
-      Overrun         : Boolean;
-      Wrong_Parity    : Boolean;
-      Wrong_Framing   : Boolean;
-      Is_Break        : Boolean;
+      Errors          : Error_Bits;
    end record
    with Size => 8, Bit_Order => System.Low_Order_First;
 
@@ -84,10 +92,7 @@ package MC68681 with Pure, SPARK_Mode is
       Is_Full         at 0 range 1 .. 1;
       Takes_Character at 0 range 2 .. 2;
       Is_Empty        at 0 range 3 .. 3;
-      Overrun         at 0 range 4 .. 4;
-      Wrong_Parity    at 0 range 5 .. 5;
-      Wrong_Framing   at 0 range 6 .. 6;
-      Is_Break        at 0 range 7 .. 7;
+      Errors          at 0 range 4 .. 7;
    end record;
 
    --  Commands to a channel

@@ -62,9 +62,9 @@ package STM32_USART.Channels with SPARK_Mode is
    with
      Global => (In_Out => Chip),
      Post   =>
-       Ports (Port).Settings = Line_Settings (Interrupt)
-       and then Ports (Port).More_Settings.Stop = Two
-       and then Ports (Port).Bit_Time = Bit_Time;
+       State (Port).Settings = Line_Settings (Interrupt)
+       and then State (Port).More_Settings.Stop = Two
+       and then State (Port).Bit_Time = Bit_Time;
 
    --  The characters come in order, none twice, each with its own errors. A
    --  loss is reported by this call or by a later one. An overrun is reported
@@ -74,35 +74,36 @@ package STM32_USART.Channels with SPARK_Mode is
       Counts : in out Error_Counts;
       Result : out Reception)
    with
+     Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Same_Settings (Ports (Port), Ports'Old (Port))
-       and then (if Ports'Old (Port).Received then Result.Is_There)
+       Same_Settings (State (Port), State (Port)'Old)
+       and then (if State (Port)'Old.Received then Result.Is_There)
        and then Counts = Counted (Counts'Old, Result)
        and then
          (if Result.Is_There
           then Matches
-              (Result, Received_Character (Port, Ports'Old (Port).Present))
-            and then Ports (Port).Present = Ports'Old (Port).Present + 1
+              (Result, Received_Character (Port, State (Port)'Old.Present))
+            and then State (Port).Present = State (Port)'Old.Present + 1
           else not Result.Wrong_Parity
             and then not Result.Wrong_Framing
             and then not Result.Noise)
        and then
          (if not Result.Is_There and then not Result.Overrun
-          then Ports (Port).Present = Ports'Old (Port).Present)
+          then State (Port).Present = State (Port)'Old.Present)
        and then
-         (if Ports (Port).Losses /= Ports'Old (Port).Losses
-            or else Ports'Old (Port).Overrun
-          then Result.Overrun or else Ports (Port).Overrun)
+         (if State (Port).Losses /= State (Port)'Old.Losses
+            or else State (Port)'Old.Overrun
+          then Result.Overrun or else State (Port).Overrun)
        and then
          (if Result.Overrun
-          then Ports (Port).Overrun_Resets =
-            Ports'Old (Port).Overrun_Resets + 1
-          else Ports (Port).Overrun_Resets = Ports'Old (Port).Overrun_Resets)
+          then State (Port).Overrun_Resets =
+            State (Port)'Old.Overrun_Resets + 1
+          else State (Port).Overrun_Resets = State (Port)'Old.Overrun_Resets)
        and then
-         (if Ports'Old (Port).Takes_Character
-          then Ports (Port).Takes_Character)
-       and then Ports (Port).Sent = Ports'Old (Port).Sent;
+         (if State (Port)'Old.Takes_Character
+          then State (Port).Takes_Character)
+       and then State (Port).Sent = State (Port)'Old.Sent;
 
    function Matches
      (Result : Reception;
@@ -117,25 +118,27 @@ package STM32_USART.Channels with SPARK_Mode is
    --  Is_Free: the sender takes a character now.
    procedure Look_At_Sender (Port : Port_Name; Is_Free : out Boolean)
    with
+     Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Is_Free = Ports (Port).Takes_Character
-       and then Same_Settings (Ports (Port), Ports'Old (Port))
-       and then Ports (Port).Present = Ports'Old (Port).Present
-       and then (if Ports'Old (Port).Received then Ports (Port).Received)
-       and then (if Ports'Old (Port).Overrun then Ports (Port).Overrun)
+       Is_Free = State (Port).Takes_Character
+       and then Same_Settings (State (Port), State (Port)'Old)
+       and then State (Port).Present = State (Port)'Old.Present
+       and then (if State (Port)'Old.Received then State (Port).Received)
+       and then (if State (Port)'Old.Overrun then State (Port).Overrun)
        and then
-         (if Ports (Port).Losses /= Ports'Old (Port).Losses
-          then Ports (Port).Overrun);
+         (if State (Port).Losses /= State (Port)'Old.Losses
+          then State (Port).Overrun);
 
    procedure Send (Port : Port_Name; Data : Byte)
    with
+     Inline,
      Global => (In_Out => Chip),
      Pre    =>
-       Ports (Port).Settings.Port_On
-       and then Ports (Port).Settings.Sender_On
-       and then Ports (Port).Takes_Character,
+       State (Port).Settings.Port_On
+       and then State (Port).Settings.Sender_On
+       and then State (Port).Takes_Character,
      Post   =>
-       Follows (Ports (Port), With_Character (Ports'Old (Port), Data));
+       Follows (State (Port), With_Character (State (Port)'Old, Data));
 
 end STM32_USART.Channels;

@@ -32,8 +32,6 @@ package STM32_USART.Models with Pure, SPARK_Mode is
       Last_Sent       : Byte;
    end record;
 
-   type Port_Models is array (Port_Name) of Port_Model;
-
    function Same_Settings (One, Other : Port_Model) return Boolean is
      (One.Settings = Other.Settings
       and then One.More_Settings = Other.More_Settings
@@ -55,8 +53,8 @@ package STM32_USART.Models with Pure, SPARK_Mode is
       and then After.Sent = Before.Sent
       and then After.Last_Sent = Before.Last_Sent);
 
-   function Follow (After, Before : Port_Models) return Boolean is
-     (for all Each in Port_Name => Follows (After (Each), Before (Each)));
+   function Is_Off (Port : Port_Model) return Boolean is
+     (not Port.Settings.Receiver_On and then not Port.Settings.Sender_On);
 
    function With_Character (Port : Port_Model; Data : Byte) return Port_Model
    is

@@ -19,10 +19,10 @@ is
 
    pragma Unevaluated_Use_Of_Old (Allow);
 
-   --  The ports' states, and the character with a number that a port receives
-   --  or will receive. A character does not change.
+   --  The state of a port, and the character with a number that it receives or
+   --  will receive. A character does not change.
 
-   function Ports return Port_Models
+   function State (Port : Port_Name) return Port_Model
    with Ghost, Global => Chip;
 
    function Received_Character
@@ -35,10 +35,7 @@ is
      Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => (Ports'Old (Port) with delta Settings => Value)));
+       Follows (State (Port), (State (Port)'Old with delta Settings => Value));
 
    --  Stop bits and bit time change only while receiver and sender are off.
 
@@ -46,43 +43,31 @@ is
    with
      Inline,
      Global => (In_Out => Chip),
-     Pre    =>
-       not Ports (Port).Settings.Receiver_On
-       and then not Ports (Port).Settings.Sender_On,
+     Pre    => Is_Off (State (Port)),
      Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => (Ports'Old (Port) with delta More_Settings => Value)));
+       Follows
+         (State (Port), (State (Port)'Old with delta More_Settings => Value));
 
    procedure Write_Divider (Port : Port_Name; Value : Divider)
    with
      Inline,
      Global => (In_Out => Chip),
-     Pre    =>
-       not Ports (Port).Settings.Receiver_On
-       and then not Ports (Port).Settings.Sender_On,
+     Pre    => Is_Off (State (Port)),
      Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => (Ports'Old (Port) with delta Bit_Time => Value)));
+       Follows (State (Port), (State (Port)'Old with delta Bit_Time => Value));
 
    procedure Read_Status (Port : Port_Name; Status : out Port_Status)
    with
      Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port =>
-               (Ports'Old (Port) with delta
-                  Overrun_Shown => Status.Overrun)))
+       Follows
+         (State (Port),
+          (State (Port)'Old with delta Overrun_Shown => Status.Overrun))
        and then
          Shows
-           (Status, Ports (Port),
-            Received_Character (Port, Ports (Port).Present));
+           (Status, State (Port),
+            Received_Character (Port, State (Port).Present));
 
    --  The present character, or an old one if there is none, without its
    --  parity bit.
@@ -91,28 +76,20 @@ is
      Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Is_Read (Ports (Port), Ports'Old (Port))
+       Is_Read (State (Port), State (Port)'Old)
        and then
-         (for all Each in Port_Name =>
-            (if Each /= Port
-             then Follows (Ports (Each), Ports'Old (Each))))
-       and then
-         (if Ports'Old (Port).Received
+         (if State (Port)'Old.Received
           then Data =
-            Received_Character (Port, Ports'Old (Port).Present).Data);
+            Received_Character (Port, State (Port)'Old.Present).Data);
 
    procedure Write_Data (Port : Port_Name; Data : Byte)
    with
      Inline,
      Global => (In_Out => Chip),
      Pre    =>
-       Ports (Port).Settings.Port_On
-       and then Ports (Port).Settings.Sender_On
-       and then Ports (Port).Takes_Character,
-     Post   =>
-       Follow
-         (Ports,
-          (Ports'Old with delta
-             Port => With_Character (Ports'Old (Port), Data)));
+       State (Port).Settings.Port_On
+       and then State (Port).Settings.Sender_On
+       and then State (Port).Takes_Character,
+     Post   => Follows (State (Port), With_Character (State (Port)'Old, Data));
 
 end STM32_USART.Registers;

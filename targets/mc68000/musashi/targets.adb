@@ -5,7 +5,8 @@
 --  settings of a flight and for its record.
 --
 --  The timer of the first MC68681 gives the character times, that of the
---  second one the ticks. The receiver interrupts for each character.
+--  second one the ticks. The receiver's characters are taken at each character
+--  time: its interrupt would cost as much again, and it holds four.
 
 with Machine_Texts;           use Machine_Texts;
 with MC68681;                 use MC68681;
@@ -37,8 +38,8 @@ package body Targets is
    procedure Put_Counts
    with Import, Convention => C, External_Name => "urv_put_counts";
 
-   procedure Wait_For_Interrupt
-   with Import, Convention => C, External_Name => "urv_wait";
+   procedure Sleep_Until (Awake : not null access Flag)
+   with Import, Convention => C, External_Name => "urv_sleep";
 
    function Take (Lock : access Lock_Byte) return Integer_32
    with Import, Convention => C, External_Name => "urv_test_and_set";
@@ -102,7 +103,11 @@ package body Targets is
    procedure On_Converter
    with Export, Convention => C, External_Name => "urv_converter_interrupt";
 
-   procedure Begin_Character_Time;
+   procedure End_Run;
+
+   --  Gives the board this character, and those that have come after it.
+   procedure Hear (Data : Byte; Is_Damaged : Boolean);
+   pragma No_Inline (Hear);
 
    procedure Put_Errors;
 
@@ -134,7 +139,7 @@ package body Targets is
       MC68681.Timers.Start (Clock_Chip, Counts_Per_Tick);
       MC68681.Timers.Start (Line_Chip, Counts_Per_Character);
       Use_Interrupts (Clock_Chip, Clock_Vector, Receiver => False);
-      Use_Interrupts (Line_Chip, Line_Vector, Receiver => True);
+      Use_Interrupts (Line_Chip, Line_Vector, Receiver => False);
       Restore (16#2000#);
    end Start_Clock;
 
@@ -147,36 +152,44 @@ package body Targets is
       Put_Line;
    end Put_Errors;
 
-   procedure Begin_Character_Time is
-      Is_Free : Boolean;
+   procedure End_Run is
    begin
-      if Emulator.Is_Over = 1 then
-         Emulator.Stop_Time := 1;
-         Put_Counts;
-         Put_Errors;
-         Emulator.End_Run := 1;
-      end if;
-      On_Character_Time;
-      Look_At_Sender (Line, Is_Free);
-      if Is_Free then
-         On_Free_Sender;
-      end if;
-   end Begin_Character_Time;
+      Emulator.Stop_Time := 1;
+      Put_Counts;
+      Put_Errors;
+      Emulator.End_Run := 1;
+   end End_Run;
+
+   --  Apart, so that the usual path saves and restores fewer registers.
+   procedure Hear (Data : Byte; Is_Damaged : Boolean) is
+      Result : Reception;
+   begin
+      On_Character (Unsigned_32 (Data), (if Is_Damaged then 1 else 0));
+      loop
+         Receive (Line, Errors, Result);
+         exit when not Result.Is_There;
+         On_Character
+           (Unsigned_32 (Result.Data),
+            (if MC68681.Channels.Is_Damaged (Result) then 1 else 0));
+      end loop;
+   end Hear;
 
    procedure On_Line is
       Is_Due : Boolean;
       Result : Reception;
    begin
       Take_Period (Line_Chip, Is_Due);
-      if Is_Due then
-         Begin_Character_Time;
+      if not Is_Due then
+         return;
       end if;
-      loop
-         Receive (Line, Errors, Result);
-         exit when not Result.Is_There;
-         On_Character
-           (Unsigned_32 (Result.Data), (if Is_Damaged (Result) then 1 else 0));
-      end loop;
+      On_Character_Time;
+      Receive (Line, Errors, Result);
+      if Result.Is_There then
+         Hear (Result.Data, Is_Damaged (Result));
+      end if;
+      if Result.Sender_Is_Free then
+         On_Free_Sender;
+      end if;
    end On_Line;
 
    procedure On_Clock is
@@ -184,6 +197,9 @@ package body Targets is
    begin
       Take_Period (Clock_Chip, Unused_Is_Due);
       Ticks := Ticks + 1;
+      if Emulator.Is_Over = 1 then
+         End_Run;
+      end if;
       if Ticks mod 10 = 0 then
          Emulator.Stop_Time := 1;
          Put ("row");
@@ -199,10 +215,10 @@ package body Targets is
       On_Converted (Unsigned_32 (Converter.Data));
    end On_Converter;
 
-   procedure Wait is
+   procedure Sleep (Awake : not null access Flag) is
    begin
-      Wait_For_Interrupt;
-   end Wait;
+      Sleep_Until (Awake);
+   end Sleep;
 
    procedure Test_And_Set (Lock : in out Lock_Byte; Was_Free : out Boolean) is
       Place : aliased Lock_Byte with Import, Address => Lock'Address;

@@ -1,0 +1,42 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The instructions are those of urv_mask_interrupts and
+--  urv_restore_interrupts, in line.
+
+with System.Machine_Code; use System.Machine_Code;
+
+package body System.Tasking.Protected_Objects is
+
+   procedure Initialize_Protection
+     (Object : not null access Protection; Ceiling_Priority : Integer) is
+   begin
+      Object.Ceiling := Ceiling_Priority;
+      Object.Saved := 0;
+   end Initialize_Protection;
+
+   procedure Finalize_Protection (Object : in out Protection) is null;
+
+   procedure Lock (Object : not null access Protection) is
+      Before : Integer;
+   begin
+      Asm ("mrs %0, primask" & ASCII.LF & ASCII.HT & "cpsid i",
+           Outputs  => Integer'Asm_Output ("=r", Before),
+           Clobber  => "memory",
+           Volatile => True);
+      Object.Saved := Before;
+   end Lock;
+
+   procedure Lock_Read_Only (Object : not null access Protection) is
+   begin
+      Lock (Object);
+   end Lock_Read_Only;
+
+   procedure Unlock (Object : not null access Protection) is
+   begin
+      Asm ("msr primask, %0",
+           Inputs   => Integer'Asm_Input ("r", Object.Saved),
+           Clobber  => "memory",
+           Volatile => True);
+   end Unlock;
+
+end System.Tasking.Protected_Objects;
