@@ -63,8 +63,8 @@ package body Canaries.Mechanisms with SPARK_Mode is
    procedure The_Log_Is_Kept (Log : URV.Errors.Error_Log; Kind : Error_Kind)
    is null;
 
-   procedure A_Row_Is_Of_Either_Log
-     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
+   procedure A_Start_Marks_No_Log
+     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number)
    is null;
 
 end Canaries.Mechanisms;

@@ -152,15 +152,15 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
            (After_Start (Log, Cold_Start, True), Kind) =
              History_Of (Log, Kind);
 
-   --  A row of the aircraft's log is written over the node's own.
-   procedure A_Row_Is_Of_Either_Log
-     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number; Row : Log_Row)
+   --  A warm start marks no word of the log, nor of the error/status.
+   procedure A_Start_Marks_No_Log
+     (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number)
    with
      Global => null,
      Post   =>
-       With_Aircraft_Log (CORE, Which, Row).Log (Which) = CORE.Log (Which)
+       Marked_Old (CORE).Log (Which) = CORE.Log (Which)
        and then
-         With_Log (CORE, Which, Row).Log (Which) =  --  VC_POSTCONDITION
-           CORE.Log (Which);
+         Marked_Old (CORE).Uplink (Error_Status) =  --  VC_POSTCONDITION
+           CORE.Uplink (Error_Status);
 
 end Canaries.Mechanisms;

@@ -58,4 +58,18 @@ package Devices.AD_Board with Pure, SPARK_Mode is
       then (Board with delta Data => Value, Doing => Idle)
       else Board);
 
+   --  The last two in place
+
+   procedure Begin_Conversion (Board : in out Registers)
+   with
+     Inline,
+     Global => null,
+     Post   => Board = Begun (Board'Old);
+
+   procedure Finish (Board : in out Registers; Value : Word)
+   with
+     Inline,
+     Global => null,
+     Post   => Board = Finished (Board'Old, Value);
+
 end Devices.AD_Board;

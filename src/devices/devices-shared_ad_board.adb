@@ -23,14 +23,14 @@ package body Devices.Shared_AD_Board with SPARK_Mode is
       begin
          Wanted := Contents.Doing = Start_Wanted;
          Channel := Contents.Channel;
-         Contents := Begun (Contents);
+         Begin_Conversion (Contents);
       end Take_Start;
 
       procedure Finish (Value : Word; Interrupt : out Boolean) is
       begin
          Interrupt :=
            Contents.Doing = Converting and then Contents.Interrupt_Enabled;
-         Contents := Finished (Contents, Value);
+         Finish (Contents, Value);
       end Finish;
 
    end Board;

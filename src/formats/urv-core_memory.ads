@@ -109,30 +109,6 @@ package URV.CORE_Memory with Pure, SPARK_Mode is
               Error_Status => Item.Downlink (Error_Status) or Stale_Data)))
    with Global => null;
 
-   --  The memory with another row of the node's own log, or of the aircraft's.
-   --  All else is unchanged.
-
-   function With_Log
-     (This : Memory; Which : Log_Row_Number; Row : Log_Row) return Memory
-   is
-     ((This with delta Log => (This.Log with delta Which => Row)))
-   with
-     Global => null,
-     Post   =>
-       With_Log'Result.Log (Which) = Row
-       and then With_Log'Result.Aircraft_Log = This.Aircraft_Log;
-
-   function With_Aircraft_Log
-     (This : Memory; Which : Log_Row_Number; Row : Log_Row) return Memory
-   is
-     ((This with delta
-         Aircraft_Log => (This.Aircraft_Log with delta Which => Row)))
-   with
-     Global => null,
-     Post   =>
-       With_Aircraft_Log'Result.Aircraft_Log (Which) = Row
-       and then With_Aircraft_Log'Result.Log = This.Log;
-
    --  A count of one word after one more event.
    function Incremented (Value : Word) return Word is
      (if Value = Word'Last then Value else Value + 1)

@@ -14,7 +14,9 @@ package body URV.Seals with SPARK_Mode is
       Result  : out Outcome) is
    begin
       Result := Outcome_Of (This, Block, Arrived);
-      This   := After (This, Block, Result);
+      if This.Format = 2 then
+         This := After (This, Block, Result);
+      end if;
       if Result not in Taken then
          Block := [others => 0];
       elsif This.Format = 2 then
@@ -24,8 +26,12 @@ package body URV.Seals with SPARK_Mode is
 
    procedure Close (This : in out Seal; Data : in out Block_Data) is
    begin
-      This := Renewed (This);
-      Data := Closed (This, Data);
+      if This.Active.Is_Present and then This.Active.Age = Last_Age then
+         This := Restarted (This);
+      end if;
+      if This.Format = 2 then
+         Data := Closed (This, Data);
+      end if;
    end Close;
 
 end URV.Seals;

@@ -48,12 +48,12 @@ package body URV.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Write_Log (Which : Log_Row_Number; Row : Log_Row) is
       begin
-         Present := With_Log (Present, Which, Row);
+         Present.Log (Which) := Row;
       end Write_Log;
 
       procedure Write_Aircraft_Log (Which : Log_Row_Number; Row : Log_Row) is
       begin
-         Present := With_Aircraft_Log (Present, Which, Row);
+         Present.Aircraft_Log (Which) := Row;
       end Write_Aircraft_Log;
 
       function Contents return Memory is (Present);

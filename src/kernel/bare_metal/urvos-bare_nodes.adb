@@ -31,6 +31,8 @@ is
 
       procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
 
+      function Has_Ticked return Boolean;
+
       function Has_Work return Boolean;
 
    private
@@ -92,6 +94,8 @@ is
          State := Tested (State, Passed, Numbers);
       end Note_Tested;
 
+      function Has_Ticked return Boolean is (Waiting > 0);
+
       function Has_Work return Boolean is
         (Waiting > 0 or else State.Is_Wanted);
 
@@ -110,8 +114,11 @@ is
    end Follow_Clock;
 
    procedure Read_Clock (Now : in out Clock_Tick) is
+      Has_Ticked : constant Boolean := Guard.Has_Ticked;
    begin
-      Follow_Clock;
+      if Has_Ticked then
+         Follow_Clock;
+      end if;
       Now := Clock_Tick'Max (Now, Clock.Now);
    end Read_Clock;
 
