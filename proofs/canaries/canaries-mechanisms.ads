@@ -152,7 +152,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
            (After_Start (Log, Cold_Start, True), Kind) =
              History_Of (Log, Kind);
 
-   --  A warm start marks no word of the log, nor of the error/status.
+   --  A warm start marks no word of the logs and of the uplink.
    procedure A_Start_Marks_No_Log
      (CORE : URV.CORE_Memory.Memory; Which : Log_Row_Number)
    with
@@ -160,7 +160,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
      Post   =>
        Marked_Old (CORE).Log (Which) = CORE.Log (Which)
        and then
-         Marked_Old (CORE).Uplink (Error_Status) =  --  VC_POSTCONDITION
-           CORE.Uplink (Error_Status);
+         Marked_Old (CORE).Uplink =  --  VC_POSTCONDITION
+           CORE.Uplink;
 
 end Canaries.Mechanisms;
