@@ -32,9 +32,10 @@ CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
 
 WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
 
-# Only the MC68000 has these. The last three befall the next character that its
-# line receives.
+# Only the MC68000 has these. Three befall the next character that its line
+# receives. After the last one no tick comes.
 ODD_ADDRESS, PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER = range(3, 7)
+ENDLESS_LOOP, LOST_TIMER = range(7, 9)
 
 LAWS_ON = 1
 

@@ -68,6 +68,10 @@ package Targets is
    --  later.
    procedure Convert (Channel : Devices.AD_Board.Channel_Number);
 
+   --  The watchdog restarts the processor if this call stays away for 100 ms
+   --  (BRD-7). It waits for the first call after a start.
+   procedure Feed_Watchdog;
+
    --  Writes the servos' words.
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area);
 

@@ -184,6 +184,7 @@ package body Node_Programs is
             if Has_Ticked then
                Has_Ticked := False;
                Serve;
+               Targets.Feed_Watchdog;   --  BRD-7
             else
                Scan_Ended := False;
                Node.Look_Again;

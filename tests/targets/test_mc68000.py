@@ -11,7 +11,7 @@ import emulated
 MACHINE = emulated.MC68000_BOARD
 pytestmark = bare.needs(MACHINE, MACHINE.archive)
 
-ILLEGAL, ADDRESS_ERROR, UNUSED_VECTOR = 4, 3, 200
+ILLEGAL, ADDRESS_ERROR, WATCHDOG, UNUSED_VECTOR = 4, 3, 31, 200
 
 # The bytes of any object, which are never copied as a whole.
 ALLOWED = {"memory_operations.adb Bytes"}
@@ -38,6 +38,29 @@ def test_brd4_each_frame_has_the_words_of_the_simulation(tmp_path, laws):
     ids=["illegal instruction, unused interrupt", "odd address"])
 def test_brd2_d81_a_fault_of_the_processor_restarts_it(tmp_path, events):
     bare.restarts(MACHINE, tmp_path, events)
+
+
+@pytest.mark.parametrize("event", [emulated.ENDLESS_LOOP, emulated.LOST_TIMER],
+                         ids=["endless loop", "lost timer"])
+def test_brd7_the_watchdog_restarts_a_processor_that_serves_no_ticks(
+        tmp_path, event):
+    tape = emulated.Tape(2)
+    tape.plant(500, event)
+    run = MACHINE.fly({"mcs": tape}, tmp_path)["mcs"]
+    assert run.has(f"restarts count 1 reason {WATCHDOG}")
+    assert run.text.count("MCS processor restart\n") == 1
+    # Ticks are lost until the restart, 100 ms and a self-test later.
+    assert 60 < len(run.rows) < 97
+    assert sorted(run.rows) == list(range(len(run.rows)))
+    assert all(run.pwm(frame) == bare.SAFE for frame in run.rows)
+    last = max(run.rows)
+    assert run.status(last)[:bare.SELF_TEST + 1] == [3, 1, 0, 1, 0]
+    assert run.downlink(last)[-1] & 1 == 0
+
+
+def test_brd7_a_node_that_serves_its_ticks_is_not_restarted(tmp_path):
+    run = MACHINE.fly({"mcs": emulated.Tape(2)}, tmp_path)["mcs"]
+    assert "restart" not in run.text
 
 
 @pytest.mark.parametrize("place", [-1, 0x1_8000, "program"],

@@ -386,6 +386,9 @@ package body Targets is
       Is_Converting := True;
    end Convert;
 
+   --  QEMU has no watchdog here.
+   procedure Feed_Watchdog is null;
+
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
    begin
       Servos := Area;

@@ -20,6 +20,9 @@
      F10000  converter: channel (a write starts), data, vector, enable.
              Level 5, 16 us after the start.
      F20000  servos, 16 words
+     F40000  watchdog: each write of a word begins its 100 ms. At their end it
+             interrupts with level 7, which cannot be masked, by autovector 31.
+             It is off until the first write, and after RESET (BRD-7).
      F30000  settings from the tape: flags, line delay in us; 1 when the flight
              is over (long words); F3000C: 1 stops the time, 0 lets it go on;
              F3000E ends the run
@@ -50,6 +53,8 @@ enum {
    CHARACTER_US = 96,
    CONVERSION_US = 16,
    TICK_US = 2000,
+   WATCHDOG_US = 100000,
+   WATCHDOG_VECTOR = 31,
    TICKS_PER_FRAME = 10,
    SLICE_US = 48,
 
@@ -70,7 +75,7 @@ enum {
 
 enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
-   PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER
+   PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER
 };
 
 /* Status of a DUART's channel and interrupts */
@@ -136,6 +141,8 @@ struct node {
    struct duart line, clock;
    struct converter converter;
    uint16_t servos[SERVOS];
+   bool watched, bites;
+   uint64_t watchdog;                 /* the end of its time */
 
    struct character coming[ON_LINE];  /* sorted by time */
    int characters;
@@ -176,6 +183,7 @@ static bool executing;
 
 static const uint16_t illegal_words[] = { 0x4AFC };
 static const uint16_t odd_words[] = { 0x3038, 0x0001 };   /* move.w 1.w,d0 */
+static const uint16_t loop_words[] = { 0x60FE };          /* bra to itself */
 
 static void fail(const char *text, unsigned where)
 {
@@ -225,6 +233,8 @@ static void request(void)
       level = 6;
    if (node->unexpected_interrupt)
       level = 6;
+   if (node->bites)
+      level = 7;
    m68k_set_irq((unsigned)level);
 }
 
@@ -232,7 +242,10 @@ int board_acknowledge(int level)
 {
    int vector;
 
-   if (node->unexpected_interrupt) {
+   if (level == 7) {
+      vector = WATCHDOG_VECTOR;
+      node->bites = false;
+   } else if (node->unexpected_interrupt) {
       vector = node->unexpected_interrupt;
       node->unexpected_interrupt = 0;
    } else if (level == 6)
@@ -662,6 +675,8 @@ void board_reset(void)
    reset_duart(&node->line);
    reset_duart(&node->clock);
    node->converter = none;
+   node->watched = node->bites = false;
+   node->planted = NULL;
    node->depth = 0;
    node->call_depth = 0;
    request();
@@ -695,7 +710,9 @@ unsigned int m68k_read_memory_16(unsigned int where)
    {
       unsigned word = node->planted[node->planted_words++];
 
-      if (node->planted == illegal_words || node->planted_words == 2)
+      if (node->planted == loop_words)
+         node->planted_words = 0;
+      else if (node->planted == illegal_words || node->planted_words == 2)
          node->planted = NULL;
       return word;
    }
@@ -735,7 +752,11 @@ void m68k_write_memory_16(unsigned int where, unsigned int value)
       node->servos[(where - 0xF20000) / 2] = (uint16_t)value;
    else if (where >> 4 == 0xF30000 >> 4)
       control(where & 15, (uint16_t)value);
-   else {
+   else if (where == 0xF40000) {
+      node->watched = true;
+      node->watchdog = now() + cycles(WATCHDOG_US);
+      look_again();
+   } else {
       m68k_write_memory_8(where, value >> 8 & 0xFF);
       m68k_write_memory_8(where + 1, value & 0xFF);
    }
@@ -770,6 +791,8 @@ static void play_tape(void)
       case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
       case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
       case LOST_CHARACTER: node->next_errors = OVERRUN; break;
+      case ENDLESS_LOOP: node->planted = loop_words; break;
+      case LOST_TIMER: node->clock.runs = false; break;
       default: fail("an event that is not emulated", 0);
       }
       node->planted_at = node->planted_words = 0;
@@ -827,6 +850,10 @@ static void run_devices(void)
       converter->data =
          number(node->words + 2 * converter->channel, 2) & 0xFFF;
    }
+   if (node->watched && !node->held && node->watchdog <= now()) {
+      node->watched = false;
+      node->bites = true;
+   }
    while (node->characters > 0 && node->coming[0].time <= now()) {
       receive(&node->line, &node->coming[0]);
       memmove(node->coming, node->coming + 1,
@@ -852,6 +879,7 @@ static void run(uint64_t until)
       sooner(&next, node->clock.runs, node->clock.next);
       sooner(&next, node->converter.converting, node->converter.done);
       sooner(&next, node->characters > 0, node->coming[0].time);
+      sooner(&next, node->watched, node->watchdog);
       if (next <= node->time)
          next = node->time + 1;
       executing = true;

@@ -75,6 +75,9 @@ package body Targets is
    Servos : Devices.PWM_Board.Data_Area
    with Import, Volatile, Address => To_Address (16#F2_0000#);
 
+   Watchdog : Board_Word
+   with Import, Address => To_Address (16#F4_0000#);
+
    --  The emulator's registers
 
    type Emulator_Board is limited record
@@ -235,6 +238,11 @@ package body Targets is
    begin
       Converter.Channel := Board_Word (Channel);
    end Convert;
+
+   procedure Feed_Watchdog is
+   begin
+      Watchdog := 0;
+   end Feed_Watchdog;
 
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
    begin
