@@ -28,7 +28,8 @@ package MC68681.Channels with SPARK_Mode is
 
       --  The sender takes a character now.
       Sender_Is_Free : Boolean;
-   end record;
+   end record
+   with Alignment => 2;
 
    function Is_Damaged (Result : Reception) return Boolean is
      (Result.Wrong_Parity or else Result.Wrong_Framing

@@ -156,7 +156,8 @@ package MC68681 with Pure, SPARK_Mode is
       Wrong_Parity  : Boolean := False;
       Wrong_Framing : Boolean := False;
       Is_Break      : Boolean := False;
-   end record;
+   end record
+   with Alignment => 2;
 
    --  Numbers of events; they wrap around, and are only compared.
    type Event_Number is new Unsigned_32;
