@@ -662,7 +662,7 @@ def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
         assert page.evaluate("[document.documentElement.scrollWidth,"
                              " document.documentElement.scrollHeight]") == [
             width, height]
-        assert overlaps(page) == []
+        assert overlaps(page) == [], width
         page.keyboard.press("c")
         inside = page.evaluate("""() => {
           const all = document.getElementById("orders");

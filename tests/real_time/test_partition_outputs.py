@@ -120,7 +120,7 @@ def test_rtp10_an_output_that_takes_nothing_holds_up_no_other(
     assert " takes nothing: " in said[0]
     if option != "--summary":
         summary = summary_in(tmp_path)
-        assert summary["frames"] == 75
+        assert summary["frames"] in (75, 76)
         assert summary["lost_outputs"] == [option]
     if option != "--record":
         rows = (tmp_path / "record").read_text("utf-8").splitlines()
