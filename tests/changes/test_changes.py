@@ -412,7 +412,7 @@ def replaced(path, line, other):
 # Unit tests of these count frames of 20 ms. The flight of this test shows
 # their times in seconds.
 COUNTED_IN_FRAMES = ("D-35", "EXT-2", "EXT-3", "EXT-5", "EXT-6", "EXT-8",
-                     "MBX-5", "SAF-10", "SEM-1")
+                     "FTI-1", "FTI-3", "FTI-4", "MBX-5", "SAF-10", "SEM-1")
 
 
 def test_frm7_frames_of_10_ms(hundred):
