@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Interfaces; use Interfaces;
+with Interfaces;                    use Interfaces;
+with Theorems.Seals.Uplink_Numbers; use Theorems.Seals.Uplink_Numbers;
 
 package body Theorems.Seals with SPARK_Mode is
 
@@ -42,34 +43,6 @@ package body Theorems.Seals with SPARK_Mode is
            Before.Bytes (Where) = After.Bytes (Where));
       pragma Assert (Before = After);
    end Tag_Leaves_The_Rest;
-
-   --  Consecutive numbers, up to the modulus, have different remainders, so
-   --  the latest with a remainder is the number.
-   procedure The_Latest_Is_It (Number, Modulus, Most : Counter)
-   with
-     Global => null,
-     Pre    =>
-       Modulus in Echo_Modulus | Number_Modulus
-       and then Number <= Most
-       and then Most - Number < Modulus
-       and then Most <= Counter'Last - Number_Modulus,
-     Post   => Last_With (Number mod Modulus, Modulus, Most) = Number;
-
-   procedure The_Latest_Is_It (Number, Modulus, Most : Counter) is
-      Of_Number : constant Counter := Number / Modulus;
-      Of_Most   : constant Counter := Most / Modulus;
-   begin
-      pragma Assert (Number = Modulus * Of_Number + Number mod Modulus);
-      pragma Assert (Most = Modulus * Of_Most + Most mod Modulus);
-      pragma Assert (Of_Number <= Of_Most);
-      pragma Assert
-        (if Of_Most > Of_Number + 1
-         then Modulus * Of_Most >= Modulus * Of_Number + 2 * Modulus);
-      pragma Assert (Of_Most in Of_Number .. Of_Number + 1);
-      pragma Assert
-        (if Of_Most = Of_Number + 1
-         then Modulus * Of_Most = Modulus * Of_Number + Modulus);
-   end The_Latest_Is_It;
 
    --  Four bytes hold a number.
    procedure Bytes_Determine (Number : Counter; Block : Block_Data)
@@ -121,57 +94,8 @@ package body Theorems.Seals with SPARK_Mode is
            = Byte (Word_At (Data, Words_Of (Sender)) mod 16));
    end Words_Come_Through;
 
-   --  Two values of six bits share a field.
-   procedure Halves_Of_A_Field (High, Low : Word)
-   with
-     Global => null,
-     Pre    => High < Number_Modulus and then Low < Number_Modulus,
-     Post   =>
-       (High * Number_Modulus + Low) / Number_Modulus = High
-       and then (High * Number_Modulus + Low) mod Number_Modulus = Low;
-
-   procedure Halves_Of_A_Field (High, Low : Word) is null;
-
-   --  The number and the echo of an uplink and of a downlink are those with
-   --  which it was sealed
-
-   procedure Uplink_Determines
-     (Block  : Block_Data;
-      Number : Counter;
-      Echo   : Counter;
-      Theirs : Session)
-   with
-     Global => null,
-     Pre    =>
-       Field_At (Block, Uplink_Words) =
-         Field_Of (Block, Ground, Number, Echo, Uplink_Words)
-       and then Number <= Latest (Theirs)
-       and then Latest (Theirs) - Number < Number_Modulus
-       and then Echo <= Theirs.Age
-       and then (Echo = 0 or else Theirs.Age - Echo < Echo_Modulus),
-     Post   =>
-       Number_Of (Block, Ground, Theirs) = Number
-       and then Echo_Of (Block, Ground, Theirs) = Echo;
-
-   procedure Uplink_Determines
-     (Block  : Block_Data;
-      Number : Counter;
-      Echo   : Counter;
-      Theirs : Session)
-   is
-      Last : constant Field := Field_At (Block, Uplink_Words);
-   begin
-      Halves_Of_A_Field (Word (Number mod Number_Modulus), Code_Of (Echo));
-      pragma Assert
-        (Counter (Last / Number_Modulus) = Number mod Number_Modulus);
-      pragma Assert (Last mod Number_Modulus = Code_Of (Echo));
-      The_Latest_Is_It (Number, Number_Modulus, Latest (Theirs));
-      pragma Assert (Uplink_Number (Block, Latest (Theirs)) = Number);
-      if Echo > 0 then
-         The_Latest_Is_It (Echo, Echo_Modulus, Theirs.Age);
-      end if;
-   end Uplink_Determines;
-
+   --  The number and the echo of a downlink are those with which it was
+   --  sealed.
    procedure Downlink_Determines
      (Block  : Block_Data;
       Number : Counter;
