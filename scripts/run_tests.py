@@ -57,7 +57,7 @@ LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
 # counts frames, not time. Those of the ground station have a browser.
 LIVE_AT_ONCE = {"real_time": "6", "ground": "4"}
 
-# Of other tests one more than there are processors: some wait.
+# The other tests run one more than there are processors: some of them wait.
 ONE_MORE = str(len(os.sched_getaffinity(0)) + 1)
 
 BROKEN = (0, 1, 0)

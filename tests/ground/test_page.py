@@ -250,7 +250,7 @@ def test_gnd7_the_laws_report_is_on_the_page(station, pages):
         0x2133, 0, 1 << laws.SENSORS.index("airspeed") - 16, 30,
         1 << laws.SURFACES.index("left_aileron"))
     page.locator("#laws.warning", has_text="\u25b2 HOLDING").wait_for()
-    # What the page does not show while frames are late comes back with them.
+    # While frames are late the page hides this; it comes back with them.
     until(lambda: page.locator("#speed .doubt").inner_text()
           == "\u25c6 airspeed not valid"
           and page.locator(".has_failed output").evaluate_all(

@@ -16,7 +16,7 @@ package MC68681.Channels with SPARK_Mode is
       Framing_Errors : Count := 0;   --  with breaks
    end record;
 
-   --  What one call of Receive has found. Overrun: characters were lost since
+   --  The result of one call of Receive. Overrun: characters were lost since
    --  the last report of an overrun. They would have come after this one and
    --  others that the receiver holds.
    type Reception is record

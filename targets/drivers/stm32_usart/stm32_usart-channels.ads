@@ -16,7 +16,7 @@ package STM32_USART.Channels with SPARK_Mode is
       Noisy          : Count := 0;
    end record;
 
-   --  What one call of Receive has found. Overrun: characters were lost since
+   --  The result of one call of Receive. Overrun: characters were lost since
    --  the last report of an overrun. It may come without a character.
    type Reception is record
       Is_There      : Boolean := False;
