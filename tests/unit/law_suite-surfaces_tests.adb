@@ -34,6 +34,7 @@ package body Surfaces_Tests is
    procedure Engine_Does_Not;
    procedure Engine_Held;
    procedure Engine_Unknown;
+   procedure Equality;
 
    --  A textbook servo: a lag of 0.1 s and a rate limit, in steps of 2 ms. Its
    --  words of a frame act from 4 ms after the scan on. It may be faster or
@@ -527,6 +528,36 @@ package body Surfaces_Tests is
          1_024);
    end Engine_Unknown;
 
+   --  The equality names each component (URV.Surface_Monitor).
+   procedure Equality is
+      One : constant Monitor := (others => <>);
+
+      procedure Expect_Other (Name : String; Other : Monitor);
+
+      procedure Expect_Other (Name : String; Other : Monitor) is
+      begin
+         Expect (Name, One = Other, False);
+         Expect (Name & ", itself", Other = Other, True);
+      end Expect_Other;
+
+   begin
+      Expect_Other
+        ("Ranges", (One with delta Ranges => (others => (1, 2))));
+      Expect_Other ("Doubts", (One with delta Doubts => (others => 1)));
+      Expect_Other ("Failed", (One with delta Failed => (others => True)));
+      Expect_Other ("Places", (One with delta Places => (others => 1)));
+      Expect_Other ("Sent", (One with delta Sent => (others => 1)));
+      Expect_Other
+        ("Sent_Before", (One with delta Sent_Before => (others => 1)));
+      Expect_Other
+        ("Sent_First", (One with delta Sent_First => (others => 1)));
+      Expect_Other ("Unknown", (One with delta Unknown => 0));
+      Expect_Other
+        ("Engine",
+         (One with delta Engine => (One.Engine with delta Failed => True)));
+      Expect_Other ("Power", (One with delta Power => 1));
+   end Equality;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add (Suite, "EXT-6 surfaces that follow are not named, whatever moves",
@@ -556,6 +587,8 @@ package body Surfaces_Tests is
            Engine_Held'Access);
       Add (Suite, "EXT-6 no engine is reported on the ground or unseen",
            Engine_Unknown'Access);
+      Add (Suite, "EXT-6 monitors with one other component are not equal",
+           Equality'Access);
    end Add_To;
 
 end Surfaces_Tests;
