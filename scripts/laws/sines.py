@@ -56,7 +56,7 @@ package URV.Signal_Tables with Pure, SPARK_Mode is
    Powers : constant Power_Table :=
      ({power_rows});
 
-   --  The share of each of so many sines, with Schroeder's phases.
+   --  The share of each sine in their sum, with Schroeder's phases.
    Share_Unit : constant := {share_unit};
 
    subtype Sine_Count is Integer range 1 .. {most};

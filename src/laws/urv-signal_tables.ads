@@ -60,7 +60,7 @@ package URV.Signal_Tables with Pure, SPARK_Mode is
       3298, 3334, 3371, 3407, 3444, 3482, 3520, 3558, 3597, 3636, 3676,
       3716, 3756, 3797, 3838, 3880, 3922, 3965, 4008, 4052, 4096);
 
-   --  The share of each of so many sines, with Schroeder's phases.
+   --  The share of each sine in their sum, with Schroeder's phases.
    Share_Unit : constant := 256;
 
    subtype Sine_Count is Integer range 1 .. 12;
