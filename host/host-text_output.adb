@@ -29,6 +29,9 @@ package body Host.Text_Output is
    --  Closes the output after a failed system call.
    procedure Lose (To : in out Writer);
 
+   --  Ends the file there; nothing of a longer previous version is left.
+   procedure Shorten (To : in out Writer; Length : Long_Long_Integer);
+
    function Any_Lost return Boolean is (Has_Lost);
 
    function Loss (To : Writer) return String is
@@ -80,15 +83,30 @@ package body Host.Text_Output is
       end if;
    end Restart;
 
-   procedure End_Version (To : in out Writer) is
-      Missing : constant Long_Long_Integer :=
-        To.Longest - To.Length - Long_Long_Integer (To.Last);
+   procedure Shorten (To : in out Writer; Length : Long_Long_Integer) is
    begin
-      for Blank in 1 .. Missing loop
+      if To.State = Written and then To.Longest > Length then
+         if Truncate (To.File, Length) = 0 then
+            To.Length  := Length;
+            To.Longest := Length;
+         else
+            Lose (To);
+         end if;
+      end if;
+   end Shorten;
+
+   procedure End_Version (To : in out Writer) is
+      Length : constant Long_Long_Integer :=
+        To.Length + Long_Long_Integer (To.Last);
+   begin
+      --  Who reads the file before it is shortened sees blanks, not the rest
+      --  of the previous version.
+      for Blank in Length + 1 .. To.Longest loop
          exit when Is_Lost (To);
          Put (To, ' ');
       end loop;
       Flush (To);
+      Shorten (To, Length);
    end End_Version;
 
    procedure Attach
@@ -236,16 +254,12 @@ package body Host.Text_Output is
       if Is_Open (To) then
          Flush (To);
       end if;
+      Shorten (To, To.Length);
       if To.State = Written then
-         if To.Longest > To.Length and then Truncate (To.File, To.Length) /= 0
-         then
+         GNAT.OS_Lib.Close (To.File, Is_Closed);
+         To.File := GNAT.OS_Lib.Invalid_FD;
+         if not Is_Closed then
             Lose (To);
-         else
-            GNAT.OS_Lib.Close (To.File, Is_Closed);
-            To.File := GNAT.OS_Lib.Invalid_FD;
-            if not Is_Closed then
-               Lose (To);
-            end if;
          end if;
       end if;
       To.State := Closed;

@@ -100,8 +100,7 @@ package Host.Text_Output is
    procedure Restart (To : in out Writer)
      with Pre => Is_Open (To) and then Can_Restart (To);
 
-   --  Writes the rest of a version and fills with blanks up to the length of a
-   --  longer previous version.
+   --  Writes the rest of a version. The file then holds that version only.
    procedure End_Version (To : in out Writer)
      with Pre => Is_Open (To);
 

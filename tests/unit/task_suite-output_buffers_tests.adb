@@ -1,7 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with GNAT.OS_Lib; use GNAT.OS_Lib;
+
 with Checks;                    use Checks;
 with Expectations;              use Expectations;
+with Host.Text_Output;          use Host.Text_Output;
 with Partitions.Output_Buffers; use Partitions.Output_Buffers;
 
 separate (Task_Suite)
@@ -11,6 +14,7 @@ package body Output_Buffers_Tests is
    procedure In_Order_And_Whole;
    procedure The_Newest_Version;
    procedure Closed_When_Written;
+   procedure A_Shorter_Version;
 
    --  Far too large for the stack.
    Item : array (1 .. 3) of Buffer;
@@ -107,6 +111,46 @@ package body Output_Buffers_Tests is
       Expect_Number ("nothing waits", This.Waiting, 0);
    end Closed_When_Written;
 
+   procedure A_Shorter_Version is
+      Versions : constant array (1 .. 3) of Positive := (7, 2, 9);
+      To       : Writer;
+      File     : File_Descriptor;
+      Name     : Temp_File_Name;
+      Deleted  : Boolean;
+
+      --  The file's contents, as another program reads them.
+      function Contents return String;
+
+      function Contents return String is
+         Reader : constant File_Descriptor := Open_Read (Name, Binary);
+         Item   : String (1 .. 20);
+         Count  : Integer;
+      begin
+         Count := Read (Reader, Item'Address, Item'Length);
+         Close (Reader);
+         return Item (1 .. Count);
+      end Contents;
+
+   begin
+      Create_Temp_File (File, Name);
+      Attach (To, File, "a test's file", Is_Rewritten => True);
+      for Length of Versions loop
+         Restart (To);
+         Put (To, (1 .. Length => 'x'));
+         End_Version (To);
+         Expect
+           ("the file is the version of" & Length'Image & " characters",
+            Contents = (1 .. Length => 'x'), True);
+      end loop;
+      Restart (To);
+      Put (To, "end");
+      Close (To);
+      Expect ("so it is when closed", Contents = "end", True);
+      Expect ("nothing is lost", Is_Lost (To), False);
+      Delete_File (Name, Deleted);
+      Expect ("the test leaves nothing", Deleted, True);
+   end A_Shorter_Version;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add (Suite, "RTP-10 rows wait in their order, whole or not at all",
@@ -115,6 +159,8 @@ package body Output_Buffers_Tests is
            The_Newest_Version'Access);
       Add (Suite, "RTP-10 an output is closed when all of it is written",
            Closed_When_Written'Access);
+      Add (Suite, "RTP-10 a shorter version leaves nothing of a longer one",
+           A_Shorter_Version'Access);
    end Add_To;
 
 end Output_Buffers_Tests;
