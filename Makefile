@@ -112,7 +112,7 @@ trace:
 	@.venv/bin/python scripts/trace/run.py export
 
 clean:
-	@rm -rf obj bin flight evidence/bench/results.json campaign trace coverage
+	@rm -rf obj bin flight campaign trace coverage
 
 # Targets of evidence can be called from here, too.
 .DEFAULT:

@@ -5,7 +5,7 @@
 # Nothing is fetched whose hash is not in this repository, but Debian's packages,
 # which are signed, and Maven's own plug-ins (SEC-17).
 #
-#   scripts/setup.sh fly|ground|page|test|check|prove|size|bench|campaign|
+#   scripts/setup.sh fly|ground|page|test|check|prove|size|campaign|
 #                    explore|fuzz|trace|mutate|real_time|timing|coverage|
 #                    independence|monte_carlo|margins|cortex_m|mc68000
 #
@@ -91,9 +91,6 @@ case $target in
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    margins)
           packages="$build python3 python3-venv"
-          requirements="sim/jsbsim/requirements.txt
-                        evidence/laws/requirements.txt" ;;
-   bench) packages="$build gcc g++ python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt
                         evidence/laws/requirements.txt" ;;
    campaign)
@@ -216,7 +213,7 @@ require_commands ()
 # GNAT's run-time system gives threads of root priorities without looking
 # whether it may: a program with tasks would wait for ever.
 case $target in
-   ground | page | test | bench | real_time | timing | coverage | \
+   ground | page | test | real_time | timing | coverage | \
    independence)
       if [ "$(id -u)" -eq 0 ] && command -v chrt >/dev/null 2>&1 &&
          ! chrt -f 1 true 2>/dev/null; then
