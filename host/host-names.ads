@@ -5,6 +5,7 @@
 
 with URV.CORE_Memory; use URV.CORE_Memory;
 with URV.Errors;      use URV.Errors;
+with URV.Law_Status;
 with URV.Laws;        use URV.Laws;
 with URV.Link_Loss;   use URV.Link_Loss;
 
@@ -61,16 +62,16 @@ package Host.Names is
          when Idle          => "idle");
    function Label (State : Link_State) return String;
 
-   --  The names of the words in the laws' row (URV.Law_Status); empty for the
-   --  unused one.
-   function Law_Word_Name (Which : Log_Field) return String is
+   --  The names of the words in the laws' report; empty for the age, which no
+   --  page shows.
+   function Law_Word_Name (Which : URV.Law_Status.Report_Item) return String is
      (case Which is
-         when Occurrences_High => "modes",
-         when Occurrences_Low  => "invalid_low",
-         when First_Frame_High => "invalid_high",
-         when First_Frame_Low  => "silent",
-         when Last_Frame_High  => "failed",
-         when Last_Frame_Low   => "",
-         when Last_Detail      => "configuration");
+         when URV.Law_Status.Active        => "modes",
+         when URV.Law_Status.Invalid_Low   => "invalid_low",
+         when URV.Law_Status.Invalid_High  => "invalid_high",
+         when URV.Law_Status.Silent        => "silent",
+         when URV.Law_Status.Failed        => "failed",
+         when URV.Law_Status.Age           => "",
+         when URV.Law_Status.Configuration => "configuration");
 
 end Host.Names;

@@ -6,7 +6,7 @@ with Ada.Strings.Fixed; use Ada.Strings, Ada.Strings.Fixed;
 with Host.Limits;      use Host.Limits;
 with Host.Names;       use Host.Names;
 with Host.Text_Output; use Host.Text_Output;
-with URV.CORE_Memory;  use URV.CORE_Memory;
+with URV.Law_Status;
 
 package body Host.Scaling is
 
@@ -135,10 +135,11 @@ package body Host.Scaling is
             (if Item in Servo_Item
              then Columns (Servos (Item)) else Without_Scale));
       end loop;
-      for Word in Log_Field loop
+      for Word in URV.Law_Status.Report_Item loop
          if Law_Word_Name (Word) /= "" then
             Put_Item
-              (Law_Word_Name (Word), "laws", Log_Field'Pos (Word),
+              (Law_Word_Name (Word), "laws",
+               URV.Law_Status.Report_Item'Pos (Word),
                Without_Scale);
          end if;
       end loop;

@@ -129,24 +129,24 @@ package body Partitions.Aircraft is
       else "");
 
    procedure Append_Laws (To : in out Row) is
-      use URV.CORE_Memory;
+      use URV.Law_Status;
 
-      Kept  : constant URV.LAW_Steps.Kept := MCS.Law_Memory.Contents;
-      Log   : constant Log_Row :=
-        URV.Law_Status.To_Row
+      Kept   : constant URV.LAW_Steps.Kept := MCS.Law_Memory.Contents;
+      Status : constant Report :=
+        Report_Of
           (Kept.Flown, URV.Surface_Monitor.Failed_Bits (Kept.Watched),
            Kept.Set);
-      Modes : Word := Log (Occurrences_High);
+      Rest   : Word := Status (Active);
    begin
       if MCS.Law_Settings.Contents.On then
          for Part in 1 .. 4 loop
-            Append (To, Number (Modes mod 16));
-            Modes := Modes / 16;
+            Append (To, Number (Rest mod 16));
+            Rest := Rest / 16;
          end loop;
-         for Word of Log (Occurrences_Low .. Last_Frame_High) loop
-            Append (To, Number (Word));
+         for Item in Invalid_Low .. Failed loop
+            Append (To, Number (Status (Item)));
          end loop;
-         Append (To, Number (Log (Last_Detail)));
+         Append (To, Number (Status (Configuration)));
       end if;
    end Append_Laws;
 

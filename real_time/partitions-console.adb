@@ -224,15 +224,15 @@ package body Partitions.Console is
       & ",laws.told_silent,laws.told_failed,laws.told_configuration");
 
    procedure Append_Laws (To : in out Row) is
-      use URV.CORE_Memory;
+      use URV.Law_Status;
 
-      Reported : constant Log_Row :=
-        GSC.CORE_Memory.Contents.Aircraft_Log (URV.Law_Status.Row_Number);
+      Status : constant Report :=
+        From_Row (GSC.CORE_Memory.Contents.Aircraft_Log (Row_Number));
    begin
-      for Word of Reported (Occurrences_High .. Last_Frame_High) loop
-         Append (To, Number (Word));
+      for Item in Active .. Failed loop
+         Append (To, Number (Status (Item)));
       end loop;
-      Append (To, Number (Reported (Last_Detail)));
+      Append (To, Number (Status (Configuration)));
    end Append_Laws;
 
    function Recorded return Sticks is (In_Row);

@@ -382,16 +382,18 @@ package body Sim.Flight is
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown,
              Has_Laws     => Chosen.Laws,
-             Laws         => URV.Law_Status.To_Row
+             Laws         => URV.Law_Status.Report_Of
                                (Nodes.Laws, Nodes.Failed_Surfaces,
                                 Nodes.Configured),
-             Reported_Laws    => Nodes.CORE (Ground).Aircraft_Log
-                               (URV.Law_Status.Row_Number),
+             Reported_Laws    => URV.Law_Status.From_Row
+                               (Nodes.CORE (Ground).Aircraft_Log
+                                  (URV.Law_Status.Row_Number)),
              Has_Orders   => Is_Given (Chosen, Orders_Option),
              Has_Cards    => Ground_Orders.Has_Cards (Orders),
              Cards        => Nodes.Cards,
-             Cards_Told   => Nodes.CORE (Ground).Aircraft_Log
-                               (URV.Card_Status.Row_Number)));
+             Cards_Told   => URV.Card_Status.From_Row
+                               (Nodes.CORE (Ground).Aircraft_Log
+                                  (URV.Card_Status.Row_Number))));
       end if;
 
       if Is_Given (Chosen, Pilot_Option) then
@@ -507,8 +509,9 @@ package body Sim.Flight is
 
    procedure Report_Failed_Surfaces (Further : in out Summary.Result) is
       Bits : Word :=
-        Nodes.CORE (Ground).Aircraft_Log (URV.Law_Status.Row_Number)
-          (Last_Frame_High);
+        URV.Law_Status.From_Row
+          (Nodes.CORE (Ground).Aircraft_Log (URV.Law_Status.Row_Number))
+          (URV.Law_Status.Failed);
    begin
       for Item in URV.Surfaces.Surface loop
          if Bits mod 2 = 1 then

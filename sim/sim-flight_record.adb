@@ -6,6 +6,7 @@ with Host.Names;        use Host.Names;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Host.Text_Output;  use Host.Text_Output;
 with Host.Truth_Columns;
+with URV.Law_Status;    use URV.Law_Status;
 with URV.Test_Cards;    use URV.Test_Cards;
 with URV.Test_Inputs;   use URV.Test_Inputs;
 
@@ -55,9 +56,6 @@ package body Sim.Flight_Record is
    function Name (Which : Test_Surface) return String is
      (To_Lower (Test_Surface'Image (Which)));
 
-   function Name (Which : Log_Field) return String is
-     (Character'Val (Character'Pos ('1') + Log_Field'Pos (Which)) & "");
-
    --  Inputs as the words that a centred servo has with them.
    type Added_Words is array (Test_Surface) of Word;
    package Added_Columns is new Columns
@@ -67,10 +65,15 @@ package body Sim.Flight_Record is
      (for Which in Test_Surface =>
         Word (Integer (Neutral_Value) + Added (Which)));
 
-   --  The words of a row with a part of a card, after that with the state.
-   subtype Part_Field is Log_Field range Occurrences_Low .. Last_Detail;
-   type Parts is array (Part_Field) of Word;
-   package Card_Columns is new Columns (Part_Field, Word, Parts);
+   --  The words of a report of the cards after the state, by their places.
+   subtype Part_Item is URV.Card_Status.Report_Item
+     range URV.Card_Status.Frame .. URV.Card_Status.Word_4;
+   type Parts is array (Part_Item) of Word;
+
+   function Name (Which : Part_Item) return String is
+     (Character'Val (Character'Pos ('1') + Part_Item'Pos (Which)) & "");
+
+   package Card_Columns is new Columns (Part_Item, Word, Parts);
 
    --  The state of the test cards.
    procedure Put_Run (To : in out Writer; This : URV.Test_Runs.Run);
@@ -103,17 +106,17 @@ package body Sim.Flight_Record is
    end Put_Time;
 
    --  The columns of the laws except the last.
-   procedure Put_Laws (To : in out Writer; Laws : Log_Row);
+   procedure Put_Laws (To : in out Writer; Laws : Report);
 
-   procedure Put_Laws (To : in out Writer; Laws : Log_Row) is
-      Modes : Word := Laws (Occurrences_High);
+   procedure Put_Laws (To : in out Writer; Laws : Report) is
+      Rest : Word := Laws (Active);
    begin
       for Part in 1 .. 4 loop
          Put (To, ',');
-         Put (To, Number (Modes mod 16));
-         Modes := Modes / 16;
+         Put (To, Number (Rest mod 16));
+         Rest := Rest / 16;
       end loop;
-      for Which in Occurrences_Low .. First_Frame_Low loop
+      for Which in Invalid_Low .. Silent loop
          Put (To, ',');
          Put (To, Number (Laws (Which)));
       end loop;
@@ -172,24 +175,24 @@ package body Sim.Flight_Record is
       if This.Has_Laws then
          Put_Laws (To, This.Laws);
          Put (To, ',');
-         Put (To, Number (This.Reported_Laws (Occurrences_High)));
+         Put (To, Number (This.Reported_Laws (Active)));
          Put (To, ',');
-         Put (To, Number (This.Laws (Last_Frame_High)));
+         Put (To, Number (This.Laws (Failed)));
          Put (To, ',');
-         Put (To, Number (This.Reported_Laws (Last_Frame_High)));
+         Put (To, Number (This.Reported_Laws (Failed)));
          if This.Has_Orders then
             Put (To, ',');
-            Put (To, Number (This.Laws (Last_Detail)));
+            Put (To, Number (This.Laws (Configuration)));
             Put (To, ',');
-            Put (To, Number (This.Reported_Laws (Last_Detail)));
+            Put (To, Number (This.Reported_Laws (Configuration)));
          end if;
          if This.Has_Cards then
             Put_Run (To, This.Cards.Run);
             Put (To, ',');
-            Put (To, Number (This.Cards_Told (Occurrences_High)));
+            Put (To, Number (This.Cards_Told (URV.Card_Status.State)));
             Added_Columns.Put_Values (To, Words_Of (This.Cards.Run.Added));
             Card_Columns.Put_Values
-              (To, Parts (This.Cards_Told (Part_Field)));
+              (To, Parts (This.Cards_Told (Part_Item)));
          end if;
       end if;
       New_Line (To);

@@ -6,7 +6,8 @@
 with Host.Plant_Messages; use Host.Plant_Messages;
 with Host.Text_Output;
 with URV.Buffers;         use URV.Buffers;
-with URV.CORE_Memory;     use URV.CORE_Memory;
+with URV.Card_Status;
+with URV.Law_Status;
 with URV.Test_Runs;
 with URVOS;               use URVOS;
 
@@ -29,20 +30,20 @@ package Sim.Flight_Record is
       Has_Truth    : Boolean;
       Truth        : Shown_State;
 
-      --  With control laws, their status row, in the aircraft and as the
-      --  ground knows it.
+      --  With control laws, their report, in the aircraft and as the ground
+      --  knows it.
       Has_Laws         : Boolean;
-      Laws             : Log_Row;
-      Reported_Laws    : Log_Row;
+      Laws             : URV.Law_Status.Report;
+      Reported_Laws    : URV.Law_Status.Report;
 
       --  With orders of the ground, the settings, too.
       Has_Orders   : Boolean;
 
-      --  With test cards among them, their state and inputs, and the row of
-      --  the log with them as the ground knows it.
+      --  With test cards among them, their state and inputs, and their report
+      --  as the ground knows it.
       Has_Cards    : Boolean;
       Cards        : URV.Test_Runs.Aboard;
-      Cards_Told   : Log_Row;
+      Cards_Told   : URV.Card_Status.Report;
    end record;
 
    --  Writes the line with the names of the columns.

@@ -1,16 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The test cards' report to the ground (FTI-2): a row of the aircraft's log
---  that belongs to no error, sent in turn with the laws' row once a card has
---  been taken. Part after part, it repeats all cards word for word.
---
---  word 1  the chosen slot, the running one, the last one, and the place of
---          its state in URV.Test_Runs.Verdict, each in four bits from the
---          lowest
---  word 2  the frame of the running card, from 0
---  word 3  slot * 16 + part of the following words, part 0 to 2
---  word 4  words 4 * part + 1 to 4 * part + 4 of that card, 0 after its last
---  to 7    one
+--  The test cards' report to the ground (FTI-2): a row of the aircraft's log,
+--  sent in turn with the laws' report once a card has been taken. Part after
+--  part, it repeats all cards word for word.
 
 with URVOS;           use URVOS;
 with URV.CORE_Memory; use URV.CORE_Memory;
@@ -19,7 +11,42 @@ with URV.Test_Runs;   use URV.Test_Runs;
 
 package URV.Card_Status with Pure, SPARK_Mode is
 
+   --  The words of the report.
+   --
+   --  State: the chosen slot, the running one, the last one, and the place of
+   --  its state in URV.Test_Runs.Verdict, each in four bits from the lowest.
+   --  Frame: the frame of the running card, from 0.
+   --  Part: slot * 16 + part of the following words, part 0 to 2.
+   --  Word_1 to Word_4: words 4 * part + 1 to 4 * part + 4 of that card, 0
+   --  after its last one.
+   type Report_Item is (State, Frame, Part, Word_1, Word_2, Word_3, Word_4);
+   type Report is array (Report_Item) of Word;
+
+   --  Its row in the log, and the report in that row.
+
    Row_Number : constant Log_Row_Number := Log_Row_Number'Last - 1;
+
+   function To_Row (Item : Report) return Log_Row is
+     (Occurrences_High => Item (State),
+      Occurrences_Low  => Item (Frame),
+      First_Frame_High => Item (Part),
+      First_Frame_Low  => Item (Word_1),
+      Last_Frame_High  => Item (Word_2),
+      Last_Frame_Low   => Item (Word_3),
+      Last_Detail      => Item (Word_4))
+   with Global => null;
+
+   function From_Row (Row : Log_Row) return Report is
+     (State  => Row (Occurrences_High),
+      Frame  => Row (Occurrences_Low),
+      Part   => Row (First_Frame_High),
+      Word_1 => Row (First_Frame_Low),
+      Word_2 => Row (Last_Frame_High),
+      Word_3 => Row (Last_Frame_Low),
+      Word_4 => Row (Last_Detail))
+   with
+     Global => null,
+     Post   => To_Row (From_Row'Result) = Row;
 
    Words_A_Part : constant := 4;
 
@@ -56,15 +83,14 @@ package URV.Card_Status with Pure, SPARK_Mode is
      Global => null,
      Pre    => Place < Words_A_Part;
 
-   function To_Row (This : Aboard; Part : Part_Number) return Log_Row is
-     (Occurrences_High => State_Word (This.Run),
-      Occurrences_Low  => Word (This.Run.Frame),
-      First_Frame_High =>
-        16 * Word (Slot_Of (Part)) + Word (Part mod 3),
-      First_Frame_Low  => Word_Of (This, Part, 0),
-      Last_Frame_High  => Word_Of (This, Part, 1),
-      Last_Frame_Low   => Word_Of (This, Part, 2),
-      Last_Detail      => Word_Of (This, Part, 3))
+   function Report_Of (This : Aboard; Number : Part_Number) return Report is
+     (State  => State_Word (This.Run),
+      Frame  => Word (This.Run.Frame),
+      Part   => 16 * Word (Slot_Of (Number)) + Word (Number mod 3),
+      Word_1 => Word_Of (This, Number, 0),
+      Word_2 => Word_Of (This, Number, 1),
+      Word_3 => Word_Of (This, Number, 2),
+      Word_4 => Word_Of (This, Number, 3))
    with Global => null;
 
 end URV.Card_Status;

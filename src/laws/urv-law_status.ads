@@ -1,23 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The control laws' report to the ground (EXT-3, EXT-5): a row of the
---  aircraft's log that belongs to no error. It is sent like the log, a byte a
---  downlink (SAF-7), and appears in the ground's CORE memory.
---
---  word 1  active modes: lateral, vertical, power, each in four bits from the
---          lowest, then the link's state; places in their lists, from 0
---  word 2  invalid sensors, the first 16 of the downlink, the first in bit 0
---  word 3  the other sensors
---  word 4  the link's silent frames, at most 65535
---
---  word 5  failed surfaces, in the order of URV.Surfaces, the first in bit 0;
---          the throttle in bit 10
---
---  word 6  the node's age: major frames since its cold start, divided by 16,
---          modulo 65536 (GND-45)
---
---  word 7  the serial number of the configuration that was taken last, above
---          four bits with its table of gains (EXT-2); 0 for none
+--  The control laws' report to the ground (EXT-3, EXT-5). It is sent like the
+--  log, a byte a downlink (SAF-7), and appears in the ground's CORE memory, in
+--  the last row of the aircraft's log.
 
 with URVOS;             use URVOS;
 with URVOS.Frames;      use URVOS.Frames;
@@ -29,7 +14,48 @@ with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Law_Status with Pure, SPARK_Mode is
 
+   --  The words of the report.
+   --
+   --  Active: the modes, lateral, vertical, power, each in four bits
+   --  from the lowest, then the link's state; places in their lists, from 0.
+   --  Invalid_Low: invalid sensors, the first 16 of the downlink, the first in
+   --  bit 0. Invalid_High: the other sensors.
+   --  Silent: the link's silent frames, at most 65535.
+   --  Failed: failed surfaces, in the order of URV.Surfaces, the first in
+   --  bit 0; the throttle in bit 10.
+   --  Age: major frames since the node's cold start, divided by 16, modulo
+   --  65536 (GND-45).
+   --  Configuration: the serial number of the configuration that was taken
+   --  last, above four bits with its table of gains (EXT-2); 0 for none.
+   type Report_Item is
+     (Active, Invalid_Low, Invalid_High, Silent, Failed, Age, Configuration);
+   type Report is array (Report_Item) of Word;
+
+   --  Its row in the log, and the report in that row.
+
    Row_Number : constant Log_Row_Number := Log_Row_Number'Last;
+
+   function To_Row (Item : Report) return Log_Row is
+     (Occurrences_High => Item (Active),
+      Occurrences_Low  => Item (Invalid_Low),
+      First_Frame_High => Item (Invalid_High),
+      First_Frame_Low  => Item (Silent),
+      Last_Frame_High  => Item (Failed),
+      Last_Frame_Low   => Item (Age),
+      Last_Detail      => Item (Configuration))
+   with Global => null;
+
+   function From_Row (Row : Log_Row) return Report is
+     (Active        => Row (Occurrences_High),
+      Invalid_Low   => Row (Occurrences_Low),
+      Invalid_High  => Row (First_Frame_High),
+      Silent        => Row (First_Frame_Low),
+      Failed        => Row (Last_Frame_High),
+      Age           => Row (Last_Frame_Low),
+      Configuration => Row (Last_Detail))
+   with
+     Global => null,
+     Post   => To_Row (From_Row'Result) = Row;
 
    function Mode_Word (Item : Laws.Memory) return Word is
      (Lateral_Mode'Pos (Item.Flown.Lateral)
@@ -50,23 +76,23 @@ package URV.Law_Status with Pure, SPARK_Mode is
      (Word (Now / Ticks_Per_Age mod 2 ** Word'Size))
    with Global => null;
 
-   --  The row without the age.
-   function To_Row
-     (Item   : Laws.Memory;
-      Failed : Word;
-      Now    : Configurations.Setting) return Log_Row
+   --  The report without the age.
+   function Report_Of
+     (Flown    : Laws.Memory;
+      Failures : Word;
+      Set      : Configurations.Setting) return Report
    is
-     (Occurrences_High => Mode_Word (Item),
-      Occurrences_Low  => Invalid_Bits (Item.Checks, 0),
-      First_Frame_High => Invalid_Bits (Item.Checks, 1),
-      First_Frame_Low  => Silent_Word (Item),
-      Last_Frame_High  => Failed,
-      Last_Detail      => Configurations.Told (Now),
-      others           => 0)
+     (Active        => Mode_Word (Flown),
+      Invalid_Low   => Invalid_Bits (Flown.Checks, 0),
+      Invalid_High  => Invalid_Bits (Flown.Checks, 1),
+      Silent        => Silent_Word (Flown),
+      Failed        => Failures,
+      Age           => 0,
+      Configuration => Configurations.Told (Set))
    with Global => null;
 
-   function With_Age (Row : Log_Row; Now : Clock_Tick) return Log_Row is
-     ((Row with delta Last_Frame_Low => Age_Word (Now)))
+   function With_Age (Item : Report; Now : Clock_Tick) return Report is
+     ((Item with delta Age => Age_Word (Now)))
    with Global => null;
 
 end URV.Law_Status;

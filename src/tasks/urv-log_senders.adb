@@ -25,12 +25,14 @@ package body URV.Log_Senders with SPARK_Mode is
       Has_Cards := Card_Status.Has_Cards (Kept.Cards);
       Row :=
         (if Cards_Are_Next (Line, Has_Cards)
-         then Card_Status.To_Row (Kept.Cards, Line.Part)
-         else Law_Status.With_Age
-           (Law_Status.To_Row
-              (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched),
-               Kept.Set),
-            Time));
+         then Card_Status.To_Row
+           (Card_Status.Report_Of (Kept.Cards, Line.Part))
+         else Law_Status.To_Row
+           (Law_Status.With_Age
+              (Law_Status.Report_Of
+                 (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched),
+                  Kept.Set),
+               Time)));
    end Get_Laws_Row;
 
    procedure Next (Item : out Piece) is

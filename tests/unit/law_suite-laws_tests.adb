@@ -11,7 +11,7 @@ with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Law_Axes;
 with URV.Laws;          use URV.Laws;
 with URV.Law_Gains;
-with URV.Law_Status;
+with URV.Law_Status;    use URV.Law_Status;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.Sensor_Checks; use URV.Sensor_Checks;
 
@@ -63,8 +63,8 @@ package body Laws_Tests is
       Sensors  : Downlink_Buffer := Level);
 
    --  The ground's report of it.
-   function Status_Of (Item : URV.Laws.Memory) return Log_Row is
-     (URV.Law_Status.To_Row
+   function Status_Of (Item : URV.Laws.Memory) return Report is
+     (Report_Of
         (Item, 0, URV.Configurations.Nothing_Set));
 
    --  After more than one second of good scans.
@@ -411,7 +411,7 @@ package body Laws_Tests is
       Fly (Item, 1, With_On (Switch_2),
            (Level with delta Error_Status => Stale_Data));
       Expect ("then nobody but the pilot", Item.Flown = All_Direct, True);
-      Expect ("all sensors", Status_Of (Item) (Occurrences_Low),
+      Expect ("all sensors", Status_Of (Item) (Invalid_Low),
               16#FFFF#);
       Fly (Item, 3, With_On (Switch_2),
            (Level with delta Error_Status => Stale_Data));
@@ -629,15 +629,15 @@ package body Laws_Tests is
       Fly (Item, 300, Old);
       Fly (Item, 3, Old, Measuring (Yaw_Rate, 0));
       Expect ("orbit, altitude, airspeed, orbiting",
-              Status_Of (Item) (Occurrences_High), 16#3134#);
+              Status_Of (Item) (Active), 16#3134#);
       Expect ("yaw rate is bit 7 of the second",
-              Status_Of (Item) (First_Frame_High), 16#80#);
+              Status_Of (Item) (Invalid_High), 16#80#);
       Expect ("silent frames",
-              Status_Of (Item) (First_Frame_Low), 303);
+              Status_Of (Item) (Silent), 303);
 
       --  The count exceeds a word, and then its own limit.
       Item.Link.Silent := Frame_Count (Word'Last) + 1;
-      Expect ("silent for long", Status_Of (Item) (First_Frame_Low),
+      Expect ("silent for long", Status_Of (Item) (Silent),
               Word'Last);
       Item.Link.Silent := Frame_Count'Last;
       Fly (Item, 2, Old);

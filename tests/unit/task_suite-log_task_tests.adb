@@ -507,8 +507,9 @@ package body LOG_Task_Tests is
          end loop;
          Expect
            ("age in frame" & Frame'Image,
-            CORE.Contents.Aircraft_Log (URV.Law_Status.Row_Number)
-              (Last_Frame_Low),
+            URV.Law_Status.From_Row
+              (CORE.Contents.Aircraft_Log (URV.Law_Status.Row_Number))
+              (URV.Law_Status.Age),
             Age);
       end Expect_Age;
 

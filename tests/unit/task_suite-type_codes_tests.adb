@@ -369,7 +369,7 @@ package body Type_Codes_Tests is
    procedure Expect_Set (What : String; Is_Set : Boolean) is
       Now : constant Settings :=
         In_Force (MCS.Law_Settings.Contents, MCS.Law_Memory.Contents.Set);
-      Row : constant Log_Row := URV.Law_Status.To_Row
+      Status : constant URV.Law_Status.Report := URV.Law_Status.Report_Of
         (MCS.Law_Memory.Contents.Flown, 0,
          MCS.Law_Memory.Contents.Set);
    begin
@@ -382,7 +382,8 @@ package body Type_Codes_Tests is
         (What & ", end", Integer (Now.By.Terminate_At),
          (if Is_Set then 450 else 6_000));
       Expect
-        (What & ", told", Row (Last_Detail), (if Is_Set then 16#51# else 0));
+        (What & ", told", Status (URV.Law_Status.Configuration),
+         (if Is_Set then 16#51# else 0));
    end Expect_Set;
 
    procedure Taken_On_The_Ground is
