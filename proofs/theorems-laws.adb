@@ -45,12 +45,12 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Roll_Trim)
    is
       Step    : constant Positive :=
-        Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Angle;
+        Roll_Integrated * Gains_Of (Table).Bank_Integral_Gain / Per_Angle;
       Falling : constant Boolean :=
-        (for all Error of Errors => Error <= -Roll_Learnt)
+        (for all Error of Errors => Error <= -Roll_Integrated)
         and then not Output.Is_Low;
       Rising  : constant Boolean :=
-        (for all Error of Errors => Error >= Roll_Learnt)
+        (for all Error of Errors => Error >= Roll_Integrated)
         and then not Output.Is_High;
    begin
       After := Start;
@@ -63,7 +63,8 @@ package body Theorems.Laws with SPARK_Mode is
             then After >= Integer'Min
               (0, Start + (Frame - 1) * Step));
          After := Next_Roll_Trim
-           (After, Errors (Frame), Output, Gains_Of (Table).Bank_Learning);
+           (After, Errors (Frame), Output,
+            Gains_Of (Table).Bank_Integral_Gain);
       end loop;
    end Roll_Trim_Recovers;
 
@@ -75,12 +76,12 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Pitch_Trim)
    is
       Step    : constant Positive :=
-        Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Angle;
+        Pitch_Integrated * Gains_Of (Table).Pitch_Integral_Gain / Per_Angle;
       Falling : constant Boolean :=
-        (for all Error of Errors => Error <= -Pitch_Learnt)
+        (for all Error of Errors => Error <= -Pitch_Integrated)
         and then not Output.Is_Low;
       Rising  : constant Boolean :=
-        (for all Error of Errors => Error >= Pitch_Learnt)
+        (for all Error of Errors => Error >= Pitch_Integrated)
         and then not Output.Is_High;
    begin
       After := Start;
@@ -93,7 +94,8 @@ package body Theorems.Laws with SPARK_Mode is
             then After >= Integer'Min
               (0, Start + (Frame - 1) * Step));
          After := Next_Pitch_Trim
-           (After, Errors (Frame), Output, Gains_Of (Table).Pitch_Learning);
+           (After, Errors (Frame), Output,
+            Gains_Of (Table).Pitch_Integral_Gain);
       end loop;
    end Pitch_Trim_Recovers;
 
@@ -104,12 +106,12 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Height_Trim)
    is
       Step    : constant Positive :=
-        Height_Learnt * Height_Learning / Per_Climb;
+        Height_Integrated * Height_Integral_Gain / Per_Climb;
       Falling : constant Boolean :=
-        (for all Error of Errors => Error <= -Height_Learnt)
+        (for all Error of Errors => Error <= -Height_Integrated)
         and then not Output.Is_Low;
       Rising  : constant Boolean :=
-        (for all Error of Errors => Error >= Height_Learnt)
+        (for all Error of Errors => Error >= Height_Integrated)
         and then not Output.Is_High;
    begin
       After := Start;
@@ -132,7 +134,7 @@ package body Theorems.Laws with SPARK_Mode is
       After  : out Power_Trim)
    is
       Step    : constant Positive :=
-        Large_Speed_Error * Speed_Learning / Per_Speed;
+        Large_Speed_Error * Speed_Integral_Gain / Per_Speed;
       Falling : constant Boolean :=
         (for all Error of Errors => Error <= -Large_Speed_Error)
         and then not Output.Is_Low;
@@ -154,15 +156,15 @@ package body Theorems.Laws with SPARK_Mode is
    end Power_Trim_Recovers;
 
    procedure References_Arrive
-     (Bank, Bank_Target   : Reckoned;
-      Pitch, Pitch_Target : Nose;
+     (Bank, Bank_Target   : Bank_Command;
+      Pitch, Pitch_Target : Pitch_Command;
       Bank_After          : out Number;
       Pitch_After         : out Number)
    is
    begin
       Bank_After := Bank;
       for Frame in 1 .. Bank_Frames loop
-         pragma Loop_Invariant (Bank_After in Reckoned);
+         pragma Loop_Invariant (Bank_After in Bank_Command);
          pragma Loop_Invariant
            (abs (Bank_Target - Bank_After) <=
               Integer'Max
@@ -170,8 +172,8 @@ package body Theorems.Laws with SPARK_Mode is
          Bank_After := Stepped (Bank_After, Bank_Target, Bank_Slew);
       end loop;
       Pitch_After := Pitch;
-      for Frame in 1 .. Nose_Frames loop
-         pragma Loop_Invariant (Pitch_After in Nose);
+      for Frame in 1 .. Pitch_Command_Frames loop
+         pragma Loop_Invariant (Pitch_After in Pitch_Command);
          pragma Loop_Invariant
            (abs (Pitch_Target - Pitch_After) <=
               Integer'Max

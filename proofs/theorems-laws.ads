@@ -137,26 +137,27 @@ package Theorems.Laws with SPARK_Mode, Ghost is
    function Roll_Frames (Table : Table_Number) return Positive is
      (Frames_For
         (Roll_Trim_Most,
-         Roll_Learnt * Gains_Of (Table).Bank_Learning / Per_Angle))
+         Roll_Integrated * Gains_Of (Table).Bank_Integral_Gain / Per_Angle))
    with Global => null;
 
    --  250 frames with table 0, 500 with table 1.
    function Pitch_Frames (Table : Table_Number) return Positive is
      (Frames_For
         (Pitch_Trim_Most,
-         Pitch_Learnt * Gains_Of (Table).Pitch_Learning / Per_Angle))
+         Pitch_Integrated * Gains_Of (Table).Pitch_Integral_Gain / Per_Angle))
    with Global => null;
 
    --  500 frames.
    function Height_Frames return Positive is
      (Frames_For
-        (Height_Trim_Most, Height_Learnt * Height_Learning / Per_Climb))
+        (Height_Trim_Most,
+         Height_Integrated * Height_Integral_Gain / Per_Climb))
    with Global => null;
 
    --  854 frames.
    function Power_Frames return Positive is
      (Frames_For
-        (Power_Trim'Last, Large_Speed_Error * Speed_Learning / Per_Speed))
+        (Power_Trim'Last, Large_Speed_Error * Speed_Integral_Gain / Per_Speed))
    with Global => null;
 
    procedure Roll_Trim_Recovers
@@ -171,13 +172,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
        Errors'First = 1
        and then Errors'Last = Roll_Frames (Table)
        and then (for all Error of Errors =>
-                   Error in -Reckoned_Bank .. Reckoned_Bank),
+                   Error in -Largest_Bank .. Largest_Bank),
      Post   =>
-       (if (for all Error of Errors => Error <= -Roll_Learnt)
+       (if (for all Error of Errors => Error <= -Roll_Integrated)
           and then not Output.Is_Low
         then After <= 0)
        and then
-         (if (for all Error of Errors => Error >= Roll_Learnt)
+         (if (for all Error of Errors => Error >= Roll_Integrated)
             and then not Output.Is_High
           then After >= 0);
 
@@ -193,13 +194,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
        Errors'First = 1
        and then Errors'Last = Pitch_Frames (Table)
        and then (for all Error of Errors =>
-                   Error in -Reckoned_Bank .. Reckoned_Bank),
+                   Error in -Largest_Bank .. Largest_Bank),
      Post   =>
-       (if (for all Error of Errors => Error <= -Pitch_Learnt)
+       (if (for all Error of Errors => Error <= -Pitch_Integrated)
           and then not Output.Is_Low
         then After <= 0)
        and then
-         (if (for all Error of Errors => Error >= Pitch_Learnt)
+         (if (for all Error of Errors => Error >= Pitch_Integrated)
             and then not Output.Is_High
           then After >= 0);
 
@@ -215,11 +216,11 @@ package Theorems.Laws with SPARK_Mode, Ghost is
        and then Errors'Last = Height_Frames
        and then (for all Error of Errors => Error in -40_000 .. 40_000),
      Post   =>
-       (if (for all Error of Errors => Error <= -Height_Learnt)
+       (if (for all Error of Errors => Error <= -Height_Integrated)
           and then not Output.Is_Low
         then After <= 0)
        and then
-         (if (for all Error of Errors => Error >= Height_Learnt)
+         (if (for all Error of Errors => Error >= Height_Integrated)
             and then not Output.Is_High
           then After >= 0);
 
@@ -246,13 +247,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
    --  A moving reference reaches its target after at most 400 frames in bank
    --  and 113 in pitch. No integrator waits longer for it
 
-   Bank_Frames : constant := 2 * Reckoned_Bank / Bank_Slew;
-   Nose_Frames : constant :=
+   Bank_Frames          : constant := 2 * Largest_Bank / Bank_Slew;
+   Pitch_Command_Frames : constant :=
      (Highest_Pitch - Lowest_Pitch + Pitch_Slew - 1) / Pitch_Slew;
 
    procedure References_Arrive
-     (Bank, Bank_Target   : Reckoned;
-      Pitch, Pitch_Target : Nose;
+     (Bank, Bank_Target   : Bank_Command;
+      Pitch, Pitch_Target : Pitch_Command;
       Bank_After          : out Number;
       Pitch_After         : out Number)
    with

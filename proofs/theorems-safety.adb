@@ -124,6 +124,16 @@ package body Theorems.Safety with SPARK_Mode is
       pragma Assert (Packed_Switches (Commands) = 0);
       pragma Assert (Packed_Switches (Neutral_Uplink) = 0);
       for Name in PWM_Item loop
+         case Name is
+            when Throttle  =>
+               pragma Assert (Safe_Outputs (Name) = Converter_Value'First);
+            when Brake     =>
+               pragma Assert (Safe_Outputs (Name) = Converter_Value'Last);
+            when Discretes =>
+               pragma Assert (Safe_Outputs (Name) = 0);
+            when others    =>
+               pragma Assert (Safe_Outputs (Name) = Neutral_Value);
+         end case;
          pragma Assert (Safe (Name) = Safe_Outputs (Name));
          pragma Loop_Invariant
            (for all Earlier in PWM_Item'First .. Name =>

@@ -30,7 +30,7 @@ package Theorems.Surfaces with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Now.Failed = None or else not By_Law,
      Post   =>
-       Servos (Commands, Told_Of (Now, By_Law)) = Transform (Commands);
+       Servos (Commands, Reported_Health (Now, By_Law)) = Transform (Commands);
 
    --  For any failures: the words are in the converter's range, no sound
    --  surface is sent beyond its stops, and failed surfaces and other outputs

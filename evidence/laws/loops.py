@@ -91,7 +91,7 @@ def lateral(of, attitude):
     if attitude:
         error = {"wanted_bank": 1.0, bank: -1.0}
         maker.state("trim")
-        maker.next["trim"] |= times(of.Roll_Learning / of.Per_Angle, error)
+        maker.next["trim"] |= times(of.Roll_Integral_Gain / of.Per_Angle, error)
         words = plus(words, times(of.Roll_Gain, error), {"trim": 1.0})
     maker.now["roll"] = times(AILERON, words)
     turn = of.Turn_For_Bank / of.Per_Ten_Thousand
@@ -114,7 +114,7 @@ def longitudinal(of, mode):
         error = {"wanted_pitch": 1.0, pitch: -1.0}
         maker.state("trim")
         maker.next["trim"] |= times(
-            of.Pitch_Learning / of.Per_Angle, error)
+            of.Pitch_Integral_Gain / of.Per_Angle, error)
         words = plus(words, times(of.Pitch_Gain, error), {"trim": 1.0})
     maker.now["pitch"] = times(ELEVATOR, words)
     if mode == "hold":
@@ -126,7 +126,7 @@ def longitudinal(of, mode):
         rising = {height: 2.0, "smooth": -1.0}
         maker.state("height_trim")
         maker.next["height_trim"] |= times(
-            of.Height_Learning / of.Per_Ten / of.Per_Climb,
+            of.Height_Integral_Gain / of.Per_Ten / of.Per_Climb,
             plus(climb, times(-1.0, rising)))
         by_climb = of.Pitch_For_Climb / of.Per_Hundred
         by_lag = of.Pitch_For_Lag / of.Per_Hundred
@@ -135,7 +135,7 @@ def longitudinal(of, mode):
             times(-by_lag, rising))
         maker.state("power")
         maker.next["power"][speed] = (
-            -32 * of.Speed_Learning / of.Per_Speed / 1000)
+            -32 * of.Speed_Integral_Gain / of.Per_Speed / 1000)
         maker.now["throttle"] = times(LEVER, plus(
             {speed: -32 * of.Speed_Gain, "power": 1.0},
             times(of.Speed_For_Climb, climb)))

@@ -6,7 +6,7 @@ package body Canaries.Mechanisms with SPARK_Mode is
 
    procedure Ailerons_Go_The_Other_Way
      (Trim      : Roll_Trim;
-      Reference : Reckoned;
+      Reference : Bank_Command;
       Now       : Readings;
       Output    : Saturation;
       By        : Gain)
@@ -14,7 +14,7 @@ package body Canaries.Mechanisms with SPARK_Mode is
 
    procedure Elevators_Go_The_Other_Way
      (Trim      : Pitch_Trim;
-      Reference : Nose;
+      Reference : Pitch_Command;
       Now       : Readings;
       Output    : Saturation;
       By        : Gain)

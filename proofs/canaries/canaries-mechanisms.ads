@@ -28,7 +28,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
 
    procedure Ailerons_Go_The_Other_Way
      (Trim      : Roll_Trim;
-      Reference : Reckoned;
+      Reference : Bank_Command;
       Now       : Readings;
       Output    : Saturation;
       By        : Gain)
@@ -47,7 +47,7 @@ package Canaries.Mechanisms with SPARK_Mode, Ghost is
 
    procedure Elevators_Go_The_Other_Way
      (Trim      : Pitch_Trim;
-      Reference : Nose;
+      Reference : Pitch_Command;
       Now       : Readings;
       Output    : Saturation;
       By        : Gain)

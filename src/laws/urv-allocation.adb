@@ -2,7 +2,7 @@
 
 package body URV.Allocation with SPARK_Mode is
 
-   function Help_Of (Helper : Surface; Missing : Lacks) return Help is
+   function Help_Of (Helper : Surface; Missing : Deficits) return Help is
       Sum : Help := 0;
    begin
       for Failed in Surface loop
@@ -45,7 +45,7 @@ package body URV.Allocation with SPARK_Mode is
    function Demands
      (Wanted : Surface_Demands; Now : Health) return Surface_Demands
    is
-      Missing : constant Lacks := Missing_Of (Wanted, Now);
+      Missing : constant Deficits := Missing_Of (Wanted, Now);
       Beyond  : Number := 0;
       Rolled  : Flap_Roll := 0;
       Goal    : Number;

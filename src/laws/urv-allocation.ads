@@ -27,17 +27,17 @@ package URV.Allocation with Pure, SPARK_Mode is
      (Failed => (others => False), Places => (others => 0));
 
    --  The failures that the PWM task makes up for: none unless a law flies.
-   function Told_Of (Now : Health; By_Law : Boolean) return Health is
+   function Reported_Health (Now : Health; By_Law : Boolean) return Health is
      (if By_Law then Now else All_Well)
    with Global => null;
 
    --  The part of a failed surface's demand that is missing.
-   subtype Lack is Number range -4_095 .. 4_095;
+   subtype Deficit is Number range -4_095 .. 4_095;
 
-   type Lacks is array (Surface) of Lack;
+   type Deficits is array (Surface) of Deficit;
 
    function Missing_Of
-     (Wanted : Surface_Demands; Now : Health) return Lacks
+     (Wanted : Surface_Demands; Now : Health) return Deficits
    is
      (for Item in Surface =>
         (if Now.Failed (Item) then Wanted (Item) - Now.Places (Item)
@@ -49,7 +49,7 @@ package URV.Allocation with Pure, SPARK_Mode is
    subtype Part is Number range -20_000 .. 20_000;
 
    function Part_For
-     (Failed, Helper : Surface; Missing : Lack) return Part
+     (Failed, Helper : Surface; Missing : Deficit) return Part
    is
      (Gains (Failed) (Helper) * Missing / Unit)
    with Global => null;
@@ -57,7 +57,7 @@ package URV.Allocation with Pure, SPARK_Mode is
    --  A surface's contribution for all failed surfaces.
    subtype Help is Number range -200_000 .. 200_000;
 
-   function Help_Of (Helper : Surface; Missing : Lacks) return Help
+   function Help_Of (Helper : Surface; Missing : Deficits) return Help
    with Global => null;
 
    --  The largest demand on an aileron. For the excess the flaps move: left
@@ -79,7 +79,7 @@ package URV.Allocation with Pure, SPARK_Mode is
    with Global => null;
 
    --  The roll of a flap, in words of an aileron.
-   function Roll_By (Item : Flap; Down : Lack) return Number is
+   function Roll_By (Item : Flap; Down : Deficit) return Number is
      (Down * Roll_Of_Flap (Item) / Unit)
    with
      Global => null,

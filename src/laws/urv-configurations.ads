@@ -183,7 +183,7 @@ package URV.Configurations with Pure, SPARK_Mode is
 
    --  The ground's report in the row of the laws: the serial number above four
    --  bits with the table; 0 if none was taken.
-   function Told (Now : Setting) return Word is
+   function Reported (Now : Setting) return Word is
      (if Now.Is_Set then Now.Item (Serial) * 16 + Now.Item (Gains) else 0)
    with Global => null;
 

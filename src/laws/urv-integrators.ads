@@ -4,7 +4,7 @@
 --  against windup: conditional integration on sign (D-31).
 --
 --     Trim := Integrated
---       (Trim, Error_Share (Error, Most_Learnt, Gain, Unit),
+--       (Trim, Error_Share (Error, Most_Integrated, Gain, Unit),
 --        Saturation_Of (Wanted, -Authority, Authority), -Most, Most);
 --
 --  An integrator moves with the sign of its error. It stops in one case only:

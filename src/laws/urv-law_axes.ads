@@ -28,8 +28,8 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    --  The filtered altitude, thousandths of half a foot.
    subtype Smooth is Number range 0 .. Level'Last * 1_000;
 
-   subtype Reckoned is Number range -Reckoned_Bank .. Reckoned_Bank;
-   subtype Nose is Number range Lowest_Pitch .. Highest_Pitch;
+   subtype Bank_Command is Number range -Largest_Bank .. Largest_Bank;
+   subtype Pitch_Command is Number range Lowest_Pitch .. Highest_Pitch;
    subtype Climb is Number range -Most_Climb .. Most_Climb;
 
    --  The output that a law computes before limits. The part beyond the limits
@@ -39,18 +39,19 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    --  Bank, limited to the laws' range, and the rates and load of a level turn
    --  with it
 
-   function Reckoned_Of (Bank : Angle) return Reckoned is
-     (Within (Bank, -Reckoned_Bank, Reckoned_Bank))
+   function As_Bank_Command (Bank : Angle) return Bank_Command is
+     (Within (Bank, -Largest_Bank, Largest_Bank))
    with Global => null;
 
    function Turn_Rate (Bank : Angle) return Rate is
-     (Reckoned_Of (Bank) / Per_Ten * Turn_For_Bank / 1_000)
+     (As_Bank_Command (Bank) / Per_Ten * Turn_For_Bank / 1_000)
    with Global => null;
 
    subtype Square is Number range 0 .. 360_000;
 
    function Squared (Bank : Angle) return Square is
-     ((abs Reckoned_Of (Bank) / Tenths) * (abs Reckoned_Of (Bank) / Tenths))
+     ((abs As_Bank_Command (Bank) / Tenths)
+      * (abs As_Bank_Command (Bank) / Tenths))
    with Global => null;
 
    function Turn_Pitch_Rate (Bank : Angle) return Rate is
@@ -94,17 +95,19 @@ package URV.Law_Axes with Pure, SPARK_Mode is
 
    --  Bank: the reference moves to the wanted bank, and the ailerons follow it
 
-   function Bank_Error (Reference : Reckoned; Now : Readings) return Number is
-     (Within (Reference - Now.Bank, -Reckoned_Bank, Reckoned_Bank))
+   function Bank_Error (Reference : Bank_Command; Now : Readings)
+                        return Number
+   is
+     (Within (Reference - Now.Bank, -Largest_Bank, Largest_Bank))
    with
      Global => null,
      Post   =>
-       Bank_Error'Result in -Reckoned_Bank .. Reckoned_Bank
+       Bank_Error'Result in -Largest_Bank .. Largest_Bank
        and then (Bank_Error'Result > 0) = (Now.Bank < Reference)
        and then (Bank_Error'Result < 0) = (Now.Bank > Reference);
 
    function Unlimited_Roll
-     (Reference : Reckoned; Now : Readings; Trim : Roll_Trim; By : Gain)
+     (Reference : Bank_Command; Now : Readings; Trim : Roll_Trim; By : Gain)
       return Unlimited
    is
      (Bank_Error (Reference, Now) * By / Per_Thousand
@@ -112,28 +115,30 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       + Trim / 1_000)
    with Global => null;
 
-   function Stick_Bank (Stick : Demand) return Reckoned is
+   function Stick_Bank (Stick : Demand) return Bank_Command is
      (Stick * (Most_Bank / 8) / 256)
    with Global => null;
 
    --  The bank for a right turn at 3 deg/s.
-   function Orbit_Bank_At (Airspeed : Level) return Reckoned is
+   function Orbit_Bank_At (Airspeed : Level) return Bank_Command is
      (Within (Airspeed, Least_Speed, Orbit_Fastest) * Orbit_Bank / 100)
    with Global => null;
 
    --  Pitch, in the same way as bank
 
-   function Pitch_Error (Reference : Nose; Now : Readings) return Number is
-     (Within (Reference - Now.Pitch, -Reckoned_Bank, Reckoned_Bank))
+   function Pitch_Error (Reference : Pitch_Command; Now : Readings)
+                         return Number
+   is
+     (Within (Reference - Now.Pitch, -Largest_Bank, Largest_Bank))
    with
      Global => null,
      Post   =>
-       Pitch_Error'Result in -Reckoned_Bank .. Reckoned_Bank
+       Pitch_Error'Result in -Largest_Bank .. Largest_Bank
        and then (Pitch_Error'Result > 0) = (Now.Pitch < Reference)
        and then (Pitch_Error'Result < 0) = (Now.Pitch > Reference);
 
    function Unlimited_Pitch
-     (Reference : Nose; Now : Readings; Trim : Pitch_Trim; By : Gain)
+     (Reference : Pitch_Command; Now : Readings; Trim : Pitch_Trim; By : Gain)
       return Unlimited
    is
      (Pitch_Error (Reference, Now) * By / Per_Thousand
@@ -143,18 +148,18 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       + Trim / 1_000)
    with Global => null;
 
-   function As_Nose (Pitch : Number) return Nose is
+   function As_Pitch_Command (Pitch : Number) return Pitch_Command is
      (Within (Pitch, Lowest_Pitch, Highest_Pitch))
    with Global => null;
 
-   function Stick_Nose (Stick : Demand) return Nose is
-     (As_Nose (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
+   function Stick_Pitch_Command (Stick : Demand) return Pitch_Command is
+     (As_Pitch_Command (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
    with Global => null;
 
    --  The glide, with a valid airspeed
 
-   function Glide_Nose (Airspeed : Level) return Nose is
-     (As_Nose (Glide_Pitch + (Airspeed - Glide_Speed) * Glide_Gain))
+   function Glide_Pitch_Command (Airspeed : Level) return Pitch_Command is
+     (As_Pitch_Command (Glide_Pitch + (Airspeed - Glide_Speed) * Glide_Gain))
    with Global => null;
 
    --  Altitude
@@ -180,7 +185,7 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   => Climb_Rate'Result in -30_000 .. 30_000;
 
    --  The pitch that the altitude law demands, before limits.
-   function Unlimited_Nose
+   function Unlimited_Pitch_Command
      (Wanted : Climb;
       Rising : Number;
       Bank   : Angle;
@@ -196,8 +201,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
 
    --  The upper limit of pitch that protects the airspeed
 
-   function Guard (Airspeed : Level) return Nose is
-     (As_Nose (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain))
+   function Guard (Airspeed : Level) return Pitch_Command is
+     (As_Pitch_Command
+        (Highest_Pitch + (Airspeed - Guarded_Speed) * Guard_Gain))
    with Global => null;
 
    --  Throttle
@@ -228,11 +234,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       return Roll_Trim
    is
      (Integrated
-        (Trim, Error_Share (Error, Roll_Learnt, By, Per_Angle), Output,
+        (Trim, Error_Share (Error, Roll_Integrated, By, Per_Angle), Output,
          -Roll_Trim_Most, Roll_Trim_Most))
    with
      Global => null,
-     Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
+     Pre    => Error in -Largest_Bank .. Largest_Bank,
      Post   =>
        Follows (Trim, Next_Roll_Trim'Result, Error, Output)
        and then
@@ -249,11 +255,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
       return Pitch_Trim
    is
      (Integrated
-        (Trim, Error_Share (Error, Pitch_Learnt, By, Per_Angle), Output,
+        (Trim, Error_Share (Error, Pitch_Integrated, By, Per_Angle), Output,
          -Pitch_Trim_Most, Pitch_Trim_Most))
    with
      Global => null,
-     Pre    => Error in -Reckoned_Bank .. Reckoned_Bank,
+     Pre    => Error in -Largest_Bank .. Largest_Bank,
      Post   =>
        Follows (Trim, Next_Pitch_Trim'Result, Error, Output)
        and then
@@ -274,7 +280,8 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    is
      (Integrated
         (Trim,
-         Error_Share (Error, Height_Learnt, Height_Learning, Per_Climb),
+         Error_Share
+           (Error, Height_Integrated, Height_Integral_Gain, Per_Climb),
          Output, -Height_Trim_Most, Height_Trim_Most))
    with
      Global => null,
@@ -282,12 +289,12 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      Post   =>
        Follows (Trim, Next_Height_Trim'Result, Error, Output)
        and then
-         (if Moves (Error, Height_Learning, Per_Climb)
+         (if Moves (Error, Height_Integral_Gain, Per_Climb)
             and then not Output.Is_High
             and then Error > 0 and then Trim < Height_Trim'Last
           then Next_Height_Trim'Result > Trim)
        and then
-         (if Moves (Error, Height_Learning, Per_Climb)
+         (if Moves (Error, Height_Integral_Gain, Per_Climb)
             and then not Output.Is_Low
             and then Error < 0 and then Trim > Height_Trim'First
           then Next_Height_Trim'Result < Trim);
@@ -298,7 +305,8 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    is
      (Integrated
         (Trim,
-         Error_Share (Error, Level'Last, Speed_Learning, Per_Speed), Output,
+         Error_Share (Error, Level'Last, Speed_Integral_Gain, Per_Speed),
+         Output,
          0, Power_Trim'Last))
    with
      Global => null,

@@ -23,7 +23,7 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    subtype Gain is Integer range 0 .. 100;
 
    type Gain_Table is record
-      For_Bank, Bank_Learning, For_Pitch, Pitch_Learning : Gain;
+      For_Bank, Bank_Integral_Gain, For_Pitch, Pitch_Integral_Gain : Gain;
    end record;
 
    --  The rate limits of the laws' outputs, in words a second.
@@ -58,23 +58,23 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  Integrator gains: thousandths of a word a second for each 2 thousandths
    --  of a degree. An integrator moves once a frame, so the divisor contains
    --  the frames of a second.
-   Per_Hundred    : constant := 100;
-   Per_Angle      : constant := 2 * Frames_Per_Second;
-   Roll_Learning  : constant := 8;
-   Pitch_Learning : constant := 40;
+   Per_Hundred         : constant := 100;
+   Per_Angle           : constant := 2 * Frames_Per_Second;
+   Roll_Integral_Gain  : constant := 8;
+   Pitch_Integral_Gain : constant := 40;
 
    --  The same gains in the softer table.
-   Soft_Roll_Gain      : constant := 16;
-   Soft_Roll_Learning  : constant := 5;
-   Soft_Pitch_Gain     : constant := 28;
-   Soft_Pitch_Learning : constant := 20;
+   Soft_Roll_Gain           : constant := 16;
+   Soft_Roll_Integral_Gain  : constant := 5;
+   Soft_Pitch_Gain          : constant := 28;
+   Soft_Pitch_Integral_Gain : constant := 20;
 
    --  The limits of the integrators, in thousandths of a word, and the largest
    --  errors that they integrate, in thousandths of a degree.
-   Roll_Trim_Most  : constant := 300_000;
-   Pitch_Trim_Most : constant := 600_000;
-   Roll_Learnt     : constant := 6_000;
-   Pitch_Learnt    : constant := 6_000;
+   Roll_Trim_Most   : constant := 300_000;
+   Pitch_Trim_Most  : constant := 600_000;
+   Roll_Integrated  : constant := 6_000;
+   Pitch_Integrated : constant := 6_000;
 
    --  The pitch integrator starts from the last output, up to this limit.
    First_Pitch_Trim : constant := 200;
@@ -82,7 +82,7 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  Bank: the limit of the laws' computations; the demand of a full stick;
    --  the roll-in rate, 15 deg/s; the bank for a turn at 3 deg/s, in
    --  thousandths of a degree for 100 32nds of a knot.
-   Reckoned_Bank : constant := 60_000;
+   Largest_Bank  : constant := 60_000;
    Most_Bank     : constant := 45_000;
    Bank_Rate     : constant := 15_000;
    Bank_Slew     : constant := Bank_Rate / Frames_Per_Second;
@@ -106,12 +106,12 @@ package URV.Law_Gains with Pure, SPARK_Mode is
 
    --  Pitch: in level flight; the demand of a full stick; the highest and
    --  lowest pitch; the rate of the reference, 12 deg/s.
-   Level_Pitch   : constant := 2_400;
-   Stick_Pitch   : constant := 20_000;
-   Highest_Pitch : constant := 15_000;
-   Lowest_Pitch  : constant := -12_000;
-   Nose_Rate     : constant := 12_000;
-   Pitch_Slew    : constant := Nose_Rate / Frames_Per_Second;
+   Level_Pitch        : constant := 2_400;
+   Stick_Pitch        : constant := 20_000;
+   Highest_Pitch      : constant := 15_000;
+   Lowest_Pitch       : constant := -12_000;
+   Pitch_Command_Rate : constant := 12_000;
+   Pitch_Slew         : constant := Pitch_Command_Rate / Frames_Per_Second;
 
    --  Altitude: the climb rate in thousandths of a foot a second for half feet
    --  of error; the pitch for the climb rate, and for its deficit.
@@ -123,10 +123,10 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  The altitude law's integrator of pitch, in tenths of thousandths of a
    --  degree: its gain for a climb rate that lacks 0.02 ft/s, and the largest
    --  error that it integrates, in thousandths of a foot a second.
-   Per_Climb        : constant := 20 * Frames_Per_Second;
-   Height_Learning  : constant := 16;
-   Height_Learnt    : constant := 10_000;
-   Height_Trim_Most : constant := 80_000;
+   Per_Climb            : constant := 20 * Frames_Per_Second;
+   Height_Integral_Gain : constant := 16;
+   Height_Integrated    : constant := 10_000;
+   Height_Trim_Most     : constant := 80_000;
 
    --  The altitude filter has a lag of 0.5 s. The difference to the filtered
    --  altitude, in thousandths of half feet, is therefore the climb rate in
@@ -139,12 +139,12 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  Airspeed, in 32nds of a knot: throttle words for it; integrator gain in
    --  thousandths of a word a second; words for a climb rate; the lowest and
    --  highest speed that can be held.
-   Per_Speed       : constant := Frames_Per_Second;
-   Speed_Gain      : constant := 6;
-   Speed_Learning  : constant := 750;
-   Speed_For_Climb : constant := 120;
-   Least_Speed     : constant := 60 * 32;
-   Most_Speed      : constant := 95 * 32;
+   Per_Speed           : constant := Frames_Per_Second;
+   Speed_Gain          : constant := 6;
+   Speed_Integral_Gain : constant := 750;
+   Speed_For_Climb     : constant := 120;
+   Least_Speed         : constant := 60 * 32;
+   Most_Speed          : constant := 95 * 32;
 
    --  32nds of a knot for ten words of the throttle lever.
    Speed_For_Lever : constant := 4;
@@ -187,7 +187,7 @@ package URV.Law_Gains with Pure, SPARK_Mode is
         or else Yaw_Step * Frames_Per_Second /= Yaw_Rate_Limit
         or else Throttle_Step * Frames_Per_Second /= Throttle_Rate_Limit
         or else Bank_Slew * Frames_Per_Second /= Bank_Rate
-        or else Pitch_Slew * Frames_Per_Second /= Nose_Rate
+        or else Pitch_Slew * Frames_Per_Second /= Pitch_Command_Rate
         or else Bad_Scans * Microseconds_Per_Frame /= 60_000,
       "a step of the control laws is no whole number for this frame: "
       & "its rate in URV.Law_Gains needs a new design");
@@ -205,14 +205,14 @@ package URV.Law_Gains with Pure, SPARK_Mode is
      (case Table is
          when 0 =>
            (For_Bank       => Roll_Gain,
-            Bank_Learning  => Roll_Learning,
+            Bank_Integral_Gain  => Roll_Integral_Gain,
             For_Pitch      => Pitch_Gain,
-            Pitch_Learning => Law_Gains.Pitch_Learning),
+            Pitch_Integral_Gain => Law_Gains.Pitch_Integral_Gain),
          when 1 =>
            (For_Bank       => Soft_Roll_Gain,
-            Bank_Learning  => Soft_Roll_Learning,
+            Bank_Integral_Gain  => Soft_Roll_Integral_Gain,
             For_Pitch      => Soft_Pitch_Gain,
-            Pitch_Learning => Soft_Pitch_Learning))
+            Pitch_Integral_Gain => Soft_Pitch_Integral_Gain))
    with Global => null;
 
 end URV.Law_Gains;

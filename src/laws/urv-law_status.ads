@@ -88,7 +88,7 @@ package URV.Law_Status with Pure, SPARK_Mode is
       Silent        => Silent_Word (Flown),
       Failed        => Failures,
       Age           => 0,
-      Configuration => Configurations.Told (Set))
+      Configuration => Configurations.Reported (Set))
    with Global => null;
 
    function With_Age (Item : Report; Now : Clock_Tick) return Report is

@@ -5,31 +5,31 @@ with URV.Integrators; use URV.Integrators;
 package body URV.Laws.Flying with SPARK_Mode is
 
    procedure Fly_Roll
-     (This : in out Memory;
-      Was  : Modes;
-      Now  : Readings;
-      Hand : Sticks;
-      By   : Gain_Table)
+     (This  : in out Memory;
+      Was   : Modes;
+      Now   : Readings;
+      Input : Sticks;
+      By    : Gain_Table)
    is
       Target : Demand;
       Wanted : Unlimited;
-      Aim    : Reckoned := 0;
+      Aim    : Bank_Command := 0;
    begin
       case This.Flown.Lateral is
          when Direct =>
-            Wanted := Hand.Roll;
-            Target := Hand.Roll;
+            Wanted := Input.Roll;
+            Target := Input.Roll;
          when Damping =>
-            Target := Plus (Hand.Roll, Roll_Damping_Of (Now));
+            Target := Plus (Input.Roll, Roll_Damping_Of (Now));
             Wanted := Target;
          when Banked =>
             if Was.Lateral not in Banked then
-               This.Bank_Wanted := Reckoned_Of (Now.Bank);
+               This.Bank_Wanted := As_Bank_Command (Now.Bank);
                This.Roll_Trim := 0;
             end if;
             Aim :=
               (case This.Flown.Lateral is
-                  when Bank_By_Stick => Stick_Bank (Hand.Roll),
+                  when Bank_By_Stick => Stick_Bank (Input.Roll),
                   when Orbit         => Orbit_Bank_At (Now.Airspeed),
                   when others        => 0);
             This.Bank_Wanted := Stepped (This.Bank_Wanted, Aim, Bank_Slew);
@@ -40,9 +40,9 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Roll_Axis) := Is_Stick_Again
         (This.Is_Stick (Roll_Axis), This.Flown.Lateral = Direct,
-         Hand.Is_Pilot, This.Last.Roll, Hand.Roll);
+         Input.Is_Pilot, This.Last.Roll, Input.Roll);
       This.Last.Roll :=
-        (if This.Is_Stick (Roll_Axis) then Hand.Roll
+        (if This.Is_Stick (Roll_Axis) then Input.Roll
          else Stepped (This.Last.Roll, Target, Roll_Step));
 
       if This.Flown.Lateral in Banked then
@@ -50,22 +50,22 @@ package body URV.Laws.Flying with SPARK_Mode is
            (This.Roll_Trim, Bank_Error (This.Bank_Wanted, Now),
             Saturation_Of (Wanted, -Roll_Authority, Roll_Authority)
               or On_The_Way (This.Bank_Wanted, Aim),
-            By.Bank_Learning);
+            By.Bank_Integral_Gain);
       end if;
    end Fly_Roll;
 
-   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks) is
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Input : Sticks) is
       Is_Direct : constant Boolean :=
         This.Flown.Lateral = Direct or else not Can_Damp_Yaw (This.Checks);
       Target    : constant Demand :=
-        (if Is_Direct then Hand.Yaw
-         else Plus (Hand.Yaw, Yaw_Damping_Of (Now)));
+        (if Is_Direct then Input.Yaw
+         else Plus (Input.Yaw, Yaw_Damping_Of (Now)));
    begin
       This.Is_Stick (Yaw_Axis) := Is_Stick_Again
-        (This.Is_Stick (Yaw_Axis), Is_Direct, Hand.Is_Pilot, This.Last.Yaw,
-         Hand.Yaw);
+        (This.Is_Stick (Yaw_Axis), Is_Direct, Input.Is_Pilot, This.Last.Yaw,
+         Input.Yaw);
       This.Last.Yaw :=
-        (if This.Is_Stick (Yaw_Axis) then Hand.Yaw
+        (if This.Is_Stick (Yaw_Axis) then Input.Yaw
          else Stepped (This.Last.Yaw, Target, Yaw_Step));
    end Fly_Yaw;
 
@@ -73,7 +73,7 @@ package body URV.Laws.Flying with SPARK_Mode is
      (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
-      Hand   : Sticks;
+      Input  : Sticks;
       Rising : Number;
       By     : Gain_Table)
    is
@@ -82,20 +82,20 @@ package body URV.Laws.Flying with SPARK_Mode is
       Output : Saturation;
 
       --  The pitch that the mode demands, and its upper limit.
-      Aim     : Unlimited := Level_Pitch;
-      Ceiling : Nose      := Highest_Pitch;
-      Bounded : Nose      := Level_Pitch;
+      Aim     : Unlimited     := Level_Pitch;
+      Ceiling : Pitch_Command := Highest_Pitch;
+      Bounded : Pitch_Command := Level_Pitch;
    begin
       case This.Flown.Vertical is
          when Direct =>
-            Wanted := Hand.Pitch;
-            Target := Hand.Pitch;
+            Wanted := Input.Pitch;
+            Target := Input.Pitch;
          when Damping =>
-            Target := Plus (Hand.Pitch, Pitch_Damping_Of (Now));
+            Target := Plus (Input.Pitch, Pitch_Damping_Of (Now));
             Wanted := Target;
          when Pitched =>
             if Was.Vertical not in Pitched then
-               This.Pitch_Wanted := As_Nose (Now.Pitch);
+               This.Pitch_Wanted := As_Pitch_Command (Now.Pitch);
                This.Height_Trim := 0;
                This.Pitch_Trim :=
                  Within
@@ -107,15 +107,15 @@ package body URV.Laws.Flying with SPARK_Mode is
             end if;
             case This.Flown.Vertical is
                when Hold_Altitude =>
-                  Aim := Unlimited_Nose
+                  Aim := Unlimited_Pitch_Command
                     (Wanted_Climb (This.Height_Held, Now), Rising, Now.Bank,
                      This.Height_Trim);
                when Glide =>
                   Aim :=
                     (if This.Checks (Airspeed).Is_Valid
-                     then Glide_Nose (Now.Airspeed) else Glide_Pitch);
+                     then Glide_Pitch_Command (Now.Airspeed) else Glide_Pitch);
                when others =>
-                  Aim := Stick_Nose (Hand.Pitch);
+                  Aim := Stick_Pitch_Command (Input.Pitch);
             end case;
             Ceiling :=
               (if This.Checks (Airspeed).Is_Valid
@@ -130,9 +130,9 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Pitch_Axis) := Is_Stick_Again
         (This.Is_Stick (Pitch_Axis), This.Flown.Vertical = Direct,
-         Hand.Is_Pilot, This.Last.Pitch, Hand.Pitch);
+         Input.Is_Pilot, This.Last.Pitch, Input.Pitch);
       This.Last.Pitch :=
-        (if This.Is_Stick (Pitch_Axis) then Hand.Pitch
+        (if This.Is_Stick (Pitch_Axis) then Input.Pitch
          else Stepped (This.Last.Pitch, Target, Pitch_Step));
 
       if This.Flown.Vertical in Pitched then
@@ -146,34 +146,34 @@ package body URV.Laws.Flying with SPARK_Mode is
          This.Pitch_Trim := Next_Pitch_Trim
            (This.Pitch_Trim, Pitch_Error (This.Pitch_Wanted, Now),
             Output or On_The_Way (This.Pitch_Wanted, Bounded),
-            By.Pitch_Learning);
+            By.Pitch_Integral_Gain);
       end if;
    end Fly_Pitch;
 
    procedure Fly_Throttle
-     (This : in out Memory;
-      Was  : Modes;
-      Now  : Readings;
-      Hand : Sticks)
+     (This  : in out Memory;
+      Was   : Modes;
+      Now   : Readings;
+      Input : Sticks)
    is
       Target : Lever;
       Wanted : Unlimited;
    begin
       case This.Flown.Power is
          when Direct =>
-            Wanted := Hand.Throttle;
-            Target := Hand.Throttle;
+            Wanted := Input.Throttle;
+            Target := Input.Throttle;
          when Idle =>
             Wanted := 0;
             Target := 0;
          when Hold_Airspeed =>
             if Was.Power /= Hold_Airspeed then
                This.Speed_Held := Now.Airspeed;
-               This.Lever_Held := Hand.Throttle;
+               This.Lever_Held := Input.Throttle;
                This.Power_Trim := This.Last.Throttle * 1_000;
             end if;
             Wanted := Unlimited_Throttle
-              (Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held),
+              (Held_Speed (This.Speed_Held, Input.Throttle - This.Lever_Held),
                Now,
                (if This.Flown.Vertical = Hold_Altitude
                 then Wanted_Climb (This.Height_Held, Now) else 0),
@@ -183,15 +183,15 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Throttle_Axis) := Is_Stick_Again
         (This.Is_Stick (Throttle_Axis), This.Flown.Power = Direct,
-         Hand.Is_Pilot, This.Last.Throttle, Hand.Throttle);
+         Input.Is_Pilot, This.Last.Throttle, Input.Throttle);
       This.Last.Throttle :=
-        (if This.Is_Stick (Throttle_Axis) then Hand.Throttle
+        (if This.Is_Stick (Throttle_Axis) then Input.Throttle
          else Stepped (This.Last.Throttle, Target, Throttle_Step));
 
       if This.Flown.Power = Hold_Airspeed then
          This.Power_Trim := Next_Power_Trim
            (This.Power_Trim,
-            Held_Speed (This.Speed_Held, Hand.Throttle - This.Lever_Held)
+            Held_Speed (This.Speed_Held, Input.Throttle - This.Lever_Held)
               - Now.Airspeed,
             Saturation_Of (Wanted, 0, Lever'Last));
       end if;
@@ -201,14 +201,14 @@ package body URV.Laws.Flying with SPARK_Mode is
      (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
-      Hand   : Sticks;
+      Input  : Sticks;
       Rising : Number;
       By     : Gain_Table) is
    begin
-      Fly_Roll (This, Was, Now, Hand, By);
-      Fly_Yaw (This, Now, Hand);
-      Fly_Pitch (This, Was, Now, Hand, Rising, By);
-      Fly_Throttle (This, Was, Now, Hand);
+      Fly_Roll (This, Was, Now, Input, By);
+      Fly_Yaw (This, Now, Input);
+      Fly_Pitch (This, Was, Now, Input, Rising, By);
+      Fly_Throttle (This, Was, Now, Input);
    end Fly;
 
 end URV.Laws.Flying;

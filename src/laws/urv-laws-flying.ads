@@ -113,7 +113,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
 
    --  Only the lever changes the demanded airspeed.
    function Follows_Speed
-     (Before, After : Memory; Was : Modes; Airspeed : Level; Hand : Lever)
+     (Before, After : Memory; Was : Modes; Airspeed : Level; Input : Lever)
       return Boolean
    is
      (if Was.Power = Hold_Airspeed and then After.Flown.Power = Hold_Airspeed
@@ -121,16 +121,16 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
         and then After.Lever_Held = Before.Lever_Held
         and then Moves_With
           (Before.Power_Trim, After.Power_Trim,
-           Wanted   => Held_Speed (After.Speed_Held, Hand - After.Lever_Held),
+           Wanted   => Held_Speed (After.Speed_Held, Input - After.Lever_Held),
            Measured => Airspeed))
    with Ghost, Global => null;
 
    procedure Fly_Roll
-     (This : in out Memory;
-      Was  : Modes;
-      Now  : Readings;
-      Hand : Sticks;
-      By   : Gain_Table)
+     (This  : in out Memory;
+      Was   : Modes;
+      Now   : Readings;
+      Input : Sticks;
+      By    : Gain_Table)
    with
      Global => null,
      Post   =>
@@ -138,7 +138,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if This.Is_Stick'Old (Roll_Axis)
             and then This.Flown.Lateral = Direct
-            and then Hand.Is_Pilot
+            and then Input.Is_Pilot
           then This.Is_Stick (Roll_Axis))
        and then
          (if not This.Is_Stick (Roll_Axis)
@@ -150,7 +150,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
 
        and then Follows_Bank (This'Old, This, Was, Now.Bank);
 
-   procedure Fly_Yaw (This : in out Memory; Now : Readings; Hand : Sticks)
+   procedure Fly_Yaw (This : in out Memory; Now : Readings; Input : Sticks)
    with
      Global => null,
      Post   =>
@@ -158,7 +158,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if This.Is_Stick'Old (Yaw_Axis)
             and then This.Flown.Lateral = Direct
-            and then Hand.Is_Pilot
+            and then Input.Is_Pilot
           then This.Is_Stick (Yaw_Axis))
        and then
          (if not This.Is_Stick (Yaw_Axis)
@@ -168,7 +168,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
-      Hand   : Sticks;
+      Input  : Sticks;
       Rising : Number;
       By     : Gain_Table)
    with
@@ -179,7 +179,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if This.Is_Stick'Old (Pitch_Axis)
             and then This.Flown.Vertical = Direct
-            and then Hand.Is_Pilot
+            and then Input.Is_Pilot
           then This.Is_Stick (Pitch_Axis))
        and then
          (if not This.Is_Stick (Pitch_Axis)
@@ -205,10 +205,10 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
           then This.Height_Held = This.Height_Held'Old);
 
    procedure Fly_Throttle
-     (This : in out Memory;
-      Was  : Modes;
-      Now  : Readings;
-      Hand : Sticks)
+     (This  : in out Memory;
+      Was   : Modes;
+      Now   : Readings;
+      Input : Sticks)
    with
      Global => null,
      Post   =>
@@ -216,7 +216,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if This.Is_Stick'Old (Throttle_Axis)
             and then This.Flown.Power = Direct
-            and then Hand.Is_Pilot
+            and then Input.Is_Pilot
           then This.Is_Stick (Throttle_Axis))
        and then
          (if not This.Is_Stick (Throttle_Axis)
@@ -224,14 +224,14 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
                  Throttle_Step)
 
        and then
-         Follows_Speed (This'Old, This, Was, Now.Airspeed, Hand.Throttle);
+         Follows_Speed (This'Old, This, Was, Now.Airspeed, Input.Throttle);
 
    --  Flies all four axes.
    procedure Fly
      (This   : in out Memory;
       Was    : Modes;
       Now    : Readings;
-      Hand   : Sticks;
+      Input  : Sticks;
       Rising : Number;
       By     : Gain_Table)
    with
@@ -242,7 +242,7 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then
          (if Is_All_Stick (This'Old)
             and then This.Flown = All_Direct
-            and then Hand.Is_Pilot
+            and then Input.Is_Pilot
           then Is_All_Stick (This))
        and then
          (if not This.Is_Stick (Roll_Axis)
@@ -268,6 +268,6 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then Follows_Bank (This'Old, This, Was, Now.Bank)
        and then Follows_Pitch (This'Old, This, Was, Now.Pitch)
        and then
-         Follows_Speed (This'Old, This, Was, Now.Airspeed, Hand.Throttle);
+         Follows_Speed (This'Old, This, Was, Now.Airspeed, Input.Throttle);
 
 end URV.Laws.Flying;

@@ -17,7 +17,7 @@ package body URV.Laws with SPARK_Mode is
         (if Is_Old (Commands) then This.Heard else Commands);
       After  : Memory := This;
       Now    : Readings;
-      Hand   : Sticks;
+      Input  : Sticks;
       Rising : Number;
    begin
       After.Link := Link_Loss.Next
@@ -42,12 +42,12 @@ package body URV.Laws with SPARK_Mode is
       --  The disconnect has priority over all else.
       if Is_Disconnected (Commands) or else After.Link.State = Waiting then
          After.Is_Stick := (Axis => True);
-         Hand := Sticks_Of (Heard, Linked);
+         Input := Sticks_Of (Heard, Linked);
       else
-         Hand := Sticks_Of (Heard, After.Link.State);
+         Input := Sticks_Of (Heard, After.Link.State);
       end if;
 
-      Fly (After, This.Flown, Now, Hand, Rising, Gains_Of (Table));
+      Fly (After, This.Flown, Now, Input, Rising, Gains_Of (Table));
       pragma Assert
         (Word_Of (After.Checks, Roll_Attitude) =
            Word_Of (Checks, Roll_Attitude)

@@ -76,16 +76,16 @@ package URV.Laws with Pure, SPARK_Mode is
       Is_Flying : Boolean := False;
 
       --  References and integrators of the laws
-      Bank_Wanted  : Reckoned    := 0;
-      Pitch_Wanted : Nose        := Level_Pitch;
-      Height_Held  : Level       := 0;
-      Speed_Held   : Level       := 0;
-      Lever_Held   : Lever       := 0;
+      Bank_Wanted  : Bank_Command         := 0;
+      Pitch_Wanted : Pitch_Command        := Level_Pitch;
+      Height_Held  : Level                := 0;
+      Speed_Held   : Level                := 0;
+      Lever_Held   : Lever                := 0;
       Roll_Trim    : Law_Axes.Roll_Trim   := 0;
       Pitch_Trim   : Law_Axes.Pitch_Trim  := 0;
       Height_Trim  : Law_Axes.Height_Trim := 0;
       Power_Trim   : Law_Axes.Power_Trim  := 0;
-      Smoothed     : Smooth      := 0;
+      Smoothed     : Smooth               := 0;
    end record;
 
    --  The state after a cold start, and the default settings

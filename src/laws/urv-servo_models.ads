@@ -41,12 +41,12 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    Slowest_Lag   : constant := 150_000;
    Slowest_Share : constant := 1_000 * Microseconds_Per_Step / Slowest_Lag;
 
-   function Part_Of (Way : Number) return Number is
-     (Way * Slowest_Share / 1_000)
+   function Part_Of (Distance : Number) return Number is
+     (Distance * Slowest_Share / 1_000)
    with
      Global => null,
-     Pre    => Way in 0 .. Fine'Last - Fine'First,
-     Post   => Part_Of'Result in 0 .. Way;
+     Pre    => Distance in 0 .. Fine'Last - Fine'First,
+     Post   => Part_Of'Result in 0 .. Distance;
 
    --  The rate limit of the slowest sound servo, in words a second: 50 deg/s,
    --  and 2.5 deg/s for a flap.

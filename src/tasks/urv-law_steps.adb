@@ -73,7 +73,7 @@ package body URV.LAW_Steps with SPARK_Mode is
          return (Before, All_Well);
       end if;
       Watched := Surface_Monitor.Next (Before, Sensors);
-      Reported := Told_Of
+      Reported := Reported_Health
         ((Failed => Watched.Failed, Places => Watched.Places), Flown.By_Law);
       return
         (Watched  => With_Message

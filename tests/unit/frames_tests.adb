@@ -198,14 +198,15 @@ package body Frames_Tests is
       Expect_Rate ("throttle output", Throttle_Step, 5_000);
       Expect_Rate ("bank", Bank_Slew, 15_000);
       Expect_Rate ("pitch", Pitch_Slew, 12_000);
-      Expect_Rate ("roll trim", Roll_Learning * 100 / Per_Angle, 400);
-      Expect_Rate ("pitch trim", Pitch_Learning * 100 / Per_Angle, 2_000);
+      Expect_Rate ("roll trim", Roll_Integral_Gain * 100 / Per_Angle, 400);
+      Expect_Rate ("pitch trim", Pitch_Integral_Gain * 100 / Per_Angle, 2_000);
       Expect_Rate
-        ("softer roll trim", Soft_Roll_Learning * Unit / Per_Angle,
+        ("softer roll trim", Soft_Roll_Integral_Gain * Unit / Per_Angle,
          5 * Unit / 2);
       Expect_Rate
-        ("altitude trim", Height_Learning * 1_000 / Per_Climb, 800);
-      Expect_Rate ("power trim", Speed_Learning * 100 / Per_Speed, 75_000);
+        ("altitude trim", Height_Integral_Gain * 1_000 / Per_Climb, 800);
+      Expect_Rate
+        ("power trim", Speed_Integral_Gain * 100 / Per_Speed, 75_000);
       Expect_Rate
         ("the engine's bounds", URV.Engine_Monitor.Narrowing, 400);
       Expect_Servo (Left_Aileron, 5_000);

@@ -676,7 +676,7 @@ package body Laws_Tests is
          Word (Integer (Level (Measures (Which))) + Words)));
 
    --  The laws' pitch in level flight: 2.4 degrees up.
-   Nose_Up : constant Word := 2_048 + 55;
+   Pitch_Up : constant Word := 2_048 + 55;
 
    procedure Integrators_Follow is
       Item    : URV.Laws.Memory;
@@ -686,13 +686,13 @@ package body Laws_Tests is
       for Which in Trimmed loop
          for Words of Integer_List'(-30, 30) loop
             Item := Warm
-              (Holding (Which), Measuring (Pitch_Attitude, Nose_Up));
+              (Holding (Which), Measuring (Pitch_Attitude, Pitch_Up));
             Before := Trim_Of (Item, Which);
             Sensors := (Beside (Which, Words) with delta
                           Pitch_Attitude =>
                             (if Which = By_Pitch
-                             then Word (Integer (Nose_Up) + Words)
-                             else Nose_Up));
+                             then Word (Integer (Pitch_Up) + Words)
+                             else Pitch_Up));
             --  The first frames of an altitude law are a climb.
             Fly (Item, 100, Holding (Which), Sensors);
             if Which = By_Altitude then
@@ -714,7 +714,7 @@ package body Laws_Tests is
       for Which in Trimmed loop
          --  The integrator is at its limit, as after a long time with a
          --  saturated surface; then the error changes its sign.
-         Item := Warm (Holding (Which), Measuring (Pitch_Attitude, Nose_Up));
+         Item := Warm (Holding (Which), Measuring (Pitch_Attitude, Pitch_Up));
          Item.Roll_Trim := URV.Law_Axes.Roll_Trim'Last;
          Item.Pitch_Trim := URV.Law_Axes.Pitch_Trim'Last;
          Item.Height_Trim := URV.Law_Axes.Height_Trim'Last;
@@ -730,7 +730,7 @@ package body Laws_Tests is
                                   when By_Airspeed        => 0))
                  with delta
                  Pitch_Attitude =>
-                   (if Which = By_Pitch then Nose_Up + 320 else Nose_Up)));
+                   (if Which = By_Pitch then Pitch_Up + 320 else Pitch_Up)));
          Expect (Which'Image & " unwinds, from a large error",
                  (if Which = By_Airspeed then Item.Last.Throttle = 0
                   else Trim_Of (Item, Which) <= 0), True);
@@ -747,7 +747,7 @@ package body Laws_Tests is
       procedure Sink (Speed : Word; Frames : Positive) is
          Sensors : Downlink_Buffer :=
            (Level with delta
-              Airspeed => Speed, Pitch_Attitude => Nose_Up);
+              Airspeed => Speed, Pitch_Attitude => Pitch_Up);
       begin
          Item := Warm (With_On (Switch_3), Sensors);
          for Step in 1 .. 20 loop
