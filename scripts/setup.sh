@@ -94,9 +94,8 @@ case $target in
           requirements="sim/jsbsim/requirements.txt
                         evidence/laws/requirements.txt" ;;
    campaign)
-          packages="$build openssl python3 python3-venv"
-          requirements="ground/report-requirements.txt
-                        ground/campaign-requirements.txt" ;;
+          packages="$build python3 python3-venv"
+          requirements="ground/report-requirements.txt" ;;
    cortex_m)
           packages="$build $bare binutils python3"
           requirements="" ;;

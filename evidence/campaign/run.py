@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Disturbs the link and checks that it recovers.
 
-  run.py tiny|short|full [--jobs N] [--scheduler ADDRESS]
+  run.py tiny|short|full [--jobs N]
   run.py shard NAME          one shard, its result as one line of JSON
   run.py mix NUMBER FOLDER   leaves a random mix's files and record in the
                              folder, prints its options and its failures
@@ -10,11 +10,9 @@
 With --format 2 every flight is sealed (docs/security.md). With --only GROUPS
 only the shards of these groups are flown (cases.py).
 
-Dask spreads the shards over processors here or, with --scheduler, over
-workers anywhere (docs/monte-carlo.md). Results are left in campaign/, each as
-it comes: a run that was broken off goes on where it stopped, as long as
-program and scripts are the same. Exit status: 0 when every check of every
-shard held.
+Results are left in campaign/, each as it comes: a run that was broken off goes
+on where it stopped, as long as program and scripts are the same. Exit status:
+0 when every check of every shard held.
 """
 
 import os
@@ -28,7 +26,9 @@ if __name__ == "__main__" and not sys.flags.isolated:
         if not name.startswith("PYTHON")})
 
 import argparse  # noqa: E402
+import concurrent.futures  # noqa: E402
 import csv  # noqa: E402
+import hashlib  # noqa: E402
 import json  # noqa: E402
 import math  # noqa: E402
 import signal  # noqa: E402
@@ -54,8 +54,8 @@ PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
 SHARDS = "shards.jsonl"
 
-# The files for the workers.
-CARGO = ("bin/urv_sim", "evidence/campaign", "evidence/safety",
+# The files whose change makes earlier results worthless.
+PARTS = ("bin/urv_sim", "evidence/campaign", "evidence/safety",
          "evidence/flight_numbers.py")
 
 
@@ -383,43 +383,55 @@ def planned(size, only=None):
             if not only or name.split("/")[0] in only]
 
 
-def run_campaign(size, jobs, scheduler, message_format=1, only=None,
-                 security=None):
-    from urv import cargo, faults, progress, workers
+def hash_of_parts():
+    files = sorted(file for part in PARTS for file in (
+        [ROOT / part] if (ROOT / part).is_file()
+        else (ROOT / part).glob("*.py")))
+    return hashlib.sha256(b"".join(
+        hashlib.sha256(file.read_bytes()).digest() for file in files)).hexdigest()
+
+
+def result_of(name, message_format):
+    """A shard's result; one that ends with an exception has failed."""
+    try:
+        return run_shard(name, message_format)
+    except Exception as fault:  # noqa: BLE001 - whatever a shard meets
+        return new_result(name) | {
+            "failures": [f"{name}: no result: {fault!r}"]}
+
+
+def ignore_interrupt():
+    """Ctrl-C is for the process that gives out the shards."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def run_campaign(size, jobs, message_format=1, only=None):
+    from urv import progress
 
     RESULTS.mkdir(exist_ok=True)
     names = planned(size, only)
     began = time.monotonic()
-    sent = cargo.Cargo(cargo.packed(ROOT, CARGO), cargo.run_python,
-                       program="bin/urv_sim")
-    flown = flown_before(sent.hash, message_format)
+    program = hash_of_parts()
+    flown = flown_before(program, message_format)
     results = {name: flown[name] for name in names if name in flown}
-    before = len(results)
-    if before:
-        print(f"{before} of {len(names)} shards were flown before")
-    wanted = ({"name": name, "command": [
-        "evidence/campaign/run.py", "shard", name,
-        "--format", str(message_format)]}
-        for name in names if name not in flown)
-    try:
-        with progress.bar("flying") as told:
-            for job, answer in workers.done(sent, wanted, scheduler, jobs,
-                                            security):
-                if "said" in answer:
-                    keep(answer["said"], sent.hash, message_format)
-                results[job["name"]] = (
-                    answer.get("said") or new_result(job["name"]) | {
-                        "failures": [f"{job['name']}: no result:"
-                                     f" {answer['fault']}"]})
+    if results:
+        print(f"{len(results)} of {len(names)} shards were flown before")
+    with progress.bar("flying") as told, \
+            concurrent.futures.ProcessPoolExecutor(
+                jobs, initializer=ignore_interrupt) as pool:
+        wanted = [pool.submit(result_of, name, message_format)
+                  for name in names if name not in flown]
+        try:
+            for done in concurrent.futures.as_completed(wanted):
+                result = done.result()
+                keep(result, program, message_format)
+                results[result["shard"]] = result
                 told(SimpleNamespace(size=len(names), position=len(results)))
-    except faults.Failed as fault:
-        print(f"{size}: {fault}; {len(results)} of {len(names)} shards were"
-              " flown; it goes on from here next time", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print(f"{size}: broken off after {len(results)} of {len(names)}"
-              " shards; it goes on from here next time")
-        return 130
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)
+            print(f"{size}: broken off after {len(results)} of {len(names)}"
+                  " shards; it goes on from here next time")
+            return 130
     return report([results[name] for name in names], size,
                   time.monotonic() - began, message_format)
 
@@ -431,14 +443,7 @@ def main():
                         help="of the shard, or number of the mix")
     parser.add_argument("folder", nargs="?", type=Path, help="for the mix")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1,
-                        help="at once, here")
-    parser.add_argument("--scheduler", metavar="ADDRESS",
-                        help="of Dask, whose workers fly instead")
-    parser.add_argument("--certificates", metavar="FOLDER",
-                        help="ca.pem, cert.pem and key.pem for it")
-    parser.add_argument("--insecure", action="store_true",
-                        help="without certificates: whoever can reach the"
-                        " scheduler can run code here")
+                        help="at once")
     parser.add_argument("--format", type=int, choices=(1, 2), default=1,
                         help="of the messages; 2 is sealed")
     parser.add_argument("--only", metavar="GROUPS",
@@ -462,18 +467,9 @@ def main():
         name.split("/")[0] for name in cases.plan(given.size)}
     if unknown:
         parser.error(f"no such group: {', '.join(sorted(unknown))}")
-    from urv import certificates, faults
+    from urv import faults
     try:
-        security = certificates.of(given.scheduler, given.certificates,
-                                   given.insecure)
-    except faults.Refused as fault:
-        parser.error(str(fault))
-    try:
-        return run_campaign(given.size, given.jobs, given.scheduler,
-                            given.format, only, security)
-    except (faults.Refused, faults.Failed) as fault:
-        print(f"{given.size}: {fault}", file=sys.stderr)
-        return fault.status
+        return run_campaign(given.size, given.jobs, given.format, only)
     except OSError as fault:
         print(f"{given.size}: {fault.filename or RESULTS / SHARDS}:"
               f" {faults.reason(fault)}", file=sys.stderr)

@@ -18,8 +18,6 @@ import checker  # noqa: E402
 import run  # noqa: E402
 import sealed_blocks  # noqa: E402
 
-from urv import cargo, workers  # noqa: E402
-
 FRAMES = 60
 LAG = {"up": 3, "down": 4}
 
@@ -477,90 +475,24 @@ def test_too_many_is_what_chance_does_once_in_a_million(
     assert run.too_many(count, expected) == is_too_many
 
 
-@pytest.mark.parametrize("size", ["tiny", "short"])
-@pytest.mark.parametrize("lost", [0, 1])
-def test_a_shard_without_a_result_fails(
-        monkeypatch, tmp_path, capsys, size, lost):
-    names = list(cases.plan(size))
+def test_a_campaign_goes_on_and_a_shard_without_a_result_fails(
+        monkeypatch, tmp_path, capsys):
+    names = list(cases.plan("tiny"))
 
-    def done(sent, jobs, scheduler, count, security):
-        assert (scheduler, count) == ("tcp://somewhere:1", 2)
-        jobs = list(jobs)
-        assert [job["name"] for job in jobs] == names
-        # In any order.
-        for place, job in reversed(list(enumerate(jobs))):
-            yield job, ({"fault": "KilledWorker"} if place < lost else {
-                "said": run.new_result(job["name"])})
+    def run_shard(name, _message_format):
+        if name == names[0]:
+            raise ValueError("no such fault")
+        return run.new_result(name) | {"faults": 1}
 
     monkeypatch.setattr(run, "RESULTS", tmp_path)
-    monkeypatch.setattr(workers, "done", done)
-    monkeypatch.setattr(cargo, "packed", lambda *_: b"")
-    assert run.run_campaign(size, 2, "tcp://somewhere:1") == lost
+    monkeypatch.setattr(run, "run_shard", run_shard)
+    for name in names[5:]:
+        run.keep(run_shard(name, 1), run.hash_of_parts(), 1)
+    assert run.run_campaign("tiny", 2) == 1
     said = capsys.readouterr().out
-    assert (f"FAILED {names[0]}: no result: KilledWorker" in said) == (
-        lost == 1)
-    # It is to be flown the next time.
-    assert kept_in(tmp_path) == names[lost:][::-1]
-
-
-def kept_in(folder):
-    lines = (folder / "shards.jsonl").read_text("utf-8").splitlines()
-    return [json.loads(line)["shard"] for line in lines if line]
-
-
-class Broken:
-    """Workers that fly a number of shards until the campaign is
-    interrupted."""
-
-    def __init__(self, monkeypatch, tmp_path):
-        monkeypatch.setattr(run, "RESULTS", tmp_path)
-        monkeypatch.setattr(workers, "done", self.done)
-        monkeypatch.setattr(cargo, "packed", lambda *_: self.program)
-        self.program = b"one"
-
-    def done(self, _sent, jobs, *_):
-        for job in jobs:
-            if len(self.asked) == self.at_most:
-                raise KeyboardInterrupt
-            self.asked.append(job["name"])
-            yield job, {"said": run.new_result(job["name"]) | {"faults": 1}}
-
-    def flies(self, at_most=None, message_format=1):
-        """The exit status, and the shards that were asked for."""
-        self.asked, self.at_most = [], at_most
-        return run.run_campaign("tiny", 1, None, message_format), self.asked
-
-
-@pytest.fixture
-def broken(monkeypatch, tmp_path):
-    return Broken(monkeypatch, tmp_path)
-
-
-def test_a_campaign_that_is_broken_off_goes_on(broken, tmp_path, capsys):
-    names = list(cases.plan("tiny"))
-    assert broken.flies(5) == (130, names[:5])
-    assert f"broken off after 5 of {len(names)} shards" in (
-        capsys.readouterr().out)
-    assert broken.flies(3) == (130, names[5:8])
-    assert broken.flies() == (0, names[8:])
-    assert f"tiny: {len(names)} faults, 0 failures" in capsys.readouterr().out
-    assert kept_in(tmp_path) == names
-    assert broken.flies() == (0, [])
-
-
-def test_workers_fly_shards_as_they_are_flown_here(tmp_path):
-    """From the cargo alone, unpacked elsewhere."""
-    there = cargo.Cargo(cargo.packed(run.ROOT, run.CARGO), cargo.run_python)
-    there.unpack(tmp_path)
-    name = next(name for name in cases.plan("tiny")
-                if not name.startswith("mix"))
-    answer = there.do({"name": name, "command": [
-        "evidence/campaign/run.py", "shard", name]})
-    assert answer == {"cargo": there.hash, "said": run.run_shard(name)}
-    wrong = there.do({"name": "x", "command": [
-        "evidence/campaign/run.py", "shard", "x"]})
-    assert "said" not in wrong
-    assert wrong["fault"]
+    assert f"{len(names) - 5} of {len(names)} shards were flown before" in said
+    assert f"FAILED {names[0]}: no result: ValueError('no such fault')" in said
+    assert f"tiny: {len(names) - 1} faults, 1 failures" in said
 
 
 @pytest.mark.parametrize("length, times", [(30, 2.22), (58, 2.29)])

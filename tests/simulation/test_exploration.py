@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""LNK-9, D-28: the exhaustive exploration of both boards finds nothing, and
-finds bugs that were planted. Here blocks are short; `make -C evidence explore`
-has the real ones (docs/evidence/exploration.md)."""
+"""LNK-9, D-28: the exploration of both boards finds nothing, and finds bugs
+that were planted. Here blocks are short, and boards come in step;
+`make -C evidence explore` explores everything (docs/evidence/exploration.md)."""
 
 import re
 import shutil
@@ -58,19 +58,6 @@ def figure(text, pattern):
     found = re.search(pattern, text)
     assert found, f"no line {pattern!r} in:\n{text}"
     return int(found[1])
-
-
-def test_everything_explored_recovers():
-    build(ROOT)
-    result = explore(ROOT, "1", "1")
-    out = result.stdout
-    assert result.returncode == 0, out + result.stderr
-    assert out.endswith("explored: all is well\n")
-    assert out.count("normal form exact") == 2
-    assert figure(out, r"back in step: (\d+) states") > 1_000_000
-    for way in ("uplink", "downlink"):
-        assert figure(out, rf"fresh {way}: (\d+) states") > 1_000_000
-        assert figure(out, rf"fresh {way}: worst after .*, (\d+) major") <= 3
 
 
 def test_lnk11_boards_that_wait_longest_come_in_step():
