@@ -55,7 +55,7 @@ LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
 # This many live tests run at once, of any file. They wait more than they work:
 # two processors have time for more of them, and a test that is kept waiting
 # counts frames, not time. Those of the ground station have a browser.
-LIVE_AT_ONCE = {"real_time": "6", "ground": "4"}
+LIVE_AT_ONCE = {"real_time": "6", "ground": "6"}
 
 # The other tests run one more than there are processors: some of them wait.
 ONE_MORE = str(len(os.sched_getaffinity(0)) + 1)

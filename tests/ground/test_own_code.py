@@ -53,16 +53,14 @@ def marks(hostile):
     return left.read_text().splitlines() if left.exists() else []
 
 
-SURROUNDINGS = (
-    {},
-    # An empty entry is the current folder.
-    {"PYTHONPATH": ":", "PYTHONHOME": "", "PATH": f":.:{os.environ['PATH']}"})
-"""Of the environment: nothing special; and the current folder in each path,
-as some set-ups have it."""
+# The current folder is in each path, as in some set-ups. An empty entry means
+# it, too.
+PATHS = {"PYTHONPATH": ":", "PYTHONHOME": "",
+         "PATH": f":.:{os.environ['PATH']}"}
 
 
-@pytest.fixture(params=SURROUNDINGS, ids=("plain", "with_paths"))
-def start(request, hostile):
+@pytest.fixture
+def start(hostile):
     """Starts bin/urv in the folder."""
     def start_it(*arguments, **more):
         environment = {name: value for name, value in os.environ.items()
@@ -71,7 +69,7 @@ def start(request, hostile):
             [URV, *map(str, arguments)], cwd=hostile, text=True,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            env=environment | request.param | more)
+            env=environment | PATHS | more)
     return start_it
 
 
