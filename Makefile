@@ -90,6 +90,7 @@ mc68000:
 	@scripts/setup.sh mc68000
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@targets/mc68000/musashi/build_board.sh
+	@targets/build.sh mc68000 telemetry_board
 	@targets/build.sh mc68000 gsc
 	@targets/build.sh mc68000 mcs
 	@python3 -B targets/figures.py mc68000
@@ -100,6 +101,7 @@ cost:
 	@scripts/setup.sh mc68000
 	@$(GPRBUILD) -P sim/urv_sim.gpr -XURV_Mode=host
 	@targets/mc68000/musashi/build_board.sh
+	@targets/build.sh mc68000 telemetry_board
 	@for machine in cortex_m mc68000; do \
 	   for node in gsc mcs; do \
 	      targets/build.sh $$machine $$node || exit 1; \

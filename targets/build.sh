@@ -4,6 +4,7 @@
 # Builds a node's image for a bare machine (BRD-1).
 #
 #   targets/build.sh cortex_m|mc68000 mcs|gsc
+#   targets/build.sh mc68000 telemetry_board
 #
 # The image is obj/targets/MACHINE/NODE.bin, with the program's sum in its last
 # four bytes. NODE.elf has the symbols.
@@ -36,6 +37,17 @@ case $machine in
    *)
       echo "targets/build.sh: no machine: $machine; there are: cortex_m," \
            "mc68000" >&2
+      exit 2 ;;
+esac
+
+# The telemetry board of the MC68000 is a processor of its own (BRD-8).
+assembler=
+case $machine-$node in
+   *-mcs|*-gsc) ;;
+   mc68000-telemetry_board) assembler=-Wa,--defsym,TELEMETRY_BOARD=1 ;;
+   *)
+      echo "targets/build.sh: no program of $machine: $node; there are: mcs," \
+           "gsc, and telemetry_board of mc68000" >&2
       exit 2 ;;
 esac
 
@@ -79,7 +91,7 @@ fi
 cd objects
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
-   --RTS=../runtime $include "$up/targets/nodes/${node}_image.adb" \
+   --RTS=../runtime $include "${node}_image.adb" \
    -cargs $language $listing $optimise $switches
 cd "../$node"
 # shellcheck disable=SC2086
@@ -92,7 +104,7 @@ for each in $folders; do
    for source in "$root/$each"/*.s; do
       [ -f "$source" ] || continue
       # shellcheck disable=SC2086
-      "${prefix}gcc-12" -c $processor "$source" \
+      "${prefix}gcc-12" -c $processor $assembler "$source" \
          -o "asm_$(basename "$source" .s).o"
    done
 done

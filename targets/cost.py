@@ -29,7 +29,9 @@ SECONDS = 3
 NODES = ("gsc", "mcs")
 
 TASK = re.compile(r"^(?:mcs|gsc)__(\w+)__run_transaction$")
-INTERRUPTS = {64: "converter", 65: "line", 66: "clock"}
+INTERRUPTS = {"int64": "interrupt converter", "board_int65": "interrupt line",
+              "int66": "interrupt clock", "claim": "claim of the controller",
+              "board_claim": "claim of the telemetry board"}
 
 GRAPH = re.compile(r'^(node|edge): \{(.*)\}$', re.MULTILINE)
 FIELD = re.compile(r'(\w+): "((?:[^"\\]|\\.)*)"')
@@ -58,9 +60,9 @@ def mc68000(machine, folder):
         numbers = run.numbers
         yield f"{node} major frame, worst", numbers["frame_worst"]
         yield f"{node} minor frame, worst", numbers["tick_worst"]
-        for vector, name in INTERRUPTS.items():
-            yield f"{node} interrupt {name}, mean", numbers[f"int{vector}_mean"]
-            yield f"{node} interrupt {name}, worst", numbers[f"int{vector}_worst"]
+        for place, name in INTERRUPTS.items():
+            yield f"{node} {name}, mean", numbers[f"{place}_mean"]
+            yield f"{node} {name}, worst", numbers[f"{place}_worst"]
         tasks = {}
         for line in run.text.splitlines():
             if line.startswith("place "):
@@ -127,7 +129,10 @@ def measured(machine):
         measure = mc68000 if machine.name == "mc68000" else cortex_m
         found = list(measure(machine, Path(folder)))
     found += stacks(machine)
-    for node in NODES:
+    programs = NODES
+    if machine.name == "mc68000":
+        programs += ("telemetry_board",)
+    for node in programs:
         rom, ram = figures.sizes(machine, node)
         found += [(f"{node} program, bytes", rom),
                   (f"{node} variables, bytes", ram)]

@@ -32,10 +32,18 @@ CYCLES_PER_INSTRUCTION = 168e6 * 2 ** ICOUNT_SHIFT / 1e9
 
 WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT = range(3)
 
-# Only the MC68000 has these. Three befall the next character that its line
-# receives. After the last one no tick comes.
+# Only the MC68000 has these. Three befall the next character that the line of
+# its telemetry board receives. After the last one no tick comes, or no character
+# time.
 ODD_ADDRESS, PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER = range(3, 7)
 ENDLESS_LOOP, LOST_TIMER = range(7, 9)
+
+# An illegal instruction and an endless loop when the processor next claims the
+# dual-ported memory.
+ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK = range(9, 11)
+
+# Is added to an event that befalls the telemetry board's processor.
+ON_TELEMETRY_BOARD = 32
 
 LAWS_ON = 1
 
@@ -100,10 +108,14 @@ class Run:
         self.numbers = {}
         for line in text.splitlines():
             name, *rest = line.split() or [""]
+            prefix = ""
+            if name == "board" and rest:
+                prefix, (name, *rest) = "board_", rest
             if name == "row":
                 self.rows[int(rest[1])] = [int(word, 16) for word in rest[2:]]
             elif len(rest) >= 2 and rest[1].isdigit():
-                self.numbers.update(zip(rest[::2], map(int, rest[1::2])))
+                self.numbers.update(zip((prefix + each for each in rest[::2]),
+                                        map(int, rest[1::2])))
 
     def has(self, line):
         return line in self.text.splitlines()
@@ -143,8 +155,10 @@ class Machine:
             for each in list(
                     self.start(list(tapes), folder, images or {}, stack)):
                 each.wait(limit_s)
-        return {name: Run((folder / f"{name}.txt").read_text(errors="replace"))
-                for name in tapes}
+        return {name: Run(self.text(folder, name)) for name in tapes}
+
+    def text(self, folder, name):
+        return (folder / f"{name}.txt").read_text(errors="replace")
 
     def image(self, name, images):
         return images.get(name, self.images / f"{name}.bin")
@@ -226,12 +240,21 @@ class MC68000(Machine):
     def build(self, node):
         subprocess.run([ROOT / "targets/mc68000/musashi/build_board.sh"],
                        check=True)
+        super().build("telemetry_board")
         super().build(node)
+
+    def text(self, folder, name):
+        """Lines of the telemetry board begin with "board": its figures are
+        "board_NAME"."""
+        board = super().text(folder, f"{name}_board")
+        return super().text(folder, name) + "".join(
+            f"board {line}\n" for line in board.splitlines())
 
     def start(self, names, folder, images, stack):
         command = [self.images / "board", str(self.mhz), folder]
         for name in names:
             command += [name, self.image(name, images),
+                        self.image("telemetry_board", images),
                         folder / f"{name}.tape"]
         running = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

@@ -1,6 +1,7 @@
 | SPDX-License-Identifier: Apache-2.0
 
-| Vectors and start-up of the MC68000 (BRD-2, BRD-4, D-81).
+| Vectors and start-up of the MC68000 (BRD-2, BRD-4, D-81), for the controller
+| and, with the symbol TELEMETRY_BOARD, for the telemetry board (BRD-8).
 |
 | The four long words at urv_kept survive a restart:
 |    0  "KEPT" once a program has been elaborated: memory is worth keeping
@@ -16,8 +17,8 @@
 	boards = 3
 
 	.macro	stubs from, to
-	number = \from
-	.rept	\to - \from + 1
+	number = (\from)
+	.rept	(\to) - (\from) + 1
 	.long	urv_stubs + 4 * number
 	number = number + 1
 	.endr
@@ -27,29 +28,37 @@
 	.long	urv_stack_top
 	.long	urv_reset
 	stubs	2, first_of_boards - 1
-	.long	urv_on_converter
+	.ifdef	TELEMETRY_BOARD
+	stubs	first_of_boards, first_of_boards
 	.long	urv_on_line
+	stubs	first_of_boards + 2, first_of_boards + 2
+	.else
+	.long	urv_on_converter
+	stubs	first_of_boards + 1, first_of_boards + 1
 	.long	urv_on_clock
+	.endif
 	stubs	first_of_boards + boards, 255
 
 	.text
 
-| The handlers do not interrupt each other. The line's interrupts have the highest
-| level.
+| The handlers do not interrupt each other.
 	.macro	handler ada
 	movem.l	%d0-%d1/%a0-%a1, -(%sp)
 	jsr	\ada
 	movem.l	(%sp)+, %d0-%d1/%a0-%a1
 	rte
 	.endm
+	.ifdef	TELEMETRY_BOARD
 urv_on_line:
 	handler	urv_line_interrupt
+	.else
 urv_on_converter:
 	move.w	#0x2700, %sr
 	handler	urv_converter_interrupt
 urv_on_clock:
 	move.w	#0x2700, %sr
 	handler	urv_clock_interrupt
+	.endif
 
 	.globl	urv_reset
 urv_reset:
@@ -58,7 +67,13 @@ urv_reset:
 	cmp.l	#kept, (%a3)
 	jeq	4f
 
-	| Power up: give variables their first values.
+	.ifndef	TELEMETRY_BOARD
+	| Power up: take the dual-ported memory from the telemetry board. What it
+	| is doing there ends before the variables have their first values.
+	clr.l	urv_board_ready
+	.endif
+
+	| Give variables their first values.
 	lea	urv_data_load, %a0
 	lea	urv_data_start, %a1
 	lea	urv_data_end, %a2
@@ -78,6 +93,9 @@ urv_reset:
 	lea	-4(%sp), %a2
 	move.l	#0x5aa55aa5, %d0
 	jsr	urv_fill
+	.ifndef	TELEMETRY_BOARD
+	clr.b	urv_board_lock
+	.endif
 	jsr	main
 	illegal
 

@@ -5,6 +5,7 @@ pragma Unreferenced (Bare_Memories);
 with Devices.AD_Board; use Devices.AD_Board;
 with Last_Chance;
 pragma Unreferenced (Last_Chance);
+with Line_Programs;
 with Machine_Needs;
 pragma Unreferenced (Machine_Needs);
 with Machine_Texts;    use Machine_Texts;
@@ -15,14 +16,6 @@ with URV.CORE_Memory;
 with URVOS;            use URVOS;
 
 package body Node_Programs is
-
-   --  Character times since the clock began, and the last one reported to the
-   --  telemetry board's timer. Both wrap round.
-   Character_Count : Unsigned_32 := 0 with Volatile;
-   Told            : Unsigned_32 := 0 with Volatile;
-
-   --  The character time of the telemetry board's next turn.
-   Next_Turn : Unsigned_32 := 0 with Volatile;
 
    --  A conversion is under way.
    Is_Converting : Boolean := False with Volatile;
@@ -37,32 +30,17 @@ package body Node_Programs is
    --  One of these has happened.
    Awake : aliased Targets.Flag := Targets.Down;
 
-   --  Character times since the last report to the telemetry board.
-   procedure Elapse (Elapsed : out Character_Times);
-
    --  Starts the conversion that the controller has requested, if any.
    procedure Serve_Converter;
-
-   --  Gives the telemetry board its turn at the next character time.
-   procedure Hurry;
 
    --  Serves the ticks that wait.
    procedure Serve;
 
    procedure Run (Condition : Start_Condition) with No_Return;
 
-   procedure Elapse (Elapsed : out Character_Times) is
-      Passed : constant Unsigned_32 := Character_Count - Told;
-   begin
-      Elapsed := Character_Times
-        (Unsigned_32'Min (Passed, Unsigned_32 (Character_Times'Last)));
-      Told := Told + Passed;
-   end Elapse;
-
-   procedure Hurry is
-   begin
-      Next_Turn := Character_Count;
-   end Hurry;
+   --  The linker drops its handlers where another processor serves the line.
+   package Line is new Line_Programs
+     (Telemetry_Board.Accept_Character, Telemetry_Board.Next_Character);
 
    procedure Serve_Converter is
       Wanted  : Boolean;
@@ -82,42 +60,6 @@ package body Node_Programs is
       Has_Ticked := True;
       Awake := Targets.Up;
    end On_Tick;
-
-   procedure On_Character_Time is
-   begin
-      Character_Count := Character_Count + 1;
-   end On_Character_Time;
-
-   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32) is
-      Elapsed   : Character_Times;
-      May_Speak : Boolean;
-   begin
-      Elapse (Elapsed);
-      Telemetry_Board.Accept_Character
-        (Elapsed, Byte (Data and 255), Damaged /= 0, May_Speak);
-      if May_Speak then
-         Hurry;
-      end if;
-   end On_Character;
-
-   procedure On_Free_Sender is
-      Elapsed   : Character_Times;
-      Send      : Boolean;
-      Data      : Byte;
-      Time_Left : Character_Times;
-   begin
-      --  The count may be beyond the turn, and may wrap round.
-      if Character_Count - Next_Turn < 2 ** 31 then
-         Elapse (Elapsed);
-         Telemetry_Board.Next_Character (Elapsed, Send, Data, Time_Left);
-         if Send then
-            Targets.Send (Data);
-            Next_Turn := Character_Count + 1;
-         else
-            Next_Turn := Character_Count + Unsigned_32 (Time_Left);
-         end if;
-      end if;
-   end On_Free_Sender;
 
    procedure On_Converted (Value : Unsigned_32) is
       Interrupt : Boolean;
@@ -140,7 +82,7 @@ package body Node_Programs is
          Node.Serve;
          Write_Outputs;
          Serve_Converter;
-         Hurry;
+         Line.Hurry;
       end loop;
    end Serve;
 
@@ -166,7 +108,7 @@ package body Node_Programs is
       if Condition = Cold_Start then
          Node.Serve;
       end if;
-      Hurry;
+      Line.Hurry;
       Targets.Start_Clock;
       if Condition /= Cold_Start then
          Node.Serve;
@@ -190,7 +132,7 @@ package body Node_Programs is
                Node.Look_Again;
             end if;
             Serve_Converter;
-            Hurry;
+            Line.Hurry;
          end loop;
       end loop;
    end Run;

@@ -49,15 +49,6 @@ private
    procedure On_Tick
    with Export, Convention => C, External_Name => "urv_tick";
 
-   procedure On_Character_Time
-   with Export, Convention => C, External_Name => "urv_character_time";
-
-   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
-   with Export, Convention => C, External_Name => "urv_character";
-
-   procedure On_Free_Sender
-   with Export, Convention => C, External_Name => "urv_free_sender";
-
    procedure On_Converted (Value : Unsigned_32)
    with Export, Convention => C, External_Name => "urv_converted";
 

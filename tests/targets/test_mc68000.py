@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1 to BRD-4: both nodes on the report's processor, on an emulated board
+"""BRD-1 to BRD-4, BRD-8: both nodes on the report's processor, on an emulated board
 beside the simulation of the same flight."""
 
 import pytest
@@ -76,18 +76,84 @@ def test_brd4_errors_of_the_line_are_counted_and_spoil_a_block(tmp_path):
     for number, event in enumerate((
             emulated.PARITY_ERROR, emulated.FRAMING_ERROR,
             emulated.LOST_CHARACTER)):
-        mcs.plant(500 + 300 * number, event)
+        mcs.plant(500 + 300 * number, emulated.ON_TELEMETRY_BOARD + event)
     runs = MACHINE.fly({"gsc": gsc, "mcs": mcs}, tmp_path)
     numbers = runs["mcs"].numbers
-    assert [numbers[name] for name in ("parity_errors", "framing_errors",
-                                       "lost_characters")] == [1, 1, 1]
+    assert [numbers[f"board_{name}"] for name in (
+        "parity_errors", "framing_errors", "lost_characters")] == [1, 1, 1]
     # Each loses a block, and the boards begin again.
     lost = runs["gsc"].numbers["sent"] - numbers["received"]
     assert lost in (3, 4)
     assert [run.numbers["resets"] for run in runs.values()] == [3, 3]
     frame = max(runs["mcs"].rows)
     assert runs["mcs"].uplink(frame) == runs["gsc"].uplink(frame)
-    assert runs["gsc"].numbers["parity_errors"] == 0
+    assert runs["gsc"].numbers["board_parity_errors"] == 0
+
+
+STICKS, SENSORS = 0x345, 0x456
+
+
+def moved(seconds):
+    """Tapes of both nodes whose words change 0.3 s before the end."""
+    gsc, mcs = emulated.Tape(seconds), emulated.Tape(seconds, emulated.LAG)
+    gsc.read(1000 * seconds - 300, [STICKS] * emulated.CHANNELS)
+    mcs.read(1000 * seconds - 300, [SENSORS] * emulated.CHANNELS)
+    return {"gsc": gsc, "mcs": mcs}
+
+
+FAULTS = {
+    "illegal instruction": (emulated.ILLEGAL_INSTRUCTION, ILLEGAL),
+    "illegal instruction in an operation":
+        (emulated.ILLEGAL_WITH_LOCK, ILLEGAL),
+    "endless loop": (emulated.ENDLESS_LOOP, WATCHDOG),
+    "endless loop in an operation": (emulated.LOOP_WITH_LOCK, WATCHDOG)}
+
+
+@pytest.mark.parametrize("node", ["gsc", "mcs"])
+@pytest.mark.parametrize("fault", FAULTS)
+def test_brd8_d99_a_telemetry_board_restarts_alone(tmp_path, node, fault):
+    """Blocks are lost. The controllers go on, and the link is back."""
+    event, reason = FAULTS[fault]
+    tapes = moved(2)
+    tapes[node].plant(1000, emulated.ON_TELEMETRY_BOARD + event)
+    runs = MACHINE.fly(tapes, tmp_path)
+    assert runs[node].has(f"board restarts count 1 reason {reason}")
+    assert "".join(run.text for run in runs.values()).count("restarts") == 1
+    for run in runs.values():
+        assert run.numbers["overruns"] == 0
+        assert sorted(run.rows) == list(range(len(run.rows)))
+        assert run.numbers["received"] >= 90
+    link_is_up(runs)
+
+
+@pytest.mark.parametrize("node", ["gsc", "mcs"])
+@pytest.mark.parametrize("fault", FAULTS)
+def test_brd8_a_controller_restarts_alone(tmp_path, node, fault):
+    """Its telemetry board goes on."""
+    event, reason = FAULTS[fault]
+    tapes = moved(2)
+    tapes[node].plant(1000, event)
+    runs = MACHINE.fly(tapes, tmp_path)
+    assert runs[node].has(f"restarts count 1 reason {reason}")
+    assert "".join(run.text for run in runs.values()).count("restarts") == 1
+    link_is_up(runs)
+
+
+def link_is_up(runs):
+    """The last frames have the other node's latest words."""
+    gsc, mcs = runs["gsc"], runs["mcs"]
+    last_gsc, last_mcs = max(gsc.rows), max(mcs.rows)
+    assert mcs.uplink(last_mcs)[0] == STICKS
+    assert mcs.uplink(last_mcs) == gsc.uplink(last_gsc)
+    assert gsc.downlink(last_gsc)[0] == SENSORS
+    assert gsc.downlink(last_gsc)[:-1] == mcs.downlink(last_mcs)[:-1]
+
+
+def test_brd8_the_dual_ported_memory_at_power_up_is_random(tmp_path):
+    """The emulator fills it, and the lock may be taken."""
+    run = MACHINE.fly({"mcs": emulated.Tape(0.1)}, tmp_path)["mcs"]
+    assert run.has("board telemetry board cold start")
+    assert run.has("MCS started")
 
 
 def test_d83_a_flight_is_the_same_on_every_run(tmp_path):

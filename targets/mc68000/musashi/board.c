@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 
-/* One or two boards with an MC68000 each, in step (BRD-4, D-83). Musashi
-   executes the instructions and counts their cycles; everything else is here.
+/* One or two nodes, in step (BRD-4, BRD-8, D-83). Each has two boards with an
+   MC68000: the controller and the telemetry board. Musashi executes the
+   instructions and counts their cycles; everything else is here.
 
-     board MHZ OUTPUT NODE ROM TAPE [NODE ROM TAPE]
+     board MHZ OUTPUT NODE ROM TELEMETRY_ROM TAPE [NODE ROM TELEMETRY_ROM TAPE]
 
    With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
    counts the cycles of the calls of these subprograms, without the interrupts
@@ -13,9 +14,10 @@
 
      000000  160 KiB of ROM
      100000   80 KiB of RAM, and 64 bytes more
-     F00001  MC68681: line on channel A, console on B; its timer gives the
-             character times. Level 6. X1 is 4 MHz, and inputs 3 and 4 are
-             2 MHz, for 125 kbaud.
+     200000    1 KiB of dual-ported memory, the same on both boards of a node
+     F00001  MC68681: console on channel B; on the telemetry board the line on
+             A, and its timer gives the character times. Level 6. X1 is 4 MHz,
+             and inputs 3 and 4 are 2 MHz, for 125 kbaud.
      F00021  MC68681: its timer gives the ticks. Level 4.
      F10000  converter: channel (a write starts), data, vector, enable.
              Level 5, 16 us after the start.
@@ -27,13 +29,18 @@
              is over (long words); F3000C: 1 stops the time, 0 lets it go on;
              F3000E ends the run
 
-   A node's time begins when its program first starts the second timer; a lag of
-   n ticks in its tape lets the timer start later. A character needs 96 us for
-   the line, so each board runs 48 us ahead of the other at most: the boards
-   need no other synchronisation, and the flight is the same on every machine.
+   A node's time begins when its controller first starts the second timer; a lag
+   of n ticks in its tape lets the timer start later. A character needs 96 us for
+   the line, so each node runs 48 us ahead of the other at most: the nodes need
+   no other synchronisation, and the flight is the same on every machine. Of a
+   node's two processors, each runs a few instructions ahead of the other at
+   most, unless the other sleeps. The read and the write of a TAS are one cycle
+   of the bus. A controller that writes its record stops the node's time.
 
-   The console of each node goes to OUTPUT/NODE.txt. Its last lines have the
-   cycles by tick, by major frame and by interrupt. */
+   The console of each node goes to OUTPUT/NODE.txt, that of its telemetry board
+   to OUTPUT/NODE_board.txt. The last lines have the cycles by tick, by major
+   frame, by character time and by interrupt, and those for which a processor
+   held the lock of the dual-ported memory. */
 
 #include <inttypes.h>
 #include <stdbool.h>
@@ -49,6 +56,10 @@ enum {
    ROM_SIZE = 160 * 1024,
    RAM_START = 0x100000,
    RAM_SIZE = 80 * 1024 + 64,
+   DUAL_START = 0x200000,
+   DUAL_SIZE = 1024,
+   LOCK = 4,
+   TAKEN = 0x80,
 
    CHARACTER_US = 96,
    CONVERSION_US = 16,
@@ -57,10 +68,12 @@ enum {
    WATCHDOG_VECTOR = 31,
    TICKS_PER_FRAME = 10,
    SLICE_US = 48,
+   AHEAD_CYCLES = 64,                 /* of the node's other processor */
 
    CHANNELS = 32,
    SERVOS = 16,
    NODES = 2,
+   PROCESSORS = 2 * NODES,
    FIFO = 3,
    ON_LINE = 16,
    HANDLERS = 8,
@@ -75,7 +88,10 @@ enum {
 
 enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
-   PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER
+   PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
+   ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK,
+
+   ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
 
 /* Status of a DUART's channel and interrupts */
@@ -131,8 +147,12 @@ struct call {
    unsigned back, stack;
 };
 
+/* A processor with its board */
 struct node {
-   const char *name;
+   char name[64];
+   bool is_telemetry_board;
+   struct node *partner;              /* the node's other one */
+   uint8_t *dual;                     /* the memory of both */
    FILE *console;
    void *processor;
    bool ended, halted;
@@ -156,8 +176,10 @@ struct node {
    uint64_t start;                    /* the time when the clock began */
    uint32_t ticks;
    int unexpected_interrupt;
+   bool requested;                    /* an interrupt */
    uint8_t next_errors;               /* of the next character received */
    const uint16_t *planted;           /* words in place of instructions */
+   const uint16_t *planted_with_lock; /* the same, when it next claims */
    unsigned planted_at, planted_words;
 
    /* Measurement */
@@ -165,7 +187,9 @@ struct node {
    uint64_t stopped_at, cut;
    uint64_t tick_start, idle;
    unsigned lost_times;               /* a timer's interrupt was still pending */
-   struct figure tick, frame;
+   struct figure tick, frame, character_time, claim;
+   uint64_t claimed_at;
+   bool claims;                       /* it holds the lock */
    struct handler handlers[HANDLERS];
    int depth;
    struct figure by_vector[256];
@@ -176,7 +200,7 @@ struct node {
    int call_depth;
 };
 
-static struct node *nodes[NODES], *node;
+static struct node *nodes[PROCESSORS], *node, *loaded;
 static int node_count;
 static unsigned mhz;
 static bool executing;
@@ -235,7 +259,13 @@ static void request(void)
       level = 6;
    if (node->bites)
       level = 7;
+   node->requested = level > 0;
    m68k_set_irq((unsigned)level);
+}
+
+static bool is_asleep(const struct node *processor)
+{
+   return processor->ended || (processor->stopped && !processor->requested);
 }
 
 int board_acknowledge(int level)
@@ -443,6 +473,9 @@ static void start_timer(struct duart *duart)
       node->tick_start = now();
       node->idle = 0;
       memset(node->by_vector, 0, sizeof node->by_vector);
+      node->partner->begun = true;
+      node->partner->start = node->start;
+      memset(node->partner->by_vector, 0, sizeof node->by_vector);
       duart->next += (uint64_t)node->lag * cycles(TICK_US);
    }
    look_again();
@@ -486,10 +519,11 @@ static uint8_t read_duart(struct duart *duart, unsigned place)
 
 static void send_character(struct duart *duart, uint8_t data)
 {
-   struct node *other = node_count < 2 ? NULL : nodes[node == nodes[0]];
+   struct node *other = node_count <= 2 ? NULL : node == nodes[1]
+      ? nodes[3] : nodes[1];
    uint64_t begin = now() > duart->sender_free ? now() : duart->sender_free;
 
-   if (!duart->sends[0])
+   if (!duart->sends[0] || !node->is_telemetry_board)
       return;
    duart->sender_free = begin + cycles(CHARACTER_US);
    if (!other || !node->begun || !other->begun || other->ended)
@@ -617,7 +651,10 @@ static uint32_t setting(unsigned place)
    switch (place) {
    case 0: return node->flags;
    case 4: return node->delay_us;
-   case 8: return now() - node->start >= node->length * cycles(CHARACTER_US);
+   case 8:
+      if (node->is_telemetry_board)
+         return node->partner->ended;
+      return now() - node->start >= node->length * cycles(CHARACTER_US);
    default: return 0xFFFFFFFF;
    }
 }
@@ -634,8 +671,13 @@ static void end_run(void)
 {
    fprintf(node->console, "cycles mhz %u characters %u lost_times %u", mhz,
            node->length, node->lost_times);
-   print_figure("tick", &node->tick);
-   print_figure("frame", &node->frame);
+   if (node->is_telemetry_board)
+      print_figure("character", &node->character_time);
+   else {
+      print_figure("tick", &node->tick);
+      print_figure("frame", &node->frame);
+   }
+   print_figure("claim", &node->claim);
    for (int vector = 0; vector < 256; vector++)
       if (node->by_vector[vector].count) {
          char name[8];
@@ -676,7 +718,7 @@ void board_reset(void)
    reset_duart(&node->clock);
    node->converter = none;
    node->watched = node->bites = false;
-   node->planted = NULL;
+   node->planted = node->planted_with_lock = NULL;
    node->depth = 0;
    node->call_depth = 0;
    request();
@@ -689,6 +731,32 @@ static struct duart *duart_at(unsigned where)
    return where >> 5 & 1 ? &node->clock : &node->line;
 }
 
+static void plant(const uint16_t *words)
+{
+   node->planted = words;
+   node->planted_at = node->planted_words = 0;
+}
+
+/* Two processors with one claim each are an error of this program or of TAS.
+   A processor may release a claim of its time before a restart. */
+static void write_lock(uint8_t before, uint8_t value)
+{
+   if (value == TAKEN && before == 0) {
+      if (node->partner->claims)
+         fail("both processors have claimed", LOCK);
+      node->claims = true;
+      node->claimed_at = now();
+      if (node->planted_with_lock) {
+         plant(node->planted_with_lock);
+         node->planted_with_lock = NULL;
+      }
+   } else if (value == 0 && node->claims) {
+      node->claims = false;
+      node->claim.now = now() - node->claimed_at;
+      add(&node->claim);
+   }
+}
+
 unsigned int m68k_read_memory_8(unsigned int where)
 {
    where &= 0xFFFFFF;
@@ -696,6 +764,8 @@ unsigned int m68k_read_memory_8(unsigned int where)
       return node->rom[where];
    if (where - RAM_START < RAM_SIZE)
       return node->ram[where - RAM_START];
+   if (where - DUAL_START < DUAL_SIZE)
+      return node->dual[where - DUAL_START];
    if (where >> 6 == 0xF00000 >> 6)
       return where & 1 ? read_duart(duart_at(where), where >> 1 & 15) : 0xFF;
    fail("reads nothing at", where);
@@ -736,7 +806,11 @@ void m68k_write_memory_8(unsigned int where, unsigned int value)
    where &= 0xFFFFFF;
    if (where - RAM_START < RAM_SIZE)
       node->ram[where - RAM_START] = (uint8_t)value;
-   else if (where >> 6 == 0xF00000 >> 6) {
+   else if (where - DUAL_START < DUAL_SIZE) {
+      if (where - DUAL_START == LOCK)
+         write_lock(node->dual[LOCK], (uint8_t)value);
+      node->dual[where - DUAL_START] = (uint8_t)value;
+   } else if (where >> 6 == 0xF00000 >> 6) {
       if (where & 1)
          write_duart(duart_at(where), where >> 1 & 15, (uint8_t)value);
    } else
@@ -780,28 +854,41 @@ unsigned int m68k_read_disassembler_32(unsigned int where)
 
 /* Time */
 
+static void happen(uint32_t event, const uint8_t *words)
+{
+   switch (event) {
+   case WORDS: node->words = words; break;
+   case ILLEGAL_INSTRUCTION: plant(illegal_words); break;
+   case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = 200; break;
+   case ODD_ADDRESS: plant(odd_words); break;
+   case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
+   case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
+   case LOST_CHARACTER: node->next_errors = OVERRUN; break;
+   case ENDLESS_LOOP: plant(loop_words); break;
+   case LOST_TIMER: node->clock.runs = node->line.runs = false; break;
+   case ILLEGAL_WITH_LOCK: node->planted_with_lock = illegal_words; break;
+   case LOOP_WITH_LOCK: node->planted_with_lock = loop_words; break;
+   default: fail("an event that is not emulated", event);
+   }
+}
+
 static void play_tape(void)
 {
+   struct node *controller = node;
+
    while (node->entries > 0 && long_number(node->entry) <= node->ticks) {
-      switch (long_number(node->entry + 4)) {
-      case WORDS: node->words = node->entry + 8; break;
-      case ILLEGAL_INSTRUCTION: node->planted = illegal_words; break;
-      case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = 200; break;
-      case ODD_ADDRESS: node->planted = odd_words; break;
-      case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
-      case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
-      case LOST_CHARACTER: node->next_errors = OVERRUN; break;
-      case ENDLESS_LOOP: node->planted = loop_words; break;
-      case LOST_TIMER: node->clock.runs = false; break;
-      default: fail("an event that is not emulated", 0);
-      }
-      node->planted_at = node->planted_words = 0;
+      uint32_t event = long_number(node->entry + 4);
+
+      if (event >= ON_TELEMETRY_BOARD)
+         node = controller->partner;
+      happen(event % ON_TELEMETRY_BOARD, controller->entry + 8);
+      node = controller;
       node->entry += 8 + 2 * CHANNELS;
       node->entries--;
    }
 }
 
-static void count_tick(void)
+static uint64_t idle_cycles(void)
 {
    uint64_t idle = node->idle;
 
@@ -810,6 +897,24 @@ static void count_tick(void)
       node->stopped_at = now();
    }
    node->idle = 0;
+   return idle;
+}
+
+/* Not the first one, which has no beginning. */
+static void count_character_time(void)
+{
+   uint64_t idle = idle_cycles();
+
+   node->character_time.now = now() - node->tick_start - idle;
+   if (node->ticks++ > 0)
+      add(&node->character_time);
+   node->tick_start = now();
+}
+
+static void count_tick(void)
+{
+   uint64_t idle = idle_cycles();
+
    count_places();
 
    /* Not the frame in which the run begins. */
@@ -831,6 +936,8 @@ static void run_timer(struct duart *duart)
    if (duart->state & COUNTER_READY)
       node->lost_times++;
    duart->state |= COUNTER_READY;
+   if (duart == &node->line && node->begun)
+      count_character_time();
    if (duart == &node->clock) {
       node->ticks++;
       count_tick();
@@ -868,20 +975,30 @@ static void sooner(uint64_t *time, bool when, uint64_t candidate)
       *time = candidate;
 }
 
+static uint64_t next_event(uint64_t until)
+{
+   uint64_t next = until;
+
+   sooner(&next, node->line.runs, node->line.next);
+   sooner(&next, node->clock.runs, node->clock.next);
+   sooner(&next, node->converter.converting, node->converter.done);
+   sooner(&next, node->characters > 0, node->coming[0].time);
+   sooner(&next, node->watched, node->watchdog);
+   return next > node->time ? next : node->time + 1;
+}
+
 static void run(uint64_t until)
 {
-   m68k_set_context(node->processor);
+   if (loaded != node) {
+      if (loaded)
+         m68k_get_context(loaded->processor);
+      m68k_set_context(node->processor);
+      loaded = node;
+   }
    while (!node->ended && node->time < until) {
-      uint64_t next = until;
+      uint64_t next = next_event(until);
       int used;
 
-      sooner(&next, node->line.runs, node->line.next);
-      sooner(&next, node->clock.runs, node->clock.next);
-      sooner(&next, node->converter.converting, node->converter.done);
-      sooner(&next, node->characters > 0, node->coming[0].time);
-      sooner(&next, node->watched, node->watchdog);
-      if (next <= node->time)
-         next = node->time + 1;
       executing = true;
       node->cut = 0;
       used = m68k_execute((int)(next - node->time));
@@ -892,8 +1009,30 @@ static void run(uint64_t until)
          node->time = node->cut ? node->cut : node->time + (uint64_t)used;
       run_devices();
    }
-   m68k_get_context(node->processor);
 }
+
+/* Both processors of a node, the earlier one first. */
+static void run_node(struct node *controller, uint64_t until)
+{
+   struct node *board = controller->partner;
+
+   for (;;) {
+      uint64_t end = until;
+
+      node = board->ended
+         || (!controller->ended && controller->time <= board->time)
+         ? controller : board;
+      if (node->ended || node->time >= until)
+         break;
+      if (is_asleep(node))
+         end = next_event(until);
+      else if (!is_asleep(node->partner)
+               && node->partner->time + AHEAD_CYCLES < end)
+         end = node->partner->time + AHEAD_CYCLES;
+      run(end);
+   }
+}
+
 
 static uint8_t *contents(const char *path, size_t *length)
 {
@@ -914,32 +1053,25 @@ static uint8_t *contents(const char *path, size_t *length)
    return data;
 }
 
-static struct node *power_up(const char *output, char **arguments)
+static struct node *power_up(const char *output, const char *name,
+                             const char *rom_path)
 {
    static uint8_t neutral[2 * CHANNELS];
    char path[4096];
    size_t length;
-   uint8_t *rom = contents(arguments[1], &length);
+   uint8_t *rom = contents(rom_path, &length);
 
    node = calloc(1, sizeof *node);
    if (!node || length > ROM_SIZE)
       exit(2);
    memcpy(node->rom, rom, length);
-   node->name = arguments[0];
+   snprintf(node->name, sizeof node->name, "%s", name);
    snprintf(path, sizeof path, "%s/%s.txt", output, node->name);
    node->console = fopen(path, "w");
    if (!node->console) {
       perror(path);
       exit(2);
    }
-   read_places(output);
-   node->tape = contents(arguments[2], &length);
-   node->lag = long_number(node->tape);
-   node->delay_us = long_number(node->tape + 8);
-   node->flags = long_number(node->tape + 12);
-   node->length = long_number(node->tape + 16);
-   node->entries = long_number(node->tape + 20);
-   node->entry = node->tape + 24;
    node->words = neutral;
    node->processor = calloc(1, m68k_context_size());
    m68k_set_cpu_type(M68K_CPU_TYPE_68000);
@@ -949,13 +1081,44 @@ static struct node *power_up(const char *output, char **arguments)
    return node;
 }
 
+static void power_up_node(const char *output, char **arguments)
+{
+   struct node *controller = power_up(output, arguments[0], arguments[1]);
+   char name[64];
+   size_t length;
+
+   read_places(output);
+   node->tape = contents(arguments[3], &length);
+   node->lag = long_number(node->tape);
+   node->delay_us = long_number(node->tape + 8);
+   node->flags = long_number(node->tape + 12);
+   node->length = long_number(node->tape + 16);
+   node->entries = long_number(node->tape + 20);
+   node->entry = node->tape + 24;
+
+   snprintf(name, sizeof name, "%.50s_board", arguments[0]);
+   power_up(output, name, arguments[2]);
+   node->is_telemetry_board = true;
+   node->length = controller->length;
+   node->partner = controller;
+   controller->partner = node;
+   node->dual = controller->dual = malloc(DUAL_SIZE);
+   if (!node->dual)
+      exit(2);
+   /* Its contents at power up are random, but the same in each run. */
+   for (unsigned each = 0; each < DUAL_SIZE; each++)
+      node->dual[each] = (uint8_t)(each * 151 + 77);
+   nodes[node_count++] = controller;
+   nodes[node_count++] = node;
+}
+
 int main(int count, char **arguments)
 {
    uint64_t time = 0;
 
-   if (count != 6 && count != 9) {
-      fprintf(stderr, "usage: board MHZ OUTPUT NODE ROM TAPE"
-              " [NODE ROM TAPE]\n");
+   if (count != 7 && count != 11) {
+      fprintf(stderr, "usage: board MHZ OUTPUT NODE ROM TELEMETRY_ROM TAPE"
+              " [NODE ROM TELEMETRY_ROM TAPE]\n");
       return 2;
    }
    mhz = (unsigned)atoi(arguments[1]);
@@ -964,21 +1127,20 @@ int main(int count, char **arguments)
       return 2;
    }
    m68k_init();
-   for (int each = 3; each < count; each += 3)
-      nodes[node_count++] = power_up(arguments[2], arguments + each);
+   for (int each = 3; each < count; each += 4)
+      power_up_node(arguments[2], arguments + each);
 
    /* Up to the time when the clocks begin. */
-   for (int each = 0; each < node_count; each++) {
-      node = nodes[each];
-      while (!node->begun && !node->ended)
-         run(node->time + 1);
-   }
+   for (int each = 0; each < node_count; each += 2)
+      for (uint64_t begin = 0;
+           !nodes[each]->begun && !nodes[each]->ended;
+           begin += AHEAD_CYCLES)
+         run_node(nodes[each], begin);
    for (bool all = false; !all; time += cycles(SLICE_US)) {
       all = true;
-      for (int each = 0; each < node_count; each++) {
-         node = nodes[each];
-         run(node->start + time);
-         all = all && node->ended;
+      for (int each = 0; each < node_count; each += 2) {
+         run_node(nodes[each], nodes[each]->start + time);
+         all = all && nodes[each]->ended && nodes[each + 1]->ended;
       }
    }
    for (int each = 0; each < node_count; each++)

@@ -1,12 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The MC68000's board as board.c emulates it (BRD-4, D-83): two MC68681, the
---  converter's and the servos' boards, and registers of the emulator for the
---  settings of a flight and for its record.
---
---  The timer of the first MC68681 gives the character times, that of the
---  second one the ticks. The receiver's characters are taken at each character
---  time: its interrupt would cost as much again, and it holds four.
+--  The MC68000's controller as board.c emulates it (BRD-4, D-83): two MC68681,
+--  the converter's and the servos' boards, and registers of the emulator for
+--  the settings of a flight and for its record. The first MC68681 has the
+--  console; the timer of the second one gives the ticks. The line is on the
+--  telemetry board (Telemetry_Board_Program), which uses the console, Sleep
+--  and Feed_Watchdog of this package, too.
 
 with Machine_Texts;           use Machine_Texts;
 with MC68681;                 use MC68681;
@@ -15,6 +14,7 @@ with MC68681.Registers;
 with MC68681.Timers;          use MC68681.Timers;
 with Stack_Marks;
 with System.Storage_Elements; use System.Storage_Elements;
+with Telemetry.Boards.Dual_Ported;
 
 package body Targets is
 
@@ -22,12 +22,6 @@ package body Targets is
 
    procedure On_Tick
    with Import, Convention => C, External_Name => "urv_tick";
-   procedure On_Character_Time
-   with Import, Convention => C, External_Name => "urv_character_time";
-   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
-   with Import, Convention => C, External_Name => "urv_character";
-   procedure On_Free_Sender
-   with Import, Convention => C, External_Name => "urv_free_sender";
    procedure On_Converted (Value : Unsigned_32)
    with Import, Convention => C, External_Name => "urv_converted";
 
@@ -49,14 +43,11 @@ package body Targets is
 
    Memory_Is_Kept : constant Unsigned_32 := 16#4B45_5054#;   --  "KEPT"
 
-   --  Interrupts by vector, as in start.s
-
-   Line_Vector  : constant Byte := 16#41#;
+   --  Its interrupt's vector, as in start.s
    Clock_Vector : constant Byte := 16#42#;
 
-   --  The chips' clock has 4 MHz: 96 us, 2 ms. The timer takes half of it.
-   Counts_Per_Character : constant := 4 * 96 / 2;
-   Counts_Per_Tick      : constant := 4 * 2_000 / 2;
+   --  The chip's clock has 4 MHz: 2 ms. The timer takes half of it.
+   Counts_Per_Tick : constant := 4 * 2_000 / 2;
 
    --  The converter's board
 
@@ -94,12 +85,6 @@ package body Targets is
    Ticks     : Unsigned_32 := 0;
    Has_Begun : Boolean     := False;
 
-   --  The line's errors since power up.
-   Errors : Error_Counts;
-
-   procedure On_Line
-   with Export, Convention => C, External_Name => "urv_line_interrupt";
-
    procedure On_Clock
    with Export, Convention => C, External_Name => "urv_clock_interrupt";
 
@@ -108,21 +93,15 @@ package body Targets is
 
    procedure End_Run;
 
-   --  Gives the board this character, and those that have come after it.
-   procedure Hear (Data : Byte; Is_Damaged : Boolean);
-   pragma No_Inline (Hear);
-
-   procedure Put_Errors;
-
    procedure Open is
    begin
-      Set_Up (Line);
       MC68681.Registers.Write_Command (Console, Switch_On_Sender);
       Converter.Vector := Board_Word (Devices.AD_Board.Interrupt_Vector);
       Converter.Interrupt := 1;
       if not Has_Begun then
          Configure (Emulator.Flags, Emulator.Line_Delay);
       end if;
+      Telemetry.Boards.Dual_Ported.Recover;
       if Kept (3) > 0 then
          Put ("restarts");
          Put_Labelled ("count", Kept (3));
@@ -140,60 +119,15 @@ package body Targets is
    begin
       Has_Begun := True;
       MC68681.Timers.Start (Clock_Chip, Counts_Per_Tick);
-      MC68681.Timers.Start (Line_Chip, Counts_Per_Character);
       Use_Interrupts (Clock_Chip, Clock_Vector, Receiver => False);
-      Use_Interrupts (Line_Chip, Line_Vector, Receiver => False);
       Restore (16#2000#);
    end Start_Clock;
 
-   procedure Put_Errors is
-   begin
-      Put ("line");
-      Put_Labelled ("lost_characters", Unsigned_32 (Errors.Overruns));
-      Put_Labelled ("parity_errors", Unsigned_32 (Errors.Parity_Errors));
-      Put_Labelled ("framing_errors", Unsigned_32 (Errors.Framing_Errors));
-      Put_Line;
-   end Put_Errors;
-
    procedure End_Run is
    begin
-      Emulator.Stop_Time := 1;
       Put_Counts;
-      Put_Errors;
       Emulator.End_Run := 1;
    end End_Run;
-
-   --  Apart, so that the usual path saves and restores fewer registers.
-   procedure Hear (Data : Byte; Is_Damaged : Boolean) is
-      Result : Reception;
-   begin
-      On_Character (Unsigned_32 (Data), (if Is_Damaged then 1 else 0));
-      loop
-         Receive (Line, Errors, Result);
-         exit when not Result.Is_There;
-         On_Character
-           (Unsigned_32 (Result.Data),
-            (if MC68681.Channels.Is_Damaged (Result) then 1 else 0));
-      end loop;
-   end Hear;
-
-   procedure On_Line is
-      Is_Due : Boolean;
-      Result : Reception;
-   begin
-      Take_Period (Line_Chip, Is_Due);
-      if not Is_Due then
-         return;
-      end if;
-      On_Character_Time;
-      Receive (Line, Errors, Result);
-      if Result.Is_There then
-         Hear (Result.Data, Is_Damaged (Result));
-      end if;
-      if Result.Sender_Is_Free then
-         On_Free_Sender;
-      end if;
-   end On_Line;
 
    procedure On_Clock is
       Unused_Is_Due : Boolean;
